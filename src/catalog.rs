@@ -1,0 +1,25 @@
+//! Every room. A new room adds one word here, a new stage nothing.
+
+use stage::AnyStage;
+
+/// The rooms' stages, in the order in which data flows.
+pub const ROOMS: &[&[&dyn AnyStage]] = &[
+    synth::STAGES,
+    capture::STAGES,
+    pose::STAGES,
+    silhouette::STAGES,
+    hull::STAGES,
+    refine::STAGES,
+    measure::STAGES,
+    report::STAGES,
+];
+
+/// Every stage.
+pub fn stages() -> impl Iterator<Item = &'static dyn AnyStage> {
+    ROOMS.iter().copied().flatten().copied()
+}
+
+/// The stage of a name.
+pub fn find(name: &str) -> Option<&'static dyn AnyStage> {
+    stages().find(|stage| stage.name() == name)
+}

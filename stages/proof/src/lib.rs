@@ -1,0 +1,76 @@
+//! How a claim about numbers is proved in a test. A dev-dependency only.
+
+use nalgebra::{SMatrix, SVector};
+
+/// Holds an analytic Jacobian against central differences of the function beside it.
+///
+/// `f` returns the value and the Jacobian (`M` × `N`, row per output). Entries must agree to
+/// 1e-6 of the largest entry, or to what rounding lets a difference of this `step` see.
+///
+/// # Panics
+/// Where they do not agree, naming the entry.
+#[track_caller]
+pub fn jacobian<const M: usize, const N: usize>(
+    at: SVector<f64, N>,
+    step: f64,
+    f: impl Fn(SVector<f64, N>) -> (SVector<f64, M>, SMatrix<f64, M, N>),
+) {
+    let (value, analytic) = f(at);
+    let noise = 1e-13 * value.amax().max(1.0) / step;
+    let bar = 1e-6 * analytic.amax().max(1e-12) + 10.0 * noise;
+    for j in 0..N {
+        let mut shifted = [at, at];
+        shifted[0][j] -= step;
+        shifted[1][j] += step;
+        let difference = (f(shifted[1]).0 - f(shifted[0]).0) / (2.0 * step);
+        for i in 0..M {
+            let (a, d) = (analytic[(i, j)], difference[i]);
+            assert!(
+                (a - d).abs() <= bar,
+                "d f[{i}] / d x[{j}]: analytic {a}, difference {d}"
+            );
+        }
+    }
+}
+
+/// Asserts that `got` is within `tolerance` of `want`.
+///
+/// # Panics
+/// Where it is not, or is no number.
+#[track_caller]
+pub fn near(got: f64, want: f64, tolerance: f64) {
+    assert!(
+        (got - want).abs() <= tolerance,
+        "got {got}, want {want} within {tolerance}"
+    );
+}
+
+/// A small generator of equidistributed numbers for tests (SplitMix64, Steele 2014).
+pub struct Dice(pub u64);
+
+impl Dice {
+    /// The next 64 bits.
+    pub fn bits(&mut self) -> u64 {
+        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
+        let mut z = self.0;
+        z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+        z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
+        z ^ (z >> 31)
+    }
+
+    /// A number from 0 to below 1.
+    pub fn unit(&mut self) -> f64 {
+        (self.bits() >> 11) as f64 / (1u64 << 53) as f64
+    }
+
+    /// A number from `lo` to below `hi`.
+    pub fn within(&mut self, lo: f64, hi: f64) -> f64 {
+        lo + (hi - lo) * self.unit()
+    }
+
+    /// A normally distributed number (Box and Muller 1958).
+    pub fn normal(&mut self) -> f64 {
+        let r = (-2.0 * (1.0 - self.unit()).ln()).sqrt();
+        r * (std::f64::consts::TAU * self.unit()).cos()
+    }
+}

@@ -1,0 +1,85 @@
+//! The calibrated cameras of a turn, in the turntable frame, and how far to trust them.
+
+use crate::{ByPhoto, Camera};
+use serde::{Deserialize, Serialize};
+use stage::{Artifact, Corrupt, Packer, Unpacker};
+
+/// Where the millimetres come from.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+pub enum Scale {
+    /// A marker mat of known size.
+    Mat,
+    /// A reference length that the user gave.
+    Reference,
+    /// The disk's diameter.
+    Disk,
+    /// The subject's stature.
+    Stature,
+    /// Cameras that came from elsewhere, taken at their word.
+    Given,
+    /// Nothing: lengths are relative to the camera ring's radius, called 1000 mm.
+    Nothing,
+}
+
+/// One photo's camera.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct View {
+    /// The photo's file name.
+    pub name: String,
+    /// The camera, world = turntable frame.
+    pub camera: Camera,
+    /// Standard deviation of the camera's centre, by bundle adjustment. [mm] 0 where unknown.
+    pub sigma_mm: f64,
+    /// Root mean square of its reprojection errors. [px] 0 where unknown.
+    pub rms_px: f64,
+    /// How many points hold it.
+    pub points: u32,
+}
+
+/// Calibrated cameras.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Cameras {
+    /// The photos that have a camera.
+    pub views: ByPhoto<View>,
+    /// Where the millimetres come from.
+    pub scale: Scale,
+    /// Relative standard deviation of the scale. 0 where unknown.
+    pub scale_sigma: f64,
+    /// The disk's radius, where it is known. [mm]
+    pub disk_radius_mm: Option<f64>,
+    /// Height of the ground that the subject stands on, in the turntable frame. [mm]
+    pub ground_mm: f64,
+    /// Points of the body and disk in the world, three numbers each. [mm] May be empty.
+    pub points: Vec<[f32; 3]>,
+}
+
+impl Artifact for Cameras {
+    const KIND: &'static str = "cameras";
+    const FORMAT: u32 = 1;
+
+    fn pack(&self, to: &mut Packer) {
+        let Cameras {
+            views,
+            scale,
+            scale_sigma,
+            disk_radius_mm,
+            ground_mm,
+            points,
+        } = self;
+        to.meta(&(views, scale, scale_sigma, disk_radius_mm, ground_mm));
+        to.section("points", points);
+    }
+
+    fn unpack(from: &Unpacker<'_>) -> Result<Self, Corrupt> {
+        let (views, scale, scale_sigma, disk_radius_mm, ground_mm) = from.meta()?;
+        let points = from.section("points")?;
+        Ok(Cameras {
+            views,
+            scale,
+            scale_sigma,
+            disk_radius_mm,
+            ground_mm,
+            points,
+        })
+    }
+}

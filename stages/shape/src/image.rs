@@ -1,0 +1,79 @@
+//! Images: rows of pixels, row-major, the centre of the top-left pixel at (0, 0).
+
+/// An image.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Image<T> {
+    /// Width. [px]
+    pub width: usize,
+    /// Height. [px]
+    pub height: usize,
+    /// `height * width` pixels, row-major.
+    pub data: Vec<T>,
+}
+
+/// Red, green, blue as the file has them (sRGB), 0..=255.
+pub type Rgb = Image<[u8; 3]>;
+
+/// Brightness, as a rule 0..=255.
+pub type Gray = Image<f32>;
+
+impl<T: Copy> Image<T> {
+    /// An image of one colour.
+    pub fn filled(width: usize, height: usize, value: T) -> Self {
+        Image {
+            width,
+            height,
+            data: vec![value; width * height],
+        }
+    }
+
+    /// The pixel at a column and a row.
+    #[inline]
+    pub fn at(&self, x: usize, y: usize) -> T {
+        self.data[y * self.width + x]
+    }
+
+    /// The pixel at a column and a row, to be changed.
+    #[inline]
+    pub fn at_mut(&mut self, x: usize, y: usize) -> &mut T {
+        &mut self.data[y * self.width + x]
+    }
+
+    /// One row.
+    #[inline]
+    pub fn row(&self, y: usize) -> &[T] {
+        &self.data[y * self.width..(y + 1) * self.width]
+    }
+
+    /// Another value for each pixel.
+    pub fn map<U>(&self, f: impl FnMut(&T) -> U) -> Image<U> {
+        let data = self.data.iter().map(f).collect();
+        Image {
+            width: self.width,
+            height: self.height,
+            data,
+        }
+    }
+}
+
+impl Rgb {
+    /// Brightness by Rec. 601 weights.
+    pub fn gray(&self) -> Gray {
+        self.map(|&[r, g, b]| 0.299 * f32::from(r) + 0.587 * f32::from(g) + 0.114 * f32::from(b))
+    }
+}
+
+impl Gray {
+    /// The brightness between pixels, bilinear; outside, that of the nearest border pixel.
+    #[inline]
+    pub fn sample(&self, x: f32, y: f32) -> f32 {
+        let x = x.clamp(0.0, (self.width - 1) as f32);
+        let y = y.clamp(0.0, (self.height - 1) as f32);
+        let (x0, y0) = (x as usize, y as usize);
+        let (x1, y1) = ((x0 + 1).min(self.width - 1), (y0 + 1).min(self.height - 1));
+        let (fx, fy) = (x - x0 as f32, y - y0 as f32);
+        let top = self.at(x0, y0) + fx * (self.at(x1, y0) - self.at(x0, y0));
+        let bottom = self.at(x0, y1) + fx * (self.at(x1, y1) - self.at(x0, y1));
+        top + fy * (bottom - top)
+    }
+}

@@ -1,0 +1,38 @@
+//! The nouns: what flows between stages. They know no verbs.
+//!
+//! Lengths in millimetres, angles in radians, pixels with the centre of the top-left pixel at
+//! (0, 0). World is the turntable frame: origin on the rotation axis at the disk's top, z up,
+//! right-handed. `x_in_camera = camera_from_world * x_in_world`, camera x right, y down, z forward.
+//!
+//! ```text
+//! Photos ─ Keypoints ─ Tracks ─ Cameras ─┐
+//!    └──────────────── Masks ────────────┴─ Mesh ─ Landmarks ─ Girths ─ Document
+//! ```
+
+mod by_photo;
+mod camera;
+mod cameras;
+mod document;
+mod export;
+mod girths;
+mod image;
+mod landmarks;
+mod masks;
+mod mesh;
+mod photos;
+mod rig;
+mod textured;
+
+pub use by_photo::{ByPhoto, PhotoId};
+pub use camera::{Camera, Intrinsics, Pose};
+pub use cameras::{Cameras, Scale, View};
+pub use document::Document;
+pub use export::{ExportError, mesh_from_ply, mesh_to_ply};
+pub use girths::{Girth, Girths, Missing, Profile};
+pub use image::{Gray, Image, Rgb};
+pub use landmarks::{Landmark, Landmarks, Part, Plane};
+pub use masks::{Mask, Masks};
+pub use mesh::{Adjacency, Mesh, MeshFault};
+pub use photos::{Photo, PhotoError, Photos};
+pub use rig::{Mat, Reference, Rig};
+pub use textured::Textured;

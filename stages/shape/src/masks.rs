@@ -1,0 +1,122 @@
+//! Silhouettes: how much of each pixel the body covers.
+
+use crate::{ByPhoto, Image, PhotoId};
+use nalgebra::Point2;
+use stage::{Artifact, Corrupt, Packer, Unpacker};
+
+/// How much of each pixel is body: 0 none, 255 all; the border runs where it crosses 127.5.
+pub type Mask = Image<u8>;
+
+impl Mask {
+    /// Whether the body covers the pixel nearest to a point; nothing is body outside.
+    pub fn shows(&self, at_px: Point2<f64>) -> bool {
+        let (x, y) = (at_px.x.round(), at_px.y.round());
+        let inside = x >= 0.0 && y >= 0.0 && x < self.width as f64 && y < self.height as f64;
+        inside && self.at(x as usize, y as usize) > 127
+    }
+
+    /// How many pixels are body.
+    pub fn area(&self) -> usize {
+        self.data.iter().filter(|c| **c > 127).count()
+    }
+}
+
+/// One silhouette a photo.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Masks {
+    /// The photos that have one.
+    pub views: ByPhoto<Mask>,
+}
+
+impl Artifact for Masks {
+    const KIND: &'static str = "masks";
+    const FORMAT: u32 = 1;
+
+    fn pack(&self, to: &mut Packer) {
+        let sizes: Vec<_> = self
+            .views
+            .iter()
+            .map(|(id, m)| (id.0, m.width as u32, m.height as u32))
+            .collect();
+        to.meta(&sizes);
+        for (id, mask) in self.views.iter() {
+            to.section(format!("mask {}", id.0), &runs(&mask.data));
+        }
+    }
+
+    fn unpack(from: &Unpacker<'_>) -> Result<Self, Corrupt> {
+        let sizes: Vec<(u32, u32, u32)> = from.meta()?;
+        let mask = |(id, width, height): (u32, u32, u32)| {
+            let (width, height) = (width as usize, height as usize);
+            let data = pixels(
+                &from.section(&format!("mask {id}"))?,
+                width.saturating_mul(height),
+            )?;
+            Ok((
+                PhotoId(id),
+                Image {
+                    width,
+                    height,
+                    data,
+                },
+            ))
+        };
+        Ok(Masks {
+            views: sizes
+                .into_iter()
+                .map(mask)
+                .collect::<Result<_, Corrupt>>()?,
+        })
+    }
+}
+
+/// Pixels as runs: value, then length as three bytes.
+fn runs(pixels: &[u8]) -> Vec<u8> {
+    let mut runs = Vec::new();
+    for run in pixels.chunk_by(|a, b| a == b) {
+        for run in run.chunks(0xff_ffff) {
+            runs.push(run[0]);
+            runs.extend_from_slice(&(run.len() as u32).to_le_bytes()[..3]);
+        }
+    }
+    runs
+}
+
+/// Runs as pixels; never more than `count` of them.
+fn pixels(runs: &[u8], count: usize) -> Result<Vec<u8>, Corrupt> {
+    let mut pixels = Vec::new();
+    for run in runs.chunks(4) {
+        let &[value, a, b, c] = run else {
+            return Err(Corrupt("half a run".into()));
+        };
+        let length = u32::from_le_bytes([a, b, c, 0]) as usize;
+        if pixels.len() + length > count {
+            return Err(Corrupt("a mask longer than its size".into()));
+        }
+        pixels.resize(pixels.len() + length, value);
+    }
+    if pixels.len() != count {
+        return Err(Corrupt("a mask shorter than its size".into()));
+    }
+    Ok(pixels)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn masks_come_back_from_their_runs() {
+        let mut mask = Mask::filled(70, 50, 0);
+        for (i, c) in mask.data.iter_mut().enumerate() {
+            *c = if i % 7 < 3 { (i % 256) as u8 } else { 255 };
+        }
+        let masks = Masks {
+            views: [(PhotoId(3), mask)].into_iter().collect(),
+        };
+        assert_eq!(
+            stage::from_bytes::<Masks>(&stage::to_bytes(&masks)).unwrap(),
+            masks
+        );
+    }
+}

@@ -1,0 +1,47 @@
+//! What the user knows of the capture: `capture.toml`, in our units.
+
+use serde::{Deserialize, Serialize};
+
+/// What is known of the capture; all of it may be unknown.
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
+pub struct Rig {
+    /// What the user calls it.
+    pub name: Option<String>,
+    /// Nominal turn between photos, positive if the subject turns counter-clockwise seen from above. [rad]
+    pub step: Option<f64>,
+    /// Focal length as if the photo were taken on 36 × 24 mm film. [mm]
+    pub focal_35mm: Option<f64>,
+    /// The subject's stature. [mm]
+    pub stature_mm: Option<f64>,
+    /// The subject's weight. [kg]
+    pub weight_kg: Option<f64>,
+    /// The disk's diameter. [mm]
+    pub disk_diameter_mm: Option<f64>,
+    /// The marker mat on the disk.
+    pub mat: Option<Mat>,
+    /// A length that is known.
+    pub reference: Option<Reference>,
+}
+
+/// A ring of AprilTags (family 36h11) on the disk, all of one size.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub struct Mat {
+    /// Edge length of a tag's black square. [mm]
+    pub tag_mm: f64,
+    /// First id of the ring.
+    pub first_id: u32,
+    /// How many tags.
+    pub count: u32,
+    /// Radius of the circle through the tags' centres. [mm] Tag i is centred at angle
+    /// i · 360° / count, counter-clockwise from above, its top edge outward.
+    pub ring_mm: f64,
+}
+
+/// A length that is known.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Reference {
+    /// What it is the length of: `tag_size`, `subject_height`, `disk_diameter`, …
+    pub kind: String,
+    /// Its length. [mm]
+    pub length_mm: f64,
+}

@@ -1,0 +1,177 @@
+//! Every cast of the house: typed stages on the one side, what the engine sees on the other.
+
+use crate::{
+    Artifact, Corrupt, Ctx, Input, Mistake, ParamSpec, Params, PortSpec, Stage, Stop, Value,
+    from_bytes, to_bytes,
+};
+use std::any::Any;
+use std::collections::BTreeMap;
+use std::marker::PhantomData;
+use std::sync::Arc;
+
+/// An artifact of some kind, shared between its readers.
+#[derive(Clone)]
+pub struct AnyArtifact {
+    kind: &'static str,
+    inner: Arc<dyn Any + Send + Sync>,
+}
+
+impl AnyArtifact {
+    /// Forgets the type, keeps the kind.
+    pub fn new<A: Artifact>(artifact: A) -> Self {
+        AnyArtifact {
+            kind: A::KIND,
+            inner: Arc::new(artifact),
+        }
+    }
+
+    /// What it is called.
+    pub fn kind(&self) -> &'static str {
+        self.kind
+    }
+
+    /// Remembers the type, if it is this one.
+    pub fn downcast<A: Artifact>(self) -> Option<Arc<A>> {
+        self.inner.downcast().ok()
+    }
+}
+
+/// Params that were read and found good.
+#[derive(Clone)]
+pub struct Checked {
+    /// All values after defaults, in the order of the reference.
+    pub values: Vec<(&'static str, Value)>,
+    typed: Arc<dyn Any + Send + Sync>,
+}
+
+/// What a stage made: to be handed on, and as the bytes to be stored.
+pub struct Made {
+    /// To be handed on.
+    pub artifact: AnyArtifact,
+    /// To be stored.
+    pub bytes: Vec<u8>,
+}
+
+/// A stage as the engine sees it.
+pub trait AnyStage: Sync {
+    /// `room.verb`.
+    fn name(&self) -> &'static str;
+    /// See [`Stage::VERSION`].
+    fn version(&self) -> u32;
+    /// One sentence.
+    fn about(&self) -> &'static str;
+    /// The kind of artifact that flows out.
+    fn yields(&self) -> &'static str;
+    /// The format of that kind.
+    fn format(&self) -> u32;
+    /// What flows in.
+    fn ports(&self) -> Vec<PortSpec>;
+    /// What may be tuned.
+    fn params(&self) -> Vec<ParamSpec>;
+    /// Reads params; all mistakes at once.
+    fn check(&self, said: &BTreeMap<String, Value>) -> Result<Checked, Vec<Mistake>>;
+    /// Runs: one input a port, in order.
+    fn run(
+        &self,
+        params: &Checked,
+        inputs: Vec<Option<AnyArtifact>>,
+        ctx: &Ctx<'_>,
+    ) -> Result<Made, Stop>;
+    /// Reads back what [`AnyStage::run`] made.
+    fn read(&self, bytes: &[u8]) -> Result<AnyArtifact, Corrupt>;
+}
+
+/// A typed stage behind the engine's view of it. Made by [`erase`].
+pub struct Erased<S>(PhantomData<fn() -> S>);
+
+/// The engine's view of a stage, for a room's list: `&erase::<Carve>()`.
+pub const fn erase<S: Stage>() -> Erased<S> {
+    Erased(PhantomData)
+}
+
+impl<S: Stage> AnyStage for Erased<S> {
+    fn name(&self) -> &'static str {
+        S::NAME
+    }
+    fn version(&self) -> u32 {
+        S::VERSION
+    }
+    fn about(&self) -> &'static str {
+        S::ABOUT
+    }
+    fn yields(&self) -> &'static str {
+        S::Output::KIND
+    }
+    fn format(&self) -> u32 {
+        S::Output::FORMAT
+    }
+    fn ports(&self) -> Vec<PortSpec> {
+        S::Input::ports()
+    }
+    fn params(&self) -> Vec<ParamSpec> {
+        S::Params::specs()
+    }
+
+    fn check(&self, said: &BTreeMap<String, Value>) -> Result<Checked, Vec<Mistake>> {
+        let params = S::Params::read(said)?;
+        Ok(Checked {
+            values: params.values(),
+            typed: Arc::new(params),
+        })
+    }
+
+    fn run(
+        &self,
+        params: &Checked,
+        inputs: Vec<Option<AnyArtifact>>,
+        ctx: &Ctx<'_>,
+    ) -> Result<Made, Stop> {
+        let params = params
+            .typed
+            .downcast_ref()
+            .expect("bug: params of another stage");
+        let output = S::run(params, S::Input::take(inputs)?, ctx)?;
+        ctx.check()?;
+        let bytes = to_bytes(&output);
+        Ok(Made {
+            artifact: AnyArtifact::new(output),
+            bytes,
+        })
+    }
+
+    fn read(&self, bytes: &[u8]) -> Result<AnyArtifact, Corrupt> {
+        from_bytes::<S::Output>(bytes).map(AnyArtifact::new)
+    }
+}
+
+/// Params for a stage that has nothing to tune.
+impl Params for () {
+    fn specs() -> Vec<ParamSpec> {
+        vec![]
+    }
+    fn read(said: &BTreeMap<String, Value>) -> Result<Self, Vec<Mistake>> {
+        let unknown = |name: &String| Mistake {
+            name: name.clone(),
+            what: crate::unknown("param", name, &[]),
+        };
+        let mistakes: Vec<_> = said.keys().map(unknown).collect();
+        if mistakes.is_empty() {
+            Ok(())
+        } else {
+            Err(mistakes)
+        }
+    }
+    fn values(&self) -> Vec<(&'static str, Value)> {
+        vec![]
+    }
+}
+
+/// Inputs for a stage that reads nothing.
+impl Input for () {
+    fn ports() -> Vec<PortSpec> {
+        vec![]
+    }
+    fn take(_: Vec<Option<AnyArtifact>>) -> Result<Self, crate::Wrong> {
+        Ok(())
+    }
+}

@@ -1,0 +1,79 @@
+//! The contract: what a stage is, and what its cached result depends on.
+//!
+//! A stage is a pure function whose signature is its cache key:
+//!
+//! | in the key | not in the key |
+//! |---|---|
+//! | `NAME`, `VERSION` | names of nodes, variants, files of pipelines |
+//! | params after defaults, one line each | how the TOML was laid out |
+//! | content of each input, by port | paths, times, machine |
+//! | kind and format of the output | threads, verbosity, progress |
+//!
+//! What is in the right column comes through [`Ctx`], which cannot enter a key.
+
+mod artifact;
+mod codec;
+mod ctx;
+mod erase;
+mod files;
+mod input;
+mod nearest;
+mod params;
+mod value;
+
+pub use artifact::{
+    Artifact, Corrupt, Hash, Packer, Unpacker, content, from_bytes, hash, to_bytes,
+};
+pub use ctx::{Ctx, Host, Metric, Steps};
+pub use erase::{AnyArtifact, AnyStage, Checked, Erased, Made, erase};
+pub use files::{FileEntry, Files, FilesError};
+pub use input::{Input, Port, PortSpec, Wrong};
+pub use nearest::{nearest, unknown};
+#[doc(hidden)]
+pub use params::read_one;
+pub use params::{Choice, Mistake, ParamSpec, ParamType, Params};
+pub use value::Value;
+
+/// One step of a pipeline: a pure function from artifacts and params to an artifact.
+pub trait Stage: 'static {
+    /// What a pipeline file calls this stage: `room.verb`, such as `hull.carve`.
+    const NAME: &'static str;
+    /// Raise it whenever equal inputs and equal params may give other bytes.
+    const VERSION: u32;
+    /// One sentence for the reference.
+    const ABOUT: &'static str;
+    /// What the user may tune; see [`params!`].
+    type Params: Params;
+    /// What flows in; see [`inputs!`].
+    type Input: Input;
+    /// What flows out.
+    type Output: Artifact;
+
+    /// Does the work. Must be deterministic: the same arguments give the same bytes.
+    fn run(params: &Self::Params, input: Self::Input, ctx: &Ctx<'_>) -> Result<Self::Output, Stop>;
+}
+
+/// Why a stage returned without an output. Never cached.
+#[derive(Debug)]
+pub enum Stop {
+    /// The user asked to stop. Not a fault.
+    Cancelled,
+    /// The input is of a kind that this stage can't use; the error says what to do about it.
+    Failed(Box<dyn std::error::Error + Send + Sync>),
+}
+
+/// The user asked to stop. `?` turns it into [`Stop::Cancelled`].
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Cancelled;
+
+impl From<Cancelled> for Stop {
+    fn from(_: Cancelled) -> Stop {
+        Stop::Cancelled
+    }
+}
+
+impl<E: std::error::Error + Send + Sync + 'static> From<E> for Stop {
+    fn from(error: E) -> Stop {
+        Stop::Failed(Box::new(error))
+    }
+}

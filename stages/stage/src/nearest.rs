@@ -1,0 +1,55 @@
+//! "Did you mean": the known name that is nearest to a mistyped one.
+
+/// What to say of an unknown name: the nearest known one, and what there is.
+pub fn unknown(what: &str, name: &str, known: &[&str]) -> String {
+    let mut text = format!("there is no {what} `{name}`");
+    if let Some(near) = nearest(name, known) {
+        text += &format!("; did you mean `{near}`?");
+    }
+    if known.is_empty() {
+        text += "; there are none";
+    } else {
+        text += &format!(" known: {}", known.join(", "));
+    }
+    text
+}
+
+/// The known name within a third of the letters by edit distance, the first of the nearest.
+pub fn nearest<'a>(name: &str, known: &[&'a str]) -> Option<&'a str> {
+    let most = (name.chars().count() / 3).max(1);
+    let near = known
+        .iter()
+        .map(|k| (distance(name, k), *k))
+        .min_by_key(|(d, _)| *d)?;
+    (near.0 <= most).then_some(near.1)
+}
+
+/// Edits that turn `a` into `b`: insertions, deletions, replacements (Levenshtein 1966).
+fn distance(a: &str, b: &str) -> usize {
+    let b: Vec<char> = b.chars().collect();
+    let mut row: Vec<usize> = (0..=b.len()).collect();
+    for (i, ca) in a.chars().enumerate() {
+        let mut corner = row[0];
+        row[0] = i + 1;
+        for (j, cb) in b.iter().enumerate() {
+            let replace = corner + usize::from(ca != *cb);
+            corner = row[j + 1];
+            row[j + 1] = replace.min(corner + 1).min(row[j] + 1);
+        }
+    }
+    row[b.len()]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_slip_of_the_finger_is_forgiven() {
+        assert_eq!(
+            nearest("voxle_mm", &["consensus", "voxel_mm"]),
+            Some("voxel_mm")
+        );
+        assert_eq!(nearest("colour", &["consensus", "voxel_mm"]), None);
+    }
+}

@@ -1,0 +1,133 @@
+//! What every file of the house keeps to.
+
+use std::path::{Path, PathBuf};
+
+/// Every Rust file that we wrote.
+fn sources() -> Vec<(PathBuf, String)> {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let mut open = ["src", "stages", "tests", "benches"]
+        .map(|d| root.join(d))
+        .to_vec();
+    let mut found = Vec::new();
+    while let Some(folder) = open.pop() {
+        let Ok(entries) = std::fs::read_dir(&folder) else {
+            continue;
+        };
+        for path in entries.map(|e| e.unwrap().path()) {
+            if path.is_dir() {
+                open.push(path);
+            } else if path.extension().is_some_and(|e| e == "rs") {
+                let text = std::fs::read_to_string(&path).unwrap();
+                found.push((path.strip_prefix(root).unwrap().to_path_buf(), text));
+            }
+        }
+    }
+    found.sort();
+    assert!(
+        found.len() > 20,
+        "the house has more than {} files",
+        found.len()
+    );
+    found
+}
+
+/// The files that break a rule.
+fn breakers(rule: impl Fn(&Path, &str) -> bool) -> Vec<PathBuf> {
+    sources()
+        .into_iter()
+        .filter(|(path, text)| rule(path, text))
+        .map(|(path, _)| path)
+        .collect()
+}
+
+#[test]
+fn every_file_says_first_what_it_is() {
+    assert_eq!(
+        breakers(|_, text| !text.starts_with("//! ")),
+        Vec::<PathBuf>::new()
+    );
+}
+
+#[test]
+fn no_file_is_longer_than_three_hundred_lines() {
+    assert_eq!(
+        breakers(|_, text| text.lines().count() > 300),
+        Vec::<PathBuf>::new()
+    );
+}
+
+#[test]
+fn nothing_is_called_util() {
+    let names = ["util", "utils", "common", "helpers", "misc"];
+    let named = |path: &Path, _: &str| {
+        path.iter().any(|part| {
+            names
+                .iter()
+                .any(|n| Path::new(part).file_stem() == Some(n.as_ref()))
+        })
+    };
+    assert_eq!(breakers(named), Vec::<PathBuf>::new());
+}
+
+#[test]
+fn no_room_knows_another_room() {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("stages");
+    let allowed = |room: &str| match room {
+        "stage" | "proof" => &[][..],
+        "shape" => &["stage"][..],
+        _ => &["stage", "shape"][..],
+    };
+    let rooms: Vec<String> = std::fs::read_dir(&root)
+        .unwrap()
+        .map(|e| e.unwrap().file_name().into_string().unwrap())
+        .collect();
+    for room in &rooms {
+        let manifest = std::fs::read_to_string(root.join(room).join("Cargo.toml")).unwrap();
+        let product = manifest.split("[dev-dependencies]").next().unwrap();
+        for other in rooms
+            .iter()
+            .filter(|other| !allowed(room).contains(&other.as_str()))
+        {
+            let arrow = format!("\n{other}.workspace");
+            assert!(!product.contains(&arrow), "{room} must not know {other}");
+        }
+    }
+}
+
+#[test]
+fn a_kernel_knows_no_stage() {
+    let kernel = |path: &Path, text: &str| {
+        let room = path.starts_with("stages")
+            && !path.starts_with("stages/stage")
+            && !path.starts_with("stages/shape")
+            && path.iter().any(|part| part == "src");
+        let product = text.split("#[cfg(test)]").next().unwrap();
+        room && !product.contains("impl Stage for")
+            && ["Ctx", "Stop"].iter().any(|word| {
+                product
+                    .split(|c: char| !c.is_alphanumeric() && c != '_')
+                    .any(|w| w == *word)
+            })
+    };
+    assert_eq!(breakers(kernel), Vec::<PathBuf>::new());
+}
+
+#[test]
+fn only_the_catalog_names_rooms() {
+    let rooms = [
+        "capture",
+        "pose",
+        "silhouette",
+        "hull",
+        "refine",
+        "measure",
+        "report",
+        "synth",
+    ];
+    let names = |path: &Path, text: &str| {
+        path.starts_with("src")
+            && path != Path::new("src/catalog.rs")
+            && rooms.iter().any(|room| text.contains(&format!("{room}::")))
+    };
+    assert_eq!(breakers(names), Vec::<PathBuf>::new());
+}
