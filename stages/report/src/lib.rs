@@ -1,4 +1,25 @@
 //! From results to documents for people.
+//!
+//! ```text
+//! photos, masks, cameras, meshes, landmarks, girths → [`Html`] → document
+//! cameras → [`RingPicture`] → document
+//! ```
+//!
+//! The page is one file: no request leaves the machine, and it carries no metadata of the photos.
+
+mod base64;
+mod cluster;
+mod html;
+mod overlay;
+mod profile;
+mod ring;
+mod ring_picture;
+mod scene;
+mod tables;
+
+pub use html::{Html, HtmlInput, HtmlParams};
+pub use ring_picture::{RingInput, RingPicture};
 
 /// Every stage of this room, in the order in which data flows through it.
-pub const STAGES: &[&dyn stage::AnyStage] = &[];
+pub const STAGES: &[&dyn stage::AnyStage] =
+    &[&stage::erase::<RingPicture>(), &stage::erase::<Html>()];

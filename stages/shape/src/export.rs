@@ -131,11 +131,17 @@ pub fn mesh_from_ply(bytes: &[u8]) -> Result<Mesh, ExportError> {
             .ok_or_else(|| error(format!("it has no element `{name}`")))
     };
     let (vertices, polygons) = (take("vertex")?, take("face")?);
-    let mut mesh = Mesh::default();
-    mesh.positions = vertices.iter().map(|v| v.at.map(|x| x as f32)).collect();
-    if colored {
-        mesh.colors = vertices.iter().map(|v| v.color).collect();
-    }
+    let positions = vertices.iter().map(|v| v.at.map(|x| x as f32)).collect();
+    let colors = if colored {
+        vertices.iter().map(|v| v.color).collect()
+    } else {
+        vec![]
+    };
+    let mut mesh = Mesh {
+        positions,
+        faces: vec![],
+        colors,
+    };
     for polygon in &polygons {
         for pair in polygon.corners.windows(2).skip(1) {
             mesh.faces

@@ -1,0 +1,78 @@
+//! Girth of the trunk over height, as a drawing.
+
+use shape::Girths;
+use std::fmt::Write;
+
+/// An SVG of the curve, with a line at each horizontal girth. Empty without a curve.
+pub(crate) fn svg(girths: &Girths) -> String {
+    let profile = &girths.profile;
+    let pairs: Vec<(f64, f64)> = profile
+        .height_mm
+        .iter()
+        .copied()
+        .zip(profile.tape_mm.iter().copied())
+        .collect();
+    let (Some(first), Some(last)) = (pairs.first(), pairs.last()) else {
+        return String::new();
+    };
+    let (low, high) = (first.0, last.0.max(first.0 + 1.0));
+    let widest = pairs.iter().map(|p| p.1).fold(1.0, f64::max);
+    let narrowest = pairs.iter().map(|p| p.1).fold(widest, f64::min);
+    let span = (widest - narrowest).max(1.0);
+    let (w, h, left, bottom) = (560.0, 320.0, 46.0, 30.0);
+    let x =
+        |girth: f64| left + (girth - narrowest + 0.05 * span) / (1.1 * span) * (w - left - 10.0);
+    let y = |height: f64| 8.0 + (high - height) / (high - low) * (h - bottom - 8.0);
+    let mut svg = format!(
+        "<svg viewBox=\"0 0 {w} {h}\" role=\"img\" aria-label=\"girth of the trunk over height\">"
+    );
+    for i in 0..=4 {
+        let (g, z) = (
+            narrowest + span * f64::from(i) / 4.0,
+            low + (high - low) * f64::from(i) / 4.0,
+        );
+        let _ = write!(
+            svg,
+            "<line class=\"grid\" x1=\"{gx:.1}\" x2=\"{gx:.1}\" y1=\"8\" y2=\"{b}\"/>\
+             <text x=\"{gx:.1}\" y=\"{ty}\" text-anchor=\"middle\">{cm:.0}</text>\
+             <text x=\"{lx}\" y=\"{zy:.1}\" text-anchor=\"end\">{zcm:.0}</text>",
+            gx = x(g),
+            b = h - bottom,
+            ty = h - bottom + 14.0,
+            cm = g / 10.0,
+            lx = left - 6.0,
+            zy = y(z) + 4.0,
+            zcm = z / 10.0,
+        );
+    }
+    for girth in girths
+        .girths
+        .iter()
+        .filter(|g| g.plane.normal[2].abs() > 0.999)
+    {
+        let z = girth.plane.point_mm[2];
+        if (low..=high).contains(&z) && (narrowest..=widest * 1.02).contains(&girth.tape_mm) {
+            let _ = write!(
+                svg,
+                "<line class=\"mark\" x1=\"{left}\" x2=\"{:.1}\" y1=\"{zy:.1}\" y2=\"{zy:.1}\"/>\
+                 <text class=\"mark\" x=\"{tx}\" y=\"{ty:.1}\">{}</text>",
+                x(girth.tape_mm),
+                girth.name,
+                tx = left + 4.0,
+                ty = y(z) - 3.0,
+                zy = y(z),
+            );
+        }
+    }
+    svg += "<polyline class=\"curve\" points=\"";
+    pairs.iter().for_each(|(z, g)| {
+        let _ = write!(svg, "{:.1},{:.1} ", x(*g), y(*z));
+    });
+    let _ = write!(
+        svg,
+        "\"/><text x=\"{:.0}\" y=\"{}\" text-anchor=\"middle\">girth of the trunk [cm], over height [cm]</text></svg>",
+        (w + left) / 2.0,
+        h - 2.0
+    );
+    svg
+}

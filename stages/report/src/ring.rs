@@ -1,0 +1,114 @@
+//! The cameras around the subject, from above and from the side (paper, Fig. 2 a and b).
+
+use nalgebra::{Point2, Point3};
+use shape::{Camera, Cameras};
+use std::fmt::Write;
+
+/// An SVG of the ring: every camera with its field of view, the disk, the bounding cylinder.
+pub(crate) fn svg(cameras: &Cameras) -> String {
+    let centres: Vec<(String, Point3<f64>)> = cameras
+        .views
+        .iter()
+        .map(|(id, v)| (id.0.to_string(), v.camera.centre()))
+        .collect();
+    let reach = centres
+        .iter()
+        .map(|(_, c)| c.x.hypot(c.y).max(c.z.abs()))
+        .fold(1.0, f64::max)
+        * 1.12;
+    let disk = cameras.disk_radius_mm.unwrap_or(reach * 0.1);
+    let (radius, low, high) = bounding_cylinder(cameras);
+    let mut svg = String::from(
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 840 420\" role=\"img\" \
+         aria-label=\"cameras around the subject, from above and from the side\">\
+         <style>text{font:10px sans-serif;fill:#888}.disk{fill:#8883;stroke:#888}\
+         .ray{stroke:#2a7fff;stroke-width:.6;opacity:.55}.cam{fill:#2a7fff}\
+         .path{fill:none;stroke:#2a7fff;stroke-dasharray:3 3;opacity:.6}\
+         .cyl{fill:none;stroke:#e07b00}</style>",
+    );
+    let scale = 190.0 / reach;
+    for (panel, side) in [(0.0, false), (420.0, true)] {
+        let map = |p: &Point3<f64>| {
+            let up = if side { p.z - (low + high) / 2.0 } else { p.y };
+            (panel + 210.0 + p.x * scale, 205.0 - up * scale)
+        };
+        let (cx, cy) = map(&Point3::new(0.0, 0.0, 0.0));
+        if side {
+            let _ = write!(
+                svg,
+                "<rect class=\"disk\" x=\"{:.1}\" y=\"{cy:.1}\" width=\"{:.1}\" height=\"4\"/>\
+                 <rect class=\"cyl\" x=\"{:.1}\" y=\"{:.1}\" width=\"{:.1}\" height=\"{:.1}\"/>",
+                cx - disk * scale,
+                2.0 * disk * scale,
+                cx - radius * scale,
+                cy - high * scale,
+                2.0 * radius * scale,
+                (high - low) * scale,
+            );
+        } else {
+            let _ = write!(
+                svg,
+                "<circle class=\"disk\" cx=\"{cx:.1}\" cy=\"{cy:.1}\" r=\"{:.1}\"/>\
+                 <circle class=\"cyl\" cx=\"{cx:.1}\" cy=\"{cy:.1}\" r=\"{:.1}\"/>",
+                disk * scale,
+                radius * scale,
+            );
+        }
+        let mut path = String::new();
+        for ((label, centre), view) in centres.iter().zip(cameras.views.values()) {
+            let (x, y) = map(centre);
+            let _ = write!(path, "{x:.1},{y:.1} ");
+            for end in field_of_view(&view.camera, reach * 0.22) {
+                let (ex, ey) = map(&end);
+                let _ = write!(
+                    svg,
+                    "<line class=\"ray\" x1=\"{x:.1}\" y1=\"{y:.1}\" x2=\"{ex:.1}\" y2=\"{ey:.1}\"/>"
+                );
+            }
+            let _ = write!(
+                svg,
+                "<circle class=\"cam\" cx=\"{x:.1}\" cy=\"{y:.1}\" r=\"3\"/>\
+                 <text x=\"{:.1}\" y=\"{:.1}\">{label}</text>",
+                x + 5.0,
+                y - 4.0
+            );
+        }
+        let caption = if side { "from the side" } else { "from above" };
+        let _ = write!(
+            svg,
+            "<polyline class=\"path\" points=\"{path}\"/><text x=\"{}\" y=\"414\">{caption}</text>",
+            panel + 12.0
+        );
+    }
+    svg + "</svg>"
+}
+
+/// The ends of a camera's view at its photo's four corners. [mm]
+fn field_of_view(camera: &Camera, length: f64) -> [Point3<f64>; 4] {
+    let (w, h) = (f64::from(camera.lens.width), f64::from(camera.lens.height));
+    [(0.0, 0.0), (w, 0.0), (w, h), (0.0, h)]
+        .map(|(x, y)| camera.centre() + camera.ray(Point2::new(x, y)).into_inner() * length)
+}
+
+/// The cylinder around the axis that every camera sees whole: radius, bottom, top. [mm]
+fn bounding_cylinder(cameras: &Cameras) -> (f64, f64, f64) {
+    let (mut radius, mut low, mut high) = (f64::MAX, f64::MIN, f64::MAX);
+    for view in cameras.views.values() {
+        let camera = &view.camera;
+        let centre = camera.centre();
+        let away = centre.x.hypot(centre.y);
+        let (w, h) = (f64::from(camera.lens.width), f64::from(camera.lens.height));
+        let slope = (w / 2.0) / camera.lens.focal[0];
+        radius = radius.min(away * slope / (1.0 + slope * slope).sqrt());
+        let at_axis = |y: f64| {
+            let ray = camera.ray(Point2::new(w / 2.0, y));
+            centre.z + ray.z * away / ray.x.hypot(ray.y).max(1e-9)
+        };
+        (low, high) = (low.max(at_axis(h)), high.min(at_axis(0.0)));
+    }
+    if radius < f64::MAX && low < high {
+        (radius, low, high)
+    } else {
+        (1.0, 0.0, 1.0)
+    }
+}
