@@ -4,4 +4,6 @@
 //! Recipe (as written) → Graph (means something) → Plan (found, stale because, waiting) → Outcome.
 
 pub mod catalog;
+pub mod closest;
 pub mod graph;
+pub mod score;

@@ -31,6 +31,19 @@ pub fn gray_to_png(image: &Image<u8>) -> Vec<u8> {
     png(&image.data, image.width, image.height, L8)
 }
 
+/// An image file as shades of gray.
+pub fn gray_from_file(bytes: &[u8]) -> Result<Image<u8>, String> {
+    let gray = image::load_from_memory(bytes)
+        .map_err(|e| e.to_string())?
+        .into_luma8();
+    let (width, height) = (gray.width() as usize, gray.height() as usize);
+    Ok(Image {
+        width,
+        height,
+        data: gray.into_raw(),
+    })
+}
+
 fn png(pixels: &[u8], width: usize, height: usize, color: image::ExtendedColorType) -> Vec<u8> {
     let mut file = Vec::new();
     PngEncoder::new_with_quality(&mut file, CompressionType::Fast, FilterType::Sub)

@@ -29,7 +29,7 @@ pub use camera::{Camera, Intrinsics, Pose};
 pub use cameras::{Cameras, Scale, View};
 pub use document::Document;
 pub use export::{ExportError, mesh_from_ply, mesh_to_ply};
-pub use export_image::{gray_to_png, rgb_to_jpeg, rgb_to_png};
+pub use export_image::{gray_from_file, gray_to_png, rgb_to_jpeg, rgb_to_png};
 pub use girths::{Girth, Girths, Missing, Profile};
 pub use image::{Gray, Image, Rgb};
 pub use landmarks::{Landmark, Landmarks, Part, Plane};

@@ -1,0 +1,129 @@
+//! Scores as text: one result, and the paper's Tables I and II with ours beside.
+
+use crate::score::{Part, Score};
+use std::fmt::Write;
+
+fn or_dash(value: Option<f64>, digits: usize) -> String {
+    value.map_or("–".into(), |x| format!("{x:+.digits$}"))
+}
+
+/// One result, in plain lines.
+pub fn text(score: &Score) -> String {
+    let mut text = String::new();
+    if let Some(c) = &score.cameras {
+        let _ = writeln!(
+            text,
+            "cameras   {} of {}; scale {} %; centres {} mm median, {} mm worst; rotation {} °; focal {} %",
+            c.registered,
+            c.of,
+            or_dash(c.scale_error_pct, 3),
+            or_dash(c.centre_mm_median, 2),
+            or_dash(c.centre_mm_max, 2),
+            or_dash(c.rotation_deg_median, 3),
+            or_dash(c.focal_error_pct, 3),
+        );
+    }
+    if let Some(m) = &score.masks {
+        let _ = writeln!(
+            text,
+            "masks     {} compared; intersection over union {:.4} mean, {:.4} worst",
+            m.count, m.iou_mean, m.iou_min
+        );
+    }
+    if let Some(m) = &score.mesh {
+        let closed = if m.closed { "closed" } else { "NOT closed" };
+        let _ = writeln!(text, "surface   {} faces, {closed}", m.faces);
+        let mut part = |name: &str, p: &Part| {
+            let _ = writeln!(
+                text,
+                "  {name:<7} {:.2} mm mean, 90 % within {:.2} mm, bias {:+.2} mm; complete {:.1} % at 2 mm, {:.1} % at 5 mm",
+                p.accuracy_mean_mm,
+                p.accuracy_90_mm,
+                p.bias_mm,
+                p.complete_2mm * 100.0,
+                p.complete_5mm * 100.0,
+            );
+        };
+        part("all", &m.all);
+        if let Some(trunk) = &m.trunk {
+            part("trunk", trunk);
+        }
+    }
+    if !score.girths.is_empty() {
+        let _ = writeln!(
+            text,
+            "girth      truth cm      cm   error %   tape %  tape mm  ISO 20685-1"
+        );
+        for (name, girth) in &score.girths {
+            let Some(g) = girth else {
+                let _ = writeln!(text, "{name:<8}  not measured");
+                continue;
+            };
+            let iso = match g.within_iso() {
+                Some(true) => format!("pass (±{} mm)", g.iso_mm),
+                Some(false) => format!("FAIL (±{} mm)", g.iso_mm),
+                None => "–".into(),
+            };
+            let held = if g.interval_holds == Some(false) {
+                "  outside its interval"
+            } else {
+                ""
+            };
+            let _ = writeln!(
+                text,
+                "{name:<8} {:>10.2} {:>7} {:>9} {:>8} {:>8}  {iso}{held}",
+                g.truth_cm,
+                g.cm.map_or("–".into(), |cm| format!("{cm:.2}")),
+                or_dash(g.error_pct, 2),
+                or_dash(g.tape_error_pct, 2),
+                or_dash(g.tape_error_mm, 1),
+            );
+        }
+    }
+    if text.is_empty() {
+        text +=
+            "nothing to compare: neither cameras, masks, a surface nor girths are on both sides\n";
+    }
+    text
+}
+
+/// The paper's relative errors, mean ± spread: Table I (mannequin) and Table II (human).
+const PAPER: [(&str, &str, &str); 6] = [
+    ("WC", "+3.17 ± 2.95", "-1.91 ± 2.99"),
+    ("HC", "-0.95 ± 1.51", "+1.42 ± 3.17"),
+    ("WHR", "+4.14 ± 1.14", "-3.26 ± 2.76"),
+    ("NC", "+1.17 ± 4.75", "+4.56 ± 3.04"),
+    ("CC", "+4.57 ± 1.47", "-3.24 ± 1.20"),
+    ("AC", "–", "-4.31 ± 2.16"),
+];
+
+/// Relative errors over repeated runs, mean ± spread, beside those of the paper.
+pub fn paper_tables(scores: &[Score]) -> String {
+    let mut text =
+        String::from("relative error %   ours            paper, Table I   paper, Table II\n");
+    for (name, first, second) in PAPER {
+        let errors: Vec<f64> = scores.iter().filter_map(|s| error_pct(s, name)).collect();
+        let ours = match errors.as_slice() {
+            [] => "–".into(),
+            [one] => format!("{one:+.2}"),
+            many => {
+                let n = many.len() as f64;
+                let mean = many.iter().sum::<f64>() / n;
+                let spread = many.iter().map(|e| (e - mean).powi(2)).sum::<f64>() / (n - 1.0);
+                format!("{mean:+.2} ± {:.2}", spread.sqrt())
+            }
+        };
+        let _ = writeln!(text, "{name:<18} {ours:<15} {first:<16} {second}");
+    }
+    text
+}
+
+/// The relative error of a girth's contour, or of the ratio of waist to hip.
+fn error_pct(score: &Score, name: &str) -> Option<f64> {
+    let girth = |name: &str| score.girths.get(name)?.as_ref();
+    if name == "WHR" {
+        let (w, h) = (girth("WC")?, girth("HC")?);
+        return Some((w.cm? / h.cm? / (w.truth_cm / h.truth_cm) - 1.0) * 100.0);
+    }
+    girth(name)?.error_pct
+}
