@@ -1,9 +1,25 @@
 //! `tailor`: girths of a body from the photographs of one turn, as a stage graph with cached artifacts.
 //!
 //! A pipeline has four forms, each a type, and only the next function makes the next form:
-//! Recipe (as written) → Graph (means something) → Plan (found, stale because, waiting) → Outcome.
+//! [`recipe::Recipe`] (as written) → [`graph::Graph`] (means something) → [`plan`] (found, stale
+//! because, waiting) → [`engine::Outcome`].
 
 pub mod catalog;
+mod cli;
+pub mod clock;
 pub mod closest;
+pub mod drawing;
+pub mod engine;
 pub mod graph;
+pub mod key;
+pub mod out;
+pub mod plan;
+pub mod recipe;
+pub mod reference;
+pub mod run_one;
 pub mod score;
+pub mod source;
+pub mod store;
+pub mod walk;
+
+pub use cli::main;

@@ -1,3 +1,5 @@
 //! The front door: an exit code.
 
-fn main() {}
+fn main() -> std::process::ExitCode {
+    tailor::main()
+}

@@ -1,4 +1,13 @@
 //! From files to photos: reads what the user has, in turning order.
+//!
+//! `files` → [`Load`] → `photos`
+
+mod exif;
+mod load;
+mod rig;
+
+pub use load::{CaptureError, Load, LoadInput, LoadParams};
+pub use rig::{RigError, RigFile, read_rig};
 
 /// Every stage of this room, in the order in which data flows through it.
-pub const STAGES: &[&dyn stage::AnyStage] = &[];
+pub const STAGES: &[&dyn stage::AnyStage] = &[&stage::erase::<Load>()];

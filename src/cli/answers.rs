@@ -1,0 +1,229 @@
+//! `tailor plan`, `why`, `graph`, `stages`, `check`: answers that run nothing.
+
+use super::run::{folders, open};
+use super::{Fault, House, Wanted};
+use crate::graph::{Graph, Source};
+use crate::plan::{self, Planned, State};
+use crate::recipe::{self, Overrides};
+use crate::store::Store;
+use crate::{catalog, engine, key};
+use clap::Args;
+use serde_json::{Value, json};
+use std::path::Path;
+
+/// Arguments of `tailor why`.
+#[derive(Args)]
+pub(crate) struct Why {
+    /// The node
+    node: String,
+    #[command(flatten)]
+    wanted: Wanted,
+}
+
+/// Arguments of `tailor graph`.
+#[derive(Args)]
+pub(crate) struct Drawing {
+    #[command(flatten)]
+    wanted: Wanted,
+    /// dot or mermaid
+    #[arg(long = "as", default_value = "dot")]
+    format: String,
+}
+
+fn planned(wanted: &Wanted, house: &House) -> Result<(Graph, Vec<Option<Planned>>, Store), Fault> {
+    let (graph, goal) = open(wanted, house)?;
+    let store = Store::open(&house.cache).map_err(Fault::input)?;
+    let files = engine::inputs(&graph, &folders(&wanted.change)?, &store).map_err(Fault::input)?;
+    let plan = plan::plan(&graph, &files, &goal, &store);
+    Ok((graph, plan, store))
+}
+
+/// `tailor plan`.
+pub(crate) fn plan(wanted: &Wanted, house: &House) -> Result<(), Fault> {
+    let (graph, plan, _) = planned(wanted, house)?;
+    let (mut lines, mut seconds) = (Vec::new(), [0.0; 2]);
+    for (node, planned) in graph.nodes.iter().zip(&plan) {
+        let Some(p) = planned else { continue };
+        let word = match &p.state {
+            State::Cached => "cached",
+            State::Stale(_) => "will run",
+            State::May => "may run",
+        };
+        match p.state {
+            State::Cached => {}
+            State::Stale(_) => seconds[0] += p.seconds.unwrap_or(0.0),
+            State::May => seconds[1] += p.seconds.unwrap_or(0.0),
+        }
+        let why = match &p.state {
+            State::Stale(lines) => lines.clone(),
+            _ => vec![],
+        };
+        if house.json {
+            lines.push(
+                json!({ "node": node.name, "state": word, "seconds": p.seconds, "why": why }),
+            );
+        } else {
+            let took = p.seconds.map_or("?".into(), |s| format!("{s:.1} s"));
+            let why: Vec<String> = why
+                .iter()
+                .map(|(w, o, n)| format!("{w}: {} -> {}", short(o), short(n)))
+                .collect();
+            println!("{word:<9} {:<14} {took:>8}  {}", node.name, why.join("; "));
+        }
+    }
+    if house.json {
+        println!(
+            "{}",
+            json!({ "nodes": lines, "will_seconds": seconds[0], "may_seconds": seconds[1] })
+        );
+    } else {
+        println!(
+            "expected: {:.1} s, and up to {:.1} s more if results change",
+            seconds[0], seconds[1]
+        );
+    }
+    Ok(())
+}
+
+/// A hash shortened, anything else as it is.
+fn short(text: &str) -> &str {
+    let hash = text.len() == 64 && text.bytes().all(|b| b.is_ascii_hexdigit());
+    if hash { &text[..12] } else { text }
+}
+
+/// `tailor why NODE`: the last run's story against the one before, back to the root cause.
+pub(crate) fn why(why: &Why, house: &House) -> Result<(), Fault> {
+    let (graph, plan, store) = planned(&why.wanted, house)?;
+    let mut at = graph.node(&why.node).ok_or_else(|| {
+        let names: Vec<&str> = graph.nodes.iter().map(|n| n.name.as_str()).collect();
+        Fault::input(stage::unknown("node", &why.node, &names))
+    })?;
+    let runs = engine::runs(store.root());
+    let mut answer: Vec<Value> = Vec::new();
+    loop {
+        let node = &graph.nodes[at];
+        let (state, changes) = match plan[at].as_ref().map(|p| &p.state) {
+            Some(State::Stale(lines)) => ("will run", lines.clone()),
+            Some(State::May) => ("may run", vec![]),
+            Some(State::Cached) => ("cached", since_before(&runs, &node.name)),
+            None => ("not wanted", vec![]),
+        };
+        if !house.json {
+            println!("{}: {state}", node.name);
+            changes
+                .iter()
+                .for_each(|(w, o, n)| println!("  {w}: {} -> {}", short(o), short(n)));
+        }
+        answer.push(json!({ "node": node.name, "state": state, "changes": changes }));
+        let waiting = |source: &&Source| match source {
+            Source::Node(j) => plan[*j].as_ref().is_some_and(|p| p.state != State::Cached),
+            Source::Input(_) => false,
+        };
+        let changed = |port: &str| changes.iter().any(|(w, _, _)| *w == format!("from {port}"));
+        let ports = node.stage.ports();
+        let wired = || {
+            ports
+                .iter()
+                .zip(&node.from)
+                .filter_map(|(p, s)| s.as_ref().map(|s| (p, s)))
+        };
+        let next = wired()
+            .find(|(_, s)| waiting(s))
+            .or_else(|| wired().find(|(p, s)| changed(p.name) && matches!(s, Source::Node(_))));
+        match next {
+            Some((_, Source::Node(j))) => at = *j,
+            _ => break,
+        }
+    }
+    if house.json {
+        println!("{}", json!({ "chain": answer }));
+    }
+    Ok(())
+}
+
+/// What changed between the newest run that has the node and the one before it with another key.
+fn since_before(runs: &[(String, Value)], node: &str) -> Vec<(String, String, String)> {
+    let Some(now) = plan::last(runs, node) else {
+        return vec![];
+    };
+    let other = runs.iter().find_map(|(_, run)| {
+        let nodes = run["nodes"].as_array()?;
+        let entry = nodes
+            .iter()
+            .find(|n| n["node"] == node && !n["content"].is_null())?;
+        (entry["key"] != now["key"]).then(|| entry.clone())
+    });
+    let story: Vec<(String, String)> =
+        serde_json::from_value(now["story"].clone()).unwrap_or_default();
+    other.map_or_else(Vec::new, |other| plan::changes(&story, Some(&other)))
+}
+
+/// `tailor graph`.
+pub(crate) fn graph(drawing: &Drawing, house: &House) -> Result<(), Fault> {
+    let (graph, _) = open(&drawing.wanted, house)?;
+    let plan = if drawing.wanted.change.input.is_empty() {
+        vec![None; graph.nodes.len()]
+    } else {
+        planned(&drawing.wanted, house)?.1
+    };
+    print!(
+        "{}",
+        crate::drawing::draw(&graph, &plan, &drawing.format).map_err(Fault::input)?
+    );
+    Ok(())
+}
+
+/// `tailor stages`.
+pub(crate) fn stages(name: Option<&str>, house: &House) -> Result<(), Fault> {
+    let fits = |s: &dyn stage::AnyStage| {
+        name.is_none_or(|n| s.name() == n || s.name().split('.').next() == Some(n))
+    };
+    let found: Vec<_> = catalog::stages().filter(|s| fits(*s)).collect();
+    if found.is_empty() {
+        let known: Vec<&str> = catalog::stages().map(|s| s.name()).collect();
+        return Err(Fault::input(stage::unknown(
+            "stage",
+            name.unwrap_or(""),
+            &known,
+        )));
+    }
+    if house.json {
+        println!(
+            "{}",
+            found
+                .iter()
+                .map(|s| crate::reference::json(*s))
+                .collect::<Value>()
+        );
+    } else {
+        found
+            .iter()
+            .for_each(|s| print!("{}", crate::reference::text(*s)));
+    }
+    Ok(())
+}
+
+/// `tailor check`.
+pub(crate) fn check(pipeline: &Path, house: &House) -> Result<(), Fault> {
+    match recipe::open(pipeline, &Overrides::default()) {
+        Ok(graph) => {
+            let recipes: Vec<String> = graph
+                .nodes
+                .iter()
+                .map(|n| key::story(n, &[]).0.len().to_string())
+                .collect();
+            if house.json {
+                println!("{}", json!({ "mistakes": [], "nodes": recipes.len() }));
+            } else if !house.quiet {
+                println!(
+                    "{}: {} nodes, no mistakes",
+                    pipeline.display(),
+                    graph.nodes.len()
+                );
+            }
+            Ok(())
+        }
+        Err(mistakes) if house.json => Err(Fault::input(mistakes.json())),
+        Err(mistakes) => Err(Fault::input(mistakes)),
+    }
+}

@@ -1,0 +1,194 @@
+//! `tailor measure`: the one-line door.
+
+use super::run::{execute, photos};
+use super::{Fault, House};
+use crate::engine::Outcome;
+use crate::graph::Graph;
+use crate::out;
+use crate::recipe::{Overrides, open_text};
+use clap::Args;
+use shape::{Document, Girths};
+use std::path::PathBuf;
+
+/// The product's pipeline, so that the binary works alone.
+const BODY: &str = include_str!("../../pipelines/body.toml");
+
+/// What is written: node, file in the folder, format.
+const WRITTEN: [(&str, &str, &str); 8] = [
+    ("girths", "girths.json", "json"),
+    ("girths", "girths.csv", "csv"),
+    ("landmarks", "landmarks.json", "json"),
+    ("cameras", "cameras.json", "json"),
+    ("masks", "masks", "png"),
+    ("hull", "hull.ply", "ply"),
+    ("body", "body.ply", "ply"),
+    ("textured", "body.glb", "glb"),
+];
+
+/// Arguments of `tailor measure`.
+#[derive(Args)]
+pub(crate) struct Measure {
+    /// The folder with the photos of one turn
+    folder: PathBuf,
+    /// Where to write; the folder's name with `-out` here if not said
+    #[arg(long)]
+    out: Option<PathBuf>,
+    /// A variant of the pipeline
+    #[arg(long)]
+    variant: Option<String>,
+    /// Another value for a param: NODE.PARAM=VALUE
+    #[arg(long)]
+    set: Vec<String>,
+    /// Leave the photos out of the report
+    #[arg(long)]
+    no_photos: bool,
+    /// Make faces on the report's photos unrecognisable
+    #[arg(long)]
+    blur_face: bool,
+}
+
+/// Does it.
+pub(crate) fn measure(measure: &Measure, house: &House) -> Result<(), Fault> {
+    let mut sets = measure.set.clone();
+    if measure.no_photos {
+        sets.push("report.photos=false".into());
+    }
+    if measure.blur_face {
+        sets.push("report.blur_face=true".into());
+    }
+    let overrides = Overrides {
+        variant: measure.variant.clone(),
+        sets,
+    };
+    let graph = open_text(
+        "pipelines/body.toml",
+        BODY,
+        &overrides,
+        &crate::catalog::find,
+    );
+    let graph = graph.map_err(Fault::input)?;
+    let folders = vec![("photos".to_owned(), measure.folder.clone())];
+    let again: Vec<String> = std::env::args().collect();
+    let outcome = execute(
+        &graph,
+        &folders,
+        &graph.goal,
+        house,
+        false,
+        &again.join(" "),
+    )?;
+    let name = measure
+        .folder
+        .file_name()
+        .unwrap_or("turn".as_ref())
+        .to_string_lossy();
+    let folder = measure
+        .out
+        .clone()
+        .unwrap_or_else(|| PathBuf::from(format!("{name}-out")));
+    write(&graph, &outcome, &folder)?;
+    let run = outcome.json(&graph);
+    if house.json {
+        println!("{}", serde_json::to_string_pretty(&run).expect("bug: JSON"));
+    } else if let Some(girths) = get::<Girths>(&graph, &outcome, "girths") {
+        print!("{}", table(&girths));
+        println!("\nreport: {}", folder.join("report.html").display());
+    }
+    Ok(())
+}
+
+fn get<A: stage::Artifact>(
+    graph: &Graph,
+    outcome: &Outcome,
+    name: &str,
+) -> Option<std::sync::Arc<A>> {
+    outcome.artifact(graph, graph.node(name)?)?.downcast()
+}
+
+/// Writes all that the contract names.
+fn write(graph: &Graph, outcome: &Outcome, folder: &std::path::Path) -> Result<(), Fault> {
+    let names = photos(graph, outcome);
+    for (node, file, format) in WRITTEN {
+        let artifact = graph.node(node).and_then(|at| outcome.artifact(graph, at));
+        let Some(artifact) = artifact else { continue };
+        let files = out::files(artifact, &names, Some(format)).map_err(Fault::stage)?;
+        out::write(&folder.join(file), &files).map_err(Fault::stage)?;
+    }
+    let run = serde_json::to_string_pretty(&outcome.json(graph)).expect("bug: JSON");
+    if let Some(report) = get::<Document>(graph, outcome, "report") {
+        let page = String::from_utf8_lossy(&report.bytes);
+        let page = page.replacen("<!--provenance-->", &provenance(outcome, graph), 1);
+        let page = vec![(String::new(), page.into_bytes())];
+        out::write(&folder.join("report.html"), &page).map_err(Fault::stage)?;
+    }
+    let run = vec![(String::new(), run.into_bytes())];
+    out::write(&folder.join("run.json"), &run).map_err(Fault::stage)
+}
+
+/// How it was made, as a table for the report.
+fn provenance(outcome: &Outcome, graph: &Graph) -> String {
+    let escaped = |text: &str| text.replace('&', "&amp;").replace('<', "&lt;");
+    let mut html = String::from(
+        "<table><tr><th>node</th><th>stage</th><th>params</th><th>time</th><th>numbers</th></tr>",
+    );
+    let mut warnings = String::new();
+    for (done, node) in outcome.nodes.iter().zip(&graph.nodes) {
+        let Some(done) = done else { continue };
+        let params: Vec<String> = node
+            .params
+            .values
+            .iter()
+            .map(|(k, v)| format!("{k} = {v}"))
+            .collect();
+        let numbers: Vec<String> = done
+            .metrics
+            .iter()
+            .map(|m| format!("{} {:.3} {}", m.name, m.value, m.unit))
+            .collect();
+        html += &format!(
+            "<tr><td>{}</td><td>{} v{}</td><td class=\"note\">{}</td><td class=\"n\">{:.1} s</td><td class=\"note\">{}</td></tr>",
+            escaped(&node.name),
+            node.stage.name(),
+            node.stage.version(),
+            escaped(&params.join(", ")),
+            done.seconds,
+            escaped(&numbers.join(", ")),
+        );
+        for warning in &done.warnings {
+            warnings += &format!(
+                "<p class=\"warn\">{}: {}</p>",
+                escaped(&node.name),
+                escaped(warning)
+            );
+        }
+    }
+    warnings + &html + "</table><p class=\"note\">tailor " + env!("CARGO_PKG_VERSION") + "</p>"
+}
+
+/// The last screen.
+fn table(girths: &Girths) -> String {
+    let mut text = format!(
+        "{:<24} {:>8}  {:<17} {:>8}\n",
+        "girth", "tape cm", "interval", "contour"
+    );
+    for g in &girths.girths {
+        let interval = format!(
+            "{:.1} to {:.1}",
+            g.interval_mm[0] / 10.0,
+            g.interval_mm[1] / 10.0
+        );
+        let label = format!("{} {}", g.name, g.label);
+        let (tape, contour) = (g.tape_mm / 10.0, g.contour_mm / 10.0);
+        text += &format!("{label:<24} {tape:>8.1}  {interval:<17} {contour:>8.1}\n");
+    }
+    for (name, value, note) in &girths.ratios {
+        text += &format!("{name:<24} {value:>8.3}  {note}\n");
+    }
+    if let Some(bmi) = girths.bmi {
+        text += &format!("{:<24} {bmi:>8.1}\n", "body mass index");
+    }
+    for missing in &girths.missing {
+        text += &format!("{} not measured: {}\n", missing.name, missing.why);
+    }
+    text
+}

@@ -1,0 +1,162 @@
+//! Arguments, and which verb they mean.
+
+mod answers;
+mod cache;
+mod measure;
+mod run;
+mod scoring;
+mod show;
+mod speak;
+
+use clap::{Args, Parser, Subcommand};
+use std::path::PathBuf;
+use std::process::ExitCode;
+use std::sync::atomic::{AtomicBool, Ordering};
+
+/// Girths of a body from the photographs of one turn, as a stage graph with cached artifacts.
+#[derive(Parser)]
+#[command(name = "tailor", version)]
+struct Cli {
+    #[command(flatten)]
+    house: House,
+    #[command(subcommand)]
+    verb: Verb,
+}
+
+/// What every verb takes.
+#[derive(Args, Clone)]
+pub(crate) struct House {
+    /// Answer in JSON
+    #[arg(long, global = true)]
+    json: bool,
+    /// Where results are kept
+    #[arg(long, global = true, env = "TAILOR_CACHE", default_value = "cache")]
+    cache: PathBuf,
+    /// How many threads work; one a core if not said
+    #[arg(long, global = true)]
+    threads: Option<usize>,
+    /// Say nothing but results and errors
+    #[arg(long, global = true)]
+    quiet: bool,
+}
+
+/// What is to be run, and with what changed.
+#[derive(Args, Clone)]
+pub(crate) struct Wanted {
+    /// The pipeline file
+    pipeline: PathBuf,
+    /// Nodes that are wanted instead of the pipeline's goal
+    nodes: Vec<String>,
+    #[command(flatten)]
+    change: Change,
+}
+
+/// What is changed on the command line.
+#[derive(Args, Clone)]
+pub(crate) struct Change {
+    /// Hand over an input: NAME=FOLDER
+    #[arg(long)]
+    input: Vec<String>,
+    /// A variant of the pipeline; several separated by commas
+    #[arg(long)]
+    variant: Option<String>,
+    /// Another value for a param: NODE.PARAM=VALUE
+    #[arg(long)]
+    set: Vec<String>,
+}
+
+#[derive(Subcommand)]
+enum Verb {
+    /// Photos of one turn to girths, with a report
+    Measure(measure::Measure),
+    /// Run a pipeline
+    Run(run::Run),
+    /// What would run, and why
+    Plan(Wanted),
+    /// Which line of what a node depends on changed: old, new, back to the root cause
+    Why(answers::Why),
+    /// The pipeline as a drawing: DOT or Mermaid
+    Graph(answers::Drawing),
+    /// One artifact out of the cache as a file
+    Show(show::Show),
+    /// Every stage with its ports, params, units, ranges and defaults
+    Stages {
+        /// One stage, or all of a room
+        name: Option<String>,
+    },
+    /// All mistakes of a pipeline at once
+    Check {
+        /// The pipeline file
+        pipeline: PathBuf,
+    },
+    /// The store: ls, du, gc, verify
+    Cache(cache::Cache),
+    /// A result against ground truth
+    Score(scoring::Scoring),
+}
+
+/// Set when the user asks to stop.
+static CANCEL: AtomicBool = AtomicBool::new(false);
+
+/// Why a verb came to nothing: what to print, and the exit code.
+pub(crate) struct Fault {
+    code: u8,
+    text: String,
+}
+
+impl Fault {
+    /// The input or the pipeline is wrong.
+    fn input(text: impl ToString) -> Fault {
+        Fault {
+            code: 2,
+            text: text.to_string(),
+        }
+    }
+
+    /// A stage failed.
+    fn stage(text: impl ToString) -> Fault {
+        Fault {
+            code: 1,
+            text: text.to_string(),
+        }
+    }
+}
+
+/// Does what the arguments say. Exit codes: 0 done, 1 a stage failed, 2 input or pipeline wrong,
+/// 130 cancelled.
+pub fn main() -> ExitCode {
+    let cli = Cli::parse();
+    let _ = ctrlc::set_handler(|| {
+        if CANCEL.swap(true, Ordering::Relaxed) {
+            std::process::exit(130);
+        }
+        eprintln!("stopping; what is done is kept, run again to go on (once more stops at once)");
+    });
+    let house = &cli.house;
+    let done = match &cli.verb {
+        Verb::Measure(verb) => measure::measure(verb, house),
+        Verb::Run(verb) => run::run(verb, house),
+        Verb::Plan(wanted) => answers::plan(wanted, house),
+        Verb::Why(verb) => answers::why(verb, house),
+        Verb::Graph(verb) => answers::graph(verb, house),
+        Verb::Show(verb) => show::show(verb, house),
+        Verb::Stages { name } => answers::stages(name.as_deref(), house),
+        Verb::Check { pipeline } => answers::check(pipeline, house),
+        Verb::Cache(verb) => cache::cache(verb, house),
+        Verb::Score(verb) => scoring::scoring(verb, house),
+    };
+    match done {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(fault) => {
+            if house.json {
+                println!(
+                    "{}",
+                    serde_json::json!({ "error": fault.text, "code": fault.code })
+                );
+            } else {
+                eprintln!("{}", fault.text);
+            }
+            ExitCode::from(fault.code)
+        }
+    }
+}

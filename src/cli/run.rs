@@ -1,0 +1,155 @@
+//! `tailor run`, and what every verb that runs shares.
+
+use super::speak::Speaker;
+use super::{CANCEL, Change, Fault, House, Wanted};
+use crate::engine::{self, Options, Outcome};
+use crate::graph::Graph;
+use crate::recipe::{self, Overrides};
+use crate::{out, walk};
+use clap::Args;
+use shape::Photos;
+use std::path::PathBuf;
+
+/// Arguments of `tailor run`.
+#[derive(Args)]
+pub(crate) struct Run {
+    #[command(flatten)]
+    wanted: Wanted,
+    /// Write the wanted results into this folder
+    #[arg(long)]
+    out: Option<PathBuf>,
+    /// Go on with what does not depend on a failed node
+    #[arg(long)]
+    keep_going: bool,
+}
+
+/// Opens the pipeline of some arguments and finds the wanted nodes.
+pub(crate) fn open(wanted: &Wanted, house: &House) -> Result<(Graph, Vec<usize>), Fault> {
+    let overrides = Overrides {
+        variant: wanted.change.variant.clone(),
+        sets: wanted.change.set.clone(),
+    };
+    let graph = recipe::open(&wanted.pipeline, &overrides).map_err(|m| {
+        if house.json {
+            Fault::input(m.json())
+        } else {
+            Fault::input(m)
+        }
+    })?;
+    let names: Vec<&str> = graph.nodes.iter().map(|n| n.name.as_str()).collect();
+    let mut nodes = Vec::new();
+    for name in &wanted.nodes {
+        let at = graph.node(name);
+        nodes.push(at.ok_or_else(|| Fault::input(stage::unknown("node", name, &names)))?);
+    }
+    let goal = if nodes.is_empty() {
+        graph.goal.clone()
+    } else {
+        nodes
+    };
+    Ok((graph, goal))
+}
+
+/// `NAME=FOLDER` as a pair.
+pub(crate) fn folders(change: &Change) -> Result<Vec<(String, PathBuf)>, Fault> {
+    let pair = |text: &String| {
+        let (name, folder) = text.split_once('=').ok_or_else(|| {
+            Fault::input(format!(
+                "`--input {text}`: say NAME=FOLDER, such as photos=samples/mannequin"
+            ))
+        })?;
+        Ok((name.to_owned(), PathBuf::from(folder)))
+    };
+    change.input.iter().map(pair).collect()
+}
+
+/// Options of the house.
+pub(crate) fn options(house: &House, keep_going: bool) -> Options {
+    Options {
+        cache: house.cache.clone(),
+        threads: house.threads,
+        keep_going,
+    }
+}
+
+/// Runs, and turns failures into faults; `again` is the command that repeats a failed node.
+pub(crate) fn execute(
+    graph: &Graph,
+    folders: &[(String, PathBuf)],
+    wanted: &[usize],
+    house: &House,
+    keep_going: bool,
+    again: &str,
+) -> Result<Outcome, Fault> {
+    let count = walk::needed(graph, wanted).iter().filter(|n| **n).count();
+    let speaker = Speaker::new(house.quiet || house.json, count);
+    let options = options(house, keep_going);
+    let outcome = engine::run(graph, folders, wanted, &options, &speaker, &CANCEL);
+    let outcome = outcome.map_err(Fault::input)?;
+    if let Some((node, why)) = outcome.failure(graph) {
+        return Err(Fault::stage(format!(
+            "{node} failed: {why}\nto repeat it: {again}"
+        )));
+    }
+    if outcome.cancelled() {
+        return Err(Fault {
+            code: 130,
+            text: "stopped; run the same command to go on".into(),
+        });
+    }
+    Ok(outcome)
+}
+
+/// The photos of a run, for the names of files.
+pub(crate) fn photos(graph: &Graph, outcome: &Outcome) -> Photos {
+    let at = graph
+        .nodes
+        .iter()
+        .position(|n| n.stage.yields() == "photos");
+    let photos = at
+        .and_then(|at| outcome.artifact(graph, at))
+        .and_then(|a| a.downcast::<Photos>());
+    photos.map_or_else(Photos::default, |p| (*p).clone())
+}
+
+/// Does it.
+pub(crate) fn run(run: &Run, house: &House) -> Result<(), Fault> {
+    let (graph, wanted) = open(&run.wanted, house)?;
+    let folders = folders(&run.wanted.change)?;
+    let again: Vec<String> = std::env::args().collect();
+    let outcome = execute(
+        &graph,
+        &folders,
+        &wanted,
+        house,
+        run.keep_going,
+        &again.join(" "),
+    )?;
+    if let Some(folder) = &run.out {
+        let names = photos(&graph, &outcome);
+        for node in &wanted {
+            let Some(artifact) = outcome.artifact(&graph, *node) else {
+                continue;
+            };
+            let format = out::formats(artifact.kind())[0];
+            let files = out::files(artifact, &names, None).map_err(Fault::stage)?;
+            let single = files.len() == 1 && files[0].0.is_empty();
+            let name = &graph.nodes[*node].name;
+            let name = if single {
+                format!("{name}.{format}")
+            } else {
+                name.clone()
+            };
+            out::write(&folder.join(name), &files).map_err(Fault::stage)?;
+        }
+        let json = serde_json::to_vec_pretty(&outcome.json(&graph)).expect("bug: JSON");
+        out::write(&folder.join("run.json"), &[(String::new(), json)]).map_err(Fault::stage)?;
+    }
+    if house.json {
+        println!(
+            "{}",
+            serde_json::to_string_pretty(&outcome.json(&graph)).expect("bug: JSON")
+        );
+    }
+    Ok(())
+}

@@ -1,0 +1,69 @@
+//! A pipeline as DOT or Mermaid, coloured by what a run would do.
+
+use crate::graph::{Graph, Source};
+use crate::plan::{Planned, State};
+use std::fmt::Write;
+
+/// The drawing in a format, `dot` or `mermaid`.
+pub fn draw(graph: &Graph, plan: &[Option<Planned>], format: &str) -> Result<String, String> {
+    let color = |i: usize| match plan[i].as_ref().map(|p| &p.state) {
+        Some(State::Cached) => "#b7e4c7",
+        Some(State::Stale(_)) => "#ffb4a2",
+        Some(State::May) => "#ffe8a3",
+        None => "#e5e5e5",
+    };
+    let source = |s: &Source| match s {
+        Source::Node(j) => graph.nodes[*j].name.clone(),
+        Source::Input(j) => graph.inputs[*j].name.clone(),
+    };
+    let mut text = String::new();
+    let dot = match format {
+        "dot" => true,
+        "mermaid" => false,
+        other => return Err(stage::unknown("format", other, &["dot", "mermaid"])),
+    };
+    let _ = writeln!(
+        text,
+        "{}",
+        if dot {
+            "digraph pipeline {\n  node [shape=box, style=filled]"
+        } else {
+            "flowchart TD"
+        }
+    );
+    for input in &graph.inputs {
+        let name = &input.name;
+        let _ = match dot {
+            true => writeln!(text, "  \"@{name}\" [shape=folder, fillcolor=\"#ffffff\"]"),
+            false => writeln!(text, "  in_{name}[/\"@{name}\"/]"),
+        };
+    }
+    for (i, node) in graph.nodes.iter().enumerate() {
+        let (name, stage) = (&node.name, node.stage.name());
+        let _ = match dot {
+            true => writeln!(
+                text,
+                "  \"{name}\" [label=\"{name}\\n{stage}\", fillcolor=\"{}\"]",
+                color(i)
+            ),
+            false => writeln!(
+                text,
+                "  {name}[\"{name}<br/>{stage}\"]\n  style {name} fill:{}",
+                color(i)
+            ),
+        };
+        for from in node.from.iter().flatten() {
+            let (at, input) = (source(from), matches!(from, Source::Input(_)));
+            let _ = match (dot, input) {
+                (true, true) => writeln!(text, "  \"@{at}\" -> \"{name}\""),
+                (true, false) => writeln!(text, "  \"{at}\" -> \"{name}\""),
+                (false, true) => writeln!(text, "  in_{at} --> {name}"),
+                (false, false) => writeln!(text, "  {at} --> {name}"),
+            };
+        }
+    }
+    if dot {
+        text += "}\n";
+    }
+    Ok(text)
+}

@@ -1,0 +1,79 @@
+//! What a result depends on: one walk, two writers.
+//!
+//! The lines that are hashed into the key are the lines that `why` shows, so the reason that a
+//! user is told is the reason there was.
+
+use crate::graph::Bound;
+use stage::Hash;
+
+/// Takes down what a result depends on.
+pub trait Ledger {
+    /// One dependency: what it is, and its value.
+    fn line(&mut self, what: &str, value: &str);
+}
+
+/// Writes down what the node does, without its inputs: stage, format of the output, params.
+pub fn tell_recipe(node: &Bound, ledger: &mut impl Ledger) {
+    let stage = node.stage;
+    ledger.line("stage", &format!("{} v{}", stage.name(), stage.version()));
+    ledger.line(
+        "makes",
+        &format!("{} format {}", stage.yields(), stage.format()),
+    );
+    for (name, value) in &node.params.values {
+        ledger.line(&format!("with {name}"), &value.to_string());
+    }
+}
+
+/// Writes down all that the node's result depends on. `inputs` has one entry a port.
+pub fn tell(node: &Bound, inputs: &[Option<Hash>], ledger: &mut impl Ledger) {
+    tell_recipe(node, ledger);
+    for (port, content) in node.stage.ports().iter().zip(inputs) {
+        let value = content.map_or("nothing".into(), |hash| hash.to_hex().to_string());
+        ledger.line(&format!("from {}", port.name), &value);
+    }
+}
+
+/// The key: lengths before texts, so that no line can pass for another.
+#[derive(Default)]
+pub struct Digest(blake3::Hasher);
+
+impl Ledger for Digest {
+    fn line(&mut self, what: &str, value: &str) {
+        for text in [what, value] {
+            self.0.update(&(text.len() as u64).to_le_bytes());
+            self.0.update(text.as_bytes());
+        }
+    }
+}
+
+impl Digest {
+    /// The hash of all lines.
+    pub fn finish(&self) -> Hash {
+        self.0.finalize()
+    }
+}
+
+/// The same lines as text, kept beside the result.
+#[derive(Debug, Clone, Default, PartialEq, Eq)]
+pub struct Story(pub Vec<(String, String)>);
+
+impl Ledger for Story {
+    fn line(&mut self, what: &str, value: &str) {
+        self.0.push((what.into(), value.into()));
+    }
+}
+
+/// The key of a node's result.
+pub fn key(node: &Bound, inputs: &[Option<Hash>]) -> Hash {
+    let mut digest = Digest::default();
+    tell(node, inputs, &mut digest);
+    digest.finish()
+}
+
+/// The story of a node's result.
+pub fn story(node: &Bound, inputs: &[Option<Hash>]) -> Story {
+    let mut story = Story::default();
+    tell(node, inputs, &mut story);
+    story
+}

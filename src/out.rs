@@ -1,0 +1,134 @@
+//! Artifacts as files for people and other programs.
+
+use shape::{
+    Cameras, Document, Girths, Landmarks, Masks, Mesh, Photos, Textured, gray_to_png, mesh_to_ply,
+};
+use stage::AnyArtifact;
+use std::path::{Path, PathBuf};
+
+/// What cannot be written.
+#[derive(Debug, thiserror::Error)]
+pub enum OutError {
+    /// The disk says no.
+    #[error("{}: {why}", path.display())]
+    Disk {
+        /// The file.
+        path: PathBuf,
+        /// What the system says.
+        why: std::io::Error,
+    },
+    /// No such format for this kind.
+    #[error("{kind} cannot be written as `{format}`; known: {known}")]
+    Format {
+        /// The kind of artifact.
+        kind: &'static str,
+        /// What was asked for.
+        format: String,
+        /// What there is.
+        known: String,
+    },
+}
+
+/// The formats of a kind, the usual one first.
+pub fn formats(kind: &str) -> &'static [&'static str] {
+    match kind {
+        "mesh" => &["ply", "glb"],
+        "textured" => &["glb", "ply", "obj"],
+        "cameras" => &["json", "colmap", "svg"],
+        "masks" => &["png"],
+        "girths" => &["json", "csv"],
+        "landmarks" => &["json"],
+        "document" => &["file"],
+        "photos" => &["json"],
+        _ => &["tailor"],
+    }
+}
+
+/// Files of an artifact in a format: names and bytes. One nameless file, or several in a folder.
+pub fn files(
+    artifact: AnyArtifact,
+    names: &Photos,
+    format: Option<&str>,
+) -> Result<Vec<(String, Vec<u8>)>, OutError> {
+    let kind = artifact.kind();
+    let known = formats(kind);
+    let format = format.unwrap_or(known[0]);
+    let one = |bytes: Vec<u8>| Ok(vec![(String::new(), bytes)]);
+    let wrong = || OutError::Format {
+        kind,
+        format: format.into(),
+        known: known.join(", "),
+    };
+    if !known.contains(&format) {
+        return Err(wrong());
+    }
+    macro_rules! take {
+        ($t:ty) => {
+            artifact.downcast::<$t>().ok_or_else(wrong)?
+        };
+    }
+    match (kind, format) {
+        ("mesh", "ply") => one(mesh_to_ply(&*take!(Mesh))),
+        ("mesh", "glb") => one(shape::mesh_to_glb(&*take!(Mesh))),
+        ("textured", "ply") => one(mesh_to_ply(&take!(Textured).mesh)),
+        ("textured", "glb") => one(shape::textured_to_glb(&*take!(Textured))),
+        ("textured", "obj") => Ok(shape::textured_to_obj(&*take!(Textured))),
+        ("cameras", "json") => one(shape::cameras_to_json(&*take!(Cameras)).into_bytes()),
+        ("cameras", "colmap") => Ok(shape::cameras_to_colmap_text(&*take!(Cameras))),
+        ("girths", "json") => one(shape::girths_to_json(&*take!(Girths)).into_bytes()),
+        ("girths", "csv") => one(shape::girths_to_csv(&*take!(Girths)).into_bytes()),
+        ("landmarks", "json") => one(shape::landmarks_to_json(&*take!(Landmarks)).into_bytes()),
+        ("document", _) => one(take!(Document).bytes.clone()),
+        ("masks", _) => {
+            let masks = take!(Masks);
+            let name = |id: shape::PhotoId| {
+                let stem = names
+                    .get(id)
+                    .map(|p| Path::new(&p.name).with_extension("png"));
+                let stem = stem.and_then(|p| p.to_str().map(str::to_owned));
+                stem.unwrap_or_else(|| format!("{:04}.png", id.0))
+            };
+            Ok(masks
+                .views
+                .iter()
+                .map(|(id, mask)| (name(id), gray_to_png(mask)))
+                .collect())
+        }
+        _ => Err(wrong()),
+    }
+}
+
+/// Writes files for the owner only: one to `path`, several into the folder `path`.
+pub fn write(path: &Path, files: &[(String, Vec<u8>)]) -> Result<(), OutError> {
+    use std::io::Write;
+    use std::os::unix::fs::{DirBuilderExt, OpenOptionsExt};
+    for (name, bytes) in files {
+        let path = if name.is_empty() {
+            path.to_owned()
+        } else {
+            path.join(name)
+        };
+        let disk = |why| OutError::Disk {
+            path: path.clone(),
+            why,
+        };
+        if let Some(parent) = path.parent() {
+            let mut folder = std::fs::DirBuilder::new();
+            folder
+                .recursive(true)
+                .mode(0o700)
+                .create(parent)
+                .map_err(disk)?;
+        }
+        let tmp = path.with_extension("part");
+        let mut options = std::fs::OpenOptions::new();
+        options.write(true).create(true).truncate(true).mode(0o600);
+        let written = options
+            .open(&tmp)
+            .and_then(|mut file| file.write_all(bytes));
+        written
+            .and_then(|()| std::fs::rename(&tmp, &path))
+            .map_err(disk)?;
+    }
+    Ok(())
+}

@@ -1,0 +1,203 @@
+//! Recipe → Graph: names mean something, or every mistake with its place.
+
+use super::arrange::arranged;
+use super::{Mistake, Node, Recipe};
+use crate::graph::{Bound, Graph, Source};
+use petgraph::algo::{tarjan_scc, toposort};
+use petgraph::graph::DiGraph;
+use stage::{AnyStage, unknown};
+use std::collections::BTreeMap;
+
+/// Binds a recipe to the stages that `find` knows. A `strict` one may hold no node that its goal
+/// does not need.
+pub fn bind(
+    recipe: &Recipe,
+    find: &dyn Fn(&str) -> Option<&'static dyn AnyStage>,
+    strict: bool,
+) -> Result<Graph, Vec<Mistake>> {
+    let mut binder = Binder {
+        recipe,
+        mistakes: vec![],
+        places: BTreeMap::new(),
+    };
+    for (i, node) in recipe.nodes.iter().enumerate() {
+        binder
+            .places
+            .insert(node.name.value.as_str(), Source::Node(i));
+    }
+    let stages: Vec<_> = recipe
+        .nodes
+        .iter()
+        .map(|node| binder.stage(node, find))
+        .collect();
+    let mut bound: Vec<Option<Bound>> = Vec::new();
+    for (node, stage) in recipe.nodes.iter().zip(&stages) {
+        bound.push(stage.and_then(|stage| binder.node(node, stage, &stages)));
+    }
+    let goal = binder.goal();
+    let order = binder.order(&bound);
+    if strict && binder.mistakes.is_empty() {
+        binder.unused(&bound, &goal);
+    }
+    if !binder.mistakes.is_empty() {
+        return Err(binder.mistakes);
+    }
+    Ok(arranged(
+        recipe,
+        bound.into_iter().flatten().collect(),
+        &goal,
+        &order,
+    ))
+}
+
+/// A recipe on its way to a graph, and what is wrong with it.
+pub(super) struct Binder<'a> {
+    pub(super) recipe: &'a Recipe,
+    pub(super) mistakes: Vec<Mistake>,
+    pub(super) places: BTreeMap<&'a str, Source>,
+}
+
+impl<'a> Binder<'a> {
+    fn stage(
+        &mut self,
+        node: &Node,
+        find: &dyn Fn(&str) -> Option<&'static dyn AnyStage>,
+    ) -> Option<&'static dyn AnyStage> {
+        let stage = find(&node.stage.value);
+        if stage.is_none() && !node.stage.value.is_empty() {
+            let known: Vec<&str> = crate::catalog::stages().map(|s| s.name()).collect();
+            self.mistakes.push(Mistake::at(
+                &node.stage.span,
+                unknown("stage", &node.stage.value, &known),
+            ));
+        }
+        stage
+    }
+
+    fn node(
+        &mut self,
+        node: &'a Node,
+        stage: &'static dyn AnyStage,
+        stages: &[Option<&'static dyn AnyStage>],
+    ) -> Option<Bound> {
+        let ports = stage.ports();
+        let mut from: Vec<Option<Source>> = vec![None; ports.len()];
+        for (port, said) in self.wires(node, &ports, stages) {
+            let Some(source) = self.source(said) else {
+                continue;
+            };
+            let kind = self.kind(source, stages);
+            let spec = &ports[port];
+            if kind.is_some_and(|kind| kind != spec.kind) {
+                let (what, kind) = (&said.value, kind.unwrap_or_default());
+                self.mistakes.push(Mistake::at(
+                    &said.span,
+                    format!(
+                        "port `{}` wants {}, but `{what}` makes {kind}",
+                        spec.name, spec.kind
+                    ),
+                ));
+            }
+            from[port] = Some(source);
+        }
+        for (spec, source) in ports.iter().zip(&from) {
+            if source.is_none() && !spec.optional && self.mistakes.is_empty() {
+                let (port, kind) = (spec.name, spec.kind);
+                let what =
+                    format!("port `{port}` wants {kind}; say `from = {{ {port} = \"...\" }}`");
+                self.mistakes.push(Mistake::at(
+                    &node.name.span,
+                    format!("node `{}`: {what}", node.name.value),
+                ));
+            }
+        }
+        let said = node
+            .with
+            .iter()
+            .map(|(k, v)| (k.value.clone(), v.value.clone()))
+            .collect();
+        match stage.check(&said) {
+            Ok(params) => Some(Bound {
+                name: node.name.value.clone(),
+                stage,
+                params,
+                from,
+            }),
+            Err(wrong) => {
+                for w in wrong {
+                    let pair = node.with.iter().find(|(k, _)| k.value == w.name);
+                    let unknown = !stage.params().iter().any(|p| p.name == w.name);
+                    let span =
+                        pair.map_or(
+                            &node.name.span,
+                            |(k, v)| if unknown { &k.span } else { &v.span },
+                        );
+                    let what = match unknown {
+                        true => format!("{}: {}", stage.name(), w.what),
+                        false => format!("`{}` {}", w.name, w.what),
+                    };
+                    self.mistakes.push(Mistake::at(span, what));
+                }
+                None
+            }
+        }
+    }
+
+    fn goal(&mut self) -> Vec<usize> {
+        let names: Vec<&str> = self
+            .recipe
+            .nodes
+            .iter()
+            .map(|n| n.name.value.as_str())
+            .collect();
+        if self.recipe.goal.is_empty() {
+            let what = "say what is wanted: `goal = \"girths\"`";
+            self.mistakes.push(Mistake::at(&(0..0), what));
+        }
+        let mut goal = Vec::new();
+        for said in &self.recipe.goal {
+            match names.iter().position(|n| *n == said.value) {
+                Some(i) => goal.push(i),
+                None => self.mistakes.push(Mistake::at(
+                    &said.span,
+                    unknown("node", &said.value, &names),
+                )),
+            }
+        }
+        goal
+    }
+
+    /// Nodes in an order in which each comes after what it reads.
+    fn order(&mut self, bound: &[Option<Bound>]) -> Vec<usize> {
+        let mut graph = DiGraph::<usize, ()>::new();
+        let at: Vec<_> = (0..bound.len()).map(|i| graph.add_node(i)).collect();
+        for (i, node) in bound.iter().enumerate() {
+            for source in node.iter().flat_map(|n| n.from.iter().flatten()) {
+                if let Source::Node(j) = source {
+                    graph.add_edge(at[*j], at[i], ());
+                }
+            }
+        }
+        if let Ok(order) = toposort(&graph, None) {
+            return order.into_iter().map(|i| graph[i]).collect();
+        }
+        for ring in tarjan_scc(&graph) {
+            let mut nodes: Vec<usize> = ring.iter().map(|i| graph[*i]).collect();
+            nodes.sort_unstable();
+            let itself = ring.len() == 1 && graph.contains_edge(ring[0], ring[0]);
+            if ring.len() > 1 || itself {
+                let names: Vec<&str> = nodes
+                    .iter()
+                    .map(|i| self.recipe.nodes[*i].name.value.as_str())
+                    .collect();
+                let what = format!(
+                    "these nodes read each other in a circle: {}",
+                    names.join(", ")
+                );
+                self.mistakes
+                    .push(Mistake::at(&self.recipe.nodes[nodes[0]].name.span, what));
+            }
+        }
+        vec![]
+    }
+}

@@ -1,0 +1,145 @@
+//! A pipeline as it is written: every name and value with its place in the file.
+//!
+//! [`open`] reads a file, applies a variant and `--set`s, and binds it to a
+//! [`Graph`](crate::graph::Graph), or says all mistakes at once.
+
+mod arrange;
+mod bind;
+mod mistake;
+mod read;
+mod variant;
+mod wire;
+
+pub use bind::bind;
+pub use mistake::{Mistake, Mistakes};
+pub use read::read;
+pub use variant::{parse_value, vary};
+
+use crate::graph::Graph;
+use stage::{AnyStage, Value};
+use std::ops::Range;
+use std::path::Path;
+
+/// Something written, and where. [bytes of the file]
+#[derive(Debug, Clone, PartialEq)]
+pub struct Said<T> {
+    /// What was written.
+    pub value: T,
+    /// Where.
+    pub span: Range<usize>,
+}
+
+/// Where a node's ports read from, as written.
+#[derive(Debug, Clone, PartialEq)]
+pub enum From {
+    /// `from = ["photos", "masks"]`: each port is called like what it reads.
+    List(Vec<Said<String>>),
+    /// `from = { mesh = "hull" }`: port, then what it reads.
+    Table(Vec<(Said<String>, Said<String>)>),
+}
+
+/// `with = { voxel_mm = 2.0 }`.
+pub type With = Vec<(Said<String>, Said<Value>)>;
+
+/// `[node.NAME]`.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Node {
+    /// Its name.
+    pub name: Said<String>,
+    /// Its stage.
+    pub stage: Said<String>,
+    /// What it reads.
+    pub from: From,
+    /// Its params.
+    pub with: With,
+}
+
+/// `[input.NAME]`.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Input {
+    /// Its name.
+    pub name: Said<String>,
+    /// What it is.
+    pub about: String,
+    /// Patterns of its files.
+    pub files: Vec<String>,
+}
+
+/// `[variant.NAME]`: the same pipeline, otherwise.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Variant {
+    /// Its name.
+    pub name: Said<String>,
+    /// What it is for.
+    pub about: String,
+    /// Params by node.
+    pub with: Vec<(Said<String>, With)>,
+    /// Another stage for a node.
+    pub stage: Vec<(Said<String>, Said<String>)>,
+    /// Other sources for a node.
+    pub from: Vec<(Said<String>, From)>,
+    /// Nodes left out: their readers read what they read.
+    pub without: Vec<Said<String>>,
+}
+
+/// `[sweep.NAME]`: a grid of params.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Sweep {
+    /// Its name.
+    pub name: Said<String>,
+    /// The question it answers.
+    pub about: String,
+    /// Node, param and the values it takes.
+    pub over: Vec<(Said<String>, Said<String>, Vec<Said<Value>>)>,
+    /// Variants to be crossed with the grid; none is the pipeline as it is.
+    pub with: Vec<Said<String>>,
+    /// Metrics to be told: `node.metric`.
+    pub tell: Vec<Said<String>>,
+}
+
+/// A pipeline as written.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Recipe {
+    /// What it is for.
+    pub about: String,
+    /// The nodes that are wanted.
+    pub goal: Vec<Said<String>>,
+    /// The user's files.
+    pub inputs: Vec<Input>,
+    /// The nodes.
+    pub nodes: Vec<Node>,
+    /// The same, otherwise.
+    pub variants: Vec<Variant>,
+    /// Grids of params.
+    pub sweeps: Vec<Sweep>,
+}
+
+/// What the command line changes.
+#[derive(Debug, Clone, Default)]
+pub struct Overrides {
+    /// A variant, or several separated by commas, applied in order.
+    pub variant: Option<String>,
+    /// `NODE.PARAM=VALUE`, applied after variants.
+    pub sets: Vec<String>,
+}
+
+/// Reads, varies and binds a pipeline file.
+pub fn open(path: &Path, overrides: &Overrides) -> Result<Graph, Mistakes> {
+    let name = path.display().to_string();
+    let text = std::fs::read_to_string(path)
+        .map_err(|e| Mistakes::unreadable(&name, format!("cannot be read: {e}")))?;
+    open_text(&name, &text, overrides, &crate::catalog::find)
+}
+
+/// As [`open`], for a text with a name and a catalog of stages.
+pub fn open_text(
+    name: &str,
+    text: &str,
+    overrides: &Overrides,
+    find: &dyn Fn(&str) -> Option<&'static dyn AnyStage>,
+) -> Result<Graph, Mistakes> {
+    let recipe = read(text).map_err(|m| Mistakes::new(name, text, m))?;
+    let varied = vary(&recipe, overrides).map_err(|m| Mistakes::new(name, text, m))?;
+    let strict = overrides.variant.is_none();
+    bind(&varied, find, strict).map_err(|m| Mistakes::new(name, text, m))
+}

@@ -1,0 +1,157 @@
+//! Recipe → Recipe: variants, `--set`, and nodes left out.
+
+use super::{From, Mistake, Overrides, Recipe, Said, Variant};
+use stage::{Value, unknown};
+
+/// The recipe with its variants and sets applied.
+pub fn vary(recipe: &Recipe, overrides: &Overrides) -> Result<Recipe, Vec<Mistake>> {
+    let mut varied = recipe.clone();
+    let mut mistakes = Vec::new();
+    // Every variant is checked, the chosen ones are applied.
+    for variant in &recipe.variants {
+        apply(&mut varied.clone(), variant, &mut mistakes);
+    }
+    for name in overrides.variant.iter().flat_map(|names| names.split(',')) {
+        match recipe.variants.iter().find(|v| v.name.value == name) {
+            Some(variant) => apply(&mut varied, variant, &mut vec![]),
+            None => {
+                let known: Vec<&str> = recipe
+                    .variants
+                    .iter()
+                    .map(|v| v.name.value.as_str())
+                    .collect();
+                mistakes.push(Mistake::said(unknown("variant", name, &known)));
+            }
+        }
+    }
+    for set in &overrides.sets {
+        if let Err(what) = apply_set(&mut varied, set) {
+            mistakes.push(Mistake::said(format!("`--set {set}`: {what}")));
+        }
+    }
+    if mistakes.is_empty() {
+        Ok(varied)
+    } else {
+        Err(mistakes)
+    }
+}
+
+fn apply(recipe: &mut Recipe, variant: &Variant, mistakes: &mut Vec<Mistake>) {
+    let names: Vec<String> = recipe.nodes.iter().map(|n| n.name.value.clone()).collect();
+    let known: Vec<&str> = names.iter().map(String::as_str).collect();
+    let mut find = |name: &Said<String>| {
+        let at = names.iter().position(|n| *n == name.value);
+        if at.is_none() {
+            mistakes.push(Mistake::at(
+                &name.span,
+                unknown("node", &name.value, &known),
+            ));
+        }
+        at
+    };
+    for (node, stage) in &variant.stage {
+        if let Some(i) = find(node) {
+            recipe.nodes[i].stage = stage.clone();
+        }
+    }
+    for (node, from) in &variant.from {
+        if let Some(i) = find(node) {
+            recipe.nodes[i].from = from.clone();
+        }
+    }
+    for (node, with) in &variant.with {
+        if let Some(i) = find(node) {
+            for (param, value) in with {
+                set(recipe, i, param.clone(), value.clone());
+            }
+        }
+    }
+    let gone: Vec<Said<String>> = variant
+        .without
+        .iter()
+        .filter(|n| find(n).is_some())
+        .cloned()
+        .collect();
+    for node in gone {
+        leave_out(recipe, &node, mistakes);
+    }
+}
+
+fn set(recipe: &mut Recipe, node: usize, param: Said<String>, value: Said<Value>) {
+    let with = &mut recipe.nodes[node].with;
+    with.retain(|(name, _)| name.value != param.value);
+    with.push((param, value));
+}
+
+/// Takes a node out: who read it reads what it read first.
+fn leave_out(recipe: &mut Recipe, name: &Said<String>, mistakes: &mut Vec<Mistake>) {
+    let Some(at) = recipe.nodes.iter().position(|n| n.name.value == name.value) else {
+        return;
+    };
+    let node = recipe.nodes.remove(at);
+    let first = match &node.from {
+        From::List(list) => list.first().cloned(),
+        From::Table(table) => table.first().map(|(_, source)| source.clone()),
+    };
+    let Some(first) = first else {
+        let what = format!(
+            "`{}` reads nothing, so nothing can stand in for it",
+            name.value
+        );
+        mistakes.push(Mistake::at(&name.span, what));
+        return;
+    };
+    for reader in &mut recipe.nodes {
+        if let From::List(list) = &reader.from
+            && list.iter().any(|s| s.value == name.value)
+        {
+            // The port is called like the node that goes: keep the port's name.
+            let pairs = list.iter().map(|s| (s.clone(), s.clone())).collect();
+            reader.from = From::Table(pairs);
+        }
+        if let From::Table(table) = &mut reader.from {
+            for (_, source) in table.iter_mut().filter(|(_, s)| s.value == name.value) {
+                source.value = first.value.clone();
+            }
+        }
+    }
+    for goal in recipe.goal.iter_mut().filter(|g| g.value == name.value) {
+        goal.value = first.value.clone();
+    }
+}
+
+/// `NODE.PARAM=VALUE`; a bare word is a text.
+fn apply_set(recipe: &mut Recipe, text: &str) -> Result<(), String> {
+    let shape = || "say NODE.PARAM=VALUE, such as hull.voxel_mm=2".to_owned();
+    let (place, value) = text.split_once('=').ok_or_else(shape)?;
+    let (node, param) = place.trim().split_once('.').ok_or_else(shape)?;
+    let names: Vec<&str> = recipe.nodes.iter().map(|n| n.name.value.as_str()).collect();
+    let at = names.iter().position(|n| *n == node);
+    let at = at.ok_or_else(|| unknown("node", node, &names))?;
+    let value = parse_value(value.trim());
+    let here = recipe.nodes[at].stage.span.clone();
+    let said = Said {
+        value: param.to_owned(),
+        span: here.clone(),
+    };
+    set(recipe, at, said, Said { value, span: here });
+    Ok(())
+}
+
+/// A TOML value; what is none is a text.
+pub fn parse_value(text: &str) -> Value {
+    let line = format!("x = {text}");
+    let parsed: Option<toml::Table> = line.parse().ok();
+    fn convert(value: &toml::Value) -> Option<Value> {
+        Some(match value {
+            toml::Value::Boolean(b) => Value::Bool(*b),
+            toml::Value::Integer(i) => Value::Int(*i),
+            toml::Value::Float(x) => Value::Float(*x),
+            toml::Value::String(t) => Value::Text(t.clone()),
+            toml::Value::Array(l) => Value::List(l.iter().map(convert).collect::<Option<_>>()?),
+            _ => return None,
+        })
+    }
+    let value = parsed.as_ref().and_then(|t| t.get("x")).and_then(convert);
+    value.unwrap_or_else(|| Value::Text(text.to_owned()))
+}

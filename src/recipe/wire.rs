@@ -1,0 +1,116 @@
+//! Which port of a node reads what.
+
+use super::bind::Binder;
+use super::{From, Mistake, Node, Said};
+use crate::graph::Source;
+use stage::{AnyStage, PortSpec, unknown};
+
+impl<'a> Binder<'a> {
+    /// Which port reads what: by name; in a list also the only open port of that kind.
+    pub(super) fn wires(
+        &mut self,
+        node: &'a Node,
+        ports: &[PortSpec],
+        stages: &[Option<&'static dyn AnyStage>],
+    ) -> Vec<(usize, &'a Said<String>)> {
+        let known: Vec<&str> = ports.iter().map(|p| p.name).collect();
+        let mut wires: Vec<(usize, &'a Said<String>)> = Vec::new();
+        match &node.from {
+            From::Table(table) => {
+                for (port, source) in table {
+                    match known.iter().position(|p| *p == port.value) {
+                        Some(i) => wires.push((i, source)),
+                        None => {
+                            let what = unknown("port", &port.value, &known);
+                            self.mistakes.push(Mistake::at(&port.span, what));
+                        }
+                    }
+                }
+            }
+            From::List(list) => {
+                let named = |s: &Said<String>| {
+                    known
+                        .iter()
+                        .position(|p| *p == s.value.trim_start_matches('@'))
+                };
+                let mut open: Vec<usize> = (0..ports.len()).collect();
+                open.retain(|i| !list.iter().any(|s| named(s) == Some(*i)));
+                for said in list {
+                    let kind = self
+                        .source(said)
+                        .and_then(|source| self.kind(source, stages));
+                    let fits: Vec<usize> = open
+                        .iter()
+                        .copied()
+                        .filter(|i| Some(ports[*i].kind) == kind)
+                        .collect();
+                    match (named(said), fits.as_slice()) {
+                        (Some(i), _) => wires.push((i, said)),
+                        (None, [one]) => {
+                            open.retain(|i| i != one);
+                            wires.push((*one, said));
+                        }
+                        (None, _) if kind.is_none() => {}
+                        (None, several) => {
+                            let kind = kind.unwrap_or_default();
+                            let what = if several.is_empty() {
+                                format!("no open port of {} takes {kind}", node.stage.value)
+                            } else {
+                                format!(
+                                    "several ports take {kind}: name one, `from = {{ {} = \"{}\" }}`",
+                                    ports[several[0]].name, said.value
+                                )
+                            };
+                            self.mistakes.push(Mistake::at(&said.span, what));
+                        }
+                    }
+                }
+            }
+        }
+        wires
+    }
+
+    pub(super) fn source(&mut self, said: &Said<String>) -> Option<Source> {
+        let (source, what, known): (_, _, Vec<&str>) = match said.value.strip_prefix('@') {
+            Some(name) => {
+                let inputs = &self.recipe.inputs;
+                let at = inputs.iter().position(|i| i.name.value == name);
+                (
+                    at.map(Source::Input),
+                    "input",
+                    inputs.iter().map(|i| i.name.value.as_str()).collect(),
+                )
+            }
+            None => {
+                let names = self
+                    .recipe
+                    .nodes
+                    .iter()
+                    .map(|n| n.name.value.as_str())
+                    .collect();
+                (self.places.get(said.value.as_str()).copied(), "node", names)
+            }
+        };
+        if source.is_none() {
+            let mistake = Mistake::at(
+                &said.span,
+                unknown(what, said.value.trim_start_matches('@'), &known),
+            );
+            if !self.mistakes.contains(&mistake) {
+                self.mistakes.push(mistake);
+            }
+        }
+        source
+    }
+
+    pub(super) fn kind(
+        &self,
+        source: Source,
+        stages: &[Option<&'static dyn AnyStage>],
+    ) -> Option<&'static str> {
+        match source {
+            Source::Input(_) => Some("files"),
+            Source::Node(i) => stages[i].map(|s| s.yields()),
+        }
+    }
+}

@@ -1,0 +1,199 @@
+//! The user's folders become names and content hashes.
+//!
+//! A file is hashed once and remembered by size, modification time and inode. A file modified
+//! within two seconds of being remembered is hashed again (the racy-timestamp rule of git's index).
+
+use crate::graph::InputDecl;
+use serde::{Deserialize, Serialize};
+use stage::{FileEntry, Files, Hash};
+use std::collections::BTreeMap;
+use std::os::unix::fs::MetadataExt;
+use std::path::{Path, PathBuf};
+
+/// A folder that cannot be an input.
+#[derive(Debug, thiserror::Error)]
+pub enum SourceError {
+    /// It cannot be read.
+    #[error("{}: {why}; give a folder that is there and readable", path.display())]
+    Unreadable {
+        /// The file or folder.
+        path: PathBuf,
+        /// What the system says.
+        why: std::io::Error,
+    },
+    /// None of its files fits.
+    #[error("{} has no file that fits {patterns}", path.display())]
+    Empty {
+        /// The folder.
+        path: PathBuf,
+        /// What would fit.
+        patterns: String,
+    },
+}
+
+/// What is remembered of files, so that they need not be hashed again.
+#[derive(Debug, Default, Serialize, Deserialize)]
+pub struct Memo(BTreeMap<PathBuf, Stamp>);
+
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+struct Stamp {
+    size: u64,
+    modified_ns: i128,
+    inode: u64,
+    seen_ns: i128,
+    content: String,
+}
+
+const RACY_NS: i128 = 2_000_000_000;
+
+/// The files of an input in natural order.
+pub fn files(folder: &Path, input: &InputDecl, memo: &mut Memo) -> Result<Files, SourceError> {
+    let unreadable = |path: &Path| {
+        let path = path.to_owned();
+        move |why| SourceError::Unreadable { path, why }
+    };
+    let root = folder.canonicalize().map_err(unreadable(folder))?;
+    let mut names = Vec::new();
+    let mut open = vec![String::new()];
+    while let Some(inner) = open.pop() {
+        let here = root.join(&inner);
+        for entry in std::fs::read_dir(&here).map_err(unreadable(&here))? {
+            let entry = entry.map_err(unreadable(&here))?;
+            let Ok(name) = entry.file_name().into_string() else {
+                continue;
+            };
+            let name = if inner.is_empty() {
+                name
+            } else {
+                format!("{inner}/{name}")
+            };
+            let kind = std::fs::metadata(entry.path()).map_err(unreadable(&entry.path()))?;
+            let deep = name.matches('/').count();
+            if kind.is_dir() && input.files.iter().any(|p| p.matches('/').count() > deep) {
+                open.push(name);
+            } else if kind.is_file() && input.files.iter().any(|p| fits(p, &name)) {
+                names.push(name);
+            }
+        }
+    }
+    if names.is_empty() {
+        let patterns = input.files.join(", ");
+        return Err(SourceError::Empty {
+            path: folder.into(),
+            patterns,
+        });
+    }
+    names.sort_by(|a, b| natural(a).cmp(&natural(b)).then(a.cmp(b)));
+    let mut entries = Vec::new();
+    for name in names {
+        let path = root.join(&name);
+        let (content, size) = memo.content(&path).map_err(unreadable(&path))?;
+        entries.push(FileEntry {
+            name,
+            content,
+            size,
+        });
+    }
+    Ok(Files { root, entries })
+}
+
+impl Memo {
+    /// From a file of the store; a torn one is as good as none.
+    pub fn load(path: &Path) -> Memo {
+        let bytes = std::fs::read(path).unwrap_or_default();
+        serde_json::from_slice(&bytes).unwrap_or_default()
+    }
+
+    /// As bytes of a file.
+    pub fn bytes(&self) -> Vec<u8> {
+        serde_json::to_vec(self).expect("bug: a memo JSON cannot hold")
+    }
+
+    fn content(&mut self, path: &Path) -> std::io::Result<(Hash, u64)> {
+        let meta = std::fs::metadata(path)?;
+        let modified_ns = i128::from(meta.mtime()) * 1_000_000_000 + i128::from(meta.mtime_nsec());
+        if let Some(stamp) = self.0.get(path)
+            && (stamp.size, stamp.modified_ns, stamp.inode)
+                == (meta.size(), modified_ns, meta.ino())
+            && stamp.seen_ns - modified_ns > RACY_NS
+            && let Ok(content) = Hash::from_hex(&stamp.content)
+        {
+            return Ok((content, stamp.size));
+        }
+        let bytes = std::fs::read(path)?;
+        let content = blake3::hash(&bytes);
+        let stamp = Stamp {
+            size: bytes.len() as u64,
+            modified_ns,
+            inode: meta.ino(),
+            seen_ns: crate::clock::now_ns(),
+            content: content.to_hex().to_string(),
+        };
+        self.0.insert(path.to_owned(), stamp);
+        Ok((content, bytes.len() as u64))
+    }
+}
+
+/// Whether a name fits a pattern: `*` is any run of characters within a folder, `{a,b}` either;
+/// letters of the extension may be of either case.
+fn fits(pattern: &str, name: &str) -> bool {
+    if let (Some(open), Some(close)) = (pattern.find('{'), pattern.find('}'))
+        && open < close
+    {
+        let (head, tail) = (&pattern[..open], &pattern[close + 1..]);
+        return pattern[open + 1..close]
+            .split(',')
+            .any(|w| fits(&format!("{head}{w}{tail}"), name));
+    }
+    fn glob(p: &[u8], n: &[u8]) -> bool {
+        match (p.first(), n.first()) {
+            (None, None) => true,
+            (Some(b'*'), _) => {
+                glob(&p[1..], n) || n.first().is_some_and(|c| *c != b'/') && glob(p, &n[1..])
+            }
+            (Some(a), Some(b)) => a.eq_ignore_ascii_case(b) && glob(&p[1..], &n[1..]),
+            _ => false,
+        }
+    }
+    glob(pattern.as_bytes(), name.as_bytes())
+}
+
+/// A name as texts and numbers, so that `2.jpg` comes before `10.jpg`.
+fn natural(name: &str) -> Vec<(String, u128)> {
+    let mut parts = Vec::new();
+    let mut rest = name;
+    while !rest.is_empty() {
+        let text = rest
+            .find(|c: char| c.is_ascii_digit())
+            .unwrap_or(rest.len());
+        let tail = &rest[text..];
+        let digits = tail
+            .find(|c: char| !c.is_ascii_digit())
+            .unwrap_or(tail.len());
+        parts.push((
+            rest[..text].to_lowercase(),
+            tail[..digits].parse().unwrap_or(0),
+        ));
+        rest = &tail[digits..];
+    }
+    parts
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn two_comes_before_ten() {
+        let mut names = vec!["image_10.jpg", "image_2.jpg", "image_0.jpg"];
+        names.sort_by_key(|n| natural(n));
+        assert_eq!(names, ["image_0.jpg", "image_2.jpg", "image_10.jpg"]);
+    }
+
+    #[test]
+    fn patterns_fit_what_they_say() {
+        assert!(fits("images/*.{jpg,jpeg,png}", "images/a.b.JPG"));
+        assert!(!fits("*.jpg", "images/a.jpg"));
+        assert!(!fits("*.{jpg,png}", "a.tif"));
+    }
+}

@@ -1,0 +1,129 @@
+//! What the store holds, what may go when it grows, and whether it is sound.
+
+use super::Store;
+use crate::engine;
+use stage::Hash;
+use std::collections::BTreeSet;
+use std::path::{Path, PathBuf};
+
+/// A result in the store.
+#[derive(Debug, Clone)]
+pub struct Kept {
+    /// Its key, hexadecimal.
+    pub key: String,
+    /// Its content, hexadecimal.
+    pub content: String,
+    /// Size. [bytes]
+    pub bytes: u64,
+    /// How long it took to make. [s]
+    pub seconds: f64,
+    /// What made it.
+    pub stage: String,
+}
+
+/// All files of a shelf.
+fn shelf(root: &Path, name: &str) -> Vec<PathBuf> {
+    let inner = |folder: PathBuf| {
+        let entries = std::fs::read_dir(folder).into_iter().flatten();
+        entries
+            .filter_map(|e| Some(e.ok()?.path()))
+            .collect::<Vec<_>>()
+    };
+    let mut files: Vec<_> = inner(root.join(name)).into_iter().flat_map(inner).collect();
+    files.sort();
+    files
+}
+
+fn hash_of(path: &Path) -> Option<Hash> {
+    Hash::from_hex(path.file_name()?.to_str()?).ok()
+}
+
+/// The results, by key. Records that are corrupt are put aside and left out.
+pub fn list(store: &Store) -> Vec<Kept> {
+    let kept = |path: PathBuf| {
+        let key = hash_of(&path)?;
+        let record = store.record(key)?;
+        let stage = record
+            .story
+            .first()
+            .map_or(String::new(), |(_, value)| value.clone());
+        Some(Kept {
+            key: key.to_hex().to_string(),
+            content: record.content.to_hex().to_string(),
+            bytes: record.bytes,
+            seconds: record.seconds,
+            stage,
+        })
+    };
+    shelf(store.root(), "ac")
+        .into_iter()
+        .filter_map(kept)
+        .collect()
+}
+
+/// Size of all parts and checkpoints. [bytes]
+pub fn parts_size(store: &Store) -> u64 {
+    let size = |path: &PathBuf| std::fs::metadata(path).map_or(0, |m| m.len());
+    shelf(store.root(), "part").iter().map(size).sum()
+}
+
+/// Removes results worth least (seconds to rebuild per byte) until the rest fits into `most` bytes;
+/// those of the last `keep_runs` runs stay. Returns what went, or would go. Parts go too, and
+/// whatever lies in `tmp`.
+pub fn gc(store: &Store, most: u64, keep_runs: usize, dry_run: bool) -> Vec<Kept> {
+    let mut kept = list(store);
+    let pinned: BTreeSet<String> = engine::runs(store.root())
+        .into_iter()
+        .take(keep_runs)
+        .flat_map(|(_, run)| run["nodes"].as_array().cloned().unwrap_or_default())
+        .filter_map(|node| node["key"].as_str().map(str::to_owned))
+        .collect();
+    let worth = |k: &Kept| k.seconds / k.bytes.max(1) as f64;
+    kept.sort_by(|a, b| worth(a).total_cmp(&worth(b)).then(a.key.cmp(&b.key)));
+    let mut total: u64 = kept.iter().map(|k| k.bytes).sum();
+    let mut gone = Vec::new();
+    for k in &kept {
+        if total <= most {
+            break;
+        }
+        if !pinned.contains(&k.key) {
+            total -= k.bytes;
+            gone.push(k.clone());
+        }
+    }
+    if !dry_run {
+        for path in shelf(store.root(), "part") {
+            let _ = std::fs::remove_file(path);
+        }
+        // Records first: a record without its blob is a miss, a blob without a record is litter.
+        for k in &gone {
+            if let Ok(key) = Hash::from_hex(&k.key) {
+                let _ = std::fs::remove_file(store.place("ac", key));
+            }
+        }
+        let left: BTreeSet<String> = list(store).into_iter().map(|k| k.content).collect();
+        for path in shelf(store.root(), "cas") {
+            if hash_of(&path).is_some_and(|h| !left.contains(h.to_hex().as_str())) {
+                let _ = std::fs::remove_file(path);
+            }
+        }
+    }
+    gone
+}
+
+/// Reads every record and every blob; what is corrupt is put aside. Returns how many were.
+pub fn verify(store: &Store) -> usize {
+    let records = shelf(store.root(), "ac").into_iter();
+    let bad_records = records
+        .filter(|p| hash_of(p).is_none_or(|h| store.record(h).is_none()))
+        .count();
+    let blobs = shelf(store.root(), "cas").into_iter();
+    let bad_blobs = blobs
+        .filter(|p| hash_of(p).is_none_or(|h| store.blob(h).is_none()))
+        .count();
+    let parts = shelf(store.root(), "part").into_iter();
+    let bad_parts = parts
+        .filter(|p| hash_of(p).is_none_or(|h| store.recall(h).is_none()))
+        .count();
+    bad_records + bad_blobs + bad_parts
+}

@@ -1,0 +1,118 @@
+//! Results by key, written whole or not at all.
+//!
+//! ```text
+//! format                one line: the version of this layout
+//! cas/ab/abcdef…        blobs, named by the hash of their bytes; never changed
+//! ac/ab/abcdef…         records by key: what was made, from what, how long it took
+//! part/ab/abcdef…       parts and checkpoints of unfinished work
+//! runs/…                one record a run
+//! quarantine/…          what was found corrupt
+//! tmp/…                 what is being written
+//! ```
+//!
+//! A blob is written to `tmp`, synced, renamed; a record likewise, and after its blob. So a kill
+//! at any moment leaves whole files or litter in `tmp`. Nothing says "running", nothing is locked.
+//! What is read is verified; what is corrupt or missing is a miss.
+
+mod blob;
+mod files;
+pub mod keeper;
+mod part;
+mod record;
+
+pub use record::Record;
+
+use stage::Hash;
+use std::path::{Path, PathBuf};
+
+const FORMAT: &str = "tailor store 1\n";
+
+/// A store on disk.
+pub struct Store {
+    root: PathBuf,
+}
+
+/// A store that cannot be used.
+#[derive(Debug, thiserror::Error)]
+pub enum StoreError {
+    /// The disk says no.
+    #[error("the cache at {}: {why}; make room or make it writable, or give another with --cache", path.display())]
+    Disk {
+        /// The file or folder.
+        path: PathBuf,
+        /// What the system says.
+        why: std::io::Error,
+    },
+    /// Written by another version of the program.
+    #[error("the cache at {} has another layout ({found}); give another folder with --cache", root.display())]
+    Format {
+        /// The store.
+        root: PathBuf,
+        /// What it says of itself.
+        found: String,
+    },
+}
+
+impl Store {
+    /// Opens a store; makes it if there is none.
+    pub fn open(root: &Path) -> Result<Store, StoreError> {
+        let store = Store {
+            root: root.to_owned(),
+        };
+        let mark = root.join("format");
+        match std::fs::read_to_string(&mark) {
+            Ok(text) if text == FORMAT => {}
+            Ok(found) => {
+                let found = found.trim().chars().take(40).collect();
+                return Err(StoreError::Format {
+                    root: root.into(),
+                    found,
+                });
+            }
+            Err(_) => {
+                files::folder(root)?;
+                files::publish(&store.fresh()?, &mark, FORMAT.as_bytes())?;
+            }
+        }
+        Ok(store)
+    }
+
+    /// Where it lies.
+    pub fn root(&self) -> &Path {
+        &self.root
+    }
+
+    /// Writes a file of the store by its name, over what was there.
+    pub fn write(&self, name: &str, bytes: &[u8]) -> Result<(), StoreError> {
+        files::publish(&self.fresh()?, &self.root.join(name), bytes)
+    }
+
+    /// The file of a hash under a shelf: `cas/ab/abcdef…`.
+    fn place(&self, shelf: &str, hash: Hash) -> PathBuf {
+        let hex = hash.to_hex();
+        self.root.join(shelf).join(&hex[..2]).join(hex.as_str())
+    }
+
+    /// A name in `tmp` that nobody else has.
+    fn fresh(&self) -> Result<PathBuf, StoreError> {
+        use std::sync::atomic::{AtomicU64, Ordering};
+        static COUNT: AtomicU64 = AtomicU64::new(0);
+        let folder = self.root.join("tmp");
+        files::folder(&folder)?;
+        let count = COUNT.fetch_add(1, Ordering::Relaxed);
+        Ok(folder.join(format!(
+            "{}-{count}-{:x}",
+            std::process::id(),
+            crate::clock::now_ns()
+        )))
+    }
+
+    /// Puts what is corrupt aside, so that it is a miss from now on.
+    fn quarantine(&self, path: &Path) {
+        let folder = self.root.join("quarantine");
+        let name = path.file_name().unwrap_or_default();
+        if files::folder(&folder).is_err() || std::fs::rename(path, folder.join(name)).is_err() {
+            let _ = std::fs::remove_file(path);
+        }
+    }
+}

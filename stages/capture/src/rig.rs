@@ -1,0 +1,220 @@
+//! `capture.toml`: what the user knows of the capture.
+
+use shape::{Mat, Reference, Rig};
+use stage::unknown;
+use toml::{Table, Value};
+
+/// A `capture.toml` in our units, and what else it says.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct RigFile {
+    /// What is known.
+    pub rig: Rig,
+    /// How many photos there should be.
+    pub views: Option<usize>,
+    /// The plate's file, relative to the folder.
+    pub plate: Option<String>,
+    /// Keys that nobody reads.
+    pub unknown: Vec<String>,
+}
+
+/// A `capture.toml` that does not make sense.
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+#[error("capture.toml: {0}")]
+pub struct RigError(String);
+
+/// A table that remembers which of its keys were read.
+struct Keys<'a> {
+    name: &'a str,
+    table: Table,
+    known: Vec<&'static str>,
+}
+
+impl Keys<'_> {
+    fn take(&mut self, key: &'static str) -> Option<Value> {
+        self.known.push(key);
+        self.table.remove(key)
+    }
+
+    fn wrong(&self, key: &str, wants: &str, got: &Value) -> RigError {
+        let place = if self.name.is_empty() {
+            key.into()
+        } else {
+            format!("{}.{key}", self.name)
+        };
+        RigError(format!("`{place}` wants {wants}, but it is {got}"))
+    }
+
+    fn text(&mut self, key: &'static str) -> Result<Option<String>, RigError> {
+        match self.take(key) {
+            None => Ok(None),
+            Some(Value::String(text)) => Ok(Some(text)),
+            Some(other) => Err(self.wrong(key, "a text", &other)),
+        }
+    }
+
+    fn number(&mut self, key: &'static str, lo: f64, hi: f64) -> Result<Option<f64>, RigError> {
+        let Some(value) = self.take(key) else {
+            return Ok(None);
+        };
+        let number = value.as_float().or(value.as_integer().map(|i| i as f64));
+        match number.filter(|x| (lo..=hi).contains(x)) {
+            Some(x) => Ok(Some(x)),
+            None => Err(self.wrong(key, &format!("a number from {lo} to {hi}"), &value)),
+        }
+    }
+
+    fn inner(&mut self, key: &'static str) -> Result<Option<Keys<'static>>, RigError> {
+        match self.take(key) {
+            None => Ok(None),
+            Some(Value::Table(table)) => Ok(Some(Keys {
+                name: key,
+                table,
+                known: vec![],
+            })),
+            Some(other) => Err(self.wrong(key, "a table", &other)),
+        }
+    }
+
+    fn rest(&self, unknown_keys: &mut Vec<String>) {
+        for key in self.table.keys() {
+            unknown_keys.push(unknown("key", key, &self.known));
+        }
+    }
+}
+
+/// Reads a `capture.toml`.
+pub fn read_rig(text: &str) -> Result<RigFile, RigError> {
+    let table: Table = text
+        .parse()
+        .map_err(|e: toml::de::Error| RigError(e.to_string()))?;
+    let mut root = Keys {
+        name: "",
+        table,
+        known: vec![],
+    };
+    let mut file = RigFile::default();
+    let rig = &mut file.rig;
+    rig.name = root.text("name")?;
+    rig.step = root.number("step_deg", -360.0, 360.0)?.map(f64::to_radians);
+    file.views = root.number("views", 0.0, 10_000.0)?.map(|x| x as usize);
+    file.plate = root.text("plate")?;
+    root.take("images");
+    if let Some(mut camera) = root.inner("camera")? {
+        rig.focal_35mm = camera.number("focal_35mm", 5.0, 2000.0)?;
+        ["make", "model"]
+            .iter()
+            .for_each(|key| drop(camera.take(key)));
+        camera.rest(&mut file.unknown);
+    }
+    if let Some(mut subject) = root.inner("subject")? {
+        rig.stature_mm = subject
+            .number("height_cm", 10.0, 300.0)?
+            .map(|cm| cm * 10.0);
+        rig.weight_kg = subject.number("weight_kg", 0.5, 500.0)?;
+        subject.rest(&mut file.unknown);
+    }
+    if let Some(mut disk) = root.inner("disk")? {
+        rig.disk_diameter_mm = disk.number("diameter_cm", 1.0, 1000.0)?.map(|cm| cm * 10.0);
+        disk.take("top");
+        disk.rest(&mut file.unknown);
+    }
+    if let Some(mut mat) = root.inner("mat")? {
+        rig.mat = Some(read_mat(&mut mat)?);
+        mat.rest(&mut file.unknown);
+    }
+    if let Some(mut reference) = root.inner("reference")? {
+        let kind = reference.text("kind")?.unwrap_or_default();
+        let length = reference.number("length_mm", 0.1, 100_000.0)?;
+        let length_mm = length.ok_or_else(|| RigError("`reference` has no `length_mm`".into()))?;
+        rig.reference = Some(Reference { kind, length_mm });
+        reference.rest(&mut file.unknown);
+    }
+    root.rest(&mut file.unknown);
+    Ok(file)
+}
+
+fn read_mat(mat: &mut Keys<'_>) -> Result<Mat, RigError> {
+    let family = mat.text("family")?.unwrap_or_else(|| "tag36h11".into());
+    if family != "tag36h11" {
+        return Err(RigError(format!(
+            "`mat.family` is {family:?}; only tag36h11 is known"
+        )));
+    }
+    let need =
+        |name: &str, x: Option<f64>| x.ok_or_else(|| RigError(format!("`mat` has no `{name}`")));
+    let tag_mm = need("tag_size_mm", mat.number("tag_size_mm", 1.0, 1000.0)?)?;
+    let ring_mm = need(
+        "ring_radius_mm",
+        mat.number("ring_radius_mm", 1.0, 10_000.0)?,
+    )?;
+    let count = need("count", mat.number("count", 1.0, 587.0)?)? as u32;
+    let first_id = match mat.take("ids") {
+        None => 0,
+        Some(ids) => {
+            let list: Vec<i64> = ids
+                .as_array()
+                .into_iter()
+                .flatten()
+                .filter_map(Value::as_integer)
+                .collect();
+            match list.as_slice() {
+                [first, last] if *first >= 0 && last - first + 1 == i64::from(count) => {
+                    *first as u32
+                }
+                _ => return Err(mat.wrong("ids", &format!("[first, last] of {count} ids"), &ids)),
+            }
+        }
+    };
+    Ok(Mat {
+        tag_mm,
+        first_id,
+        count,
+        ring_mm,
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_is_said_is_read_in_our_units() {
+        let text = "step_deg = 20.0\n[disk]\ndiameter_cm = 45\n[mat]\ntag_size_mm = 60.0\n\
+                    ids = [0, 11]\ncount = 12\nring_radius_mm = 187.0";
+        let file = read_rig(text).unwrap();
+        proof::near(file.rig.step.unwrap(), std::f64::consts::PI / 9.0, 1e-12);
+        assert_eq!(file.rig.disk_diameter_mm, Some(450.0));
+        let mat = Mat {
+            tag_mm: 60.0,
+            first_id: 0,
+            count: 12,
+            ring_mm: 187.0,
+        };
+        assert_eq!(file.rig.mat, Some(mat));
+    }
+
+    #[test]
+    fn a_slip_is_told_and_nonsense_is_an_error() {
+        let file = read_rig("stepdeg = 20.0").unwrap();
+        assert!(
+            file.unknown[0].contains("did you mean `step_deg`"),
+            "{:?}",
+            file.unknown
+        );
+        for (text, says) in [
+            ("step_deg = \"twenty\"", "`step_deg` wants a number"),
+            (
+                "[subject]\nheight_cm = 1758",
+                "`subject.height_cm` wants a number from 10 to 300",
+            ),
+            (
+                "[mat]\ntag_size_mm = 60\nring_radius_mm = 1\ncount = 3\nids = [0, 9]",
+                "of 3 ids",
+            ),
+            ("a = [", "capture.toml"),
+        ] {
+            let error = read_rig(text).unwrap_err().to_string();
+            assert!(error.contains(says), "{error}");
+        }
+    }
+}

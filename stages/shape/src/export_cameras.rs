@@ -1,0 +1,66 @@
+//! Cameras as JSON of our own and as a COLMAP text model.
+
+use crate::{Cameras, View};
+use nalgebra::UnitQuaternion;
+use serde_json::json;
+use std::fmt::Write;
+
+/// `cameras.json`: unit mm, world = turntable frame, `x_in_camera = R x_in_world + t`.
+pub fn cameras_to_json(cameras: &Cameras) -> String {
+    let view = |v: &View| {
+        let (lens, pose) = (&v.camera.lens, &v.camera.pose);
+        let rows = |m: nalgebra::Matrix3<f64>| -> Vec<[f64; 3]> {
+            m.row_iter().map(|r| [r[0], r[1], r[2]]).collect()
+        };
+        json!({
+            "image": v.name, "width": lens.width, "height": lens.height,
+            "K": rows(lens.matrix()), "distortion": lens.radial,
+            "R": rows(*pose.rotation.matrix()), "t": pose.translation.as_slice(),
+            "sigma_mm": v.sigma_mm, "rms_px": v.rms_px, "points": v.points,
+        })
+    };
+    let views: Vec<_> = cameras.views.values().map(view).collect();
+    let file = json!({
+        "unit": "mm", "frame": "turntable: origin on the axis at the disk's top, z up",
+        "scale": format!("{:?}", cameras.scale).to_lowercase(),
+        "scale_sigma": cameras.scale_sigma, "disk_radius_mm": cameras.disk_radius_mm,
+        "ground_mm": cameras.ground_mm, "views": views,
+    });
+    serde_json::to_string_pretty(&file).expect("bug: cameras JSON cannot hold")
+}
+
+/// A COLMAP text model: `cameras.txt`, `images.txt`, `points3D.txt`. COLMAP puts the centre of the
+/// top-left pixel at (0.5, 0.5).
+pub fn cameras_to_colmap_text(cameras: &Cameras) -> Vec<(String, Vec<u8>)> {
+    let mut lenses = String::from("# CAMERA_ID, MODEL, WIDTH, HEIGHT, PARAMS[]\n");
+    let mut images = String::from("# IMAGE_ID, QW, QX, QY, QZ, TX, TY, TZ, CAMERA_ID, NAME\n");
+    for (id, view) in cameras.views.iter() {
+        let (lens, pose) = (&view.camera.lens, &view.camera.pose);
+        let ([fx, fy], [cx, cy], [k1, k2]) = (lens.focal, lens.centre, lens.radial);
+        let (n, w, h) = (id.0 + 1, lens.width, lens.height);
+        let (cx, cy) = (cx + 0.5, cy + 0.5);
+        let _ = writeln!(
+            lenses,
+            "{n} OPENCV {w} {h} {fx} {fy} {cx} {cy} {k1} {k2} 0 0"
+        );
+        let q = UnitQuaternion::from_rotation_matrix(&pose.rotation);
+        let t = pose.translation;
+        let (qw, qx, qy, qz) = (q.w, q.i, q.j, q.k);
+        let _ = writeln!(
+            images,
+            "{n} {qw} {qx} {qy} {qz} {} {} {} {n} {}\n",
+            t.x, t.y, t.z, view.name
+        );
+    }
+    let mut points = String::from("# POINT3D_ID, X, Y, Z, R, G, B, ERROR, TRACK[]\n");
+    for (i, [x, y, z]) in cameras.points.iter().enumerate() {
+        let _ = writeln!(points, "{} {x} {y} {z} 128 128 128 0", i + 1);
+    }
+    [
+        ("cameras.txt", lenses),
+        ("images.txt", images),
+        ("points3D.txt", points),
+    ]
+    .map(|(name, text)| (name.to_owned(), text.into_bytes()))
+    .into()
+}
