@@ -130,7 +130,7 @@ impl Outcome {
         let content = self.nodes[node].as_ref()?.content?;
         graph.nodes[node]
             .stage
-            .read(&*self.store.blob(content)?)
+            .read(&self.store.blob(content)?)
             .ok()
     }
 

@@ -2,7 +2,7 @@
 
 mod answers;
 mod cache;
-mod measure;
+mod door;
 mod run;
 mod scoring;
 mod show;
@@ -68,7 +68,7 @@ pub(crate) struct Change {
 #[derive(Subcommand)]
 enum Verb {
     /// Photos of one turn to girths, with a report
-    Measure(measure::Measure),
+    Measure(door::Measure),
     /// Run a pipeline
     Run(run::Run),
     /// What would run, and why
@@ -134,7 +134,7 @@ pub fn main() -> ExitCode {
     });
     let house = &cli.house;
     let done = match &cli.verb {
-        Verb::Measure(verb) => measure::measure(verb, house),
+        Verb::Measure(verb) => door::measure(verb, house),
         Verb::Run(verb) => run::run(verb, house),
         Verb::Plan(wanted) => answers::plan(wanted, house),
         Verb::Why(verb) => answers::why(verb, house),
