@@ -1,7 +1,8 @@
 //! Artifacts as files for people and other programs.
 
 use shape::{
-    Cameras, Document, Girths, Landmarks, Masks, Mesh, Photos, Textured, gray_to_png, mesh_to_ply,
+    Cameras, Document, Girths, Landmarks, Masks, Mesh, Photos, Tags, Textured, gray_to_png,
+    mesh_to_ply,
 };
 use stage::AnyArtifact;
 use std::path::{Path, PathBuf};
@@ -39,7 +40,7 @@ pub fn formats(kind: &str) -> &'static [&'static str] {
         "girths" => &["json", "csv"],
         "landmarks" => &["json"],
         "document" => &["file"],
-        "photos" => &["json"],
+        "tags" => &["json"],
         _ => &["tailor"],
     }
 }
@@ -78,6 +79,7 @@ pub fn files(
         ("girths", "json") => one(shape::girths_to_json(&*take!(Girths)).into_bytes()),
         ("girths", "csv") => one(shape::girths_to_csv(&*take!(Girths)).into_bytes()),
         ("landmarks", "json") => one(shape::landmarks_to_json(&*take!(Landmarks)).into_bytes()),
+        ("tags", _) => one(tags_to_json(&*take!(Tags)).into_bytes()),
         ("document", _) => one(take!(Document).bytes.clone()),
         ("masks", _) => {
             let masks = take!(Masks);
@@ -96,6 +98,17 @@ pub fn files(
         }
         _ => Err(wrong()),
     }
+}
+
+/// Tags by photo: number and corners. [px]
+fn tags_to_json(tags: &Tags) -> String {
+    let tag = |t: &shape::Tag| serde_json::json!({ "id": t.id, "corners": t.corners });
+    let views: Vec<_> = tags
+        .views
+        .iter()
+        .map(|(id, tags)| serde_json::json!({ "photo": id.0, "tags": tags.iter().map(tag).collect::<Vec<_>>() }))
+        .collect();
+    serde_json::to_string_pretty(&views).expect("bug: tags JSON cannot hold")
 }
 
 /// Writes files for the owner only: one to `path`, several into the folder `path`.

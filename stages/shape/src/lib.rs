@@ -25,7 +25,9 @@ mod masks;
 mod mesh;
 mod photos;
 mod rig;
+mod tags;
 mod textured;
+mod tracks;
 
 pub use by_photo::{ByPhoto, PhotoId};
 pub use camera::{Camera, Intrinsics, Pose};
@@ -43,4 +45,6 @@ pub use masks::{Mask, Masks};
 pub use mesh::{Adjacency, Mesh, MeshFault};
 pub use photos::{Photo, PhotoError, Photos};
 pub use rig::{Mat, Reference, Rig};
+pub use tags::{Tag, Tags};
 pub use textured::Textured;
+pub use tracks::{Sighting, Tracks};
