@@ -72,7 +72,7 @@ fn line(gray: &Gray, a: Vector2<f64>, b: Vector2<f64>, reach: f64) -> Option<(Ve
 /// the file's gamma-coded values: an edge located in those lies up to 0.3 px on its dark side.
 fn step(gray: &Gray, middle: Vector2<f64>, across: Vector2<f64>, reach: f64) -> Option<f64> {
     let (width, height) = (gray.width as f64, gray.height as f64);
-    let end = across * (reach + 1.0);
+    let end = across * (reach + 1.5);
     let inside =
         |p: Vector2<f64>| p.x >= 0.0 && p.y >= 0.0 && p.x < width - 1.0 && p.y < height - 1.0;
     if !inside(middle + end) || !inside(middle - end) {
@@ -80,7 +80,7 @@ fn step(gray: &Gray, middle: Vector2<f64>, across: Vector2<f64>, reach: f64) -> 
     }
     let value = |s: f64| {
         let p = middle + across * s;
-        (f64::from(gray.sample(p.x as f32, p.y as f32)).max(0.0) / 255.0).powf(2.2)
+        light(gray, p.x, p.y)
     };
     let rise = value(reach) - value(-reach);
     let spacing = 0.25;
@@ -90,11 +90,28 @@ fn step(gray: &Gray, middle: Vector2<f64>, across: Vector2<f64>, reach: f64) -> 
         let s = f64::from(k) * spacing;
         let slope = (value(s + 0.5) - value(s - 0.5)) * rise.signum();
         strongest = strongest.max(slope);
-        let weight = if slope > 0.05 * rise.abs() { slope } else { 0.0 };
+        let weight = if slope > 0.05 * rise.abs() {
+            slope
+        } else {
+            0.0
+        };
         sum += weight;
         moment += weight * s;
     }
     (strongest > 0.04 && rise.abs() > 0.1).then(|| moment / sum)
+}
+
+/// The light between pixels, bilinear, 0..=1; inside the picture.
+fn light(gray: &Gray, x: f64, y: f64) -> f64 {
+    let (x0, y0) = (x.floor(), y.floor());
+    let (fx, fy) = (x - x0, y - y0);
+    let at = |dx: usize, dy: usize| {
+        let v = gray.at(x0 as usize + dx, y0 as usize + dy);
+        (f64::from(v.max(0.0)) / 255.0).powf(2.2)
+    };
+    let top = at(0, 0) + fx * (at(1, 0) - at(0, 0));
+    let bottom = at(0, 1) + fx * (at(1, 1) - at(0, 1));
+    top + fy * (bottom - top)
 }
 
 /// The line through points by total least squares.

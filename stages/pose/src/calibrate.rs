@@ -1,0 +1,113 @@
+//! The stage that calibrates the cameras of a turn.
+
+use crate::from_mat::{self, MatError};
+use shape::{Cameras, Intrinsics, Photos, Tags, Tracks};
+use stage::{Ctx, Stage, Stop};
+use std::sync::Arc;
+
+stage::params! {
+    /// What is believed before anything is seen, and how sure sightings are.
+    pub struct CalibrateParams {
+        /// How sure the focal length of EXIF or capture.toml is, as a share of it.
+        #[range(0.0005..=0.5)]
+        focal_sigma: f64 = 0.01,
+        /// How far the principal point may be from the photo's middle, as a share of its longer side.
+        #[range(0.0001..=0.2)]
+        centre_sigma: f64 = 0.004,
+        /// How strong radial distortion may be (k1; k2 half as much).
+        #[range(0.0001..=1.0)]
+        radial_sigma: f64 = 0.03,
+        /// Standard deviation of a tag's corner.
+        #[range(0.01..=5.0)]
+        tag_px: f64 = 0.1,
+        /// Standard deviation of a feature.
+        #[range(0.05..=5.0)]
+        feature_px: f64 = 0.6,
+        /// Residuals beyond this many standard deviations lose weight.
+        #[range(0.5..=20.0)]
+        loss: f64 = 3.0,
+        /// Most steps of an adjustment.
+        #[range(1..=1000)]
+        steps: u32 = 60,
+    }
+}
+
+stage::inputs! {
+    /// What was seen.
+    pub struct CalibrateInput {
+        /// The photos: their size, focal length, and the mat.
+        photos: Arc<Photos>,
+        /// Marker tags.
+        tags: Option<Arc<Tags>>,
+        /// Features followed over the photos.
+        tracks: Option<Arc<Tracks>>,
+    }
+}
+
+/// Why there are no cameras.
+#[derive(Debug, thiserror::Error)]
+pub enum CalibrateError {
+    /// Neither tags nor tracks.
+    #[error(
+        "no marker tags and no features were found, so nothing tells where the camera stood: put a textured or marker mat on the disk"
+    )]
+    Nothing,
+    /// The mat path failed.
+    #[error(transparent)]
+    Mat(#[from] MatError),
+}
+
+/// `pose.calibrate`: photos, tags, tracks → cameras.
+pub struct Calibrate;
+
+impl Stage for Calibrate {
+    const NAME: &'static str = "pose.calibrate";
+    const VERSION: u32 = 1;
+    const ABOUT: &'static str = "Calibrates lens and cameras by bundle adjustment, in the turntable frame where a mat gives it.";
+    type Params = CalibrateParams;
+    type Input = CalibrateInput;
+    type Output = Cameras;
+
+    fn run(p: &CalibrateParams, input: CalibrateInput, ctx: &Ctx<'_>) -> Result<Cameras, Stop> {
+        let photos = &input.photos;
+        let tags = input
+            .tags
+            .as_ref()
+            .filter(|t| t.views.values().any(|v| !v.is_empty()));
+        let (Some(mat), Some(tags)) = (photos.rig.mat, tags) else {
+            return Err(CalibrateError::Nothing.into());
+        };
+        let lens = first_lens(photos);
+        let found = from_mat::calibrate(photos, &lens, &mat, tags, input.tracks.as_deref(), p);
+        let from_mat::Found {
+            cameras,
+            fit,
+            warnings,
+            used_tracks,
+        } = found.map_err(CalibrateError::from)?;
+        warnings.iter().for_each(|w| ctx.warn(w));
+        ctx.metric("cameras", cameras.views.len() as f64, "");
+        ctx.metric("reprojection", fit.rms_px, "px");
+        let lens = cameras
+            .views
+            .values()
+            .next()
+            .map_or(lens, |v| v.camera.lens);
+        ctx.metric("focal", lens.focal[0], "px");
+        ctx.metric("focal sigma", fit.lens_sigma[0], "px");
+        ctx.metric("feature tracks", used_tracks as f64, "");
+        Ok(cameras)
+    }
+}
+
+/// The lens that EXIF tells of: 36 mm of film lie along the photo's longer side. Without a focal
+/// length, that of a usual lens: its longer side times 1.2.
+pub(crate) fn first_lens(photos: &Photos) -> Intrinsics {
+    let first = &photos.photos[0];
+    let longer = f64::from(first.width.max(first.height));
+    let focal = photos
+        .rig
+        .focal_35mm
+        .map_or(1.2 * longer, |mm| mm / 36.0 * longer);
+    Intrinsics::simple(first.width, first.height, focal)
+}

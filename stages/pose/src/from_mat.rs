@@ -1,0 +1,299 @@
+//! Cameras from a marker mat: poses from its plane, then one adjustment of all.
+
+use crate::adjust::{Fit, LensPrior, Scene, Settings, Sight, adjust, lens_values};
+use crate::calibrate::CalibrateParams;
+use crate::planar::planar_pose;
+use crate::tracks_in::{self, Seen};
+use nalgebra::Point3;
+use shape::{
+    ByPhoto, Camera, Cameras, Intrinsics, Mat, PhotoId, Photos, Pose, Scale, Tag, Tags, Tracks,
+    View,
+};
+
+/// Why a mat gives no cameras.
+#[derive(Debug, thiserror::Error)]
+pub enum MatError {
+    /// Too few photos show it.
+    #[error(
+        "only {seen} of {of} photos show two tags of the mat: check `[mat]` in capture.toml (family, ids, count), the light on the disk, and that it is in view"
+    )]
+    Unseen {
+        /// How many do.
+        seen: usize,
+        /// How many photos there are.
+        of: usize,
+    },
+    /// It does not fit.
+    #[error(
+        "the mat does not fit what `[mat]` in capture.toml says: its tags are seen {rms:.1} px from where they should be; check tag size, ring radius and ids"
+    )]
+    Misfit {
+        /// Root mean square. [px]
+        rms: f64,
+    },
+}
+
+/// Cameras, and how they were found.
+pub(crate) struct Found {
+    pub(crate) cameras: Cameras,
+    pub(crate) fit: Fit,
+    pub(crate) warnings: Vec<String>,
+    pub(crate) used_tracks: usize,
+}
+
+/// A tag's corners on the disk: top left, top right, bottom right, bottom left; top is outward. [mm]
+pub fn mat_corners(mat: &Mat, id: u32) -> Option<[Point3<f64>; 4]> {
+    let i = id.checked_sub(mat.first_id).filter(|i| *i < mat.count)?;
+    let (sin, cos) = (f64::from(i) * std::f64::consts::TAU / f64::from(mat.count)).sin_cos();
+    let half = mat.tag_mm / 2.0;
+    Some(
+        [(1.0, 1.0), (1.0, -1.0), (-1.0, -1.0), (-1.0, 1.0)].map(|(out, left)| {
+            let (r, l) = (mat.ring_mm + out * half, left * half);
+            Point3::new(r * cos - l * sin, r * sin + l * cos, 0.0)
+        }),
+    )
+}
+
+/// The belief about the lens, around what EXIF says.
+pub(crate) fn lens_prior(lens: &Intrinsics, known_focal: bool, p: &CalibrateParams) -> LensPrior {
+    let longer = f64::from(lens.width.max(lens.height));
+    let focal_sigma = if known_focal { p.focal_sigma } else { 0.5 };
+    let c = p.centre_sigma * longer;
+    LensPrior {
+        mean: lens_values(lens),
+        sigma: [
+            focal_sigma * lens.focal[0],
+            c,
+            c,
+            p.radial_sigma,
+            p.radial_sigma / 2.0,
+        ],
+    }
+}
+
+/// Calibrates from tags, and from features that move with the disk.
+pub(crate) fn calibrate(
+    photos: &Photos,
+    lens: &Intrinsics,
+    mat: &Mat,
+    tags: &Tags,
+    tracks: Option<&Tracks>,
+    p: &CalibrateParams,
+) -> Result<Found, MatError> {
+    let placed: Vec<(PhotoId, Pose, &Vec<Tag>)> = tags
+        .views
+        .iter()
+        .filter_map(|(id, tags)| Some((id, pose(lens, mat, tags)?, tags)))
+        .collect();
+    let of = photos.photos.len();
+    if placed.len() < 3 {
+        return Err(MatError::Unseen {
+            seen: placed.len(),
+            of,
+        });
+    }
+    let mut scene = Scene {
+        lens: *lens,
+        poses: placed.iter().map(|(_, pose, _)| *pose).collect(),
+        points: vec![],
+        known: 0,
+    };
+    let mut sights = Vec::new();
+    for (camera, (_, _, tags)) in placed.iter().enumerate() {
+        for tag in tags.iter() {
+            let Some(corners) = mat_corners(mat, tag.id) else {
+                continue;
+            };
+            for (corner, at_px) in corners.iter().zip(tag.corners) {
+                sights.push(Sight {
+                    camera,
+                    point: scene.points.len(),
+                    at_px,
+                    sigma_px: p.tag_px,
+                });
+                scene.points.push(*corner);
+            }
+        }
+    }
+    scene.known = scene.points.len();
+    let prior = lens_prior(lens, photos.rig.focal_35mm.is_some(), p);
+    let settings = Settings {
+        loss: p.loss,
+        steps: p.steps as usize,
+    };
+    let mut fit = adjust(&mut scene, &sights, &prior, &settings);
+    if fit.rms_px > 3.0 * p.tag_px.max(0.3) || median_px(&scene, &sights) > 2.0 {
+        return Err(MatError::Misfit {
+            rms: median_px(&scene, &sights),
+        });
+    }
+    let tag_sights = sights.len();
+    let mut used_tracks = 0;
+    let ids: Vec<PhotoId> = placed.iter().map(|(id, ..)| *id).collect();
+    let mut points = vec![];
+    if let Some(tracks) = tracks {
+        let seen = tracks_in::triangulated(&scene.lens, &scene.poses, &ids, tracks, 4.0);
+        points = seen
+            .iter()
+            .map(|s| s.point.coords.map(|x| x as f32).into())
+            .collect();
+        let rigid = tracks_in::median_residual(&seen) < 1.2 * p.feature_px;
+        let radius = mat.ring_mm + mat.tag_mm / 2.0;
+        let on_disk = |s: &&Seen| s.point.z.abs() < 4.0 && s.point.x.hypot(s.point.y) < radius;
+        let keep: Vec<&Seen> = seen.iter().filter(|s| rigid || on_disk(s)).collect();
+        used_tracks = keep.len();
+        for track in keep {
+            for (camera, at_px) in &track.sights {
+                let (camera, at_px) = (*camera, *at_px);
+                sights.push(Sight {
+                    camera,
+                    point: scene.points.len(),
+                    at_px,
+                    sigma_px: p.feature_px,
+                });
+            }
+            scene.points.push(track.point);
+        }
+        fit = adjust(&mut scene, &sights, &prior, &settings);
+    }
+    let warnings = warnings(photos, &ids, &scene, &fit, &prior);
+    let view = |(camera, (id, ..)): (usize, &(PhotoId, Pose, &Vec<Tag>))| {
+        let own: Vec<Sight> = sights
+            .iter()
+            .filter(|s| s.camera == camera)
+            .copied()
+            .collect();
+        let view = View {
+            name: photos.get(*id).map_or(String::new(), |p| p.name.clone()),
+            camera: Camera {
+                lens: scene.lens,
+                pose: scene.poses[camera],
+            },
+            sigma_mm: fit.sigma_mm[camera],
+            rms_px: median_px(&scene, &own),
+            points: own.len() as u32,
+        };
+        (*id, view)
+    };
+    let views: ByPhoto<View> = placed.iter().enumerate().map(view).collect();
+    let disk = photos.rig.disk_diameter_mm.map(|d| d / 2.0);
+    let cameras = Cameras {
+        views,
+        scale: Scale::Mat,
+        scale_sigma: p.tag_px / (mat.ring_mm * 2.0) / (tag_sights as f64).sqrt() * 10.0,
+        disk_radius_mm: disk,
+        ground_mm: 0.0,
+        points,
+    };
+    Ok(Found {
+        cameras,
+        fit,
+        warnings,
+        used_tracks,
+    })
+}
+
+/// The pose of one camera from its tags, bad ones left out.
+fn pose(lens: &Intrinsics, mat: &Mat, tags: &[Tag]) -> Option<Pose> {
+    let mut pairs: Vec<([f64; 2], [f64; 2])> = Vec::new();
+    for tag in tags {
+        let Some(corners) = mat_corners(mat, tag.id) else {
+            continue;
+        };
+        pairs.extend(
+            corners
+                .iter()
+                .zip(tag.corners)
+                .map(|(c, px)| ([c.x, c.y], px)),
+        );
+    }
+    for _ in 0..3 {
+        if pairs.len() < 8 {
+            return None;
+        }
+        let found = planar_pose(lens, &pairs)?;
+        let camera = Camera {
+            lens: *lens,
+            pose: found,
+        };
+        let off = |(p, px): &([f64; 2], [f64; 2])| {
+            let at = camera.project(&Point3::new(p[0], p[1], 0.0));
+            at.map_or(f64::MAX, |at| (at.x - px[0]).hypot(at.y - px[1]))
+        };
+        let mut all: Vec<f64> = pairs.iter().map(off).collect();
+        all.sort_by(f64::total_cmp);
+        let most = (all[all.len() / 2] * 5.0).max(1.5);
+        let before = pairs.len();
+        pairs.retain(|pair| off(pair) <= most);
+        if pairs.len() == before {
+            return Some(found);
+        }
+    }
+    planar_pose(lens, &pairs)
+}
+
+/// Median distance between sightings and projections. [px]
+fn median_px(scene: &Scene, sights: &[Sight]) -> f64 {
+    let off = |s: &Sight| {
+        let camera = Camera {
+            lens: scene.lens,
+            pose: scene.poses[s.camera],
+        };
+        let at = camera.project(&scene.points[s.point]);
+        at.map_or(f64::MAX, |at| (at.x - s.at_px[0]).hypot(at.y - s.at_px[1]))
+    };
+    let mut all: Vec<f64> = sights.iter().map(off).collect();
+    all.sort_by(f64::total_cmp);
+    all.get(all.len() / 2).copied().unwrap_or(0.0)
+}
+
+/// What the user should know before trusting the cameras.
+fn warnings(
+    photos: &Photos,
+    ids: &[PhotoId],
+    scene: &Scene,
+    fit: &Fit,
+    prior: &LensPrior,
+) -> Vec<String> {
+    let mut warnings = Vec::new();
+    for (id, photo) in photos.iter().filter(|(id, _)| !ids.contains(id)) {
+        let n = id.0;
+        warnings.push(format!(
+            "{} (photo {n}) shows fewer than two tags and has no camera",
+            photo.name
+        ));
+    }
+    let off = (scene.lens.focal[0] / prior.mean[0] - 1.0).abs();
+    if photos.rig.focal_35mm.is_some() && off > 0.03 {
+        warnings.push(format!(
+            "the focal length came out {:.1} % from what EXIF or capture.toml says: check `focal_35mm`",
+            off * 100.0
+        ));
+    }
+    // A fixed camera and a turning disk: centres lie on a circle around the axis.
+    let ring: Vec<(f64, f64)> = scene
+        .poses
+        .iter()
+        .map(|p| p.centre())
+        .map(|c| (c.x.hypot(c.y), c.z))
+        .collect();
+    let count = ring.len() as f64;
+    let (radius, height) = (
+        ring.iter().map(|r| r.0).sum::<f64>() / count,
+        ring.iter().map(|r| r.1).sum::<f64>() / count,
+    );
+    for (id, (r, z)) in ids.iter().zip(&ring) {
+        let out = (r - radius).hypot(z - height) / radius;
+        if out > 0.02 {
+            let name = photos.get(*id).map_or("", |p| p.name.as_str());
+            warnings.push(format!(
+                "{name}: its camera stands {:.1} % off the circle of the others: did camera or disk move?",
+                out * 100.0
+            ));
+        }
+    }
+    if fit.sigma_mm.iter().any(|s| !s.is_finite()) {
+        warnings.push("the adjustment is degenerate: do not trust its uncertainties".into());
+    }
+    warnings
+}
