@@ -1,4 +1,20 @@
 //! From masks and cameras to a first mesh: the visual hull.
+//!
+//! `masks`, `cameras` → [`Carve`] → `mesh`
+
+mod carve;
+mod cases;
+mod distance;
+mod field;
+mod silhouettes;
+mod surface;
+
+pub use carve::{Carve, CarveError, CarveInput, CarveParams};
+pub use cases::{Case, EDGES, Place, cases};
+pub use distance::signed_distance;
+pub use field::{BRICK, Bricks, Lattice, SIDE, evaluate};
+pub use silhouettes::{Silhouette, bounds, consensus};
+pub use surface::{largest, surface};
 
 /// Every stage of this room, in the order in which data flows through it.
-pub const STAGES: &[&dyn stage::AnyStage] = &[];
+pub const STAGES: &[&dyn stage::AnyStage] = &[&stage::erase::<Carve>()];

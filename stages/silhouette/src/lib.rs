@@ -1,4 +1,20 @@
 //! From photos to masks: where the body is.
+//!
+//! `photos`, `cameras` → [`GrabCut`] → `masks`
+
+mod background;
+mod gmm;
+mod grabcut;
+mod maxflow;
+mod segment;
+mod unary;
+
+pub use background::{expected, on_disk, plate_turn, sample, turned};
+pub use gmm::Gmm;
+pub use grabcut::{CutError, GrabCut, GrabCutInput, GrabCutParams};
+pub use maxflow::{Grid, STEPS};
+pub use segment::{Known, Settings, Window, coverage, cut, cut_whole, largest, reduced};
+pub use unary::background_cost;
 
 /// Every stage of this room, in the order in which data flows through it.
-pub const STAGES: &[&dyn stage::AnyStage] = &[];
+pub const STAGES: &[&dyn stage::AnyStage] = &[&stage::erase::<GrabCut>()];

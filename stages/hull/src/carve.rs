@@ -1,0 +1,190 @@
+//! The stage that carves the visual hull and gives its surface.
+
+use crate::distance::signed_distance;
+use crate::field::{BRICK, Lattice, evaluate};
+use crate::silhouettes::{Silhouette, bounds, consensus};
+use crate::surface::{largest, surface};
+use nalgebra::Point3;
+use rayon::prelude::*;
+use shape::{Cameras, Image, Mask, Masks, Mesh};
+use stage::{Cancelled, Ctx, Stage, Stop};
+use std::sync::Arc;
+
+stage::params! {
+    /// How finely, and how strictly, space is carved.
+    pub struct CarveParams {
+        /// Edge of a cell.
+        #[range(0.25..=50.0)]
+        voxel_mm: f64 = 3.0,
+        /// Share of the views that must show a point if it is to stay. Below 1, a body that sways,
+        /// or a hole in a mask, does no harm.
+        #[range(0.5..=1.0)]
+        consensus: f64 = 1.0,
+        /// Most memory that carving may take.
+        #[range(64.0..=65536.0)]
+        memory_mb: f64 = 3000.0,
+        /// Height above the ground below which nothing is kept.
+        #[range(-100.0..=500.0)]
+        ground_mm: f64 = 0.0,
+    }
+}
+
+stage::inputs! {
+    /// Silhouettes, and the cameras that saw them.
+    pub struct CarveInput {
+        /// Photos without a camera are passed over.
+        masks: Arc<Masks>,
+        /// Photos without a mask are passed over.
+        cameras: Arc<Cameras>,
+    }
+}
+
+/// Why there is no hull.
+#[derive(Debug, thiserror::Error)]
+pub enum CarveError {
+    /// Too few views.
+    #[error("only {0} photos have both a mask and a camera, but a hull needs at least 3")]
+    TooFew(usize),
+    /// A bad mask.
+    #[error("the mask of {name} is {what}: correct or remove it")]
+    Mask {
+        /// The photo.
+        name: String,
+        /// What it is.
+        what: &'static str,
+    },
+    /// Nothing is left.
+    #[error(
+        "no point of space is body on {0:.0} % of the photos: do masks and cameras belong together? a lower `consensus` may help"
+    )]
+    Nothing(f64),
+    /// Too fine.
+    #[error(
+        "cells of {voxel_mm} mm would need about {need:.0} MB, but {most:.0} MB may be taken: {fits:.1} mm fits, or raise `memory_mb`"
+    )]
+    Memory {
+        /// The cell.
+        voxel_mm: f64,
+        /// What it needs. [MB]
+        need: f64,
+        /// What may be taken. [MB]
+        most: f64,
+        /// A cell that fits. [mm]
+        fits: f64,
+    },
+}
+
+/// `hull.carve`: masks, cameras → mesh.
+pub struct Carve;
+
+impl Stage for Carve {
+    const NAME: &'static str = "hull.carve";
+    const VERSION: u32 = 1;
+    const ABOUT: &'static str =
+        "Carves the visual hull (Laurentini 1994) and gives its surface by marching cubes.";
+    type Params = CarveParams;
+    type Input = CarveInput;
+    type Output = Mesh;
+
+    fn run(p: &CarveParams, input: CarveInput, ctx: &Ctx<'_>) -> Result<Mesh, Stop> {
+        let views: Vec<_> = input.masks.views.join(&input.cameras.views).collect();
+        if views.len() < 3 {
+            return Err(CarveError::TooFew(views.len()).into());
+        }
+        for (_, mask, view) in &views {
+            let share = mask.area() as f64 / mask.data.len().max(1) as f64;
+            let what = if share < 1e-4 {
+                "empty"
+            } else if share > 0.95 {
+                "full, or inverted"
+            } else if (mask.width as u32, mask.height as u32)
+                != (view.camera.lens.width, view.camera.lens.height)
+            {
+                "of another size than the photo"
+            } else {
+                continue;
+            };
+            return Err(CarveError::Mask {
+                name: view.name.clone(),
+                what,
+            }
+            .into());
+        }
+        let prepared: Vec<Silhouette> = views
+            .par_iter()
+            .map(|(_, mask, view)| {
+                ctx.check()?;
+                let small = halved(mask);
+                let camera = view.camera.resized(small.width as u32, small.height as u32);
+                Ok(Silhouette {
+                    camera,
+                    distance: signed_distance(&small),
+                })
+            })
+            .collect::<Result<_, Cancelled>>()?;
+        let dissent = ((1.0 - p.consensus) * prepared.len() as f64 + 1e-9).floor() as usize;
+        let ground = input.cameras.ground_mm + p.ground_mm;
+        let nothing = || CarveError::Nothing(p.consensus * 100.0);
+        let (lo, hi) = bounds(&prepared, dissent, ground).ok_or_else(nothing)?;
+        let lattice = Lattice::over(lo, hi, p.voxel_mm);
+        let size = hi - lo;
+        let need = need_mb(
+            2.0 * (size.x * size.y + size.y * size.z + size.z * size.x),
+            p.voxel_mm,
+        );
+        if need > p.memory_mb {
+            let fits = p.voxel_mm * (need / p.memory_mb).sqrt() * 1.02;
+            return Err(CarveError::Memory {
+                voxel_mm: p.voxel_mm,
+                need,
+                most: p.memory_mb,
+                fits,
+            }
+            .into());
+        }
+        let value = |x: &Point3<f64>| consensus(&prepared, x, dissent).min((x.z - ground) as f32);
+        let steps = ctx.steps("layers", lattice.bricks[2]);
+        let bricks = evaluate(&lattice, &value, &|| steps.tick())?;
+        let cells = bricks.iter().flatten().count() * BRICK.pow(3);
+        let (mesh, rest) = largest(&surface(&lattice, &bricks));
+        if mesh.faces.is_empty() {
+            return Err(nothing().into());
+        }
+        let small: f64 = rest.iter().map(|v| v.abs()).sum();
+        if small > 0.01 * mesh.volume() {
+            ctx.warn(format!(
+                "{} smaller parts of {:.0} cm³ in all were left out",
+                rest.len(),
+                small / 1e3
+            ));
+        }
+        ctx.metric("volume", mesh.volume() * 1e-6, "l");
+        ctx.metric("cells looked into", cells as f64 / 1e6, "million");
+        Ok(mesh)
+    }
+}
+
+/// What carving takes, from the area of the box around the solid. [MB]
+fn need_mb(area_mm2: f64, voxel_mm: f64) -> f64 {
+    let bricks = area_mm2 / (voxel_mm * BRICK as f64).powi(2) * 2.0;
+    bricks * 17f64.powi(3) * 4.0 / 1e6 + area_mm2 / (voxel_mm * voxel_mm) * 150.0 / 1e6
+}
+
+/// Masks of more than 3000 pixels are halved: 24 megapixels tell no more of a border.
+fn halved(mask: &Mask) -> Mask {
+    if mask.width.max(mask.height) <= 3000 {
+        return mask.clone();
+    }
+    let (width, height) = (mask.width / 2, mask.height / 2);
+    let mean = |i: usize| {
+        let (x, y) = (i % width * 2, i / width * 2);
+        let four =
+            [(0, 0), (1, 0), (0, 1), (1, 1)].map(|(dx, dy)| u32::from(mask.at(x + dx, y + dy)));
+        (four.iter().sum::<u32>() / 4) as u8
+    };
+    Image {
+        width,
+        height,
+        data: (0..width * height).map(mean).collect(),
+    }
+}

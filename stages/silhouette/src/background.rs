@@ -1,0 +1,122 @@
+//! What a photo would show without the subject: the plate, with the disk turned as it was.
+//!
+//! The room stands still, so outside of the disk the plate is the background, pixel for pixel. The
+//! disk turns: a pixel that sees the disk's top sees the same point of the disk elsewhere on the
+//! plate. Where the disk stood on the plate is found by trying all angles.
+
+use nalgebra::{Point2, Point3, Rotation3, Vector3};
+use shape::{Camera, Pose, Rgb};
+
+/// The camera as if the disk had been turned on by an angle, counter-clockwise from above. [rad]
+pub fn turned(camera: &Camera, angle: f64) -> Camera {
+    let turn = Rotation3::from_axis_angle(&Vector3::z_axis(), angle);
+    Camera {
+        pose: Pose {
+            rotation: camera.pose.rotation * turn,
+            ..camera.pose
+        },
+        ..*camera
+    }
+}
+
+/// The point of the disk's top that is seen at a pixel, if it is on the disk. [mm]
+pub fn on_disk(camera: &Camera, at_px: Point2<f64>, radius: f64) -> Option<Point3<f64>> {
+    let (centre, ray) = (camera.centre(), camera.ray(at_px));
+    if ray.z >= -1e-6 || centre.z <= 0.0 {
+        return None;
+    }
+    let hit = centre - ray.into_inner() * (centre.z / ray.z);
+    (hit.x.hypot(hit.y) < radius).then_some(hit)
+}
+
+/// A pixel between pixels, bilinear; [`None`] outside.
+pub fn sample(image: &Rgb, at: Point2<f64>) -> Option<[f32; 3]> {
+    let (x0, y0) = (at.x.floor(), at.y.floor());
+    let inside =
+        x0 >= 0.0 && y0 >= 0.0 && x0 + 1.0 < image.width as f64 && y0 + 1.0 < image.height as f64;
+    if !inside {
+        return None;
+    }
+    let (fx, fy) = ((at.x - x0) as f32, (at.y - y0) as f32);
+    let (x, y) = (x0 as usize, y0 as usize);
+    let mut color = [0.0; 3];
+    for (c, out) in color.iter_mut().enumerate() {
+        let at = |x: usize, y: usize| f32::from(image.at(x, y)[c]);
+        let top = at(x, y) + fx * (at(x + 1, y) - at(x, y));
+        let bottom = at(x, y + 1) + fx * (at(x + 1, y + 1) - at(x, y + 1));
+        *out = top + fy * (bottom - top);
+    }
+    Some(color)
+}
+
+/// By how much the disk on the plate is turned against a photo, and how far the two differ there
+/// (mean over the outer disk of the capped absolute difference, 0..=60). [rad, levels]
+pub fn plate_turn(photo: &Rgb, plate: &Rgb, camera: &Camera, radius: f64) -> (f64, f64) {
+    let mut places = Vec::new();
+    for ring in 0..12 {
+        let r = radius * (0.62 + 0.34 * f64::from(ring) / 11.0);
+        for i in 0..180 {
+            let (s, c) = (f64::from(i) * std::f64::consts::TAU / 180.0 + f64::from(ring)).sin_cos();
+            let x = Point3::new(r * c, r * s, 0.0);
+            let seen = camera.project(&x).and_then(|px| sample(photo, px));
+            places.extend(seen.map(|color| (x, color)));
+        }
+    }
+    let differ = |angle: f64| {
+        let there = turned(camera, angle);
+        let off = |(x, color): &(Point3<f64>, [f32; 3])| {
+            let seen = there.project(x).and_then(|px| sample(plate, px));
+            let far = seen.map_or(60.0, |s| {
+                (0..3).map(|c| (s[c] - color[c]).abs()).sum::<f32>() / 3.0
+            });
+            f64::from(far.min(60.0))
+        };
+        places.iter().map(off).sum::<f64>() / places.len().max(1) as f64
+    };
+    let mut best = (0.0, differ(0.0));
+    let (mut middle, mut reach, mut step) = (0.0f64, 180.0f64, 0.5f64);
+    for _ in 0..3 {
+        let count = (reach / step).round() as i32;
+        for k in -count..=count {
+            let angle = (middle + f64::from(k) * step).to_radians();
+            let far = differ(angle);
+            if far < best.1 {
+                best = (angle, far);
+            }
+        }
+        (middle, reach, step) = (best.0.to_degrees(), step, step / 10.0);
+    }
+    best
+}
+
+/// What the photo of a camera would show without the subject.
+pub fn expected(plate: &Rgb, disk: Option<(&Camera, f64, f64)>) -> Rgb {
+    let mut image = plate.clone();
+    let Some((camera, radius, angle)) = disk else {
+        return image;
+    };
+    let there = turned(camera, angle);
+    // Only rows and columns around the disk's outline can see its top.
+    let (mut lo, mut hi) = ([f64::MAX; 2], [f64::MIN; 2]);
+    for i in 0..90 {
+        let (s, c) = (f64::from(i) * std::f64::consts::TAU / 90.0).sin_cos();
+        if let Some(px) = camera.project(&Point3::new(radius * c, radius * s, 0.0)) {
+            lo = [lo[0].min(px.x), lo[1].min(px.y)];
+            hi = [hi[0].max(px.x), hi[1].max(px.y)];
+        }
+    }
+    let clamp = |v: f64, size: usize| v.clamp(0.0, size as f64) as usize;
+    let (width, height) = (plate.width, plate.height);
+    for y in clamp(lo[1], height)..clamp(hi[1] + 1.0, height) {
+        for x in clamp(lo[0], width)..clamp(hi[0] + 1.0, width) {
+            let at = on_disk(camera, Point2::new(x as f64, y as f64), radius * 0.985);
+            let color = at
+                .and_then(|x| there.project(&x))
+                .and_then(|px| sample(plate, px));
+            if let Some(color) = color {
+                *image.at_mut(x, y) = color.map(|v| v.round().clamp(0.0, 255.0) as u8);
+            }
+        }
+    }
+    image
+}

@@ -1,0 +1,124 @@
+//! Colours as a mixture of Gaussians (Rother, Kolmogorov and Blake 2004, §2.1).
+
+use nalgebra::{Matrix3, Vector3};
+
+/// One cluster of colours.
+#[derive(Debug, Clone, Copy)]
+struct Cluster {
+    mean: Vector3<f64>,
+    inverse: Matrix3<f64>,
+    /// ln(weight) - ln(norm).
+    log_scale: f64,
+}
+
+/// A mixture of colours.
+#[derive(Debug, Clone)]
+pub struct Gmm {
+    clusters: Vec<Cluster>,
+}
+
+/// Least variance of a cluster: sensor noise and rounding. [levels²]
+const FLOOR: f64 = 6.0;
+
+impl Gmm {
+    /// Fits clusters to colours: seeds farthest from each other, then Lloyd's iterations, then
+    /// moments. Deterministic. `None` without colours.
+    pub fn fit(colors: &[[u8; 3]], clusters: usize) -> Option<Gmm> {
+        let colors: Vec<Vector3<f64>> = colors.iter().map(|c| c.map(f64::from).into()).collect();
+        let first = *colors.first()?;
+        let mut means = vec![first];
+        let mut nearest: Vec<f64> = colors.iter().map(|c| (c - first).norm_squared()).collect();
+        while means.len() < clusters {
+            // The colour in the middle of the far tenth: the very farthest is an outlier.
+            let mut order: Vec<usize> = (0..colors.len()).collect();
+            let rank = colors.len() * 19 / 20;
+            order.select_nth_unstable_by(rank.min(colors.len() - 1), |a, b| {
+                nearest[*a].total_cmp(&nearest[*b]).then(a.cmp(b))
+            });
+            let seed = colors[order[rank.min(colors.len() - 1)]];
+            means.push(seed);
+            for (n, c) in nearest.iter_mut().zip(&colors) {
+                *n = n.min((c - seed).norm_squared());
+            }
+        }
+        let mut of = vec![0usize; colors.len()];
+        for _ in 0..8 {
+            for (o, c) in of.iter_mut().zip(&colors) {
+                let far = |k: usize| (means[k] - c).norm_squared();
+                *o = (1..means.len()).fold(0, |best, k| if far(k) < far(best) { k } else { best });
+            }
+            for (k, mean) in means.iter_mut().enumerate() {
+                let (mut sum, mut count) = (Vector3::zeros(), 0.0);
+                of.iter()
+                    .zip(&colors)
+                    .filter(|(o, _)| **o == k)
+                    .for_each(|(_, c)| {
+                        sum += c;
+                        count += 1.0;
+                    });
+                if count > 0.0 {
+                    *mean = sum / count;
+                }
+            }
+        }
+        let clusters = means.iter().enumerate().filter_map(|(k, mean)| {
+            let (mut spread, mut count) = (Matrix3::zeros(), 0.0);
+            of.iter()
+                .zip(&colors)
+                .filter(|(o, _)| **o == k)
+                .for_each(|(_, c)| {
+                    spread += (c - mean) * (c - mean).transpose();
+                    count += 1.0;
+                });
+            if count < 1.0 {
+                return None;
+            }
+            let spread = spread / count + Matrix3::identity() * FLOOR;
+            let norm = ((std::f64::consts::TAU).powi(3) * spread.determinant()).sqrt();
+            let weight: f64 = count / colors.len() as f64;
+            Some(Cluster {
+                mean: *mean,
+                inverse: spread.try_inverse()?,
+                log_scale: weight.ln() - norm.ln(),
+            })
+        });
+        Some(Gmm {
+            clusters: clusters.collect(),
+        })
+    }
+
+    /// -ln of the density of a colour, by its likeliest cluster.
+    pub fn cost(&self, color: [u8; 3]) -> f64 {
+        let c = Vector3::from(color.map(f64::from));
+        let one = |k: &Cluster| {
+            let off = c - k.mean;
+            0.5 * off.dot(&(k.inverse * off)) - k.log_scale
+        };
+        self.clusters.iter().map(one).fold(f64::MAX, f64::min)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn two_heaps_of_colours_are_told_apart() {
+        let mut dice = proof::Dice(5);
+        let mut around =
+            |mean: [f64; 3]| mean.map(|m| (m + 6.0 * dice.normal()).clamp(0.0, 255.0) as u8);
+        let colors: Vec<_> = (0..2000)
+            .map(|i| {
+                around(if i % 2 == 0 {
+                    [200.0, 60.0, 50.0]
+                } else {
+                    [40.0, 90.0, 180.0]
+                })
+            })
+            .collect();
+        let gmm = Gmm::fit(&colors, 3).unwrap();
+        assert!(gmm.cost([200, 60, 50]) < 13.0 && gmm.cost([40, 90, 180]) < 13.0);
+        assert!(gmm.cost([120, 75, 115]) > 25.0);
+        assert!(Gmm::fit(&[], 3).is_none());
+    }
+}

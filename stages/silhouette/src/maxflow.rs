@@ -1,0 +1,326 @@
+//! Least cut of a grid between a source and a sink (Boykov and Kolmogorov 2004).
+//!
+//! Nodes are the pixels of a rectangle with their eight neighbours; arcs are implicit. Two search
+//! trees grow from source and sink until they touch (growth), flow is pushed along the path
+//! (augmentation), and nodes cut off their tree look for new parents (adoption), with distances
+//! and time stamps as in §3.2.2 of the paper. Capacities are whole numbers, so sums are exact.
+
+use std::collections::VecDeque;
+
+/// The eight neighbours; the opposite of `d` is `7 - d`.
+pub const STEPS: [(i32, i32); 8] = [
+    (-1, -1),
+    (0, -1),
+    (1, -1),
+    (-1, 0),
+    (1, 0),
+    (-1, 1),
+    (0, 1),
+    (1, 1),
+];
+
+const FREE: u8 = 0;
+const SOURCE: u8 = 1;
+const SINK: u8 = 2;
+const TERMINAL: u8 = 8;
+const ORPHAN: u8 = 9;
+const NOBODY: u8 = 10;
+
+/// A grid on its way to its least cut.
+pub struct Grid {
+    width: usize,
+    height: usize,
+    /// Row length with a border of one node on each side.
+    stride: usize,
+    /// Residual capacity towards each neighbour.
+    arcs: Vec<[i32; 8]>,
+    /// Residual capacity from the source, or if negative to the sink.
+    terminal: Vec<i32>,
+    tree: Vec<u8>,
+    parent: Vec<u8>,
+    distance: Vec<u32>,
+    stamp: Vec<u32>,
+    queued: Vec<bool>,
+    active: VecDeque<u32>,
+    orphans: Vec<u32>,
+    offsets: [isize; 8],
+    time: u32,
+    flow: i64,
+}
+
+impl Grid {
+    /// A grid without capacities.
+    pub fn new(width: usize, height: usize) -> Self {
+        let stride = width + 2;
+        let nodes = stride * (height + 2);
+        let offsets = STEPS.map(|(dx, dy)| dy as isize * stride as isize + dx as isize);
+        Grid {
+            width,
+            height,
+            stride,
+            arcs: vec![[0; 8]; nodes],
+            terminal: vec![0; nodes],
+            tree: vec![FREE; nodes],
+            parent: vec![NOBODY; nodes],
+            distance: vec![0; nodes],
+            stamp: vec![0; nodes],
+            queued: vec![false; nodes],
+            active: VecDeque::new(),
+            orphans: Vec::new(),
+            offsets,
+            time: 0,
+            flow: 0,
+        }
+    }
+
+    fn node(&self, x: usize, y: usize) -> usize {
+        (y + 1) * self.stride + x + 1
+    }
+
+    fn neighbour(&self, node: usize, d: usize) -> usize {
+        (node as isize + self.offsets[d]) as usize
+    }
+
+    /// What it costs to put a pixel on the sink's side (`keep`) or on the source's (`lose`).
+    pub fn set_terminal(&mut self, x: usize, y: usize, keep: i32, lose: i32) {
+        let node = self.node(x, y);
+        self.terminal[node] = keep - lose;
+        self.flow += i64::from(keep.min(lose));
+    }
+
+    /// What it costs to part a pixel from its neighbour `d`; both must be inside.
+    pub fn set_arc(&mut self, x: usize, y: usize, d: usize, capacity: i32) {
+        let node = self.node(x, y);
+        let other = self.neighbour(node, d);
+        self.arcs[node][d] = capacity;
+        self.arcs[other][7 - d] = capacity;
+    }
+
+    /// Finds the least cut; returns the flow, which is its cost.
+    pub fn cut(&mut self) -> i64 {
+        for y in 0..self.height {
+            for x in 0..self.width {
+                let node = self.node(x, y);
+                if self.terminal[node] != 0 {
+                    self.tree[node] = if self.terminal[node] > 0 {
+                        SOURCE
+                    } else {
+                        SINK
+                    };
+                    self.parent[node] = TERMINAL;
+                    self.distance[node] = 1;
+                    self.wake(node);
+                }
+            }
+        }
+        while let Some(node) = self.active.pop_front() {
+            let node = node as usize;
+            self.queued[node] = false;
+            if self.tree[node] == FREE {
+                continue;
+            }
+            // The node stays on the front as long as paths through it are found.
+            while let Some((from, d)) = self.grow(node) {
+                self.time += 1;
+                self.augment(from, d);
+                self.adopt();
+                if self.tree[node] == FREE {
+                    break;
+                }
+            }
+        }
+        self.flow
+    }
+
+    /// Whether a pixel ended on the source's side.
+    pub fn on_source_side(&self, x: usize, y: usize) -> bool {
+        self.tree[self.node(x, y)] == SOURCE
+    }
+
+    fn wake(&mut self, node: usize) {
+        if !self.queued[node] {
+            self.queued[node] = true;
+            self.active.push_back(node as u32);
+        }
+    }
+
+    /// Residual capacity in the direction in which the tree of `node` grows.
+    fn outward(&self, node: usize, d: usize) -> i32 {
+        if self.tree[node] == SOURCE {
+            self.arcs[node][d]
+        } else {
+            self.arcs[self.neighbour(node, d)][7 - d]
+        }
+    }
+
+    /// Grows the tree at a node; returns the arc (source's node, direction) where trees touch.
+    fn grow(&mut self, node: usize) -> Option<(usize, usize)> {
+        let tree = self.tree[node];
+        for d in 0..8 {
+            if self.outward(node, d) <= 0 {
+                continue;
+            }
+            let other = self.neighbour(node, d);
+            if self.tree[other] == FREE {
+                self.tree[other] = tree;
+                self.parent[other] = 7 - d as u8;
+                self.stamp[other] = self.stamp[node];
+                self.distance[other] = self.distance[node] + 1;
+                self.wake(other);
+            } else if self.tree[other] != tree {
+                return Some(if tree == SOURCE {
+                    (node, d)
+                } else {
+                    (other, 7 - d)
+                });
+            } else if self.stamp[other] <= self.stamp[node]
+                && self.distance[other] > self.distance[node] + 1
+            {
+                // A shorter way to the root.
+                self.parent[other] = 7 - d as u8;
+                self.stamp[other] = self.stamp[node];
+                self.distance[other] = self.distance[node] + 1;
+            }
+        }
+        None
+    }
+
+    /// The next node towards the root, and the residual capacity of the arc in flow direction.
+    fn step_up(&self, node: usize) -> Option<(usize, usize)> {
+        let p = self.parent[node];
+        (p < TERMINAL).then(|| (self.neighbour(node, p as usize), p as usize))
+    }
+
+    /// Pushes what fits through a path from root to root over the arc where trees touch.
+    fn augment(&mut self, from: usize, d: usize) {
+        let to = self.neighbour(from, d);
+        let mut least = self.arcs[from][d];
+        let mut node = from;
+        while let Some((up, p)) = self.step_up(node) {
+            least = least.min(self.arcs[up][7 - p]);
+            node = up;
+        }
+        least = least.min(self.terminal[node]);
+        node = to;
+        while let Some((up, p)) = self.step_up(node) {
+            least = least.min(self.arcs[node][p]);
+            node = up;
+        }
+        least = least.min(-self.terminal[node]);
+        self.arcs[from][d] -= least;
+        self.arcs[to][7 - d] += least;
+        node = from;
+        while let Some((up, p)) = self.step_up(node) {
+            self.arcs[node][p] += least;
+            self.arcs[up][7 - p] -= least;
+            if self.arcs[up][7 - p] == 0 {
+                self.orphan(node);
+            }
+            node = up;
+        }
+        self.terminal[node] -= least;
+        if self.terminal[node] == 0 {
+            self.orphan(node);
+        }
+        node = to;
+        while let Some((up, p)) = self.step_up(node) {
+            self.arcs[up][7 - p] += least;
+            self.arcs[node][p] -= least;
+            if self.arcs[node][p] == 0 {
+                self.orphan(node);
+            }
+            node = up;
+        }
+        self.terminal[node] += least;
+        if self.terminal[node] == 0 {
+            self.orphan(node);
+        }
+        self.flow += i64::from(least);
+    }
+
+    fn orphan(&mut self, node: usize) {
+        self.parent[node] = ORPHAN;
+        self.orphans.push(node as u32);
+    }
+
+    /// Distance to the root, if the way up ends at a terminal; marks the way with the time.
+    fn rooted(&mut self, start: usize) -> Option<u32> {
+        let (mut node, mut steps) = (start, 0);
+        let total = loop {
+            if self.stamp[node] == self.time {
+                break steps + self.distance[node];
+            }
+            match self.parent[node] {
+                TERMINAL => {
+                    self.stamp[node] = self.time;
+                    self.distance[node] = 1;
+                    break steps + 1;
+                }
+                p if p < TERMINAL => node = self.neighbour(node, p as usize),
+                _ => return None,
+            }
+            steps += 1;
+        };
+        let (mut node, mut left) = (start, total);
+        while self.stamp[node] != self.time {
+            self.stamp[node] = self.time;
+            self.distance[node] = left;
+            left -= 1;
+            node = self.neighbour(node, self.parent[node] as usize);
+        }
+        Some(total)
+    }
+
+    /// Finds parents for nodes that lost theirs, or sets them free.
+    fn adopt(&mut self) {
+        let mut next = 0;
+        while next < self.orphans.len() {
+            let node = self.orphans[next] as usize;
+            next += 1;
+            let tree = self.tree[node];
+            let mut best: Option<(u32, usize)> = None;
+            for d in 0..8 {
+                let other = self.neighbour(node, d);
+                let inward = if tree == SOURCE {
+                    self.arcs[other][7 - d]
+                } else {
+                    self.arcs[node][d]
+                };
+                if inward <= 0 || self.tree[other] != tree {
+                    continue;
+                }
+                if let Some(far) = self.rooted(other)
+                    && best.is_none_or(|(least, _)| far < least)
+                {
+                    best = Some((far, d));
+                }
+            }
+            if let Some((far, d)) = best {
+                self.parent[node] = d as u8;
+                self.stamp[node] = self.time;
+                self.distance[node] = far + 1;
+                continue;
+            }
+            for d in 0..8 {
+                let other = self.neighbour(node, d);
+                if self.tree[other] != tree {
+                    continue;
+                }
+                let inward = if tree == SOURCE {
+                    self.arcs[other][7 - d]
+                } else {
+                    self.arcs[node][d]
+                };
+                if inward > 0 {
+                    self.wake(other);
+                }
+                if self.parent[other] == 7 - d as u8 {
+                    self.orphan(other);
+                }
+            }
+            self.tree[node] = FREE;
+            self.parent[node] = NOBODY;
+        }
+        self.orphans.clear();
+    }
+}

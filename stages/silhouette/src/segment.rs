@@ -1,0 +1,261 @@
+//! Body and background of a photo by graph cuts, coarse to fine (Rother, Kolmogorov, Blake 2004).
+
+use crate::gmm::Gmm;
+use crate::maxflow::{Grid, STEPS};
+use shape::{Image, Mask, Rgb};
+
+/// What is known of each pixel before the cut.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Known {
+    /// Nothing.
+    Unknown,
+    /// It cannot be body.
+    Background,
+}
+
+/// How to cut.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Settings {
+    /// Weight of the border's length against colours (γ).
+    pub gamma: f64,
+    /// Rounds of fitting colours and cutting.
+    pub rounds: usize,
+    /// Clusters of each mixture of colours.
+    pub clusters: usize,
+}
+
+/// Costs are multiplied by this and rounded, so that flows are whole numbers.
+const UNIT: f64 = 64.0;
+/// No pixel may be put on the other side.
+const NEVER: i32 = 1 << 24;
+/// -ln of an even density over all colours: anything can be body.
+const ANY_COLOR: f64 = 16.6;
+
+/// An image reduced by a whole factor, pixels averaged.
+pub fn reduced(image: &Rgb, factor: usize) -> Rgb {
+    let (width, height) = (image.width / factor, image.height / factor);
+    let mut small = Rgb::filled(width, height, [0; 3]);
+    let area = (factor * factor) as u32;
+    for y in 0..height {
+        for x in 0..width {
+            let mut sum = [area / 2; 3];
+            for row in y * factor..(y + 1) * factor {
+                for p in &image.row(row)[x * factor..(x + 1) * factor] {
+                    (0..3).for_each(|c| sum[c] += u32::from(p[c]));
+                }
+            }
+            *small.at_mut(x, y) = sum.map(|s| (s / area) as u8);
+        }
+    }
+    small
+}
+
+/// Which pixels are body: `background` is -ln p(pixel | background), `known` what is certain.
+/// Returns the sides and the mixture of the body's colours. `None` if nothing can be body.
+pub fn cut_whole(
+    photo: &Rgb,
+    background: &[f32],
+    known: &[Known],
+    settings: &Settings,
+) -> Option<(Image<bool>, Gmm)> {
+    let certain = |i: usize| known[i] == Known::Unknown && background[i] > 22.0;
+    let mut body: Vec<bool> = (0..known.len()).map(certain).collect();
+    let mut gmm = None;
+    for _ in 0..settings.rounds.max(1) {
+        let colors: Vec<[u8; 3]> = body
+            .iter()
+            .zip(&photo.data)
+            .filter(|(b, _)| **b)
+            .map(|(_, c)| *c)
+            .step_by(7)
+            .collect();
+        let fitted = Gmm::fit(&colors, settings.clusters)?;
+        let window = Window {
+            x: 0,
+            y: 0,
+            width: photo.width,
+            height: photo.height,
+        };
+        body = cut(photo, background, &window, &fitted, settings, &|i| known[i]);
+        gmm = Some(fitted);
+    }
+    let sides = Image {
+        width: photo.width,
+        height: photo.height,
+        data: body,
+    };
+    Some((largest(&sides), gmm?))
+}
+
+/// A rectangle of an image. [px]
+pub struct Window {
+    /// Left column.
+    pub x: usize,
+    /// Top row.
+    pub y: usize,
+    /// Columns.
+    pub width: usize,
+    /// Rows.
+    pub height: usize,
+}
+
+/// Cuts a window: true is body, row-major over the window.
+pub fn cut(
+    photo: &Rgb,
+    background: &[f32],
+    window: &Window,
+    body: &Gmm,
+    settings: &Settings,
+    known: &dyn Fn(usize) -> Known,
+) -> Vec<bool> {
+    let (w, h) = (window.width, window.height);
+    let at = |x: usize, y: usize| (window.y + y) * photo.width + window.x + x;
+    let beta = beta(photo, window);
+    let mut grid = Grid::new(w, h);
+    for y in 0..h {
+        for x in 0..w {
+            let i = at(x, y);
+            // The grid is small where it matters: -ln of body = -ln(0.7 GMM + 0.3 anything).
+            match known(i) {
+                Known::Background => grid.set_terminal(x, y, 0, NEVER),
+                Known::Unknown => {
+                    let fits = body.cost(photo.data[i]) + 0.36;
+                    let cost = fits.min(ANY_COLOR + 1.2);
+                    let keep = (f64::from(background[i]) * UNIT) as i32;
+                    grid.set_terminal(x, y, keep, (cost * UNIT) as i32);
+                }
+            }
+            for d in 4..8 {
+                let (nx, ny) = (x as i32 + STEPS[d].0, y as i32 + STEPS[d].1);
+                if nx < 0 || nx >= w as i32 || ny >= h as i32 {
+                    continue;
+                }
+                let j = at(nx as usize, ny as usize);
+                let differ = (0..3)
+                    .map(|c| f64::from(photo.data[i][c]) - f64::from(photo.data[j][c]))
+                    .map(|d| d * d)
+                    .sum::<f64>();
+                // An edge that the background has by itself is no reason to cut here.
+                let both = background[i].min(background[j]) < 8.0;
+                let contrast = if both { 0.0 } else { (beta * differ).min(12.0) };
+                let length = if STEPS[d].0 != 0 && STEPS[d].1 != 0 {
+                    0.7071
+                } else {
+                    1.0
+                };
+                let weight = settings.gamma * length * (0.15 + 0.85 * (-contrast).exp());
+                grid.set_arc(x, y, d, (weight * UNIT / 8.0) as i32);
+            }
+        }
+    }
+    grid.cut();
+    (0..w * h)
+        .map(|i| grid.on_source_side(i % w, i / w))
+        .collect()
+}
+
+/// 1 / (2 mean squared difference of neighbours): Rother, eq. 5.
+fn beta(photo: &Rgb, window: &Window) -> f64 {
+    let (mut sum, mut count) = (0.0, 0.0);
+    for y in (window.y..window.y + window.height).step_by(2) {
+        for pair in photo.row(y)[window.x..window.x + window.width]
+            .windows(2)
+            .step_by(2)
+        {
+            let differ = (0..3).map(|c| f64::from(pair[0][c]) - f64::from(pair[1][c]));
+            sum += differ.map(|d| d * d).sum::<f64>();
+            count += 1.0;
+        }
+    }
+    count / (2.0 * sum.max(1.0))
+}
+
+/// The largest connected part, with its holes of less than a four-hundredth of it filled.
+pub fn largest(sides: &Image<bool>) -> Image<bool> {
+    let (parts, sizes) = parts(sides, true);
+    let Some(best) = (0..sizes.len()).max_by_key(|i| (sizes[*i], usize::MAX - i)) else {
+        return sides.clone();
+    };
+    let mut kept = Image {
+        data: parts.data.iter().map(|p| *p == best as u32).collect(),
+        ..*sides
+    };
+    let least = sizes[best] / 400;
+    let (holes, sizes) = self::parts(&kept, false);
+    for (keep, hole) in kept.data.iter_mut().zip(&holes.data) {
+        *keep |= *hole != u32::MAX && sizes[*hole as usize] < least;
+    }
+    kept
+}
+
+/// Connected parts (four neighbours) of the pixels of one side: number of each pixel's part or
+/// `u32::MAX`, and sizes.
+fn parts(sides: &Image<bool>, of: bool) -> (Image<u32>, Vec<usize>) {
+    let mut parts = Image {
+        width: sides.width,
+        height: sides.height,
+        data: vec![u32::MAX; sides.data.len()],
+    };
+    let mut sizes = Vec::new();
+    for start in 0..sides.data.len() {
+        if sides.data[start] != of || parts.data[start] != u32::MAX {
+            continue;
+        }
+        let number = sizes.len() as u32;
+        let (mut open, mut size) = (vec![start], 0);
+        parts.data[start] = number;
+        while let Some(i) = open.pop() {
+            size += 1;
+            let (x, y) = (i % sides.width, i / sides.width);
+            let near = [
+                (x > 0).then(|| i - 1),
+                (x + 1 < sides.width).then(|| i + 1),
+                (y > 0).then(|| i - sides.width),
+                (y + 1 < sides.height).then(|| i + sides.width),
+            ];
+            for j in near.into_iter().flatten() {
+                if sides.data[j] == of && parts.data[j] == u32::MAX {
+                    parts.data[j] = number;
+                    open.push(j);
+                }
+            }
+        }
+        sizes.push(size);
+    }
+    (parts, sizes)
+}
+
+/// Sides as coverage with a soft border: a 3 × 3 binomial filter, so that the border crosses half
+/// coverage between the two pixels that differ.
+pub fn coverage(sides: &Image<bool>) -> Mask {
+    let (w, h) = (sides.width, sides.height);
+    let mut mask = Mask::filled(w, h, 0);
+    for y in 0..h {
+        for x in 0..w {
+            let here = sides.at(x, y);
+            let (mut sum, mut weight, mut same) = (0u32, 0u32, true);
+            for (dy, wy) in [(-1i32, 1u32), (0, 2), (1, 1)] {
+                for (dx, wx) in [(-1i32, 1u32), (0, 2), (1, 1)] {
+                    let (nx, ny) = (x as i32 + dx, y as i32 + dy);
+                    if nx >= 0 && ny >= 0 && nx < w as i32 && ny < h as i32 {
+                        let v = sides.at(nx as usize, ny as usize);
+                        same &= v == here;
+                        sum += u32::from(v) * wx * wy;
+                        weight += wx * wy;
+                    }
+                }
+            }
+            *mask.at_mut(x, y) = match same {
+                true => {
+                    if here {
+                        255
+                    } else {
+                        0
+                    }
+                }
+                false => (sum * 255 / weight) as u8,
+            };
+        }
+    }
+    mask
+}
