@@ -3,16 +3,20 @@
 //! `photos`, `cameras` → [`GrabCut`] → `masks`
 
 mod background;
+mod coherence;
 mod gmm;
 mod grabcut;
 mod maxflow;
+mod photo_cut;
 mod segment;
 mod unary;
 
 pub use background::{expected, on_disk, plate_turn, sample, turned};
+pub use coherence::agreed;
 pub use gmm::Gmm;
 pub use grabcut::{CutError, GrabCut, GrabCutInput, GrabCutParams};
 pub use maxflow::{Grid, STEPS};
+pub use photo_cut::{Disk, Prepared, coarse, fine, prepare};
 pub use segment::{Known, Settings, Window, coverage, cut, cut_whole, largest, reduced};
 pub use unary::background_cost;
 

@@ -11,6 +11,8 @@ pub enum Known {
     Unknown,
     /// It cannot be body.
     Background,
+    /// It cannot be background.
+    Body,
 }
 
 /// How to cut.
@@ -26,6 +28,8 @@ pub struct Settings {
 
 /// Costs are multiplied by this and rounded, so that flows are whole numbers.
 const UNIT: f64 = 64.0;
+/// A hole whose median pixel costs the background more than this is no hole.
+const EXPLAINED: f32 = 6.92 + 1.5;
 /// No pixel may be put on the other side.
 const NEVER: i32 = 1 << 24;
 /// -ln of an even density over all colours: anything can be body.
@@ -58,7 +62,10 @@ pub fn cut_whole(
     known: &[Known],
     settings: &Settings,
 ) -> Option<(Image<bool>, Gmm)> {
-    let certain = |i: usize| known[i] == Known::Unknown && background[i] > 22.0;
+    let certain = |i: usize| match known[i] {
+        Known::Unknown => background[i] > 22.0,
+        other => other == Known::Body,
+    };
     let mut body: Vec<bool> = (0..known.len()).map(certain).collect();
     let mut gmm = None;
     for _ in 0..settings.rounds.max(1) {
@@ -84,7 +91,7 @@ pub fn cut_whole(
         height: photo.height,
         data: body,
     };
-    Some((largest(&sides), gmm?))
+    Some((largest(&sides, background), gmm?))
 }
 
 /// A rectangle of an image. [px]
@@ -118,6 +125,7 @@ pub fn cut(
             // The grid is small where it matters: -ln of body = -ln(0.7 GMM + 0.3 anything).
             match known(i) {
                 Known::Background => grid.set_terminal(x, y, 0, NEVER),
+                Known::Body => grid.set_terminal(x, y, NEVER, 0),
                 Known::Unknown => {
                     let fits = body.cost(photo.data[i]) + 0.36;
                     let cost = fits.min(ANY_COLOR + 1.2);
@@ -170,8 +178,10 @@ fn beta(photo: &Rgb, window: &Window) -> f64 {
     count / (2.0 * sum.max(1.0))
 }
 
-/// The largest connected part, with its holes of less than a four-hundredth of it filled.
-pub fn largest(sides: &Image<bool>) -> Image<bool> {
+/// The largest connected part, with those of its holes filled that are small or that the background
+/// does not explain: a gap between arm and trunk shows the background to the level, a blue fish on
+/// a shirt only something like it.
+pub fn largest(sides: &Image<bool>, background: &[f32]) -> Image<bool> {
     let (parts, sizes) = parts(sides, true);
     let Some(best) = (0..sizes.len()).max_by_key(|i| (sizes[*i], usize::MAX - i)) else {
         return sides.clone();
@@ -180,10 +190,29 @@ pub fn largest(sides: &Image<bool>) -> Image<bool> {
         data: parts.data.iter().map(|p| *p == best as u32).collect(),
         ..*sides
     };
-    let least = sizes[best] / 400;
-    let (holes, sizes) = self::parts(&kept, false);
+    let (least, most) = (sizes[best] / 2000, sizes[best] / 10);
+    let (holes, hole_sizes) = self::parts(&kept, false);
+    let mut costs: Vec<Vec<f32>> = vec![Vec::new(); hole_sizes.len()];
+    for (i, hole) in holes
+        .data
+        .iter()
+        .enumerate()
+        .filter(|(_, h)| **h != u32::MAX)
+    {
+        if hole_sizes[*hole as usize] <= most {
+            costs[*hole as usize].push(background[i]);
+        }
+    }
+    let fill: Vec<bool> = costs
+        .iter_mut()
+        .zip(&hole_sizes)
+        .map(|(costs, size)| {
+            costs.sort_by(f32::total_cmp);
+            *size <= most && (*size < least || costs[costs.len() / 2] > EXPLAINED)
+        })
+        .collect();
     for (keep, hole) in kept.data.iter_mut().zip(&holes.data) {
-        *keep |= *hole != u32::MAX && sizes[*hole as usize] < least;
+        *keep |= *hole != u32::MAX && fill[*hole as usize];
     }
     kept
 }

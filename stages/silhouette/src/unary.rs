@@ -15,8 +15,12 @@ const CAP: f32 = 24.0;
 ///
 /// The pixel may match what is expected there, or lie part of the way ([`SLACK`]) towards the
 /// darkest and brightest of its eight neighbours (edges move by a part of a pixel), as it is or
-/// darkened by a soft shadow.
-pub fn background_cost(photo: &Rgb, expected: &Rgb) -> Vec<f32> {
+/// darkened by a soft shadow: deep where `shadow` (column, row) says that one may fall, faint elsewhere.
+pub fn background_cost(
+    photo: &Rgb,
+    expected: &Rgb,
+    shadow: &dyn Fn(usize, usize) -> bool,
+) -> Vec<f32> {
     let (w, h) = (photo.width, photo.height);
     let mut costs = Vec::with_capacity(w * h);
     for y in 0..h {
@@ -30,14 +34,15 @@ pub fn background_cost(photo: &Rgb, expected: &Rgb) -> Vec<f32> {
                 }
             }
             let middle = expected.at(x, y);
-            costs.push(cost(photo.at(x, y), middle, lo, hi));
+            let darkest = if shadow(x, y) { 0.45 } else { 0.9 };
+            costs.push(cost(photo.at(x, y), middle, lo, hi, darkest));
         }
     }
     costs
 }
 
 /// The cost of one pixel against a box of colours, bright or in shadow.
-fn cost(pixel: [u8; 3], middle: [u8; 3], lo: [u8; 3], hi: [u8; 3]) -> f32 {
+fn cost(pixel: [u8; 3], middle: [u8; 3], lo: [u8; 3], hi: [u8; 3], darkest: f32) -> f32 {
     let p = pixel.map(f32::from);
     let towards = |end: [u8; 3]| -> [f32; 3] {
         let part =
@@ -54,7 +59,7 @@ fn cost(pixel: [u8; 3], middle: [u8; 3], lo: [u8; 3], hi: [u8; 3]) -> f32 {
     };
     // The light that explains the pixel best, by its brightness.
     let sum = |c: [f32; 3]| c.iter().sum::<f32>() + 3.0;
-    let light = (sum(p) / ((sum(lo) + sum(hi)) / 2.0)).clamp(0.45, 1.0);
+    let light = (sum(p) / ((sum(lo) + sum(hi)) / 2.0)).clamp(darkest, 1.0);
     let shadow = beyond(light) + 7.0 * (1.0 - light);
     beyond(1.0).min(shadow).min(CAP) + NORM
 }
