@@ -1,0 +1,145 @@
+//! The exact intersection of a plane and a closed mesh, as closed curves.
+
+use nalgebra::{Point3, Unit, Vector3};
+use shape::{Mesh, Plane};
+use std::collections::BTreeMap;
+
+/// A closed curve in a plane, without repeating its first point. [mm]
+pub type Loop = Vec<Point3<f64>>;
+
+/// Two directions that span a plane; with its normal they are right-handed.
+pub fn axes(plane: &Plane) -> (Vector3<f64>, Vector3<f64>) {
+    let n = Vector3::from(plane.normal).normalize();
+    let other = if n.z.abs() > 0.9 {
+        Vector3::x()
+    } else {
+        Vector3::z()
+    };
+    let u = Unit::new_normalize(other - n * n.dot(&other)).into_inner();
+    (u, n.cross(&u))
+}
+
+/// The curves in which a plane cuts a mesh. A vertex in the plane counts as above it, so every
+/// curve of a closed mesh closes.
+pub fn section(mesh: &Mesh, plane: &Plane) -> Vec<Loop> {
+    let (n, p) = (
+        Vector3::from(plane.normal).normalize(),
+        Point3::from(plane.point_mm),
+    );
+    let height: Vec<f64> = (0..mesh.positions.len() as u32)
+        .map(|v| n.dot(&(mesh.point(v) - p)))
+        .collect();
+    // Each cut face gives a piece from one cut edge to another; edges are named by their ends.
+    let mut next: BTreeMap<(u32, u32), (u32, u32)> = BTreeMap::new();
+    for face in &mesh.faces {
+        let above = face.map(|v| height[v as usize] >= 0.0);
+        if above[0] == above[1] && above[1] == above[2] {
+            continue;
+        }
+        let (mut enters, mut leaves) = (None, None);
+        for i in 0..3 {
+            let (a, b) = (face[i], face[(i + 1) % 3]);
+            let edge = (a.min(b), a.max(b));
+            match (above[i], above[(i + 1) % 3]) {
+                (false, true) => enters = Some(edge),
+                (true, false) => leaves = Some(edge),
+                _ => {}
+            }
+        }
+        if let (Some(from), Some(to)) = (leaves, enters) {
+            next.insert(from, to);
+        }
+    }
+    let place = |(a, b): (u32, u32)| {
+        let (ha, hb) = (height[a as usize], height[b as usize]);
+        let (pa, pb) = (mesh.point(a), mesh.point(b));
+        pa + (pb - pa) * (ha / (ha - hb))
+    };
+    let mut loops = Vec::new();
+    while let Some((&start, _)) = next.iter().next() {
+        let (mut curve, mut at) = (Vec::new(), start);
+        while let Some(to) = next.remove(&at) {
+            curve.push(place(at));
+            at = to;
+        }
+        if at == start && curve.len() >= 3 {
+            loops.push(curve);
+        }
+    }
+    loops
+}
+
+/// The points in the plane's own two coordinates. [mm]
+pub fn flat(curve: &[Point3<f64>], plane: &Plane) -> Vec<[f64; 2]> {
+    let (u, v) = axes(plane);
+    let p = Point3::from(plane.point_mm);
+    curve
+        .iter()
+        .map(|x| [u.dot(&(x - p)), v.dot(&(x - p))])
+        .collect()
+}
+
+/// Length of a closed polygon. [mm]
+pub fn length(points: &[[f64; 2]]) -> f64 {
+    let n = points.len();
+    (0..n)
+        .map(|i| {
+            (points[(i + 1) % n][0] - points[i][0]).hypot(points[(i + 1) % n][1] - points[i][1])
+        })
+        .sum()
+}
+
+/// Signed area of a closed polygon. [mm²]
+pub fn area(points: &[[f64; 2]]) -> f64 {
+    let n = points.len();
+    let cross =
+        |i: usize| points[i][0] * points[(i + 1) % n][1] - points[(i + 1) % n][0] * points[i][1];
+    (0..n).map(cross).sum::<f64>() / 2.0
+}
+
+/// The convex hull, counter-clockwise (Andrew 1979).
+pub fn hull(points: &[[f64; 2]]) -> Vec<[f64; 2]> {
+    let mut sorted = points.to_vec();
+    sorted.sort_by(|a, b| a[0].total_cmp(&b[0]).then(a[1].total_cmp(&b[1])));
+    let turns = |a: [f64; 2], b: [f64; 2], c: [f64; 2]| {
+        (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])
+    };
+    let chain = |points: &mut dyn Iterator<Item = [f64; 2]>| {
+        let mut chain: Vec<[f64; 2]> = Vec::new();
+        for p in points {
+            while chain.len() >= 2
+                && turns(chain[chain.len() - 2], chain[chain.len() - 1], p) <= 0.0
+            {
+                chain.pop();
+            }
+            chain.push(p);
+        }
+        chain.pop();
+        chain
+    };
+    let mut hull = chain(&mut sorted.iter().copied());
+    hull.extend(chain(&mut sorted.iter().rev().copied()));
+    hull
+}
+
+/// Length of a tape around points of a plane: of their convex hull. [mm]
+pub fn tape(points: &[[f64; 2]]) -> f64 {
+    length(&hull(points))
+}
+
+/// Mean of a curve's points, weighted by length. [mm]
+pub fn centre(curve: &[Point3<f64>]) -> Point3<f64> {
+    let n = curve.len();
+    let (mut sum, mut total) = (Vector3::zeros(), 0.0);
+    for i in 0..n {
+        let (a, b) = (curve[i], curve[(i + 1) % n]);
+        let weight = (b - a).norm();
+        sum += (a.coords + b.coords) / 2.0 * weight;
+        total += weight;
+    }
+    Point3::from(if total > 0.0 {
+        sum / total
+    } else {
+        curve[0].coords
+    })
+}
