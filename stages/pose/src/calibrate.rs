@@ -1,9 +1,22 @@
 //! The stage that calibrates the cameras of a turn.
 
 use crate::from_mat::{self, MatError};
+use crate::from_tracks::{self, TracksError};
 use shape::{Cameras, Intrinsics, Photos, Tags, Tracks};
 use stage::{Ctx, Stage, Stop};
 use std::sync::Arc;
+
+stage::choice! {
+    /// How cameras without a mat are held together.
+    pub enum Motion {
+        /// To one ring where the turn's step is known, else free.
+        Auto = "auto",
+        /// To one ring: a fixed camera, a turning disk.
+        Ring = "ring",
+        /// Not at all: each camera follows what it sees.
+        Free = "free",
+    }
+}
 
 stage::params! {
     /// What is believed before anything is seen, and how sure sightings are.
@@ -29,6 +42,17 @@ stage::params! {
         /// Most steps of an adjustment.
         #[range(1..=1000)]
         steps: u32 = 60,
+        /// How cameras without a mat are held together.
+        motion: Motion = Motion::Auto,
+        /// How evenly the disk turns, where its step is known.
+        #[range(0.001..=10.0)]
+        step_sigma_deg: f64 = 0.1,
+        /// A subject sways where features fit one ring worse than free cameras by this factor.
+        #[range(1.0..=50.0)]
+        sway_ratio: f64 = 1.25,
+        /// Most features that are adjusted.
+        #[range(100..=100000)]
+        most_tracks: u32 = 3000,
     }
 }
 
@@ -55,6 +79,9 @@ pub enum CalibrateError {
     /// The mat path failed.
     #[error(transparent)]
     Mat(#[from] MatError),
+    /// The path without a mat failed.
+    #[error(transparent)]
+    Tracks(#[from] TracksError),
 }
 
 /// `pose.calibrate`: photos, tags, tracks → cameras.
@@ -74,17 +101,27 @@ impl Stage for Calibrate {
             .tags
             .as_ref()
             .filter(|t| t.views.values().any(|v| !v.is_empty()));
-        let (Some(mat), Some(tags)) = (photos.rig.mat, tags) else {
-            return Err(CalibrateError::Nothing.into());
-        };
         let lens = first_lens(photos);
-        let found = from_mat::calibrate(photos, &lens, &mat, tags, input.tracks.as_deref(), p);
+        let tracks = input.tracks.as_deref().filter(|t| !t.points.is_empty());
+        let found = match (photos.rig.mat, tags, tracks) {
+            (Some(mat), Some(tags), tracks) => {
+                from_mat::calibrate(photos, &lens, &mat, tags, tracks, p)
+                    .map_err(CalibrateError::from)
+            }
+            (_, _, Some(tracks)) => {
+                if photos.rig.mat.is_some() {
+                    ctx.warn("capture.toml tells of a mat, but no tag of it was found: cameras follow from features alone");
+                }
+                from_tracks::calibrate(photos, &lens, tracks, p).map_err(CalibrateError::from)
+            }
+            _ => Err(CalibrateError::Nothing),
+        };
         let from_mat::Found {
             cameras,
             fit,
             warnings,
             used_tracks,
-        } = found.map_err(CalibrateError::from)?;
+        } = found?;
         warnings.iter().for_each(|w| ctx.warn(w));
         ctx.metric("cameras", cameras.views.len() as f64, "");
         ctx.metric("reprojection", fit.rms_px, "px");

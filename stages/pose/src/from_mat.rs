@@ -1,9 +1,11 @@
 //! Cameras from a marker mat: poses from its plane, then one adjustment of all.
 
-use crate::adjust::{Fit, LensPrior, Scene, Settings, Sight, adjust, lens_values};
+use crate::adjust::{Fit, adjust};
 use crate::calibrate::CalibrateParams;
 use crate::planar::planar_pose;
+use crate::scene::{Beliefs, LensPrior, Scene, Settings, Sight, lens_values};
 use crate::tracks_in::{self, Seen};
+use crate::trust::{median_px, warnings};
 use nalgebra::Point3;
 use shape::{
     ByPhoto, Camera, Cameras, Intrinsics, Mat, PhotoId, Photos, Pose, Scale, Tag, Tags, Tracks,
@@ -71,6 +73,15 @@ pub(crate) fn lens_prior(lens: &Intrinsics, known_focal: bool, p: &CalibratePara
     }
 }
 
+/// How the adjustments go.
+pub(crate) fn settings(p: &CalibrateParams) -> Settings {
+    Settings {
+        loss: p.loss,
+        steps: p.steps as usize,
+        gain: 1e-7,
+    }
+}
+
 /// Calibrates from tags, and from features that move with the disk.
 pub(crate) fn calibrate(
     photos: &Photos,
@@ -95,6 +106,7 @@ pub(crate) fn calibrate(
     let mut scene = Scene {
         lens: *lens,
         poses: placed.iter().map(|(_, pose, _)| *pose).collect(),
+        ring: None,
         points: vec![],
         known: 0,
     };
@@ -117,11 +129,12 @@ pub(crate) fn calibrate(
     }
     scene.known = scene.points.len();
     let prior = lens_prior(lens, photos.rig.focal_35mm.is_some(), p);
-    let settings = Settings {
-        loss: p.loss,
-        steps: p.steps as usize,
+    let beliefs = Beliefs {
+        lens: prior,
+        step: None,
     };
-    let mut fit = adjust(&mut scene, &sights, &prior, &settings);
+    let settings = settings(p);
+    let mut fit = adjust(&mut scene, &sights, &beliefs, &settings);
     if fit.rms_px > 3.0 * p.tag_px.max(0.3) || median_px(&scene, &sights) > 2.0 {
         return Err(MatError::Misfit {
             rms: median_px(&scene, &sights),
@@ -154,7 +167,7 @@ pub(crate) fn calibrate(
             }
             scene.points.push(track.point);
         }
-        fit = adjust(&mut scene, &sights, &prior, &settings);
+        fit = adjust(&mut scene, &sights, &beliefs, &settings);
     }
     let warnings = warnings(photos, &ids, &scene, &fit, &prior);
     let view = |(camera, (id, ..)): (usize, &(PhotoId, Pose, &Vec<Tag>))| {
@@ -230,70 +243,4 @@ fn pose(lens: &Intrinsics, mat: &Mat, tags: &[Tag]) -> Option<Pose> {
         }
     }
     planar_pose(lens, &pairs)
-}
-
-/// Median distance between sightings and projections. [px]
-fn median_px(scene: &Scene, sights: &[Sight]) -> f64 {
-    let off = |s: &Sight| {
-        let camera = Camera {
-            lens: scene.lens,
-            pose: scene.poses[s.camera],
-        };
-        let at = camera.project(&scene.points[s.point]);
-        at.map_or(f64::MAX, |at| (at.x - s.at_px[0]).hypot(at.y - s.at_px[1]))
-    };
-    let mut all: Vec<f64> = sights.iter().map(off).collect();
-    all.sort_by(f64::total_cmp);
-    all.get(all.len() / 2).copied().unwrap_or(0.0)
-}
-
-/// What the user should know before trusting the cameras.
-fn warnings(
-    photos: &Photos,
-    ids: &[PhotoId],
-    scene: &Scene,
-    fit: &Fit,
-    prior: &LensPrior,
-) -> Vec<String> {
-    let mut warnings = Vec::new();
-    for (id, photo) in photos.iter().filter(|(id, _)| !ids.contains(id)) {
-        let n = id.0;
-        warnings.push(format!(
-            "{} (photo {n}) shows fewer than two tags and has no camera",
-            photo.name
-        ));
-    }
-    let off = (scene.lens.focal[0] / prior.mean[0] - 1.0).abs();
-    if photos.rig.focal_35mm.is_some() && off > 0.03 {
-        warnings.push(format!(
-            "the focal length came out {:.1} % from what EXIF or capture.toml says: check `focal_35mm`",
-            off * 100.0
-        ));
-    }
-    // A fixed camera and a turning disk: centres lie on a circle around the axis.
-    let ring: Vec<(f64, f64)> = scene
-        .poses
-        .iter()
-        .map(|p| p.centre())
-        .map(|c| (c.x.hypot(c.y), c.z))
-        .collect();
-    let count = ring.len() as f64;
-    let (radius, height) = (
-        ring.iter().map(|r| r.0).sum::<f64>() / count,
-        ring.iter().map(|r| r.1).sum::<f64>() / count,
-    );
-    for (id, (r, z)) in ids.iter().zip(&ring) {
-        let out = (r - radius).hypot(z - height) / radius;
-        if out > 0.02 {
-            let name = photos.get(*id).map_or("", |p| p.name.as_str());
-            warnings.push(format!(
-                "{name}: its camera stands {:.1} % off the circle of the others: did camera or disk move?",
-                out * 100.0
-            ));
-        }
-    }
-    if fit.sigma_mm.iter().any(|s| !s.is_finite()) {
-        warnings.push("the adjustment is degenerate: do not trust its uncertainties".into());
-    }
-    warnings
 }

@@ -6,18 +6,33 @@
 
 mod adjust;
 mod calibrate;
+mod descent;
 mod from_mat;
+mod from_tracks;
+mod pairs;
 mod planar;
 mod residual;
+mod ring;
+mod ring_fit;
+mod ring_start;
+mod scene;
+mod schur;
+mod system;
 mod tag_corners;
 mod tags;
 mod tracks_in;
+mod trust;
 
-pub use adjust::{Fit, LENS, LensPrior, Scene, Settings, Sight, adjust, cost};
-pub use calibrate::{Calibrate, CalibrateError, CalibrateInput, CalibrateParams};
+pub use adjust::{Fit, adjust};
+pub use calibrate::{Calibrate, CalibrateError, CalibrateInput, CalibrateParams, Motion};
 pub use from_mat::{MatError, mat_corners};
+pub use from_tracks::TracksError;
 pub use planar::planar_pose;
 pub use residual::{Derivatives, derivatives};
+pub use ring::Ring;
+pub use ring_fit::{Circle, camera_circle, circle, moved};
+pub use ring_start::{Known, Pair, Start, starts};
+pub use scene::{Beliefs, LENS, LensPrior, Scene, Settings, Sight, cost};
 pub use tag_corners::refined;
 pub use tags::{FindTags, NoDetector, TagsInput, TagsParams};
 

@@ -1,6 +1,6 @@
 //! How far a point is seen from where it projects, and the derivatives of that.
 
-use crate::adjust::LENS;
+use crate::scene::LENS;
 use nalgebra::{Matrix2, Matrix2x3, Point3, SMatrix, Vector2};
 use shape::Camera;
 
@@ -57,7 +57,7 @@ pub fn derivatives(
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::adjust::{lens_values, lens_with};
+    use crate::scene::{lens_values, lens_with};
     use nalgebra::{Rotation3, SVector, Vector3};
     use shape::{Intrinsics, Pose};
 

@@ -1,0 +1,294 @@
+//! Cameras without a mat: a turn about an unknown axis from features alone, then one adjustment.
+
+use crate::adjust::adjust;
+use crate::calibrate::{CalibrateParams, Motion};
+use crate::from_mat::{Found, lens_prior, settings};
+use crate::pairs::pairs;
+use crate::ring::Ring;
+use crate::ring_fit::in_ring_frame;
+use crate::ring_start::{Known, Start, on_axis, starts};
+use crate::scene::{Beliefs, Scene, Sight};
+use crate::tracks_in::{Seen, triangulated};
+use crate::trust::{median_px, warnings};
+use nalgebra::{Matrix3, Rotation3, Vector3};
+use shape::{ByPhoto, Camera, Cameras, Intrinsics, PhotoId, Photos, Scale, Sighting, Tracks, View};
+
+/// Why features give no cameras.
+#[derive(Debug, thiserror::Error)]
+pub enum TracksError {
+    /// Photos have too little in common.
+    #[error(
+        "the photos share too few features that turn with the disk ({pairs} of {of} neighbouring photos do): put a patterned cloth or a marker mat (`tailor mat`) on the disk, or photograph at smaller steps"
+    )]
+    Apart {
+        /// How many neighbours share enough.
+        pairs: usize,
+        /// How many neighbours there are.
+        of: usize,
+    },
+    /// What was found explains too little.
+    #[error(
+        "no turn about one axis explains the features: only {share:.0} % of them fit; did the camera move, are the photos out of order, or does the background fill them? A marker mat (`tailor mat`) on the disk helps"
+    )]
+    Unexplained {
+        /// How much it explains. [%]
+        share: f64,
+    },
+}
+
+/// Size of the ring while nothing tells of millimetres. [mm]
+pub(crate) const RING_MM: f64 = 1000.0;
+
+/// The ring of a start: camera zero looks along +y.
+fn ring_of(start: &Start) -> Ring {
+    let z = start.axis;
+    let y = (Vector3::z() - z * z.z).normalize();
+    Ring {
+        turn: Rotation3::from_matrix_unchecked(Matrix3::from_columns(&[y.cross(&z), y, z])),
+        offset: on_axis(&start.axis, start.beside) * RING_MM,
+        angles: start.angles.clone(),
+    }
+}
+
+/// A scene's points and sightings from triangulated tracks.
+fn filled(scene: &mut Scene, seen: &[Seen], sigma_px: f64) -> Vec<Sight> {
+    scene.points = seen.iter().map(|s| s.point).collect();
+    let sight = |(point, seen): (usize, &Seen)| -> Vec<Sight> {
+        let one = |(camera, at_px): &(usize, [f64; 2])| Sight {
+            camera: *camera,
+            point,
+            at_px: *at_px,
+            sigma_px,
+        };
+        seen.sights.iter().map(one).collect()
+    };
+    seen.iter().enumerate().flat_map(sight).collect()
+}
+
+/// At most `most` tracks, longer ones first, spread over all.
+pub(crate) fn chosen(tracks: &Tracks, most: usize) -> Tracks {
+    let mut order: Vec<usize> = (0..tracks.points.len()).collect();
+    order.sort_by_key(|i| {
+        let long = tracks.points[*i].len().min(6);
+        (
+            std::cmp::Reverse(long),
+            (*i as u64).wrapping_mul(0x9E37_79B9_7F4A_7C15),
+        )
+    });
+    order.truncate(most);
+    order.sort_unstable();
+    let points: Vec<Vec<Sighting>> = order.iter().map(|i| tracks.points[*i].clone()).collect();
+    Tracks { points }
+}
+
+/// Calibrates from features that move with the disk.
+pub(crate) fn calibrate(
+    photos: &Photos,
+    lens: &Intrinsics,
+    tracks: &Tracks,
+    p: &CalibrateParams,
+) -> Result<Found, TracksError> {
+    let count = photos.photos.len();
+    let ids: Vec<PhotoId> = photos.iter().map(|(id, _)| id).collect();
+    let shared = pairs(tracks, count, lens.centre);
+    let neighbours = shared.iter().filter(|p| p.to == p.from + 1).count();
+    if count < 3 || neighbours + 1 < count.div_ceil(2) {
+        return Err(TracksError::Apart {
+            pairs: neighbours,
+            of: count.saturating_sub(1),
+        });
+    }
+    let known_focal = photos.rig.focal_35mm.is_some();
+    let longer = f64::from(lens.width.max(lens.height));
+    let known = Known {
+        photos: count,
+        focals_px: if known_focal {
+            vec![lens.focal[0]]
+        } else {
+            [0.8, 1.1, 1.5, 2.1, 3.0].map(|k| k * longer).into()
+        },
+        free_focal: !known_focal,
+        step: photos.rig.step.map(f64::abs),
+    };
+    let tried = starts(&shared, &known);
+    let few = chosen(tracks, 500);
+    let mut best: Option<(f64, Scene)> = None;
+    for start in &tried {
+        let scene = tried_out(lens, start, &ids, &few, p);
+        if best.as_ref().is_none_or(|(score, _)| scene.0 > *score) {
+            best = Some(scene);
+        }
+    }
+    let Some((_, mut scene)) = best else {
+        return Err(TracksError::Apart {
+            pairs: neighbours,
+            of: count - 1,
+        });
+    };
+    let many = chosen(tracks, p.most_tracks as usize);
+    let mut beliefs = beliefs(lens, known_focal, photos.rig.step, &scene, p);
+    let mut sigma_px = p.feature_px;
+    let mut sights = vec![];
+    let mut fit = None;
+    for round in 0..3 {
+        let most = if round == 0 { 16.0 } else { 8.0 * sigma_px };
+        let seen = triangulated(&scene.lens, &scene.poses, &ids, &many, most);
+        sigma_px = spread_px(&seen).max(p.feature_px);
+        sights = filled(&mut scene, &seen, sigma_px);
+        fit = Some(adjust(&mut scene, &sights, &beliefs, &settings(p)));
+    }
+    let free = match p.motion {
+        Motion::Auto => photos.rig.step.is_none(),
+        Motion::Ring => false,
+        Motion::Free => true,
+    };
+    // A rigid subject is seen as well from a ring as from free cameras; one that sways is not.
+    let swaying = !free && {
+        let mut loose = scene.clone();
+        loose.ring = None;
+        adjust(&mut loose, &sights, &beliefs, &settings(p));
+        median_px(&scene, &sights) > p.sway_ratio * median_px(&loose, &sights)
+    };
+    if swaying {
+        // Sway is alike in all features of a photo, so that many of them know no better than one:
+        // they would bend the lens (3 % of focal length at 12 mm of sway) and the steps.
+        beliefs.lens.sigma = beliefs.lens.sigma.map(|s| s * 1e-3);
+        beliefs.step = beliefs.step.map(|[step, sigma]| [step, sigma * 0.01]);
+        fit = Some(adjust(&mut scene, &sights, &beliefs, &settings(p)));
+    }
+    if free {
+        scene.ring = None;
+        for _ in 0..3 {
+            let seen = triangulated(&scene.lens, &scene.poses, &ids, &many, 8.0 * sigma_px);
+            sigma_px = spread_px(&seen).max(p.feature_px);
+            sights = filled(&mut scene, &seen, sigma_px);
+            fit = Some(adjust(&mut scene, &sights, &beliefs, &settings(p)));
+        }
+    }
+    let fit = fit.expect("bug: no round was adjusted");
+    let share = scene.points.len() as f64 / many.points.len().max(1) as f64;
+    if share < 0.2 {
+        return Err(TracksError::Unexplained {
+            share: share * 100.0,
+        });
+    }
+    let view = |(camera, (id, photo)): (usize, (PhotoId, &shape::Photo))| {
+        let own: Vec<Sight> = sights
+            .iter()
+            .filter(|s| s.camera == camera)
+            .copied()
+            .collect();
+        let view = View {
+            name: photo.name.clone(),
+            camera: Camera {
+                lens: scene.lens,
+                pose: scene.poses[camera],
+            },
+            sigma_mm: fit.sigma_mm[camera],
+            rms_px: median_px(&scene, &own),
+            points: own.len() as u32,
+        };
+        (id, view)
+    };
+    let views: ByPhoto<View> = photos.iter().enumerate().map(view).collect();
+    let points = scene
+        .points
+        .iter()
+        .map(|p| p.coords.map(|x| x as f32).into());
+    let cameras = Cameras {
+        views,
+        scale: Scale::Nothing,
+        scale_sigma: 0.0,
+        disk_radius_mm: None,
+        ground_mm: 0.0,
+        points: points.collect(),
+    };
+    let cameras = in_ring_frame(&cameras, RING_MM);
+    scene.poses = cameras.views.values().map(|v| v.camera.pose).collect();
+    let mut warnings = warnings(photos, &ids, &scene, &fit, &beliefs.lens);
+    for view in cameras.views.values().filter(|v| v.points < 30) {
+        warnings.push(format!(
+            "{} holds on to only {} features: its camera follows from those of the others",
+            view.name, view.points
+        ));
+    }
+    if share < 0.5 {
+        warnings.push(format!(
+            "only {:.0} % of the features fit the cameras: look at the camera ring before you trust it",
+            share * 100.0
+        ));
+    }
+    if swaying {
+        warnings.push(
+            "the subject moved against the disk (free cameras would follow it): lens and steps were held at what EXIF and capture.toml say".into(),
+        );
+    }
+    if !known_focal && fit.lens_sigma[0] > 0.02 * scene.lens.focal[0] {
+        warnings.push("the focal length is unknown and the photos hardly tell it: give `focal_35mm` in capture.toml".into());
+    }
+    Ok(Found {
+        cameras,
+        used_tracks: scene.points.len(),
+        fit,
+        warnings,
+    })
+}
+
+/// What is believed of lens and ring once the direction of the turn is known.
+fn beliefs(
+    lens: &Intrinsics,
+    known_focal: bool,
+    step: Option<f64>,
+    scene: &Scene,
+    p: &CalibrateParams,
+) -> Beliefs {
+    let sign = scene.ring.as_ref().and_then(|r| r.angles.last().copied());
+    let sign = sign.unwrap_or(1.0).signum();
+    Beliefs {
+        lens: lens_prior(lens, known_focal, p),
+        step: step.map(|step| [step.abs() * sign, p.step_sigma_deg.to_radians()]),
+    }
+}
+
+/// A candidate after a short adjustment: how much it explains, and its scene.
+fn tried_out(
+    lens: &Intrinsics,
+    start: &Start,
+    ids: &[PhotoId],
+    tracks: &Tracks,
+    p: &CalibrateParams,
+) -> (f64, Scene) {
+    let ring = ring_of(start);
+    let mut scene = Scene {
+        lens: Intrinsics {
+            focal: [start.focal_px; 2],
+            ..*lens
+        },
+        poses: ring.poses(),
+        ring: Some(ring),
+        points: vec![],
+        known: 0,
+    };
+    let mut beliefs = Beliefs {
+        lens: lens_prior(lens, true, p),
+        step: None,
+    };
+    beliefs.lens.mean[0] = start.focal_px;
+    let short = crate::scene::Settings {
+        steps: 15,
+        ..settings(p)
+    };
+    for most in [40.0, 20.0] {
+        let seen = triangulated(&scene.lens, &scene.poses, ids, tracks, most);
+        let sights = filled(&mut scene, &seen, spread_px(&seen).max(p.feature_px));
+        adjust(&mut scene, &sights, &beliefs, &short);
+    }
+    let seen = triangulated(&scene.lens, &scene.poses, ids, tracks, 20.0);
+    let score = seen.iter().map(|s| 1.0 / (1.0 + s.rms_px * s.rms_px)).sum();
+    (score, scene)
+}
+
+/// Standard deviation of the sightings about their points, by the median. [px]
+fn spread_px(seen: &[Seen]) -> f64 {
+    crate::tracks_in::median_residual(seen).min(100.0) / 1.18
+}

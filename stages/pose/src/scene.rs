@@ -1,0 +1,129 @@
+//! What is adjusted, what was seen of it, what is believed of it, and the cost of all that.
+
+use crate::residual::{Derivatives, derivatives};
+use crate::ring::Ring;
+use nalgebra::Point3;
+use shape::{Camera, Intrinsics, Pose};
+
+/// Unknowns of the lens: focal length, principal point x and y, k1, k2.
+pub const LENS: usize = 5;
+
+/// What was seen: a camera, a point, a pixel.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Sight {
+    /// Which camera.
+    pub camera: usize,
+    /// Which point.
+    pub point: usize,
+    /// Where. [px]
+    pub at_px: [f64; 2],
+    /// Standard deviation of that. [px]
+    pub sigma_px: f64,
+}
+
+/// All that is adjusted.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Scene {
+    /// The lens that all cameras share.
+    pub lens: Intrinsics,
+    /// camera_from_world of each camera.
+    pub poses: Vec<Pose>,
+    /// Where the cameras are held to a turn about one axis: it; the poses follow from it.
+    pub ring: Option<Ring>,
+    /// Points in the world. [mm]
+    pub points: Vec<Point3<f64>>,
+    /// Points before this one are known and stay; those from it on are free.
+    pub known: usize,
+}
+
+/// A belief about the lens: mean and standard deviation of each of its unknowns.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct LensPrior {
+    /// Mean.
+    pub mean: [f64; LENS],
+    /// Standard deviation; infinite for no belief.
+    pub sigma: [f64; LENS],
+}
+
+/// What is believed before anything is seen.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Beliefs {
+    /// Of the lens.
+    pub lens: LensPrior,
+    /// Of a ring: the turn between one photo and the next, and its standard deviation. [rad]
+    pub step: Option<[f64; 2]>,
+}
+
+/// How to adjust.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Settings {
+    /// Residuals beyond this many standard deviations lose weight (Cauchy's c).
+    pub loss: f64,
+    /// Most steps.
+    pub steps: usize,
+    /// A step that lowers the cost by less than this share is the last.
+    pub gain: f64,
+}
+
+/// The lens' unknowns as numbers.
+pub(crate) fn lens_values(lens: &Intrinsics) -> [f64; LENS] {
+    [
+        lens.focal[0],
+        lens.centre[0],
+        lens.centre[1],
+        lens.radial[0],
+        lens.radial[1],
+    ]
+}
+
+/// The lens with other values.
+pub(crate) fn lens_with(lens: &Intrinsics, [f, x, y, k1, k2]: [f64; LENS]) -> Intrinsics {
+    Intrinsics {
+        focal: [f, f],
+        centre: [x, y],
+        radial: [k1, k2],
+        ..*lens
+    }
+}
+
+/// Residual of a sighting in standard deviations, with derivatives. `None` behind the camera.
+pub(crate) fn look(scene: &Scene, sight: &Sight) -> Option<Derivatives> {
+    let camera = Camera {
+        lens: scene.lens,
+        pose: scene.poses[sight.camera],
+    };
+    derivatives(
+        &camera,
+        &scene.points[sight.point],
+        sight.at_px,
+        sight.sigma_px,
+    )
+}
+
+/// Cost of a point behind a camera, in place of its infinite one.
+const BEHIND: f64 = 1e6;
+
+/// The cost that is minimised.
+pub fn cost(scene: &Scene, sights: &[Sight], beliefs: &Beliefs, loss: f64) -> f64 {
+    let c2 = loss * loss;
+    let seen: f64 = sights
+        .iter()
+        .map(|sight| match look(scene, sight) {
+            Some(d) => c2 * (d.residual.norm_squared() / c2).ln_1p(),
+            None => BEHIND,
+        })
+        .sum();
+    let (values, prior) = (lens_values(&scene.lens), &beliefs.lens);
+    let lens: f64 = (0..LENS)
+        .map(|i| ((values[i] - prior.mean[i]) / prior.sigma[i]).powi(2))
+        .sum();
+    let steps: f64 = match (&scene.ring, beliefs.step) {
+        (Some(ring), Some([step, sigma])) => ring
+            .angles
+            .windows(2)
+            .map(|a| ((a[1] - a[0] - step) / sigma).powi(2))
+            .sum(),
+        _ => 0.0,
+    };
+    seen + lens + steps
+}
