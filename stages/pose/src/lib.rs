@@ -1,22 +1,26 @@
 //! From photos to cameras: self-calibration on a turntable.
 //!
 //! ```text
-//! photos ─ [`FindTags`] → tags ─ [`Calibrate`] → cameras
+//! photos ─ [`FindTags`] → tags ─ [`Calibrate`] → cameras ─ [`Frame`] → cameras in millimetres
 //! ```
 
 mod adjust;
 mod calibrate;
 mod descent;
+mod disk_edge;
+mod frame;
 mod from_mat;
 mod from_tracks;
 mod pairs;
 mod planar;
+mod quiet;
 mod residual;
 mod ring;
 mod ring_fit;
 mod ring_start;
 mod scene;
 mod schur;
+mod stature;
 mod system;
 mod tag_corners;
 mod tags;
@@ -25,6 +29,8 @@ mod trust;
 
 pub use adjust::{Fit, adjust};
 pub use calibrate::{Calibrate, CalibrateError, CalibrateInput, CalibrateParams, Motion};
+pub use disk_edge::{DiskEdge, disk_edge};
+pub use frame::{Frame, FrameInput, FrameParams};
 pub use from_mat::{MatError, mat_corners};
 pub use from_tracks::TracksError;
 pub use planar::planar_pose;
@@ -33,9 +39,13 @@ pub use ring::Ring;
 pub use ring_fit::{Circle, camera_circle, circle, moved};
 pub use ring_start::{Known, Pair, Start, starts};
 pub use scene::{Beliefs, LENS, LensPrior, Scene, Settings, Sight, cost};
+pub use stature::{Stature, stature};
 pub use tag_corners::refined;
 pub use tags::{FindTags, NoDetector, TagsInput, TagsParams};
 
 /// Every stage of this room, in the order in which data flows through it.
-pub const STAGES: &[&dyn stage::AnyStage] =
-    &[&stage::erase::<FindTags>(), &stage::erase::<Calibrate>()];
+pub const STAGES: &[&dyn stage::AnyStage] = &[
+    &stage::erase::<FindTags>(),
+    &stage::erase::<Calibrate>(),
+    &stage::erase::<Frame>(),
+];
