@@ -22,7 +22,7 @@ const WRITTEN: [(&str, &str, &str); 8] = [
     ("masks", "masks", "png"),
     ("hull", "hull.ply", "ply"),
     ("body", "body.ply", "ply"),
-    ("textured", "body.glb", "glb"),
+    ("body", "body.glb", "glb"),
 ];
 
 /// Arguments of `tailor measure`.
@@ -109,7 +109,11 @@ fn get<A: stage::Artifact>(
 fn write(graph: &Graph, outcome: &Outcome, folder: &std::path::Path) -> Result<(), Fault> {
     let names = photos(graph, outcome);
     for (node, file, format) in WRITTEN {
-        let artifact = graph.node(node).and_then(|at| outcome.artifact(graph, at));
+        // Without refinement the hull is the body.
+        let at = graph
+            .node(node)
+            .or_else(|| graph.node(if node == "body" { "hull" } else { node }));
+        let artifact = at.and_then(|at| outcome.artifact(graph, at));
         let Some(artifact) = artifact else { continue };
         let files = out::files(artifact, &names, Some(format)).map_err(Fault::stage)?;
         out::write(&folder.join(file), &files).map_err(Fault::stage)?;

@@ -14,9 +14,9 @@ pub(crate) struct Scoring {
     /// The folder with the truth
     #[arg(long)]
     truth: PathBuf,
-    /// Fail unless every true girth is measured and its tape is within so many percent
+    /// Fail unless a girth is measured and its tape is within so many percent: NAME=PERCENT
     #[arg(long)]
-    require_girths_pct: Option<f64>,
+    require: Vec<String>,
 }
 
 /// Does it.
@@ -37,23 +37,27 @@ pub(crate) fn scoring(args: &Scoring, house: &House) -> Result<(), Fault> {
             print!("\n{}", paper_tables(&scores));
         }
     }
-    let Some(most) = args.require_girths_pct else {
-        return Ok(());
-    };
     let mut bad = Vec::new();
-    for (name, girth) in scores
-        .iter()
-        .flat_map(|s| &s.girths)
-        .filter(|(name, _)| *name != "HC_max")
-    {
-        match girth.as_ref().and_then(|g| g.tape_error_pct) {
-            None => bad.push(format!("{name} was not measured")),
-            Some(e) if e.abs() > most => bad.push(format!("{name} is {e:+.2} % off")),
-            Some(_) => {}
+    for wanted in &args.require {
+        let shape = || {
+            Fault::input(format!(
+                "`--require {wanted}`: say NAME=PERCENT, such as WC=1"
+            ))
+        };
+        let (name, most) = wanted.split_once('=').ok_or_else(shape)?;
+        let most: f64 = most.parse().map_err(|_| shape())?;
+        for score in &scores {
+            let girth = score.girths.get(name).and_then(|g| g.as_ref());
+            match girth.and_then(|g| g.tape_error_pct) {
+                None => bad.push(format!(
+                    "{name} was not measured, or its truth is not known"
+                )),
+                Some(e) if e.abs() > most => {
+                    bad.push(format!("{name} is {e:+.2} % off, not within {most} %"))
+                }
+                Some(_) => {}
+            }
         }
-    }
-    if scores.iter().all(|s| s.girths.is_empty()) {
-        bad.push("the truth holds no girths".into());
     }
     if bad.is_empty() {
         Ok(())

@@ -79,7 +79,7 @@ fn part(
                     let ring = &case.loops[l as usize];
                     let sum: nalgebra::Vector3<f64> =
                         ring.iter().map(|e| on_edge(*e).1.coords).sum();
-                    let name = 1 << 63 | linear(cell) * 4 + u64::from(l);
+                    let name = (1 << 63) | (linear(cell) * 4 + u64::from(l));
                     (name, Point3::from(sum / ring.len() as f64))
                 };
                 for triangle in &case.triangles {

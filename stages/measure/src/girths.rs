@@ -39,12 +39,14 @@ stage::inputs! {
 /// `measure.girths`: mesh, landmarks → girths.
 pub struct Measure;
 
+/// How much the trunk's tape may change from where the arms join it to the chest.
+const PLAUSIBLE: std::ops::RangeInclusive<f64> = 0.94..=1.05;
 /// Nine times in ten, in standard deviations.
 const NINE_IN_TEN: f64 = 1.645;
 
 impl Stage for Measure {
     const NAME: &'static str = "measure.girths";
-    const VERSION: u32 = 1;
+    const VERSION: u32 = 2;
     const ABOUT: &'static str = "Measures girths at landmarks: along the skin, as a tape, and as the paper's closed spline (eq. 8).";
     type Params = GirthParams;
     type Input = GirthInput;
@@ -64,7 +66,9 @@ impl Stage for Measure {
             match girth(p, mesh, landmark, body.as_ref(), scale_sigma) {
                 Some(girth) => girths.girths.push(girth),
                 None => {
-                    let why = "the section there is no closed curve around this part alone".into();
+                    let why = "the section there goes around more than this part: arms and trunk are one on \
+                               the surface, as a visual hull makes them"
+                        .into();
                     girths.missing.push(Missing {
                         name: landmark.name.clone(),
                         why,
@@ -104,6 +108,15 @@ fn measure(mesh: &Mesh, landmark: &Landmark, body: Option<&Body>) -> Option<Sect
     if let Some(body) = body.filter(|body| chest && merged(body, z)) {
         let own = |v: Vector3<f64>| [v.x, v.y];
         let kept = without_arms(&ring, own(body.left), own(body.front))?;
+        // What is left must go on where the trunk last stood clear of the arms.
+        let clear = body
+            .slices
+            .iter()
+            .rfind(|s| s.z < z && !merged(body, s.z))?;
+        let change = tape(&kept) / clear.rings.first()?.tape;
+        if !PLAUSIBLE.contains(&change) || length(&kept) > 1.05 * tape(&kept) {
+            return None;
+        }
         let place = |p: &[f64; 2]| ring.centre + body.left * p[0] + body.front * p[1];
         return Some(Section {
             contour: kept.iter().map(place).collect(),

@@ -1,8 +1,13 @@
 //! The stage that finds where to measure, without a statistical body model.
 
-use crate::body::{Body, arm, body, nearest_ring};
-use crate::slices::{level, rings, without_arms};
+mod limbs;
+mod neck;
+
+use crate::body::{Body, body};
+use crate::slices::{Ring, Slice, level, rings, without_arms};
+use limbs::{legs, parts, upper_arm};
 use nalgebra::{Point3, Vector3};
+use neck::neck_plane;
 use shape::{Cameras, Landmark, Landmarks, Mesh, Missing, Part, Plane};
 use stage::{Ctx, Stage, Stop};
 use std::sync::Arc;
@@ -52,9 +57,9 @@ pub struct FindLandmarks;
 
 /// Heights of levels that no shape marks on every body, as shares of the height of the narrowest of
 /// the neck, which hardly depend on age and build: infant, heavy man and slim woman agree to 0.01.
-const WAIST: f64 = 0.679;
-const CHEST: f64 = 0.832;
-const UPPER_ARM: f64 = 0.824;
+const WAIST: f64 = 0.695;
+const CHEST: f64 = 0.849;
+const UPPER_ARM: f64 = 0.844;
 
 impl Stage for FindLandmarks {
     const NAME: &'static str = "measure.landmarks";
@@ -134,7 +139,7 @@ fn hip(body: &Body, found: &mut Landmarks) {
         });
         return;
     };
-    let back = |s: &crate::slices::Slice| {
+    let back = |s: &Slice| {
         let points = &s.rings.first()?.curve;
         points
             .iter()
@@ -163,10 +168,10 @@ fn hip(body: &Body, found: &mut Landmarks) {
 /// Waist, chest, neck and upper arms, whose heights follow from the neck's.
 fn above(p: &LandmarkParams, mesh: &Mesh, body: &Body, neck: f64, found: &mut Landmarks) {
     let at = |share: f64| body.ground + share * neck;
-    let narrowest = narrowest(body, at(WAIST - 0.045), at(WAIST + 0.045));
+    let narrowest = narrowest(body, at(WAIST - 0.06), at(WAIST + 0.05));
     let (z, text) = match p.waist {
         Waist::Natural => (
-            narrowest.unwrap_or(at(WAIST)),
+            at(WAIST),
             "waist: horizontal, natural waist between lowest rib and hip bone (ISO 8559-1 5.3.10)",
         ),
         Waist::Narrowest => (
@@ -196,7 +201,7 @@ fn above(p: &LandmarkParams, mesh: &Mesh, body: &Body, neck: f64, found: &mut La
             .found
             .push(landmark("CC", "chest", text, across(body, z), Part::Trunk));
     } else {
-        let why = "arms and trunk are one there, without folds to part them: hold the arms away";
+        let why = "arms and trunk are one on the surface there, without folds to part them: hold the arms farther away";
         found.missing.push(Missing {
             name: "CC".into(),
             why: why.into(),
@@ -211,7 +216,7 @@ fn above(p: &LandmarkParams, mesh: &Mesh, body: &Body, neck: f64, found: &mut La
         match upper_arm(mesh, body, side, at(UPPER_ARM)) {
             Some(plane) => found.found.push(landmark(name, label, text, plane, part)),
             None => {
-                let why = "this arm does not stand clear of the trunk: hold it away";
+                let why = "this arm does not stand clear of the trunk on the surface: hold it farther away";
                 found.missing.push(Missing {
                     name: name.into(),
                     why: why.into(),
@@ -245,136 +250,18 @@ fn narrowest(body: &Body, low: f64, high: f64) -> Option<f64> {
         .collect();
     let least = tapes.iter().min_by(|a, b| a.1.total_cmp(&b.1))?;
     let ends = tapes.first()?.1.min(tapes.last()?.1);
-    (least.1 < 0.985 * ends).then_some(least.0)
+    (least.1 < 0.99 * ends).then_some(least.0)
 }
 
-/// The neck: the narrowest across its axis, which leans forward.
-fn neck_plane(p: &LandmarkParams, mesh: &Mesh, body: &Body, found: &mut Landmarks) {
-    let Some(z) = body.neck else { return };
-    let lean = p.neck_lean_deg.to_radians();
-    let axis = Vector3::z() * lean.cos() + body.front * lean.sin();
-    let Some(ring) = body.trunk(z) else { return };
-    let tape = |offset: f64| {
-        let plane = Plane {
-            point_mm: (ring.centre + axis * offset).into(),
-            normal: axis.into(),
-        };
-        Some((nearest_ring(mesh, &plane)?.tape, plane))
-    };
-    let reach = 0.025 * body.stature;
-    let tried = (-10..=10).filter_map(|k| tape(f64::from(k) * reach / 10.0));
-    if let Some((_, plane)) = tried.min_by(|a, b| a.0.total_cmp(&b.0)) {
-        let text = "neck: across its axis, at its narrowest (ISO 8559-1 5.3.2)";
-        found
-            .found
-            .push(landmark("NC", "neck", text, plane, Part::Head));
+/// The ring of a landmark on a mesh: for the trunk the largest, else the one whose middle is the
+/// plane's point; of several there, the largest.
+pub(crate) fn ring_of(mesh: &Mesh, landmark: &Landmark) -> Option<Ring> {
+    let all = rings(mesh, &landmark.plane);
+    if landmark.part == Part::Trunk {
+        return all.into_iter().next();
     }
-}
-
-/// The plane across an upper arm; moved down the arm, by a quarter of it at most, until the arm
-/// stands clear.
-fn upper_arm(mesh: &Mesh, body: &Body, side: f64, z: f64) -> Option<Plane> {
-    let found = arm(mesh, body, side, z)?;
-    let step = 0.004 * body.stature;
-    let ring_at = |k: i32| {
-        let point = Point3::from(found.plane.point_mm) + found.axis * (f64::from(k) * step);
-        let plane = Plane {
-            point_mm: point.into(),
-            normal: found.axis.into(),
-        };
-        nearest_ring(mesh, &plane).map(|r| (plane, r))
-    };
-    // Well below the armpit the arm is surely clear: a clear ring is not much larger than there.
-    let (_, below) = ring_at(16)?;
-    let clear = (0..12).filter_map(ring_at).find(|(plane, ring)| {
-        let near = (ring.centre - Point3::from(plane.point_mm)).norm();
-        ring.area < 1.8 * below.area && near < 0.05 * body.stature
-    })?;
-    Some(Plane {
-        point_mm: clear.1.centre.into(),
-        ..clear.0
-    })
-}
-
-/// Thigh and calf of both legs.
-fn legs(body: &Body, found: &mut Landmarks) {
-    let Some(crotch) = body.crotch else { return };
-    let inside = crotch - body.ground;
-    for (side, part, suffix, word) in [
-        (1.0, Part::LegLeft, "L", "left"),
-        (-1.0, Part::LegRight, "R", "right"),
-    ] {
-        let leg = |s: &crate::slices::Slice| {
-            let two = s.rings.get(..2)?;
-            let out = |r: &crate::slices::Ring| r.centre.coords.dot(&body.left) * side;
-            let ring = if out(&two[0]) > out(&two[1]) {
-                &two[0]
-            } else {
-                &two[1]
-            };
-            Some((s.z, ring.tape, ring.centre))
-        };
-        let widest = |low: f64, high: f64| {
-            let range = body.between(body.ground + low * inside, body.ground + high * inside);
-            range.filter_map(leg).max_by(|a, b| a.1.total_cmp(&b.1))
-        };
-        let mut add = |name: &str, label: &str, text: &str, at: Option<(f64, f64, Point3<f64>)>| {
-            let Some((z, _, c)) = at else { return };
-            let plane = Plane {
-                point_mm: [c.x, c.y, z],
-                ..level(z)
-            };
-            let (name, label) = (format!("{name}_{suffix}"), format!("{label}, {word}"));
-            found.found.push(landmark(&name, &label, text, plane, part));
-        };
-        add(
-            "TC",
-            "thigh",
-            "thigh: horizontal, fullest below the crotch (ISO 8559-1 5.3.20)",
-            widest(0.8, 0.99),
-        );
-        add(
-            "CFC",
-            "calf",
-            "calf: horizontal, greatest (ISO 8559-1 5.3.24)",
-            widest(0.3, 0.58),
-        );
-    }
-}
-
-/// The part of each vertex: head above the neck, legs below the crotch, arms beyond the trunk.
-fn parts(mesh: &Mesh, body: &Body) -> Vec<u8> {
-    let neck = body.neck.unwrap_or(f64::MAX);
-    let crotch = body.crotch.unwrap_or(f64::MIN);
-    let half = body
-        .trunk(crotch.max(body.ground) + 0.05 * body.stature)
-        .map_or(f64::MAX, |r| {
-            let reach = r.curve.iter().map(|p| (p - r.centre).dot(&body.left).abs());
-            reach.fold(0.0, f64::max)
-        });
-    let part = |v: u32| {
-        let p = mesh.point(v);
-        let out = p.coords.dot(&body.left);
-        let (arm, leg) = match out > 0.0 {
-            true => (Part::ArmLeft, Part::LegLeft),
-            false => (Part::ArmRight, Part::LegRight),
-        };
-        match p.z {
-            z if z > neck => Part::Head,
-            _ if out.abs() > 1.15 * half => arm,
-            z if z < crotch => leg,
-            _ => Part::Trunk,
-        }
-    };
-    (0..mesh.positions.len() as u32)
-        .map(|v| part(v) as u8)
-        .collect()
-}
-
-/// The ring of a landmark on a mesh: for the trunk the largest, else the nearest.
-pub(crate) fn ring_of(mesh: &Mesh, landmark: &Landmark) -> Option<crate::slices::Ring> {
-    match landmark.part {
-        Part::Trunk => rings(mesh, &landmark.plane).into_iter().next(),
-        _ => nearest_ring(mesh, &landmark.plane),
-    }
+    let p = Point3::from(landmark.plane.point_mm);
+    let far = |r: &Ring| (r.centre - p).norm();
+    let least = all.iter().map(far).fold(f64::MAX, f64::min);
+    all.into_iter().find(|r| far(r) <= least + 3.0)
 }

@@ -147,7 +147,7 @@ pub fn cut(
                 let both = background[i].min(background[j]) < 8.0;
                 let contrast = if both { 0.0 } else { (beta * differ).min(12.0) };
                 let length = if STEPS[d].0 != 0 && STEPS[d].1 != 0 {
-                    0.7071
+                    std::f64::consts::FRAC_1_SQRT_2
                 } else {
                     1.0
                 };

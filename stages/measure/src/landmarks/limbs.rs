@@ -1,0 +1,113 @@
+//! Landmarks on arms and legs, and the part of each vertex.
+
+use super::landmark;
+use crate::body::{Body, arm, nearest_ring};
+use crate::slices::{Ring, Slice, level};
+use nalgebra::Point3;
+use shape::{Landmarks, Mesh, Part, Plane};
+
+/// The plane across an upper arm; moved down the arm, by a quarter of it at most, until the arm
+/// stands clear.
+pub(super) fn upper_arm(mesh: &Mesh, body: &Body, side: f64, z: f64) -> Option<Plane> {
+    let found = arm(mesh, body, side, z)?;
+    let step = 0.004 * body.stature;
+    let ring_at = |k: i32| {
+        let point = Point3::from(found.plane.point_mm) + found.axis * (f64::from(k) * step);
+        let plane = Plane {
+            point_mm: point.into(),
+            normal: found.axis.into(),
+        };
+        nearest_ring(mesh, &plane).map(|r| (plane, r))
+    };
+    // Well below the armpit the arm is surely clear: a clear ring is not much larger than there.
+    let (_, below) = ring_at(16)?;
+    let trunk = body.trunk(z - 0.15 * body.stature)?.area;
+    if below.area > 0.25 * trunk {
+        return None;
+    }
+    let clear = (0..12).filter_map(ring_at).find(|(plane, ring)| {
+        let near = (ring.centre - Point3::from(plane.point_mm)).norm();
+        // An arm is nearly round; an arm with a fold of the trunk is not.
+        let round = 4.0 * std::f64::consts::PI * ring.area / (ring.tape * ring.tape);
+        ring.area < 1.5 * below.area && round > 0.92 && near < 0.05 * body.stature
+    })?;
+    Some(Plane {
+        point_mm: clear.1.centre.into(),
+        ..clear.0
+    })
+}
+
+/// Thigh and calf of both legs.
+pub(super) fn legs(body: &Body, found: &mut Landmarks) {
+    let Some(crotch) = body.crotch else { return };
+    let inside = crotch - body.ground;
+    for (side, part, suffix, word) in [
+        (1.0, Part::LegLeft, "L", "left"),
+        (-1.0, Part::LegRight, "R", "right"),
+    ] {
+        let leg = |s: &Slice| {
+            let two = s.rings.get(..2)?;
+            let out = |r: &Ring| r.centre.coords.dot(&body.left) * side;
+            let ring = if out(&two[0]) > out(&two[1]) {
+                &two[0]
+            } else {
+                &two[1]
+            };
+            Some((s.z, ring.tape, ring.centre))
+        };
+        let widest = |low: f64, high: f64| {
+            let range = body.between(body.ground + low * inside, body.ground + high * inside);
+            range.filter_map(leg).max_by(|a, b| a.1.total_cmp(&b.1))
+        };
+        let mut add = |name: &str, label: &str, text: &str, at: Option<(f64, f64, Point3<f64>)>| {
+            let Some((z, _, c)) = at else { return };
+            let plane = Plane {
+                point_mm: [c.x, c.y, z],
+                ..level(z)
+            };
+            let (name, label) = (format!("{name}_{suffix}"), format!("{label}, {word}"));
+            found.found.push(landmark(&name, &label, text, plane, part));
+        };
+        add(
+            "TC",
+            "thigh",
+            "thigh: horizontal, fullest below the crotch (ISO 8559-1 5.3.20)",
+            widest(0.8, 0.99),
+        );
+        add(
+            "CFC",
+            "calf",
+            "calf: horizontal, greatest (ISO 8559-1 5.3.24)",
+            widest(0.3, 0.58),
+        );
+    }
+}
+
+/// The part of each vertex: head above the neck, legs below the crotch, arms beyond the trunk.
+pub(super) fn parts(mesh: &Mesh, body: &Body) -> Vec<u8> {
+    let neck = body.neck.unwrap_or(f64::MAX);
+    let crotch = body.crotch.unwrap_or(f64::MIN);
+    let half = body
+        .trunk(crotch.max(body.ground) + 0.05 * body.stature)
+        .map_or(f64::MAX, |r| {
+            let reach = r.curve.iter().map(|p| (p - r.centre).dot(&body.left).abs());
+            reach.fold(0.0, f64::max)
+        });
+    let part = |v: u32| {
+        let p = mesh.point(v);
+        let out = p.coords.dot(&body.left);
+        let (arm, leg) = match out > 0.0 {
+            true => (Part::ArmLeft, Part::LegLeft),
+            false => (Part::ArmRight, Part::LegRight),
+        };
+        match p.z {
+            z if z > neck => Part::Head,
+            _ if out.abs() > 1.15 * half => arm,
+            z if z < crotch => leg,
+            _ => Part::Trunk,
+        }
+    };
+    (0..mesh.positions.len() as u32)
+        .map(|v| part(v) as u8)
+        .collect()
+}
