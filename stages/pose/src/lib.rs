@@ -8,9 +8,13 @@ mod adjust;
 mod calibrate;
 mod descent;
 mod disk_edge;
+mod foreign;
 mod frame;
 mod from_mat;
 mod from_tracks;
+mod import;
+mod import_colmap;
+mod import_text;
 mod pairs;
 mod planar;
 mod quiet;
@@ -30,9 +34,13 @@ mod trust;
 pub use adjust::{Fit, adjust};
 pub use calibrate::{Calibrate, CalibrateError, CalibrateInput, CalibrateParams, Motion};
 pub use disk_edge::{DiskEdge, disk_edge};
+pub use foreign::{Foreign, ForeignError, Model};
 pub use frame::{Frame, FrameInput, FrameParams};
 pub use from_mat::{MatError, mat_corners};
 pub use from_tracks::TracksError;
+pub use import::{Import, ImportError, ImportInput, ImportParams, World};
+pub use import_colmap::{from_colmap_binary, from_colmap_text};
+pub use import_text::{from_json, from_middlebury};
 pub use planar::planar_pose;
 pub use residual::{Derivatives, derivatives};
 pub use ring::Ring;
@@ -48,4 +56,5 @@ pub const STAGES: &[&dyn stage::AnyStage] = &[
     &stage::erase::<FindTags>(),
     &stage::erase::<Calibrate>(),
     &stage::erase::<Frame>(),
+    &stage::erase::<Import>(),
 ];

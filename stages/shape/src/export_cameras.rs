@@ -64,3 +64,46 @@ pub fn cameras_to_colmap_text(cameras: &Cameras) -> Vec<(String, Vec<u8>)> {
     .map(|(name, text)| (name.to_owned(), text.into_bytes()))
     .into()
 }
+
+/// A COLMAP binary model: `cameras.bin`, `images.bin`, `points3D.bin`, with the lens `OPENCV`.
+pub fn cameras_to_colmap_binary(cameras: &Cameras) -> Vec<(String, Vec<u8>)> {
+    const OPENCV: u32 = 4;
+    let count = (cameras.views.len() as u64).to_le_bytes();
+    let (mut lenses, mut images) = (count.to_vec(), count.to_vec());
+    let reals = |to: &mut Vec<u8>, all: &[f64]| {
+        all.iter().for_each(|x| to.extend(x.to_le_bytes()));
+    };
+    for (id, view) in cameras.views.iter() {
+        let (lens, pose) = (&view.camera.lens, &view.camera.pose);
+        let ([fx, fy], [cx, cy], [k1, k2]) = (lens.focal, lens.centre, lens.radial);
+        let n = (id.0 + 1).to_le_bytes();
+        lenses.extend(n);
+        lenses.extend(OPENCV.to_le_bytes());
+        lenses.extend(u64::from(lens.width).to_le_bytes());
+        lenses.extend(u64::from(lens.height).to_le_bytes());
+        reals(&mut lenses, &[fx, fy, cx + 0.5, cy + 0.5, k1, k2, 0.0, 0.0]);
+        let q = UnitQuaternion::from_rotation_matrix(&pose.rotation);
+        images.extend(n);
+        reals(&mut images, &[q.w, q.i, q.j, q.k]);
+        reals(&mut images, pose.translation.as_slice());
+        images.extend(n);
+        images.extend(view.name.bytes().filter(|b| *b != 0));
+        images.push(0);
+        images.extend(0u64.to_le_bytes());
+    }
+    let mut points = (cameras.points.len() as u64).to_le_bytes().to_vec();
+    for (i, point) in cameras.points.iter().enumerate() {
+        points.extend((i as u64 + 1).to_le_bytes());
+        reals(&mut points, &point.map(f64::from));
+        points.extend([128; 3]);
+        reals(&mut points, &[0.0]);
+        points.extend(0u64.to_le_bytes());
+    }
+    [
+        ("cameras.bin", lenses),
+        ("images.bin", images),
+        ("points3D.bin", points),
+    ]
+    .map(|(name, bytes)| (name.to_owned(), bytes))
+    .into()
+}

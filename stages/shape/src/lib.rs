@@ -34,7 +34,7 @@ pub use camera::{Camera, Intrinsics, Pose};
 pub use cameras::{Cameras, Scale, View};
 pub use document::Document;
 pub use export::{ExportError, mesh_from_ply, mesh_to_ply};
-pub use export_cameras::{cameras_to_colmap_text, cameras_to_json};
+pub use export_cameras::{cameras_to_colmap_binary, cameras_to_colmap_text, cameras_to_json};
 pub use export_girths::{girths_to_csv, girths_to_json, landmarks_to_json};
 pub use export_glb::{mesh_to_glb, textured_to_glb, textured_to_obj};
 pub use export_image::{gray_from_file, gray_to_png, rgb_to_jpeg, rgb_to_png};
