@@ -15,6 +15,9 @@ mod from_tracks;
 mod import;
 mod import_colmap;
 mod import_text;
+mod mat;
+mod mat_layout;
+mod mat_print;
 mod pairs;
 mod planar;
 mod quiet;
@@ -26,6 +29,7 @@ mod scene;
 mod schur;
 mod stature;
 mod system;
+mod tag36h11;
 mod tag_corners;
 mod tags;
 mod tracks_in;
@@ -41,6 +45,9 @@ pub use from_tracks::TracksError;
 pub use import::{Import, ImportError, ImportInput, ImportParams, World};
 pub use import_colmap::{from_colmap_binary, from_colmap_text};
 pub use import_text::{from_json, from_middlebury};
+pub use mat::{MatInput, MatParams, Print, PrintMat, Sheet};
+pub use mat_layout::{LayoutError, Mark, mat_for, mat_marks, mat_toml};
+pub use mat_print::{Paper, tiles, to_pdf, to_svg};
 pub use planar::planar_pose;
 pub use residual::{Derivatives, derivatives};
 pub use ring::Ring;
@@ -49,6 +56,7 @@ pub use ring_start::{Known, Pair, Start, starts};
 pub use scene::{Beliefs, LENS, LensPrior, Scene, Settings, Sight, cost};
 pub use stature::{Stature, stature};
 pub use tag_corners::refined;
+pub use tag36h11::{TAGS, modules};
 pub use tags::{FindTags, NoDetector, TagsInput, TagsParams};
 
 /// Every stage of this room, in the order in which data flows through it.
@@ -57,4 +65,5 @@ pub const STAGES: &[&dyn stage::AnyStage] = &[
     &stage::erase::<Calibrate>(),
     &stage::erase::<Frame>(),
     &stage::erase::<Import>(),
+    &stage::erase::<PrintMat>(),
 ];
