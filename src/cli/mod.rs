@@ -3,6 +3,7 @@
 mod answers;
 mod cache;
 mod door;
+mod mat;
 mod run;
 mod scoring;
 mod show;
@@ -91,6 +92,8 @@ enum Verb {
     },
     /// The store: ls, du, gc, verify
     Cache(cache::Cache),
+    /// A printable marker mat for the disk: PDF or SVG at true scale
+    Mat(mat::MatArgs),
     /// A result against ground truth
     Score(scoring::Scoring),
 }
@@ -143,6 +146,7 @@ pub fn main() -> ExitCode {
         Verb::Stages { name } => answers::stages(name.as_deref(), house),
         Verb::Check { pipeline } => answers::check(pipeline, house),
         Verb::Cache(verb) => cache::cache(verb, house),
+        Verb::Mat(verb) => mat::mat(verb, house),
         Verb::Score(verb) => scoring::scoring(verb, house),
     };
     match done {

@@ -1,0 +1,110 @@
+//! `tailor mat`: a marker mat for a disk, to be printed.
+
+use super::{Fault, House};
+use crate::catalog;
+use clap::Args;
+use shape::Document;
+use stage::{Ctx, Host, Metric, Value};
+use std::collections::BTreeMap;
+use std::path::PathBuf;
+use std::sync::Mutex;
+
+/// Arguments of `tailor mat`.
+#[derive(Args)]
+pub(crate) struct MatArgs {
+    /// The disk's diameter in millimetres
+    #[arg(long)]
+    diameter_mm: f64,
+    /// Edge length of a tag's black square in millimetres; one that suits the disk if not said
+    #[arg(long)]
+    tag_mm: Option<f64>,
+    /// How many tags; as many as fit if not said
+    #[arg(long)]
+    count: Option<u32>,
+    /// The first tag's number
+    #[arg(long)]
+    first_id: Option<u32>,
+    /// The paper of a PDF: a4, a3, letter or whole (one large page)
+    #[arg(long, default_value = "a4")]
+    paper: String,
+    /// The file; its ending says what it is, .pdf or .svg
+    #[arg(short)]
+    o: PathBuf,
+}
+
+/// Hears what the stage tells of the mat.
+#[derive(Default)]
+struct Heard(Mutex<Vec<Metric>>);
+
+impl Host for Heard {
+    fn metric(&self, metric: Metric) {
+        self.0.lock().expect("bug: a hearer panicked").push(metric);
+    }
+}
+
+/// Does it.
+pub(crate) fn mat(args: &MatArgs, house: &House) -> Result<(), Fault> {
+    let ending = args.o.extension().and_then(|e| e.to_str()).unwrap_or("");
+    let ending = ending.to_lowercase();
+    if !["pdf", "svg"].contains(&ending.as_str()) {
+        let shown = args.o.display();
+        return Err(Fault::input(format!(
+            "{shown}: a mat is written as .pdf or .svg; give the file one of these endings"
+        )));
+    }
+    let stage = catalog::find("pose.mat").expect("bug: no stage lays out mats");
+    let mut said = BTreeMap::from([
+        ("diameter_mm".to_owned(), Value::Float(args.diameter_mm)),
+        ("print".to_owned(), Value::Text(ending)),
+        ("sheet".to_owned(), Value::Text(args.paper.to_lowercase())),
+    ]);
+    if let Some(tag) = args.tag_mm {
+        said.insert("tag_mm".into(), Value::Float(tag));
+    }
+    for (name, value) in [("count", args.count), ("first_id", args.first_id)] {
+        if let Some(value) = value {
+            said.insert(name.into(), Value::Int(i64::from(value)));
+        }
+    }
+    let params = stage.check(&said).map_err(|mistakes| {
+        let all: Vec<String> = mistakes
+            .iter()
+            .map(|m| format!("{}: {}", m.name, m.what))
+            .collect();
+        Fault::input(all.join("\n"))
+    })?;
+    let heard = Heard::default();
+    let nothing = stage::hash(b"");
+    let made = stage.run(&params, vec![], &Ctx::new(&heard, nothing, nothing));
+    let made = made.map_err(|stop| match stop {
+        stage::Stop::Failed(why) => Fault::input(why),
+        stage::Stop::Cancelled => Fault::stage("cancelled"),
+    })?;
+    let document = made.artifact.downcast::<Document>();
+    let document = document.expect("bug: a mat is no document");
+    let shown = args.o.display().to_string();
+    let told: Vec<String> = heard
+        .0
+        .into_inner()
+        .expect("bug: a hearer panicked")
+        .iter()
+        .map(|m| {
+            format!("{} {} {}", m.name, m.value, m.unit)
+                .trim()
+                .to_owned()
+        })
+        .collect();
+    std::fs::write(&args.o, &document.bytes)
+        .map_err(|e| Fault::input(format!("cannot write {shown}: {e}")))?;
+    if house.json {
+        println!(
+            "{}",
+            serde_json::json!({ "file": shown, "bytes": document.bytes.len() })
+        );
+    } else if !house.quiet {
+        println!("{shown}: {}", told.join(", "));
+        println!("print at 100 % and check that the ruler is 100 mm long");
+        println!("what capture.toml needs to say of it stands at each page's foot");
+    }
+    Ok(())
+}
