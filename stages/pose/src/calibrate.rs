@@ -50,6 +50,9 @@ stage::params! {
         /// A subject sways where features fit one ring worse than free cameras by this factor.
         #[range(1.0..=50.0)]
         sway_ratio: f64 = 1.25,
+        /// Free cameras further off a ring than this share of its radius are refused.
+        #[range(0.001..=10.0)]
+        off_ring: f64 = 0.02,
         /// Most features that are adjusted.
         #[range(100..=100000)]
         most_tracks: u32 = 3000,

@@ -3,15 +3,15 @@
 use crate::adjust::adjust;
 use crate::calibrate::{CalibrateParams, Motion};
 use crate::from_mat::{Found, lens_prior, settings};
-use crate::pairs::pairs;
+use crate::pairs::{chosen, pairs};
 use crate::ring::Ring;
-use crate::ring_fit::in_ring_frame;
+use crate::ring_fit::{camera_circle, in_ring_frame};
 use crate::ring_start::{Known, Start, on_axis, starts};
 use crate::scene::{Beliefs, Scene, Sight};
 use crate::tracks_in::{Seen, triangulated};
 use crate::trust::{median_px, warnings};
 use nalgebra::{Matrix3, Rotation3, Vector3};
-use shape::{ByPhoto, Camera, Cameras, Intrinsics, PhotoId, Photos, Scale, Sighting, Tracks, View};
+use shape::{ByPhoto, Camera, Cameras, Intrinsics, PhotoId, Photos, Scale, Tracks, View};
 
 /// Why features give no cameras.
 #[derive(Debug, thiserror::Error)]
@@ -33,6 +33,14 @@ pub enum TracksError {
     Unexplained {
         /// How much it explains. [%]
         share: f64,
+    },
+    /// Cameras that stand on no ring.
+    #[error(
+        "the cameras came out {off:.1} % off a ring, so they are not to be trusted: are the photos in turning order and the steps below 25°? `focal_35mm` and `step_deg` in capture.toml or a marker mat (`tailor mat`) on the disk help"
+    )]
+    NoRing {
+        /// Root mean square, of the ring's radius. [%]
+        off: f64,
     },
 }
 
@@ -63,22 +71,6 @@ fn filled(scene: &mut Scene, seen: &[Seen], sigma_px: f64) -> Vec<Sight> {
         seen.sights.iter().map(one).collect()
     };
     seen.iter().enumerate().flat_map(sight).collect()
-}
-
-/// At most `most` tracks, longer ones first, spread over all.
-pub(crate) fn chosen(tracks: &Tracks, most: usize) -> Tracks {
-    let mut order: Vec<usize> = (0..tracks.points.len()).collect();
-    order.sort_by_key(|i| {
-        let long = tracks.points[*i].len().min(6);
-        (
-            std::cmp::Reverse(long),
-            (*i as u64).wrapping_mul(0x9E37_79B9_7F4A_7C15),
-        )
-    });
-    order.truncate(most);
-    order.sort_unstable();
-    let points: Vec<Vec<Sighting>> = order.iter().map(|i| tracks.points[*i].clone()).collect();
-    Tracks { points }
 }
 
 /// Calibrates from features that move with the disk.
@@ -203,6 +195,10 @@ pub(crate) fn calibrate(
         ground_mm: 0.0,
         points: points.collect(),
     };
+    let off = camera_circle(&cameras).map_or(f64::INFINITY, |c| c.rms / c.radius);
+    if off > p.off_ring {
+        return Err(TracksError::NoRing { off: off * 100.0 });
+    }
     let cameras = in_ring_frame(&cameras, RING_MM);
     scene.poses = cameras.views.values().map(|v| v.camera.pose).collect();
     let mut warnings = warnings(photos, &ids, &scene, &fit, &beliefs.lens);

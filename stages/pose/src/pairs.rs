@@ -2,7 +2,7 @@
 
 use crate::ring_start::Pair;
 use nalgebra::Vector2;
-use shape::Tracks;
+use shape::{Sighting, Tracks};
 
 /// How far apart in the turn photos are compared.
 const REACH: usize = 3;
@@ -44,4 +44,20 @@ pub(crate) fn pairs(tracks: &Tracks, photos: usize, middle: [f64; 2]) -> Vec<Pai
             seen,
         })
         .collect()
+}
+
+/// At most `most` tracks, longer ones first, spread over all.
+pub(crate) fn chosen(tracks: &Tracks, most: usize) -> Tracks {
+    let mut order: Vec<usize> = (0..tracks.points.len()).collect();
+    order.sort_by_key(|i| {
+        let long = tracks.points[*i].len().min(6);
+        (
+            std::cmp::Reverse(long),
+            (*i as u64).wrapping_mul(0x9E37_79B9_7F4A_7C15),
+        )
+    });
+    order.truncate(most);
+    order.sort_unstable();
+    let points: Vec<Vec<Sighting>> = order.iter().map(|i| tracks.points[*i].clone()).collect();
+    Tracks { points }
 }
