@@ -85,6 +85,8 @@ pub struct Job<'a> {
 
 struct State {
     done: Vec<Option<Done>>,
+    /// Nodes that some worker has taken.
+    taken: Vec<bool>,
     /// Results in memory, while somebody still reads them.
     alive: Vec<Option<AnyArtifact>>,
     readers: Vec<usize>,
@@ -103,6 +105,7 @@ pub fn walk(job: &Job<'_>, around: &Surroundings<'_>) -> Vec<Option<Done>> {
     }
     let state = State {
         done: vec![None; graph.nodes.len()],
+        taken: vec![false; graph.nodes.len()],
         alive: vec![None; graph.nodes.len()],
         readers,
         ready: vec![],
@@ -155,6 +158,7 @@ fn work(
             continue;
         };
         held.running += 1;
+        held.taken[node] = true;
         let inputs = contents(job, node, &held);
         let at_hand = at_hand(job, node, &held);
         drop(held);
@@ -207,7 +211,7 @@ fn for_each_node(graph: &Graph, node: usize, mut f: impl FnMut(usize)) {
 fn refill(graph: &Graph, needed: &[bool], state: &mut State) {
     state.ready.clear();
     for i in (0..graph.nodes.len()).filter(|i| needed[*i]) {
-        if state.done[i].is_some() {
+        if state.done[i].is_some() || state.taken[i] {
             continue;
         }
         let (mut open, mut dead) = (false, false);

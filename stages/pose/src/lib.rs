@@ -1,7 +1,8 @@
 //! From photos to cameras: self-calibration on a turntable.
 //!
 //! ```text
-//! photos ─ [`FindTags`] → tags ─ [`Calibrate`] → cameras ─ [`Frame`] → cameras in millimetres
+//! photos ─ [`Sift`] → keypoints ─ [`Follow`] → tracks ─┐
+//! photos ─ [`FindTags`] → tags ────────────────────────┴─ [`Calibrate`] → cameras ─ [`Frame`] → cameras in millimetres
 //! ```
 
 mod adjust;
@@ -18,6 +19,9 @@ mod import_text;
 mod mat;
 mod mat_layout;
 mod mat_print;
+
+mod epipolar;
+mod matching;
 mod pairs;
 mod planar;
 mod quiet;
@@ -27,11 +31,16 @@ mod ring_fit;
 mod ring_start;
 mod scene;
 mod schur;
+mod sift;
+mod sift_describe;
+mod sift_detect;
+mod sift_pyramid;
 mod stature;
 mod system;
 mod tag36h11;
 mod tag_corners;
 mod tags;
+mod tracks;
 mod tracks_in;
 mod trust;
 
@@ -48,19 +57,29 @@ pub use import_text::{from_json, from_middlebury};
 pub use mat::{MatInput, MatParams, Print, PrintMat, Sheet};
 pub use mat_layout::{LayoutError, Mark, mat_for, mat_marks, mat_toml};
 pub use mat_print::{Paper, tiles, to_pdf, to_svg};
+
+pub use epipolar::{Both, agreeing, fundamental, sampson};
+pub use matching::{Pairs, mutual};
 pub use planar::planar_pose;
 pub use residual::{Derivatives, derivatives};
 pub use ring::Ring;
 pub use ring_fit::{Circle, camera_circle, circle, moved};
 pub use ring_start::{Known, Pair, Start, starts};
 pub use scene::{Beliefs, LENS, LensPrior, Scene, Settings, Sight, cost};
+pub use sift::{Sift, SiftInput, SiftParams, features};
+pub use sift_describe::describe;
+pub use sift_detect::{Extremum, extrema, orientations};
+pub use sift_pyramid::{INTERVALS, Octave, SIGMA, blur, octaves};
 pub use stature::{Stature, stature};
 pub use tag_corners::refined;
 pub use tag36h11::{TAGS, modules};
 pub use tags::{FindTags, NoDetector, TagsInput, TagsParams};
+pub use tracks::{Follow, TracksInput, TracksParams};
 
 /// Every stage of this room, in the order in which data flows through it.
 pub const STAGES: &[&dyn stage::AnyStage] = &[
+    &stage::erase::<Sift>(),
+    &stage::erase::<Follow>(),
     &stage::erase::<FindTags>(),
     &stage::erase::<Calibrate>(),
     &stage::erase::<Frame>(),

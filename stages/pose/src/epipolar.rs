@@ -1,0 +1,148 @@
+//! Matches that agree with one motion: the fundamental matrix by locally optimised RANSAC
+//! (Chum, Matas and Kittler 2003; normalised eight-point algorithm, Hartley 1997).
+
+use nalgebra::{DMatrix, Matrix3, Vector3};
+
+/// A pair of pixels.
+pub type Both = [[f64; 2]; 2];
+
+/// Similarity that puts points around the origin at mean distance √2.
+fn normaliser(points: &[[f64; 2]]) -> Matrix3<f64> {
+    let n = points.len() as f64;
+    let mean = [0, 1].map(|i| points.iter().map(|p| p[i]).sum::<f64>() / n);
+    let far = points
+        .iter()
+        .map(|p| (p[0] - mean[0]).hypot(p[1] - mean[1]))
+        .sum::<f64>()
+        / n;
+    let s = std::f64::consts::SQRT_2 / far.max(1e-9);
+    Matrix3::new(s, 0.0, -s * mean[0], 0.0, s, -s * mean[1], 0.0, 0.0, 1.0)
+}
+
+/// The fundamental matrix of at least eight pairs: `bᵀ F a = 0`.
+pub fn fundamental(pairs: &[Both]) -> Option<Matrix3<f64>> {
+    if pairs.len() < 8 {
+        return None;
+    }
+    let side = |i: usize| pairs.iter().map(|p| p[i]).collect::<Vec<_>>();
+    let (ta, tb) = (normaliser(&side(0)), normaliser(&side(1)));
+    let mut rows = DMatrix::zeros(pairs.len().max(9), 9);
+    for (r, [a, b]) in pairs.iter().enumerate() {
+        let (a, b) = (
+            ta * Vector3::new(a[0], a[1], 1.0),
+            tb * Vector3::new(b[0], b[1], 1.0),
+        );
+        for i in 0..3 {
+            for j in 0..3 {
+                rows[(r, 3 * i + j)] = b[i] * a[j];
+            }
+        }
+    }
+    let normal = rows.transpose() * &rows;
+    let eigen = normal.symmetric_eigen();
+    let least = eigen.eigenvalues.imin();
+    let f = Matrix3::from_row_slice(eigen.eigenvectors.column(least).as_slice());
+    let mut svd = f.svd(true, true);
+    svd.singular_values[2] = 0.0;
+    Some(tb.transpose() * svd.recompose().ok()? * ta)
+}
+
+/// First-order distance of a pair from the epipolar constraint (Sampson 1982). [px]
+pub fn sampson(f: &Matrix3<f64>, [a, b]: &Both) -> f64 {
+    let (a, b) = (Vector3::new(a[0], a[1], 1.0), Vector3::new(b[0], b[1], 1.0));
+    let (fa, fb) = (f * a, f.transpose() * b);
+    let slope = fa.x * fa.x + fa.y * fa.y + fb.x * fb.x + fb.y * fb.y;
+    b.dot(&fa).abs() / slope.sqrt().max(1e-12)
+}
+
+/// Which pairs agree with the motion that most agree with, within `most_px`. Deterministic by `seed`.
+pub fn agreeing(pairs: &[Both], most_px: f64, rounds: usize, seed: u64) -> Vec<bool> {
+    let count = |f: &Matrix3<f64>| pairs.iter().filter(|p| sampson(f, p) < most_px).count();
+    let (mut best, mut most) = (None, 0);
+    let mut state = seed;
+    let mut draw = |n: usize| {
+        state = state
+            .wrapping_mul(6_364_136_223_846_793_005)
+            .wrapping_add(1_442_695_040_888_963_407);
+        ((state >> 33) as usize) % n
+    };
+    let mut need = rounds;
+    let mut done = 0;
+    while done < need.min(rounds) && pairs.len() >= 12 {
+        done += 1;
+        let sample: Vec<Both> = (0..8).map(|_| pairs[draw(pairs.len())]).collect();
+        let Some(mut f) = fundamental(&sample) else {
+            continue;
+        };
+        let mut own = count(&f);
+        if own <= most {
+            continue;
+        }
+        // Local optimisation: fit to all that agree, with a narrowing bound.
+        for widen in [3.0, 2.0, 1.0, 1.0] {
+            let inside: Vec<Both> = pairs
+                .iter()
+                .filter(|p| sampson(&f, p) < most_px * widen)
+                .copied()
+                .collect();
+            match fundamental(&inside) {
+                Some(better) if count(&better) >= own => {
+                    own = count(&better);
+                    f = better;
+                }
+                _ => {}
+            }
+        }
+        (best, most) = (Some(f), own);
+        let share = (own as f64 / pairs.len() as f64)
+            .powi(8)
+            .clamp(1e-9, 0.999_999);
+        need = ((1e-3f64).ln() / (1.0 - share).ln()).ceil().max(20.0) as usize;
+    }
+    pairs
+        .iter()
+        .map(|p| best.is_some_and(|f| sampson(&f, p) < most_px))
+        .collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn half_of_the_pairs_may_be_wrong() {
+        let mut dice = proof::Dice(9);
+        let turn = nalgebra::Rotation3::from_euler_angles(0.02, 0.3, -0.01);
+        let mut pairs = Vec::new();
+        for i in 0..200 {
+            let x = Vector3::new(
+                dice.within(-1.0, 1.0),
+                dice.within(-1.0, 1.0),
+                dice.within(4.0, 6.0),
+            );
+            let y = turn * x + Vector3::new(-1.5, 0.1, 0.4);
+            let mut px = |v: Vector3<f64>| {
+                [
+                    1000.0 * v.x / v.z + 0.2 * dice.normal(),
+                    1000.0 * v.y / v.z + 0.2 * dice.normal(),
+                ]
+            };
+            let (a, b) = (px(x), px(y));
+            pairs.push(if i % 2 == 0 {
+                [a, b]
+            } else {
+                [
+                    a,
+                    [
+                        b[0] + dice.within(-300.0, 300.0),
+                        b[1] + dice.within(-300.0, 300.0),
+                    ],
+                ]
+            });
+        }
+        let kept = agreeing(&pairs, 1.5, 5000, 1);
+        let right = (0..200).step_by(2).filter(|i| kept[*i]).count();
+        let wrong = (1..200).step_by(2).filter(|i| kept[*i]).count();
+        assert!(right >= 95 && wrong <= 12, "{right} right, {wrong} wrong");
+    }
+}

@@ -1,0 +1,175 @@
+//! The stage that follows features over the photos.
+
+use crate::epipolar::{Both, agreeing};
+use crate::matching::mutual;
+use rayon::prelude::*;
+use shape::{Features, Keypoints, PhotoId, Photos, Sighting, Tracks};
+use stage::{Ctx, Stage, Stop};
+use std::collections::BTreeMap;
+use std::sync::Arc;
+
+stage::params! {
+    /// Which features are one point.
+    pub struct TracksParams {
+        /// Photos within so many steps of each other are compared.
+        #[range(1..=20)]
+        neighbours: u32 = 3,
+        /// The nearest description must be nearer than this share of the next one.
+        #[range(0.3..=1.0)]
+        ratio: f64 = 0.85,
+        /// Features that move less belong to what does not turn: the background.
+        #[range(0.0..=50.0)]
+        still_px: f64 = 3.0,
+        /// How far a match may be off its epipolar line.
+        #[range(0.1..=50.0)]
+        epipolar_px: f64 = 2.5,
+        /// Most samples of a pair's RANSAC.
+        #[range(10..=100000)]
+        rounds: u32 = 3000,
+        /// Seed of RANSAC.
+        seed: i64 = 1,
+    }
+}
+
+stage::inputs! {
+    /// Features, and the photos they are of.
+    pub struct TracksInput {
+        /// The features.
+        keypoints: Arc<Keypoints>,
+        /// The photos: their size and names.
+        photos: Arc<Photos>,
+    }
+}
+
+/// `pose.tracks`: keypoints, photos → tracks.
+pub struct Follow;
+
+impl Stage for Follow {
+    const NAME: &'static str = "pose.tracks";
+    const VERSION: u32 = 1;
+    const ABOUT: &'static str = "Follows features over the photos: what stands still and what breaks the epipolar constraint goes.";
+    type Params = TracksParams;
+    type Input = TracksInput;
+    type Output = Tracks;
+
+    fn run(p: &TracksParams, input: TracksInput, ctx: &Ctx<'_>) -> Result<Tracks, Stop> {
+        let views: Vec<(PhotoId, &Features)> = input.keypoints.views.iter().collect();
+        let n = views.len();
+        let reach = (p.neighbours as usize).min(n.saturating_sub(1) / 2).max(1);
+        let pairs: Vec<(usize, usize)> = (0..n)
+            .flat_map(|i| (1..=reach).map(move |step| (i, (i + step) % n)))
+            .map(|(i, j)| (i.min(j), i.max(j)))
+            .filter(|(i, j)| i != j)
+            .collect();
+        let height = input
+            .photos
+            .photos
+            .first()
+            .map_or(1000.0, |p| p.height as f32);
+        let steps = ctx.steps("pairs", pairs.len());
+        let one = |(i, j): &(usize, usize)| -> Result<(Vec<Match>, usize), Stop> {
+            let found = matched(views[*i].1, views[*j].1, p, height);
+            steps.tick()?;
+            Ok((
+                found
+                    .0
+                    .into_iter()
+                    .map(|(a, b)| ((*i, a), (*j, b)))
+                    .collect(),
+                found.1,
+            ))
+        };
+        let all: Vec<_> = pairs.par_iter().map(one).collect::<Result<_, Stop>>()?;
+        let still: usize = all.iter().map(|a| a.1).sum();
+        let matches: Vec<Match> = all.into_iter().flat_map(|a| a.0).collect();
+        ctx.metric(
+            "matches a pair",
+            matches.len() as f64 / pairs.len().max(1) as f64,
+            "",
+        );
+        ctx.metric("left out as standing still", still as f64, "");
+        let tracks = joined(&views, &matches);
+        ctx.metric("tracks", tracks.points.len() as f64, "");
+        for (id, _) in &views {
+            let seen = tracks
+                .points
+                .iter()
+                .filter(|t| t.iter().any(|s| s.photo == *id))
+                .count();
+            if seen < 20 {
+                let name = input.photos.get(*id).map_or("", |p| p.name.as_str());
+                ctx.warn(format!(
+                    "{name}: only {seen} features are seen on other photos, too"
+                ));
+            }
+        }
+        Ok(tracks)
+    }
+}
+
+/// Two features, each by photo and place.
+type Match = ((usize, u32), (usize, u32));
+
+/// The matches of a pair, and how many stood still.
+fn matched(a: &Features, b: &Features, p: &TracksParams, height: f32) -> (Vec<(u32, u32)>, usize) {
+    let all = mutual(a, b, p.ratio, 0.16 * height);
+    let both = |(i, j): &(u32, u32)| -> Both {
+        let (k, l) = (&a.points[*i as usize], &b.points[*j as usize]);
+        [
+            [f64::from(k.x), f64::from(k.y)],
+            [f64::from(l.x), f64::from(l.y)],
+        ]
+    };
+    let moves = |m: &&(u32, u32)| {
+        let [k, l] = both(m);
+        (k[0] - l[0]).hypot(k[1] - l[1]) >= p.still_px
+    };
+    let moving: Vec<(u32, u32)> = all.iter().filter(moves).copied().collect();
+    let pairs: Vec<Both> = moving.iter().map(both).collect();
+    let agree = agreeing(&pairs, p.epipolar_px, p.rounds as usize, p.seed as u64);
+    let kept = moving
+        .iter()
+        .zip(&agree)
+        .filter(|(_, agree)| **agree)
+        .map(|(m, _)| *m)
+        .collect();
+    (kept, all.len() - moving.len())
+}
+
+/// Matches joined to tracks (union-find); a track with two features on one photo is no point.
+fn joined(views: &[(PhotoId, &Features)], matches: &[Match]) -> Tracks {
+    let mut first = vec![0usize];
+    views
+        .iter()
+        .for_each(|(_, f)| first.push(first[first.len() - 1] + f.points.len()));
+    let total = first[views.len()];
+    let mut parent: Vec<usize> = (0..total).collect();
+    fn root(parent: &mut [usize], mut i: usize) -> usize {
+        while parent[i] != i {
+            parent[i] = parent[parent[i]];
+            i = parent[i];
+        }
+        i
+    }
+    for ((v, i), (w, j)) in matches {
+        let (a, b) = (first[*v] + *i as usize, first[*w] + *j as usize);
+        let (a, b) = (root(&mut parent, a), root(&mut parent, b));
+        parent[a.max(b)] = a.min(b);
+    }
+    let mut groups: BTreeMap<usize, Vec<Sighting>> = BTreeMap::new();
+    for (v, (id, features)) in views.iter().enumerate() {
+        for (i, k) in features.points.iter().enumerate() {
+            let at = root(&mut parent, first[v] + i);
+            let sighting = Sighting {
+                photo: *id,
+                at_px: [k.x, k.y],
+                scale_px: k.scale,
+            };
+            groups.entry(at).or_default().push(sighting);
+        }
+    }
+    let single = |t: &Vec<Sighting>| t.len() >= 2 && t.windows(2).all(|w| w[0].photo != w[1].photo);
+    Tracks {
+        points: groups.into_values().filter(single).collect(),
+    }
+}
