@@ -2,7 +2,7 @@
 
 use crate::coherence::agreed;
 use crate::photo_cut::{Prepared, coarse, fine, prepare};
-use crate::segment::{Known, Settings};
+use crate::segment::Settings;
 use rayon::prelude::*;
 use shape::{Camera, Cameras, Image, Mask, Masks, Photo, PhotoId, Photos, Rgb};
 use stage::{Ctx, Stage, Stop};
@@ -66,7 +66,7 @@ pub struct GrabCut;
 
 impl Stage for GrabCut {
     const NAME: &'static str = "silhouette.grabcut";
-    const VERSION: u32 = 1;
+    const VERSION: u32 = 2;
     const ABOUT: &'static str =
         "Cuts the body out of each photo by graph cuts, seeded by the plate and the disk.";
     type Params = GrabCutParams;
@@ -126,13 +126,7 @@ impl Stage for GrabCut {
                 let mask =
                     job.remembered(ctx, plate_photo, "mask", &[stage::hash(&said)], || {
                         let (pixels, mut ready) = (job.photo.decode()?, job.ready(p)?);
-                        for (known, agreed) in
-                            ready.known.iter_mut().zip(agreed.into_iter().flatten())
-                        {
-                            if *known == Known::Unknown {
-                                *known = *agreed;
-                            }
-                        }
+                        ready.agree(agreed.into_iter().flatten());
                         let (sides, gmm) = job.checked(coarse(&ready, &settings))?;
                         Ok(fine(&pixels, &ready, &sides, &gmm, &settings))
                     })?;

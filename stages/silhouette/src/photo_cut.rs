@@ -2,7 +2,9 @@
 
 use crate::background::{expected, on_disk, plate_turn};
 use crate::gmm::Gmm;
-use crate::segment::{Known, Settings, Window, coverage, cut, cut_whole, largest, reduced};
+use crate::segment::{
+    EXPLAINED, Known, Settings, Window, coverage, cut, cut_whole, largest, reduced,
+};
 use crate::unary::background_cost;
 use nalgebra::{Point2, Point3};
 use shape::{Camera, Image, Mask, Rgb};
@@ -21,6 +23,19 @@ pub struct Prepared {
     pub without: Rgb,
     /// The camera at the reduced size, and the disk's radius. [mm]
     pub disk: Option<(Camera, f64)>,
+}
+
+impl Prepared {
+    /// Takes over what all photos say together. Where this one shows the background to the level,
+    /// the others may not call it body: a gap between the legs is seen on two photos of eighteen.
+    pub fn agree<'a>(&mut self, agreed: impl Iterator<Item = &'a Known>) {
+        for ((known, cost), agreed) in self.known.iter_mut().zip(&self.cost).zip(agreed) {
+            let against = *agreed == Known::Body && *cost < EXPLAINED;
+            if *known == Known::Unknown && !against {
+                *known = *agreed;
+            }
+        }
+    }
 }
 
 /// Where the disk is: the photo's camera and the disk's radius. [mm]
