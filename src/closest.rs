@@ -23,9 +23,9 @@ struct Node {
 /// What was found.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Hit {
-    /// How far away. [mm]
+    /// How far away. \[mm\]
     pub distance: f64,
-    /// The closest point. [mm]
+    /// The closest point. \[mm\]
     pub point: Point3<f64>,
     /// The face it lies on.
     pub face: usize,
@@ -102,7 +102,7 @@ impl<'a> Closest<'a> {
         best
     }
 
-    /// Distance to the closest point, negative inside (by the face's normal). [mm]
+    /// Distance to the closest point, negative inside (by the face's normal). \[mm\]
     pub fn signed(&self, q: &Point3<f64>) -> Option<f64> {
         let hit = self.to(q)?;
         let outward = self.mesh.area_vector(hit.face).dot(&(q - hit.point)) >= 0.0;

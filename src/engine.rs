@@ -44,7 +44,7 @@ pub enum EngineError {
 pub struct Outcome {
     /// One entry a node, in the graph's order; `None` for those that were not wanted.
     pub nodes: Vec<Option<Done>>,
-    /// The whole run took so long. [s]
+    /// The whole run took so long. \[s\]
     pub seconds: f64,
     store: Store,
 }

@@ -100,7 +100,7 @@ pub fn files(
     }
 }
 
-/// Tags by photo: number and corners. [px]
+/// Tags by photo: number and corners. \[px\]
 fn tags_to_json(tags: &Tags) -> String {
     let tag = |t: &shape::Tag| serde_json::json!({ "id": t.id, "corners": t.corners });
     let views: Vec<_> = tags

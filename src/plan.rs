@@ -23,7 +23,7 @@ pub enum State {
 pub struct Planned {
     /// What a run would do.
     pub state: State,
-    /// How long it took the last time. [s]
+    /// How long it took the last time. \[s\]
     pub seconds: Option<f64>,
 }
 

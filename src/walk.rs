@@ -32,9 +32,9 @@ pub struct Done {
     pub content: Option<Hash>,
     /// What the key was made of.
     pub story: Vec<(String, String)>,
-    /// How long it took: now, or when it was made. [s]
+    /// How long it took: now, or when it was made. \[s\]
     pub seconds: f64,
-    /// Size of the result. [bytes]
+    /// Size of the result. \[bytes\]
     pub bytes: u64,
     /// Numbers beside the result.
     pub metrics: Vec<Metric>,

@@ -10,7 +10,7 @@ use std::ops::Range;
 pub struct Mistake {
     /// What is wrong, and what would fit.
     pub what: String,
-    /// Where in the file. [bytes] `None` for the command line.
+    /// Where in the file. \[bytes\] `None` for the command line.
     pub span: Option<Range<usize>>,
 }
 

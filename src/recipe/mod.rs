@@ -1,7 +1,7 @@
 //! A pipeline as it is written: every name and value with its place in the file.
 //!
 //! [`open`] reads a file, applies a variant and `--set`s, and binds it to a
-//! [`Graph`](crate::graph::Graph), or says all mistakes at once.
+//! [`Graph`], or says all mistakes at once.
 
 mod arrange;
 mod bind;
@@ -20,7 +20,7 @@ use stage::{AnyStage, Value};
 use std::ops::Range;
 use std::path::Path;
 
-/// Something written, and where. [bytes of the file]
+/// Something written, and where. \[bytes of the file\]
 #[derive(Debug, Clone, PartialEq)]
 pub struct Said<T> {
     /// What was written.
@@ -82,7 +82,7 @@ pub struct Variant {
     pub without: Vec<Said<String>>,
 }
 
-/// `[sweep.NAME]`: a grid of params.
+/// `\[sweep.NAME\]`: a grid of params.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Sweep {
     /// Its name.

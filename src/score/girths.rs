@@ -9,19 +9,19 @@ use std::path::Path;
 /// One girth against the true one.
 #[derive(Debug, Clone, Serialize)]
 pub struct GirthScore {
-    /// The true contour. [cm]
+    /// The true contour. \[cm\]
     pub truth_cm: f64,
-    /// The contour that was found. [cm]
+    /// The contour that was found. \[cm\]
     pub cm: Option<f64>,
     /// Its relative error.
     pub error_pct: Option<f64>,
     /// Relative error of the tape.
     pub tape_error_pct: Option<f64>,
-    /// Error of the tape. [mm]
+    /// Error of the tape. \[mm\]
     pub tape_error_mm: Option<f64>,
     /// Whether the tape's interval holds the true tape.
     pub interval_holds: Option<bool>,
-    /// Most that ISO 20685-1 allows: 9 mm for large girths, 4 mm for small ones. [mm]
+    /// Most that ISO 20685-1 allows: 9 mm for large girths, 4 mm for small ones. \[mm\]
     pub iso_mm: f64,
 }
 

@@ -25,11 +25,11 @@ pub struct CameraScore {
     pub of: usize,
     /// Scale of the camera ring against the true one.
     pub scale_error_pct: Option<f64>,
-    /// Median distance of centres after rigid alignment. [mm]
+    /// Median distance of centres after rigid alignment. \[mm\]
     pub centre_mm_median: Option<f64>,
-    /// Greatest distance of centres after rigid alignment. [mm]
+    /// Greatest distance of centres after rigid alignment. \[mm\]
     pub centre_mm_max: Option<f64>,
-    /// Median angle between rotations after rigid alignment. [°]
+    /// Median angle between rotations after rigid alignment. \[°\]
     pub rotation_deg_median: Option<f64>,
     /// Mean error of the focal length.
     pub focal_error_pct: Option<f64>,

@@ -9,7 +9,7 @@ use serde::Serialize;
 use shape::Mesh;
 use std::collections::BTreeMap;
 
-/// Distances of one part. [mm, shares of 1]
+/// Distances of one part. \[mm, shares of 1\]
 #[derive(Debug, Clone, Serialize)]
 pub struct Part {
     /// Mean distance from the surface to the true one.
@@ -38,7 +38,7 @@ pub struct Surface {
 }
 
 const SAMPLES: usize = 60_000;
-/// The soles touch the disk: nobody sees them. [mm]
+/// The soles touch the disk: nobody sees them. \[mm\]
 const SOLES_MM: f64 = 20.0;
 
 /// Holds a surface against the true one, after the motion that aligned the cameras and a trimmed

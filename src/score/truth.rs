@@ -14,14 +14,14 @@ pub struct Unreadable {
     why: String,
 }
 
-/// A camera: focal length, rotation and centre of camera_from_world. [px, mm]
+/// A camera: focal length, rotation and centre of camera_from_world. \[px, mm\]
 pub(crate) struct Seen {
     pub(crate) focal: f64,
     pub(crate) rotation: Rotation3<f64>,
     pub(crate) centre: Point3<f64>,
 }
 
-/// A girth that is true. [mm]
+/// A girth that is true. \[mm\]
 pub(crate) struct True {
     pub(crate) contour_mm: f64,
     pub(crate) tape_mm: Option<f64>,

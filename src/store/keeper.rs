@@ -13,9 +13,9 @@ pub struct Kept {
     pub key: String,
     /// Its content, hexadecimal.
     pub content: String,
-    /// Size. [bytes]
+    /// Size. \[bytes\]
     pub bytes: u64,
-    /// How long it took to make. [s]
+    /// How long it took to make. \[s\]
     pub seconds: f64,
     /// What made it.
     pub stage: String,
@@ -61,7 +61,7 @@ pub fn list(store: &Store) -> Vec<Kept> {
         .collect()
 }
 
-/// Size of all parts and checkpoints. [bytes]
+/// Size of all parts and checkpoints. \[bytes\]
 pub fn parts_size(store: &Store) -> u64 {
     let size = |path: &PathBuf| std::fs::metadata(path).map_or(0, |m| m.len());
     shelf(store.root(), "part").iter().map(size).sum()

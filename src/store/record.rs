@@ -11,9 +11,9 @@ pub struct Record {
     pub story: Vec<(String, String)>,
     /// The result: its blob.
     pub content: Hash,
-    /// Its size. [bytes]
+    /// Its size. \[bytes\]
     pub bytes: u64,
-    /// How long it took. [s]
+    /// How long it took. \[s\]
     pub seconds: f64,
     /// Numbers beside the result.
     pub metrics: Vec<Metric>,

@@ -8,11 +8,11 @@ use std::io::Cursor;
 pub(crate) struct Exif {
     /// How to turn the pixels upright, 1..=8; 1 where unknown.
     pub orientation: u8,
-    /// Focal length as if on 36 × 24 mm film. [mm]
+    /// Focal length as if on 36 × 24 mm film. \[mm\]
     pub focal_35mm: Option<f64>,
     /// Make and model.
     pub device: String,
-    /// When it was taken, seconds since some midnight. [s]
+    /// When it was taken, seconds since some midnight. \[s\]
     pub time_s: Option<f64>,
 }
 

@@ -65,11 +65,11 @@ pub enum CarveError {
     Memory {
         /// The cell.
         voxel_mm: f64,
-        /// What it needs. [MB]
+        /// What it needs. \[MB\]
         need: f64,
-        /// What may be taken. [MB]
+        /// What may be taken. \[MB\]
         most: f64,
-        /// A cell that fits. [mm]
+        /// A cell that fits. \[mm\]
         fits: f64,
     },
 }
@@ -164,7 +164,7 @@ impl Stage for Carve {
     }
 }
 
-/// What carving takes, from the area of the box around the solid. [MB]
+/// What carving takes, from the area of the box around the solid. \[MB\]
 fn need_mb(area_mm2: f64, voxel_mm: f64) -> f64 {
     let bricks = area_mm2 / (voxel_mm * BRICK as f64).powi(2) * 2.0;
     bricks * 17f64.powi(3) * 4.0 / 1e6 + area_mm2 / (voxel_mm * voxel_mm) * 150.0 / 1e6

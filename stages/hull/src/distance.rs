@@ -3,7 +3,7 @@
 
 use shape::{Image, Mask};
 
-/// Signed distance of every pixel to the border. [px of the mask]
+/// Signed distance of every pixel to the border. \[px of the mask\]
 ///
 /// Between a pixel centre inside and one outside the border lies half-way, moved by coverage: the
 /// distance is that to the nearest pixel of the other side less half a pixel.

@@ -15,9 +15,9 @@ pub const SIDE: usize = BRICK + 1;
 /// A lattice of cubes.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Lattice {
-    /// The first corner. [mm]
+    /// The first corner. \[mm\]
     pub origin: Point3<f64>,
-    /// Edge of a cell. [mm]
+    /// Edge of a cell. \[mm\]
     pub cell_mm: f64,
     /// Bricks along x, y, z.
     pub bricks: [usize; 3],
@@ -37,7 +37,7 @@ impl Lattice {
         }
     }
 
-    /// A corner. [mm]
+    /// A corner. \[mm\]
     pub fn corner(&self, x: usize, y: usize, z: usize) -> Point3<f64> {
         self.origin + nalgebra::Vector3::new(x as f64, y as f64, z as f64) * self.cell_mm
     }
@@ -57,7 +57,7 @@ impl Lattice {
 /// The corners of the bricks that were looked into: `SIDE`³ values each, x fastest; above 0 is solid.
 pub type Bricks = Vec<Option<Vec<f32>>>;
 
-/// Evaluates `value` [mm, 1-Lipschitz or nearly so] where its zero runs. `tick` is called for each
+/// Evaluates `value` \[mm, 1-Lipschitz or nearly so\] where its zero runs. `tick` is called for each
 /// layer of bricks and may end the work.
 pub fn evaluate<E: Send>(
     lattice: &Lattice,

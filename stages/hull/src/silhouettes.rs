@@ -7,12 +7,12 @@ use shape::{Camera, Gray};
 pub struct Silhouette {
     /// The camera.
     pub camera: Camera,
-    /// Signed distance to the border, positive inside. [px]
+    /// Signed distance to the border, positive inside. \[px\]
     pub distance: Gray,
 }
 
 impl Silhouette {
-    /// How deep inside of the silhouette's cone a point is. [mm] `None` where it is out of view.
+    /// How deep inside of the silhouette's cone a point is. \[mm\] `None` where it is out of view.
     pub fn depth_inside(&self, x: &Point3<f64>) -> Option<f32> {
         let (px, depth) = self.camera.project_with_depth(x)?;
         let (w, h) = (self.distance.width as f64, self.distance.height as f64);
@@ -24,7 +24,7 @@ impl Silhouette {
     }
 }
 
-/// How deep inside of the hull a point is, `dissent` views not counted: their least depths. [mm]
+/// How deep inside of the hull a point is, `dissent` views not counted: their least depths. \[mm\]
 /// Views that do not see the point say nothing; a point that fewer than half see is outside.
 pub fn consensus(views: &[Silhouette], x: &Point3<f64>, dissent: usize) -> f32 {
     // The least `dissent + 1` depths, ascending; few, so insertion is quick.
@@ -53,7 +53,7 @@ pub fn consensus(views: &[Silhouette], x: &Point3<f64>, dissent: usize) -> f32 {
 }
 
 /// A box around all of space that is body, found on a coarse lattice within the cylinder around
-/// the axis that all cameras look into (paper, Fig. 2 b). [mm]
+/// the axis that all cameras look into (paper, Fig. 2 b). \[mm\]
 pub fn bounds(
     views: &[Silhouette],
     dissent: usize,

@@ -100,7 +100,7 @@ fn part(
     (vertices, faces)
 }
 
-/// The part with the most volume, and the volumes of the others, largest first. [mm³]
+/// The part with the most volume, and the volumes of the others, largest first. \[mm³\]
 pub fn largest(mesh: &Mesh) -> (Mesh, Vec<f64>) {
     let mut parent: Vec<u32> = (0..mesh.positions.len() as u32).collect();
     fn root(parent: &mut [u32], mut v: u32) -> u32 {

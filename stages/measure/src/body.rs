@@ -8,24 +8,24 @@ use shape::{Mesh, Plane};
 /// What the slices of an upright body tell.
 #[derive(Debug, Clone)]
 pub struct Body {
-    /// Height of the ground. [mm]
+    /// Height of the ground. \[mm\]
     pub ground: f64,
-    /// Crown above the ground. [mm]
+    /// Crown above the ground. \[mm\]
     pub stature: f64,
     /// The way it faces: horizontal, unit.
     pub front: Vector3<f64>,
     /// Its left.
     pub left: Vector3<f64>,
-    /// Where the legs join. [mm] `None` without two legs.
+    /// Where the legs join. \[mm\] `None` without two legs.
     pub crotch: Option<f64>,
-    /// Height of the narrowest of the neck. [mm] `None` without a neck.
+    /// Height of the narrowest of the neck. \[mm\] `None` without a neck.
     pub neck: Option<f64>,
     /// The slices, from the ground up.
     pub slices: Vec<Slice>,
 }
 
 impl Body {
-    /// The ring of the trunk at a height: the largest. [mm]
+    /// The ring of the trunk at a height: the largest. \[mm\]
     pub fn trunk(&self, z: f64) -> Option<&Ring> {
         self.slice(z)?.rings.first()
     }
@@ -145,7 +145,7 @@ pub struct Arm {
 }
 
 /// The arm on a side (1 left, -1 right), where it stands clear of the trunk; `z` is the height of
-/// the middle of the upper arm. [mm]
+/// the middle of the upper arm. \[mm\]
 pub fn arm(mesh: &Mesh, body: &Body, side: f64, z: f64) -> Option<Arm> {
     let low = body.ground + 0.5 * (z - body.ground);
     let apart: Vec<Point3<f64>> = body

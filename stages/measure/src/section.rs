@@ -4,7 +4,7 @@ use nalgebra::{Point3, Unit, Vector3};
 use shape::{Mesh, Plane};
 use std::collections::BTreeMap;
 
-/// A closed curve in a plane, without repeating its first point. [mm]
+/// A closed curve in a plane, without repeating its first point. \[mm\]
 pub type Loop = Vec<Point3<f64>>;
 
 /// Two directions that span a plane; with its normal they are right-handed.
@@ -69,7 +69,7 @@ pub fn section(mesh: &Mesh, plane: &Plane) -> Vec<Loop> {
     loops
 }
 
-/// The points in the plane's own two coordinates. [mm]
+/// The points in the plane's own two coordinates. \[mm\]
 pub fn flat(curve: &[Point3<f64>], plane: &Plane) -> Vec<[f64; 2]> {
     let (u, v) = axes(plane);
     let p = Point3::from(plane.point_mm);
@@ -79,7 +79,7 @@ pub fn flat(curve: &[Point3<f64>], plane: &Plane) -> Vec<[f64; 2]> {
         .collect()
 }
 
-/// Length of a closed polygon. [mm]
+/// Length of a closed polygon. \[mm\]
 pub fn length(points: &[[f64; 2]]) -> f64 {
     let n = points.len();
     (0..n)
@@ -89,7 +89,7 @@ pub fn length(points: &[[f64; 2]]) -> f64 {
         .sum()
 }
 
-/// Signed area of a closed polygon. [mm²]
+/// Signed area of a closed polygon. \[mm²\]
 pub fn area(points: &[[f64; 2]]) -> f64 {
     let n = points.len();
     let cross =
@@ -122,12 +122,12 @@ pub fn hull(points: &[[f64; 2]]) -> Vec<[f64; 2]> {
     hull
 }
 
-/// Length of a tape around points of a plane: of their convex hull. [mm]
+/// Length of a tape around points of a plane: of their convex hull. \[mm\]
 pub fn tape(points: &[[f64; 2]]) -> f64 {
     length(&hull(points))
 }
 
-/// Mean of a curve's points, weighted by length. [mm]
+/// Mean of a curve's points, weighted by length. \[mm\]
 pub fn centre(curve: &[Point3<f64>]) -> Point3<f64> {
     let n = curve.len();
     let (mut sum, mut total) = (Vector3::zeros(), 0.0);

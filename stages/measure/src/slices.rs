@@ -8,20 +8,20 @@ use shape::{Mesh, Plane};
 /// One curve of a slice.
 #[derive(Debug, Clone)]
 pub struct Ring {
-    /// The curve. [mm]
+    /// The curve. \[mm\]
     pub curve: Loop,
-    /// Area within. [mm²]
+    /// Area within. \[mm²\]
     pub area: f64,
-    /// Length of a tape around it. [mm]
+    /// Length of a tape around it. \[mm\]
     pub tape: f64,
-    /// Its middle. [mm]
+    /// Its middle. \[mm\]
     pub centre: Point3<f64>,
 }
 
 /// One slice: its rings, largest first; specks are left out.
 #[derive(Debug, Clone)]
 pub struct Slice {
-    /// Height. [mm]
+    /// Height. \[mm\]
     pub z: f64,
     /// The rings.
     pub rings: Vec<Ring>,
@@ -53,7 +53,7 @@ pub fn rings(mesh: &Mesh, plane: &Plane) -> Vec<Ring> {
     rings
 }
 
-/// Slices every `step` from `low` to `high`. [mm]
+/// Slices every `step` from `low` to `high`. \[mm\]
 pub fn slices(mesh: &Mesh, low: f64, high: f64, step: f64) -> Vec<Slice> {
     let count = ((high - low) / step).floor().max(0.0) as usize;
     (0..count)

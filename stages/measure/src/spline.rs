@@ -57,7 +57,7 @@ pub fn grown(mesh: &Mesh, curve: &[Point3<f64>]) -> Option<(Plane, Vec<Point3<f6
 }
 
 /// Length of the closed cubic spline through points of a plane, taken in turn around their middle;
-/// points are first gathered in bins of the angle, else the spline would run to and fro. [mm]
+/// points are first gathered in bins of the angle, else the spline would run to and fro. \[mm\]
 pub fn spline_length(points: &[Point3<f64>], plane: &Plane) -> Option<f64> {
     const BINS: usize = 72;
     let (u, v) = axes(plane);
@@ -78,7 +78,7 @@ pub fn spline_length(points: &[Point3<f64>], plane: &Plane) -> Option<f64> {
     closed_spline_length(&knots)
 }
 
-/// Length of the closed cubic spline through knots, parametrised by chords. [mm]
+/// Length of the closed cubic spline through knots, parametrised by chords. \[mm\]
 pub fn closed_spline_length(knots: &[[f64; 2]]) -> Option<f64> {
     let n = knots.len();
     if n < 4 {
@@ -132,7 +132,7 @@ pub fn closed_spline_length(knots: &[[f64; 2]]) -> Option<f64> {
     Some(total)
 }
 
-/// The spline's length for a curve of a mesh: plane grown from the curve, then the spline. [mm]
+/// The spline's length for a curve of a mesh: plane grown from the curve, then the spline. \[mm\]
 pub fn paper_girth(mesh: &Mesh, curve: &[Point3<f64>]) -> Option<f64> {
     let (plane, points) = grown(mesh, curve)?;
     // Points of other parts of the body lie in the plane too: keep those near the curve.

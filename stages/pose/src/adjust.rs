@@ -12,11 +12,11 @@ use nalgebra::{DVector, Vector3};
 /// What came out beside the scene.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Fit {
-    /// Root mean square of the residuals, those beyond three times the loss left out. [px]
+    /// Root mean square of the residuals, those beyond three times the loss left out. \[px\]
     pub rms_px: f64,
     /// The cost before and after each accepted step; never rises.
     pub costs: Vec<f64>,
-    /// Standard deviation of each camera's centre. [mm]
+    /// Standard deviation of each camera's centre. \[mm\]
     pub sigma_mm: Vec<f64>,
     /// Standard deviation of the lens' unknowns.
     pub lens_sigma: [f64; LENS],

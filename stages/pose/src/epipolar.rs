@@ -47,7 +47,7 @@ pub fn fundamental(pairs: &[Both]) -> Option<Matrix3<f64>> {
     Some(tb.transpose() * svd.recompose().ok()? * ta)
 }
 
-/// First-order distance of a pair from the epipolar constraint (Sampson 1982). [px]
+/// First-order distance of a pair from the epipolar constraint (Sampson 1982). \[px\]
 pub fn sampson(f: &Matrix3<f64>, [a, b]: &Both) -> f64 {
     let (a, b) = (Vector3::new(a[0], a[1], 1.0), Vector3::new(b[0], b[1], 1.0));
     let (fa, fb) = (f * a, f.transpose() * b);

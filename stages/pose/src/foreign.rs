@@ -8,11 +8,11 @@ use shape::Pose;
 pub struct Foreign {
     /// The photo's name.
     pub name: String,
-    /// Width and height, where the file tells. [px]
+    /// Width and height, where the file tells. \[px\]
     pub size: Option<[u32; 2]>,
-    /// Focal length along x and y. [px]
+    /// Focal length along x and y. \[px\]
     pub focal: [f64; 2],
-    /// Principal point, the top-left pixel's centre at (0, 0). [px]
+    /// Principal point, the top-left pixel's centre at (0, 0). \[px\]
     pub centre: [f64; 2],
     /// k1, k2.
     pub radial: [f64; 2],

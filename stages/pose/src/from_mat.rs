@@ -30,7 +30,7 @@ pub enum MatError {
         "the mat does not fit what `[mat]` in capture.toml says: its tags are seen {rms:.1} px from where they should be; check tag size, ring radius and ids"
     )]
     Misfit {
-        /// Root mean square. [px]
+        /// Root mean square. \[px\]
         rms: f64,
     },
 }
@@ -43,7 +43,7 @@ pub(crate) struct Found {
     pub(crate) used_tracks: usize,
 }
 
-/// A tag's corners on the disk: top left, top right, bottom right, bottom left; top is outward. [mm]
+/// A tag's corners on the disk: top left, top right, bottom right, bottom left; top is outward. \[mm\]
 pub fn mat_corners(mat: &Mat, id: u32) -> Option<[Point3<f64>; 4]> {
     let i = id.checked_sub(mat.first_id).filter(|i| *i < mat.count)?;
     let (sin, cos) = (f64::from(i) * std::f64::consts::TAU / f64::from(mat.count)).sin_cos();
@@ -193,7 +193,7 @@ pub(crate) fn calibrate(
     let cameras = Cameras {
         views,
         scale: Scale::Mat,
-        scale_sigma: p.tag_px / (mat.ring_mm * 2.0) / (tag_sights as f64).sqrt() * 10.0,
+        scale_sigma: scale_sigma(p, mat, tag_sights, &fit, &scene),
         disk_radius_mm: disk,
         ground_mm: 0.0,
         points,
@@ -243,4 +243,11 @@ fn pose(lens: &Intrinsics, mat: &Mat, tags: &[Tag]) -> Option<Pose> {
         }
     }
     planar_pose(lens, &pairs)
+}
+
+/// How sure the scale is: corners average out, but the distance to a mat in one plane hangs on the
+/// focal length, whose share of error goes over to lengths above the mat.
+fn scale_sigma(p: &CalibrateParams, mat: &Mat, sights: usize, fit: &Fit, scene: &Scene) -> f64 {
+    let corners = p.tag_px / (mat.ring_mm * 2.0) / (sights.max(1) as f64).sqrt() * 10.0;
+    corners.hypot(fit.lens_sigma[0] / scene.lens.focal[0])
 }

@@ -44,7 +44,7 @@ pub enum TracksError {
     },
 }
 
-/// Size of the ring while nothing tells of millimetres. [mm]
+/// Size of the ring while nothing tells of millimetres. \[mm\]
 pub(crate) const RING_MM: f64 = 1000.0;
 
 /// The ring of a start: camera zero looks along +y.
@@ -284,7 +284,7 @@ fn tried_out(
     (score, scene)
 }
 
-/// Standard deviation of the sightings about their points, by the median. [px]
+/// Standard deviation of the sightings about their points, by the median. \[px\]
 fn spread_px(seen: &[Seen]) -> f64 {
     crate::tracks_in::median_residual(seen).min(100.0) / 1.18
 }

@@ -5,7 +5,7 @@ use crate::tag36h11::{TAGS, modules};
 use nalgebra::Vector2;
 use shape::Mat;
 
-/// A shape on the mat; x to the right, y up, the mat's centre at (0, 0). [mm]
+/// A shape on the mat; x to the right, y up, the mat's centre at (0, 0). \[mm\]
 #[derive(Debug, Clone, PartialEq)]
 pub enum Mark {
     /// A filled polygon; grey from 0, black, to 1.
@@ -28,9 +28,9 @@ pub enum LayoutError {
     Crowded {
         /// How many.
         count: u32,
-        /// How large. [mm]
+        /// How large. \[mm\]
         tag_mm: f64,
-        /// On what. [mm]
+        /// On what. \[mm\]
         disk_mm: f64,
         /// How many would fit.
         most: u32,

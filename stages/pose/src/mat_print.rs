@@ -6,17 +6,17 @@ use std::fmt::Write;
 /// A sheet of paper.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Paper {
-    /// Width and height. [mm]
+    /// Width and height. \[mm\]
     pub size_mm: [f64; 2],
-    /// What a printer leaves white at each side. [mm]
+    /// What a printer leaves white at each side. \[mm\]
     pub margin_mm: f64,
 }
 
 /// PDF's unit: 1/72 inch.
 const POINT: f64 = 72.0 / 25.4;
-/// What neighbouring pages print of each other. [mm]
+/// What neighbouring pages print of each other. \[mm\]
 const OVERLAP: f64 = 8.0;
-/// Room below the picture for ruler and words. [mm]
+/// Room below the picture for ruler and words. \[mm\]
 const FOOT: f64 = 14.0;
 
 /// SVG at true scale: one user unit is a millimetre.
@@ -116,7 +116,7 @@ fn round([x, y]: [f64; 2], r: f64) -> String {
     path
 }
 
-/// The pages' corners: lower left of what each shows of the mat, and the size of that. [mm]
+/// The pages' corners: lower left of what each shows of the mat, and the size of that. \[mm\]
 pub fn tiles(across_mm: f64, paper: &Paper) -> (Vec<[f64; 2]>, [f64; 2]) {
     let m = paper.margin_mm;
     let room = [

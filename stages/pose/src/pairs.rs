@@ -8,7 +8,7 @@ use shape::{Sighting, Tracks};
 const REACH: usize = 3;
 /// Fewest common features of a pair.
 const LEAST: usize = 12;
-/// Features that move less than this belong to what does not turn. [px]
+/// Features that move less than this belong to what does not turn. \[px\]
 const STILL_PX: f64 = 1.0;
 
 /// The pairs of photos with enough in common, pixels from the photo's middle; the turn may close.

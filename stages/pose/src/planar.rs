@@ -3,7 +3,7 @@
 use nalgebra::{DMatrix, Matrix3, Rotation3, Vector2, Vector3};
 use shape::{Intrinsics, Pose};
 
-/// camera_from_world from at least four points of the plane z = 0 [mm] and their pixels.
+/// camera_from_world from at least four points of the plane z = 0 \[mm\] and their pixels.
 pub fn planar_pose(lens: &Intrinsics, pairs: &[([f64; 2], [f64; 2])]) -> Option<Pose> {
     if pairs.len() < 4 {
         return None;

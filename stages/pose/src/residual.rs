@@ -10,7 +10,7 @@ pub struct Derivatives {
     pub residual: Vector2<f64>,
     /// By the lens (f, cx, cy, k1, k2), then by the camera: rotation ω with R ← exp(ω) R, translation.
     pub by_unknown: SMatrix<f64, 2, { LENS + 6 }>,
-    /// By the point. [1/mm]
+    /// By the point. \[1/mm\]
     pub by_point: Matrix2x3<f64>,
 }
 

@@ -12,7 +12,7 @@ pub struct Ring {
     pub turn: Rotation3<f64>,
     /// And its translation.
     pub offset: Vector3<f64>,
-    /// How far the disk has turned, counter-clockwise from above. [rad]
+    /// How far the disk has turned, counter-clockwise from above. \[rad\]
     pub angles: Vec<f64>,
 }
 

@@ -6,13 +6,13 @@ use shape::{Camera, Cameras, Pose};
 /// A circle in space.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Circle {
-    /// Its centre. [mm]
+    /// Its centre. \[mm\]
     pub centre: Point3<f64>,
     /// Its axis, unit.
     pub axis: Vector3<f64>,
-    /// Its radius. [mm]
+    /// Its radius. \[mm\]
     pub radius: f64,
-    /// Root mean square of the points' distance from it. [mm]
+    /// Root mean square of the points' distance from it. \[mm\]
     pub rms: f64,
 }
 

@@ -23,15 +23,15 @@ pub struct Pair {
 /// A turn about one axis, in the camera's frame; the axis passes the optical axis at depth one.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Start {
-    /// Focal length. [px]
+    /// Focal length. \[px\]
     pub focal_px: f64,
     /// Direction of the axis.
     pub axis: Vector3<f64>,
     /// How far the axis passes beside the optical axis.
     pub beside: f64,
-    /// How far the disk has turned about the axis at each photo. [rad]
+    /// How far the disk has turned about the axis at each photo. \[rad\]
     pub angles: Vec<f64>,
-    /// Robust mean of the Sampson errors. [px]
+    /// Robust mean of the Sampson errors. \[px\]
     pub error_px: f64,
 }
 
@@ -40,15 +40,15 @@ pub struct Start {
 pub struct Known {
     /// How many photos.
     pub photos: usize,
-    /// Focal lengths to try. [px]
+    /// Focal lengths to try. \[px\]
     pub focals_px: Vec<f64>,
     /// Whether the focal length is refined.
     pub free_focal: bool,
-    /// The size of the turn from photo to photo, its direction unknown. [rad]
+    /// The size of the turn from photo to photo, its direction unknown. \[rad\]
     pub step: Option<f64>,
 }
 
-/// Sampson errors beyond this count as this. [px]
+/// Sampson errors beyond this count as this. \[px\]
 const CAP_PX: f64 = 8.0;
 
 /// The point of the axis nearest to the optical axis, at depth one.
@@ -64,7 +64,7 @@ fn essential(axis: &Vector3<f64>, beside: f64, turn: f64) -> Matrix3<f64> {
     (c - r * c).cross_matrix() * r.matrix()
 }
 
-/// First-order geometric error of a pair of sightings. [px]
+/// First-order geometric error of a pair of sightings. \[px\]
 fn sampson(e: &Matrix3<f64>, focal: f64, seen: &[Vector2<f64>; 2]) -> f64 {
     let a = Vector3::new(seen[0].x / focal, seen[0].y / focal, 1.0);
     let b = Vector3::new(seen[1].x / focal, seen[1].y / focal, 1.0);

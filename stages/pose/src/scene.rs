@@ -15,9 +15,9 @@ pub struct Sight {
     pub camera: usize,
     /// Which point.
     pub point: usize,
-    /// Where. [px]
+    /// Where. \[px\]
     pub at_px: [f64; 2],
-    /// Standard deviation of that. [px]
+    /// Standard deviation of that. \[px\]
     pub sigma_px: f64,
 }
 
@@ -30,7 +30,7 @@ pub struct Scene {
     pub poses: Vec<Pose>,
     /// Where the cameras are held to a turn about one axis: it; the poses follow from it.
     pub ring: Option<Ring>,
-    /// Points in the world. [mm]
+    /// Points in the world. \[mm\]
     pub points: Vec<Point3<f64>>,
     /// Points before this one are known and stay; those from it on are free.
     pub known: usize,
@@ -50,7 +50,7 @@ pub struct LensPrior {
 pub struct Beliefs {
     /// Of the lens.
     pub lens: LensPrior,
-    /// Of a ring: the turn between one photo and the next, and its standard deviation. [rad]
+    /// Of a ring: the turn between one photo and the next, and its standard deviation. \[rad\]
     pub step: Option<[f64; 2]>,
 }
 

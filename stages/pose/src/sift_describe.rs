@@ -9,7 +9,7 @@ const BINS: usize = 8;
 /// Width of a cell in scales.
 const CELL_SCALES: f32 = 3.0;
 
-/// The descriptor of a point with a direction. [rad]
+/// The descriptor of a point with a direction. \[rad\]
 pub fn describe(image: &Gray, e: &Extremum, angle: f32) -> [u8; 128] {
     let (sin, cos) = angle.sin_cos();
     let cell = CELL_SCALES * e.scale;

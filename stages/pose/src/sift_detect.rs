@@ -4,7 +4,7 @@ use crate::sift_pyramid::{INTERVALS, Octave, SIGMA};
 use nalgebra::{Matrix3, Vector3};
 use shape::Gray;
 
-/// An extremum in an octave. [px of the octave]
+/// An extremum in an octave. \[px of the octave\]
 #[derive(Debug, Clone, Copy)]
 pub struct Extremum {
     /// Column.
@@ -115,7 +115,7 @@ fn refined(
 }
 
 /// The directions of a point: peaks of a histogram of gradients around it, at least four fifths of
-/// the highest. [rad]
+/// the highest. \[rad\]
 pub fn orientations(image: &Gray, e: &Extremum) -> Vec<f32> {
     const BINS: usize = 36;
     let mut bins = [0f32; BINS];

@@ -4,7 +4,7 @@ use shape::Gray;
 
 /// Intervals an octave is cut into.
 pub const INTERVALS: usize = 3;
-/// Blur of the first image of an octave. [px of the octave]
+/// Blur of the first image of an octave. \[px of the octave\]
 pub const SIGMA: f32 = 1.6;
 /// Blur that a photo is taken to have.
 const CAMERA: f32 = 0.5;

@@ -10,7 +10,7 @@ pub(crate) struct Seen {
     pub(crate) rms_px: f64,
 }
 
-/// Least angle between rays that makes a point. [rad]
+/// Least angle between rays that makes a point. \[rad\]
 const PARALLAX: f64 = 0.03;
 
 /// The tracks whose points project within `most_px` of where they were seen.
@@ -81,7 +81,7 @@ fn triangulate(cameras: &[Camera], sights: &[(usize, [f64; 2])]) -> Option<(Poin
     Some((point, (sum / sights.len() as f64).sqrt()))
 }
 
-/// Median of the tracks' residuals. [px]
+/// Median of the tracks' residuals. \[px\]
 pub(crate) fn median_residual(seen: &[Seen]) -> f64 {
     let mut all: Vec<f64> = seen.iter().map(|s| s.rms_px).collect();
     all.sort_by(f64::total_cmp);

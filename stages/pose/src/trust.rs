@@ -4,7 +4,7 @@ use crate::adjust::Fit;
 use crate::scene::{LensPrior, Scene, Sight};
 use shape::{Camera, PhotoId, Photos};
 
-/// Median distance between sightings and projections. [px]
+/// Median distance between sightings and projections. \[px\]
 pub(crate) fn median_px(scene: &Scene, sights: &[Sight]) -> f64 {
     let off = |s: &Sight| {
         let camera = Camera {

@@ -83,14 +83,14 @@ pub(crate) fn svg(cameras: &Cameras) -> String {
     svg + "</svg>"
 }
 
-/// The ends of a camera's view at its photo's four corners. [mm]
+/// The ends of a camera's view at its photo's four corners. \[mm\]
 fn field_of_view(camera: &Camera, length: f64) -> [Point3<f64>; 4] {
     let (w, h) = (f64::from(camera.lens.width), f64::from(camera.lens.height));
     [(0.0, 0.0), (w, 0.0), (w, h), (0.0, h)]
         .map(|(x, y)| camera.centre() + camera.ray(Point2::new(x, y)).into_inner() * length)
 }
 
-/// The cylinder around the axis that every camera sees whole: radius, bottom, top. [mm]
+/// The cylinder around the axis that every camera sees whole: radius, bottom, top. \[mm\]
 fn bounding_cylinder(cameras: &Cameras) -> (f64, f64, f64) {
     let (mut radius, mut low, mut high) = (f64::MAX, f64::MIN, f64::MAX);
     for view in cameras.views.values() {

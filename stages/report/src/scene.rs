@@ -41,7 +41,7 @@ pub(crate) fn textured(label: &str, body: &Textured) -> Value {
     })
 }
 
-/// The tapes: name, label and closed polylines. [mm]
+/// The tapes: name, label and closed polylines. \[mm\]
 pub(crate) fn tapes(girths: &Girths) -> Value {
     let rounded = |p: &[f32; 3]| p.map(|x| (f64::from(x) * 10.0).round() / 10.0);
     let tape = |g: &shape::Girth| {

@@ -6,13 +6,13 @@ use serde::{Deserialize, Serialize};
 /// What the lens and the sensor do: `u = c + f (1 + k1 r² + k2 r⁴) (x/z, y/z)`, `r² = (x²+y²)/z²`.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct Intrinsics {
-    /// Width of the photo. [px]
+    /// Width of the photo. \[px\]
     pub width: u32,
-    /// Height of the photo. [px]
+    /// Height of the photo. \[px\]
     pub height: u32,
-    /// Focal length along x and y. [px]
+    /// Focal length along x and y. \[px\]
     pub focal: [f64; 2],
-    /// Principal point. [px]
+    /// Principal point. \[px\]
     pub centre: [f64; 2],
     /// Radial distortion k1, k2.
     pub radial: [f64; 2],
@@ -23,7 +23,7 @@ pub struct Intrinsics {
 pub struct Pose {
     /// Rotation of camera_from_world.
     pub rotation: Rotation3<f64>,
-    /// Translation of camera_from_world. [mm]
+    /// Translation of camera_from_world. \[mm\]
     pub translation: Vector3<f64>,
 }
 
@@ -37,7 +37,7 @@ pub struct Camera {
 }
 
 impl Pose {
-    /// The camera's centre in the world. [mm]
+    /// The camera's centre in the world. \[mm\]
     pub fn centre(&self) -> Point3<f64> {
         Point3::from(-(self.rotation.inverse() * self.translation))
     }
@@ -131,7 +131,7 @@ impl Intrinsics {
 }
 
 impl Camera {
-    /// The camera's centre in the world. [mm]
+    /// The camera's centre in the world. \[mm\]
     pub fn centre(&self) -> Point3<f64> {
         self.pose.centre()
     }
@@ -141,13 +141,13 @@ impl Camera {
         self.lens.project(&self.pose.apply(x_in_world))
     }
 
-    /// The pixel of a point and its distance along the optical axis. [px, mm]
+    /// The pixel of a point and its distance along the optical axis. \[px, mm\]
     pub fn project_with_depth(&self, x_in_world: &Point3<f64>) -> Option<(Point2<f64>, f64)> {
         let x = self.pose.apply(x_in_world);
         Some((self.lens.project(&x)?, x.z))
     }
 
-    /// As [`project`](Self::project), with the derivative by the point. [px/mm]
+    /// As [`project`](Self::project), with the derivative by the point. \[px/mm\]
     pub fn project_with_jacobian(
         &self,
         x_in_world: &Point3<f64>,

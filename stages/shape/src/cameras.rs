@@ -28,9 +28,9 @@ pub struct View {
     pub name: String,
     /// The camera, world = turntable frame.
     pub camera: Camera,
-    /// Standard deviation of the camera's centre, by bundle adjustment. [mm] 0 where unknown.
+    /// Standard deviation of the camera's centre, by bundle adjustment. \[mm\] 0 where unknown.
     pub sigma_mm: f64,
-    /// Root mean square of its reprojection errors. [px] 0 where unknown.
+    /// Root mean square of its reprojection errors. \[px\] 0 where unknown.
     pub rms_px: f64,
     /// How many points hold it.
     pub points: u32,
@@ -45,11 +45,11 @@ pub struct Cameras {
     pub scale: Scale,
     /// Relative standard deviation of the scale. 0 where unknown.
     pub scale_sigma: f64,
-    /// The disk's radius, where it is known. [mm]
+    /// The disk's radius, where it is known. \[mm\]
     pub disk_radius_mm: Option<f64>,
-    /// Height of the ground that the subject stands on, in the turntable frame. [mm]
+    /// Height of the ground that the subject stands on, in the turntable frame. \[mm\]
     pub ground_mm: f64,
-    /// Points of the body and disk in the world, three numbers each. [mm] May be empty.
+    /// Points of the body and disk in the world, three numbers each. \[mm\] May be empty.
     pub points: Vec<[f32; 3]>,
 }
 

@@ -13,19 +13,19 @@ pub struct Girth {
     pub label: String,
     /// Its definition, with the standard's number.
     pub definition: String,
-    /// Length of the section's contour. [mm]
+    /// Length of the section's contour. \[mm\]
     pub contour_mm: f64,
-    /// Length of a tape around it: of the convex hull in the plane. [mm]
+    /// Length of a tape around it: of the convex hull in the plane. \[mm\]
     pub tape_mm: f64,
-    /// Length of the paper's closed cubic spline. [mm]
+    /// Length of the paper's closed cubic spline. \[mm\]
     pub spline_mm: f64,
-    /// From the silhouettes alone, where limbs stand clear. [mm]
+    /// From the silhouettes alone, where limbs stand clear. \[mm\]
     pub silhouette_mm: Option<f64>,
-    /// The tape's interval that holds the truth nine times in ten. [mm]
+    /// The tape's interval that holds the truth nine times in ten. \[mm\]
     pub interval_mm: [f64; 2],
     /// Where it was taken.
     pub plane: Plane,
-    /// The contour, closed, without repeating the first point. [mm]
+    /// The contour, closed, without repeating the first point. \[mm\]
     pub contour: Vec<[f32; 3]>,
 }
 
@@ -41,9 +41,9 @@ pub struct Missing {
 /// Girth of the trunk over height.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 pub struct Profile {
-    /// Height above the ground. [mm]
+    /// Height above the ground. \[mm\]
     pub height_mm: Vec<f64>,
-    /// Tape around the trunk there. [mm]
+    /// Tape around the trunk there. \[mm\]
     pub tape_mm: Vec<f64>,
 }
 
@@ -56,13 +56,13 @@ pub struct Girths {
     pub missing: Vec<Missing>,
     /// Ratios and other derived numbers: WHR, WHtR, … with a note each (empty, or `experimental`).
     pub ratios: Vec<(String, f64, String)>,
-    /// Crown above the ground. [mm]
+    /// Crown above the ground. \[mm\]
     pub stature_mm: Option<f64>,
-    /// Weight, as the user gave it. [kg]
+    /// Weight, as the user gave it. \[kg\]
     pub weight_kg: Option<f64>,
-    /// Body mass index. [kg/m²]
+    /// Body mass index. \[kg/m²\]
     pub bmi: Option<f64>,
-    /// Volume of the body. [l]
+    /// Volume of the body. \[l\]
     pub volume_l: Option<f64>,
     /// Girth of the trunk over height.
     pub profile: Profile,

@@ -3,9 +3,9 @@
 /// An image.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Image<T> {
-    /// Width. [px]
+    /// Width. \[px\]
     pub width: usize,
-    /// Height. [px]
+    /// Height. \[px\]
     pub height: usize,
     /// `height * width` pixels, row-major.
     pub data: Vec<T>,

@@ -4,7 +4,7 @@ use crate::{ByPhoto, PhotoId};
 use bytemuck::{Pod, Zeroable};
 use stage::{Artifact, Corrupt, Packer, Unpacker};
 
-/// A point of a photo. [px; radians, x towards y]
+/// A point of a photo. \[px; radians, x towards y\]
 #[derive(Debug, Clone, Copy, PartialEq, Pod, Zeroable)]
 #[repr(C)]
 pub struct Keypoint {

@@ -7,7 +7,7 @@ use stage::{Artifact, Corrupt, Packer, Unpacker};
 /// A plane.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct Plane {
-    /// A point of it, amid the section. [mm]
+    /// A point of it, amid the section. \[mm\]
     pub point_mm: [f64; 3],
     /// Its unit normal.
     pub normal: [f64; 3],
@@ -52,11 +52,11 @@ pub struct Landmarks {
     pub found: Vec<Landmark>,
     /// What was not, and why.
     pub missing: Vec<Missing>,
-    /// Named points: crown, crotch, armpit_L, … [mm]
+    /// Named points: crown, crotch, armpit_L, … \[mm\]
     pub points: Vec<(String, [f64; 3])>,
     /// The part of each vertex of the mesh, as `Part as u8`.
     pub parts: Vec<u8>,
-    /// Crown above the ground. [mm] 0 where unknown.
+    /// Crown above the ground. \[mm\] 0 where unknown.
     pub stature_mm: f64,
 }
 

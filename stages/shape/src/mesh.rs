@@ -7,7 +7,7 @@ use stage::{Artifact, Corrupt, Packer, Unpacker};
 /// A triangle mesh, counter-clockwise seen from outside.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Mesh {
-    /// Vertices in the world. [mm]
+    /// Vertices in the world. \[mm\]
     pub positions: Vec<[f32; 3]>,
     /// Three vertices a face.
     pub faces: Vec<[u32; 3]>,
@@ -49,7 +49,7 @@ impl Mesh {
         self.faces[face].map(|v| self.point(v))
     }
 
-    /// Twice the area times the unit normal of a face. [mm²]
+    /// Twice the area times the unit normal of a face. \[mm²\]
     pub fn area_vector(&self, face: usize) -> Vector3<f64> {
         let [a, b, c] = self.triangle(face);
         (b - a).cross(&(c - a))
@@ -68,7 +68,7 @@ impl Mesh {
             .collect()
     }
 
-    /// The enclosed volume, positive if faces look outward. [mm³]
+    /// The enclosed volume, positive if faces look outward. \[mm³\]
     pub fn volume(&self) -> f64 {
         let six = |f| {
             let [a, b, c] = self.triangle(f);
@@ -77,7 +77,7 @@ impl Mesh {
         (0..self.faces.len()).map(six).sum::<f64>() / 6.0
     }
 
-    /// Mean length of the edges. [mm]
+    /// Mean length of the edges. \[mm\]
     pub fn mean_edge(&self) -> f64 {
         let around = |f: usize| {
             let [a, b, c] = self.triangle(f);

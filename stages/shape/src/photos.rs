@@ -13,17 +13,17 @@ use std::sync::Arc;
 pub struct Photo {
     /// Its file name, without folders.
     pub name: String,
-    /// Width, upright. [px]
+    /// Width, upright. \[px\]
     pub width: u32,
-    /// Height, upright. [px]
+    /// Height, upright. \[px\]
     pub height: u32,
     /// EXIF orientation, 1..=8: how to turn the decoded pixels upright.
     pub orientation: u8,
-    /// Focal length as if taken on 36 × 24 mm film, from EXIF. [mm]
+    /// Focal length as if taken on 36 × 24 mm film, from EXIF. \[mm\]
     pub focal_35mm: Option<f64>,
     /// Camera and lens, from EXIF; empty where unknown.
     pub device: String,
-    /// When it was taken, from EXIF, seconds since the first photo. [s]
+    /// When it was taken, from EXIF, seconds since the first photo. \[s\]
     pub time_s: Option<f64>,
     /// The file.
     pub file: Arc<[u8]>,

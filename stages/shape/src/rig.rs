@@ -7,15 +7,15 @@ use serde::{Deserialize, Serialize};
 pub struct Rig {
     /// What the user calls it.
     pub name: Option<String>,
-    /// Nominal turn between photos, positive if the subject turns counter-clockwise seen from above. [rad]
+    /// Nominal turn between photos, positive if the subject turns counter-clockwise seen from above. \[rad\]
     pub step: Option<f64>,
-    /// Focal length as if the photo were taken on 36 × 24 mm film. [mm]
+    /// Focal length as if the photo were taken on 36 × 24 mm film. \[mm\]
     pub focal_35mm: Option<f64>,
-    /// The subject's stature. [mm]
+    /// The subject's stature. \[mm\]
     pub stature_mm: Option<f64>,
-    /// The subject's weight. [kg]
+    /// The subject's weight. \[kg\]
     pub weight_kg: Option<f64>,
-    /// The disk's diameter. [mm]
+    /// The disk's diameter. \[mm\]
     pub disk_diameter_mm: Option<f64>,
     /// The marker mat on the disk.
     pub mat: Option<Mat>,
@@ -26,13 +26,13 @@ pub struct Rig {
 /// A ring of AprilTags (family 36h11) on the disk, all of one size.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct Mat {
-    /// Edge length of a tag's black square. [mm]
+    /// Edge length of a tag's black square. \[mm\]
     pub tag_mm: f64,
     /// First id of the ring.
     pub first_id: u32,
     /// How many tags.
     pub count: u32,
-    /// Radius of the circle through the tags' centres. [mm] Tag i is centred at angle
+    /// Radius of the circle through the tags' centres. \[mm\] Tag i is centred at angle
     /// i · 360° / count, counter-clockwise from above, its top edge outward.
     pub ring_mm: f64,
 }
@@ -42,6 +42,6 @@ pub struct Mat {
 pub struct Reference {
     /// What it is the length of: `tag_size`, `subject_height`, `disk_diameter`, …
     pub kind: String,
-    /// Its length. [mm]
+    /// Its length. \[mm\]
     pub length_mm: f64,
 }

@@ -9,7 +9,7 @@ use stage::{Artifact, Corrupt, Packer, Unpacker};
 pub struct Tag {
     /// Its number in the family.
     pub id: u32,
-    /// Corners of its black square as printed: top left, top right, bottom right, bottom left. [px]
+    /// Corners of its black square as printed: top left, top right, bottom right, bottom left. \[px\]
     pub corners: [[f64; 2]; 4],
 }
 

@@ -8,9 +8,9 @@ use stage::{Artifact, Corrupt, Packer, Unpacker};
 pub struct Sighting {
     /// On which photo.
     pub photo: PhotoId,
-    /// Where. [px]
+    /// Where. \[px\]
     pub at_px: [f32; 2],
-    /// Size of the feature. [px]
+    /// Size of the feature. \[px\]
     pub scale_px: f32,
 }
 

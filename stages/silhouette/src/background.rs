@@ -7,7 +7,7 @@
 use nalgebra::{Point2, Point3, Rotation3, Vector3};
 use shape::{Camera, Pose, Rgb};
 
-/// The camera as if the disk had been turned on by an angle, counter-clockwise from above. [rad]
+/// The camera as if the disk had been turned on by an angle, counter-clockwise from above. \[rad\]
 pub fn turned(camera: &Camera, angle: f64) -> Camera {
     let turn = Rotation3::from_axis_angle(&Vector3::z_axis(), angle);
     Camera {
@@ -19,7 +19,7 @@ pub fn turned(camera: &Camera, angle: f64) -> Camera {
     }
 }
 
-/// The point of the disk's top that is seen at a pixel, if it is on the disk. [mm]
+/// The point of the disk's top that is seen at a pixel, if it is on the disk. \[mm\]
 pub fn on_disk(camera: &Camera, at_px: Point2<f64>, radius: f64) -> Option<Point3<f64>> {
     let (centre, ray) = (camera.centre(), camera.ray(at_px));
     if ray.z >= -1e-6 || centre.z <= 0.0 {
@@ -50,7 +50,7 @@ pub fn sample(image: &Rgb, at: Point2<f64>) -> Option<[f32; 3]> {
 }
 
 /// By how much the disk on the plate is turned against a photo, and how far the two differ there
-/// (mean over the outer disk of the capped absolute difference, 0..=60). [rad, levels]
+/// (mean over the outer disk of the capped absolute difference, 0..=60). \[rad, levels\]
 pub fn plate_turn(photo: &Rgb, plate: &Rgb, camera: &Camera, radius: f64) -> (f64, f64) {
     let mut places = Vec::new();
     for ring in 0..12 {

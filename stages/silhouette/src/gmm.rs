@@ -17,7 +17,7 @@ pub struct Gmm {
     clusters: Vec<Cluster>,
 }
 
-/// Least variance of a cluster: sensor noise and rounding. [levels²]
+/// Least variance of a cluster: sensor noise and rounding. \[levels²\]
 const FLOOR: f64 = 6.0;
 
 impl Gmm {

@@ -21,7 +21,7 @@ pub struct Prepared {
     pub known: Vec<Known>,
     /// The photo without the subject, at full size.
     pub without: Rgb,
-    /// The camera at the reduced size, and the disk's radius. [mm]
+    /// The camera at the reduced size, and the disk's radius. \[mm\]
     pub disk: Option<(Camera, f64)>,
 }
 
@@ -38,7 +38,7 @@ impl Prepared {
     }
 }
 
-/// Where the disk is: the photo's camera and the disk's radius. [mm]
+/// Where the disk is: the photo's camera and the disk's radius. \[mm\]
 pub type Disk<'a> = Option<(&'a Camera, f64)>;
 
 /// Makes a photo ready to be cut. `coarse_px` is the longest side of the reduced photo.

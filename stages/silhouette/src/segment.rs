@@ -94,7 +94,7 @@ pub fn cut_whole(
     Some((largest(&sides, background), gmm?))
 }
 
-/// A rectangle of an image. [px]
+/// A rectangle of an image. \[px\]
 pub struct Window {
     /// Left column.
     pub x: usize,

@@ -2,11 +2,11 @@
 
 use shape::Rgb;
 
-/// Standard deviation of the sensor's noise in the file's values. [levels]
+/// Standard deviation of the sensor's noise in the file's values. \[levels\]
 const NOISE: f32 = 4.0;
 /// -ln of the Gaussian's norm for three channels of that noise.
 const NORM: f32 = 6.92;
-/// How far an edge of the background may move. [px]
+/// How far an edge of the background may move. \[px\]
 const SLACK: f32 = 0.4;
 /// A pixel that the background explains worse than by so much is not it, however much worse.
 const CAP: f32 = 24.0;

@@ -10,7 +10,7 @@ pub struct FileEntry {
     pub name: String,
     /// The hash of its bytes.
     pub content: Hash,
-    /// Its size. [bytes]
+    /// Its size. \[bytes\]
     pub size: u64,
 }
 
