@@ -109,12 +109,15 @@ pub(crate) fn scale(cameras: &Cameras) -> String {
     };
     let count = cameras.views.len().max(1) as f64;
     let mean = |f: fn(&shape::View) -> f64| cameras.views.values().map(f).sum::<f64>() / count;
+    // A ring that a swaying subject leaves undetermined has variances beyond any use.
+    let centres = match mean(|v| v.sigma_mm) {
+        mm if mm.is_finite() && mm < 100.0 => format!("camera centres ± {mm:.1} mm"),
+        _ => "how sure the camera centres are cannot be told".into(),
+    };
     format!(
-        "<p>Lengths come from {from} (± {:.2} %). {} cameras; mean reprojection error {:.2} px; \
-         camera centres ± {:.1} mm.</p>",
+        "<p>Lengths come from {from} (± {:.2} %). {} cameras; mean reprojection error {:.2} px; {centres}.</p>",
         cameras.scale_sigma * 100.0,
         cameras.views.len(),
         mean(|v| v.rms_px),
-        mean(|v| v.sigma_mm),
     )
 }

@@ -66,7 +66,7 @@ pub struct GrabCut;
 
 impl Stage for GrabCut {
     const NAME: &'static str = "silhouette.grabcut";
-    const VERSION: u32 = 2;
+    const VERSION: u32 = 3;
     const ABOUT: &'static str =
         "Cuts the body out of each photo by graph cuts, seeded by the plate and the disk.";
     type Params = GrabCutParams;

@@ -2,9 +2,7 @@
 
 use crate::background::{expected, on_disk, plate_turn};
 use crate::gmm::Gmm;
-use crate::segment::{
-    EXPLAINED, Known, Settings, Window, coverage, cut, cut_whole, largest, reduced,
-};
+use crate::segment::{Known, Settings, Window, coverage, cut, cut_whole, largest, reduced};
 use crate::unary::background_cost;
 use nalgebra::{Point2, Point3};
 use shape::{Camera, Image, Mask, Rgb};
@@ -25,12 +23,15 @@ pub struct Prepared {
     pub disk: Option<(Camera, f64)>,
 }
 
+/// A pixel that costs the background no more than this shows it beyond doubt.
+const CERTAIN: f32 = 6.92 + 0.4;
+
 impl Prepared {
     /// Takes over what all photos say together. Where this one shows the background to the level,
     /// the others may not call it body: a gap between the legs is seen on two photos of eighteen.
     pub fn agree<'a>(&mut self, agreed: impl Iterator<Item = &'a Known>) {
         for ((known, cost), agreed) in self.known.iter_mut().zip(&self.cost).zip(agreed) {
-            let against = *agreed == Known::Body && *cost < EXPLAINED;
+            let against = *agreed == Known::Body && *cost < CERTAIN;
             if *known == Known::Unknown && !against {
                 *known = *agreed;
             }

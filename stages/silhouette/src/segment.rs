@@ -29,7 +29,7 @@ pub struct Settings {
 /// Costs are multiplied by this and rounded, so that flows are whole numbers.
 const UNIT: f64 = 64.0;
 /// A hole whose median pixel costs the background more than this is no hole.
-pub(crate) const EXPLAINED: f32 = 6.92 + 1.5;
+const EXPLAINED: f32 = 6.92 + 1.5;
 /// No pixel may be put on the other side.
 const NEVER: i32 = 1 << 24;
 /// -ln of an even density over all colours: anything can be body.

@@ -13,7 +13,7 @@ const CAP: f32 = 24.0;
 
 /// -ln p(pixel | background) of every pixel.
 ///
-/// The pixel may match what is expected there, or lie part of the way ([`SLACK`]) towards the
+/// The pixel may match what is expected there, or lie part of the way (`SLACK`) towards the
 /// darkest and brightest of its eight neighbours (edges move by a part of a pixel), as it is or
 /// darkened by a soft shadow: deep where `shadow` (column, row) says that one may fall, faint elsewhere.
 pub fn background_cost(
