@@ -1,0 +1,153 @@
+//! The pipelines that ship, and what a pipeline file with mistakes is told.
+
+use std::path::Path;
+use tailor::recipe::{Overrides, open, open_text};
+
+fn shipped() -> Vec<std::path::PathBuf> {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("pipelines");
+    let mut files: Vec<_> = std::fs::read_dir(folder)
+        .unwrap()
+        .map(|e| e.unwrap().path())
+        .collect();
+    files.sort();
+    assert!(files.len() >= 2);
+    files
+}
+
+#[test]
+fn every_shipped_pipeline_has_no_mistake() {
+    for path in shipped() {
+        if let Err(mistakes) = open(&path, &Overrides::default()) {
+            panic!("{mistakes}");
+        }
+    }
+}
+
+#[test]
+fn the_product_has_the_nodes_that_its_files_come_from() {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("pipelines/body.toml");
+    let graph = open(&path, &Overrides::default()).unwrap();
+    for node in ["girths", "landmarks", "cameras", "masks", "hull", "report"] {
+        assert!(graph.node(node).is_some(), "{node}");
+    }
+}
+
+/// The mistakes of a text, as `line:column what`.
+#[track_caller]
+fn mistakes(text: &str) -> Vec<String> {
+    let found = open_text(
+        "p.toml",
+        text,
+        &Overrides::default(),
+        &tailor::catalog::find,
+    );
+    let Err(mistakes) = found else {
+        panic!("no mistake was found")
+    };
+    let json = mistakes.json();
+    let one = |m: &serde_json::Value| {
+        format!(
+            "{}:{} {}",
+            m["line"],
+            m["column"],
+            m["what"].as_str().unwrap()
+        )
+    };
+    json["mistakes"]
+        .as_array()
+        .unwrap()
+        .iter()
+        .map(one)
+        .collect()
+}
+
+const HEAD: &str = "goal = \"photos\"\n[input.files]\nfiles = \"*.jpg\"\n[node.photos]\n";
+
+#[test]
+fn a_slip_in_a_stage_is_told_with_its_place_and_what_was_meant() {
+    let told = mistakes(&format!(
+        "{HEAD}stage = \"capture.lode\"\nfrom = {{ files = \"@files\" }}\n"
+    ));
+    assert!(
+        told[0].starts_with("5:9 there is no stage `capture.lode`; did you mean `capture.load`?"),
+        "{told:?}"
+    );
+}
+
+#[test]
+fn params_are_checked_for_name_type_and_range_all_at_once() {
+    let with = "with = { fewest = 1, fewst = 4 }";
+    let told = mistakes(&format!(
+        "{HEAD}stage = \"capture.load\"\nfrom = {{ files = \"@files\" }}\n{with}\n"
+    ));
+    assert!(
+        told.iter().any(|t| t.contains("did you mean `fewest`")),
+        "{told:?}"
+    );
+    assert!(
+        told.iter()
+            .any(|t| t.starts_with("7:19") && t.contains("3..=1000")),
+        "{told:?}"
+    );
+}
+
+#[test]
+fn circles_unused_nodes_and_wrong_kinds_are_told() {
+    let circle = "goal = \"a\"\n[node.a]\nstage = \"pose.frame\"\nfrom = { cameras = \"b\", photos = \"p\" }\n\
+                  [node.b]\nstage = \"pose.frame\"\nfrom = { cameras = \"a\", photos = \"p\" }\n\
+                  [input.f]\nfiles = \"*\"\n[node.p]\nstage = \"capture.load\"\nfrom = { files = \"@f\" }\n";
+    assert!(
+        mistakes(circle)
+            .iter()
+            .any(|t| t.contains("in a circle: a, b"))
+    );
+    let unused = format!(
+        "{HEAD}stage = \"capture.load\"\nfrom = {{ files = \"@files\" }}\n[node.tags]\nstage = \"pose.tags\"\nfrom = [\"photos\"]\n"
+    );
+    assert!(
+        mistakes(&unused)
+            .iter()
+            .any(|t| t.contains("does not need node `tags`"))
+    );
+    let kind = "goal = \"t\"\n[input.f]\nfiles = \"*\"\n[node.t]\nstage = \"pose.tags\"\nfrom = { photos = \"@f\" }\n";
+    assert!(
+        mistakes(kind)
+            .iter()
+            .any(|t| t.contains("port `photos` wants photos, but `@f` makes files"))
+    );
+}
+
+#[test]
+fn broken_toml_is_a_mistake_with_a_place() {
+    let told = mistakes("goal = \n[node");
+    assert!(
+        told.len() >= 2 && told.iter().all(|t| !t.starts_with("null")),
+        "{told:?}"
+    );
+}
+
+#[test]
+fn a_set_must_name_a_node_and_a_param() {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("pipelines/body.toml");
+    let with = |set: &str| {
+        open(
+            &path,
+            &Overrides {
+                variant: None,
+                sets: vec![set.into()],
+            },
+        )
+    };
+    assert!(with("hull.voxel_mm=4").is_ok());
+    for (set, says) in [
+        ("hul.voxel_mm=4", "did you mean `hull`"),
+        ("hull.voxel_mm=0.01", "out of range"),
+        ("hull.voxel=4", "there is no param `voxel`"),
+        ("nonsense", "say NODE.PARAM=VALUE"),
+    ] {
+        let Err(error) = with(set) else {
+            panic!("{set} was taken")
+        };
+        assert!(error.to_string().contains(says), "{error}");
+    }
+}
