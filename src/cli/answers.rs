@@ -68,18 +68,19 @@ pub(crate) fn plan(wanted: &Wanted, house: &House) -> Result<(), Fault> {
                 .iter()
                 .map(|(w, o, n)| format!("{w}: {} -> {}", short(o), short(n)))
                 .collect();
-            println!("{word:<9} {:<14} {took:>8}  {}", node.name, why.join("; "));
+            super::outln!("{word:<9} {:<14} {took:>8}  {}", node.name, why.join("; "));
         }
     }
     if house.json {
-        println!(
+        super::outln!(
             "{}",
             json!({ "nodes": lines, "will_seconds": seconds[0], "may_seconds": seconds[1] })
         );
     } else {
-        println!(
+        super::outln!(
             "expected: {:.1} s, and up to {:.1} s more if results change",
-            seconds[0], seconds[1]
+            seconds[0],
+            seconds[1]
         );
     }
     Ok(())
@@ -109,10 +110,10 @@ pub(crate) fn why(why: &Why, house: &House) -> Result<(), Fault> {
             None => ("not wanted", vec![]),
         };
         if !house.json {
-            println!("{}: {state}", node.name);
+            super::outln!("{}: {state}", node.name);
             changes
                 .iter()
-                .for_each(|(w, o, n)| println!("  {w}: {} -> {}", short(o), short(n)));
+                .for_each(|(w, o, n)| super::outln!("  {w}: {} -> {}", short(o), short(n)));
         }
         answer.push(json!({ "node": node.name, "state": state, "changes": changes }));
         let waiting = |source: &&Source| match source {
@@ -136,7 +137,7 @@ pub(crate) fn why(why: &Why, house: &House) -> Result<(), Fault> {
         }
     }
     if house.json {
-        println!("{}", json!({ "chain": answer }));
+        super::outln!("{}", json!({ "chain": answer }));
     }
     Ok(())
 }
@@ -166,7 +167,7 @@ pub(crate) fn graph(drawing: &Drawing, house: &House) -> Result<(), Fault> {
     } else {
         planned(&drawing.wanted, house)?.1
     };
-    print!(
+    super::out!(
         "{}",
         crate::drawing::draw(&graph, &plan, &drawing.format).map_err(Fault::input)?
     );
@@ -188,7 +189,7 @@ pub(crate) fn stages(name: Option<&str>, house: &House) -> Result<(), Fault> {
         )));
     }
     if house.json {
-        println!(
+        super::outln!(
             "{}",
             found
                 .iter()
@@ -198,7 +199,7 @@ pub(crate) fn stages(name: Option<&str>, house: &House) -> Result<(), Fault> {
     } else {
         found
             .iter()
-            .for_each(|s| print!("{}", crate::reference::text(*s)));
+            .for_each(|s| super::out!("{}", crate::reference::text(*s)));
     }
     Ok(())
 }
@@ -213,9 +214,9 @@ pub(crate) fn check(pipeline: &Path, house: &House) -> Result<(), Fault> {
                 .map(|n| key::story(n, &[]).0.len().to_string())
                 .collect();
             if house.json {
-                println!("{}", json!({ "mistakes": [], "nodes": recipes.len() }));
+                super::outln!("{}", json!({ "mistakes": [], "nodes": recipes.len() }));
             } else if !house.quiet {
-                println!(
+                super::outln!(
                     "{}: {} nodes, no mistakes",
                     pipeline.display(),
                     graph.nodes.len()

@@ -75,20 +75,20 @@ pub(crate) fn cache(cache: &Cache, house: &House) -> Result<(), Fault> {
             };
             if house.json {
                 let one = |k: &Kept| json!({ "key": k.key, "bytes": k.bytes, "seconds": k.seconds, "stage": k.stage });
-                println!("{}", kept.iter().map(one).collect::<serde_json::Value>());
+                super::outln!("{}", kept.iter().map(one).collect::<serde_json::Value>());
             } else {
-                kept.iter().for_each(|k| println!("{}", line(k)));
+                kept.iter().for_each(|k| super::outln!("{}", line(k)));
             }
         }
         Verb::Du => {
             let parts = keeper::parts_size(&store);
             if house.json {
-                println!(
+                super::outln!(
                     "{}",
                     json!({ "results": kept.len(), "bytes": total, "parts_bytes": parts })
                 );
             } else {
-                println!(
+                super::outln!(
                     "{} results, {:.1} MiB; parts {:.1} MiB",
                     kept.len(),
                     mib(total),
@@ -109,12 +109,12 @@ pub(crate) fn cache(cache: &Cache, house: &House) -> Result<(), Fault> {
                 .fold((0, 0.0), |(b, s), k| (b + k.bytes, s + k.seconds));
             let verb = if *dry_run { "would remove" } else { "removed" };
             if house.json {
-                println!(
+                super::outln!(
                     "{}",
                     json!({ "removed": gone.len(), "bytes": freed, "rebuild_seconds": seconds, "dry_run": dry_run })
                 );
             } else {
-                println!(
+                super::outln!(
                     "{verb} {} results, {:.1} MiB; to rebuild them: {seconds:.1} s",
                     gone.len(),
                     mib(freed)
@@ -124,9 +124,9 @@ pub(crate) fn cache(cache: &Cache, house: &House) -> Result<(), Fault> {
         Verb::Verify => {
             let bad = keeper::verify(&store);
             if house.json {
-                println!("{}", json!({ "checked": kept.len(), "bad": bad }));
+                super::outln!("{}", json!({ "checked": kept.len(), "bad": bad }));
             } else {
-                println!("{} results checked, {bad} put aside", kept.len());
+                super::outln!("{} results checked, {bad} put aside", kept.len());
             }
         }
     }

@@ -89,10 +89,10 @@ pub(crate) fn measure(measure: &Measure, house: &House) -> Result<(), Fault> {
     write(&graph, &outcome, &folder)?;
     let run = outcome.json(&graph);
     if house.json {
-        println!("{}", serde_json::to_string_pretty(&run).expect("bug: JSON"));
+        super::outln!("{}", serde_json::to_string_pretty(&run).expect("bug: JSON"));
     } else if let Some(girths) = get::<Girths>(&graph, &outcome, "girths") {
-        print!("{}", table(&girths));
-        println!("\nreport: {}", folder.join("report.html").display());
+        super::out!("{}", table(&girths));
+        super::outln!("\nreport: {}", folder.join("report.html").display());
     }
     Ok(())
 }

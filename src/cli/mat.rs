@@ -97,14 +97,14 @@ pub(crate) fn mat(args: &MatArgs, house: &House) -> Result<(), Fault> {
     std::fs::write(&args.o, &document.bytes)
         .map_err(|e| Fault::input(format!("cannot write {shown}: {e}")))?;
     if house.json {
-        println!(
+        super::outln!(
             "{}",
             serde_json::json!({ "file": shown, "bytes": document.bytes.len() })
         );
     } else if !house.quiet {
-        println!("{shown}: {}", told.join(", "));
-        println!("print at 100 % and check that the ruler is 100 mm long");
-        println!("what capture.toml needs to say of it stands at each page's foot");
+        super::outln!("{shown}: {}", told.join(", "));
+        super::outln!("print at 100 % and check that the ruler is 100 mm long");
+        super::outln!("what capture.toml needs to say of it stands at each page's foot");
     }
     Ok(())
 }

@@ -1,5 +1,22 @@
 //! Arguments, and which verb they mean.
 
+/// Prints to standard output; a reader that has gone away is no fault of ours.
+macro_rules! out {
+    ($($t:tt)*) => {{
+        use std::io::Write;
+        let _ = write!(std::io::stdout(), $($t)*);
+    }};
+}
+
+/// As `out!`, with an end of line.
+macro_rules! outln {
+    ($($t:tt)*) => {{
+        use std::io::Write;
+        let _ = writeln!(std::io::stdout(), $($t)*);
+    }};
+}
+use {out, outln};
+
 mod answers;
 mod cache;
 mod door;
@@ -153,7 +170,7 @@ pub fn main() -> ExitCode {
         Ok(()) => ExitCode::SUCCESS,
         Err(fault) => {
             if house.json {
-                println!(
+                outln!(
                     "{}",
                     serde_json::json!({ "error": fault.text, "code": fault.code })
                 );

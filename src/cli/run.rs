@@ -146,7 +146,7 @@ pub(crate) fn run(run: &Run, house: &House) -> Result<(), Fault> {
         out::write(&folder.join("run.json"), &[(String::new(), json)]).map_err(Fault::stage)?;
     }
     if house.json {
-        println!(
+        super::outln!(
             "{}",
             serde_json::to_string_pretty(&outcome.json(&graph)).expect("bug: JSON")
         );

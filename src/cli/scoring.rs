@@ -24,17 +24,17 @@ pub(crate) fn scoring(args: &Scoring, house: &House) -> Result<(), Fault> {
     let scores: Result<Vec<_>, _> = args.results.iter().map(|r| score(r, &args.truth)).collect();
     let scores = scores.map_err(Fault::input)?;
     if house.json {
-        println!(
+        super::outln!(
             "{}",
             serde_json::to_string_pretty(&scores).expect("bug: JSON")
         );
     } else {
-        scores.iter().for_each(|s| print!("{}", text(s)));
+        scores.iter().for_each(|s| super::out!("{}", text(s)));
         if scores
             .iter()
             .any(|s| s.girths.values().flatten().next().is_some())
         {
-            print!("\n{}", paper_tables(&scores));
+            super::out!("\n{}", paper_tables(&scores));
         }
     }
     let mut bad = Vec::new();
