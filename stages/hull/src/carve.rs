@@ -1,12 +1,11 @@
 //! The stage that carves the visual hull and gives its surface.
 
-use crate::distance::signed_distance;
 use crate::field::{BRICK, Lattice, evaluate};
 use crate::silhouettes::{Silhouette, bounds, consensus};
 use crate::surface::{largest, surface};
 use nalgebra::Point3;
 use rayon::prelude::*;
-use shape::{Cameras, Image, Mask, Masks, Mesh};
+use shape::{Cameras, Image, Mask, Masks, Mesh, signed_distance};
 use stage::{Cancelled, Ctx, Stage, Stop};
 use std::sync::Arc;
 

@@ -4,14 +4,12 @@
 
 mod carve;
 mod cases;
-mod distance;
 mod field;
 mod silhouettes;
 mod surface;
 
 pub use carve::{Carve, CarveError, CarveInput, CarveParams};
 pub use cases::{Case, EDGES, Place, cases};
-pub use distance::signed_distance;
 pub use field::{BRICK, Bricks, Lattice, SIDE, evaluate};
 pub use silhouettes::{Silhouette, bounds, consensus};
 pub use surface::{largest, surface};

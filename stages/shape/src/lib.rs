@@ -12,6 +12,7 @@
 mod by_photo;
 mod camera;
 mod cameras;
+mod distance;
 mod document;
 mod export;
 mod export_cameras;
@@ -33,6 +34,7 @@ mod tracks;
 pub use by_photo::{ByPhoto, PhotoId};
 pub use camera::{Camera, Intrinsics, Pose};
 pub use cameras::{Cameras, Scale, View};
+pub use distance::signed_distance;
 pub use document::Document;
 pub use export::{ExportError, mesh_from_ply, mesh_to_ply};
 pub use export_cameras::{cameras_to_colmap_binary, cameras_to_colmap_text, cameras_to_json};

@@ -1,7 +1,7 @@
 //! How far each pixel is from a silhouette's border: positive inside (Felzenszwalb and
 //! Huttenlocher 2012, exact squared distances in two passes).
 
-use shape::{Image, Mask};
+use crate::{Image, Mask};
 
 /// Signed distance of every pixel to the border. \[px of the mask\]
 ///
