@@ -1,7 +1,7 @@
 //! `tailor measure`: the one-line door.
 
 use super::run::{execute, photos};
-use super::{Fault, House};
+use super::{Fault, House, provenance};
 use crate::engine::Outcome;
 use crate::graph::Graph;
 use crate::out;
@@ -121,52 +121,14 @@ fn write(graph: &Graph, outcome: &Outcome, folder: &std::path::Path) -> Result<(
     let run = serde_json::to_string_pretty(&outcome.json(graph)).expect("bug: JSON");
     if let Some(report) = get::<Document>(graph, outcome, "report") {
         let page = String::from_utf8_lossy(&report.bytes);
-        let page = page.replacen("<!--provenance-->", &provenance(outcome, graph), 1);
+        let girths = get::<Girths>(graph, outcome, "girths");
+        let warnings = provenance::warnings(outcome, graph, girths.as_deref());
+        let page = provenance::completed(&page, outcome, graph, &warnings);
         let page = vec![(String::new(), page.into_bytes())];
         out::write(&folder.join("report.html"), &page).map_err(Fault::stage)?;
     }
     let run = vec![(String::new(), run.into_bytes())];
     out::write(&folder.join("run.json"), &run).map_err(Fault::stage)
-}
-
-/// How it was made, as a table for the report.
-fn provenance(outcome: &Outcome, graph: &Graph) -> String {
-    let escaped = |text: &str| text.replace('&', "&amp;").replace('<', "&lt;");
-    let mut html = String::from(
-        "<table><tr><th>node</th><th>stage</th><th>params</th><th>time</th><th>numbers</th></tr>",
-    );
-    let mut warnings = String::new();
-    for (done, node) in outcome.nodes.iter().zip(&graph.nodes) {
-        let Some(done) = done else { continue };
-        let params: Vec<String> = node
-            .params
-            .values
-            .iter()
-            .map(|(k, v)| format!("{k} = {v}"))
-            .collect();
-        let numbers: Vec<String> = done
-            .metrics
-            .iter()
-            .map(|m| format!("{} {:.3} {}", m.name, m.value, m.unit))
-            .collect();
-        html += &format!(
-            "<tr><td>{}</td><td>{} v{}</td><td class=\"note\">{}</td><td class=\"n\">{:.1} s</td><td class=\"note\">{}</td></tr>",
-            escaped(&node.name),
-            node.stage.name(),
-            node.stage.version(),
-            escaped(&params.join(", ")),
-            done.seconds,
-            escaped(&numbers.join(", ")),
-        );
-        for warning in &done.warnings {
-            warnings += &format!(
-                "<p class=\"warn\">{}: {}</p>",
-                escaped(&node.name),
-                escaped(warning)
-            );
-        }
-    }
-    warnings + &html + "</table><p class=\"note\">tailor " + env!("CARGO_PKG_VERSION") + "</p>"
 }
 
 /// The last screen.

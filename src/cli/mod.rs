@@ -21,6 +21,7 @@ mod answers;
 mod cache;
 mod door;
 mod mat;
+mod provenance;
 mod run;
 mod scoring;
 mod show;

@@ -1,28 +1,34 @@
 //! The stage that makes the report: one self-contained page.
 
-use crate::cluster::simplified;
-use crate::{overlay, profile, ring, scene, tables};
-use nalgebra::Point2;
-use shape::{
-    Camera, Cameras, Document, Girths, Landmarks, Masks, Mesh, Part, PhotoId, Photos, Textured,
-};
+use crate::face::{self, HeadBox};
+use crate::overlay::{self, Shown};
+use crate::page::{self, Content};
+use shape::{Cameras, Document, Girths, Landmarks, Masks, Mesh, Photos, Textured};
 use stage::{Ctx, Stage, Stop};
 use std::sync::Arc;
+
+/// What a page may weigh. \[MB\]
+const MOST_MB: f64 = 15.0;
+/// So many photos are shown at full height; more are shown smaller.
+const PHOTOS_AT_FULL_HEIGHT: f64 = 40.0;
 
 stage::params! {
     /// What the page shows.
     pub struct HtmlParams {
-        /// Whether the photos are in it. Without them it shows no picture of the person but the
-        /// surface, uncoloured.
+        /// Whether the photos are in it. Without them it shows no picture of the person but
+        /// outlines and the uncoloured surface.
         photos: bool = true,
-        /// Whether faces on the photos are made unrecognisable.
+        /// Whether faces are made unrecognisable, on the photos and in the colours of surfaces.
         blur_face: bool = false,
-        /// Greatest height of a photo on the page.
+        /// Greatest height of a photo on the page; less where there are more than forty.
         #[range(100..=2000)]
         photo_px: u32 = 600,
-        /// Greatest number of faces of a mesh without colours; finer ones are simplified.
+        /// Greatest number of faces of a surface without an atlas; finer ones are simplified.
         #[range(1000..=1000000)]
         most_faces: u32 = 100000,
+        /// Longest side of the atlas on the page; longer ones are halved.
+        #[range(256..=16384)]
+        atlas_px: u32 = 4096,
     }
 }
 
@@ -35,13 +41,17 @@ stage::inputs! {
         masks: Arc<Masks>,
         /// Their cameras.
         cameras: Arc<Cameras>,
-        /// The visual hull.
-        hull: Arc<Mesh>,
-        /// The refined surface.
+        /// The surface that was measured.
         body: Arc<Mesh>,
-        /// The refined surface with its colours.
+        /// That surface with its colours.
         textured: Option<Arc<Textured>>,
-        /// Another surface to switch to, such as that of the other evolution.
+        /// The visual hull, to switch to.
+        hull: Option<Arc<Mesh>>,
+        /// The surface of the rigid evolution, to switch to.
+        rigid: Option<Arc<Mesh>>,
+        /// The surface of the weighted-median evolution, to switch to.
+        weighted_median: Option<Arc<Mesh>>,
+        /// Any other surface, to switch to.
         other: Option<Arc<Mesh>>,
         /// Where the girths were taken.
         landmarks: Option<Arc<Landmarks>>,
@@ -55,36 +65,33 @@ pub struct Html;
 
 impl Stage for Html {
     const NAME: &'static str = "report.html";
-    const VERSION: u32 = 2;
+    const VERSION: u32 = 3;
     const ABOUT: &'static str = "Makes one self-contained page: 3D view, girths, photos, cameras.";
     type Params = HtmlParams;
     type Input = HtmlInput;
     type Output = Document;
 
     fn run(p: &HtmlParams, input: HtmlInput, ctx: &Ctx<'_>) -> Result<Document, Stop> {
-        let mut photos = String::new();
-        if p.photos {
-            let steps = ctx.steps("photos", input.photos.photos.len());
-            for (id, photo) in input.photos.iter() {
-                let mut pixels = photo.decode()?;
-                let camera = input.cameras.views.get(id).map(|view| &view.camera);
-                if p.blur_face {
-                    match head(camera, &input) {
-                        Some(at_px) => overlay::blur(&mut pixels, &at_px),
-                        None => {
-                            ctx.warn(format!("{}: left out, no head found to blur", photo.name));
-                            continue;
-                        }
-                    }
-                }
-                let small = overlay::reduced(&pixels, p.photo_px as usize);
-                let mask = input.masks.views.get(id);
-                photos += &overlay::figure(&photo.name, &small, mask, camera, &input.girths);
-                steps.tick()?;
-            }
+        let head = face::head(&input.body, input.landmarks.as_deref());
+        let figures = figures(p, &input, &head, ctx)?;
+        let hidden = p.blur_face.then(|| HeadBox::new(&head));
+        let surfaces = surfaces(p, &input, hidden.as_ref());
+        let page = page::page(&Content {
+            photos: &input.photos,
+            cameras: &input.cameras,
+            girths: &input.girths,
+            landmarks: input.landmarks.as_deref(),
+            surfaces,
+            figures,
+            without_photos: !p.photos,
+        });
+        let size = page.len() as f64 / 1e6;
+        ctx.metric("size", size, "MB");
+        if size > MOST_MB {
+            ctx.warn(format!(
+                "the page weighs {size:.1} MB, more than {MOST_MB} MB: lower photo_px, most_faces or atlas_px"
+            ));
         }
-        let page = page(p, &input, &photos);
-        ctx.metric("size", page.len() as f64 / 1e6, "MB");
         Ok(Document {
             media: "text/html".into(),
             bytes: page.into_bytes(),
@@ -92,65 +99,89 @@ impl Stage for Html {
     }
 }
 
-/// Where the head is on a photo: the projections of its vertices.
-fn head(camera: Option<&Camera>, input: &HtmlInput) -> Option<Vec<Point2<f64>>> {
-    let (camera, landmarks) = (camera?, input.landmarks.as_ref()?);
-    let vertices = (0u32..)
-        .zip(&landmarks.parts)
-        .filter(|(_, part)| **part == Part::Head as u8);
-    let known = |v: &u32| (*v as usize) < input.body.positions.len();
-    let at_px: Vec<_> = vertices
-        .map(|(v, _)| v)
-        .filter(known)
-        .filter_map(|v| camera.project(&input.body.point(v)))
-        .collect();
-    (!at_px.is_empty()).then_some(at_px)
+/// The figures of all photos, as HTML.
+fn figures(
+    p: &HtmlParams,
+    input: &HtmlInput,
+    head: &[nalgebra::Point3<f64>],
+    ctx: &Ctx<'_>,
+) -> Result<String, Stop> {
+    let count = input.photos.photos.len();
+    let crowd = (PHOTOS_AT_FULL_HEIGHT / count.max(1) as f64)
+        .sqrt()
+        .min(1.0);
+    let most_px = (f64::from(p.photo_px) * crowd) as usize;
+    let steps = ctx.steps("photos", count);
+    let mut figures = String::new();
+    for (id, photo) in input.photos.iter() {
+        let camera = input.cameras.views.get(id).map(|view| &view.camera);
+        let size = [photo.width as usize, photo.height as usize];
+        let factor = overlay::factor(size[1], most_px);
+        let mut shown = Shown {
+            index: id.0 as usize,
+            name: &photo.name,
+            size,
+            factor,
+            photo: None,
+            mask: input.masks.views.get(id),
+            camera,
+        };
+        if p.photos {
+            let at_px = camera.map(|c| face::on_photo(head, c)).unwrap_or_default();
+            if p.blur_face && at_px.is_empty() {
+                ctx.warn(format!(
+                    "{}: left out, for where its face is cannot be told",
+                    photo.name
+                ));
+            } else {
+                let mut pixels = photo.decode()?;
+                if p.blur_face {
+                    face::blur(&mut pixels, &at_px);
+                }
+                shown.photo = Some(overlay::reduced(&pixels, factor));
+            }
+        }
+        figures += &overlay::figure(&shown, &input.girths);
+        steps.tick()?;
+    }
+    Ok(figures)
 }
 
-/// The page itself.
-fn page(p: &HtmlParams, input: &HtmlInput, photos: &str) -> String {
-    let most = p.most_faces as usize;
-    let mut meshes = Vec::new();
-    if let Some(textured) = input.textured.as_ref().filter(|_| p.photos && !p.blur_face) {
-        meshes.push(scene::textured("body in colours", textured));
+/// The surfaces to switch between, the best first; equal ones once.
+fn surfaces(p: &HtmlParams, input: &HtmlInput, hidden: Option<&HeadBox>) -> Vec<page::Surface> {
+    let mut surfaces = Vec::new();
+    if let Some(textured) = input.textured.as_ref().filter(|_| p.photos) {
+        let shown = match hidden {
+            Some(head) => head.without_atlas(textured),
+            None => (**textured).clone(),
+        };
+        let atlas_px = p.atlas_px as usize;
+        surfaces.push(page::Surface::Textured("body in colours", shown, atlas_px));
     }
-    meshes.push(scene::mesh("body", &simplified(&input.body, most)));
-    if let Some(other) = &input.other {
-        meshes.push(scene::mesh("other evolution", &simplified(other, most)));
-    }
-    meshes.push(scene::mesh("visual hull", &simplified(&input.hull, most)));
-    let scene = serde_json::json!({ "meshes": meshes, "tapes": scene::tapes(&input.girths) });
-    let name = input.photos.rig.name.as_deref().unwrap_or("one turn");
-    let missing: Vec<_> = (0..input.photos.photos.len() as u32)
-        .filter(|i| input.cameras.views.get(PhotoId(*i)).is_none())
-        .map(|i| input.photos.photos[i as usize].name.clone())
-        .collect();
-    let unplaced = match missing.is_empty() {
-        true => String::new(),
-        false => format!(
-            "<p class=\"warn\">Photos without a camera: {}</p>",
-            missing.join(", ")
-        ),
-    };
-    let gallery = match photos.is_empty() {
-        true => "<p class=\"note\">The photos were left out.</p>".into(),
-        false => format!("<div class=\"photos\">{photos}</div>"),
-    };
-    let parts = [
-        ("{{title}}", tables::escaped(name)),
-        ("{{style}}", include_str!("page.css").into()),
-        ("{{girths}}", tables::girths(&input.girths)),
-        ("{{derived}}", tables::derived(&input.girths)),
-        ("{{scale}}", tables::scale(&input.cameras) + &unplaced),
-        ("{{profile}}", profile::svg(&input.girths)),
-        ("{{ring}}", ring::svg(&input.cameras)),
-        ("{{photos}}", gallery),
-        ("{{scene}}", scene.to_string().replace('<', "\\u003c")),
-        ("{{viewer}}", include_str!("viewer.js").into()),
+    let named = [
+        ("body", Some(&input.body)),
+        ("rigid", input.rigid.as_ref()),
+        ("weighted median", input.weighted_median.as_ref()),
+        ("other", input.other.as_ref()),
+        ("visual hull", input.hull.as_ref()),
     ];
-    let mut page = String::from(include_str!("page.html"));
-    for (slot, text) in parts {
-        page = page.replace(slot, &text);
+    let mut kept: Vec<(String, &Arc<Mesh>)> = Vec::new();
+    for (label, mesh) in named {
+        let Some(mesh) = mesh else { continue };
+        match kept.iter_mut().find(|(_, other)| **other == *mesh) {
+            Some((known, _)) => *known = format!("{known} = {label}"),
+            None => kept.push((label.into(), mesh)),
+        }
     }
-    page
+    for (label, mesh) in kept {
+        let mut small = page::simplified(mesh, p.most_faces as usize);
+        if !p.photos {
+            small.colors.clear();
+        }
+        if let Some(head) = hidden {
+            small = head.without_colors(&small);
+        }
+        surfaces.push(page::Surface::Plain(label, small));
+    }
+    surfaces
 }

@@ -1,7 +1,7 @@
 //! From results to documents for people.
 //!
 //! ```text
-//! photos, masks, cameras, meshes, landmarks, girths → [`Html`] → document
+//! photos, masks, cameras, surfaces, landmarks, girths → [`Html`] → document
 //! cameras → [`RingPicture`] → document
 //! ```
 //!
@@ -9,13 +9,17 @@
 
 mod base64;
 mod cluster;
+mod face;
 mod html;
 mod overlay;
+mod packing;
+mod page;
 mod profile;
 mod ring;
 mod ring_picture;
 mod scene;
 mod tables;
+mod tape;
 
 pub use html::{Html, HtmlInput, HtmlParams};
 pub use ring_picture::{RingInput, RingPicture};

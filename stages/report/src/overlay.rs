@@ -1,13 +1,18 @@
 //! A small picture of each photo with the silhouette's outline and the sections over it.
 
 use crate::base64::base64;
+use crate::tables::escaped;
 use nalgebra::{Point2, Point3};
-use shape::{Camera, Girths, Mask, Rgb, rgb_to_jpeg};
+use shape::{Camera, Girth, Girths, Mask, Rgb, rgb_to_jpeg};
 use std::fmt::Write;
 
-/// The photo, reduced by a whole factor so that it is at most `most_px` high.
-pub(crate) fn reduced(photo: &Rgb, most_px: usize) -> (Rgb, usize) {
-    let factor = photo.height.div_ceil(most_px.max(1)).max(1);
+/// The whole factor by which a photo of some height is reduced to at most `most_px`.
+pub(crate) fn factor(height: usize, most_px: usize) -> usize {
+    height.div_ceil(most_px.max(1)).max(1)
+}
+
+/// The photo, reduced by a whole factor.
+pub(crate) fn reduced(photo: &Rgb, factor: usize) -> Rgb {
     let (width, height) = (photo.width / factor, photo.height / factor);
     let mut small = Rgb::filled(width, height, [0; 3]);
     for (y, x) in (0..height).flat_map(|y| (0..width).map(move |x| (y, x))) {
@@ -19,96 +24,101 @@ pub(crate) fn reduced(photo: &Rgb, most_px: usize) -> (Rgb, usize) {
         }
         *small.at_mut(x, y) = sum.map(|s| (s / (factor * factor) as u32) as u8);
     }
-    (small, factor)
+    small
 }
 
-/// Makes the part around some pixels of the photo unrecognisable: big blocks of one colour.
-pub(crate) fn blur(photo: &mut Rgb, at_px: &[Point2<f64>]) {
-    if at_px.is_empty() {
-        return;
-    }
-    let fold =
-        |f: fn(f64, f64) -> f64, c: usize| at_px.iter().map(|p| p[c]).reduce(f).unwrap_or(0.0);
-    let (x0, x1, y0, y1) = (
-        fold(f64::min, 0),
-        fold(f64::max, 0),
-        fold(f64::min, 1),
-        fold(f64::max, 1),
-    );
-    let (margin, block) = ((y1 - y0) * 0.1, ((y1 - y0) / 6.0).max(8.0) as usize);
-    let clamp = |x: f64, size: usize| x.clamp(0.0, size as f64) as usize;
-    let (x0, x1) = (
-        clamp(x0 - margin, photo.width),
-        clamp(x1 + margin, photo.width),
-    );
-    let (y0, y1) = (
-        clamp(y0 - margin, photo.height),
-        clamp(y1 + margin, photo.height),
-    );
-    for (by, bx) in (y0..y1)
-        .step_by(block)
-        .flat_map(|y| (x0..x1).step_by(block).map(move |x| (y, x)))
-    {
-        let (ey, ex) = ((by + block).min(y1), (bx + block).min(x1));
-        let mut sum = [0u64; 3];
-        let pixels = (by..ey).flat_map(|y| (bx..ex).map(move |x| (x, y)));
-        for (x, y) in pixels.clone() {
-            (0..3).for_each(|c| sum[c] += u64::from(photo.at(x, y)[c]));
-        }
-        let mean = sum.map(|s| (s / ((ey - by) * (ex - bx)) as u64) as u8);
-        pixels.for_each(|(x, y)| *photo.at_mut(x, y) = mean);
-    }
+/// What one figure shows.
+pub(crate) struct Shown<'a> {
+    /// The photo's place in the turn.
+    pub(crate) index: usize,
+    /// Its file name.
+    pub(crate) name: &'a str,
+    /// Width and height of the photo. \[px\]
+    pub(crate) size: [usize; 2],
+    /// The whole factor by which it is reduced.
+    pub(crate) factor: usize,
+    /// The reduced photo, if it may be shown.
+    pub(crate) photo: Option<Rgb>,
+    /// Its silhouette.
+    pub(crate) mask: Option<&'a Mask>,
+    /// Its camera.
+    pub(crate) camera: Option<&'a Camera>,
 }
 
 /// One figure: the reduced photo, the outline of its mask and the sections as SVG paths over it.
-pub(crate) fn figure(
-    name: &str,
-    (small, factor): &(Rgb, usize),
-    mask: Option<&Mask>,
-    camera: Option<&Camera>,
-    girths: &Girths,
-) -> String {
-    let (w, h) = (small.width, small.height);
-    let image = base64(&rgb_to_jpeg(small, 70));
+pub(crate) fn figure(shown: &Shown<'_>, girths: &Girths) -> String {
+    let [w, h] = shown.size.map(|s| s / shown.factor);
     let mut svg = format!(
-        "<figure><svg viewBox=\"0 0 {w} {h}\"><image width=\"{w}\" height=\"{h}\" \
-         href=\"data:image/jpeg;base64,{image}\"/>"
+        "<figure data-photo=\"{}\" tabindex=\"0\" role=\"button\" aria-label=\"enlarge {}\">\
+         <svg viewBox=\"0 0 {w} {h}\">",
+        shown.index,
+        escaped(shown.name)
     );
-    if let Some(mask) = mask {
+    if let Some(photo) = &shown.photo {
         let _ = write!(
             svg,
-            "<path class=\"outline\" d=\"{}\"/>",
-            outline(mask, *factor, w, h)
+            "<image width=\"{w}\" height=\"{h}\" href=\"data:image/jpeg;base64,{}\"/>",
+            base64(&rgb_to_jpeg(photo, 70))
         );
     }
-    if let Some(camera) = camera {
-        let to_small =
-            |p: Point2<f64>| (p.coords.add_scalar(0.5) / *factor as f64).add_scalar(-0.5);
+    if let Some(mask) = shown.mask {
+        let d = outline(mask, shown.factor, w, h);
+        let _ = write!(svg, "<path class=\"outline\" d=\"{d}\"/>");
+    }
+    if let Some(camera) = shown.camera {
         for girth in &girths.girths {
-            let mut d = String::new();
-            for p in girth
-                .contour
+            let name = escaped(&girth.name);
+            for (class, d) in ["tape far", "tape"]
                 .iter()
-                .step_by((girth.contour.len() / 120).max(1))
+                .zip(section(girth, camera, shown.factor))
             {
-                let Some(at) = camera.project(&Point3::from(p.map(f64::from))) else {
-                    continue;
-                };
-                let at = to_small(at);
                 let _ = write!(
-                    d,
-                    "{}{:.1},{:.1}",
-                    if d.is_empty() { 'M' } else { 'L' },
-                    at.x,
-                    at.y
+                    svg,
+                    "<path class=\"{class}\" data-name=\"{name}\" d=\"{d}\"/>"
                 );
-            }
-            if !d.is_empty() {
-                let _ = write!(svg, "<path class=\"tape\" d=\"{d}Z\"/>");
             }
         }
     }
-    svg + "</svg><figcaption>" + &crate::tables::escaped(name) + "</figcaption></figure>"
+    svg + "</svg><figcaption>" + &escaped(shown.name) + "</figcaption></figure>"
+}
+
+/// The section on the reduced photo: what lies behind the body, and what the camera sees. A piece
+/// of the contour counts as seen if its outward normal in the plane points to the camera.
+fn section(girth: &Girth, camera: &Camera, factor: usize) -> [String; 2] {
+    let step = (girth.contour.len() / 160).max(1);
+    let points: Vec<Point3<f64>> = girth
+        .contour
+        .iter()
+        .step_by(step)
+        .map(|p| Point3::from(p.map(f64::from)))
+        .collect();
+    let normal = nalgebra::Vector3::from(girth.plane.normal);
+    let middle = Point3::from(girth.plane.point_mm);
+    // Twice the signed area tells which way the contour runs around the normal.
+    let pairs = || points.iter().zip(points.iter().cycle().skip(1));
+    let turns: f64 = pairs()
+        .map(|(a, b)| (a - middle).cross(&(b - middle)).dot(&normal))
+        .sum();
+    let mut paths = [String::new(), String::new()];
+    let mut before = None;
+    for (a, b) in pairs() {
+        let outward = (b - a).cross(&normal) * turns.signum();
+        let seen = usize::from(outward.dot(&(camera.centre() - a)) > 0.0);
+        let (Some(from), Some(to)) = (camera.project(a), camera.project(b)) else {
+            before = None;
+            continue;
+        };
+        // In SVG the middle of the first pixel is at (0.5, 0.5).
+        let small = |p: Point2<f64>| p.coords.add_scalar(0.5) / factor as f64;
+        if before != Some(seen) {
+            let at = small(from);
+            let _ = write!(paths[seen], "M{:.1},{:.1}", at.x, at.y);
+        }
+        let at = small(to);
+        let _ = write!(paths[seen], "L{:.1},{:.1}", at.x, at.y);
+        before = Some(seen);
+    }
+    paths
 }
 
 /// The border of a mask on the reduced photo, as pieces along pixel edges.
@@ -146,33 +156,46 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_blurred_face_is_a_few_blocks() {
-        let data = (0..100 * 100)
-            .map(|i| [(i * 7 % 251) as u8, (i * 13 % 241) as u8, 9])
-            .collect();
-        let mut photo = Rgb {
-            width: 100,
-            height: 100,
-            data,
-        };
-        let before = photo.clone();
-        blur(
-            &mut photo,
-            &[Point2::new(30.0, 30.0), Point2::new(60.0, 60.0)],
-        );
-        let mut colors: Vec<_> = (30..60)
-            .flat_map(|y| photo.row(y)[30..60].to_vec())
-            .collect();
-        colors.sort_unstable();
-        colors.dedup();
-        assert!(colors.len() <= 36, "{}", colors.len());
-        assert_eq!(photo.at(5, 5), before.at(5, 5));
-    }
-
-    #[test]
     fn an_outline_runs_around_the_mask() {
         let mut mask = Mask::filled(8, 8, 0);
         (2..6).for_each(|y| (3..5).for_each(|x| *mask.at_mut(x, y) = 255));
         assert_eq!(outline(&mask, 1, 8, 8), "M3,2h2M3,6h2M3,2v4M5,2v4");
+    }
+
+    #[test]
+    fn half_of_a_circle_is_seen_from_far_whichever_way_it_runs() {
+        let rotation = nalgebra::Rotation3::from_matrix_unchecked(nalgebra::Matrix3::new(
+            1.0, 0.0, 0.0, 0.0, 0.0, -1.0, 0.0, 1.0, 0.0,
+        ));
+        let camera = Camera {
+            lens: shape::Intrinsics::simple(400, 400, 40_000.0),
+            pose: shape::Pose {
+                rotation,
+                translation: nalgebra::Vector3::new(0.0, 0.0, 50_000.0),
+            },
+        };
+        for turn in [1.0f32, -1.0] {
+            let at = |i: i32| (turn * i as f32 * std::f32::consts::TAU / 100.0).sin_cos();
+            let contour = (0..100).map(at).map(|(s, c)| [50.0 * c, 50.0 * s, 0.0]);
+            let girth = Girth {
+                name: "WC".into(),
+                label: String::new(),
+                definition: String::new(),
+                contour_mm: 314.0,
+                tape_mm: 314.0,
+                spline_mm: 314.0,
+                silhouette_mm: None,
+                interval_mm: [313.0, 315.0],
+                plane: shape::Plane {
+                    point_mm: [0.0; 3],
+                    normal: [0.0, 0.0, 1.0],
+                },
+                contour: contour.collect(),
+            };
+            let [far, near] = section(&girth, &camera, 1);
+            let lines = |d: &str| d.matches('L').count() as i32;
+            assert_eq!(lines(&far) + lines(&near), 100);
+            assert!((lines(&near) - 50).abs() <= 1, "{near}");
+        }
     }
 }

@@ -1,10 +1,15 @@
 //! Girth of the trunk over height, as a drawing.
 
+use crate::tables::escaped;
 use shape::Girths;
 use std::fmt::Write;
 
-/// An SVG of the curve, with a line at each horizontal girth. Empty without a curve.
-pub(crate) fn svg(girths: &Girths) -> String {
+/// A girth that changes by more than this from one height to the next jumps.
+const JUMP: f64 = 0.06;
+
+/// An SVG of the curve, with a line at each horizontal girth. Empty without a curve. Where the girth
+/// jumps, because limbs join or part, the curve is dotted.
+pub(crate) fn svg(girths: &Girths, ground_mm: f64) -> String {
     let profile = &girths.profile;
     let pairs: Vec<(f64, f64)> = profile
         .height_mm
@@ -50,29 +55,42 @@ pub(crate) fn svg(girths: &Girths) -> String {
         .iter()
         .filter(|g| g.plane.normal[2].abs() > 0.999)
     {
-        let z = girth.plane.point_mm[2];
+        let z = girth.plane.point_mm[2] - ground_mm;
         if (low..=high).contains(&z) && (narrowest..=widest * 1.02).contains(&girth.tape_mm) {
             let _ = write!(
                 svg,
                 "<line class=\"mark\" x1=\"{left}\" x2=\"{:.1}\" y1=\"{zy:.1}\" y2=\"{zy:.1}\"/>\
                  <text class=\"mark\" x=\"{tx}\" y=\"{ty:.1}\">{}</text>",
                 x(girth.tape_mm),
-                girth.name,
+                escaped(&girth.name),
                 tx = left + 4.0,
                 ty = y(z) - 3.0,
                 zy = y(z),
             );
         }
     }
-    svg += "<polyline class=\"curve\" points=\"";
-    pairs.iter().for_each(|(z, g)| {
-        let _ = write!(svg, "{:.1},{:.1} ", x(*g), y(*z));
-    });
+    for pair in pairs.windows(2) {
+        let [(z0, g0), (z1, g1)] = [pair[0], pair[1]];
+        let class = match (g1 - g0).abs() > JUMP * g0 {
+            true => "curve jump",
+            false => "curve",
+        };
+        let _ = write!(
+            svg,
+            "<path class=\"{class}\" d=\"M{:.1},{:.1}L{:.1},{:.1}\"/>",
+            x(g0),
+            y(z0),
+            x(g1),
+            y(z1)
+        );
+    }
     let _ = write!(
         svg,
-        "\"/><text x=\"{:.0}\" y=\"{}\" text-anchor=\"middle\">girth of the trunk [cm], over height [cm]</text></svg>",
+        "<text x=\"{:.0}\" y=\"{}\" text-anchor=\"middle\">girth of the trunk [cm]</text>\
+         <text transform=\"translate(11 {:.0}) rotate(-90)\" text-anchor=\"middle\">height [cm]</text></svg>",
         (w + left) / 2.0,
-        h - 2.0
+        h - 2.0,
+        (h - bottom) / 2.0
     );
     svg
 }

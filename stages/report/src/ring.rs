@@ -19,12 +19,12 @@ pub(crate) fn svg(cameras: &Cameras) -> String {
     let disk = cameras.disk_radius_mm.unwrap_or(reach * 0.1);
     let (radius, low, high) = bounding_cylinder(cameras);
     let mut svg = String::from(
-        "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 840 420\" role=\"img\" \
+        "<svg class=\"ring\" xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 840 420\" role=\"img\" \
          aria-label=\"cameras around the subject, from above and from the side\">\
-         <style>text{font:10px sans-serif;fill:#888}.disk{fill:#8883;stroke:#888}\
-         .ray{stroke:#2a7fff;stroke-width:.6;opacity:.55}.cam{fill:#2a7fff}\
-         .path{fill:none;stroke:#2a7fff;stroke-dasharray:3 3;opacity:.6}\
-         .cyl{fill:none;stroke:#e07b00}</style>",
+         <style>.ring text{font:12px sans-serif;fill:#888}.ring .disk{fill:#8883;stroke:#888}\
+         .ring .ray{stroke:#2a7fff;stroke-width:.6;opacity:.55}.ring .cam{fill:#2a7fff}\
+         .ring .cam.on{fill:#ff5a00;r:7px}.ring .cyl{fill:none;stroke:#e07b00}\
+         .ring .path{fill:none;stroke:#2a7fff;stroke-dasharray:3 3;opacity:.6}</style>",
     );
     let scale = 190.0 / reach;
     for (panel, side) in [(0.0, false), (420.0, true)] {
@@ -67,7 +67,7 @@ pub(crate) fn svg(cameras: &Cameras) -> String {
             }
             let _ = write!(
                 svg,
-                "<circle class=\"cam\" cx=\"{x:.1}\" cy=\"{y:.1}\" r=\"3\"/>\
+                "<circle class=\"cam\" data-photo=\"{label}\" cx=\"{x:.1}\" cy=\"{y:.1}\" r=\"3\"/>\
                  <text x=\"{:.1}\" y=\"{:.1}\">{label}</text>",
                 x + 5.0,
                 y - 4.0

@@ -1,76 +1,133 @@
-//! What the viewer draws, as JSON: meshes with 16-bit positions, an atlas, tapes.
+//! What the viewer draws, as JSON: meshes, an atlas, tapes, where the cameras stood.
 
 use crate::base64::base64;
+use crate::packing::{corners, steps};
+use crate::tape;
 use serde_json::{Value, json};
-use shape::{Girths, Mesh, Textured, rgb_to_jpeg};
+use shape::{Camera, Girths, Mesh, Rgb, Textured, rgb_to_jpeg};
 use std::collections::BTreeMap;
 
-/// A mesh for the viewer.
+/// Finest step of a coordinate. \[mm\]
+const STEP_MM: f32 = 0.1;
+
+/// A mesh for the viewer, with the colours of its vertices if it has some.
 pub(crate) fn mesh(label: &str, mesh: &Mesh) -> Value {
-    json!({
-        "label": label,
-        "positions": positions(&mesh.positions),
-        "indices": indices(mesh.faces.iter().flatten().copied()),
-        "count": mesh.faces.len() * 3,
-    })
+    let (bytes, order) = corners(&mesh.faces, mesh.positions.len());
+    let mut value = packed(label, &mesh.positions, &bytes, &order);
+    if !mesh.colors.is_empty() {
+        let colors = order
+            .iter()
+            .map(|v| mesh.colors[*v as usize].map(i32::from));
+        value["colors"] = json!(base64(&steps(colors)));
+    }
+    value
 }
 
 /// A mesh with an atlas for the viewer: vertices are split where the atlas is cut.
-pub(crate) fn textured(label: &str, body: &Textured) -> Value {
-    let mut known: BTreeMap<(u32, [u16; 2]), u32> = BTreeMap::new();
-    let (mut split, mut places, mut corners) = (Vec::new(), Vec::new(), Vec::new());
+pub(crate) fn textured(label: &str, body: &Textured, atlas_px: usize) -> Value {
+    let mut known: BTreeMap<(u32, [i32; 2]), u32> = BTreeMap::new();
+    let (mut split, mut places) = (Vec::new(), Vec::new());
+    let mut faces = Vec::with_capacity(body.mesh.faces.len());
     for (face, uvs) in body.mesh.faces.iter().zip(&body.corners) {
-        for (v, uv) in face.iter().zip(uvs) {
-            let uv = uv.map(|x| (x.clamp(0.0, 1.0) * 65535.0).round() as u16);
-            let at = *known.entry((*v, uv)).or_insert(split.len() as u32);
+        let at = [0, 1, 2].map(|i| {
+            let uv = uvs[i].map(|x| (x.clamp(0.0, 1.0) * 65535.0).round() as i32);
+            let at = *known.entry((face[i], uv)).or_insert(split.len() as u32);
             if at as usize == split.len() {
-                split.push(body.mesh.positions[*v as usize]);
-                places.extend(uv);
+                split.push(body.mesh.positions[face[i] as usize]);
+                places.push(uv);
             }
-            corners.push(at);
-        }
+            at
+        });
+        faces.push(at);
     }
-    let bytes: Vec<u8> = places.iter().flat_map(|x| x.to_le_bytes()).collect();
-    json!({
-        "label": label,
-        "positions": positions(&split),
-        "uv": base64(&bytes),
-        "indices": indices(corners.iter().copied()),
-        "count": corners.len(),
-        "atlas": format!("data:image/jpeg;base64,{}", base64(&rgb_to_jpeg(&body.atlas, 85))),
-    })
+    let (bytes, order) = corners(&faces, split.len());
+    let mut value = packed(label, &split, &bytes, &order);
+    let places = order.iter().map(|v| places[*v as usize]);
+    let jpeg = rgb_to_jpeg(&halved(&body.atlas, atlas_px), 80);
+    value["uv"] = json!(base64(&steps(places)));
+    value["atlas"] = json!(format!("data:image/jpeg;base64,{}", base64(&jpeg)));
+    value
 }
 
-/// The tapes: name, label and closed polylines. \[mm\]
+/// The image, halved until neither side is longer.
+fn halved(image: &Rgb, most_px: usize) -> Rgb {
+    let mut small = image.clone();
+    while small.width.max(small.height) > most_px.max(1) {
+        let (w, h) = (small.width.div_ceil(2), small.height.div_ceil(2));
+        let at = |x: usize, y: usize| small.at(x.min(small.width - 1), y.min(small.height - 1));
+        let mean = |x: usize, y: usize| {
+            let four = [
+                at(2 * x, 2 * y),
+                at(2 * x + 1, 2 * y),
+                at(2 * x, 2 * y + 1),
+                at(2 * x + 1, 2 * y + 1),
+            ];
+            [0, 1, 2].map(|c| (four.iter().map(|p| u16::from(p[c])).sum::<u16>() / 4) as u8)
+        };
+        let data = (0..h).flat_map(|y| (0..w).map(move |x| (x, y)));
+        let data = data.map(|(x, y)| mean(x, y)).collect();
+        small = Rgb {
+            width: w,
+            height: h,
+            data,
+        };
+    }
+    small
+}
+
+/// The tapes: name, label, length, normal, the tape's points and the contour's, closed. \[mm\]
 pub(crate) fn tapes(girths: &Girths) -> Value {
-    let rounded = |p: &[f32; 3]| p.map(|x| (f64::from(x) * 10.0).round() / 10.0);
+    let flat = |points: &[[f32; 3]]| -> Vec<f64> {
+        let rounded = |x: &f32| (f64::from(*x) * 10.0).round() / 10.0;
+        points.as_flattened().iter().map(rounded).collect()
+    };
     let tape = |g: &shape::Girth| {
         json!({
-            "name": g.name, "label": g.label,
-            "points": g.contour.iter().map(rounded).collect::<Vec<_>>(),
+            "name": g.name, "label": g.label, "normal": g.plane.normal,
+            "text": format!("{:.1} cm", g.tape_mm / 10.0),
+            "tape": flat(&tape::around(&g.contour, g.plane.normal)), "contour": flat(&g.contour),
         })
     };
     girths.girths.iter().map(tape).collect()
 }
 
-/// Positions as 16-bit steps of their bounding cube.
-fn positions(points: &[[f32; 3]]) -> Value {
+/// Where each camera stood; null for a photo without one. \[mm\]
+pub(crate) fn views<'a>(cameras: impl Iterator<Item = Option<&'a Camera>>) -> Value {
+    let centre = |c: &Camera| <[f64; 3]>::from(c.centre()).map(f64::round);
+    cameras.map(|c| json!(c.map(centre))).collect()
+}
+
+fn packed(label: &str, points: &[[f32; 3]], corners: &[u8], order: &[u32]) -> Value {
     let fold = |f: fn(f32, f32) -> f32, start: f32| {
         points.iter().fold([start; 3], |c, p| {
             [f(c[0], p[0]), f(c[1], p[1]), f(c[2], p[2])]
         })
     };
     let (lo, hi) = (fold(f32::min, f32::MAX), fold(f32::max, f32::MIN));
-    let step = (0..3).map(|i| hi[i] - lo[i]).fold(1e-3, f32::max) / 65535.0;
-    let mut bytes = Vec::with_capacity(points.len() * 6);
-    for p in points {
-        (0..3).for_each(|i| {
-            bytes.extend((((p[i] - lo[i]) / step).round() as u16).to_le_bytes());
-        });
-    }
-    json!({ "lo": if points.is_empty() { [0.0; 3] } else { lo }, "step": step, "data": base64(&bytes) })
+    let longest = (0..3).map(|i| hi[i] - lo[i]).fold(0.0, f32::max);
+    let step = (longest / 65535.0).max(STEP_MM);
+    let at = |v: &u32| {
+        let p = points[*v as usize];
+        [0, 1, 2].map(|i| ((p[i] - lo[i]) / step).round() as i32)
+    };
+    json!({
+        "label": label, "step": step,
+        "lo": if points.is_empty() { [0.0; 3] } else { lo },
+        "at": base64(&steps(order.iter().map(at))), "corners": base64(corners),
+    })
 }
 
-fn indices(corners: impl Iterator<Item = u32>) -> String {
-    base64(&corners.flat_map(u32::to_le_bytes).collect::<Vec<u8>>())
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn an_atlas_is_halved_until_a_phone_can_hold_it() {
+        let mut image = Rgb::filled(10, 6, [0; 3]);
+        *image.at_mut(9, 5) = [200; 3];
+        let small = halved(&image, 5);
+        assert_eq!((small.width, small.height), (5, 3));
+        assert_eq!(small.at(4, 2), [50; 3]);
+        assert_eq!(halved(&image, 10), image);
+    }
 }

@@ -1,6 +1,6 @@
 //! The tables of the page: girths with intervals, what is missing, ratios, scale.
 
-use shape::{Cameras, Girths, Scale};
+use shape::{Cameras, Girths, Rig, Scale};
 use std::fmt::Write;
 
 /// Text that may stand in HTML.
@@ -15,23 +15,27 @@ pub(crate) fn escaped(text: &str) -> String {
 /// The girths, one a row.
 pub(crate) fn girths(girths: &Girths) -> String {
     let mut html = String::from(
-        "<table id=\"girths\"><thead><tr><th>girth</th><th>tape [cm]</th><th>interval</th>\
-         <th>contour</th><th>spline</th><th>silhouette</th></tr></thead><tbody>",
+        "<table id=\"girths\"><thead><tr><th>girth</th><th class=\"n\">tape [cm]</th><th class=\"n\">interval</th>\
+         <th class=\"n\">contour</th><th class=\"n\">spline</th><th class=\"n\">silhouette</th></tr></thead><tbody>",
     );
+    let cm = |mm: f64| format!("{:.1}", mm / 10.0);
     for g in &girths.girths {
-        let silhouette = g
-            .silhouette_mm
-            .map_or("–".into(), |mm| format!("{:.1}", mm / 10.0));
+        let cells = [
+            (cm(g.contour_mm), "contour"),
+            (cm(g.spline_mm), "spline"),
+            (g.silhouette_mm.map_or("–".into(), cm), "silhouette"),
+        ];
+        let cells: String = cells
+            .iter()
+            .map(|(text, of)| format!("<td class=\"n more\" data-of=\"{of}\">{text}</td>"))
+            .collect();
         let _ = write!(
             html,
-            "<tr data-name=\"{name}\" title=\"{definition}\"><td><b>{name}</b> {label}</td>\
-             <td class=\"n big\">{:.1}</td><td class=\"n\">{:.1} – {:.1}</td><td class=\"n\">{:.1}</td>\
-             <td class=\"n\">{:.1}</td><td class=\"n\">{silhouette}</td></tr>",
-            g.tape_mm / 10.0,
-            g.interval_mm[0] / 10.0,
-            g.interval_mm[1] / 10.0,
-            g.contour_mm / 10.0,
-            g.spline_mm / 10.0,
+            "<tr data-name=\"{name}\" title=\"{definition}\" tabindex=\"0\"><td><b>{name}</b> {label}</td>\
+             <td class=\"n big\">{}</td><td class=\"n\">{} – {}</td>{cells}</tr>",
+            cm(g.tape_mm),
+            cm(g.interval_mm[0]),
+            cm(g.interval_mm[1]),
             name = escaped(&g.name),
             label = escaped(&g.label),
             definition = escaped(&g.definition),
@@ -95,18 +99,20 @@ pub(crate) fn derived(girths: &Girths) -> String {
     format!("<table>{rows}</table><p class=\"note\">Numbers, no diagnosis.</p>")
 }
 
-/// Where the millimetres come from, and how sure the cameras are.
-pub(crate) fn scale(cameras: &Cameras) -> String {
-    let from = match cameras.scale {
-        Scale::Mat => "the marker mat on the disk",
-        Scale::Reference => "the reference length that was given",
-        Scale::Disk => "the disk's diameter",
-        Scale::Stature => "the subject's stature",
-        Scale::Given => "cameras that came from elsewhere, taken at their word",
-        Scale::Nothing => {
-            "nothing: the camera ring's radius is called 1000 mm, so lengths are relative"
-        }
-    };
+/// Where the lengths come from, as a sentence.
+pub(crate) fn origin(scale: Scale) -> &'static str {
+    match scale {
+        Scale::Mat => "lengths come from the marker mat on the disk",
+        Scale::Reference => "lengths come from the reference length that was given",
+        Scale::Disk => "lengths come from the disk's diameter",
+        Scale::Stature => "lengths come from the subject's stature",
+        Scale::Given => "lengths come from the cameras that were given, taken at their word",
+        Scale::Nothing => "lengths are relative: the camera ring's radius is called 1000 mm",
+    }
+}
+
+/// Where the millimetres come from, what else was known, and how sure the cameras are.
+pub(crate) fn scale(cameras: &Cameras, rig: &Rig) -> String {
     let count = cameras.views.len().max(1) as f64;
     let mean = |f: fn(&shape::View) -> f64| cameras.views.values().map(f).sum::<f64>() / count;
     // A ring that a swaying subject leaves undetermined has variances beyond any use.
@@ -114,10 +120,47 @@ pub(crate) fn scale(cameras: &Cameras) -> String {
         mm if mm.is_finite() && mm < 100.0 => format!("camera centres ± {mm:.1} mm"),
         _ => "how sure the camera centres are cannot be told".into(),
     };
-    format!(
-        "<p>Lengths come from {from} (± {:.2} %). {} cameras; mean reprojection error {:.2} px; {centres}.</p>",
+    let mut html = format!(
+        "<p>The {}, ± {:.2} %. {} cameras; mean reprojection error {:.2} px; {centres}.</p>",
+        origin(cameras.scale),
         cameras.scale_sigma * 100.0,
         cameras.views.len(),
         mean(|v| v.rms_px),
-    )
+    );
+    let cm = |mm: f64| format!("{:.1} cm", mm / 10.0);
+    let mut known: Vec<(&str, String, Option<Scale>)> = Vec::new();
+    if let Some(mat) = &rig.mat {
+        let text = format!(
+            "{} tags of {:.1} mm on a ring of {:.1} mm",
+            mat.count, mat.tag_mm, mat.ring_mm
+        );
+        known.push(("marker mat", text, Some(Scale::Mat)));
+    }
+    if let Some(reference) = &rig.reference {
+        let kind = escaped(&reference.kind.replace('_', " "));
+        let text = format!("{kind}, {:.1} mm", reference.length_mm);
+        known.push(("reference", text, Some(Scale::Reference)));
+    }
+    if let Some(mm) = rig.disk_diameter_mm {
+        known.push(("disk's diameter", cm(mm), Some(Scale::Disk)));
+    }
+    if let Some(mm) = rig.stature_mm {
+        known.push(("stature", cm(mm), Some(Scale::Stature)));
+    }
+    if let Some(kg) = rig.weight_kg {
+        known.push(("weight", format!("{kg:.1} kg"), None));
+    }
+    html += "<table id=\"scale\">";
+    for (what, text, scale) in known {
+        let role = match scale {
+            Some(scale) if scale == cameras.scale => "<b>sets the scale</b>",
+            Some(_) => "given, does not set the scale",
+            None => "given, for the body mass index",
+        };
+        let _ = write!(
+            html,
+            "<tr><td>{what}</td><td>{text}</td><td class=\"note\">{role}</td></tr>"
+        );
+    }
+    html + "</table>"
 }

@@ -119,9 +119,11 @@ fn input() -> HtmlInput {
             ground_mm: 0.0,
             points: vec![],
         }),
-        hull: Arc::new(tube(84.0, 400.0)),
         body: Arc::new(tube(80.0, 400.0)),
         textured: None,
+        hull: Some(Arc::new(tube(84.0, 400.0))),
+        rigid: None,
+        weighted_median: None,
         other: None,
         landmarks: None,
         girths: Arc::new(Girths {

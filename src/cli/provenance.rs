@@ -1,0 +1,79 @@
+//! How a result was made, as HTML for the report.
+
+use crate::engine::Outcome;
+use crate::graph::Graph;
+use shape::Girths;
+
+fn escaped(text: &str) -> String {
+    text.replace('&', "&amp;")
+        .replace('<', "&lt;")
+        .replace('>', "&gt;")
+}
+
+/// What the stages warned of, without what the table says anyway.
+pub(crate) fn warnings(outcome: &Outcome, graph: &Graph, girths: Option<&Girths>) -> Vec<String> {
+    let said: Vec<String> = girths
+        .iter()
+        .flat_map(|g| &g.missing)
+        .map(|m| format!("{}: {}", m.name, m.why))
+        .collect();
+    let mut warnings = Vec::new();
+    for (done, node) in outcome.nodes.iter().zip(&graph.nodes) {
+        for warning in done.iter().flat_map(|done| &done.warnings) {
+            if !said.contains(warning) {
+                warnings.push(format!("{}: {warning}", node.name));
+            }
+        }
+    }
+    warnings
+}
+
+/// The report with what only the run knows: its warnings on top, how it was made at the end.
+pub(crate) fn completed(
+    page: &str,
+    outcome: &Outcome,
+    graph: &Graph,
+    warnings: &[String],
+) -> String {
+    let paragraph = |w: &String| format!("<p class=\"warn\">{}</p>", escaped(w));
+    let warnings: String = warnings.iter().map(paragraph).collect();
+    page.replacen("<!--warnings-->", &warnings, 1).replacen(
+        "<!--provenance-->",
+        &table(outcome, graph),
+        1,
+    )
+}
+
+/// Every node with its stage, params, time and numbers.
+fn table(outcome: &Outcome, graph: &Graph) -> String {
+    let mut rows = String::new();
+    for (done, node) in outcome.nodes.iter().zip(&graph.nodes) {
+        let Some(done) = done else { continue };
+        let params = node.params.values.iter();
+        let params: Vec<String> = params.map(|(k, v)| format!("{k} = {v}")).collect();
+        let number = |m: &stage::Metric| {
+            format!("{} {:.3} {}", m.name, m.value, m.unit)
+                .trim()
+                .to_owned()
+        };
+        let numbers: Vec<String> = done.metrics.iter().map(number).collect();
+        let key = done.key.map(|k| k.to_hex()[..12].to_owned());
+        rows += &format!(
+            "<tr><td><b>{}</b></td><td>{} v{}</td><td class=\"note\">{}</td><td class=\"n\">{:.1} s</td>\
+             <td class=\"note\">{}</td><td class=\"note\">{}</td></tr>",
+            escaped(&node.name),
+            node.stage.name(),
+            node.stage.version(),
+            escaped(&params.join(", ")),
+            done.seconds,
+            escaped(&numbers.join(", ")),
+            key.unwrap_or_default(),
+        );
+    }
+    format!(
+        "<details><summary>tailor {}: {}</summary><table id=\"provenance\"><tr><th>node</th><th>stage</th>\
+         <th>params</th><th>time</th><th>numbers</th><th>key</th></tr>{rows}</table></details>",
+        env!("CARGO_PKG_VERSION"),
+        escaped(&graph.about),
+    )
+}

@@ -1,0 +1,151 @@
+//! The page itself, out of its parts.
+
+pub(crate) use crate::cluster::simplified;
+use crate::{profile, ring, scene, tables};
+use shape::{Cameras, Girths, Landmarks, Mesh, Photos, Scale, Textured};
+
+/// A surface that the viewer can show.
+pub(crate) enum Surface {
+    /// Without an atlas: its name, and it.
+    Plain(String, Mesh),
+    /// With its atlas: name, it, longest side of the atlas.
+    Textured(&'static str, Textured, usize),
+}
+
+/// What the page is made of.
+pub(crate) struct Content<'a> {
+    /// For names and what the user knew.
+    pub(crate) photos: &'a Photos,
+    /// The ring.
+    pub(crate) cameras: &'a Cameras,
+    /// The tables.
+    pub(crate) girths: &'a Girths,
+    /// Which way the subject faces.
+    pub(crate) landmarks: Option<&'a Landmarks>,
+    /// What to switch between, the first at first.
+    pub(crate) surfaces: Vec<Surface>,
+    /// The photos, as HTML.
+    pub(crate) figures: String,
+    /// Whether the user wanted no photos.
+    pub(crate) without_photos: bool,
+}
+
+const SCRIPT: [&str; 5] = [
+    include_str!("viewer/unpack.js"),
+    include_str!("viewer/draw.js"),
+    include_str!("viewer/look.js"),
+    include_str!("viewer/hands.js"),
+    include_str!("viewer/photos.js"),
+];
+
+/// The page.
+pub(crate) fn page(content: &Content<'_>) -> String {
+    let Content {
+        photos,
+        cameras,
+        girths,
+        ..
+    } = content;
+    let meshes: Vec<_> = content
+        .surfaces
+        .iter()
+        .map(|surface| match surface {
+            Surface::Plain(label, mesh) => scene::mesh(label, mesh),
+            Surface::Textured(label, body, atlas_px) => scene::textured(label, body, *atlas_px),
+        })
+        .collect();
+    let of_photos = photos
+        .iter()
+        .map(|(id, _)| cameras.views.get(id).map(|v| &v.camera));
+    let front = content
+        .landmarks
+        .and_then(|l| l.points.iter().find(|(name, _)| name == "front"))
+        .map_or([0.0, -1.0, 0.0], |(_, front)| *front);
+    let scene = serde_json::json!({
+        "meshes": meshes, "tapes": scene::tapes(girths), "front": front,
+        "views": scene::views(of_photos),
+    });
+    let name = photos.rig.name.as_deref().unwrap_or("one turn");
+    let note = match content.without_photos {
+        true => "<p class=\"note\">The photos were left out.</p>",
+        false => "",
+    };
+    filled(
+        include_str!("page.html"),
+        &[
+            ("title", tables::escaped(name)),
+            ("about", about(photos, cameras)),
+            ("style", include_str!("page.css").into()),
+            ("warnings", warnings(photos, cameras)),
+            ("girths", tables::girths(girths)),
+            ("derived", tables::derived(girths)),
+            ("scale", tables::scale(cameras, &photos.rig)),
+            ("profile", profile::svg(girths, cameras.ground_mm)),
+            ("ring", ring::svg(cameras)),
+            (
+                "photos",
+                format!("{note}<div class=\"photos\">{}</div>", content.figures),
+            ),
+            ("scene", scene.to_string().replace('<', "\\u003c")),
+            ("viewer", format!("(() => {{\n{}}})();", SCRIPT.concat())),
+        ],
+    )
+}
+
+/// The template with its `{{slots}}` filled, once: what a slot brings in is not looked into.
+fn filled(template: &str, slots: &[(&str, String)]) -> String {
+    let mut page = String::new();
+    let mut rest = template;
+    while let Some((before, after)) = rest.split_once("{{") {
+        let (name, after) = after.split_once("}}").expect("bug: a slot is not closed");
+        let slot = slots.iter().find(|(slot, _)| *slot == name);
+        page += before;
+        page += &slot.expect("bug: a slot that nobody fills").1;
+        rest = after;
+    }
+    page + rest
+}
+
+fn about(photos: &Photos, cameras: &Cameras) -> String {
+    let (all, found) = (photos.photos.len(), cameras.views.len());
+    let of = match found == all {
+        true => format!("{all} photos of one turn"),
+        false => format!("{found} of {all} photos of one turn"),
+    };
+    format!(
+        "Girths from {of}, made by tailor; {}.",
+        tables::origin(cameras.scale)
+    )
+}
+
+/// What a reader must know first.
+fn warnings(photos: &Photos, cameras: &Cameras) -> String {
+    let mut html = String::new();
+    if cameras.scale == Scale::Nothing {
+        html += "<p class=\"warn\"><b>Lengths are relative.</b> Nothing of known length was given, so the centimetres \
+                 here mean nothing; ratios hold. Give a marker mat, a reference length, the disk's diameter or the stature in capture.toml.</p>";
+    }
+    let missing: Vec<_> = photos
+        .iter()
+        .filter(|(id, _)| cameras.views.get(*id).is_none())
+        .map(|(_, photo)| tables::escaped(&photo.name))
+        .collect();
+    if !missing.is_empty() {
+        html += &format!(
+            "<p class=\"warn\">Photos without a camera, not used: {}</p>",
+            missing.join(", ")
+        );
+    }
+    html
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_fills_a_slot_is_not_a_template() {
+        let slots = [("a", "{{b}} & {{c".to_owned()), ("b", "x".to_owned())];
+        assert_eq!(filled("<{{a}}{{b}}>", &slots), "<{{b}} & {{cx>");
+    }
+}
