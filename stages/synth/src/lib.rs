@@ -1,4 +1,48 @@
 //! From nothing to a capture whose truth is known by formula.
+//!
+//! ```text
+//! solid ─ body ─┬───────── turn ─ photos, as capture.load gives them
+//! ring ─┬───────┼─ masks     │
+//!       └─ sway ┴────────────┘
+//! ```
+
+mod anatomy;
+mod body;
+mod bounds;
+mod codes;
+mod dice;
+mod disk;
+mod field;
+mod masks;
+mod noise;
+mod photograph;
+mod raster;
+mod ring;
+mod room;
+mod skin;
+mod solid;
+mod surface;
+mod sway;
+mod turn;
+
+pub use anatomy::{Build, body as body_solid};
+pub use body::{BodyInput, BodyParams, MakeBody};
+pub use bounds::bounds;
+pub use field::{gradient, limb_axes, onto, value};
+pub use masks::{MaskInput, MaskParams, TrueMasks};
+pub use raster::{Seen, cast};
+pub use ring::{MakeRing, RingInput, RingParams, looking};
+pub use solid::{Figure, MakeSolid, SolidInput, SolidParams};
+pub use surface::surface;
+pub use sway::{MakeSway, SwayInput, SwayParams};
+pub use turn::{TakePhotos, TurnInput, TurnParams};
 
 /// Every stage of this room, in the order in which data flows through it.
-pub const STAGES: &[&dyn stage::AnyStage] = &[];
+pub const STAGES: &[&dyn stage::AnyStage] = &[
+    &stage::erase::<MakeSolid>(),
+    &stage::erase::<MakeBody>(),
+    &stage::erase::<MakeRing>(),
+    &stage::erase::<MakeSway>(),
+    &stage::erase::<TakePhotos>(),
+    &stage::erase::<TrueMasks>(),
+];

@@ -1,0 +1,103 @@
+//! The disk that turns, with a marker mat or plain wood on it, as a formula of the place.
+
+use crate::codes::modules;
+use crate::noise::{chance, octaves};
+use nalgebra::{Point3, Vector3};
+use shape::Mat;
+
+/// A disk: its top is z = 0, its axis is z. \[mm\]
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Disk {
+    /// Its radius.
+    pub(crate) radius: f64,
+    /// How thick it is.
+    pub(crate) thick: f64,
+    /// What lies on it.
+    pub(crate) mat: Option<Mat>,
+    /// Which of all such disks.
+    pub(crate) seed: u32,
+}
+
+/// The mat for a disk: tags as large as leave the ring its white margins.
+pub(crate) fn mat_for(radius: f64) -> Mat {
+    Mat {
+        tag_mm: (0.2 * radius).round(),
+        first_id: 0,
+        count: 16,
+        ring_mm: (0.83 * radius).round(),
+    }
+}
+
+impl Disk {
+    /// The colour that a ray meets on the disk, linear; `None` where it misses.
+    pub(crate) fn color(
+        &self,
+        from: &Point3<f64>,
+        along: &Vector3<f64>,
+        spread: f64,
+    ) -> Option<[f32; 3]> {
+        if along.z < 0.0 && from.z > 0.0 {
+            let t = -from.z / along.z;
+            let hit = from + along * t;
+            if hit.x * hit.x + hit.y * hit.y <= self.radius * self.radius {
+                return Some(self.top(hit.x, hit.y, (t * spread) as f32));
+            }
+        }
+        // The rim: a cylinder about z.
+        let a = along.x * along.x + along.y * along.y;
+        let b = from.x * along.x + from.y * along.y;
+        let c = from.x * from.x + from.y * from.y - self.radius * self.radius;
+        let under = b * b - a * c;
+        if a == 0.0 || under < 0.0 {
+            return None;
+        }
+        let t = (-b - under.sqrt()) / a;
+        let hit = from + along * t;
+        (t > 0.0 && (-self.thick..=0.0).contains(&hit.z)).then(|| {
+            let at = hit.coords.map(|x| x as f32).into();
+            let grain = octaves(at, 40.0, 5.0, (t * spread) as f32, self.seed + 21);
+            [0.05 * (1.0 + 0.3 * grain); 3]
+        })
+    }
+
+    fn top(&self, x: f64, y: f64, pixel: f32) -> [f32; 3] {
+        let at = [x as f32, y as f32, 0.0];
+        let Some(mat) = &self.mat else {
+            let grain = octaves([at[0] * 0.15, at[1], 0.0], 60.0, 3.0, pixel, self.seed + 22);
+            return [0.42, 0.27, 0.15].map(|c| c * (1.0 + 0.3 * grain));
+        };
+        const PAPER: f32 = 0.8;
+        let ink = if in_tag(mat, x, y) { 0.02 } else { PAPER };
+        let inner = mat.ring_mm - 0.75 * mat.tag_mm;
+        let size = (0.035 * self.radius) as f32;
+        let cell = [
+            (at[0] / size).floor() as i32,
+            (at[1] / size).floor() as i32,
+            3,
+        ];
+        let dot = |k: u32| chance(cell, self.seed + 30 + k);
+        let amid = [0, 1].map(|i| (cell[i] as f32 + 0.3 + 0.4 * dot(i as u32)) * size);
+        let far = (at[0] - amid[0]).hypot(at[1] - amid[1]);
+        let dotted = x.hypot(y) < inner && far < size * (0.12 + 0.17 * dot(2)) && dot(3) < 0.8;
+        [if dotted { 0.05 + 0.4 * dot(4) } else { ink }; 3]
+    }
+}
+
+/// Whether a place on a mat is black of a tag.
+fn in_tag(mat: &Mat, x: f64, y: f64) -> bool {
+    let step = std::f64::consts::TAU / f64::from(mat.count);
+    let i = (y.atan2(x) / step).round();
+    let (sin, cos) = (i * step).sin_cos();
+    let (out, left) = (x * cos + y * sin - mat.ring_mm, y * cos - x * sin);
+    // Printed columns run from the left as one looks outward, rows from the outside inward.
+    let module = mat.tag_mm / 8.0;
+    let (column, row) = (
+        ((mat.tag_mm / 2.0 - left) / module).floor(),
+        ((mat.tag_mm / 2.0 - out) / module).floor(),
+    );
+    let inside = |k: f64| (0.0..8.0).contains(&k);
+    let id = mat.first_id + (i as i64).rem_euclid(i64::from(mat.count)) as u32;
+    inside(column)
+        && inside(row)
+        && modules(id).is_some_and(|white| !white[row as usize][column as usize])
+}

@@ -1,0 +1,162 @@
+//! The function that is negative inside a solid, and steps onto its surface.
+
+use nalgebra::{Point3, Vector3};
+use shape::{Furrow, Level, Solid, SolidPart};
+
+/// A point's value: negative inside, 0 on the surface, nowhere steeper than about 1.5. \[mm\]
+/// Parts are joined by the polynomial soft minimum of width `blend_mm`, which leaves untouched
+/// what is farther than that from the other part.
+pub fn value(solid: &Solid, p: &Point3<f64>) -> f64 {
+    let mut least = f64::MAX;
+    for part in &solid.parts {
+        least = soft_min(least, part_value(part, p), solid.blend_mm);
+    }
+    least
+}
+
+/// The direction in which the value grows, by central differences.
+pub fn gradient(solid: &Solid, p: &Point3<f64>) -> Vector3<f64> {
+    const STEP: f64 = 1e-3;
+    Vector3::from_fn(|i, _| {
+        let mut d = Vector3::zeros();
+        d[i] = STEP;
+        (value(solid, &(p + d)) - value(solid, &(p - d))) / (2.0 * STEP)
+    })
+}
+
+/// The point of the surface near `p`, by Newton steps along the gradient.
+pub fn onto(solid: &Solid, p: &Point3<f64>) -> Point3<f64> {
+    let mut p = *p;
+    for _ in 0..8 {
+        let (v, g) = (value(solid, &p), gradient(solid, &p));
+        let step = g * (v / g.norm_squared().max(0.05));
+        p -= step;
+        if step.norm() < 1e-7 {
+            break;
+        }
+    }
+    p
+}
+
+/// Soft minimum: equal to the minimum where the two differ by more than `width`.
+fn soft_min(a: f64, b: f64, width: f64) -> f64 {
+    let h = (width - (a - b).abs()).max(0.0);
+    let softened = if width > 0.0 {
+        h * h / (4.0 * width)
+    } else {
+        0.0
+    };
+    a.min(b) - softened
+}
+
+fn soft_max(a: f64, b: f64, width: f64) -> f64 {
+    -soft_min(-a, -b, width)
+}
+
+/// Value of a section: 0 on the superellipse, its half-axes in `half`.
+fn across(x: f64, y: f64, half: [f64; 2], exponent: f64) -> f64 {
+    let (u, v) = ((x / half[0]).abs(), (y / half[1]).abs());
+    let radius = if exponent == 2.0 {
+        (u * u + v * v).sqrt()
+    } else {
+        (u.powf(exponent) + v.powf(exponent)).powf(1.0 / exponent)
+    };
+    (radius - 1.0) * half[0].min(half[1])
+}
+
+fn part_value(part: &SolidPart, p: &Point3<f64>) -> f64 {
+    match part {
+        SolidPart::Ellipsoid { centre, half } => {
+            let d = p - Point3::from(*centre);
+            let r = Vector3::new(d.x / half[0], d.y / half[1], d.z / half[2]).norm();
+            (r - 1.0) * half[0].min(half[1]).min(half[2])
+        }
+        SolidPart::Torus { centre, ring, tube } => {
+            let d = p - Point3::from(*centre);
+            let out = (d.x * d.x + d.y * d.y).sqrt() - ring;
+            (out * out + d.z * d.z).sqrt() - tube
+        }
+        SolidPart::Limb {
+            from,
+            to,
+            half_from,
+            half_to,
+            round,
+        } => {
+            let (a, b) = (Point3::from(*from), Point3::from(*to));
+            let length = (b - a).norm();
+            let axis = (b - a) / length;
+            let (u, v) = limb_axes(&axis);
+            let d = p - a;
+            let along = d.dot(&axis);
+            let t = (along / length).clamp(0.0, 1.0);
+            let half = [0, 1].map(|i| half_from[i] + t * (half_to[i] - half_from[i]));
+            let side = across(d.dot(&u), d.dot(&v), half, 2.0);
+            soft_max(side, (-along).max(along - length), *round)
+        }
+        SolidPart::Stack {
+            levels,
+            exponent,
+            furrow,
+            round,
+        } => {
+            let (Some(first), Some(last)) = (levels.first(), levels.last()) else {
+                return f64::MAX;
+            };
+            let here = level_at(levels, p.z.clamp(first.z, last.z));
+            let (x, mut y) = (p.x - here.centre[0], p.y - here.centre[1]);
+            if let Some(furrow) = furrow {
+                y += furrowed(furrow, x, y / here.half[1], p.z);
+            }
+            let side = across(x, y, here.half, *exponent);
+            soft_max(side, (first.z - p.z).max(p.z - last.z), *round)
+        }
+    }
+}
+
+/// The two directions of a limb's half-axes: level across it, and across that. For an upright
+/// limb the first is world x.
+pub fn limb_axes(axis: &Vector3<f64>) -> (Vector3<f64>, Vector3<f64>) {
+    let level = Vector3::y().cross(axis);
+    let u = level.try_normalize(1e-6).unwrap_or(Vector3::x());
+    (u, axis.cross(&u))
+}
+
+/// By how much a furrow moves the back inward at x, at a share of the half-axis, at a height.
+fn furrowed(furrow: &Furrow, x: f64, back: f64, z: f64) -> f64 {
+    let smooth = |t: f64| {
+        let t = t.clamp(0.0, 1.0);
+        t * t * (3.0 - 2.0 * t)
+    };
+    let up = smooth(1.0 - ((z - furrow.z) / furrow.long).abs());
+    let behind = smooth((back - 0.1) / 0.5);
+    furrow.deep * up * behind * (-(x / furrow.wide) * (x / furrow.wide)).exp()
+}
+
+/// The superellipse at a height, cubic Hermite with Catmull and Rom's slopes between levels.
+pub(crate) fn level_at(levels: &[Level], z: f64) -> Level {
+    let above = levels.partition_point(|l| l.z <= z).min(levels.len() - 1);
+    let i = above.saturating_sub(1);
+    let (a, b) = (&levels[i], &levels[above]);
+    if above == i {
+        return *a;
+    }
+    let before = &levels[i.saturating_sub(1)];
+    let after = &levels[(above + 1).min(levels.len() - 1)];
+    let h = b.z - a.z;
+    let t = (z - a.z) / h;
+    let (t2, t3) = (t * t, t * t * t);
+    let hermite = |pick: &dyn Fn(&Level) -> f64| {
+        let slope = |p: &Level, q: &Level| (pick(q) - pick(p)) / (q.z - p.z);
+        let (at_a, at_b) = (slope(before, b) * h, slope(a, after) * h);
+        pick(a) * (2.0 * t3 - 3.0 * t2 + 1.0)
+            + at_a * (t3 - 2.0 * t2 + t)
+            + pick(b) * (3.0 * t2 - 2.0 * t3)
+            + at_b * (t3 - t2)
+    };
+    Level {
+        z,
+        centre: [hermite(&|l| l.centre[0]), hermite(&|l| l.centre[1])],
+        half: [hermite(&|l| l.half[0]), hermite(&|l| l.half[1])],
+    }
+}

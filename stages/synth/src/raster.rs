@@ -1,0 +1,159 @@
+//! Which of a mesh's points a camera sees, by rays through each pixel against projected triangles.
+
+use nalgebra::{Point2, Vector3};
+use shape::{Camera, Mesh, Pose};
+
+/// What of the mesh one pixel shows.
+#[derive(Debug, Clone, Copy, Default)]
+pub struct Seen {
+    /// Share of the pixel's rays that meet the mesh.
+    pub cover: f64,
+    /// Mean of the points that they meet, on the mesh at rest. \[mm\]
+    pub at_rest: Vector3<f64>,
+    /// Sum of the normals there, at rest; not of unit length.
+    pub normal: Vector3<f64>,
+    /// Mean distance along the optical axis. \[mm\]
+    pub depth: f64,
+}
+
+/// Rows of pixels that are worked on at a time.
+const BAND: usize = 32;
+
+/// A triangle in the camera's frame: ray d meets it where all `edges[i] · d` are not positive, at
+/// the weights `edges[i] · d` over their sum and the depth `det` over their sum (Olano, Greer 1997).
+struct Ready {
+    face: u32,
+    edges: [Vector3<f64>; 3],
+    det: f64,
+    /// Least and greatest column, least and greatest row. \[px\]
+    columns: [usize; 2],
+    rows: [usize; 2],
+}
+
+/// Calls `each` with column, row and what is seen, for every pixel that shows the mesh.
+///
+/// `motion` moves the mesh at rest into the world; `rays` × `rays` rays go through a pixel. Only
+/// faces that look at the camera are seen. Lens distortion is exact at every ray.
+pub fn cast(
+    mesh: &Mesh,
+    normals: &[Vector3<f64>],
+    camera: &Camera,
+    motion: Option<&Pose>,
+    rays: usize,
+    mut each: impl FnMut(usize, usize, &Seen),
+) {
+    let (width, height) = (camera.lens.width as usize, camera.lens.height as usize);
+    let bands = height.div_ceil(BAND);
+    let triangles = ready(mesh, camera, motion);
+    let mut bins: Vec<Vec<u32>> = vec![vec![]; bands];
+    for (i, t) in triangles.iter().enumerate() {
+        (t.rows[0] / BAND..=t.rows[1] / BAND).for_each(|b| bins[b].push(i as u32));
+    }
+    let step = 1.0 / rays as f64;
+    let place = |k: usize| (k as f64 + 0.5) * step - 0.5;
+    let fine = width * rays;
+    for (b, bin) in bins.iter().enumerate().filter(|(_, bin)| !bin.is_empty()) {
+        let (top, bottom) = (b * BAND, ((b + 1) * BAND).min(height));
+        let left = bin.iter().map(|i| triangles[*i as usize].columns[0]).min();
+        let right = bin.iter().map(|i| triangles[*i as usize].columns[1]).max();
+        let (left, right) = (left.unwrap_or(0), right.unwrap_or(0));
+        let mut direction = vec![[0.0; 2]; fine * (bottom - top) * rays];
+        for y in 0..(bottom - top) * rays {
+            for x in left * rays..(right + 1) * rays {
+                let px = Point2::new(place(x), top as f64 + place(y));
+                direction[y * fine + x] = camera.lens.undistort(px).into();
+            }
+        }
+        // Depth, face and its first two weights at each ray.
+        let mut nearest = vec![(f64::MAX, u32::MAX, 0.0, 0.0); direction.len()];
+        for t in bin.iter().map(|i| &triangles[*i as usize]) {
+            let rows = t.rows[0].max(top) - top..t.rows[1].min(bottom - 1) + 1 - top;
+            for y in rows.start * rays..rows.end * rays {
+                for x in t.columns[0] * rays..(t.columns[1] + 1) * rays {
+                    let [u, v] = direction[y * fine + x];
+                    let [a, b, c] = t.edges.map(|e| e.x * u + e.y * v + e.z);
+                    if a > 0.0 || b > 0.0 || c > 0.0 {
+                        continue;
+                    }
+                    let sum = a + b + c;
+                    let depth = t.det / sum;
+                    if sum < 0.0 && depth < nearest[y * fine + x].0 {
+                        nearest[y * fine + x] = (depth, t.face, a / sum, b / sum);
+                    }
+                }
+            }
+        }
+        for y in top..bottom {
+            for x in left..=right {
+                let mut seen = Seen::default();
+                for k in 0..rays * rays {
+                    let at = ((y - top) * rays + k / rays) * fine + x * rays + k % rays;
+                    let (depth, face, a, b) = nearest[at];
+                    if face == u32::MAX {
+                        continue;
+                    }
+                    let weights = [a, b, 1.0 - a - b];
+                    for (v, w) in mesh.faces[face as usize].iter().zip(weights) {
+                        seen.at_rest += mesh.point(*v).coords * w;
+                        seen.normal += normals[*v as usize] * w;
+                    }
+                    seen.depth += depth;
+                    seen.cover += 1.0;
+                }
+                if seen.cover > 0.0 {
+                    seen.at_rest /= seen.cover;
+                    seen.depth /= seen.cover;
+                    seen.cover *= step * step;
+                    each(x, y, &seen);
+                }
+            }
+        }
+    }
+}
+
+/// The triangles that look at the camera and lie before it, on its photo.
+fn ready(mesh: &Mesh, camera: &Camera, motion: Option<&Pose>) -> Vec<Ready> {
+    let (width, height) = (f64::from(camera.lens.width), f64::from(camera.lens.height));
+    let place = |v: u32| {
+        let rest = mesh.point(v);
+        let world = motion.map_or(rest.coords, |m| m.apply(&rest));
+        let x = camera.pose.apply(&world.into());
+        (x, camera.lens.project(&x))
+    };
+    let placed: Vec<_> = (0..mesh.positions.len() as u32).map(place).collect();
+    // Where the lens bends, edges are curved a little between corners.
+    let bend = if camera.lens.radial == [0.0; 2] {
+        0.0
+    } else {
+        1.0
+    };
+    let mut triangles = Vec::new();
+    for (face, corners) in mesh.faces.iter().enumerate() {
+        let [(a, pa), (b, pb), (c, pc)] = corners.map(|v| placed[v as usize]);
+        let (Some(pa), Some(pb), Some(pc)) = (pa, pb, pc) else {
+            continue;
+        };
+        let edges = [b.cross(&c), c.cross(&a), a.cross(&b)];
+        let det = a.dot(&edges[0]);
+        if det >= 0.0 {
+            continue;
+        }
+        let range = |pick: fn(&Point2<f64>) -> f64, size: f64| {
+            let low = pick(&pa).min(pick(&pb)).min(pick(&pc)) - 0.5 - bend;
+            let high = pick(&pa).max(pick(&pb)).max(pick(&pc)) + 0.5 + bend;
+            let inside = high >= 0.0 && low <= size - 1.0;
+            let whole = |x: f64| x.clamp(0.0, size - 1.0) as usize;
+            inside.then(|| [whole(low.floor()), whole(high.ceil())])
+        };
+        if let (Some(columns), Some(rows)) = (range(|p| p.x, width), range(|p| p.y, height)) {
+            triangles.push(Ready {
+                face: face as u32,
+                edges,
+                det,
+                columns,
+                rows,
+            });
+        }
+    }
+    triangles
+}

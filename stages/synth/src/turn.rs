@@ -1,0 +1,178 @@
+//! The stage that takes the photos of a turn.
+
+use crate::disk::{Disk, mat_for};
+use crate::photograph::{Scene, developed, empty_room, fixed_pose, with_body, with_disk};
+use crate::room::Room;
+use crate::skin::Look;
+use rayon::prelude::*;
+use shape::{
+    Camera, Cameras, Mat, Mesh, Photo, PhotoId, Photos, Rgb, Rig, Sway, rgb_to_jpeg, rgb_to_png,
+};
+use stage::{Ctx, Stage, Stop};
+use std::path::Path;
+use std::sync::Arc;
+
+stage::params! {
+    /// How body, disk, room and photos look, and what the user knows.
+    pub struct TurnParams {
+        /// Contrast of the body's texture: 0 none, 0.05 skin, 1 a printed dress.
+        #[range(0.0..=1.0)]
+        contrast: f64 = 0.5,
+        /// Size of the finest marks on the body.
+        #[range(0.5..=200.0)]
+        finest_mm: f64 = 4.0,
+        /// Size of the coarsest marks on the body.
+        #[range(1.0..=500.0)]
+        coarsest_mm: f64 = 64.0,
+        /// Share of light that comes from all sides; the rest is a Lambert light beside the camera.
+        #[range(0.0..=1.0)]
+        ambient: f64 = 0.5,
+        /// Standard deviation of the sensor's noise, in levels of 0..=255.
+        #[range(0.0..=50.0)]
+        noise_levels: f64 = 1.0,
+        /// Rays through each pixel along each of its sides.
+        #[range(1..=8)]
+        rays: u32 = 3,
+        /// Quality of the JPEG files, 1 to 100; 0 writes PNG, without loss.
+        #[range(0..=100)]
+        jpeg_quality: u32 = 93,
+        /// Whether a marker mat lies on the disk; else it is wood.
+        mat: bool = true,
+        /// Whether there is a photo of the scene without the body.
+        plate: bool = true,
+        /// By how much the focal length that EXIF tells is too short, as a share of it.
+        #[range(-0.2..=0.2)]
+        exif_error: f64 = 0.004,
+        /// Seed of textures and noise.
+        #[range(0..=1000000)]
+        seed: u32 = 1,
+    }
+}
+
+stage::inputs! {
+    /// A body and the cameras that see it.
+    pub struct TurnInput {
+        /// The body at rest.
+        mesh: Arc<Mesh>,
+        /// The true cameras.
+        cameras: Arc<Cameras>,
+        /// How the body moves between photos.
+        sway: Option<Arc<Sway>>,
+    }
+}
+
+/// Cameras that see nothing.
+#[derive(Debug, thiserror::Error)]
+#[error("there is no camera, so there is no photo to take")]
+pub(crate) struct NoCamera;
+
+/// `synth.turn`: mesh, cameras → photos.
+pub struct TakePhotos;
+
+impl Stage for TakePhotos {
+    const NAME: &'static str = "synth.turn";
+    const VERSION: u32 = 1;
+    const ABOUT: &'static str =
+        "Takes the photos of a turn of any mesh: textured, lit, on a disk in a furnished room.";
+    type Params = TurnParams;
+    type Input = TurnInput;
+    type Output = Photos;
+
+    fn run(p: &TurnParams, input: TurnInput, ctx: &Ctx<'_>) -> Result<Photos, Stop> {
+        let (mesh, cameras) = (&input.mesh, &input.cameras);
+        let first = cameras.views.values().next().ok_or(NoCamera)?.camera;
+        let fixed = fixed_pose(&first.pose);
+        let mat = cameras.disk_radius_mm.filter(|_| p.mat).map(mat_for);
+        let scene = scene(p, cameras, &first, mat);
+        let room = empty_room(&scene, &first, &fixed);
+        let normals = mesh.normals();
+        let steps = ctx.steps("photos", cameras.views.len());
+        let take = |(id, view): &(PhotoId, shape::View)| -> Result<Photo, Stop> {
+            let camera = &view.camera;
+            let same = camera.lens == first.lens;
+            let own = (!same).then(|| empty_room(&scene, camera, &fixed));
+            let mut seen = with_disk(&scene, own.as_ref().unwrap_or(&room), camera, &fixed);
+            let motion = input.sway.as_ref().and_then(|s| s.views.get(*id));
+            with_body(&scene, &mut seen, mesh, &normals, camera, motion);
+            let rgb = developed(&seen, scene.noise, p.seed.wrapping_mul(1009) + 2 + id.0);
+            steps.tick()?;
+            Ok(photo(p, &view.name, &rgb, camera))
+        };
+        let photos = cameras.views.as_slice().par_iter().map(take);
+        let photos: Vec<Photo> = photos.collect::<Result<_, _>>()?;
+        let plate = p.plate.then(|| {
+            let empty = with_disk(&scene, &room, &first, &fixed);
+            let rgb = developed(&empty, scene.noise, p.seed.wrapping_mul(1009) + 1);
+            photo(p, "plate.jpg", &rgb, &first)
+        });
+        ctx.metric("photos", photos.len() as f64, "");
+        let rig = Rig {
+            name: Some("synthetic".into()),
+            step: step(cameras),
+            focal_35mm: photos[0].focal_35mm,
+            stature_mm: mesh.bounds().map(|b| b.1.z - cameras.ground_mm),
+            disk_diameter_mm: cameras.disk_radius_mm.map(|r| 2.0 * r),
+            mat,
+            ..Rig::default()
+        };
+        Ok(Photos { photos, plate, rig })
+    }
+}
+
+fn scene(p: &TurnParams, cameras: &Cameras, first: &Camera, mat: Option<Mat>) -> Scene {
+    let thick = 0.25 * cameras.disk_radius_mm.unwrap_or(400.0);
+    let disk = |radius: f64| Disk {
+        radius,
+        thick,
+        mat,
+        seed: p.seed,
+    };
+    Scene {
+        look: Look {
+            contrast: p.contrast as f32,
+            finest: p.finest_mm as f32,
+            coarsest: p.coarsest_mm.max(p.finest_mm) as f32,
+            seed: p.seed,
+        },
+        room: Room::around(&fixed_pose(&first.pose).centre(), thick, p.seed),
+        disk: cameras.disk_radius_mm.map(disk),
+        ambient: p.ambient,
+        rays: p.rays as usize,
+        noise: p.noise_levels as f32,
+    }
+}
+
+fn photo(p: &TurnParams, name: &str, rgb: &Rgb, camera: &Camera) -> Photo {
+    let (ending, file) = match p.jpeg_quality {
+        0 => ("png", rgb_to_png(rgb)),
+        quality => ("jpg", rgb_to_jpeg(rgb, quality as u8)),
+    };
+    let longer = f64::from(camera.lens.width.max(camera.lens.height));
+    let focal = camera.lens.focal[0] / longer * 36.0;
+    let name = Path::new(name).with_extension(ending);
+    Photo {
+        name: name.to_string_lossy().into_owned(),
+        width: camera.lens.width,
+        height: camera.lens.height,
+        orientation: 1,
+        focal_35mm: Some(focal / (1.0 + p.exif_error)),
+        device: "synthetic".into(),
+        time_s: None,
+        file: file.into(),
+    }
+}
+
+/// The even step that a user would tell, from how the cameras follow each other around the axis;
+/// `None` if they do not. \[rad\]
+fn step(cameras: &Cameras) -> Option<f64> {
+    let centres: Vec<_> = cameras.views.values().map(|v| v.camera.centre()).collect();
+    let turn = |w: &[nalgebra::Point3<f64>]| {
+        let (a, b) = (&w[0], &w[1]);
+        // The camera goes around one way as the disk turns the other.
+        -(a.x * b.y - a.y * b.x).atan2(a.x * b.x + a.y * b.y)
+    };
+    let turns: Vec<f64> = centres.windows(2).map(turn).collect();
+    let mean = turns.iter().sum::<f64>() / turns.len().max(1) as f64;
+    let even = !turns.is_empty() && turns.iter().all(|t| (t - mean).abs() < 0.05);
+    even.then(|| (mean.to_degrees() * 2.0).round().to_radians() / 2.0)
+}
