@@ -20,6 +20,9 @@ pub struct Fit {
     pub sigma_mm: Vec<f64>,
     /// Standard deviation of the lens' unknowns.
     pub lens_sigma: [f64; LENS],
+    /// Standard deviation of the ring's size, as a share of it; next to nothing where nothing is
+    /// known of sizes, which then are held.
+    pub size_sigma: f64,
 }
 
 /// Adjusts a scene in place.
@@ -57,12 +60,13 @@ pub fn adjust(scene: &mut Scene, sights: &[Sight], beliefs: &Beliefs, settings: 
             }
         }
     }
-    let (sigma_mm, lens_sigma) = spread(scene, &by_point, beliefs, settings.loss);
+    let spread = spread(scene, &by_point, beliefs, settings.loss);
     Fit {
         rms_px: rms(scene, sights, settings.loss),
         costs,
-        sigma_mm,
-        lens_sigma,
+        sigma_mm: spread.centres_mm,
+        lens_sigma: spread.lens,
+        size_sigma: spread.size,
     }
 }
 

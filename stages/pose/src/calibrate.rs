@@ -30,9 +30,12 @@ stage::params! {
         /// How strong radial distortion may be (k1; k2 half as much).
         #[range(0.0001..=1.0)]
         radial_sigma: f64 = 0.03,
-        /// Standard deviation of a tag's corner.
+        /// Least standard deviation of a tag's corner; what corners scatter by where that is more.
         #[range(0.01..=5.0)]
-        tag_px: f64 = 0.1,
+        tag_px: f64 = 0.03,
+        /// How far the sides of a tag may look too far out or in: ink that spread, paper that bloomed. 0 for not at all.
+        #[range(0.0..=5.0)]
+        bloom_px: f64 = 0.2,
         /// Standard deviation of a feature.
         #[range(0.05..=5.0)]
         feature_px: f64 = 0.6,
@@ -92,7 +95,7 @@ pub struct Calibrate;
 
 impl Stage for Calibrate {
     const NAME: &'static str = "pose.calibrate";
-    const VERSION: u32 = 4;
+    const VERSION: u32 = 5;
     const ABOUT: &'static str = "Calibrates lens and cameras by bundle adjustment, in the turntable frame where a mat gives it.";
     type Params = CalibrateParams;
     type Input = CalibrateInput;
@@ -135,6 +138,7 @@ impl Stage for Calibrate {
             .map_or(lens, |v| v.camera.lens);
         ctx.metric("focal", lens.focal[0], "px");
         ctx.metric("focal sigma", fit.lens_sigma[0], "px");
+        ctx.metric("scale sigma", cameras.scale_sigma * 100.0, "%");
         ctx.metric("feature tracks", used_tracks as f64, "");
         Ok(cameras)
     }

@@ -1,9 +1,15 @@
 //! Cameras from a marker mat: poses from its plane, then one adjustment of all.
+//!
+//! All photos see one plane turned about its own normal: up to the turn that is one homography, and
+//! a homography tells two numbers of a lens (Zhang 2000, §2.4), not three. Focal length, the centre's
+//! row and the camera's tilt trade off; what is believed of the centre decides (8 px of 2400 are
+//! 0.1 % of focal length and 0.15 % of distance), and `scale_sigma` says how much is left open.
 
 use crate::adjust::{Fit, adjust};
 use crate::calibrate::CalibrateParams;
 use crate::planar::planar_pose;
 use crate::scene::{Beliefs, LensPrior, Scene, Settings, Sight, lens_values};
+use crate::tag_bloom::adjust_tags;
 use crate::tracks_in::{self, Seen};
 use crate::trust::{median_px, warnings};
 use nalgebra::Point3;
@@ -134,13 +140,12 @@ pub(crate) fn calibrate(
         step: None,
     };
     let settings = settings(p);
-    let mut fit = adjust(&mut scene, &sights, &beliefs, &settings);
+    let mut fit = adjust_tags(&mut scene, &mut sights, &beliefs, &settings, p.bloom_px);
     if fit.rms_px > 3.0 * p.tag_px.max(0.3) || median_px(&scene, &sights) > 2.0 {
         return Err(MatError::Misfit {
             rms: median_px(&scene, &sights),
         });
     }
-    let tag_sights = sights.len();
     let mut used_tracks = 0;
     let ids: Vec<PhotoId> = placed.iter().map(|(id, ..)| *id).collect();
     let mut points = vec![];
@@ -193,7 +198,7 @@ pub(crate) fn calibrate(
     let cameras = Cameras {
         views,
         scale: Scale::Mat,
-        scale_sigma: scale_sigma(p, mat, tag_sights, &fit, &scene),
+        scale_sigma: fit.size_sigma,
         disk_radius_mm: disk,
         ground_mm: 0.0,
         points,
@@ -243,11 +248,4 @@ fn pose(lens: &Intrinsics, mat: &Mat, tags: &[Tag]) -> Option<Pose> {
         }
     }
     planar_pose(lens, &pairs)
-}
-
-/// How sure the scale is: corners average out, but the distance to a mat in one plane hangs on the
-/// focal length, whose share of error goes over to lengths above the mat.
-fn scale_sigma(p: &CalibrateParams, mat: &Mat, sights: usize, fit: &Fit, scene: &Scene) -> f64 {
-    let corners = p.tag_px / (mat.ring_mm * 2.0) / (sights.max(1) as f64).sqrt() * 10.0;
-    corners.hypot(fit.lens_sigma[0] / scene.lens.focal[0])
 }

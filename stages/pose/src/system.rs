@@ -104,41 +104,69 @@ fn freedoms(scene: &Scene) -> Vec<(Vec<f64>, f64)> {
 }
 
 /// Standard deviations from the inverse of the undamped system.
+pub(crate) struct Spread {
+    /// Of each camera's centre, a coordinate's root mean square. \[mm\]
+    pub(crate) centres_mm: Vec<f64>,
+    /// Of the lens' unknowns.
+    pub(crate) lens: [f64; LENS],
+    /// Of the cameras' mean distance from their middle, as a share of it.
+    pub(crate) size: f64,
+}
+
+/// Those of a scene that is adjusted.
 pub(crate) fn spread(
     scene: &Scene,
     by_point: &[Vec<Sight>],
     beliefs: &Beliefs,
     loss: f64,
-) -> (Vec<f64>, [f64; LENS]) {
+) -> Spread {
     let system = system(scene, by_point, beliefs, loss, 1e-9);
     let Some(covariance) = system.matrix.cholesky().map(|c| c.inverse()) else {
-        return (
-            vec![f64::INFINITY; scene.poses.len()],
-            [f64::INFINITY; LENS],
-        );
+        return Spread {
+            centres_mm: vec![f64::INFINITY; scene.poses.len()],
+            lens: [f64::INFINITY; LENS],
+            size: f64::INFINITY,
+        };
     };
     let covariance = match &system.tangent {
         Some(j) => j * covariance * j.transpose(),
         None => covariance,
     };
-    let centre = |(c, pose): (usize, &Pose)| {
-        // centre = -Rᵀ t, with R ← exp(ω) R and t ← t + τ: d centre = Rᵀ ([ω]× t - τ).
+    // centre = -Rᵀ t, with R ← exp(ω) R and t ← t + τ: d centre = Rᵀ ([ω]× t - τ).
+    let by_pose = |pose: &Pose| {
+        let mut j = SMatrix::<f64, 3, 6>::zeros();
         let cross = pose.translation.cross_matrix();
-        let by_pose = {
-            let mut j = SMatrix::<f64, 3, 6>::zeros();
-            j.fixed_view_mut::<3, 3>(0, 0).copy_from(&-cross);
-            j.fixed_view_mut::<3, 3>(0, 3)
-                .copy_from(&-Matrix3::identity());
-            pose.rotation.matrix().transpose() * j
-        };
+        j.fixed_view_mut::<3, 3>(0, 0).copy_from(&-cross);
+        j.fixed_view_mut::<3, 3>(0, 3)
+            .copy_from(&-Matrix3::identity());
+        pose.rotation.matrix().transpose() * j
+    };
+    let centre = |(c, pose): (usize, &Pose)| {
         let at = LENS + 6 * c;
         let block = covariance.fixed_view::<6, 6>(at, at).into_owned();
-        ((by_pose * block * by_pose.transpose()).trace() / 3.0)
-            .max(0.0)
-            .sqrt()
+        let j = by_pose(pose);
+        ((j * block * j.transpose()).trace() / 3.0).max(0.0).sqrt()
     };
-    let sigma_mm = scene.poses.iter().enumerate().map(centre).collect();
+    let centres_mm = scene.poses.iter().enumerate().map(centre).collect();
     let mut lens = [0.0; LENS];
     (0..LENS).for_each(|i| lens[i] = covariance[(i, i)].max(0.0).sqrt());
-    (sigma_mm, lens)
+    let middle = scene
+        .poses
+        .iter()
+        .map(|p| p.centre().coords)
+        .sum::<nalgebra::Vector3<f64>>()
+        / scene.poses.len().max(1) as f64;
+    let (mut by_all, mut total) = (DVector::zeros(covariance.nrows()), 0.0);
+    for (c, pose) in scene.poses.iter().enumerate() {
+        let out = pose.centre().coords - middle;
+        total += out.norm();
+        let row = by_pose(pose).transpose() * out.try_normalize(1e-12).unwrap_or_default();
+        by_all.fixed_rows_mut::<6>(LENS + 6 * c).copy_from(&row);
+    }
+    let size = by_all.dot(&(&covariance * &by_all)).max(0.0).sqrt() / total.max(1e-12);
+    Spread {
+        centres_mm,
+        lens,
+        size,
+    }
 }
