@@ -11,8 +11,10 @@ pub mod closest;
 pub mod drawing;
 pub mod engine;
 pub mod graph;
+pub mod impact;
 pub mod key;
 pub mod out;
+mod page;
 pub mod plan;
 pub mod recipe;
 pub mod reference;
@@ -20,6 +22,7 @@ pub mod run_one;
 pub mod score;
 pub mod source;
 pub mod store;
+pub mod sweep;
 pub mod walk;
 
 pub use cli::main;

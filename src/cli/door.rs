@@ -11,7 +11,7 @@ use shape::{Document, Girths};
 use std::path::PathBuf;
 
 /// The product's pipeline, so that the binary works alone.
-const BODY: &str = include_str!("../../pipelines/body.toml");
+pub(super) const BODY: &str = include_str!("../../pipelines/body.toml");
 
 /// What is written: node, file in the folder, format.
 const WRITTEN: [(&str, &str, &str); 8] = [

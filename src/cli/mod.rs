@@ -20,12 +20,14 @@ use {out, outln};
 mod answers;
 mod cache;
 mod door;
+mod impact;
 mod mat;
 mod provenance;
 mod run;
 mod scoring;
 mod show;
 mod speak;
+mod sweep;
 
 use clap::{Args, Parser, Subcommand};
 use std::path::PathBuf;
@@ -94,6 +96,10 @@ enum Verb {
     Plan(Wanted),
     /// Which line of what a node depends on changed: old, new, back to the root cause
     Why(answers::Why),
+    /// Every point of a sweep, what they share made once: a table, plots
+    Sweep(sweep::SweepArgs),
+    /// Which nodes a param reaches, and what it would cost to change it
+    Impact(impact::ImpactArgs),
     /// The pipeline as a drawing: DOT or Mermaid
     Graph(answers::Drawing),
     /// One artifact out of the cache as a file
@@ -119,7 +125,7 @@ enum Verb {
 /// Set when the user asks to stop.
 static CANCEL: AtomicBool = AtomicBool::new(false);
 
-/// Why a verb came to nothing: what to print, and the exit code.
+/// Why a verb came to nothing: what to print (nothing if its answer has said it), and the exit code.
 pub(crate) struct Fault {
     code: u8,
     text: String,
@@ -159,6 +165,8 @@ pub fn main() -> ExitCode {
         Verb::Run(verb) => run::run(verb, house),
         Verb::Plan(wanted) => answers::plan(wanted, house),
         Verb::Why(verb) => answers::why(verb, house),
+        Verb::Sweep(verb) => sweep::sweep(verb, house),
+        Verb::Impact(verb) => impact::impact(verb, house),
         Verb::Graph(verb) => answers::graph(verb, house),
         Verb::Show(verb) => show::show(verb, house),
         Verb::Stages { name } => answers::stages(name.as_deref(), house),
@@ -170,7 +178,9 @@ pub fn main() -> ExitCode {
     match done {
         Ok(()) => ExitCode::SUCCESS,
         Err(fault) => {
-            if house.json {
+            if fault.text.is_empty() {
+                // The answer itself has said it.
+            } else if house.json {
                 outln!(
                     "{}",
                     serde_json::json!({ "error": fault.text, "code": fault.code })

@@ -25,17 +25,7 @@ pub(crate) struct Run {
 
 /// Opens the pipeline of some arguments and finds the wanted nodes.
 pub(crate) fn open(wanted: &Wanted, house: &House) -> Result<(Graph, Vec<usize>), Fault> {
-    let overrides = Overrides {
-        variant: wanted.change.variant.clone(),
-        sets: wanted.change.set.clone(),
-    };
-    let graph = recipe::open(&wanted.pipeline, &overrides).map_err(|m| {
-        if house.json {
-            Fault::input(m.json())
-        } else {
-            Fault::input(m)
-        }
-    })?;
+    let graph = opened(Some(&wanted.pipeline), &wanted.change, house)?;
     let names: Vec<&str> = graph.nodes.iter().map(|n| n.name.as_str()).collect();
     let mut nodes = Vec::new();
     for name in &wanted.nodes {
@@ -48,6 +38,31 @@ pub(crate) fn open(wanted: &Wanted, house: &House) -> Result<(Graph, Vec<usize>)
         nodes
     };
     Ok((graph, goal))
+}
+
+/// A pipeline file, the product's if none is said, with what the command line changes.
+pub(crate) fn opened(
+    file: Option<&std::path::Path>,
+    change: &Change,
+    house: &House,
+) -> Result<Graph, Fault> {
+    let overrides = Overrides {
+        variant: change.variant.clone(),
+        sets: change.set.clone(),
+    };
+    let graph = match file {
+        Some(file) => recipe::open(file, &overrides),
+        None => recipe::open_text(
+            "pipelines/body.toml",
+            super::door::BODY,
+            &overrides,
+            &crate::catalog::find,
+        ),
+    };
+    graph.map_err(|m| match house.json {
+        true => Fault::input(m.json()),
+        false => Fault::input(m),
+    })
 }
 
 /// `NAME=FOLDER` as a pair.

@@ -7,6 +7,7 @@ mod arrange;
 mod bind;
 mod mistake;
 mod read;
+mod sweeps;
 mod variant;
 mod wire;
 
@@ -82,7 +83,40 @@ pub struct Variant {
     pub without: Vec<Said<String>>,
 }
 
-/// `\[sweep.NAME\]`: a grid of params.
+/// The values that a param takes in a sweep.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Over {
+    /// `[2.0, 3.0, 4.0]`.
+    List(Vec<Said<Value>>),
+    /// `{ from = 1.0, to = 8.0, steps = 4, log = true }`.
+    Range(Said<Stretch>),
+}
+
+/// Values from one number to another.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Stretch {
+    /// The first.
+    pub from: f64,
+    /// The last.
+    pub to: f64,
+    /// How many; none where a sample says it.
+    pub steps: Option<usize>,
+    /// Whether equal steps are equal ratios.
+    pub log: bool,
+    /// Whether both ends were written as whole numbers.
+    pub whole: bool,
+}
+
+/// `sample = { points = 40, seed = 1 }`: a Latin hypercube instead of the grid.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Sample {
+    /// How many points.
+    pub points: usize,
+    /// Which of all samples.
+    pub seed: u64,
+}
+
+/// `[sweep.NAME]`: a grid of params, or a sample of it.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Sweep {
     /// Its name.
@@ -90,7 +124,13 @@ pub struct Sweep {
     /// The question it answers.
     pub about: String,
     /// Node, param and the values it takes.
-    pub over: Vec<(Said<String>, Said<String>, Vec<Said<Value>>)>,
+    pub over: Vec<(Said<String>, Said<String>, Over)>,
+    /// Params that go side by side instead of crosswise: `node.param`.
+    pub zip: Vec<Vec<Said<String>>>,
+    /// A table of points: a file beside the pipeline, `node.param` at the head of each column.
+    pub csv: Option<Said<String>>,
+    /// A sample instead of the grid.
+    pub sample: Option<Said<Sample>>,
     /// Variants to be crossed with the grid; none is the pipeline as it is.
     pub with: Vec<Said<String>>,
     /// Metrics to be told: `node.metric`.
@@ -140,6 +180,7 @@ pub fn open_text(
 ) -> Result<Graph, Mistakes> {
     let recipe = read(text).map_err(|m| Mistakes::new(name, text, m))?;
     let varied = vary(&recipe, overrides).map_err(|m| Mistakes::new(name, text, m))?;
+    sweeps::check(&recipe, find).map_err(|m| Mistakes::new(name, text, m))?;
     let strict = overrides.variant.is_none();
     bind(&varied, find, strict).map_err(|m| Mistakes::new(name, text, m))
 }

@@ -1,12 +1,12 @@
 //! TOML → [`Recipe`]: knows the grammar, not what names mean.
 
-use super::{From, Input, Mistake, Node, Recipe, Said, Sweep, Variant, With};
+use super::{From, Input, Mistake, Node, Recipe, Said, Variant, With};
 use stage::{Value, unknown};
 use std::ops::Range;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
-type Entry<'a, 'i> = (Said<String>, &'a Spanned<DeValue<'i>>);
+pub(super) type Entry<'a, 'i> = (Said<String>, &'a Spanned<DeValue<'i>>);
 
 /// Reads a pipeline. All mistakes of grammar come at once.
 pub fn read(text: &str) -> Result<Recipe, Vec<Mistake>> {
@@ -28,12 +28,13 @@ pub fn read(text: &str) -> Result<Recipe, Vec<Mistake>> {
     }
 }
 
-struct Reader {
+/// What has been read so far turned out wrong here and there.
+pub(super) struct Reader {
     mistakes: Vec<Mistake>,
 }
 
 /// The entries of a table in the order of the file.
-fn entries<'a, 'i>(table: &'a DeTable<'i>) -> Vec<Entry<'a, 'i>> {
+pub(super) fn entries<'a, 'i>(table: &'a DeTable<'i>) -> Vec<Entry<'a, 'i>> {
     let said = |key: &Spanned<std::borrow::Cow<'i, str>>| Said {
         value: key.get_ref().to_string(),
         span: key.span(),
@@ -44,15 +45,19 @@ fn entries<'a, 'i>(table: &'a DeTable<'i>) -> Vec<Entry<'a, 'i>> {
 }
 
 impl Reader {
-    fn wrong(&mut self, span: &Range<usize>, what: impl Into<String>) {
+    pub(super) fn wrong(&mut self, span: &Range<usize>, what: impl Into<String>) {
         self.mistakes.push(Mistake::at(span, what));
     }
 
-    fn unknown_key(&mut self, key: &Said<String>, known: &[&str]) {
+    pub(super) fn unknown_key(&mut self, key: &Said<String>, known: &[&str]) {
         self.wrong(&key.span, unknown("key", &key.value, known));
     }
 
-    fn table<'a, 'i>(&mut self, value: &'a Spanned<DeValue<'i>>, what: &str) -> Vec<Entry<'a, 'i>> {
+    pub(super) fn table<'a, 'i>(
+        &mut self,
+        value: &'a Spanned<DeValue<'i>>,
+        what: &str,
+    ) -> Vec<Entry<'a, 'i>> {
         match value.get_ref() {
             DeValue::Table(table) => entries(table),
             _ => {
@@ -62,7 +67,7 @@ impl Reader {
         }
     }
 
-    fn text(&mut self, value: &Spanned<DeValue<'_>>, what: &str) -> Said<String> {
+    pub(super) fn text(&mut self, value: &Spanned<DeValue<'_>>, what: &str) -> Said<String> {
         let text = match value.get_ref() {
             DeValue::String(text) => text.to_string(),
             _ => {
@@ -77,14 +82,14 @@ impl Reader {
     }
 
     /// A text, or a list of texts.
-    fn texts(&mut self, value: &Spanned<DeValue<'_>>, what: &str) -> Vec<Said<String>> {
+    pub(super) fn texts(&mut self, value: &Spanned<DeValue<'_>>, what: &str) -> Vec<Said<String>> {
         match value.get_ref() {
             DeValue::Array(list) => list.iter().map(|v| self.text(v, what)).collect(),
             _ => vec![self.text(value, what)],
         }
     }
 
-    fn value(&mut self, value: &Spanned<DeValue<'_>>) -> Said<Value> {
+    pub(super) fn value(&mut self, value: &Spanned<DeValue<'_>>) -> Said<Value> {
         let read = match value.get_ref() {
             DeValue::Boolean(b) => Some(Value::Bool(*b)),
             DeValue::Integer(i) => {
@@ -263,37 +268,5 @@ impl Reader {
             }
         }
         v
-    }
-
-    fn sweep(&mut self, name: Said<String>, value: &Spanned<DeValue<'_>>) -> Sweep {
-        let mut s = Sweep {
-            name,
-            about: String::new(),
-            over: vec![],
-            with: vec![],
-            tell: vec![],
-        };
-        for (key, value) in self.table(value, "a sweep") {
-            match key.value.as_str() {
-                "about" => s.about = self.text(value, "`about`").value,
-                "with" => s.with = self.texts(value, "a variant"),
-                "tell" => s.tell = self.texts(value, "a metric"),
-                "over" => {
-                    for (node, params) in self.table(value, "`over`") {
-                        for (param, values) in self.table(params, "the params of a node") {
-                            let values = match values.get_ref() {
-                                DeValue::Array(list) => {
-                                    list.iter().map(|v| self.value(v)).collect()
-                                }
-                                _ => vec![self.value(values)],
-                            };
-                            s.over.push((node.clone(), param, values));
-                        }
-                    }
-                }
-                _ => self.unknown_key(&key, &["about", "over", "with", "tell"]),
-            }
-        }
-        s
     }
 }

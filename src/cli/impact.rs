@@ -1,0 +1,94 @@
+//! `tailor impact`: which nodes a param reaches, and what it would cost to change it.
+
+use super::run::opened;
+use super::{Change, Fault, House};
+use crate::graph::Graph;
+use crate::impact::{Impact, impacts};
+use crate::{engine, plan};
+use clap::Args;
+use serde_json::{Value, json};
+
+/// Arguments of `tailor impact`.
+#[derive(Args)]
+pub(crate) struct ImpactArgs {
+    /// A pipeline file (the product's if not said), then params: PARAM or NODE.PARAM; none is all
+    what: Vec<String>,
+    #[command(flatten)]
+    change: Change,
+}
+
+/// Does it.
+pub(crate) fn impact(args: &ImpactArgs, house: &House) -> Result<(), Fault> {
+    let (files, asked): (Vec<_>, Vec<_>) = args.what.iter().partition(|w| w.ends_with(".toml"));
+    if files.len() > 1 {
+        return Err(Fault::input("one pipeline at a time"));
+    }
+    let graph = opened(files.first().map(|f| f.as_ref()), &args.change, house)?;
+    let all = impacts(&graph, &graph.goal);
+    let full = |i: &Impact| format!("{}.{}", graph.nodes[i.node].name, i.param);
+    let mut shown = Vec::new();
+    for name in &asked {
+        let found = all
+            .iter()
+            .filter(|i| full(i) == **name || i.param == **name);
+        let before = shown.len();
+        shown.extend(found);
+        if shown.len() == before {
+            let names: Vec<String> = all.iter().map(full).collect();
+            let known: Vec<&str> = names.iter().map(String::as_str).collect();
+            return Err(Fault::input(stage::unknown("param", name, &known)));
+        }
+    }
+    if asked.is_empty() {
+        shown.extend(&all);
+    }
+    let runs = engine::runs(&house.cache);
+    let cost = |i: &Impact| seconds(&graph, i, &runs);
+    if house.json {
+        let one = |i: &&Impact| {
+            let names: Vec<&str> = i
+                .reaches
+                .iter()
+                .map(|n| graph.nodes[*n].name.as_str())
+                .collect();
+            json!({
+                "param": full(i), "stage": graph.nodes[i.node].stage.name(),
+                "value": i.value.to_string(), "default": i.default.to_string(),
+                "reaches": names, "seconds": cost(i),
+            })
+        };
+        let list: Vec<Value> = shown.iter().map(one).collect();
+        super::outln!(
+            "{}",
+            serde_json::to_string_pretty(&list).expect("bug: JSON")
+        );
+        return Ok(());
+    }
+    let width = |f: &dyn Fn(&Impact) -> String| shown.iter().map(|i| f(i).len()).max().unwrap_or(0);
+    let (names, values) = (width(&full), width(&|i| i.value.to_string()));
+    for i in &shown {
+        let reached: Vec<&str> = i
+            .reaches
+            .iter()
+            .map(|n| graph.nodes[*n].name.as_str())
+            .collect();
+        let time = cost(i).map_or("?".into(), |s| format!("{s:.1} s"));
+        super::outln!(
+            "{:<names$}  {:>values$}  {:>8}  {}",
+            full(i),
+            i.value.to_string(),
+            time,
+            reached.join(" > "),
+        );
+    }
+    Ok(())
+}
+
+/// How long what it reaches took the last time. \[s\]
+fn seconds(graph: &Graph, impact: &Impact, runs: &[(String, Value)]) -> Option<f64> {
+    let each = impact.reaches.iter().map(|n| {
+        let last = plan::last(runs, &graph.nodes[*n].name)?;
+        last["seconds"].as_f64()
+    });
+    each.sum()
+}

@@ -1,0 +1,290 @@
+//! What varies: lists, ranges, params side by side, a table of points, a Latin hypercube.
+
+use super::csv;
+use crate::recipe::{Over, Sample, Stretch, Sweep, parse_value};
+use stage::Value;
+use std::path::Path;
+
+/// Params that vary together, and the values that they take: one row a step.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Axis {
+    /// Node and param.
+    pub params: Vec<(String, String)>,
+    /// One value a param in each row.
+    pub rows: Vec<Vec<Value>>,
+}
+
+/// What varies cannot be told.
+#[derive(Debug, thiserror::Error)]
+pub enum AxisError {
+    /// Of unequal length.
+    #[error("{0} go side by side, but take {1} values: give each the same number")]
+    Unequal(String, String),
+    /// A table of points.
+    #[error("{file}: {why}")]
+    Table {
+        /// The file.
+        file: String,
+        /// What is wrong.
+        why: String,
+    },
+    /// On the command line.
+    #[error(
+        "`--sweep {0}`: say NODE.PARAM=2,3,4 or NODE.PARAM=2..8/4 (4 values from 2 to 8), with `log` behind it for equal ratios"
+    )]
+    Said(String),
+    /// A sample of what is no range.
+    #[error(
+        "a sample takes values from `over`; `zip` and `csv` say which go together, so leave one of them out"
+    )]
+    SampleOfTable,
+}
+
+/// The values of a range; without steps, its ends.
+pub fn values(s: &Stretch) -> Vec<Value> {
+    let steps = s.steps.unwrap_or(2);
+    let at = |i: usize| match steps {
+        1 => 0.0,
+        _ => i as f64 / (steps - 1) as f64,
+    };
+    let numbers: Vec<f64> = (0..steps).map(|i| between(s, at(i))).collect();
+    let whole = s.whole && (s.log || numbers.iter().all(|x| x.fract().abs() < 1e-9));
+    let mut values: Vec<Value> = numbers.iter().map(|x| written(*x, whole)).collect();
+    values.dedup();
+    values
+}
+
+/// The number at a share of the way. The ends are exact.
+fn between(s: &Stretch, share: f64) -> f64 {
+    if share <= 0.0 || share >= 1.0 {
+        return if share <= 0.0 { s.from } else { s.to };
+    }
+    let x = match s.log {
+        true => s.from * (s.to / s.from).powf(share),
+        false => s.from + (s.to - s.from) * share,
+    };
+    // Twelve digits: 0.3 and not 0.30000000000000004.
+    format!("{x:.11e}").parse().unwrap_or(x)
+}
+
+fn written(x: f64, whole: bool) -> Value {
+    match whole {
+        true => Value::Int(x.round() as i64),
+        false => Value::Float(x),
+    }
+}
+
+/// The axes of a declared sweep; a table of points lies in `folder`.
+pub fn axes(sweep: &Sweep, folder: &Path) -> Result<Vec<Axis>, AxisError> {
+    if let Some(sample) = &sweep.sample {
+        if sweep.csv.is_some() || !sweep.zip.is_empty() {
+            return Err(AxisError::SampleOfTable);
+        }
+        return Ok(vec![hypercube(sweep, sample.value)]);
+    }
+    let mut axes: Vec<Axis> = sweep.over.iter().map(listed).collect();
+    for group in &sweep.zip {
+        let named = |axis: &Axis| {
+            let (node, param) = &axis.params[0];
+            group.iter().any(|s| s.value == format!("{node}.{param}"))
+        };
+        let (together, apart): (Vec<Axis>, Vec<Axis>) = axes.into_iter().partition(named);
+        axes = apart;
+        axes.extend(zipped(together)?);
+    }
+    if let Some(file) = &sweep.csv {
+        axes.push(csv::table(&folder.join(&file.value))?);
+    }
+    Ok(axes)
+}
+
+fn listed(
+    (node, param, over): &(
+        crate::recipe::Said<String>,
+        crate::recipe::Said<String>,
+        Over,
+    ),
+) -> Axis {
+    let values = match over {
+        Over::List(list) => list.iter().map(|v| v.value.clone()).collect(),
+        Over::Range(said) => values(&said.value),
+    };
+    Axis {
+        params: vec![(node.value.clone(), param.value.clone())],
+        rows: values.into_iter().map(|v| vec![v]).collect(),
+    }
+}
+
+/// One axis out of several that go side by side.
+fn zipped(axes: Vec<Axis>) -> Result<Option<Axis>, AxisError> {
+    let Some(first) = axes.first() else {
+        return Ok(None);
+    };
+    let count = first.rows.len();
+    if axes.iter().any(|a| a.rows.len() != count) {
+        let names: Vec<String> = axes
+            .iter()
+            .map(|a| format!("{}.{}", a.params[0].0, a.params[0].1))
+            .collect();
+        let counts: Vec<String> = axes.iter().map(|a| a.rows.len().to_string()).collect();
+        return Err(AxisError::Unequal(names.join(", "), counts.join(", ")));
+    }
+    Ok(Some(Axis {
+        params: axes.iter().flat_map(|a| a.params.clone()).collect(),
+        rows: (0..count)
+            .map(|i| axes.iter().flat_map(|a| a.rows[i].clone()).collect())
+            .collect(),
+    }))
+}
+
+/// A Latin hypercube (McKay, Beckman and Conover 1979): every param takes one value in each of as
+/// many equal slices as there are points, in an order of its own.
+fn hypercube(sweep: &Sweep, sample: Sample) -> Axis {
+    let n = sample.points;
+    let mut state = sample.seed;
+    // SplitMix64 (Steele, Lea and Flood 2014).
+    let mut dice = move || {
+        state = state.wrapping_add(0x9e37_79b9_7f4a_7c15);
+        let mut z = state;
+        z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+        z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
+        ((z ^ (z >> 31)) >> 11) as f64 / (1u64 << 53) as f64
+    };
+    let mut rows = vec![Vec::new(); n];
+    for (_, _, over) in &sweep.over {
+        let mut slices: Vec<usize> = (0..n).collect();
+        for i in (1..n).rev() {
+            slices.swap(i, ((i + 1) as f64 * dice()) as usize);
+        }
+        for (row, slice) in rows.iter_mut().zip(slices) {
+            let share = (slice as f64 + dice()) / n as f64;
+            row.push(match over {
+                Over::Range(said) => written(between(&said.value, share), said.value.whole),
+                Over::List(list) => list[(share * list.len() as f64) as usize].value.clone(),
+            });
+        }
+    }
+    let params = |(n, p, _): &(
+        crate::recipe::Said<String>,
+        crate::recipe::Said<String>,
+        Over,
+    )| { (n.value.clone(), p.value.clone()) };
+    Axis {
+        params: sweep.over.iter().map(params).collect(),
+        rows,
+    }
+}
+
+/// `NODE.PARAM=2,3,4` or `NODE.PARAM=2..8/4` (`log` behind it for equal ratios).
+pub fn said(text: &str) -> Result<Axis, AxisError> {
+    let wrong = || AxisError::Said(text.into());
+    let (place, values_said) = text.split_once('=').ok_or_else(wrong)?;
+    let (node, param) = place.trim().split_once('.').ok_or_else(wrong)?;
+    let listed = match range(values_said) {
+        Some(stretch) => values(&stretch),
+        None => csv::cells(values_said)
+            .iter()
+            .map(|v| parse_value(v))
+            .collect(),
+    };
+    if listed.is_empty() || values_said.trim().is_empty() {
+        return Err(wrong());
+    }
+    Ok(Axis {
+        params: vec![(node.into(), param.into())],
+        rows: listed.into_iter().map(|v| vec![v]).collect(),
+    })
+}
+
+/// `2..8/4` or `1..100/5log`.
+fn range(text: &str) -> Option<Stretch> {
+    let (from, rest) = text.split_once("..")?;
+    let (to, steps) = rest.split_once('/')?;
+    let (steps, log) = match steps.trim().strip_suffix("log") {
+        Some(steps) => (steps, true),
+        None => (steps, false),
+    };
+    let whole = [from, to].iter().all(|t| t.trim().parse::<i64>().is_ok());
+    let (from, to): (f64, f64) = (from.trim().parse().ok()?, to.trim().parse().ok()?);
+    let steps = steps.trim().parse().ok().filter(|n| *n <= 1_000_000)?;
+    let good = from.is_finite() && to.is_finite() && (!log || (from > 0.0 && to > 0.0));
+    good.then_some(Stretch {
+        from,
+        to,
+        steps: Some(steps),
+        log,
+        whole,
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn texts(axis: &Axis) -> Vec<String> {
+        let row = |r: &Vec<Value>| {
+            r.iter()
+                .map(|v| v.to_string())
+                .collect::<Vec<_>>()
+                .join(" ")
+        };
+        axis.rows.iter().map(row).collect()
+    }
+
+    #[test]
+    fn ranges_end_where_they_say_and_log_steps_are_equal_ratios() {
+        assert_eq!(texts(&said("a.b=2..8/4").unwrap()), ["2", "4", "6", "8"]);
+        assert_eq!(texts(&said("a.b=0..1/3").unwrap()), ["0.0", "0.5", "1.0"]);
+        assert_eq!(
+            texts(&said("a.b=0.1..0.5/5").unwrap()),
+            ["0.1", "0.2", "0.3", "0.4", "0.5"]
+        );
+        assert_eq!(
+            texts(&said("a.b=0.01..100.0/5log").unwrap()),
+            ["0.01", "0.1", "1.0", "10.0", "100.0"]
+        );
+        assert_eq!(texts(&said("a.b=[1, 2],[3]").unwrap()), ["[1, 2]", "[3]"]);
+        assert_eq!(texts(&said("a.b=on,true").unwrap()), ["\"on\"", "true"]);
+        for wrong in ["a.b=", "ab=1", "a.b", "=1"] {
+            assert!(said(wrong).is_err(), "{wrong}");
+        }
+    }
+
+    /// A sweep over two ranges and a list, as a sample.
+    fn sampled(points: usize, seed: u64) -> Axis {
+        let text = format!(
+            "[sweep.s]\nover.a = {{ x = {{ from = 0.0, to = 1.0 }}, y = {{ from = 1, to = 1000, log = true }} }}\n\
+             over.b = {{ z = [\"p\", \"q\"] }}\nsample = {{ points = {points}, seed = {seed} }}\n"
+        );
+        let recipe = crate::recipe::read(&text).unwrap();
+        axes(&recipe.sweeps[0], Path::new(".")).unwrap().remove(0)
+    }
+
+    #[test]
+    fn a_latin_hypercube_has_one_point_in_every_slice_and_is_repeatable() {
+        for n in [1, 2, 7, 40] {
+            let axis = sampled(n, 3);
+            let number = |v: &Value| match v {
+                Value::Float(x) => *x,
+                Value::Int(i) => *i as f64,
+                other => panic!("{other}"),
+            };
+            let mut slices: Vec<usize> = axis
+                .rows
+                .iter()
+                .map(|r| (number(&r[0]) * n as f64) as usize)
+                .collect();
+            slices.sort();
+            assert_eq!(slices, (0..n).collect::<Vec<_>>());
+            assert!(
+                axis.rows
+                    .iter()
+                    .all(|r| (1.0..=1000.0).contains(&number(&r[1])))
+            );
+            let p = axis.rows.iter().filter(|r| r[2] == Value::Text("p".into()));
+            assert!(p.count().abs_diff(n - n / 2) <= 1, "lists are taken evenly");
+            assert_eq!(sampled(n, 3), axis);
+        }
+        assert_ne!(sampled(40, 3), sampled(40, 4));
+    }
+}

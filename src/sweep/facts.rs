@@ -1,0 +1,59 @@
+//! Numbers that an artifact tells of itself, beside the metrics that its stage gave.
+
+use shape::{Girths, Mesh, Textured};
+use stage::{AnyArtifact, Metric};
+
+/// What there is to tell: girths along the contour and by tape, a surface's volume, area and size.
+pub fn facts(artifact: AnyArtifact) -> Vec<Metric> {
+    match artifact.kind() {
+        "girths" => artifact.downcast().map_or(vec![], |g| girths(&g)),
+        "mesh" => artifact.downcast().map_or(vec![], |m| mesh(&m)),
+        "textured" => artifact
+            .downcast::<Textured>()
+            .map_or(vec![], |t| mesh(&t.mesh)),
+        _ => vec![],
+    }
+}
+
+fn metric(name: &str, value: f64, unit: &str) -> Metric {
+    Metric {
+        name: name.into(),
+        value,
+        unit: unit.into(),
+    }
+}
+
+fn girths(girths: &Girths) -> Vec<Metric> {
+    let mut all = Vec::new();
+    for g in &girths.girths {
+        all.push(metric(&g.name, g.contour_mm / 10.0, "cm"));
+        all.push(metric(&format!("{}.tape", g.name), g.tape_mm / 10.0, "cm"));
+        let [lo, hi] = g.interval_mm;
+        all.push(metric(&format!("{}.width", g.name), (hi - lo) / 10.0, "cm"));
+    }
+    all.extend(
+        girths
+            .stature_mm
+            .map(|mm| metric("stature", mm / 10.0, "cm")),
+    );
+    all.extend(girths.volume_l.map(|l| metric("volume", l, "l")));
+    all.extend(
+        girths
+            .ratios
+            .iter()
+            .map(|(name, value, _)| metric(name, *value, "")),
+    );
+    all
+}
+
+fn mesh(mesh: &Mesh) -> Vec<Metric> {
+    let area: f64 = (0..mesh.faces.len())
+        .map(|f| mesh.area_vector(f).norm() / 2.0)
+        .sum();
+    vec![
+        metric("volume", mesh.volume() * 1e-6, "l"),
+        metric("area", area * 1e-6, "m²"),
+        metric("faces", mesh.faces.len() as f64, ""),
+        metric("vertices", mesh.positions.len() as f64, ""),
+    ]
+}

@@ -1,0 +1,118 @@
+//! The points of a sweep: a grid of axes, crossed with variants; none is written out before its turn.
+
+use super::axes::Axis;
+use crate::graph::Graph;
+use crate::recipe::Overrides;
+use stage::Value;
+
+/// All points.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Points {
+    /// The variants; `None` is the pipeline as it is.
+    pub variants: Vec<Option<String>>,
+    /// What varies, the slowest first.
+    pub axes: Vec<Axis>,
+}
+
+/// One point.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Point {
+    /// The variant, if there is one.
+    pub variant: Option<String>,
+    /// Node, param and value.
+    pub values: Vec<(String, String, Value)>,
+}
+
+impl Points {
+    /// A grid; what lies upstream in the pipeline varies slowest. A param that stands in two axes
+    /// keeps the last.
+    pub fn new(graph: &Graph, variants: Vec<Option<String>>, axes: Vec<Axis>) -> Points {
+        let mut kept: Vec<Axis> = Vec::new();
+        for axis in axes {
+            kept.retain(|a| !a.params.iter().any(|p| axis.params.contains(p)));
+            kept.push(axis);
+        }
+        let first = |axis: &Axis| {
+            let places = axis.params.iter().filter_map(|(n, _)| graph.node(n));
+            places.min().unwrap_or(usize::MAX)
+        };
+        kept.sort_by_key(first);
+        Points {
+            variants,
+            axes: kept,
+        }
+    }
+
+    /// How many.
+    pub fn count(&self) -> u128 {
+        let rows = self.axes.iter().map(|a| a.rows.len() as u128);
+        rows.fold(self.variants.len() as u128, u128::saturating_mul)
+    }
+
+    /// The params that vary, in the order of the table.
+    pub fn params(&self) -> Vec<(String, String)> {
+        self.axes.iter().flat_map(|a| a.params.clone()).collect()
+    }
+
+    /// All points in the order in which they run.
+    pub fn iter(&self) -> impl Iterator<Item = Point> + '_ {
+        (0..self.count()).map(|i| self.at(i))
+    }
+
+    fn at(&self, mut i: u128) -> Point {
+        let mut rows = vec![0; self.axes.len()];
+        for (axis, row) in self.axes.iter().zip(&mut rows).rev() {
+            *row = (i % axis.rows.len() as u128) as usize;
+            i /= axis.rows.len() as u128;
+        }
+        let mut values = Vec::new();
+        for (axis, row) in self.axes.iter().zip(rows) {
+            for ((node, param), value) in axis.params.iter().zip(&axis.rows[row]) {
+                values.push((node.clone(), param.clone(), value.clone()));
+            }
+        }
+        Point {
+            variant: self.variants[i as usize].clone(),
+            values,
+        }
+    }
+}
+
+impl Point {
+    /// What the point changes, after what the command line changes for all.
+    pub fn overrides(&self, all: &Overrides) -> Overrides {
+        let mut sets = all.sets.clone();
+        sets.extend(self.sets());
+        let both: Vec<String> = [&all.variant, &self.variant]
+            .into_iter()
+            .flatten()
+            .cloned()
+            .collect();
+        Overrides {
+            variant: (!both.is_empty()).then(|| both.join(",")),
+            sets,
+        }
+    }
+
+    /// `NODE.PARAM=VALUE`, as `--set` takes it.
+    pub fn sets(&self) -> Vec<String> {
+        let set =
+            |(node, param, value): &(String, String, Value)| format!("{node}.{param}={value}");
+        self.values.iter().map(set).collect()
+    }
+
+    /// What people call it: `voxel@rigid,2.0`.
+    pub fn name(&self, sweep: &str) -> String {
+        let mut parts: Vec<String> = self.variant.iter().cloned().collect();
+        parts.extend(self.values.iter().map(|(_, _, v)| plain(v)));
+        format!("{sweep}@{}", parts.join(","))
+    }
+}
+
+/// A value without the quotes of a text.
+pub(super) fn plain(value: &Value) -> String {
+    match value {
+        Value::Text(text) => text.clone(),
+        other => other.to_string(),
+    }
+}
