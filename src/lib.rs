@@ -8,6 +8,7 @@ pub mod catalog;
 mod cli;
 pub mod clock;
 pub mod closest;
+pub mod compare;
 pub mod drawing;
 pub mod engine;
 pub mod graph;

@@ -19,6 +19,7 @@ use {out, outln};
 
 mod answers;
 mod cache;
+mod compare;
 mod door;
 mod impact;
 mod mat;
@@ -98,6 +99,8 @@ enum Verb {
     Why(answers::Why),
     /// Every point of a sweep, what they share made once: a table, plots
     Sweep(sweep::SweepArgs),
+    /// Variants, runs or folders of results side by side: params, girths, surfaces, time
+    Compare(compare::CompareArgs),
     /// Which nodes a param reaches, and what it would cost to change it
     Impact(impact::ImpactArgs),
     /// The pipeline as a drawing: DOT or Mermaid
@@ -166,6 +169,7 @@ pub fn main() -> ExitCode {
         Verb::Plan(wanted) => answers::plan(wanted, house),
         Verb::Why(verb) => answers::why(verb, house),
         Verb::Sweep(verb) => sweep::sweep(verb, house),
+        Verb::Compare(verb) => compare::compare_sides(verb, house),
         Verb::Impact(verb) => impact::impact(verb, house),
         Verb::Graph(verb) => answers::graph(verb, house),
         Verb::Show(verb) => show::show(verb, house),

@@ -231,6 +231,9 @@ fn finish(args: &SweepArgs, house: &House, asked: &Asked, rows: &[Row]) -> Resul
         ),
         false => super::out!("{}", sweep::text(about, rows)),
     }
+    untold(asked, rows)
+        .iter()
+        .for_each(|line| eprintln!("{line}"));
     if CANCEL.load(Ordering::Relaxed) {
         let text = "stopped; run the same command to go on".into();
         return Err(Fault { code: 130, text });
@@ -243,6 +246,23 @@ fn finish(args: &SweepArgs, house: &House, asked: &Asked, rows: &[Row]) -> Resul
             text: String::new(),
         }),
     }
+}
+
+/// What was asked for and no point tells.
+fn untold(asked: &Asked, rows: &[Row]) -> Vec<String> {
+    let mut lines = Vec::new();
+    let done: Vec<&Row> = rows.iter().filter(|r| r.end == End::Done).collect();
+    for name in asked.tell.iter().filter(|_| !done.is_empty()) {
+        let told = |row: &&Row| row.told.iter().any(|(n, m)| n == name && m.is_some());
+        if !done.iter().any(told) {
+            let known: Vec<&str> = done[0].known.iter().map(String::as_str).collect();
+            lines.push(format!(
+                "no point tells `{name}`; there are {}",
+                known.join(", ")
+            ));
+        }
+    }
+    lines
 }
 
 /// A line a point on standard error.

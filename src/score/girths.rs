@@ -33,7 +33,7 @@ impl GirthScore {
 }
 
 /// Large girths are those around the trunk.
-fn iso_mm(name: &str) -> f64 {
+pub(crate) fn iso_mm(name: &str) -> f64 {
     if ["WC", "HC", "CC", "HC_max"].contains(&name) {
         9.0
     } else {

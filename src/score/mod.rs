@@ -7,6 +7,7 @@ mod table;
 mod truth;
 
 pub use girths::GirthScore;
+pub(crate) use girths::iso_mm;
 pub use surface::{Part, Surface};
 pub use table::{paper_tables, text};
 pub use truth::Unreadable;

@@ -54,7 +54,7 @@
   // --- all columns as parallel axes: a line a point ---
   const place = document.getElementById("parallel");
   const shown = rows.filter((r) => r.told.some((v) => v !== null));
-  const axes = [...data.params.map((name, p) => ({ name, of: (r) => r.params[p], on: vary[p] })), ...data.told.map((name, m) => ({ name, of: (r) => r.told[m], on: true }))].filter((a) => a.on).slice(0, 14);
+  const axes = [...data.params.map((name, p) => ({ name, of: (r) => r.params[p], on: vary[p] })), ...data.told.map((name, m) => ({ name, of: (r) => r.told[m], on: shown.some((r) => r.told[m] !== null) }))].filter((a) => a.on).slice(0, 14);
   if (shown.length && axes.length > 1) {
     const w = Math.max(700, axes.length * 110), h = 300, at = (i) => 50 + (i * (w - 110)) / (axes.length - 1);
     const scales = axes.map((a) => axis(shown.map(a.of))), Y = (i, v) => h - 24 - scales[i].at(v) * (h - 70);

@@ -34,6 +34,8 @@ pub struct Row {
     pub end: End,
     /// What was asked for, in the order of the columns; `None` where there is none.
     pub told: Vec<(String, Option<Metric>)>,
+    /// Names of all that could be told of the nodes that were asked.
+    pub known: Vec<String>,
     /// How many nodes ran for it.
     pub made: usize,
     /// How many were in the store.
@@ -94,6 +96,7 @@ fn one(sweeping: &Sweeping<'_>, point: Point, failures: &mut Failures) -> Result
         point,
         end: End::Done,
         told: vec![],
+        known: vec![],
         made: 0,
         found: 0,
         seconds: 0.0,
@@ -144,7 +147,7 @@ fn one(sweeping: &Sweeping<'_>, point: Point, failures: &mut Failures) -> Result
         None => End::Done,
     };
     match told(sweeping, &graph, &wanted, &outcome, row.end == End::Done) {
-        Ok(told) => row.told = told,
+        Ok((told, known)) => (row.told, row.known) = (told, known),
         Err(why) => row.end = End::Wrong(format!("against the truth: {why}")),
     }
     row.seconds = start.elapsed().as_secs_f64();
@@ -189,7 +192,7 @@ fn told(
     wanted: &[usize],
     outcome: &Outcome,
     done: bool,
-) -> Result<Vec<(String, Option<Metric>)>, String> {
+) -> Result<(Vec<(String, Option<Metric>)>, Vec<String>), String> {
     let mut known: BTreeMap<usize, Vec<Metric>> = BTreeMap::new();
     let mut of = |node: usize| -> Vec<Metric> {
         known
@@ -235,9 +238,15 @@ fn told(
     if all {
         told.extend(
             errors
-                .into_iter()
-                .map(|m| (format!("error.{}", m.name), Some(m))),
+                .iter()
+                .map(|m| (format!("error.{}", m.name), Some(m.clone()))),
         );
     }
-    Ok(told)
+    let inside = known.iter().flat_map(|(node, all)| {
+        let name = &graph.nodes[*node].name;
+        all.iter().map(move |m| format!("{name}.{}", m.name))
+    });
+    let outside = errors.iter().map(|m| format!("error.{}", m.name));
+    let names = inside.chain(outside).collect();
+    Ok((told, names))
 }

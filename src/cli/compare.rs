@@ -1,0 +1,129 @@
+//! `tailor compare`: variants, runs and folders side by side.
+
+use super::run::{execute, folders, opened};
+use super::{Change, Fault, House};
+use crate::compare::{Side, compare, json, markdown, page};
+use crate::store::Store;
+use crate::{engine, out};
+use clap::Args;
+use std::path::{Path, PathBuf};
+
+/// Arguments of `tailor compare`.
+#[derive(Args)]
+pub(crate) struct CompareArgs {
+    /// What is compared, the reference first: folders that `measure` or `run` wrote; `last` and
+    /// `last~1` for runs of the cache; and, after a pipeline file, what to change in it: a variant,
+    /// NODE.PARAM=VALUE, several joined by `+`, or `as-is`
+    #[arg(required = true)]
+    what: Vec<String>,
+    #[command(flatten)]
+    change: Change,
+    /// Differences up to this are none, for every girth; else each has its limit of ISO 20685-1
+    #[arg(long)]
+    tolerance_mm: Option<f64>,
+    /// Write compare.md, compare.json and compare.html into this folder
+    #[arg(long)]
+    out: Option<PathBuf>,
+}
+
+/// Does it.
+pub(crate) fn compare_sides(args: &CompareArgs, house: &House) -> Result<(), Fault> {
+    let pipeline = args.what.iter().find(|w| w.ends_with(".toml"));
+    let what: Vec<&String> = args.what.iter().filter(|w| !w.ends_with(".toml")).collect();
+    if what.len() < 2 || args.what.len() > what.len() + 1 {
+        return Err(Fault::input(
+            "give two or more to compare: folders that `tailor measure` wrote, `last` and `last~1`, or a pipeline file and variants of it",
+        ));
+    }
+    // A pipeline that cannot be is told before any other runs.
+    let mut graphs = Vec::new();
+    for text in &what {
+        graphs.push(match pipeline {
+            Some(file) if !Path::new(text).is_dir() && past(text).is_none() => Some(opened(
+                Some(Path::new(file)),
+                &changed(text, &args.change),
+                house,
+            )?),
+            _ => None,
+        });
+    }
+    let folders = folders(&args.change)?;
+    let mut sides = Vec::new();
+    for (text, graph) in what.iter().zip(&graphs) {
+        sides.push(match graph {
+            None => found(text, house)?,
+            Some(graph) => {
+                if !house.quiet && !house.json {
+                    eprintln!("{text}:");
+                }
+                let again: Vec<String> = std::env::args().collect();
+                let again = again.join(" ");
+                let outcome = execute(graph, &folders, &graph.goal, house, false, &again)?;
+                let store = Store::open(&house.cache).map_err(Fault::input)?;
+                Side::from_run(text, &outcome.json(graph), &store).map_err(Fault::stage)?
+            }
+        });
+    }
+    let comparison = compare(sides, args.tolerance_mm);
+    let (words, json) = (markdown(&comparison), json(&comparison));
+    let pretty = serde_json::to_string_pretty(&json).expect("bug: JSON");
+    if let Some(folder) = &args.out {
+        for (file, text) in [
+            ("compare.md", words.clone()),
+            ("compare.json", pretty.clone()),
+            ("compare.html", page(&comparison)),
+        ] {
+            let file = folder.join(file);
+            out::write(&file, &[(String::new(), text.into_bytes())]).map_err(Fault::stage)?;
+        }
+    }
+    match house.json {
+        true => super::outln!("{pretty}"),
+        false => super::out!("{words}"),
+    }
+    Ok(())
+}
+
+/// `quick+hull.voxel_mm=2` beside what is changed for all.
+fn changed(text: &str, all: &Change) -> Change {
+    let mut change = all.clone();
+    let mut variants: Vec<String> = change.variant.into_iter().collect();
+    for part in text.split('+').filter(|p| *p != "as-is") {
+        match part.contains('=') {
+            true => change.set.push(part.to_owned()),
+            false => variants.push(part.to_owned()),
+        }
+    }
+    change.variant = (!variants.is_empty()).then(|| variants.join(","));
+    change
+}
+
+/// `last`, `last~1`, …: how many runs ago.
+fn past(text: &str) -> Option<usize> {
+    match text.strip_prefix("last")? {
+        "" => Some(0),
+        rest => rest.strip_prefix('~')?.parse().ok(),
+    }
+}
+
+/// A folder of results, or a run of the cache.
+fn found(text: &str, house: &House) -> Result<Side, Fault> {
+    if let Some(ago) = past(text) {
+        let store = Store::open(&house.cache).map_err(Fault::input)?;
+        let runs = engine::runs(&house.cache);
+        let (_, run) = runs.get(ago).ok_or_else(|| {
+            Fault::input(format!("`{text}`: the cache knows {} runs", runs.len()))
+        })?;
+        return Side::from_run(text, run, &store).map_err(Fault::input);
+    }
+    let folder = Path::new(text);
+    if !folder.is_dir() {
+        return Err(Fault::input(format!(
+            "`{text}` is no folder; to compare variants, name their pipeline first: tailor compare pipelines/body.toml as-is quick --input photos=DIR"
+        )));
+    }
+    let name = folder
+        .file_name()
+        .map_or(text.to_owned(), |n| n.to_string_lossy().into_owned());
+    Side::from_folder(&name, folder).map_err(Fault::input)
+}

@@ -1,0 +1,46 @@
+//! Variants, runs and folders of results side by side, each against the first.
+//!
+//! ```text
+//! variant ─ run ─┐                  ┌─ differ: params, first result that is another
+//! run of a cache ┼─ Side ─ compare ─┼─ girths: within tolerance or not      ─┬─ words: Markdown, JSON
+//! folder ────────┘                  └─ surfaces: how far apart, everywhere  ─┴─ page: HTML with a view
+//! ```
+
+mod differ;
+mod girths;
+mod page;
+mod side;
+mod surfaces;
+mod words;
+
+pub use differ::{Change, Difference, differ};
+pub use girths::{GirthRow, Told, girths};
+pub use page::page;
+pub use side::{NodeRun, Side, SideError};
+pub use surfaces::{Apart, apart};
+pub use words::{json, markdown};
+
+/// All that is said of the sides.
+pub struct Comparison {
+    /// What is compared, the reference first.
+    pub sides: Vec<Side>,
+    /// One entry for each side but the first.
+    pub differences: Vec<Difference>,
+    /// The girths of all sides.
+    pub girths: Vec<GirthRow>,
+    /// How far each surface is from the first; `None` where a side has none.
+    pub apart: Vec<Option<Apart>>,
+}
+
+/// Compares each side with the first. `tolerance_mm` is for all girths; without it each has the
+/// limit of ISO 20685-1.
+pub fn compare(sides: Vec<Side>, tolerance_mm: Option<f64>) -> Comparison {
+    let (first, others) = sides.split_first().expect("bug: nothing to compare");
+    let surface = |side: &Side| Some(apart(first.mesh.as_ref()?, side.mesh.as_ref()?));
+    Comparison {
+        differences: others.iter().map(|side| differ(first, side)).collect(),
+        girths: girths(&sides, tolerance_mm),
+        apart: others.iter().map(surface).collect(),
+        sides,
+    }
+}

@@ -1,0 +1,169 @@
+//! One side: what ran, the girths and the surface that came out.
+
+use super::girths::Told;
+use crate::store::Store;
+use serde::Deserialize;
+use serde_json::Value;
+use shape::{Girths, Mesh, girths_to_json, mesh_from_ply};
+use stage::{AnyArtifact, Hash};
+use std::path::{Path, PathBuf};
+
+/// A node of a run, as `run.json` has it.
+#[derive(Debug, Clone, PartialEq, Deserialize)]
+pub struct NodeRun {
+    /// Its name in the pipeline.
+    pub node: String,
+    /// Its stage.
+    pub stage: String,
+    /// What became of it: found, made, failed, skipped, cancelled.
+    pub fate: String,
+    /// The content of its result.
+    pub content: Option<String>,
+    /// What its result depends on, line by line.
+    #[serde(default)]
+    pub story: Vec<(String, String)>,
+    /// How long it took: now, or when it was made. \[s\]
+    pub seconds: f64,
+    /// Size of its result. \[bytes\]
+    pub bytes: u64,
+    /// What the user should know.
+    #[serde(default)]
+    pub warnings: Vec<String>,
+}
+
+/// What is compared.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Side {
+    /// What people call it.
+    pub name: String,
+    /// What ran, each after what it reads.
+    pub nodes: Vec<NodeRun>,
+    /// The girths.
+    pub girths: Vec<Told>,
+    /// The surface that was measured.
+    pub mesh: Option<Mesh>,
+}
+
+/// Something that cannot be compared.
+#[derive(Debug, thiserror::Error)]
+pub enum SideError {
+    /// Not what it should be.
+    #[error("{}: {why}", path.display())]
+    File {
+        /// The file.
+        path: PathBuf,
+        /// What is wrong.
+        why: String,
+    },
+    /// A result that is not in the cache any more.
+    #[error("the {0} of {1} went out of the cache: run it again")]
+    Gone(&'static str, String),
+    /// No run record.
+    #[error("{0} is no record of a run")]
+    Record(String),
+}
+
+fn nodes(name: &str, run: &Value) -> Result<Vec<NodeRun>, SideError> {
+    let nodes = serde_json::from_value(run["nodes"].clone());
+    nodes.map_err(|e| SideError::Record(format!("{name} ({e})")))
+}
+
+fn told(json: &str) -> Result<Vec<Told>, serde_json::Error> {
+    let file: Value = serde_json::from_str(json)?;
+    serde_json::from_value(file["girths"].clone())
+}
+
+impl Side {
+    /// Out of a folder that `measure` or `run` wrote. Girths and surface may be missing.
+    pub fn from_folder(name: &str, folder: &Path) -> Result<Side, SideError> {
+        let read = |file: &str| -> Result<Option<Vec<u8>>, SideError> {
+            let path = folder.join(file);
+            match std::fs::read(&path) {
+                Ok(bytes) => Ok(Some(bytes)),
+                Err(e) if e.kind() == std::io::ErrorKind::NotFound => Ok(None),
+                Err(e) => Err(wrong(folder, file, e)),
+            }
+        };
+        let run = read("run.json")?.ok_or_else(|| {
+            wrong(
+                folder,
+                "run.json",
+                "is not there: give a folder that `tailor measure` wrote",
+            )
+        })?;
+        let run: Value = serde_json::from_slice(&run).map_err(|e| wrong(folder, "run.json", e))?;
+        let girths = match read("girths.json")? {
+            Some(bytes) => told(&String::from_utf8_lossy(&bytes))
+                .map_err(|e| wrong(folder, "girths.json", e))?,
+            None => vec![],
+        };
+        let mut mesh = None;
+        for file in ["body.ply", "hull.ply"] {
+            if let (None, Some(bytes)) = (&mesh, read(file)?) {
+                mesh = Some(mesh_from_ply(&bytes).map_err(|e| wrong(folder, file, e))?);
+            }
+        }
+        Ok(Side {
+            name: name.into(),
+            nodes: nodes(name, &run)?,
+            girths,
+            mesh,
+        })
+    }
+
+    /// Out of a run whose results lie in a store.
+    pub fn from_run(name: &str, run: &Value, store: &Store) -> Result<Side, SideError> {
+        let nodes = nodes(name, run)?;
+        let yields = |n: &NodeRun, kind: &str| {
+            n.content.is_some()
+                && crate::catalog::find(&n.stage).is_some_and(|s| s.yields() == kind)
+        };
+        let last = |kind: &str| nodes.iter().rev().find(|n| yields(n, kind));
+        let measured = last("girths");
+        let mesh = measured.and_then(|g| {
+            let reads = |n: &&NodeRun| g.story.iter().any(|(_, v)| Some(v) == n.content.as_ref());
+            nodes.iter().rev().filter(|n| yields(n, "mesh")).find(reads)
+        });
+        let read = |node: Option<&NodeRun>, what| -> Result<Option<AnyArtifact>, SideError> {
+            let Some(node) = node else { return Ok(None) };
+            let gone = || SideError::Gone(what, name.to_owned());
+            let hash = node.content.as_ref().and_then(|c| Hash::from_hex(c).ok());
+            let blob = hash.and_then(|h| store.blob(h)).ok_or_else(gone)?;
+            let stage = crate::catalog::find(&node.stage).ok_or_else(gone)?;
+            Ok(Some(stage.read(&blob).map_err(|_| gone())?))
+        };
+        let girths = read(measured, "girths")?.and_then(|a| a.downcast::<Girths>());
+        let mesh = read(mesh.or_else(|| last("mesh")), "surface")?;
+        let girths = girths.map(|g| told(&girths_to_json(&g)).expect("bug: girths JSON"));
+        Ok(Side {
+            name: name.into(),
+            girths: girths.unwrap_or_default(),
+            mesh: mesh
+                .and_then(|a| a.downcast::<Mesh>())
+                .map(|m| (*m).clone()),
+            nodes,
+        })
+    }
+
+    /// What all of it took when it was made. \[s\]
+    pub fn seconds(&self) -> f64 {
+        self.nodes.iter().map(|n| n.seconds).sum()
+    }
+
+    /// Size of all results. \[bytes\]
+    pub fn bytes(&self) -> u64 {
+        self.nodes.iter().map(|n| n.bytes).sum()
+    }
+
+    /// The node of a name.
+    pub fn node(&self, name: &str) -> Option<&NodeRun> {
+        self.nodes.iter().find(|n| n.node == name)
+    }
+}
+
+fn wrong(folder: &Path, file: &str, why: impl ToString) -> SideError {
+    SideError::File {
+        path: folder.join(file),
+        why: why.to_string(),
+    }
+}

@@ -1,0 +1,164 @@
+//! Comparing: where two runs part ways, which girths are the same, what a folder needs.
+
+use serde_json::{Value, json};
+use shape::{Mesh, mesh_to_ply};
+use std::path::{Path, PathBuf};
+use tailor::compare::{Side, compare, json as told, markdown, page};
+
+/// A node of a `run.json`.
+fn node(name: &str, stage: &str, content: &str, story: &[(&str, &str)]) -> Value {
+    json!({ "node": name, "stage": stage, "version": 1, "fate": "made", "why": null, "key": "k",
+        "content": content, "story": story, "seconds": 1.5, "bytes": 2_000_000, "metrics": [], "warnings": [] })
+}
+
+/// A cube with this edge. \[mm\]
+fn cube(edge: f32) -> Mesh {
+    let corner = |i: u32| [i & 1, i >> 1 & 1, i >> 2 & 1].map(|b| b as f32 * edge);
+    let quads = [
+        [0, 2, 3, 1],
+        [4, 5, 7, 6],
+        [0, 1, 5, 4],
+        [2, 6, 7, 3],
+        [0, 4, 6, 2],
+        [1, 3, 7, 5],
+    ];
+    let faces = quads
+        .iter()
+        .flat_map(|[a, b, c, d]| [[*a, *b, *c], [*a, *c, *d]]);
+    Mesh {
+        positions: (0..8).map(corner).collect(),
+        faces: faces.collect(),
+        colors: vec![],
+    }
+}
+
+/// A folder as `measure` writes it: `voxel` is a param of the hull, `waist` its tape. \[cm\]
+fn folder(place: &Path, name: &str, voxel: &str, hull: &str, waist: f64, edge: f32) -> PathBuf {
+    let folder = place.join(name);
+    std::fs::create_dir(&folder).unwrap();
+    let run = json!({ "program": "tailor", "about": "", "seconds": 3.0, "nodes": [
+        node("masks", "silhouette.grabcut", "aa", &[("stage", "silhouette.grabcut v1"), ("from photos", "01")]),
+        node("hull", "hull.carve", hull, &[("stage", "hull.carve v1"), ("with voxel_mm", voxel), ("from masks", "aa")]),
+        node("girths", "measure.girths", &format!("g{waist}"), &[("stage", "measure.girths v1"), ("from mesh", hull)]),
+    ] });
+    let girth = |name: &str, cm: f64| json!({ "name": name, "label": name, "cm": cm, "tape_cm": cm, "interval_cm": [cm - 1.0, cm + 1.0] });
+    let girths = json!({ "unit": "cm", "girths": [girth("WC", waist), girth("NC", 30.0)] });
+    std::fs::write(folder.join("run.json"), run.to_string()).unwrap();
+    std::fs::write(folder.join("girths.json"), girths.to_string()).unwrap();
+    std::fs::write(folder.join("body.ply"), mesh_to_ply(&cube(edge))).unwrap();
+    folder
+}
+
+fn tailor(args: &[&str]) -> (Option<i32>, String) {
+    let cache = tempfile::tempdir().unwrap();
+    let mut command = std::process::Command::new(env!("CARGO_BIN_EXE_tailor"));
+    let command = command.args(args).arg("--cache").arg(cache.path());
+    let ran = command
+        .current_dir(env!("CARGO_MANIFEST_DIR"))
+        .output()
+        .unwrap();
+    let text = [ran.stdout, ran.stderr].concat();
+    (
+        ran.status.code(),
+        String::from_utf8_lossy(&text).into_owned(),
+    )
+}
+
+#[test]
+fn the_first_difference_the_girths_and_the_surfaces_are_told() {
+    let place = tempfile::tempdir().unwrap();
+    let a = folder(place.path(), "a", "3.0", "h1", 80.0, 100.0);
+    let b = folder(place.path(), "b", "2.0", "h2", 81.2, 104.0);
+    let sides = [("a", &a), ("b", &b)].map(|(n, f)| Side::from_folder(n, f).unwrap());
+    let c = compare(sides.to_vec(), None);
+    let d = &c.differences[0];
+    assert_eq!(d.first.as_deref(), Some("hull"));
+    assert_eq!(d.diverged, ["hull", "girths"]);
+    assert_eq!(d.changes.len(), 1, "{:?}", d.changes);
+    assert_eq!(
+        (d.changes[0].what.as_str(), d.changes[0].old.as_str()),
+        ("voxel_mm", "3.0")
+    );
+    assert_eq!(c.girths[0].off_mm, [Some(12.0)]);
+    assert_eq!(
+        (&c.girths[0].same, &c.girths[1].same),
+        (&vec![Some(false)], &vec![Some(true)])
+    );
+    // Three faces of the cube lie 4 mm farther out, three in the same planes.
+    let apart = c.apart[0].as_ref().unwrap();
+    assert!((apart.max_mm - 48f64.sqrt()).abs() < 1e-3, "{apart:?}");
+    proof::near(apart.volume_l, 1.04f64.powi(3) - 1.0, 1e-5);
+    let words = markdown(&c);
+    for line in [
+        "b parts from a at `hull`; 2 of 3 results are others.",
+        "| WC (WC)",
+        "NO, 9 mm",
+        "voxel_mm",
+    ] {
+        assert!(words.contains(line), "{line}: {words}");
+    }
+    let other = compare(sides.to_vec(), Some(20.0));
+    assert_eq!(other.girths[0].same, [Some(true)]);
+    assert_eq!(told(&c)["against_first"][0]["first_diverging"], "hull");
+    let page = page(&c);
+    for outside in ["http:", "https:", " src=", "@import", "url("] {
+        assert!(!page.contains(outside), "{outside}");
+    }
+    assert!(page.contains("\"distances\":["));
+}
+
+#[test]
+fn what_is_told_otherwise_and_makes_the_same_bytes_is_no_divergence() {
+    let place = tempfile::tempdir().unwrap();
+    let a = folder(place.path(), "a", "3.0", "h1", 80.0, 100.0);
+    let b = folder(place.path(), "b", "2.0", "h1", 80.0, 100.0);
+    let sides = [("a", &a), ("b", &b)].map(|(n, f)| Side::from_folder(n, f).unwrap());
+    let c = compare(sides.to_vec(), None);
+    assert_eq!(c.differences[0].first, None);
+    assert_eq!(c.differences[0].met_again, ["hull"]);
+    assert_eq!(c.apart[0].as_ref().unwrap().max_mm, 0.0);
+    assert!(markdown(&c).contains("b made the same bytes as a in every node."));
+}
+
+#[test]
+fn folders_are_compared_from_the_command_line_and_bad_ones_are_told() {
+    let place = tempfile::tempdir().unwrap();
+    let a = folder(place.path(), "a", "3.0", "h1", 80.0, 100.0);
+    let b = folder(place.path(), "b", "2.0", "h2", 81.2, 104.0);
+    let out = place.path().join("out");
+    let [a, b, o] = [&a, &b, &out].map(|p| p.to_str().unwrap());
+    let (code, text) = tailor(&["compare", a, b, "--out", o]);
+    assert_eq!(code, Some(0), "{text}");
+    for file in ["compare.md", "compare.json", "compare.html"] {
+        assert!(out.join(file).is_file(), "{file}");
+    }
+    let (empty, broken) = (place.path().join("empty"), place.path().join("broken"));
+    std::fs::create_dir(&empty).unwrap();
+    std::fs::create_dir(&broken).unwrap();
+    std::fs::write(broken.join("run.json"), "{\"nodes\": [{}]}").unwrap();
+    for (args, what) in [
+        (&["compare", a][..], "two or more"),
+        (&["compare", a, "nosuch"], "is no folder"),
+        (
+            &["compare", a, empty.to_str().unwrap()],
+            "run.json: is not there",
+        ),
+        (
+            &["compare", a, broken.to_str().unwrap()],
+            "no record of a run",
+        ),
+        (&["compare", a, "last"], "the cache knows 0 runs"),
+        (
+            &["compare", "pipelines/body.toml", "as-is", "nosuch"],
+            "no variant `nosuch`",
+        ),
+        (
+            &["compare", "pipelines/body.toml", "as-is", "hull.voxl_mm=2"],
+            "did you mean `voxel_mm`",
+        ),
+    ] {
+        let (code, text) = tailor(args);
+        assert_eq!(code, Some(2), "{args:?}: {text}");
+        assert!(text.contains(what), "{args:?}: {text}");
+    }
+}
