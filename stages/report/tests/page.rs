@@ -1,142 +1,50 @@
-//! The report of a small made-up body: whole, self-contained, and without photos when asked.
+//! The report of a small made-up body: whole, self-contained, and without photos or faces when asked.
 
-use nalgebra::{Rotation3, Vector3};
+mod tube;
+
 use report::{Html, HtmlInput, HtmlParams};
-use shape::{
-    Camera, Cameras, Girth, Girths, Intrinsics, Mask, Masks, Mesh, Missing, Photo, PhotoId, Photos,
-    Plane, Pose, Profile, Rgb, Scale, View, rgb_to_jpeg,
-};
+use shape::{Landmarks, Mask, Mesh, Part, PhotoId, Rgb, Scale, Textured, rgb_to_jpeg};
 use stage::{Ctx, Stage};
-use std::f64::consts::TAU;
 use std::sync::Arc;
+use tube::input;
 
-/// A tube around the z axis.
-fn tube(radius: f32, height: f32) -> Mesh {
-    let mut mesh = Mesh::default();
-    let (around, rows) = (48u32, 20u32);
-    for row in 0..=rows {
-        for i in 0..around {
-            let (s, c) = (i as f32 / around as f32 * std::f32::consts::TAU).sin_cos();
-            mesh.positions
-                .push([radius * c, radius * s, height * row as f32 / rows as f32]);
-        }
-    }
-    for row in 0..rows {
-        for i in 0..around {
-            let (a, b) = (row * around + i, row * around + (i + 1) % around);
-            mesh.faces
-                .extend([[a, b, b + around], [a, b + around, a + around]]);
-        }
-    }
-    mesh
-}
-
-fn camera(angle: f64) -> Camera {
-    let rotation = Rotation3::from_matrix_unchecked(nalgebra::Matrix3::from_rows(&[
-        Vector3::new(angle.cos(), angle.sin(), 0.0).transpose(),
-        Vector3::new(0.0, 0.0, -1.0).transpose(),
-        Vector3::new(-angle.sin(), angle.cos(), 0.0).transpose(),
-    ]));
-    let translation = Vector3::new(0.0, 200.0, 1500.0);
-    Camera {
-        lens: Intrinsics::simple(120, 180, 300.0),
-        pose: Pose {
-            rotation,
-            translation,
-        },
-    }
-}
-
-fn input() -> HtmlInput {
-    let pixels = Rgb {
-        width: 120,
-        height: 180,
-        data: vec![[120, 80, 60]; 120 * 180],
-    };
-    let photo = |i: usize| Photo {
-        name: format!("{i:04}.jpg"),
-        width: 120,
-        height: 180,
-        orientation: 1,
-        focal_35mm: None,
-        device: String::new(),
-        time_s: None,
-        file: rgb_to_jpeg(&pixels, 80).into(),
-    };
-    let photos = Photos {
-        photos: (0..3).map(photo).collect(),
-        ..Photos::default()
-    };
-    let mut mask = Mask::filled(120, 180, 0);
-    (40..140).for_each(|y| (45..75).for_each(|x| *mask.at_mut(x, y) = 255));
-    let ids = || (0..3).map(PhotoId);
-    let view = |id: PhotoId| View {
-        name: format!("{:04}.jpg", id.0),
-        camera: camera(f64::from(id.0) * TAU / 3.0),
-        sigma_mm: 0.2,
-        rms_px: 0.3,
-        points: 90,
-    };
-    let contour = (0..60).map(|i| {
-        let (s, c) = (i as f32 / 60.0 * std::f32::consts::TAU).sin_cos();
-        [80.0 * c, 80.0 * s, 200.0]
-    });
-    let girth = Girth {
-        name: "WC".into(),
-        label: "waist <natural>".into(),
-        definition: "horizontal, at the \"natural\" waist".into(),
-        contour_mm: 502.6,
-        tape_mm: 502.5,
-        spline_mm: 502.7,
-        silhouette_mm: Some(501.9),
-        interval_mm: [500.0, 505.0],
-        plane: Plane {
-            point_mm: [0.0, 0.0, 200.0],
-            normal: [0.0, 0.0, 1.0],
-        },
-        contour: contour.collect(),
-    };
-    let profile = Profile {
-        height_mm: (0..40).map(|i| f64::from(i) * 10.0).collect(),
-        tape_mm: (0..40)
-            .map(|i| 500.0 + 20.0 * (f64::from(i) / 6.0).sin())
-            .collect(),
-    };
-    let missing = vec![Missing {
-        name: "NC".into(),
-        why: "there is no neck".into(),
-    }];
-    HtmlInput {
-        photos: Arc::new(photos),
-        masks: Arc::new(Masks {
-            views: ids().map(|id| (id, mask.clone())).collect(),
-        }),
-        cameras: Arc::new(Cameras {
-            views: ids().map(|id| (id, view(id))).collect(),
-            scale: Scale::Mat,
-            scale_sigma: 0.001,
-            disk_radius_mm: Some(225.0),
-            ground_mm: 0.0,
-            points: vec![],
-        }),
-        body: Arc::new(tube(80.0, 400.0)),
-        textured: None,
-        hull: Some(Arc::new(tube(84.0, 400.0))),
-        rigid: None,
-        weighted_median: None,
-        other: None,
-        landmarks: None,
-        girths: Arc::new(Girths {
-            girths: vec![girth],
-            missing,
-            profile,
-            ..Girths::default()
-        }),
-    }
+fn page_of(params: &HtmlParams, input: HtmlInput) -> String {
+    String::from_utf8(Html::run(params, input, &Ctx::alone()).unwrap().bytes).unwrap()
 }
 
 fn page(params: &HtmlParams) -> String {
-    String::from_utf8(Html::run(params, input(), &Ctx::alone()).unwrap().bytes).unwrap()
+    page_of(params, input())
+}
+
+fn blurred() -> HtmlParams {
+    HtmlParams {
+        blur_face: true,
+        ..HtmlParams::default()
+    }
+}
+
+/// The pictures in a page, as files.
+fn pictures(page: &str) -> Vec<Vec<u8>> {
+    let value = |c: u8| match c {
+        b'A'..=b'Z' => c - b'A',
+        b'a'..=b'z' => c - b'a' + 26,
+        b'0'..=b'9' => c - b'0' + 52,
+        b'+' => 62,
+        _ => 63,
+    };
+    let decoded = |text: &str| {
+        let digits: Vec<u8> = text.bytes().filter(|c| *c != b'=').map(value).collect();
+        let four = |d: &[u8]| {
+            let bits = d.iter().fold(0u32, |b, d| b << 6 | u32::from(*d)) << (6 * (4 - d.len()));
+            bits.to_be_bytes()[1..d.len()].to_vec()
+        };
+        digits.chunks(4).flat_map(four).collect()
+    };
+    let mark = "data:image/jpeg;base64,";
+    let texts = page.split(mark).skip(1);
+    texts
+        .map(|t| decoded(t.split('"').next().unwrap()))
+        .collect()
 }
 
 #[test]
@@ -151,6 +59,9 @@ fn the_page_is_whole_and_asks_for_nothing_from_outside() {
         "there is no neck",
         "waist &lt;natural&gt;",
         "0002.jpg",
+        "the marker mat on the disk",
+        "<!--provenance-->",
+        "<!--warnings-->",
     ] {
         assert!(page.contains(wanted), "{wanted}");
     }
@@ -160,12 +71,167 @@ fn the_page_is_whole_and_asks_for_nothing_from_outside() {
 }
 
 #[test]
-fn without_photos_no_pixel_of_them_is_in_it() {
-    let page = page(&HtmlParams {
+fn without_photos_no_pixel_of_them_is_in_it_but_the_outlines_are() {
+    let mut input = input();
+    input.textured = Some(Arc::new(painted()));
+    let params = HtmlParams {
         photos: false,
         ..HtmlParams::default()
-    });
-    assert!(!page.contains("data:image/jpeg"));
+    };
+    let page = page_of(&params, input);
+    assert!(!page.contains("data:image/jpeg") && page.contains("The photos were left out"));
+    assert_eq!(page.matches("class=\"outline\"").count(), 3);
+}
+
+#[test]
+fn no_metadata_of_a_photo_is_in_it() {
+    let mut input = input();
+    let mut photos = (*input.photos).clone();
+    for photo in &mut photos.photos {
+        // An APP1 segment after the start of the image, as cameras write it.
+        let secret = b"Exif\0\0GPS 52.5163N 13.3777E";
+        let mut file = photo.file[..2].to_vec();
+        file.extend([0xff, 0xe1, 0, secret.len() as u8 + 2]);
+        file.extend(secret);
+        file.extend(&photo.file[2..]);
+        photo.file = file.into();
+    }
+    photos.photos[0].decode().unwrap();
+    input.photos = Arc::new(photos);
+    let pictures = pictures(&page_of(&HtmlParams::default(), input));
+    assert_eq!(pictures.len(), 3);
+    for file in pictures {
+        assert_eq!(file[..2], [0xff, 0xd8], "a JPEG");
+        assert!(!file.windows(4).any(|w| w == b"Exif" || w == b"GPS "));
+    }
+}
+
+#[test]
+fn a_face_is_blurred_where_the_head_is_and_nowhere_else() {
+    let mut input = input();
+    // Stripes one pixel wide, of which no block is left.
+    let mut stripes = Rgb::filled(120, 180, [0; 3]);
+    for (y, x) in (0..180).flat_map(|y| (0..120).map(move |x| (y, x))) {
+        *stripes.at_mut(x, y) = [if x / 4 % 2 == 0 { 0 } else { 255 }; 3];
+    }
+    let mut photos = (*input.photos).clone();
+    for photo in &mut photos.photos {
+        photo.file = rgb_to_jpeg(&stripes, 95).into();
+    }
+    input.photos = Arc::new(photos);
+    let part = |p: &[f32; 3]| if p[2] > 320.0 { Part::Head } else { Part::Trunk } as u8;
+    input.landmarks = Some(Arc::new(Landmarks {
+        parts: input.body.positions.iter().map(part).collect(),
+        ..Landmarks::default()
+    }));
+    let camera = input.cameras.views.get(PhotoId(0)).unwrap().camera;
+    let at = |z: f64| camera.project(&nalgebra::Point3::new(0.0, 0.0, z)).unwrap();
+    let (head, waist) = (at(360.0), at(150.0));
+    let contrast = |gray: &Mask, at: nalgebra::Point2<f64>| {
+        let row = &gray.row(at.y as usize)[at.x as usize - 5..at.x as usize + 5];
+        row.iter().max().unwrap() - row.iter().min().unwrap()
+    };
+    for file in pictures(&page_of(&blurred(), input)) {
+        let gray = shape::gray_from_file(&file).unwrap();
+        assert!(contrast(&gray, head) < 90, "{}", contrast(&gray, head));
+        assert!(contrast(&gray, waist) > 200);
+    }
+}
+
+#[test]
+fn a_photo_whose_face_cannot_be_found_is_left_out_when_faces_are_blurred() {
+    let mut input = input();
+    let mut cameras = (*input.cameras).clone();
+    let kept = cameras.views.iter().filter(|(id, _)| id.0 != 1);
+    cameras.views = kept.map(|(id, v)| (id, v.clone())).collect();
+    input.cameras = Arc::new(cameras);
+    let page = page_of(&blurred(), input);
+    assert_eq!(pictures(&page).len(), 2);
+    assert!(page.contains("Photos without a camera, not used: 0001.jpg"));
+}
+
+/// The body with an atlas of one colour.
+fn painted() -> Textured {
+    let mesh = (*input().body).clone();
+    let corner = |v: u32| {
+        [
+            (v % 48) as f32 / 48.0,
+            mesh.positions[v as usize][2] / 400.0,
+        ]
+    };
+    Textured {
+        corners: mesh.faces.iter().map(|f| f.map(corner)).collect(),
+        atlas: Rgb::filled(96, 80, [200, 30, 30]),
+        mesh,
+    }
+}
+
+#[test]
+fn a_texture_is_shown_first_and_loses_the_face_when_faces_are_blurred() {
+    let with = |params: &HtmlParams| {
+        let mut input = input();
+        input.textured = Some(Arc::new(painted()));
+        let page = page_of(params, input);
+        assert!(page.find("body in colours") < page.find("\"label\":\"body\""));
+        shape::gray_from_file(pictures(&page).last().unwrap()).unwrap()
+    };
+    let (open, hidden) = (with(&HtmlParams::default()), with(&blurred()));
+    assert_eq!((open.width, open.height), (96, 80));
+    // The upper 30 % of the tube counts as head where nothing is known of a neck.
+    for x in [20, 50, 80] {
+        assert!(open.at(x, 75).abs_diff(open.at(x, 10)) < 8);
+        assert!(
+            hidden.at(x, 75).abs_diff(128) < 8 && hidden.at(x, 10).abs_diff(open.at(x, 10)) < 8
+        );
+    }
+}
+
+#[test]
+fn surfaces_that_are_equal_share_a_button_and_optional_ones_get_theirs() {
+    let mut input = input();
+    input.rigid = Some(Arc::new((*input.body).clone()));
+    input.weighted_median = Some(Arc::new(Mesh {
+        faces: input.body.faces[..900].to_vec(),
+        ..(*input.body).clone()
+    }));
+    let page = page_of(&HtmlParams::default(), input);
+    for label in ["body = rigid", "weighted median", "visual hull"] {
+        assert!(page.contains(&format!("\"label\":\"{label}\"")), "{label}");
+    }
+    assert!(!page.contains("\"label\":\"rigid\""));
+}
+
+#[test]
+fn lengths_of_unknown_scale_are_called_relative() {
+    let mut input = input();
+    let mut cameras = (*input.cameras).clone();
+    cameras.scale = Scale::Nothing;
+    input.cameras = Arc::new(cameras);
+    let wanted = "Lengths are relative";
+    assert!(page_of(&HtmlParams::default(), input).contains(wanted));
+    assert!(!page(&HtmlParams::default()).contains(wanted));
+}
+
+#[test]
+fn a_fine_surface_and_many_photos_stay_light() {
+    let mut input = input();
+    input.body = Arc::new(tube::tube(80.0, 400.0, 800, 400));
+    let mut photos = (*input.photos).clone();
+    photos.photos = (0..90).map(|i| photos.photos[i % 3].clone()).collect();
+    let noise = |i: usize| ((i * 2_654_435_761) >> 7) as u8;
+    let pixels = Rgb {
+        width: 400,
+        height: 600,
+        data: (0..400 * 600).map(|i| [noise(i); 3]).collect(),
+    };
+    for photo in &mut photos.photos {
+        (photo.width, photo.height) = (400, 600);
+        photo.file = rgb_to_jpeg(&pixels, 80).into();
+    }
+    input.photos = Arc::new(photos);
+    let page = page_of(&HtmlParams::default(), input);
+    assert!(page.len() < 15_000_000, "{}", page.len());
+    assert_eq!(pictures(&page).len(), 90);
 }
 
 #[test]

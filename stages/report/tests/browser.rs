@@ -1,0 +1,190 @@
+//! The report in a real browser: clicks, drags, keys, fingers, sizes, schemes, and no request.
+//! Without a Chromium these tests say so and pass; what the page holds is tested in `page.rs`.
+
+mod chromium;
+mod tube;
+
+use chromium::Tab;
+use report::{Html, HtmlParams};
+use serde_json::Value;
+use stage::{Ctx, Stage};
+
+const DESK: [u32; 2] = [1280, 900];
+const PHONE: [u32; 2] = [390, 844];
+
+fn page() -> String {
+    let document = Html::run(&HtmlParams::default(), tube::input(), &Ctx::alone()).unwrap();
+    String::from_utf8(document.bytes).unwrap()
+}
+
+/// How many pixels of the 3D view are not background, are yellow tape, are red tape; and a sum of all.
+fn seen(tab: &mut Tab) -> [u64; 4] {
+    let counts = tab.value(
+        "(() => { const c = document.getElementById('view'), gl = c.getContext('webgl2');
+         const p = new Uint8Array(4 * c.width * c.height);
+         gl.readPixels(0, 0, c.width, c.height, gl.RGBA, gl.UNSIGNED_BYTE, p);
+         let body = 0, yellow = 0, red = 0, sum = 0;
+         for (let i = 0; i < p.length; i += 4) {
+           const [r, g, b] = [p[i], p[i + 1], p[i + 2]];
+           if (r !== p[0] || g !== p[1] || b !== p[2]) { body++; sum = (sum + r * i) % 1000003; }
+           if (r > 1.8 * b && g > 1.4 * b) yellow++;
+           if (r > 2 * g && r > 2 * b) red++;
+         }
+         return [body, yellow, red, sum]; })()",
+    );
+    [0, 1, 2, 3].map(|i| counts[i].as_u64().unwrap())
+}
+
+#[test]
+fn a_click_marks_a_tape_and_hands_turn_and_zoom_the_body() {
+    let Some(mut tab) = Tab::open(&page(), DESK, false, false) else {
+        return;
+    };
+    let [body, yellow, red, first] = seen(&mut tab);
+    assert!(body > 10_000, "a body is drawn: {body}");
+    assert!(
+        yellow > 300 && red == 0,
+        "a tape is drawn, unmarked: {yellow}, {red}"
+    );
+
+    tab.click("#girths tbody tr");
+    let [_, _, red, _] = seen(&mut tab);
+    assert!(red > 300, "the marked tape is red: {red}");
+    let said = tab.value("document.getElementById('said').textContent");
+    assert_eq!(said, "waist <natural> 50.2 cm");
+    let marked = tab.value("document.querySelectorAll('figure .tape.on').length");
+    assert_eq!(marked, 6, "on three photos, before and behind");
+    tab.click("#girths tbody tr");
+    assert_eq!(seen(&mut tab), [body, yellow, 0, first], "as before");
+
+    tab.drag("#view", [0.0, 120.0]);
+    let [_, _, _, tilted] = seen(&mut tab);
+    assert_ne!(tilted, first, "a drag turns the body");
+    tab.click("#front");
+    assert_eq!(seen(&mut tab)[3], first, "front is front again");
+
+    tab.wheel("#view", -400.0);
+    let [nearer, ..] = seen(&mut tab);
+    assert!(
+        nearer > body + body / 4,
+        "the wheel brings it closer: {body} {nearer}"
+    );
+    tab.value("document.getElementById('view').focus()");
+    tab.key("0");
+    assert_eq!(seen(&mut tab)[3], first, "0 is home");
+    tab.key("ArrowUp");
+    assert_ne!(seen(&mut tab)[3], first, "keys turn");
+    tab.key("0");
+    tab.key("t");
+    assert_eq!(seen(&mut tab)[1], 0, "t takes the tapes off");
+    tab.key("t");
+
+    tab.click("#meshes button:nth-child(2)");
+    let label =
+        tab.value("document.querySelector('#meshes button[aria-pressed=true]').textContent");
+    assert_eq!(label, "visual hull");
+    let [wider, ..] = seen(&mut tab);
+    assert!(wider > body, "the hull is wider: {body} {wider}");
+    tab.value("document.getElementById('view').focus()");
+    tab.key("1");
+    assert_eq!(seen(&mut tab)[3], first, "1 is the first surface");
+}
+
+#[test]
+fn a_photo_enlarges_and_turns_the_view_to_its_camera() {
+    let Some(mut tab) = Tab::open(&page(), DESK, false, false) else {
+        return;
+    };
+    let first = seen(&mut tab)[3];
+    tab.click("figure[data-photo='1']");
+    let shown =
+        "document.getElementById('big').open && document.getElementById('which').textContent";
+    assert_eq!(tab.value(shown), "0001.jpg");
+    let tall = tab.value("document.querySelector('#bigger svg').getBoundingClientRect().height");
+    assert!(tall.as_f64().unwrap() > 400.0, "{tall}");
+    let camera = tab.value("document.querySelector('.cam.on').dataset.photo");
+    assert_eq!(camera, "1");
+    assert_ne!(seen(&mut tab)[3], first);
+    tab.click("#after");
+    assert_eq!(tab.value(shown), "0002.jpg");
+    tab.key("ArrowRight");
+    assert_eq!(tab.value(shown), "0000.jpg");
+    tab.click("#close");
+    assert_eq!(tab.value("document.getElementById('big').open"), false);
+    let drawn = "getComputedStyle(document.querySelector('figure .outline')).display";
+    assert_eq!(tab.value(drawn), "inline");
+    tab.click("#outlines");
+    assert_eq!(tab.value(drawn), "none");
+}
+
+#[test]
+fn it_fits_a_phone_and_a_desk_light_and_dark_and_asks_for_nothing() {
+    let Some(mut tab) = Tab::open(&page(), DESK, false, true) else {
+        return;
+    };
+    for (name, size, phone, dark) in [
+        ("phone", PHONE, true, false),
+        ("phone-dark", PHONE, true, true),
+        ("desk", DESK, false, false),
+        ("desk-dark", DESK, false, true),
+    ] {
+        tab.window(size, phone, dark);
+        let wide = tab.value("[document.documentElement.scrollWidth, innerWidth]");
+        assert_eq!(
+            wide[0], size[0],
+            "{name} needs no scrolling sideways: {wide}"
+        );
+        assert_eq!(wide[1], size[0]);
+        let shot = tab.screenshot();
+        if let Ok(folder) = std::env::var("TAILOR_KEEP_SHOTS") {
+            std::fs::write(format!("{folder}/{name}.png.base64"), &shot).unwrap();
+        }
+        let bright = brightness(&mut tab, &shot);
+        assert_eq!(bright < 0.3, dark, "{name}: {bright}");
+        assert_eq!(bright > 0.7, !dark, "{name}: {bright}");
+        if phone {
+            let [body, ..] = seen(&mut tab);
+            tab.pinch("#view", 60.0, 160.0);
+            let [nearer, ..] = seen(&mut tab);
+            assert!(nearer > body + body / 4, "fingers zoom: {body} {nearer}");
+            tab.click("#front");
+        }
+    }
+    tab.value("fetch('https://example.org/').catch(() => 0)");
+    quiet(&tab.events);
+}
+
+/// Mean brightness of a screenshot, 0..=1, told by the browser itself.
+fn brightness(tab: &mut Tab, shot: &str) -> f64 {
+    let mean = tab.value(&format!(
+        "(async () => {{ const i = new Image(); i.src = 'data:image/png;base64,{shot}'; await i.decode();
+         const c = document.createElement('canvas'); c.width = i.width; c.height = i.height;
+         const x = c.getContext('2d'); x.drawImage(i, 0, 0);
+         const p = x.getImageData(0, 0, c.width, c.height).data;
+         let s = 0; for (let k = 0; k < p.length; k += 4) s += p[k] + p[k + 1] + p[k + 2];
+         return s / (p.length / 4) / 765; }})()"
+    ));
+    mean.as_f64().unwrap()
+}
+
+/// Nothing was asked for but the page itself, and nothing went wrong in it. The test's own request
+/// must be refused by the page's policy.
+fn quiet(events: &[Value]) {
+    let refused = |e: &&Value| e.to_string().contains("https://example.org/");
+    assert!(
+        events.iter().any(|e| refused(&e)),
+        "the policy refuses requests"
+    );
+    for event in events.iter().filter(|e| !refused(e)) {
+        let (method, params) = (event["method"].as_str().unwrap_or(""), &event["params"]);
+        let url = params["request"]["url"].as_str().unwrap_or("");
+        if method == "Network.requestWillBeSent" {
+            assert!(
+                url.starts_with("file:") || url.starts_with("data:"),
+                "{url}"
+            );
+        }
+        assert_ne!(method, "Runtime.exceptionThrown", "{event}");
+        assert_ne!(params["entry"]["level"], "error", "{event}");
+    }
+}
