@@ -1,24 +1,30 @@
 //! From nothing to a capture whose truth is known by formula.
 //!
 //! ```text
-//! solid ─ body ─┬───────── turn ─ photos, as capture.load gives them
-//! ring ─┬───────┼─ masks     │
-//!       └─ sway ┴────────────┘
+//! solid ─┬─ girths ─────────┬─ score, against what a pipeline found
+//!        └─ body ─┬─ masks ─┘
+//! ring ─┬─────────┤
+//!       └─ sway ──┴─ turn ─ photos, as capture.load gives them
 //! ```
 
 mod anatomy;
 mod body;
 mod bounds;
 mod codes;
+mod contour;
 mod dice;
 mod disk;
+mod errors;
 mod field;
+mod frame;
+mod girths;
 mod masks;
 mod noise;
 mod photograph;
 mod raster;
 mod ring;
 mod room;
+mod score;
 mod skin;
 mod solid;
 mod surface;
@@ -28,10 +34,14 @@ mod turn;
 pub use anatomy::{Build, body as body_solid};
 pub use body::{BodyInput, BodyParams, MakeBody};
 pub use bounds::bounds;
+pub use contour::{contour, length, taut};
 pub use field::{gradient, limb_axes, onto, value};
+pub use frame::turn_between;
+pub use girths::{FormulaGirths, FormulaInput};
 pub use masks::{MaskInput, MaskParams, TrueMasks};
 pub use raster::{Seen, cast};
 pub use ring::{MakeRing, RingInput, RingParams, looking};
+pub use score::{Score, ScoreInput};
 pub use solid::{Figure, MakeSolid, SolidInput, SolidParams};
 pub use surface::surface;
 pub use sway::{MakeSway, SwayInput, SwayParams};
@@ -45,4 +55,6 @@ pub const STAGES: &[&dyn stage::AnyStage] = &[
     &stage::erase::<MakeSway>(),
     &stage::erase::<TakePhotos>(),
     &stage::erase::<TrueMasks>(),
+    &stage::erase::<FormulaGirths>(),
+    &stage::erase::<Score>(),
 ];

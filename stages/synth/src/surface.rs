@@ -199,6 +199,11 @@ fn faces(grid: &Grid, cells: &[Cell], points: &[Point3<f64>]) -> Vec<[u32; 3]> {
             }
             let (i, j) = ((axis + 1) % 3, (axis + 2) % 3);
             let (u, v) = (stride[i], stride[j]);
+            // At the grid's low sides there are no four cells; a surface that leaves it ends there.
+            let place = [cell.key % nx, cell.key / nx % ny, cell.key / (nx * ny)];
+            if place[i] == 0 || place[j] == 0 {
+                continue;
+            }
             let (bu, bv) = (1 << i, 1 << j);
             let around = [(0, 0), (u, bu), (u + v, bu | bv), (v, bv)].map(|(back, from)| {
                 let key = cell.key.checked_sub(back)?;

@@ -1,0 +1,94 @@
+//! The section of a solid by a plane, from its formula: no mesh is involved.
+
+use crate::field::value;
+use nalgebra::{Point3, Vector3};
+use rayon::prelude::*;
+use shape::{Plane, Solid};
+
+/// Directions in which a section is looked for: its length is then short by a ten-millionth.
+const DIRECTIONS: usize = 4096;
+/// How far apart the formula is asked before a border is closed in on. \[mm\]
+const STRIDE: f64 = 1.5;
+
+/// The closed curve in which a plane cuts a solid around the plane's point: where straight lines
+/// from there first leave the solid. `None` if the point lies outside, or a line leaves nowhere
+/// within three metres. The curve is the whole section if that is star-shaped about the point.
+pub fn contour(solid: &Solid, plane: &Plane) -> Option<Vec<Point3<f64>>> {
+    let from = Point3::from(plane.point_mm);
+    if value(solid, &from) >= 0.0 {
+        return None;
+    }
+    let normal = Vector3::from(plane.normal).normalize();
+    let other = if normal.z.abs() > 0.9 {
+        Vector3::x()
+    } else {
+        Vector3::z()
+    };
+    let u = (other - normal * normal.dot(&other)).normalize();
+    let v = normal.cross(&u);
+    let leave = |k: usize| {
+        let (sin, cos) = (std::f64::consts::TAU * k as f64 / DIRECTIONS as f64).sin_cos();
+        let along = u * cos + v * sin;
+        let inside = |r: f64| value(solid, &(from + along * r)) < 0.0;
+        let mut high = STRIDE;
+        while inside(high) {
+            high += STRIDE;
+            if high > 3000.0 {
+                return None;
+            }
+        }
+        let mut low = high - STRIDE;
+        for _ in 0..42 {
+            let middle = (low + high) / 2.0;
+            if inside(middle) {
+                low = middle;
+            } else {
+                high = middle;
+            }
+        }
+        Some(from + along * ((low + high) / 2.0))
+    };
+    (0..DIRECTIONS).into_par_iter().map(leave).collect()
+}
+
+/// Length of a closed curve. \[mm\]
+pub fn length(curve: &[Point3<f64>]) -> f64 {
+    let next = |i: usize| curve[(i + 1) % curve.len()];
+    (0..curve.len()).map(|i| (next(i) - curve[i]).norm()).sum()
+}
+
+/// What of a closed plane curve a tape touches: its convex hull (Andrew 1979).
+pub fn taut(curve: &[Point3<f64>], plane: &Plane) -> Vec<Point3<f64>> {
+    let normal = Vector3::from(plane.normal).normalize();
+    let Some(first) = curve.first() else {
+        return vec![];
+    };
+    let far = |p: &&Point3<f64>| (*p - first).norm_squared();
+    let last = curve.iter().max_by(|a, b| far(a).total_cmp(&far(b)));
+    let Some(u) = last.and_then(|l| (l - first).try_normalize(0.0)) else {
+        return curve.to_vec();
+    };
+    let along = |p: &Point3<f64>| (u.dot(&(p - first)), normal.cross(&u).dot(&(p - first)));
+    let mut sorted = curve.to_vec();
+    sorted.sort_by(|a, b| {
+        let (a, b) = (along(a), along(b));
+        a.0.total_cmp(&b.0).then(a.1.total_cmp(&b.1))
+    });
+    let chain = |points: &mut dyn Iterator<Item = &Point3<f64>>| {
+        let mut chain: Vec<Point3<f64>> = Vec::new();
+        for p in points {
+            while let [.., a, b] = chain[..] {
+                if (b - a).cross(&(p - b)).dot(&normal) > 0.0 {
+                    break;
+                }
+                chain.pop();
+            }
+            chain.push(*p);
+        }
+        chain.pop();
+        chain
+    };
+    let mut hull = chain(&mut sorted.iter());
+    hull.extend(chain(&mut sorted.iter().rev()));
+    hull
+}
