@@ -1,5 +1,6 @@
 //! The stage that cuts the body out of each photo, without a hand-drawn box.
 
+use crate::background::{expected, plate_turn};
 use crate::coherence::agreed;
 use crate::photo_cut::{Prepared, coarse, fine, prepare};
 use crate::segment::Settings;
@@ -66,7 +67,7 @@ pub struct GrabCut;
 
 impl Stage for GrabCut {
     const NAME: &'static str = "silhouette.grabcut";
-    const VERSION: u32 = 3;
+    const VERSION: u32 = 4;
     const ABOUT: &'static str =
         "Cuts the body out of each photo by graph cuts, seeded by the plate and the disk.";
     type Params = GrabCutParams;
@@ -106,7 +107,7 @@ impl Stage for GrabCut {
             .par_iter()
             .map(|job| {
                 let mask = job.remembered(ctx, plate_photo, "coarse", &[], || {
-                    let ready = job.ready(p)?;
+                    let (_, _, ready) = job.ready(p)?;
                     let (sides, _) = job.checked(coarse(&ready, &settings))?;
                     Ok(sides.map(|b| if *b { 255 } else { 0 }))
                 })?;
@@ -125,10 +126,10 @@ impl Stage for GrabCut {
                 let said: Vec<u8> = agreed.into_iter().flatten().map(|k| *k as u8).collect();
                 let mask =
                     job.remembered(ctx, plate_photo, "mask", &[stage::hash(&said)], || {
-                        let (pixels, mut ready) = (job.photo.decode()?, job.ready(p)?);
+                        let (pixels, without, mut ready) = job.ready(p)?;
                         ready.agree(agreed.into_iter().flatten());
                         let (sides, gmm) = job.checked(coarse(&ready, &settings))?;
-                        Ok(fine(&pixels, &ready, &sides, &gmm, &settings))
+                        Ok(fine(&pixels, &without, &ready, &sides, &gmm, &settings))
                     })?;
                 steps.tick()?;
                 Ok((job.id, mask))
@@ -150,16 +151,18 @@ struct OnePhoto<'a> {
 }
 
 impl OnePhoto<'_> {
-    fn ready(&self, p: &GrabCutParams) -> Result<Prepared, Stop> {
+    /// The photo, what it would show without the subject, and what follows from both.
+    fn ready(&self, p: &GrabCutParams) -> Result<(Rgb, Rgb, Prepared), Stop> {
         let disk = self.camera.as_ref().zip(self.radius);
         let pixels = self.photo.decode()?;
-        Ok(prepare(
-            &pixels,
-            self.plate,
-            disk,
-            p.coarse_px as usize,
-            p.disk_side_mm,
-        ))
+        let turned = disk.map(|(camera, radius)| {
+            let turn = plate_turn(&pixels, self.plate, camera, radius).0;
+            (camera, radius, turn)
+        });
+        let without = expected(self.plate, turned);
+        let (most, side) = (p.coarse_px as usize, p.disk_side_mm);
+        let ready = prepare(&pixels, &without, disk, most, side);
+        Ok((pixels, without, ready))
     }
 
     /// A mask of this photo, found again when nothing that it depends on has changed.

@@ -1,13 +1,14 @@
 //! One photo: a coarse cut of all of it, then its border at full size.
 
-use crate::background::{expected, on_disk, plate_turn};
+use crate::background::on_disk;
+use crate::border::soft_border;
 use crate::gmm::Gmm;
-use crate::segment::{Known, Settings, Window, coverage, cut, cut_whole, largest, reduced};
-use crate::unary::background_cost;
+use crate::segment::{Known, Settings, Window, cut, cut_whole, largest, reduced};
+use crate::unary::{FLAT, Ground, Noise, background_cost};
 use nalgebra::{Point2, Point3};
 use shape::{Camera, Image, Mask, Rgb};
 
-/// A photo made ready: reduced, and what it would show without the subject.
+/// A photo made ready: reduced, with what is known of each pixel.
 pub struct Prepared {
     /// How many pixels along a side became one.
     pub factor: usize,
@@ -17,23 +18,36 @@ pub struct Prepared {
     pub cost: Vec<f32>,
     /// What is certain before any cut.
     pub known: Vec<Known>,
-    /// The photo without the subject, at full size.
-    pub without: Rgb,
+    /// How far the reduced photo and what was expected of it differ without a reason. \[levels\]
+    pub noise: Noise,
     /// The camera at the reduced size, and the disk's radius. \[mm\]
     pub disk: Option<(Camera, f64)>,
 }
 
-/// A pixel that costs the background no more than this shows it beyond doubt.
-const CERTAIN: f32 = 6.92 + 0.4;
+/// A neighbourhood that costs the background no more than this shows it beyond doubt.
+const CERTAIN: f32 = FLAT + 2.0;
 
 impl Prepared {
     /// Takes over what all photos say together. Where this one shows the background to the level,
     /// the others may not call it body: a gap between the legs is seen on two photos of eighteen.
     pub fn agree<'a>(&mut self, agreed: impl Iterator<Item = &'a Known>) {
-        for ((known, cost), agreed) in self.known.iter_mut().zip(&self.cost).zip(agreed) {
-            let against = *agreed == Known::Body && *cost < CERTAIN;
-            if *known == Known::Unknown && !against {
-                *known = *agreed;
+        let (width, height) = (self.small.width, self.small.height);
+        // A gap is as wide as three pixels somewhere.
+        let window = |x: usize, y: usize| {
+            let rows = (y - 1..y + 2).flat_map(|row| (x - 1..x + 2).map(move |c| row * width + c));
+            rows.map(|i| self.cost[i]).sum::<f32>() / 9.0 < CERTAIN
+        };
+        let around = |i: usize| {
+            let (x, y) = (i % width, i / width);
+            let inside = |x: usize, y: usize| x > 0 && y > 0 && x + 1 < width && y + 1 < height;
+            (y.max(1) - 1..y + 2)
+                .any(|y| (x.max(1) - 1..x + 2).any(|x| inside(x, y) && window(x, y)))
+        };
+        let gaps: Vec<bool> = (0..self.cost.len()).map(around).collect();
+        for (i, agreed) in agreed.enumerate() {
+            let against = *agreed == Known::Body && gaps[i];
+            if self.known[i] == Known::Unknown && !against {
+                self.known[i] = *agreed;
             }
         }
     }
@@ -42,28 +56,30 @@ impl Prepared {
 /// Where the disk is: the photo's camera and the disk's radius. \[mm\]
 pub type Disk<'a> = Option<(&'a Camera, f64)>;
 
-/// Makes a photo ready to be cut. `coarse_px` is the longest side of the reduced photo.
+/// Makes a photo ready to be cut. `without` is what it would show without the subject, `coarse_px`
+/// the longest side of the reduced photo.
 pub fn prepare(
     pixels: &Rgb,
-    plate: &Rgb,
+    without: &Rgb,
     disk: Disk<'_>,
     coarse_px: usize,
     side_mm: f64,
 ) -> Prepared {
-    let turned =
-        disk.map(|(camera, radius)| (camera, radius, plate_turn(pixels, plate, camera, radius).0));
-    let without = expected(plate, turned);
     let factor = pixels
         .width
         .max(pixels.height)
         .div_ceil(coarse_px.max(1))
         .max(1);
-    let small = reduced(pixels, factor);
+    let (small, expected) = (reduced(pixels, factor), reduced(without, factor));
     let at_small =
         disk.map(|(c, radius)| (c.resized(small.width as u32, small.height as u32), radius));
-    let cost = background_cost(&small, &reduced(&without, factor), &|x, y| {
-        shaded(&at_small, 1, x, y)
-    });
+    let grounds: Vec<Ground> = (0..small.data.len())
+        .map(|i| ground(&at_small, 1, i % small.width, i / small.width))
+        .collect();
+    let on = |x: usize, y: usize| grounds[y * small.width + x];
+    let noise = Noise::measure(&small, &expected, &on);
+    let all = [0, 0, small.width, small.height];
+    let cost = background_cost(&small, &expected, noise, &on, 1, all);
     let known = certain(
         &small,
         at_small.as_ref().map(|(c, radius)| (c, *radius)),
@@ -74,7 +90,7 @@ pub fn prepare(
         small,
         cost,
         known,
-        without,
+        noise,
         disk: at_small,
     }
 }
@@ -87,14 +103,20 @@ pub fn coarse(ready: &Prepared, settings: &Settings) -> Option<(Image<bool>, Gmm
 /// The border of a coarse cut again at full size, window by window so that memory stays small.
 pub fn fine(
     pixels: &Rgb,
+    without: &Rgb,
     ready: &Prepared,
     coarse: &Image<bool>,
     gmm: &Gmm,
     settings: &Settings,
 ) -> Mask {
     let factor = ready.factor;
+    let on = |x: usize, y: usize| ground(&ready.disk, factor, x, y);
+    let noise = Noise::measure(pixels, without, &|x, y| {
+        // The ground of every pixel is dear, and that of its neighbourhood serves.
+        on(x / 8 * 8, y / 8 * 8)
+    });
     if factor == 1 {
-        return coverage(coarse);
+        return soft_border(pixels, without, coarse, noise);
     }
     let band = band(coarse);
     let at = |i: usize| {
@@ -104,9 +126,6 @@ pub fn fine(
             (y / factor).min(coarse.height - 1),
         )
     };
-    let cost = background_cost(pixels, &ready.without, &|x, y| {
-        shaded(&ready.disk, factor, x, y)
-    });
     let settled = |i: usize| {
         let (x, y) = at(i);
         match (band.at(x, y), coarse.at(x, y)) {
@@ -141,6 +160,8 @@ pub fn fine(
             width: ((tx + tile + 4).min(coarse.width) - x0) * factor,
             height: ((ty + tile + 4).min(coarse.height) - y0) * factor,
         };
+        let area = [window.x, window.y, window.width, window.height];
+        let cost = background_cost(pixels, without, noise, &on, 2, area);
         let body = cut(pixels, &cost, &window, gmm, settings, &settled);
         for y in ty * factor..((ty + tile).min(coarse.height)) * factor {
             for x in tx * factor..((tx + tile).min(coarse.width)) * factor {
@@ -148,24 +169,32 @@ pub fn fine(
             }
         }
     }
-    coverage(&largest(&sides, &cost))
+    let cost = |i: usize| {
+        let (x, y) = at(i);
+        ready.cost[y * coarse.width + x]
+    };
+    soft_border(pixels, without, &largest(&sides, &cost), noise)
 }
 
 /// The subject's shadow may fall deep on the disk and the floor around it: this many disk radii.
 const SHADOW_RADII: f64 = 5.0;
 
-/// Whether a deep shadow of the subject may fall on what a pixel shows. Anywhere without a camera.
-fn shaded(disk: &Option<(Camera, f64)>, factor: usize, x: usize, y: usize) -> bool {
+/// What the background is at a pixel. Without a camera a shadow may fall anywhere.
+fn ground(disk: &Option<(Camera, f64)>, factor: usize, x: usize, y: usize) -> Ground {
     let Some((camera, radius)) = disk else {
-        return true;
+        return Ground::Floor;
     };
     let small = |v: usize| (v as f64 + 0.5) / factor as f64 - 0.5;
-    on_disk(
+    let hit = on_disk(
         camera,
         Point2::new(small(x), small(y)),
         radius * SHADOW_RADII,
-    )
-    .is_some()
+    );
+    match hit {
+        None => Ground::Room,
+        Some(hit) if hit.x.hypot(hit.y) < *radius => Ground::Disk,
+        Some(_) => Ground::Floor,
+    }
 }
 
 /// Coarse pixels within two of the border.

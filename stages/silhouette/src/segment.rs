@@ -2,7 +2,8 @@
 
 use crate::gmm::Gmm;
 use crate::maxflow::{Grid, STEPS};
-use shape::{Image, Mask, Rgb};
+use crate::unary::FLAT;
+use shape::{Image, Rgb};
 
 /// What is known of each pixel before the cut.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -29,7 +30,9 @@ pub struct Settings {
 /// Costs are multiplied by this and rounded, so that flows are whole numbers.
 const UNIT: f64 = 64.0;
 /// A hole whose median pixel costs the background more than this is no hole.
-const EXPLAINED: f32 = 6.92 + 1.5;
+const EXPLAINED: f32 = FLAT + 1.5;
+/// Neighbours that cost the background no more than this are its own.
+const OWN: f32 = FLAT + 1.5;
 /// No pixel may be put on the other side.
 const NEVER: i32 = 1 << 24;
 /// -ln of an even density over all colours: anything can be body.
@@ -91,7 +94,7 @@ pub fn cut_whole(
         height: photo.height,
         data: body,
     };
-    Some((largest(&sides, background), gmm?))
+    Some((largest(&sides, &|i| background[i]), gmm?))
 }
 
 /// A rectangle of an image. \[px\]
@@ -106,7 +109,8 @@ pub struct Window {
     pub height: usize,
 }
 
-/// Cuts a window: true is body, row-major over the window.
+/// Cuts a window: true is body. `background` and the result are row-major over the window, `known`
+/// goes by the photo's pixels.
 pub fn cut(
     photo: &Rgb,
     background: &[f32],
@@ -121,7 +125,7 @@ pub fn cut(
     let mut grid = Grid::new(w, h);
     for y in 0..h {
         for x in 0..w {
-            let i = at(x, y);
+            let (i, here) = (at(x, y), y * w + x);
             // The grid is small where it matters: -ln of body = -ln(0.7 GMM + 0.3 anything).
             match known(i) {
                 Known::Background => grid.set_terminal(x, y, 0, NEVER),
@@ -129,7 +133,7 @@ pub fn cut(
                 Known::Unknown => {
                     let fits = body.cost(photo.data[i]) + 0.36;
                     let cost = fits.min(ANY_COLOR + 1.2);
-                    let keep = (f64::from(background[i]) * UNIT) as i32;
+                    let keep = (f64::from(background[here]) * UNIT) as i32;
                     grid.set_terminal(x, y, keep, (cost * UNIT) as i32);
                 }
             }
@@ -144,7 +148,8 @@ pub fn cut(
                     .map(|d| d * d)
                     .sum::<f64>();
                 // An edge that the background has by itself is no reason to cut here.
-                let both = background[i].min(background[j]) < 8.0;
+                let there = (ny as usize) * w + nx as usize;
+                let both = background[here].min(background[there]) < OWN;
                 let contrast = if both { 0.0 } else { (beta * differ).min(12.0) };
                 let length = if STEPS[d].0 != 0 && STEPS[d].1 != 0 {
                     std::f64::consts::FRAC_1_SQRT_2
@@ -181,7 +186,7 @@ fn beta(photo: &Rgb, window: &Window) -> f64 {
 /// The largest connected part, with those of its holes filled that are small or that the background
 /// does not explain: a gap between arm and trunk shows the background to the level, a blue fish on
 /// a shirt only something like it.
-pub fn largest(sides: &Image<bool>, background: &[f32]) -> Image<bool> {
+pub fn largest(sides: &Image<bool>, background: &dyn Fn(usize) -> f32) -> Image<bool> {
     let (parts, sizes) = parts(sides, true);
     let Some(best) = (0..sizes.len()).max_by_key(|i| (sizes[*i], usize::MAX - i)) else {
         return sides.clone();
@@ -200,7 +205,7 @@ pub fn largest(sides: &Image<bool>, background: &[f32]) -> Image<bool> {
         .filter(|(_, h)| **h != u32::MAX)
     {
         if hole_sizes[*hole as usize] <= most {
-            costs[*hole as usize].push(background[i]);
+            costs[*hole as usize].push(background(i));
         }
     }
     let fill: Vec<bool> = costs
@@ -252,39 +257,4 @@ fn parts(sides: &Image<bool>, of: bool) -> (Image<u32>, Vec<usize>) {
         sizes.push(size);
     }
     (parts, sizes)
-}
-
-/// Sides as coverage with a soft border: a 3 × 3 binomial filter, so that the border crosses half
-/// coverage between the two pixels that differ.
-pub fn coverage(sides: &Image<bool>) -> Mask {
-    let (w, h) = (sides.width, sides.height);
-    let mut mask = Mask::filled(w, h, 0);
-    for y in 0..h {
-        for x in 0..w {
-            let here = sides.at(x, y);
-            let (mut sum, mut weight, mut same) = (0u32, 0u32, true);
-            for (dy, wy) in [(-1i32, 1u32), (0, 2), (1, 1)] {
-                for (dx, wx) in [(-1i32, 1u32), (0, 2), (1, 1)] {
-                    let (nx, ny) = (x as i32 + dx, y as i32 + dy);
-                    if nx >= 0 && ny >= 0 && nx < w as i32 && ny < h as i32 {
-                        let v = sides.at(nx as usize, ny as usize);
-                        same &= v == here;
-                        sum += u32::from(v) * wx * wy;
-                        weight += wx * wy;
-                    }
-                }
-            }
-            *mask.at_mut(x, y) = match same {
-                true => {
-                    if here {
-                        255
-                    } else {
-                        0
-                    }
-                }
-                false => (sum * 255 / weight) as u8,
-            };
-        }
-    }
-    mask
 }

@@ -2,64 +2,289 @@
 
 use shape::Rgb;
 
-/// Standard deviation of the sensor's noise in the file's values. \[levels\]
-const NOISE: f32 = 4.0;
-/// -ln of the Gaussian's norm for three channels of that noise.
-const NORM: f32 = 6.92;
 /// How far an edge of the background may move. \[px\]
 const SLACK: f32 = 0.4;
 /// A pixel that the background explains worse than by so much is not it, however much worse.
 const CAP: f32 = 24.0;
+/// What a pixel that matches the background to the level costs.
+pub(crate) const FLAT: f32 = 4.5;
+/// Bounds of the noise that is believed. \[levels\]
+const BELIEVED: (f32, f32) = (1.0, 6.0);
+/// Least noise of a neighbourhood's mean: light that the subject throws back colours what is near. \[levels\]
+const BOUNCE: [f32; 2] = [1.0, 2.0];
+/// What the noise grows by where the disk is all dark. \[levels\]
+const THROWN: f32 = 10.0;
+/// Some neighbourhoods are noisier than others: the median's deviation is taken so much larger.
+const UNEVEN: f32 = 1.3;
 
-/// -ln p(pixel | background) of every pixel.
+/// What the background is at a pixel, which says how light may change there.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Ground {
+    /// Walls: the subject dims or brightens them a little.
+    Room,
+    /// The floor around the disk: a shadow may fall on it.
+    Floor,
+    /// The disk's top: feet touch it, and under them it is nearly dark.
+    Disk,
+}
+
+/// Standard deviations of photo and background against each other. \[levels\]
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Noise {
+    /// Where nothing moves.
+    pub room: f32,
+    /// On the disk, which is turned back and lit otherwise.
+    pub disk: f32,
+}
+
+impl Noise {
+    fn on(&self, ground: Ground) -> f32 {
+        match ground {
+            Ground::Disk => self.disk,
+            _ => self.room,
+        }
+    }
+
+    /// Measured: the subject covers less than half, so small quantiles of the differences are noise.
+    pub fn measure(photo: &Rgb, expected: &Rgb, ground: &dyn Fn(usize, usize) -> Ground) -> Self {
+        let mut counts = [[0u32; 1024]; 2];
+        for y in (0..photo.height).step_by(2) {
+            for x in (0..photo.width).step_by(2) {
+                let (p, e) = (photo.at(x, y), expected.at(x, y));
+                let of = &mut counts[usize::from(ground(x, y) == Ground::Disk)];
+                // Shadows are no noise: what differs when both are equally bright is.
+                let bright = |c: [u8; 3]| c.iter().map(|c| f32::from(*c)).sum::<f32>() + 3.0;
+                let light = bright(p) / bright(e);
+                for c in 0..3 {
+                    let off = (f32::from(p[c]) - light * f32::from(e[c])).abs();
+                    of[(off * 4.0) as usize & 1023] += u32::from(off < 255.0);
+                }
+            }
+        }
+        let [room, disk] = counts.map(|counts| sigma(&counts));
+        Noise {
+            room: room.unwrap_or(4.0),
+            disk: disk.or(room).unwrap_or(4.0),
+        }
+    }
+}
+
+/// Standard deviation from a histogram of absolute differences in quarters of a level, by the
+/// quantile below which 0.4 of a normal distribution's lie. \[levels\]
+fn sigma(counts: &[u32; 1024]) -> Option<f32> {
+    let total: u32 = counts.iter().sum();
+    if total < 300 {
+        return None;
+    }
+    let want = total as f32 * 0.4;
+    let mut below = 0.0;
+    for (quarter, count) in counts.iter().enumerate() {
+        let here = *count as f32;
+        if below + here >= want {
+            let quantile = (quarter as f32 + (want - below) / here) / 4.0;
+            // Of three channels that share their brightness two are free.
+            let wide = quantile / 0.5244 * 1.5f32.sqrt() * UNEVEN;
+            return Some(wide.clamp(BELIEVED.0, BELIEVED.1));
+        }
+        below += here;
+    }
+    None
+}
+
+/// -ln p(pixel | background) of the pixels of a rectangle (left, top, width, height), row-major, up to
+/// a constant.
 ///
 /// The pixel may match what is expected there, or lie part of the way (`SLACK`) towards the
 /// darkest and brightest of its eight neighbours (edges move by a part of a pixel), as it is or
-/// darkened by a soft shadow: deep where `shadow` (column, row) says that one may fall, faint elsewhere.
+/// with its light changed as far as the ground there allows. One pixel may match by chance: the
+/// means of a neighbourhood (`reach` pixels to each side) that it belongs to must match, too.
 pub fn background_cost(
     photo: &Rgb,
     expected: &Rgb,
-    shadow: &dyn Fn(usize, usize) -> bool,
+    noise: Noise,
+    ground: &dyn Fn(usize, usize) -> Ground,
+    reach: usize,
+    [left, top, width, height]: [usize; 4],
 ) -> Vec<f32> {
     let (w, h) = (photo.width, photo.height);
-    let mut costs = Vec::with_capacity(w * h);
-    for y in 0..h {
-        let rows = y.saturating_sub(1)..(y + 2).min(h);
-        for x in 0..w {
-            let columns = x.saturating_sub(1)..(x + 2).min(w);
-            let (mut lo, mut hi) = ([255u8; 3], [0u8; 3]);
-            for row in rows.clone() {
-                for p in &expected.row(row)[columns.clone()] {
-                    (0..3).for_each(|c| (lo[c], hi[c]) = (lo[c].min(p[c]), hi[c].max(p[c])));
-                }
+    // Windows that hold a pixel of the rectangle reach so far beyond it.
+    let margin = 2 * reach;
+    let (x0, y0) = (left.saturating_sub(margin), top.saturating_sub(margin));
+    let (x1, y1) = (
+        (left + width + margin).min(w),
+        (top + height + margin).min(h),
+    );
+    let wide = x1 - x0;
+    let mut means = Vec::with_capacity(wide * (y1 - y0));
+    let mut single = Vec::with_capacity(width * height);
+    let (photo_means, expected_means) = (
+        box_means(photo, [x0, y0, x1, y1], reach),
+        box_means(expected, [x0, y0, x1, y1], reach),
+    );
+    for y in y0..y1 {
+        for x in x0..x1 {
+            let on = ground(x, y);
+            let sigma = noise.on(on);
+            let i = means.len();
+            let mean = expected_means[i];
+            let rough = (sigma / 2.5).max(BOUNCE[usize::from(on == Ground::Disk)]);
+            means.push(cost(photo_means[i], mean, mean, on, rough));
+            if (left..left + width).contains(&x) && (top..top + height).contains(&y) {
+                let (lo, hi) = slack(expected, x, y);
+                single.push(cost(photo.at(x, y).map(f32::from), lo, hi, on, sigma));
             }
-            let middle = expected.at(x, y);
-            let darkest = if shadow(x, y) { 0.45 } else { 0.9 };
-            costs.push(cost(photo.at(x, y), middle, lo, hi, darkest));
         }
     }
-    costs
+    let best = least_around(&means, wide, reach);
+    let inside = (0..width * height).map(|i| {
+        let at = (i / width + top - y0) * wide + i % width + left - x0;
+        single[i].max(best[at])
+    });
+    inside.collect()
 }
 
-/// The cost of one pixel against a box of colours, bright or in shadow.
-fn cost(pixel: [u8; 3], middle: [u8; 3], lo: [u8; 3], hi: [u8; 3], darkest: f32) -> f32 {
-    let p = pixel.map(f32::from);
-    let towards = |end: [u8; 3]| -> [f32; 3] {
-        let part =
-            |c: usize| f32::from(middle[c]) + SLACK * (f32::from(end[c]) - f32::from(middle[c]));
+/// What a pixel may be when edges move by a part of a pixel: darkest and brightest.
+fn slack(expected: &Rgb, x: usize, y: usize) -> ([f32; 3], [f32; 3]) {
+    let (mut lo, mut hi) = ([255u8; 3], [0u8; 3]);
+    for row in y.saturating_sub(1)..(y + 2).min(expected.height) {
+        for p in &expected.row(row)[x.saturating_sub(1)..(x + 2).min(expected.width)] {
+            (0..3).for_each(|c| (lo[c], hi[c]) = (lo[c].min(p[c]), hi[c].max(p[c])));
+        }
+    }
+    let middle = expected.at(x, y).map(f32::from);
+    let towards = |end: [u8; 3]| {
+        let part = |c: usize| middle[c] + SLACK * (f32::from(end[c]) - middle[c]);
         [part(0), part(1), part(2)]
     };
-    let (lo, hi) = (towards(lo), towards(hi));
+    (towards(lo), towards(hi))
+}
+
+/// Mean colours of the neighbourhoods of the pixels of a rectangle (left, top, right, bottom), cut
+/// off at its border.
+fn box_means(image: &Rgb, [x0, y0, x1, y1]: [usize; 4], reach: usize) -> Vec<[f32; 3]> {
+    let wide = x1 - x0;
+    let mut sums = vec![[0u32; 3]; (wide + 1) * (y1 - y0 + 1)];
+    for y in y0..y1 {
+        let mut row = [0u32; 3];
+        for x in x0..x1 {
+            let at = (y - y0 + 1) * (wide + 1) + x - x0 + 1;
+            for c in 0..3 {
+                row[c] += u32::from(image.at(x, y)[c]);
+                sums[at][c] = sums[at - wide - 1][c] + row[c];
+            }
+        }
+    }
+    let mut means = Vec::with_capacity(wide * (y1 - y0));
+    for y in 0..y1 - y0 {
+        let (top, bottom) = (y.saturating_sub(reach), (y + reach + 1).min(y1 - y0));
+        for x in 0..wide {
+            let (left, right) = (x.saturating_sub(reach), (x + reach + 1).min(wide));
+            let at = |x: usize, y: usize| sums[y * (wide + 1) + x];
+            let area = ((bottom - top) * (right - left)) as f32;
+            let (a, b, c, d) = (
+                at(left, top),
+                at(right, top),
+                at(left, bottom),
+                at(right, bottom),
+            );
+            means.push([0, 1, 2].map(|i| (d[i] + a[i] - b[i] - c[i]) as f32 / area));
+        }
+    }
+    means
+}
+
+/// The least of all values within a neighbourhood, along rows and then columns.
+fn least_around(values: &[f32], wide: usize, reach: usize) -> Vec<f32> {
+    let tall = values.len() / wide.max(1);
+    let along = |from: &[f32], stride: usize, count: usize, at: usize, i: usize| {
+        let near = i.saturating_sub(reach)..(i + reach + 1).min(count);
+        near.map(|k| from[at + k * stride - i * stride])
+            .fold(f32::MAX, f32::min)
+    };
+    let rows: Vec<f32> = (0..values.len())
+        .map(|at| along(values, 1, wide, at, at % wide))
+        .collect();
+    (0..values.len())
+        .map(|at| along(&rows, wide, tall, at, at / wide))
+        .collect()
+}
+
+/// The cost of a colour against a box of colours, as it is or in another light.
+fn cost(p: [f32; 3], lo: [f32; 3], hi: [f32; 3], on: Ground, sigma: f32) -> f32 {
     let beyond = |light: f32| -> f32 {
         (0..3)
             .map(|c| (lo[c] * light - p[c]).max(p[c] - hi[c] * light).max(0.0))
             .map(|d| d * d)
             .sum::<f32>()
-            / (2.0 * NOISE * NOISE)
+            / 2.0
+    };
+    let (darkest, brightest) = match on {
+        Ground::Room => (0.88, 1.04),
+        Ground::Floor => (0.45, 1.04),
+        Ground::Disk => (0.2, 1.04),
     };
     // The light that explains the pixel best, by its brightness.
     let sum = |c: [f32; 3]| c.iter().sum::<f32>() + 3.0;
-    let light = (sum(p) / ((sum(lo) + sum(hi)) / 2.0)).clamp(darkest, 1.0);
-    let shadow = beyond(light) + 7.0 * (1.0 - light);
-    beyond(1.0).min(shadow).min(CAP) + NORM
+    let light = (sum(p) / ((sum(lo) + sum(hi)) / 2.0)).clamp(darkest, brightest);
+    let change = (light - 1.0).abs();
+    let price = match on {
+        Ground::Room => (change / 0.04) * (change / 0.04) / 2.0,
+        _ => 7.0 * change,
+    };
+    // The darker a shadow on the disk, the more of what is left there the subject's colour throws back.
+    let thrown = match on {
+        Ground::Disk => THROWN * (1.0 - light).max(0.0),
+        _ => 0.0,
+    };
+    let bright = beyond(1.0) / (sigma * sigma);
+    let shaded = beyond(light) / ((sigma + thrown) * (sigma + thrown));
+    bright.min(shaded + price).min(CAP) + FLAT
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn noisy(level: f64, sigma: f64, dice: &mut proof::Dice) -> Rgb {
+        let mut image = Rgb::filled(80, 60, [0; 3]);
+        for p in &mut image.data {
+            *p = [0, 1, 2].map(|_| (level + sigma * dice.normal()).round() as u8);
+        }
+        image
+    }
+
+    #[test]
+    fn noise_is_found_though_a_subject_covers_a_third() {
+        let mut dice = proof::Dice(3);
+        let plate = Rgb::filled(80, 60, [120; 3]);
+        let mut photo = noisy(120.0, 2.0, &mut dice);
+        photo.data[..1600].fill([30, 200, 90]);
+        let noise = Noise::measure(&photo, &plate, &|_, _| Ground::Room);
+        // A third of the differences are the subject's, so the quantile lies somewhat high.
+        assert!(
+            (2.0 * UNEVEN..3.6 * UNEVEN).contains(&noise.room),
+            "{noise:?}"
+        );
+    }
+
+    #[test]
+    fn a_shirt_nearly_as_dark_as_the_wall_is_no_wall() {
+        let mut dice = proof::Dice(4);
+        let plate = Rgb::filled(80, 60, [170, 166, 154]);
+        let photo = noisy(160.0, 1.0, &mut dice);
+        let noise = Noise {
+            room: 2.0,
+            disk: 2.0,
+        };
+        let all = [0, 0, 80, 60];
+        let cost = background_cost(&photo, &plate, noise, &|_, _| Ground::Room, 1, all);
+        let mean = cost.iter().sum::<f32>() / cost.len() as f32;
+        assert!(mean > FLAT + 5.0, "{mean}");
+        // The wall itself, and the floor in a shadow of the same colour.
+        let wall = background_cost(&plate, &plate, noise, &|_, _| Ground::Room, 1, all);
+        assert!(wall.iter().all(|c| *c == FLAT));
+        let dark = Rgb::filled(80, 60, [119, 116, 108]);
+        let shadow = background_cost(&dark, &plate, noise, &|_, _| Ground::Floor, 1, all);
+        assert!(shadow.iter().all(|c| *c < FLAT + 3.0));
+    }
 }
