@@ -30,7 +30,7 @@ pub(crate) struct SweepArgs {
     /// A number to be told: NODE.METRIC
     #[arg(long)]
     tell: Vec<String>,
-    /// Nodes that are wanted instead of the pipeline's goal, separated by commas
+    /// Nodes that are wanted instead of the goal of the sweep or the pipeline, separated by commas
     #[arg(long, value_delimiter = ',')]
     nodes: Vec<String>,
     /// Ground truth: errors are told beside
@@ -50,6 +50,8 @@ struct Asked {
     name: String,
     about: String,
     tell: Vec<String>,
+    /// The nodes that are wanted; none is the pipeline's goal.
+    nodes: Vec<String>,
 }
 
 /// Does it.
@@ -75,9 +77,9 @@ pub(crate) fn sweep(args: &SweepArgs, house: &House) -> Result<(), Fault> {
         recipe::open_text(&file, &text, &overrides, &crate::catalog::find)
     };
     checked(args, &base, &asked, &at)?;
-    let wanted: Vec<usize> = match args.nodes.is_empty() {
+    let wanted: Vec<usize> = match asked.nodes.is_empty() {
         true => base.goal.clone(),
-        false => args.nodes.iter().filter_map(|n| base.node(n)).collect(),
+        false => asked.nodes.iter().filter_map(|n| base.node(n)).collect(),
     };
     let outlook = outlook(&asked.points, &base, &wanted, &engine::runs(&house.cache));
     if asked.points.count() > MANY && !args.yes {
@@ -90,7 +92,7 @@ pub(crate) fn sweep(args: &SweepArgs, house: &House) -> Result<(), Fault> {
     let options = options(house, true);
     let sweeping = Sweeping {
         open: &|point| at(point).map_err(|m| m.to_string()),
-        nodes: &args.nodes,
+        nodes: &asked.nodes,
         folders: &folders(&args.change)?,
         options: &options,
         tell: &asked.tell,
@@ -159,6 +161,10 @@ fn asked(args: &SweepArgs, recipe: &Recipe, base: &Graph) -> Result<Asked, Fault
         name: args.name.clone().unwrap_or_else(|| "sweep".into()),
         about: declared.map_or(String::new(), |s| s.about.clone()),
         tell,
+        nodes: match (args.nodes.is_empty(), declared) {
+            (true, Some(sweep)) => sweep.goal.iter().map(|g| g.value.clone()).collect(),
+            _ => args.nodes.clone(),
+        },
     })
 }
 
@@ -170,7 +176,7 @@ fn checked(
     at: &dyn Fn(&Point) -> Result<Graph, Mistakes>,
 ) -> Result<(), Fault> {
     let names: Vec<&str> = base.nodes.iter().map(|n| n.name.as_str()).collect();
-    for name in &args.nodes {
+    for name in &asked.nodes {
         base.node(name)
             .ok_or_else(|| Fault::input(stage::unknown("node", name, &names)))?;
     }

@@ -28,7 +28,7 @@ pub fn page(c: &Comparison) -> String {
     let meshes = meshes(c);
     let mut body = format!("<h1>{}</h1>\n", page::escaped(&title));
     for sentence in sentences(c) {
-        body += &format!("<p>{}</p>\n", page::escaped(&sentence));
+        body += &format!("<p>{}</p>\n", marked(&page::escaped(&sentence)));
     }
     if meshes.len() > 1 {
         body += VIEW;
@@ -42,6 +42,15 @@ pub fn page(c: &Comparison) -> String {
         body += &section(title, &table);
     }
     page::page(&title, &body, &json!({ "meshes": meshes }), SCRIPT)
+}
+
+/// Names between backticks as code.
+fn marked(html: &str) -> String {
+    let part = |(i, part): (usize, &str)| match i % 2 {
+        0 => part.to_owned(),
+        _ => format!("<code>{part}</code>"),
+    };
+    html.split('`').enumerate().map(part).collect()
 }
 
 fn section(title: &str, table: &Table) -> String {

@@ -47,7 +47,7 @@
   for (const select of [left, right]) meshes.forEach((m, i) => select.add(new Option(m.name, i)));
   left.value = 0; right.value = 1;
   const middle = lo.map((x, k) => (x + hi[k]) / 2), size = Math.max(1, ...hi.map((x, k) => x - lo[k]));
-  const state = { yaw: 0, pitch: 0.05, away: 1.5, pan: [0, 0], mode: "wipe" };
+  const state = { yaw: 0, pitch: 0.05, away: 1.2, pan: [0, 0], mode: "wipe" };
   const multiply = (a, b) => { const o = new Float32Array(16); for (let c = 0; c < 4; c++) for (let r = 0; r < 4; r++) for (let k = 0; k < 4; k++) o[c * 4 + r] += a[k * 4 + r] * b[c * 4 + k]; return o; };
 
   const draw = () => {

@@ -135,6 +135,8 @@ pub struct Sweep {
     pub with: Vec<Said<String>>,
     /// Metrics to be told: `node.metric`.
     pub tell: Vec<Said<String>>,
+    /// The nodes that are wanted at each point; none is the pipeline's goal.
+    pub goal: Vec<Said<String>>,
 }
 
 /// A pipeline as written.

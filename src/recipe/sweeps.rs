@@ -17,11 +17,13 @@ impl Reader {
             sample: None,
             with: vec![],
             tell: vec![],
+            goal: vec![],
         };
         for (key, value) in self.table(value, "a sweep") {
             match key.value.as_str() {
                 "about" => s.about = self.text(value, "`about`").value,
                 "with" => s.with = self.texts(value, "a variant"),
+                "goal" => s.goal = self.texts(value, "a goal"),
                 "tell" => s.tell = self.texts(value, "a metric"),
                 "csv" => s.csv = Some(self.text(value, "`csv`")),
                 "zip" => s.zip = self.zip(value),
@@ -36,7 +38,9 @@ impl Reader {
                 }
                 _ => self.unknown_key(
                     &key,
-                    &["about", "over", "zip", "csv", "sample", "with", "tell"],
+                    &[
+                        "about", "over", "zip", "csv", "sample", "with", "tell", "goal",
+                    ],
                 ),
             }
         }
@@ -256,6 +260,13 @@ fn one(
             let known: Vec<&str> = params.iter().map(String::as_str).collect();
             wrong(said, unknown("param of this sweep", &said.value, &known));
         }
+    }
+    for said in sweep
+        .goal
+        .iter()
+        .filter(|g| !names.contains(&g.value.as_str()))
+    {
+        wrong(said, unknown("node", &said.value, &names));
     }
     for said in &sweep.tell {
         let node = said.value.split_once('.').map(|(node, _)| node);

@@ -202,6 +202,13 @@ fn told(
                     return vec![];
                 };
                 let mut all = done.metrics.clone();
+                let plain = |name: &str, value, unit: &str| Metric {
+                    name: name.into(),
+                    value,
+                    unit: unit.into(),
+                };
+                all.push(plain("seconds", done.seconds, "s"));
+                all.push(plain("bytes", done.bytes as f64, "B"));
                 all.extend(outcome.artifact(graph, node).map_or(vec![], facts));
                 all
             })
@@ -217,7 +224,8 @@ fn told(
     if sweeping.tell.is_empty() {
         for node in wanted {
             let name = &graph.nodes[*node].name;
-            let all = of(*node).into_iter().filter(|m| !m.name.contains('.'));
+            let plain = |m: &Metric| !m.name.contains('.') && m.name != "bytes";
+            let all = of(*node).into_iter().filter(plain);
             told.extend(all.map(|m| (format!("{name}.{}", m.name), Some(m))));
         }
     }

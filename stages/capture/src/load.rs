@@ -14,6 +14,13 @@ stage::params! {
         /// Fewest photos that are taken for a turn.
         #[range(3..=1000)]
         fewest: u32 = 3,
+        /// Of each so many photos in turning order, the first `keep` are taken: what would fewer
+        /// views have done?
+        #[range(1..=100)]
+        of: u32 = 1,
+        /// How many of each `of` are taken.
+        #[range(1..=100)]
+        keep: u32 = 1,
     }
 }
 
@@ -111,17 +118,19 @@ impl Stage for Load {
             .iter()
             .for_each(|key| ctx.warn(format!("capture.toml: {key}")));
         let (turn, plate) = sorted(files, &known)?;
-        if turn.len() < p.fewest as usize {
-            return Err(CaptureError::TooFew {
-                found: turn.len(),
-                least: p.fewest,
-            }
-            .into());
-        }
         if let Some(said) = known.views.filter(|said| *said != turn.len()) {
             return Err(CaptureError::Count {
                 said,
                 found: turn.len(),
+            }
+            .into());
+        }
+        let (keep, of) = (p.keep.min(p.of) as usize, p.of as usize);
+        let turn = thinned(turn, keep, of);
+        if turn.len() < p.fewest as usize {
+            return Err(CaptureError::TooFew {
+                found: turn.len(),
+                least: p.fewest,
             }
             .into());
         }
@@ -150,12 +159,26 @@ impl Stage for Load {
             ));
         }
         let mut rig = known.rig;
+        // Steps are equal only where one of each so many is left.
+        rig.step = rig
+            .step
+            .filter(|_| keep == of || keep == 1)
+            .map(|step| match keep == of {
+                true => step,
+                false => step * of as f64,
+            });
         rig.focal_35mm = rig.focal_35mm.or(photos[0].focal_35mm);
         ctx.metric("photos", photos.len() as f64, "");
         ctx.metric("width", f64::from(photos[0].width), "px");
         ctx.metric("height", f64::from(photos[0].height), "px");
         Ok(Photos { photos, plate, rig })
     }
+}
+
+/// The first `keep` of each `of`.
+fn thinned<T>(all: Vec<T>, keep: usize, of: usize) -> Vec<T> {
+    let kept = all.into_iter().enumerate().filter(|(i, _)| i % of < keep);
+    kept.map(|(_, item)| item).collect()
 }
 
 type Sorted<'a> = (Vec<&'a FileEntry>, Option<&'a FileEntry>);
@@ -263,4 +286,12 @@ fn alike(photos: &[Photo], plate: Option<&Photo>) -> Result<(), CaptureError> {
         }
     }
     Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    #[test]
+    fn two_of_three_views_are_left() {
+        assert_eq!(super::thinned((0..7).collect(), 2, 3), [0, 1, 3, 4, 6]);
+    }
 }
