@@ -1,14 +1,19 @@
 //! The engine as a library: hash the inputs, walk, write the run down, read results.
 
 use crate::graph::Graph;
+use crate::history;
+use crate::journal::Journal;
 use crate::run_one::Surroundings;
 use crate::source::{self, Memo, SourceError};
 use crate::store::{Store, StoreError};
 use crate::walk::{Done, Fate, Job, Watch, walk};
-use serde_json::{Value, json};
-use stage::{AnyArtifact, Files, Hash};
-use std::path::{Path, PathBuf};
+use serde_json::Value;
+use stage::{AnyArtifact, Files};
+use std::collections::BTreeMap;
+use std::path::PathBuf;
 use std::sync::atomic::AtomicBool;
+
+pub use crate::history::runs;
 
 /// How to run.
 #[derive(Debug, Clone)]
@@ -57,21 +62,19 @@ pub fn inputs(
 ) -> Result<Vec<Files>, EngineError> {
     let memo_file = store.root().join("files.json");
     let mut memo = Memo::load(&memo_file);
-    let before = memo.bytes();
+    let folders: BTreeMap<&str, &PathBuf> =
+        folders.iter().map(|(name, f)| (name.as_str(), f)).collect();
     let mut files = Vec::new();
     for input in &graph.inputs {
-        let folder = folders.iter().find(|(name, _)| *name == input.name);
+        let folder = folders.get(input.name.as_str());
         let unsaid = || EngineError::Unsaid(input.name.clone(), input.about.clone());
-        let (name, folder) = folder.ok_or_else(unsaid)?;
-        let found = source::files(folder, input, &mut memo);
-        files.push(found.map_err(|why| EngineError::Source {
-            name: name.clone(),
-            why,
-        })?);
+        let found = source::files(folder.ok_or_else(unsaid)?, input, &mut memo);
+        let name = input.name.clone();
+        files.push(found.map_err(|why| EngineError::Source { name, why })?);
     }
-    let after = memo.bytes();
-    if after != before {
-        store.write("files.json", &after)?;
+    if memo.is_fresh() {
+        // Best effort: a store that cannot be written to may still hold all that is wanted.
+        let _ = store.write("files.json", &memo.bytes());
     }
     Ok(files)
 }
@@ -89,11 +92,13 @@ pub fn run(
     let store = Store::open(&options.cache)?;
     let files = inputs(graph, folders, &store)?;
     let threads = threads(options);
+    let id = format!("{:020}-{}", crate::clock::now_ns(), std::process::id());
+    let journal = Journal::new(watch, store.root().join(format!("runs/{id}.jsonl")));
     let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build();
     let pool = pool.expect("bug: no threads");
     let around = Surroundings {
         store: &store,
-        watch,
+        watch: &journal,
         cancel,
         pool: &pool,
     };
@@ -105,17 +110,14 @@ pub fn run(
         keep_going: options.keep_going,
     };
     let nodes = walk(&job, &around);
-    let outcome = Outcome {
+    store.save_index();
+    let seconds = start.elapsed().as_secs_f64();
+    history::write(&store, &id, graph, &nodes, seconds)?;
+    Ok(Outcome {
         nodes,
-        seconds: start.elapsed().as_secs_f64(),
+        seconds,
         store,
-    };
-    let record = serde_json::to_vec_pretty(&outcome.json(graph)).expect("bug: JSON");
-    outcome.store.write(
-        &format!("runs/{:020}.json", crate::clock::now_ns()),
-        &record,
-    )?;
-    Ok(outcome)
+    })
 }
 
 /// How many threads the options mean.
@@ -153,48 +155,9 @@ impl Outcome {
             .any(|done| done.fate == Fate::Cancelled)
     }
 
-    /// The run with its provenance, for `run.json` and the store.
+    /// The run with its provenance, for `run.json`.
     pub fn json(&self, graph: &Graph) -> Value {
-        let hex = |hash: Option<Hash>| hash.map(|h| h.to_hex().to_string());
-        let node = |(done, node): (&Done, &crate::graph::Bound)| {
-            let (fate, why) = match &done.fate {
-                Fate::Found => ("found", None),
-                Fate::Made => ("made", None),
-                Fate::Failed(why) => ("failed", Some(why)),
-                Fate::Skipped => ("skipped", None),
-                Fate::Cancelled => ("cancelled", None),
-            };
-            let metric =
-                |m: &stage::Metric| json!({"name": m.name, "value": m.value, "unit": m.unit});
-            json!({
-                "node": node.name, "stage": node.stage.name(), "version": node.stage.version(),
-                "fate": fate, "why": why, "key": hex(done.key), "content": hex(done.content),
-                "story": done.story, "seconds": done.seconds, "bytes": done.bytes,
-                "metrics": done.metrics.iter().map(metric).collect::<Vec<_>>(),
-                "warnings": done.warnings,
-            })
-        };
-        let nodes = self.nodes.iter().zip(&graph.nodes);
-        let nodes: Vec<_> = nodes
-            .filter_map(|(d, n)| d.as_ref().map(|d| node((d, n))))
-            .collect();
-        json!({
-            "program": concat!("tailor ", env!("CARGO_PKG_VERSION")), "about": graph.about,
-            "seconds": self.seconds, "nodes": nodes,
-        })
+        let record = history::record(graph, &self.nodes, self.seconds);
+        serde_json::to_value(record).expect("bug: JSON")
     }
-}
-
-/// The records of earlier runs in a store, the newest first.
-pub fn runs(store: &Path) -> Vec<(String, Value)> {
-    let Ok(entries) = std::fs::read_dir(store.join("runs")) else {
-        return vec![];
-    };
-    let mut names: Vec<PathBuf> = entries.filter_map(|e| Some(e.ok()?.path())).collect();
-    names.sort();
-    let read = |path: &PathBuf| {
-        let run = serde_json::from_slice(&std::fs::read(path).ok()?).ok()?;
-        Some((path.file_stem()?.to_str()?.to_owned(), run))
-    };
-    names.iter().rev().filter_map(read).collect()
 }

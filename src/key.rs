@@ -64,11 +64,20 @@ impl Ledger for Story {
     }
 }
 
+impl Story {
+    /// The key of what has this story.
+    pub fn key(&self) -> Hash {
+        let mut digest = Digest::default();
+        self.0
+            .iter()
+            .for_each(|(what, value)| digest.line(what, value));
+        digest.finish()
+    }
+}
+
 /// The key of a node's result.
 pub fn key(node: &Bound, inputs: &[Option<Hash>]) -> Hash {
-    let mut digest = Digest::default();
-    tell(node, inputs, &mut digest);
-    digest.finish()
+    story(node, inputs).key()
 }
 
 /// The story of a node's result.

@@ -4,6 +4,7 @@
 //! [`recipe::Recipe`] (as written) → [`graph::Graph`] (means something) → [`plan`] (found, stale
 //! because, waiting) → [`engine::Outcome`].
 
+mod agenda;
 pub mod catalog;
 mod cli;
 pub mod clock;
@@ -12,7 +13,9 @@ pub mod compare;
 pub mod drawing;
 pub mod engine;
 pub mod graph;
+pub mod history;
 pub mod impact;
+mod journal;
 pub mod key;
 pub mod out;
 mod page;

@@ -1,11 +1,12 @@
 //! Graph → Plan: found, stale because, or waiting; nothing is run.
 
-use crate::engine;
 use crate::graph::{Graph, Source};
+use crate::history::History;
 use crate::key;
 use crate::store::Store;
 use serde_json::Value;
 use stage::{Files, Hash};
+use std::collections::BTreeSet;
 
 /// What a run would do with a node.
 #[derive(Debug, Clone, PartialEq)]
@@ -35,35 +36,77 @@ pub fn plan(
     store: &Store,
 ) -> Vec<Option<Planned>> {
     let needed = crate::walk::needed(graph, wanted);
-    let runs = engine::runs(store.root());
+    let file_contents: Vec<Hash> = files.iter().map(stage::content).collect();
+    let history = History::of(store.root());
+    let mut coming = BTreeSet::new();
+    let is_wanted: BTreeSet<usize> = wanted.iter().copied().collect();
+    let mut absent = vec![false; graph.nodes.len()];
     let mut contents: Vec<Option<Hash>> = vec![None; graph.nodes.len()];
     let mut plan = vec![None; graph.nodes.len()];
     for (i, node) in graph.nodes.iter().enumerate().filter(|(i, _)| needed[*i]) {
         let content = |source: &Option<Source>| match source {
             None => Some(None),
-            Some(Source::Input(j)) => Some(Some(stage::content(&files[*j]))),
+            Some(Source::Input(j)) => Some(Some(file_contents[*j])),
             Some(Source::Node(j)) => contents[*j].map(Some),
         };
         let inputs: Option<Vec<Option<Hash>>> = node.from.iter().map(content).collect();
-        let before = last(&runs, &node.name);
-        let seconds = before.as_ref().and_then(|b| b["seconds"].as_f64());
-        let state = match inputs {
-            None => State::May,
+        let before = || history.last(&node.name);
+        let took = |before: &Option<Value>| before.as_ref().and_then(|b| b["seconds"].as_f64());
+        let (state, seconds) = match inputs {
+            None => (State::May, took(&before())),
             Some(inputs) => {
-                let record = store.record(key::key(node, &inputs));
-                match record.filter(|r| store.blob(r.content).is_some()) {
-                    Some(record) => {
-                        contents[i] = Some(record.content);
-                        State::Cached
+                let story = key::story(node, &inputs);
+                let key = story.key();
+                let found = store.found(key);
+                match found.filter(|f| f.present || !is_wanted.contains(&i)) {
+                    Some(found) => {
+                        contents[i] = Some(found.record.content);
+                        absent[i] = !found.present;
+                        (State::Cached, Some(found.record.seconds))
                     }
-                    None => State::Stale(changes(&key::story(node, &inputs).0, before.as_ref())),
+                    // A node before this one makes the same.
+                    None if !coming.insert(*key.as_bytes()) => (State::May, took(&before())),
+                    None => {
+                        let before = before();
+                        let changes = changes(&story.0, before.as_ref());
+                        (State::Stale(changes), took(&before))
+                    }
                 }
             }
         };
         plan[i] = Some(Planned { state, seconds });
     }
+    read_again(graph, &absent, &mut plan);
+    store.save_index();
     plan
 }
+
+/// Results that are gone are made again only for who reads them.
+fn read_again(graph: &Graph, absent: &[bool], plan: &mut [Option<Planned>]) {
+    for i in (0..graph.nodes.len()).rev() {
+        let gone = |state: &State| match state {
+            State::Cached => None,
+            State::Stale(_) => Some(State::Stale(
+                GONE.map(|(a, b, c)| (a.into(), b.into(), c.into()))
+                    .to_vec(),
+            )),
+            State::May => Some(State::May),
+        };
+        let Some(state) = plan[i].as_ref().and_then(|p| gone(&p.state)) else {
+            continue;
+        };
+        for j in crate::walk::sources(graph, i).filter(|j| absent[*j]) {
+            if let Some(source) = &mut plan[j]
+                && !matches!(source.state, State::Stale(_))
+            {
+                source.state = state.clone();
+            }
+        }
+    }
+}
+
+/// What `why` says of a result that is not there any more.
+const GONE: [(&str, &str, &str); 1] = [("result", "was made", "gone from the cache")];
 
 /// The node's entry in the newest run that has one with a result.
 pub fn last(runs: &[(String, Value)], node: &str) -> Option<Value> {
@@ -105,11 +148,9 @@ pub fn changes(
         .filter(|(_, old, new)| old != new)
         .collect();
     match changed.is_empty() {
-        true => vec![(
-            "result".into(),
-            "was made".into(),
-            "gone from the cache".into(),
-        )],
+        true => GONE
+            .map(|(a, b, c)| (a.into(), b.into(), c.into()))
+            .to_vec(),
         false => changed,
     }
 }

@@ -1,9 +1,9 @@
 //! One node: found in the store, or its stage is run and the result published.
 
-use crate::graph::Source;
+use crate::graph::{Bound, Source};
 use crate::key::{self, Digest};
-use crate::store::{Record, Store};
-use crate::walk::{Done, Fate, Job, Watch, key_of};
+use crate::store::{Claim, Record, Store};
+use crate::walk::{Done, Fate, Job, Watch};
 use stage::{AnyArtifact, Ctx, Hash, Host, Metric, Stop};
 use std::panic::AssertUnwindSafe;
 use std::sync::Mutex;
@@ -61,34 +61,81 @@ impl Host for Hosting<'_> {
     }
 }
 
+/// What came of a node's turn.
+pub(crate) enum Step {
+    /// It is done; the artifact if it was made now.
+    Done(Done, Option<AnyArtifact>),
+    /// Another process makes it just now.
+    Busy,
+    /// These results that it reads are gone from the store.
+    Gone(Vec<usize>),
+}
+
+/// Finds a node's result. Where it need not be `there`, it is enough that its content is known.
+pub(crate) fn find(
+    job: &Job<'_>,
+    node: usize,
+    inputs: &[Option<Hash>],
+    there: bool,
+    store: &Store,
+) -> Option<Done> {
+    let story = key::story(&job.graph.nodes[node], inputs);
+    let key = story.key();
+    let found = store.found(key).filter(|f| f.present || !there)?;
+    let story = story.0;
+    Some(done(
+        Fate::Found,
+        key,
+        Record {
+            story,
+            ..found.record
+        },
+    ))
+}
+
 /// Finds or makes a node's result; hands on the artifact if it was made.
 pub(crate) fn run_one(
     job: &Job<'_>,
     node: usize,
     inputs: &[Option<Hash>],
     at_hand: Vec<Option<AnyArtifact>>,
+    there: bool,
     around: &Surroundings<'_>,
-) -> (Done, Option<AnyArtifact>) {
-    let key = key_of(job, node, inputs);
-    if let Some(record) = around.store.record(key)
-        && around.store.blob(record.content).is_some()
-    {
-        return (done(Fate::Found, key, record), None);
-    }
+) -> Step {
     let bound = &job.graph.nodes[node];
-    around.watch.started(&bound.name);
-    let start = Instant::now();
-    let failed = |why: String| {
-        let story = key::story(bound, inputs).0;
-        Done {
-            key: Some(key),
-            story,
-            ..Done::nothing(Fate::Failed(why))
-        }
+    let story = key::story(bound, inputs);
+    let key = story.key();
+    let lease = match around.store.claim(key) {
+        Claim::Busy => return Step::Busy,
+        Claim::Mine(lease) => lease,
     };
+    // Who held the lease before may have made it; and it may equal what another node made.
+    if let Some(done) = find(job, node, inputs, there, around.store) {
+        return Step::Done(done, None);
+    }
     let artifacts = match load(job, node, inputs, at_hand, around.store) {
         Ok(artifacts) => artifacts,
-        Err(why) => return (failed(why), None),
+        Err(gone) => return Step::Gone(gone),
+    };
+    around.watch.started(&bound.name);
+    let (done, artifact) = make(bound, key, story, artifacts, around);
+    drop(lease);
+    Step::Done(done, artifact)
+}
+
+/// Runs the stage and publishes its result.
+fn make(
+    bound: &Bound,
+    key: Hash,
+    story: key::Story,
+    artifacts: Vec<Option<AnyArtifact>>,
+    around: &Surroundings<'_>,
+) -> (Done, Option<AnyArtifact>) {
+    let start = Instant::now();
+    let failed = |why: String| Done {
+        key: Some(key),
+        story: story.0.clone(),
+        ..Done::nothing(Fate::Failed(why))
     };
     let mut recipe = Digest::default();
     key::tell_recipe(bound, &mut recipe);
@@ -122,9 +169,9 @@ pub(crate) fn run_one(
         }
     };
     let seconds = start.elapsed().as_secs_f64();
-    let published = around.store.keep(&made.bytes).and_then(|content| {
+    let published = around.store.keep(&made.bytes, seconds).and_then(|content| {
         let record = Record {
-            story: key::story(bound, inputs).0,
+            story: story.0.clone(),
             content,
             bytes: made.bytes.len() as u64,
             seconds,
@@ -153,35 +200,36 @@ fn done(fate: Fate, key: Hash, record: Record) -> Done {
     }
 }
 
-/// The artifacts of all ports: from memory, else from the store.
+/// The artifacts of all ports: from memory, else from the store; or the nodes whose results are
+/// not there, or not whole.
 fn load(
     job: &Job<'_>,
     node: usize,
     inputs: &[Option<Hash>],
     at_hand: Vec<Option<AnyArtifact>>,
     store: &Store,
-) -> Result<Vec<Option<AnyArtifact>>, String> {
+) -> Result<Vec<Option<AnyArtifact>>, Vec<usize>> {
+    let mut gone = Vec::new();
     let ports = job.graph.nodes[node].from.iter().zip(inputs).zip(at_hand);
-    ports
+    let artifacts = ports
         .map(|((source, content), at_hand)| {
             let (Some(Source::Node(from)), None) = (source, &at_hand) else {
-                return Ok(at_hand);
+                return at_hand;
             };
-            let from = &job.graph.nodes[*from];
-            let gone = |why: &str| {
-                let name = &from.name;
-                format!("the result of `{name}` {why} while the run went on; run again")
-            };
-            let content = content.ok_or_else(|| gone("was not made"))?;
-            let blob = store
-                .blob(content)
-                .ok_or_else(|| gone("went out of the cache"))?;
-            from.stage
-                .read(&blob)
-                .map(Some)
-                .map_err(|e| gone(&format!("turned out {e}")))
+            let blob = content.and_then(|content| store.blob(content));
+            let stage = job.graph.nodes[*from].stage;
+            let artifact = blob.and_then(|blob| stage.read(&blob).ok());
+            if artifact.is_none() && !gone.contains(from) {
+                gone.push(*from);
+            }
+            artifact
         })
-        .collect()
+        .collect();
+    if gone.is_empty() {
+        Ok(artifacts)
+    } else {
+        Err(gone)
+    }
 }
 
 /// An error with its causes.

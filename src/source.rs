@@ -1,7 +1,8 @@
 //! The user's folders become names and content hashes.
 //!
-//! A file is hashed once and remembered by size, modification time and inode. A file modified
-//! within two seconds of being remembered is hashed again (the racy-timestamp rule of git's index).
+//! A file is hashed once and remembered by size, inode and the times of modification and of change.
+//! A file modified within two seconds of being remembered is hashed again (the racy-timestamp rule
+//! of git's index).
 
 use crate::graph::InputDecl;
 use serde::{Deserialize, Serialize};
@@ -32,13 +33,19 @@ pub enum SourceError {
 }
 
 /// What is remembered of files, so that they need not be hashed again.
-#[derive(Debug, Default, Serialize, Deserialize)]
-pub struct Memo(BTreeMap<PathBuf, Stamp>);
+#[derive(Debug, Default)]
+pub struct Memo {
+    files: BTreeMap<PathBuf, Stamp>,
+    /// Folders as they were said, and where they are.
+    roots: BTreeMap<PathBuf, PathBuf>,
+    fresh: bool,
+}
 
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 struct Stamp {
     size: u64,
     modified_ns: i128,
+    changed_ns: i128,
     inode: u64,
     seen_ns: i128,
     content: String,
@@ -52,9 +59,22 @@ pub fn files(folder: &Path, input: &InputDecl, memo: &mut Memo) -> Result<Files,
         let path = path.to_owned();
         move |why| SourceError::Unreadable { path, why }
     };
-    let root = folder.canonicalize().map_err(unreadable(folder))?;
-    let mut names = Vec::new();
-    let mut open = vec![String::new()];
+    let root = memo.root(folder).map_err(unreadable(folder))?;
+    let plain = input.files.iter().all(|p| !p.contains(['*', '{']));
+    let mut names: Vec<String> = match plain {
+        true => input
+            .files
+            .iter()
+            .filter(|p| root.join(p).is_file())
+            .cloned()
+            .collect(),
+        false => vec![],
+    };
+    // Plain names need no look around, unless one is written otherwise on the disk.
+    let mut open = match names.len() == input.files.len() {
+        true => vec![],
+        false => vec![String::new()],
+    };
     while let Some(inner) = open.pop() {
         let here = root.join(&inner);
         for entry in std::fs::read_dir(&here).map_err(unreadable(&here))? {
@@ -71,7 +91,10 @@ pub fn files(folder: &Path, input: &InputDecl, memo: &mut Memo) -> Result<Files,
             let deep = name.matches('/').count();
             if kind.is_dir() && input.files.iter().any(|p| p.matches('/').count() > deep) {
                 open.push(name);
-            } else if kind.is_file() && input.files.iter().any(|p| fits(p, &name)) {
+            } else if kind.is_file()
+                && input.files.iter().any(|p| fits(p, &name))
+                && !names.contains(&name)
+            {
                 names.push(name);
             }
         }
@@ -101,21 +124,41 @@ impl Memo {
     /// From a file of the store; a torn one is as good as none.
     pub fn load(path: &Path) -> Memo {
         let bytes = std::fs::read(path).unwrap_or_default();
-        serde_json::from_slice(&bytes).unwrap_or_default()
+        Memo {
+            files: serde_json::from_slice(&bytes).unwrap_or_default(),
+            ..Memo::default()
+        }
+    }
+
+    /// Whether there is something new since it was loaded.
+    pub fn is_fresh(&self) -> bool {
+        self.fresh
+    }
+
+    /// Where a folder is.
+    fn root(&mut self, folder: &Path) -> std::io::Result<PathBuf> {
+        if let Some(root) = self.roots.get(folder) {
+            return Ok(root.clone());
+        }
+        let root = folder.canonicalize()?;
+        self.roots.insert(folder.into(), root.clone());
+        Ok(root)
     }
 
     /// As bytes of a file.
     pub fn bytes(&self) -> Vec<u8> {
-        serde_json::to_vec(self).expect("bug: a memo JSON cannot hold")
+        serde_json::to_vec(&self.files).expect("bug: a memo JSON cannot hold")
     }
 
     fn content(&mut self, path: &Path) -> std::io::Result<(Hash, u64)> {
         let meta = std::fs::metadata(path)?;
-        let modified_ns = i128::from(meta.mtime()) * 1_000_000_000 + i128::from(meta.mtime_nsec());
-        if let Some(stamp) = self.0.get(path)
-            && (stamp.size, stamp.modified_ns, stamp.inode)
-                == (meta.size(), modified_ns, meta.ino())
-            && stamp.seen_ns - modified_ns > RACY_NS
+        let ns = |s: i64, ns: i64| i128::from(s) * 1_000_000_000 + i128::from(ns);
+        let modified_ns = ns(meta.mtime(), meta.mtime_nsec());
+        let changed_ns = ns(meta.ctime(), meta.ctime_nsec());
+        if let Some(stamp) = self.files.get(path)
+            && (stamp.size, stamp.modified_ns, stamp.changed_ns, stamp.inode)
+                == (meta.size(), modified_ns, changed_ns, meta.ino())
+            && stamp.seen_ns - modified_ns.max(changed_ns) > RACY_NS
             && let Ok(content) = Hash::from_hex(&stamp.content)
         {
             return Ok((content, stamp.size));
@@ -125,11 +168,13 @@ impl Memo {
         let stamp = Stamp {
             size: bytes.len() as u64,
             modified_ns,
+            changed_ns,
             inode: meta.ino(),
             seen_ns: crate::clock::now_ns(),
             content: content.to_hex().to_string(),
         };
-        self.0.insert(path.to_owned(), stamp);
+        self.files.insert(path.to_owned(), stamp);
+        self.fresh = true;
         Ok((content, bytes.len() as u64))
     }
 }

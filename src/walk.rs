@@ -1,10 +1,11 @@
 //! Graph → Outcome: makes what is not there yet, side by side, and drops what nobody reads any more.
 
+use crate::agenda::Agenda;
 use crate::graph::{Graph, Source};
-use crate::key;
-use crate::run_one::{self, Surroundings};
-use stage::{AnyArtifact, Files, Hash, Metric};
+use crate::run_one::{self, Step, Surroundings};
+use stage::{Files, Hash, Metric};
 use std::sync::{Condvar, Mutex};
+use std::time::Duration;
 
 /// What became of a node.
 #[derive(Debug, Clone, PartialEq)]
@@ -19,6 +20,19 @@ pub enum Fate {
     Skipped,
     /// The user asked to stop.
     Cancelled,
+}
+
+impl Fate {
+    /// As one word, for records.
+    pub fn word(&self) -> &'static str {
+        match self {
+            Fate::Found => "found",
+            Fate::Made => "made",
+            Fate::Failed(_) => "failed",
+            Fate::Skipped => "skipped",
+            Fate::Cancelled => "cancelled",
+        }
+    }
 }
 
 /// A node after the walk.
@@ -63,6 +77,8 @@ impl Done {
 pub trait Watch: Sync {
     /// A stage starts to run.
     fn started(&self, _node: &str) {}
+    /// Another process makes the node's result just now; asked again and again until it is there.
+    fn waits(&self, _node: &str) {}
     /// So much of a loop is done.
     fn progress(&self, _node: &str, _label: &str, _done: usize, _of: usize) {}
     /// A node is done.
@@ -83,105 +99,119 @@ pub struct Job<'a> {
     pub keep_going: bool,
 }
 
-struct State {
-    done: Vec<Option<Done>>,
-    /// Nodes that some worker has taken.
-    taken: Vec<bool>,
-    /// Results in memory, while somebody still reads them.
-    alive: Vec<Option<AnyArtifact>>,
-    readers: Vec<usize>,
-    ready: Vec<usize>,
-    running: usize,
-    stop: bool,
-}
+/// How long until it is asked again whether another process has made a result.
+const RETRY: Duration = Duration::from_millis(15);
 
 /// Walks: one entry a node, `None` for those that were not wanted.
 pub fn walk(job: &Job<'_>, around: &Surroundings<'_>) -> Vec<Option<Done>> {
-    let graph = job.graph;
-    let needed = needed(graph, job.wanted);
-    let mut readers = vec![0; graph.nodes.len()];
-    for i in (0..graph.nodes.len()).filter(|i| needed[*i]) {
-        for_each_node(graph, i, |j| readers[j] += 1);
+    let mut agenda = Agenda::new(job.graph, job.files, job.wanted);
+    settle(job, around, &mut agenda);
+    if !agenda.idle() {
+        let (shared, bell) = (Mutex::new(agenda), Condvar::new());
+        std::thread::scope(|scope| {
+            for _ in 0..job.threads.max(1) {
+                scope.spawn(|| work(job, around, &shared, &bell));
+            }
+        });
+        agenda = shared.into_inner().expect("bug: a worker panicked");
     }
-    let state = State {
-        done: vec![None; graph.nodes.len()],
-        taken: vec![false; graph.nodes.len()],
-        alive: vec![None; graph.nodes.len()],
-        readers,
-        ready: vec![],
-        running: 0,
-        stop: false,
+    let fate = if around.cancelled() {
+        Fate::Cancelled
+    } else {
+        Fate::Skipped
     };
-    let (state, bell) = (Mutex::new(state), Condvar::new());
-    refill(
-        graph,
-        &needed,
-        &mut state.lock().expect("bug: a worker panicked"),
-    );
-    std::thread::scope(|scope| {
-        for _ in 0..job.threads.max(1) {
-            scope.spawn(|| work(job, around, &needed, &state, &bell));
-        }
-    });
-    let mut state = state.into_inner().expect("bug: a worker panicked");
-    for i in (0..graph.nodes.len()).filter(|i| needed[*i]) {
-        let fate = if around.cancelled() {
-            Fate::Cancelled
-        } else {
-            Fate::Skipped
-        };
-        state.done[i].get_or_insert_with(|| Done::nothing(fate));
+    for i in (0..job.graph.nodes.len()).filter(|i| agenda.needed[*i]) {
+        agenda.done[i].get_or_insert_with(|| Done::nothing(fate.clone()));
     }
-    state.done
+    agenda.done
+}
+
+/// Finds all that can be found without making anything, in the pipeline's order. What is left
+/// ready must be made.
+fn settle(job: &Job<'_>, around: &Surroundings<'_>, agenda: &mut Agenda<'_>) {
+    let mut missing = Vec::new();
+    while let Some(node) = agenda.next() {
+        let found = match around.cancelled() {
+            true => None,
+            false => agenda.contents(node).and_then(|inputs| {
+                run_one::find(job, node, &inputs, agenda.there(node), around.store)
+            }),
+        };
+        match found {
+            Some(done) => {
+                around.watch.done(&job.graph.nodes[node].name, &done);
+                agenda.finish(node, done, None);
+            }
+            None => missing.push(node),
+        }
+    }
+    missing.into_iter().for_each(|node| agenda.put_off(node));
+    agenda.retry();
 }
 
 /// One worker: takes a ready node, runs it, makes others ready.
-fn work(
-    job: &Job<'_>,
-    around: &Surroundings<'_>,
-    needed: &[bool],
-    state: &Mutex<State>,
-    bell: &Condvar,
-) {
-    let lock = || state.lock().expect("bug: a worker panicked");
+fn work(job: &Job<'_>, around: &Surroundings<'_>, shared: &Mutex<Agenda<'_>>, bell: &Condvar) {
+    let lock = || shared.lock().expect("bug: a worker panicked");
+    let name = |node: usize| job.graph.nodes[node].name.as_str();
     let mut held = lock();
     loop {
-        if around.cancelled() {
-            held.stop = true;
-        }
-        if held.stop || (held.ready.is_empty() && held.running == 0) {
+        held.stop |= around.cancelled();
+        if held.stop || held.idle() {
             bell.notify_all();
             return;
         }
-        let Some(node) = held.ready.pop() else {
-            held = bell.wait(held).expect("bug: a worker panicked");
+        let Some(node) = held.next() else {
+            held = if held.has_put_off() {
+                let waited = bell.wait_timeout(held, RETRY);
+                let (mut held, waited) = waited.expect("bug: a worker panicked");
+                if waited.timed_out() {
+                    held.retry();
+                }
+                held
+            } else {
+                bell.wait(held).expect("bug: a worker panicked")
+            };
             continue;
         };
         held.running += 1;
-        held.taken[node] = true;
-        let inputs = contents(job, node, &held);
-        let at_hand = at_hand(job, node, &held);
+        let inputs = held.contents(node).expect("bug: ready, but it waits");
+        let (at_hand, there) = (held.at_hand(node), held.there(node));
         drop(held);
-        let (done, artifact) = run_one::run_one(job, node, &inputs, at_hand, around);
-        around.watch.done(&job.graph.nodes[node].name, &done);
+        let step = run_one::run_one(job, node, &inputs, at_hand, there, around);
+        if let Step::Done(done, _) = &step {
+            around.watch.done(name(node), done);
+        }
         held = lock();
         held.running -= 1;
-        if matches!(done.fate, Fate::Failed(_)) && !job.keep_going {
-            held.stop = true;
-        }
-        held.done[node] = Some(done);
-        if held.readers[node] > 0 {
-            held.alive[node] = artifact;
-        }
-        let mut freed = Vec::new();
-        for_each_node(job.graph, node, |j| freed.push(j));
-        for j in freed {
-            held.readers[j] -= 1;
-            if held.readers[j] == 0 {
-                held.alive[j] = None;
+        let skipped = match step {
+            Step::Done(done, artifact) => {
+                held.stop |= matches!(done.fate, Fate::Failed(_)) && !job.keep_going;
+                held.finish(node, done, artifact)
             }
+            Step::Busy => {
+                around.watch.waits(name(node));
+                held.put_off(node);
+                vec![]
+            }
+            Step::Gone(gone) if held.gone(node, &gone) => vec![],
+            Step::Gone(gone) => {
+                let from = name(gone[0]);
+                let why = format!(
+                    "the result of `{from}` goes out of the cache as soon as it is made; \
+                     give it room, or another place with --cache"
+                );
+                let done = Done::nothing(Fate::Failed(why));
+                around.watch.done(name(node), &done);
+                held.stop |= !job.keep_going;
+                held.finish(node, done, None)
+            }
+        };
+        for node in skipped {
+            let done = held.done[node]
+                .as_ref()
+                .expect("bug: skipped, but not done");
+            around.watch.done(name(node), done);
         }
-        refill(job.graph, needed, &mut held);
         bell.notify_all();
     }
 }
@@ -192,61 +222,17 @@ pub(crate) fn needed(graph: &Graph, wanted: &[usize]) -> Vec<bool> {
     let mut open = wanted.to_vec();
     while let Some(i) = open.pop() {
         if !std::mem::replace(&mut needed[i], true) {
-            for_each_node(graph, i, |j| open.push(j));
+            open.extend(sources(graph, i));
         }
     }
     needed
 }
 
 /// The nodes that a node reads, one a port.
-fn for_each_node(graph: &Graph, node: usize, mut f: impl FnMut(usize)) {
-    for source in graph.nodes[node].from.iter().flatten() {
-        if let Source::Node(j) = source {
-            f(*j);
-        }
-    }
-}
-
-/// Lists what can run now: the first in the pipeline on top. Skips what cannot run any more.
-fn refill(graph: &Graph, needed: &[bool], state: &mut State) {
-    state.ready.clear();
-    for i in (0..graph.nodes.len()).filter(|i| needed[*i]) {
-        if state.done[i].is_some() || state.taken[i] {
-            continue;
-        }
-        let (mut open, mut dead) = (false, false);
-        for_each_node(graph, i, |j| match &state.done[j] {
-            Some(done) => dead |= done.content.is_none(),
-            None => open = true,
-        });
-        if dead {
-            state.done[i] = Some(Done::nothing(Fate::Skipped));
-        } else if !open {
-            state.ready.push(i);
-        }
-    }
-    state.ready.reverse();
-}
-
-/// The content at each port.
-fn contents(job: &Job<'_>, node: usize, state: &State) -> Vec<Option<Hash>> {
-    let content = |source: &Option<Source>| match source.as_ref()? {
-        Source::Input(i) => Some(stage::content(&job.files[*i])),
-        Source::Node(j) => state.done[*j].as_ref()?.content,
-    };
-    job.graph.nodes[node].from.iter().map(content).collect()
-}
-
-/// The artifacts at each port that are in memory already.
-fn at_hand(job: &Job<'_>, node: usize, state: &State) -> Vec<Option<AnyArtifact>> {
-    let artifact = |source: &Option<Source>| match source.as_ref()? {
-        Source::Input(i) => Some(AnyArtifact::new(job.files[*i].clone())),
-        Source::Node(j) => state.alive[*j].clone(),
-    };
-    job.graph.nodes[node].from.iter().map(artifact).collect()
-}
-
-/// The key of a node when the contents of its inputs are known.
-pub(crate) fn key_of(job: &Job<'_>, node: usize, inputs: &[Option<Hash>]) -> Hash {
-    key::key(&job.graph.nodes[node], inputs)
+pub(crate) fn sources(graph: &Graph, node: usize) -> impl Iterator<Item = usize> {
+    let from = graph.nodes[node].from.iter().flatten();
+    from.filter_map(|source| match source {
+        Source::Node(j) => Some(*j),
+        Source::Input(_) => None,
+    })
 }

@@ -69,14 +69,10 @@ pub(crate) fn measure(measure: &Measure, house: &House) -> Result<(), Fault> {
     let graph = graph.map_err(Fault::input)?;
     let folders = vec![("photos".to_owned(), measure.folder.clone())];
     let again: Vec<String> = std::env::args().collect();
-    let outcome = execute(
-        &graph,
-        &folders,
-        &graph.goal,
-        house,
-        false,
-        &again.join(" "),
-    )?;
+    // What is written must be there, the goal or not.
+    let mut wanted = graph.goal.clone();
+    wanted.extend(WRITTEN.iter().filter_map(|(node, ..)| place(&graph, node)));
+    let outcome = execute(&graph, &folders, &wanted, house, false, &again.join(" "))?;
     let name = measure
         .folder
         .file_name()
@@ -105,15 +101,17 @@ fn get<A: stage::Artifact>(
     outcome.artifact(graph, graph.node(name)?)?.downcast()
 }
 
+/// A node that is written. Without refinement the hull is the body.
+fn place(graph: &Graph, node: &str) -> Option<usize> {
+    let other = if node == "body" { "hull" } else { node };
+    graph.node(node).or_else(|| graph.node(other))
+}
+
 /// Writes all that the contract names.
 fn write(graph: &Graph, outcome: &Outcome, folder: &std::path::Path) -> Result<(), Fault> {
     let names = photos(graph, outcome);
     for (node, file, format) in WRITTEN {
-        // Without refinement the hull is the body.
-        let at = graph
-            .node(node)
-            .or_else(|| graph.node(if node == "body" { "hull" } else { node }));
-        let artifact = at.and_then(|at| outcome.artifact(graph, at));
+        let artifact = place(graph, node).and_then(|at| outcome.artifact(graph, at));
         let Some(artifact) = artifact else { continue };
         let files = out::files(artifact, &names, Some(format)).map_err(Fault::stage)?;
         out::write(&folder.join(file), &files).map_err(Fault::stage)?;

@@ -96,7 +96,12 @@ pub(crate) fn execute(
     keep_going: bool,
     again: &str,
 ) -> Result<Outcome, Fault> {
-    let count = walk::needed(graph, wanted).iter().filter(|n| **n).count();
+    let needed = walk::needed(graph, wanted);
+    let count = needed.iter().filter(|n| **n).count();
+    // Files are called after the photos, which must be there for it.
+    let mut wanted = wanted.to_vec();
+    wanted.extend(photos_node(graph).filter(|i| needed[*i]));
+    let wanted = wanted.as_slice();
     let speaker = Speaker::new(house.quiet || house.json, count);
     let options = options(house, keep_going);
     let outcome = engine::run(graph, folders, wanted, &options, &speaker, &CANCEL);
@@ -115,13 +120,16 @@ pub(crate) fn execute(
     Ok(outcome)
 }
 
-/// The photos of a run, for the names of files.
-pub(crate) fn photos(graph: &Graph, outcome: &Outcome) -> Photos {
-    let at = graph
+fn photos_node(graph: &Graph) -> Option<usize> {
+    graph
         .nodes
         .iter()
-        .position(|n| n.stage.yields() == "photos");
-    let photos = at
+        .position(|n| n.stage.yields() == "photos")
+}
+
+/// The photos of a run, for the names of files.
+pub(crate) fn photos(graph: &Graph, outcome: &Outcome) -> Photos {
+    let photos = photos_node(graph)
         .and_then(|at| outcome.artifact(graph, at))
         .and_then(|a| a.downcast::<Photos>());
     photos.map_or_else(Photos::default, |p| (*p).clone())

@@ -19,7 +19,13 @@ pub fn bind(
         recipe,
         mistakes: vec![],
         places: BTreeMap::new(),
+        inputs: BTreeMap::new(),
     };
+    for (i, input) in recipe.inputs.iter().enumerate() {
+        binder
+            .inputs
+            .insert(input.name.value.as_str(), Source::Input(i));
+    }
     for (i, node) in recipe.nodes.iter().enumerate() {
         binder
             .places
@@ -55,6 +61,7 @@ pub(super) struct Binder<'a> {
     pub(super) recipe: &'a Recipe,
     pub(super) mistakes: Vec<Mistake>,
     pub(super) places: BTreeMap<&'a str, Source>,
+    pub(super) inputs: BTreeMap<&'a str, Source>,
 }
 
 impl<'a> Binder<'a> {
@@ -144,24 +151,20 @@ impl<'a> Binder<'a> {
     }
 
     fn goal(&mut self) -> Vec<usize> {
-        let names: Vec<&str> = self
-            .recipe
-            .nodes
-            .iter()
-            .map(|n| n.name.value.as_str())
-            .collect();
         if self.recipe.goal.is_empty() {
             let what = "say what is wanted: `goal = \"girths\"`";
             self.mistakes.push(Mistake::at(&(0..0), what));
         }
         let mut goal = Vec::new();
         for said in &self.recipe.goal {
-            match names.iter().position(|n| *n == said.value) {
-                Some(i) => goal.push(i),
-                None => self.mistakes.push(Mistake::at(
-                    &said.span,
-                    unknown("node", &said.value, &names),
-                )),
+            match self.places.get(said.value.as_str()) {
+                Some(Source::Node(i)) => goal.push(*i),
+                _ => {
+                    let nodes = self.recipe.nodes.iter();
+                    let names: Vec<&str> = nodes.map(|n| n.name.value.as_str()).collect();
+                    let what = unknown("node", &said.value, &names);
+                    self.mistakes.push(Mistake::at(&said.span, what));
+                }
             }
         }
         goal

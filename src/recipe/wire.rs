@@ -71,27 +71,27 @@ impl<'a> Binder<'a> {
     }
 
     pub(super) fn source(&mut self, said: &Said<String>) -> Option<Source> {
-        let (source, what, known): (_, _, Vec<&str>) = match said.value.strip_prefix('@') {
-            Some(name) => {
-                let inputs = &self.recipe.inputs;
-                let at = inputs.iter().position(|i| i.name.value == name);
-                (
-                    at.map(Source::Input),
-                    "input",
-                    inputs.iter().map(|i| i.name.value.as_str()).collect(),
-                )
-            }
-            None => {
-                let names = self
-                    .recipe
-                    .nodes
-                    .iter()
-                    .map(|n| n.name.value.as_str())
-                    .collect();
-                (self.places.get(said.value.as_str()).copied(), "node", names)
-            }
+        let recipe = self.recipe;
+        let input = said.value.strip_prefix('@');
+        let source = match input {
+            Some(name) => self.inputs.get(name).copied(),
+            None => self.places.get(said.value.as_str()).copied(),
         };
         if source.is_none() {
+            let (what, known): (_, Vec<&str>) = match input {
+                Some(_) => (
+                    "input",
+                    recipe
+                        .inputs
+                        .iter()
+                        .map(|i| i.name.value.as_str())
+                        .collect(),
+                ),
+                None => (
+                    "node",
+                    recipe.nodes.iter().map(|n| n.name.value.as_str()).collect(),
+                ),
+            };
             let mistake = Mistake::at(
                 &said.span,
                 unknown(what, said.value.trim_start_matches('@'), &known),

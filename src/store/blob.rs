@@ -1,6 +1,7 @@
 //! Blobs: bytes named by their hash, mapped into memory when read.
 
-use super::{Store, StoreError, files};
+use super::files::{self, Care};
+use super::{Store, StoreError};
 use stage::Hash;
 use std::fs::File;
 
@@ -15,11 +16,17 @@ impl std::ops::Deref for Blob {
 }
 
 impl Store {
-    /// Keeps bytes; returns their hash. Bytes that are there already are not written again.
-    pub fn keep(&self, bytes: &[u8]) -> Result<Hash, StoreError> {
+    /// Keeps bytes that took so long to make; returns their hash. Bytes that are there already
+    /// are not written again. \[s\]
+    pub fn keep(&self, bytes: &[u8], seconds: f64) -> Result<Hash, StoreError> {
         let hash = blake3::hash(bytes);
         if self.blob(hash).is_none() {
-            files::publish(&self.fresh()?, &self.place("cas", hash), bytes)?;
+            files::publish(
+                &self.fresh()?,
+                &self.place("cas", hash),
+                bytes,
+                Care::worth(seconds),
+            )?;
         }
         Ok(hash)
     }

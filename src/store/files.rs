@@ -6,6 +6,27 @@ use std::io::Write;
 use std::os::unix::fs::{DirBuilderExt, OpenOptionsExt};
 use std::path::Path;
 
+/// Whether a file must outlive a loss of power. A file that need not is found torn or missing
+/// after one, which is a miss; a sync costs some 10 ms, so what was made in less is not worth it.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Care {
+    /// Synced before it gets its name.
+    Durable,
+    /// Left to the system.
+    Cheap,
+}
+
+impl Care {
+    /// For what took so long to make. \[s\]
+    pub(super) fn worth(seconds: f64) -> Care {
+        if seconds < 0.2 {
+            Care::Cheap
+        } else {
+            Care::Durable
+        }
+    }
+}
+
 fn disk(path: &Path) -> impl FnOnce(std::io::Error) -> StoreError + '_ {
     move |why| StoreError::Disk {
         path: path.into(),
@@ -25,11 +46,8 @@ pub(super) fn folder(path: &Path) -> Result<(), StoreError> {
         .map_err(disk(path))
 }
 
-/// Writes a file under another name, syncs it, and renames it: whole or not at all. Mode 0600.
-pub(super) fn publish(tmp: &Path, path: &Path, bytes: &[u8]) -> Result<(), StoreError> {
-    if let Some(parent) = path.parent() {
-        folder(parent)?;
-    }
+/// Writes a file under another name and renames it: whole or not at all. Mode 0600.
+pub(super) fn publish(tmp: &Path, path: &Path, bytes: &[u8], care: Care) -> Result<(), StoreError> {
     let written = (|| {
         let mut file = OpenOptions::new()
             .write(true)
@@ -37,10 +55,25 @@ pub(super) fn publish(tmp: &Path, path: &Path, bytes: &[u8]) -> Result<(), Store
             .mode(0o600)
             .open(tmp)?;
         file.write_all(bytes)?;
-        file.sync_data()?;
-        fs::rename(tmp, path)?;
-        path.parent()
-            .map_or(Ok(()), |parent| File::open(parent)?.sync_all())
+        if care == Care::Durable {
+            file.sync_data()?;
+        }
+        drop(file);
+        if let Err(error) = fs::rename(tmp, path) {
+            // The folder of a new prefix is made when it is missed, which is rare.
+            let Some(parent) = path.parent().filter(|p| !p.is_dir()) else {
+                return Err(error);
+            };
+            fs::DirBuilder::new()
+                .recursive(true)
+                .mode(0o700)
+                .create(parent)?;
+            fs::rename(tmp, path)?;
+        }
+        match (care, path.parent()) {
+            (Care::Durable, Some(parent)) => File::open(parent)?.sync_all(),
+            _ => Ok(()),
+        }
     })();
     written.map_err(|why| {
         let _ = fs::remove_file(tmp);

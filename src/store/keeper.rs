@@ -101,6 +101,7 @@ pub fn gc(store: &Store, most: u64, keep_runs: usize, dry_run: bool) -> Vec<Kept
                 let _ = std::fs::remove_file(store.place("ac", key));
             }
         }
+        sweep(store);
         let left: BTreeSet<String> = list(store).into_iter().map(|k| k.content).collect();
         for path in shelf(store.root(), "cas") {
             if hash_of(&path).is_some_and(|h| !left.contains(h.to_hex().as_str())) {
@@ -109,6 +110,31 @@ pub fn gc(store: &Store, most: u64, keep_runs: usize, dry_run: bool) -> Vec<Kept
         }
     }
     gone
+}
+
+/// Removes what killed processes left: files that were being written, and leases nobody holds.
+fn sweep(store: &Store) {
+    let _ = std::fs::remove_file(store.root().join("index"));
+    let names = |folder: &str| {
+        let entries = std::fs::read_dir(store.root().join(folder))
+            .into_iter()
+            .flatten();
+        entries
+            .filter_map(|e| Some(e.ok()?.path()))
+            .collect::<Vec<_>>()
+    };
+    for path in names("tmp") {
+        // Files here begin with the number of the process that writes them.
+        let process = path.file_name().and_then(|n| n.to_str()?.split('-').next());
+        let alive = process.is_some_and(|id| Path::new("/proc").join(id).exists());
+        if !alive {
+            let _ = std::fs::remove_file(path);
+        }
+    }
+    for key in names("lease").iter().filter_map(|p| hash_of(p)) {
+        // Claimed and dropped: the file goes, unless somebody holds it.
+        drop(store.claim(key));
+    }
 }
 
 /// Reads every record and every blob; what is corrupt is put aside. Returns how many were.

@@ -5,31 +5,43 @@
 //! cas/ab/abcdef…        blobs, named by the hash of their bytes; never changed
 //! ac/ab/abcdef…         records by key: what was made, from what, how long it took
 //! part/ab/abcdef…       parts and checkpoints of unfinished work
+//! lease/…               held while a result is made; see `lease.rs`
 //! runs/…                one record a run
+//! index                 what was verified; see `index.rs`; may go at any time
 //! quarantine/…          what was found corrupt
 //! tmp/…                 what is being written
 //! ```
 //!
-//! A blob is written to `tmp`, synced, renamed; a record likewise, and after its blob. So a kill
-//! at any moment leaves whole files or litter in `tmp`. Nothing says "running", nothing is locked.
-//! What is read is verified; what is corrupt or missing is a miss.
+//! A blob is written to `tmp` and renamed; a record likewise, and after its blob. So a kill
+//! at any moment leaves whole files or litter in `tmp`. Nothing persisted says "running" or "locked".
+//! What is read is verified; what is corrupt or missing is a miss. What took long enough to be
+//! worth it is synced to the disk before it gets its name.
 
 mod blob;
 mod files;
+mod index;
 pub mod keeper;
+mod lease;
 mod part;
 mod record;
 
+pub use index::Found;
+pub use lease::{Claim, Lease};
 pub use record::Record;
+
+use files::Care;
+use index::Index;
 
 use stage::Hash;
 use std::path::{Path, PathBuf};
+use std::sync::Mutex;
 
 const FORMAT: &str = "tailor store 1\n";
 
 /// A store on disk.
 pub struct Store {
     root: PathBuf,
+    index: Mutex<Index>,
 }
 
 /// A store that cannot be used.
@@ -58,6 +70,7 @@ impl Store {
     pub fn open(root: &Path) -> Result<Store, StoreError> {
         let store = Store {
             root: root.to_owned(),
+            index: Mutex::new(Index::load(&root.join("index"))),
         };
         let mark = root.join("format");
         match std::fs::read_to_string(&mark) {
@@ -71,7 +84,7 @@ impl Store {
             }
             Err(_) => {
                 files::folder(root)?;
-                files::publish(&store.fresh()?, &mark, FORMAT.as_bytes())?;
+                files::publish(&store.fresh()?, &mark, FORMAT.as_bytes(), Care::Durable)?;
             }
         }
         Ok(store)
@@ -82,9 +95,10 @@ impl Store {
         &self.root
     }
 
-    /// Writes a file of the store by its name, over what was there.
+    /// Writes a file of the store by its name, over what was there. It is not synced: what lies
+    /// outside of the shelves is of use, but nothing depends on it.
     pub fn write(&self, name: &str, bytes: &[u8]) -> Result<(), StoreError> {
-        files::publish(&self.fresh()?, &self.root.join(name), bytes)
+        files::publish(&self.fresh()?, &self.root.join(name), bytes, Care::Cheap)
     }
 
     /// The file of a hash under a shelf: `cas/ab/abcdef…`.

@@ -1,6 +1,7 @@
 //! Parts and checkpoints of work that is not finished: found again after a kill.
 
-use super::{Store, StoreError, files};
+use super::files::{self, Care};
+use super::{Store, StoreError};
 use stage::Hash;
 
 impl Store {
@@ -8,7 +9,7 @@ impl Store {
     pub fn remember(&self, key: Hash, bytes: &[u8]) -> Result<(), StoreError> {
         let mut file = blake3::hash(bytes).as_bytes().to_vec();
         file.extend_from_slice(bytes);
-        files::publish(&self.fresh()?, &self.place("part", key), &file)
+        files::publish(&self.fresh()?, &self.place("part", key), &file, Care::Cheap)
     }
 
     /// What was remembered, if it is whole.

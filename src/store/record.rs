@@ -1,6 +1,7 @@
 //! Records: what was made under a key, from what, and how long it took.
 
-use super::{Store, StoreError, files};
+use super::files::{self, Care};
+use super::{Store, StoreError};
 use serde::{Deserialize, Serialize};
 use stage::{Hash, Metric};
 
@@ -65,7 +66,10 @@ impl Store {
             "{}\n{body}\n",
             blake3::hash(format!("{body}\n").as_bytes()).to_hex()
         );
-        files::publish(&self.fresh()?, &self.place("ac", key), file.as_bytes())
+        let (tmp, path) = (self.fresh()?, self.place("ac", key));
+        files::publish(&tmp, &path, file.as_bytes(), Care::worth(record.seconds))?;
+        self.note_made(key, record);
+        Ok(())
     }
 }
 

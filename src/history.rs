@@ -1,0 +1,239 @@
+//! The records of runs: one file a run, with provenance; a run that found all that an earlier one
+//! had is a line that says so.
+
+use crate::graph::{Bound, Graph};
+use crate::store::{Store, StoreError};
+use crate::walk::{Done, Fate};
+use serde::Serialize;
+use serde_json::{Value, json};
+use stage::Hash;
+use std::cell::RefCell;
+use std::collections::BTreeMap;
+use std::path::{Path, PathBuf};
+
+/// A run with its provenance, for `run.json` and the store.
+#[derive(Serialize)]
+pub(crate) struct RunRecord<'a> {
+    program: &'static str,
+    about: &'a str,
+    seconds: f64,
+    nodes: Vec<NodeRecord<'a>>,
+}
+
+#[derive(Serialize)]
+struct NodeRecord<'a> {
+    node: &'a str,
+    stage: &'static str,
+    version: u32,
+    fate: &'static str,
+    why: Option<&'a str>,
+    key: Option<String>,
+    content: Option<String>,
+    story: &'a [(String, String)],
+    seconds: f64,
+    bytes: u64,
+    metrics: Vec<MetricRecord<'a>>,
+    warnings: &'a [String],
+}
+
+#[derive(Serialize)]
+struct MetricRecord<'a> {
+    name: &'a str,
+    value: f64,
+    unit: &'a str,
+}
+
+const PROGRAM: &str = concat!("tailor ", env!("CARGO_PKG_VERSION"));
+
+/// The record of a run of so many seconds; `nodes` has one entry a node of the graph.
+pub(crate) fn record<'a>(
+    graph: &'a Graph,
+    nodes: &'a [Option<Done>],
+    seconds: f64,
+) -> RunRecord<'a> {
+    let hex = |hash: Option<Hash>| hash.map(|h| h.to_hex().to_string());
+    let node = |(done, node): (&'a Option<Done>, &'a Bound)| {
+        let done = done.as_ref()?;
+        let metric = |m: &'a stage::Metric| MetricRecord {
+            name: &m.name,
+            value: m.value,
+            unit: &m.unit,
+        };
+        Some(NodeRecord {
+            node: &node.name,
+            stage: node.stage.name(),
+            version: node.stage.version(),
+            fate: done.fate.word(),
+            why: match &done.fate {
+                Fate::Failed(why) => Some(why),
+                _ => None,
+            },
+            key: hex(done.key),
+            content: hex(done.content),
+            story: &done.story,
+            seconds: done.seconds,
+            bytes: done.bytes,
+            metrics: done.metrics.iter().map(metric).collect(),
+            warnings: &done.warnings,
+        })
+    };
+    RunRecord {
+        program: PROGRAM,
+        about: &graph.about,
+        seconds,
+        nodes: nodes.iter().zip(&graph.nodes).filter_map(node).collect(),
+    }
+}
+
+/// Writes a run down under an id. That it cannot be written is no fault of a run that made nothing,
+/// and hides no other fault.
+pub(crate) fn write(
+    store: &Store,
+    id: &str,
+    graph: &Graph,
+    nodes: &[Option<Done>],
+    seconds: f64,
+) -> Result<(), StoreError> {
+    let all_found = nodes.iter().flatten().all(|d| d.fate == Fate::Found);
+    let digest = digest(graph, nodes);
+    let last_file = store.root().join("last-run");
+    let last = all_found
+        .then(|| std::fs::read_to_string(last_file).ok())
+        .flatten();
+    let same = last
+        .as_deref()
+        .and_then(|text| text.trim().split_once(' '))
+        .filter(|(of, base)| *of == digest && run_file(store.root(), base).is_file());
+    let written = match same {
+        Some((_, base)) => {
+            let line = json!({ "program": PROGRAM, "seconds": seconds, "same_as": base });
+            store.write(&format!("runs/{id}.json"), line.to_string().as_bytes())
+        }
+        None => {
+            let bytes = serde_json::to_vec(&record(graph, nodes, seconds)).expect("bug: JSON");
+            store
+                .write(&format!("runs/{id}.json"), &bytes)
+                .and_then(|()| store.write("last-run", format!("{digest} {id}\n").as_bytes()))
+        }
+    };
+    let made = nodes.iter().flatten().any(|d| d.fate == Fate::Made);
+    let failed = nodes
+        .iter()
+        .flatten()
+        .any(|d| matches!(d.fate, Fate::Failed(_)));
+    if made && !failed { written } else { Ok(()) }
+}
+
+/// What was found or made, as one hash.
+fn digest(graph: &Graph, nodes: &[Option<Done>]) -> String {
+    let mut hasher = blake3::Hasher::new();
+    for (done, node) in nodes.iter().zip(&graph.nodes) {
+        let Some(done) = done else { continue };
+        hasher.update(&(node.name.len() as u64).to_le_bytes());
+        hasher.update(node.name.as_bytes());
+        for hash in [done.key, done.content] {
+            hasher.update(hash.as_ref().map_or(&[0; 32], |h| h.as_bytes()));
+        }
+    }
+    hasher.finalize().to_hex().to_string()
+}
+
+fn run_file(store: &Path, id: &str) -> PathBuf {
+    store.join("runs").join(format!("{id}.json"))
+}
+
+/// The ids of all runs, the newest first.
+fn ids(store: &Path) -> Vec<String> {
+    let entries = std::fs::read_dir(store.join("runs")).into_iter().flatten();
+    let id = |e: std::fs::DirEntry| Some(e.file_name().to_str()?.strip_suffix(".json")?.to_owned());
+    let mut ids: Vec<String> = entries.filter_map(|e| id(e.ok()?)).collect();
+    ids.sort_by(|a, b| b.cmp(a));
+    ids
+}
+
+fn load(store: &Path, id: &str) -> Option<Value> {
+    serde_json::from_slice(&std::fs::read(run_file(store, id)).ok()?).ok()
+}
+
+/// The records of earlier runs in a store, the newest first, with their ids.
+pub fn runs(store: &Path) -> Vec<(String, Value)> {
+    let mut bases: BTreeMap<String, Value> = BTreeMap::new();
+    let mut read = |id: String| {
+        let run = load(store, &id)?;
+        let Some(base) = run["same_as"].as_str() else {
+            return Some((id, run));
+        };
+        if !bases.contains_key(base) {
+            bases.insert(base.to_owned(), load(store, base)?);
+        }
+        let mut whole = bases[base].clone();
+        whole["seconds"] = run["seconds"].clone();
+        for node in whole["nodes"].as_array_mut()? {
+            node["fate"] = "found".into();
+        }
+        Some((id, whole))
+    };
+    ids(store).into_iter().filter_map(&mut read).collect()
+}
+
+/// Earlier runs, read one by one as far back as somebody asks.
+pub struct History {
+    store: PathBuf,
+    state: RefCell<Read>,
+}
+
+#[derive(Default)]
+struct Read {
+    left: Vec<String>,
+    /// Nodes with a result of each run that was read, the newest first.
+    runs: Vec<BTreeMap<String, Value>>,
+}
+
+/// As far back as it goes.
+const MOST_RUNS: usize = 64;
+
+impl History {
+    /// Of a store.
+    pub fn of(store: &Path) -> History {
+        let mut left = ids(store);
+        left.reverse();
+        let runs = vec![];
+        History {
+            store: store.into(),
+            state: RefCell::new(Read { left, runs }),
+        }
+    }
+
+    /// The node's entry in the newest run that has one with a result.
+    pub fn last(&self, node: &str) -> Option<Value> {
+        let mut state = self.state.borrow_mut();
+        let mut at = 0;
+        loop {
+            if at == state.runs.len() && !self.read_one(&mut state) {
+                return None;
+            }
+            if let Some(entry) = state.runs[at].get(node) {
+                return Some(entry.clone());
+            }
+            at += 1;
+        }
+    }
+
+    /// Reads one run further back.
+    fn read_one(&self, state: &mut Read) -> bool {
+        while let Some(id) = state.left.pop().filter(|_| state.runs.len() < MOST_RUNS) {
+            let Some(mut run) = load(&self.store, &id) else {
+                continue;
+            };
+            // A run that found all of an earlier one has nothing that the earlier one has not.
+            let Some(nodes) = run["nodes"].as_array_mut() else {
+                continue;
+            };
+            let named = |node: Value| Some((node["node"].as_str()?.to_owned(), node));
+            let with_result = nodes.drain(..).filter(|n| !n["content"].is_null());
+            state.runs.push(with_result.filter_map(named).collect());
+            return true;
+        }
+        false
+    }
+}

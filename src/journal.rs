@@ -1,0 +1,116 @@
+//! The event log of a run: one JSON object a line in `runs/ID.jsonl`, written as things happen.
+//!
+//! `{"t":1.25,"event":"started","node":"hull"}`, and likewise `waits`, `progress` (with `label`,
+//! `done`, `of`) and `done` (with `fate`, `seconds`, `bytes`, and `why` of a failure); `t` is in
+//! seconds from the start of the run. A run that makes nothing leaves no log.
+
+use crate::walk::{Done, Fate, Watch};
+use serde_json::{Value, json};
+use std::fs::File;
+use std::io::Write;
+use std::os::unix::fs::OpenOptionsExt;
+use std::path::PathBuf;
+use std::sync::Mutex;
+use std::time::Instant;
+
+/// Writes down what happens and passes it on.
+pub(crate) struct Journal<'a> {
+    listener: &'a dyn Watch,
+    path: PathBuf,
+    start: Instant,
+    log: Mutex<Log>,
+}
+
+#[derive(Default)]
+struct Log {
+    file: Option<File>,
+    /// Set when the file could not be made: a run is not worth less for it.
+    given_up: bool,
+    found: usize,
+    /// Time of the last progress that was written. \[s\]
+    told: f64,
+}
+
+impl<'a> Journal<'a> {
+    pub(crate) fn new(listener: &'a dyn Watch, path: PathBuf) -> Self {
+        Journal {
+            listener,
+            path,
+            start: Instant::now(),
+            log: Mutex::default(),
+        }
+    }
+
+    fn write(&self, log: &mut Log, event: &str, node: &str, more: Value) {
+        let t = (self.start.elapsed().as_secs_f64() * 1e6).round() / 1e6;
+        if log.file.is_none() && !log.given_up {
+            if let Some(folder) = self.path.parent() {
+                let _ = std::fs::create_dir_all(folder);
+            }
+            let open = File::options()
+                .create(true)
+                .append(true)
+                .mode(0o600)
+                .open(&self.path);
+            log.given_up = open.is_err();
+            log.file = open.ok();
+            let found = json!({ "t": t, "event": "found", "nodes": log.found });
+            log.line(&found);
+        }
+        let mut line = json!({ "t": t, "event": event, "node": node });
+        if let (Some(line), Value::Object(more)) = (line.as_object_mut(), more) {
+            line.extend(more);
+        }
+        log.line(&line);
+    }
+}
+
+impl Log {
+    fn line(&mut self, line: &Value) {
+        if let Some(file) = &mut self.file {
+            let _ = file.write_all(format!("{line}\n").as_bytes());
+        }
+    }
+}
+
+impl Watch for Journal<'_> {
+    fn started(&self, node: &str) {
+        let mut log = self.log.lock().expect("bug: poisoned");
+        self.write(&mut log, "started", node, Value::Null);
+        drop(log);
+        self.listener.started(node);
+    }
+
+    fn waits(&self, node: &str) {
+        self.listener.waits(node);
+    }
+
+    fn progress(&self, node: &str, label: &str, done: usize, of: usize) {
+        let mut log = self.log.lock().expect("bug: poisoned");
+        let t = self.start.elapsed().as_secs_f64();
+        if t - log.told > 0.2 || done == of {
+            log.told = t;
+            let more = json!({ "label": label, "done": done, "of": of });
+            self.write(&mut log, "progress", node, more);
+        }
+        drop(log);
+        self.listener.progress(node, label, done, of);
+    }
+
+    fn done(&self, node: &str, done: &Done) {
+        let mut log = self.log.lock().expect("bug: poisoned");
+        if done.fate == Fate::Found && log.file.is_none() {
+            log.found += 1;
+        } else {
+            let mut more = json!({
+                "fate": done.fate.word(), "seconds": done.seconds, "bytes": done.bytes,
+            });
+            if let Fate::Failed(why) = &done.fate {
+                more["why"] = why.as_str().into();
+            }
+            self.write(&mut log, "done", node, more);
+        }
+        drop(log);
+        self.listener.done(node, done);
+    }
+}

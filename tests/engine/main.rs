@@ -1,0 +1,8 @@
+//! The engine on toys: what runs and what does not, kills, faults, many processes, laws.
+
+mod cutoff;
+mod faults;
+mod laws;
+mod place;
+mod processes;
+pub mod toys;
