@@ -31,6 +31,14 @@ stage::inputs! {
     }
 }
 
+stage::params! {
+    /// Which copy it is.
+    pub struct Which {
+        /// Which copy it is: without it, a copy of a copy would be found, not made.
+        n: i64 = 0,
+    }
+}
+
 struct Load;
 impl Stage for Load {
     const NAME: &'static str = "bench.load";
@@ -51,10 +59,10 @@ impl Stage for Copy {
     const NAME: &'static str = "bench.copy";
     const VERSION: u32 = 1;
     const ABOUT: &'static str = "Copies.";
-    type Params = ();
+    type Params = Which;
     type Input = FromDocument;
     type Output = Document;
-    fn run(_: &(), input: FromDocument, _: &Ctx<'_>) -> Result<Document, Stop> {
+    fn run(_: &Which, input: FromDocument, _: &Ctx<'_>) -> Result<Document, Stop> {
         Ok((*input.text).clone())
     }
 }
@@ -81,6 +89,9 @@ fn write_graph(folder: &Path, width: usize) {
                 toml,
                 "[node.{name}]\nstage = \"bench.{verb}\"\nfrom = {{ {from} }}\n"
             );
+            if l > 0 {
+                let _ = writeln!(toml, "with = {{ n = {l} }}");
+            }
             let _ = writeln!(ninja, "build {name}: cat {before}");
             let _ = write!(make, "{name}: {before}\n\tcat $< > $@\n");
             from = format!("text = \"{name}\"");

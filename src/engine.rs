@@ -1,14 +1,14 @@
 //! The engine as a library: hash the inputs, walk, write the run down, read results.
 
 use crate::graph::Graph;
-use crate::history;
+use crate::history::{self, Told};
 use crate::journal::Journal;
-use crate::run_one::Surroundings;
+use crate::run_one::{Pool, Surroundings};
 use crate::source::{self, Memo, SourceError};
 use crate::store::{Store, StoreError};
 use crate::walk::{Done, Fate, Job, Watch, walk};
 use serde_json::Value;
-use stage::{AnyArtifact, Files};
+use stage::{AnyArtifact, Files, Hash};
 use std::collections::BTreeMap;
 use std::path::PathBuf;
 use std::sync::atomic::AtomicBool;
@@ -51,6 +51,8 @@ pub struct Outcome {
     pub nodes: Vec<Option<Done>>,
     /// The whole run took so long. \[s\]
     pub seconds: f64,
+    /// The content of each input.
+    inputs: Vec<Hash>,
     store: Store,
 }
 
@@ -94,8 +96,7 @@ pub fn run(
     let threads = threads(options);
     let id = format!("{:020}-{}", crate::clock::now_ns(), std::process::id());
     let journal = Journal::new(watch, store.root().join(format!("runs/{id}.jsonl")));
-    let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build();
-    let pool = pool.expect("bug: no threads");
+    let pool = Pool::new(threads);
     let around = Surroundings {
         store: &store,
         watch: &journal,
@@ -112,8 +113,16 @@ pub fn run(
     let nodes = walk(&job, &around);
     store.save_index();
     let seconds = start.elapsed().as_secs_f64();
-    history::write(&store, &id, graph, &nodes, seconds)?;
+    let inputs: Vec<Hash> = files.iter().map(stage::content).collect();
+    let told = Told {
+        graph,
+        nodes: &nodes,
+        inputs: &inputs,
+        seconds,
+    };
+    history::write(&store, &id, &told)?;
     Ok(Outcome {
+        inputs,
         nodes,
         seconds,
         store,
@@ -157,7 +166,12 @@ impl Outcome {
 
     /// The run with its provenance, for `run.json`.
     pub fn json(&self, graph: &Graph) -> Value {
-        let record = history::record(graph, &self.nodes, self.seconds);
-        serde_json::to_value(record).expect("bug: JSON")
+        let told = Told {
+            graph,
+            nodes: &self.nodes,
+            inputs: &self.inputs,
+            seconds: self.seconds,
+        };
+        serde_json::to_value(told.record()).expect("bug: JSON")
     }
 }

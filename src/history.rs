@@ -1,12 +1,14 @@
 //! The records of runs: one file a run, with provenance; a run that found all that an earlier one
 //! had is a line that says so.
 
-use crate::graph::{Bound, Graph};
+use crate::graph::{Bound, Graph, Source};
+use crate::key;
 use crate::store::{Store, StoreError};
 use crate::walk::{Done, Fate};
 use serde::Serialize;
 use serde_json::{Value, json};
 use stage::Hash;
+use std::borrow::Cow;
 use std::cell::RefCell;
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
@@ -29,7 +31,7 @@ struct NodeRecord<'a> {
     why: Option<&'a str>,
     key: Option<String>,
     content: Option<String>,
-    story: &'a [(String, String)],
+    story: Cow<'a, [(String, String)]>,
     seconds: f64,
     bytes: u64,
     metrics: Vec<MetricRecord<'a>>,
@@ -45,55 +47,81 @@ struct MetricRecord<'a> {
 
 const PROGRAM: &str = concat!("tailor ", env!("CARGO_PKG_VERSION"));
 
-/// The record of a run of so many seconds; `nodes` has one entry a node of the graph.
-pub(crate) fn record<'a>(
-    graph: &'a Graph,
-    nodes: &'a [Option<Done>],
-    seconds: f64,
-) -> RunRecord<'a> {
-    let hex = |hash: Option<Hash>| hash.map(|h| h.to_hex().to_string());
-    let node = |(done, node): (&'a Option<Done>, &'a Bound)| {
-        let done = done.as_ref()?;
-        let metric = |m: &'a stage::Metric| MetricRecord {
-            name: &m.name,
-            value: m.value,
-            unit: &m.unit,
+/// What a run came to.
+pub(crate) struct Told<'a> {
+    pub(crate) graph: &'a Graph,
+    /// One entry a node of the graph.
+    pub(crate) nodes: &'a [Option<Done>],
+    /// The content of each input.
+    pub(crate) inputs: &'a [Hash],
+    pub(crate) seconds: f64,
+}
+
+impl<'a> Told<'a> {
+    /// What a node's key was made of.
+    fn story(&self, node: &Bound, done: &'a Done) -> Cow<'a, [(String, String)]> {
+        if done.key.is_none() || !done.story.is_empty() {
+            return Cow::Borrowed(&done.story);
+        }
+        let content = |source: &Option<Source>| match source.as_ref()? {
+            Source::Input(i) => Some(self.inputs[*i]),
+            Source::Node(j) => self.nodes[*j].as_ref()?.content,
         };
-        Some(NodeRecord {
-            node: &node.name,
-            stage: node.stage.name(),
-            version: node.stage.version(),
-            fate: done.fate.word(),
-            why: match &done.fate {
-                Fate::Failed(why) => Some(why),
-                _ => None,
-            },
-            key: hex(done.key),
-            content: hex(done.content),
-            story: &done.story,
-            seconds: done.seconds,
-            bytes: done.bytes,
-            metrics: done.metrics.iter().map(metric).collect(),
-            warnings: &done.warnings,
-        })
-    };
-    RunRecord {
-        program: PROGRAM,
-        about: &graph.about,
-        seconds,
-        nodes: nodes.iter().zip(&graph.nodes).filter_map(node).collect(),
+        let contents: Vec<Option<Hash>> = node.from.iter().map(content).collect();
+        Cow::Owned(key::story(node, &contents).0)
+    }
+
+    /// As it is written down.
+    pub(crate) fn record(&self) -> RunRecord<'a> {
+        let hex = |hash: Option<Hash>| hash.map(|h| h.to_hex().to_string());
+        let node = |(done, node): (&'a Option<Done>, &'a Bound)| {
+            let done = done.as_ref()?;
+            let metric = |m: &'a stage::Metric| MetricRecord {
+                name: &m.name,
+                value: m.value,
+                unit: &m.unit,
+            };
+            Some(NodeRecord {
+                node: &node.name,
+                stage: node.stage.name(),
+                version: node.stage.version(),
+                fate: done.fate.word(),
+                why: match &done.fate {
+                    Fate::Failed(why) => Some(why),
+                    _ => None,
+                },
+                key: hex(done.key),
+                content: hex(done.content),
+                story: self.story(node, done),
+                seconds: done.seconds,
+                bytes: done.bytes,
+                metrics: done.metrics.iter().map(metric).collect(),
+                warnings: &done.warnings,
+            })
+        };
+        RunRecord {
+            program: PROGRAM,
+            about: &self.graph.about,
+            seconds: self.seconds,
+            nodes: self
+                .nodes
+                .iter()
+                .zip(&self.graph.nodes)
+                .filter_map(node)
+                .collect(),
+        }
     }
 }
 
 /// Writes a run down under an id. That it cannot be written is no fault of a run that made nothing,
 /// and hides no other fault.
-pub(crate) fn write(
-    store: &Store,
-    id: &str,
-    graph: &Graph,
-    nodes: &[Option<Done>],
-    seconds: f64,
-) -> Result<(), StoreError> {
+pub(crate) fn write(store: &Store, id: &str, told: &Told<'_>) -> Result<(), StoreError> {
+    let Told {
+        graph,
+        nodes,
+        seconds,
+        ..
+    } = *told;
     let all_found = nodes.iter().flatten().all(|d| d.fate == Fate::Found);
     let digest = digest(graph, nodes);
     let last_file = store.root().join("last-run");
@@ -110,7 +138,7 @@ pub(crate) fn write(
             store.write(&format!("runs/{id}.json"), line.to_string().as_bytes())
         }
         None => {
-            let bytes = serde_json::to_vec(&record(graph, nodes, seconds)).expect("bug: JSON");
+            let bytes = serde_json::to_vec(&told.record()).expect("bug: JSON");
             store
                 .write(&format!("runs/{id}.json"), &bytes)
                 .and_then(|()| store.write("last-run", format!("{digest} {id}\n").as_bytes()))

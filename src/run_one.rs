@@ -6,8 +6,8 @@ use crate::store::{Claim, Record, Store};
 use crate::walk::{Done, Fate, Job, Watch};
 use stage::{AnyArtifact, Ctx, Hash, Host, Metric, Stop};
 use std::panic::AssertUnwindSafe;
-use std::sync::Mutex;
 use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::{Mutex, OnceLock};
 use std::time::Instant;
 
 /// What a walk happens in.
@@ -19,7 +19,28 @@ pub struct Surroundings<'a> {
     /// Set when the user asks to stop.
     pub cancel: &'a AtomicBool,
     /// The threads that stages share.
-    pub pool: &'a rayon::ThreadPool,
+    pub pool: &'a Pool,
+}
+
+/// Threads that are there once somebody needs them.
+pub struct Pool {
+    threads: usize,
+    pool: OnceLock<rayon::ThreadPool>,
+}
+
+impl Pool {
+    /// So many threads.
+    pub fn new(threads: usize) -> Pool {
+        let pool = OnceLock::new();
+        Pool { threads, pool }
+    }
+
+    fn get(&self) -> &rayon::ThreadPool {
+        self.pool.get_or_init(|| {
+            let pool = rayon::ThreadPoolBuilder::new().num_threads(self.threads);
+            pool.build().expect("bug: no threads")
+        })
+    }
 }
 
 impl Surroundings<'_> {
@@ -79,18 +100,9 @@ pub(crate) fn find(
     there: bool,
     store: &Store,
 ) -> Option<Done> {
-    let story = key::story(&job.graph.nodes[node], inputs);
-    let key = story.key();
+    let key = key::key(&job.graph.nodes[node], inputs);
     let found = store.found(key).filter(|f| f.present || !there)?;
-    let story = story.0;
-    Some(done(
-        Fate::Found,
-        key,
-        Record {
-            story,
-            ..found.record
-        },
-    ))
+    Some(done(Fate::Found, key, found.record))
 }
 
 /// Finds or makes a node's result; hands on the artifact if it was made.
@@ -150,6 +162,7 @@ fn make(
     let run = || {
         around
             .pool
+            .get()
             .install(|| bound.stage.run(&bound.params, artifacts, &ctx))
     };
     let made = match std::panic::catch_unwind(AssertUnwindSafe(run)) {

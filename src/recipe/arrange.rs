@@ -50,7 +50,7 @@ impl Binder<'_> {
 /// The graph with its nodes in topological order.
 pub(super) fn arranged(
     recipe: &Recipe,
-    nodes: Vec<Bound>,
+    mut nodes: Vec<Option<Bound>>,
     goal: &[usize],
     order: &[usize],
 ) -> Graph {
@@ -64,19 +64,18 @@ pub(super) fn arranged(
         other => *other,
     };
     let arrange = |old: &usize| {
-        let node = &nodes[*old];
-        Bound {
-            from: node.from.iter().map(moved).collect(),
-            ..node.clone()
-        }
+        let mut node = nodes[*old].take()?;
+        node.from = node.from.iter().map(moved).collect();
+        Some(node)
     };
+    let arranged = order.iter().filter_map(arrange).collect();
     let input = |i: &super::Input| InputDecl {
         name: i.name.value.clone(),
         about: i.about.clone(),
         files: i.files.clone(),
     };
     Graph {
-        nodes: order.iter().map(arrange).collect(),
+        nodes: arranged,
         inputs: recipe.inputs.iter().map(input).collect(),
         goal: goal.iter().map(|g| place[*g]).collect(),
         about: recipe.about.clone(),

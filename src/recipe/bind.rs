@@ -48,12 +48,7 @@ pub fn bind(
     if !binder.mistakes.is_empty() {
         return Err(binder.mistakes);
     }
-    Ok(arranged(
-        recipe,
-        bound.into_iter().flatten().collect(),
-        &goal,
-        &order,
-    ))
+    Ok(arranged(recipe, bound, &goal, &order))
 }
 
 /// A recipe on its way to a graph, and what is wrong with it.

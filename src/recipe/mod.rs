@@ -18,6 +18,7 @@ pub use variant::{parse_value, vary};
 
 use crate::graph::Graph;
 use stage::{AnyStage, Value};
+use std::borrow::Cow;
 use std::ops::Range;
 use std::path::Path;
 
@@ -181,7 +182,11 @@ pub fn open_text(
     find: &dyn Fn(&str) -> Option<&'static dyn AnyStage>,
 ) -> Result<Graph, Mistakes> {
     let recipe = read(text).map_err(|m| Mistakes::new(name, text, m))?;
-    let varied = vary(&recipe, overrides).map_err(|m| Mistakes::new(name, text, m))?;
+    let as_it_is = recipe.variants.is_empty() && overrides.variant.is_none();
+    let varied = match as_it_is && overrides.sets.is_empty() {
+        true => Cow::Borrowed(&recipe),
+        false => Cow::Owned(vary(&recipe, overrides).map_err(|m| Mistakes::new(name, text, m))?),
+    };
     sweeps::check(&recipe, find).map_err(|m| Mistakes::new(name, text, m))?;
     let strict = overrides.variant.is_none();
     bind(&varied, find, strict).map_err(|m| Mistakes::new(name, text, m))
