@@ -1,6 +1,5 @@
 //! How a body stands: its height, which way it faces, where legs join, where the neck is narrow.
 
-use crate::section::centre;
 use crate::slices::{Ring, Slice, rings, slices};
 use nalgebra::{Point3, Vector3};
 use shape::{Mesh, Plane};
@@ -14,6 +13,8 @@ pub struct Body {
     pub stature: f64,
     /// The way it faces: horizontal, unit.
     pub front: Vector3<f64>,
+    /// Whether feet tell the way it faces; else it is called -y.
+    pub front_is_sure: bool,
     /// Its left.
     pub left: Vector3<f64>,
     /// Where the legs join. \[mm\] `None` without two legs.
@@ -58,6 +59,7 @@ pub fn body(mesh: &Mesh, ground: f64) -> Option<Body> {
         stature,
         front: -Vector3::y(),
         left: Vector3::x(),
+        front_is_sure: false,
         crotch: None,
         neck: None,
         slices,
@@ -66,6 +68,7 @@ pub fn body(mesh: &Mesh, ground: f64) -> Option<Body> {
     body.neck = neck(&body);
     if let Some(front) = facing(&body) {
         body.front = front;
+        body.front_is_sure = true;
         body.left = Vector3::z().cross(&front);
     }
     Some(body)
@@ -95,25 +98,24 @@ fn crotch(body: &Body) -> Option<f64> {
     Some(top)
 }
 
-/// The narrowest ring between the widest of the head and the shoulders.
+/// The narrowest ring between head and shoulders: from the crown down, the least after the head's
+/// widest and before the tape is three tenths longer again.
 fn neck(body: &Body) -> Option<f64> {
-    let from = body.ground + 0.72 * body.stature;
-    let upper: Vec<(f64, f64)> = body
-        .between(from, body.ground + 0.995 * body.stature)
-        .filter_map(|s| Some((s.z, s.rings.first()?.tape)))
-        .collect();
-    let head = upper
-        .iter()
-        .filter(|(z, _)| *z > body.ground + 0.86 * body.stature)
-        .max_by(|a, b| a.1.total_cmp(&b.1))?;
-    let below = upper.iter().filter(|(z, _)| *z < head.0);
-    let narrow = below.min_by(|a, b| a.1.total_cmp(&b.1))?;
-    let shoulders = upper
-        .iter()
-        .filter(|(z, _)| *z < narrow.0)
-        .map(|u| u.1)
-        .fold(0.0, f64::max);
-    (narrow.1 < 0.92 * head.1 && shoulders > 1.4 * narrow.1).then_some(narrow.0)
+    let (mut head, mut narrow) = (0.0f64, (0.0, f64::MAX));
+    let low = body.ground + 0.6 * body.stature;
+    for slice in body.slices.iter().rev().take_while(|s| s.z > low) {
+        let Some(ring) = slice.rings.first() else {
+            continue;
+        };
+        if ring.tape > head && narrow.1 > 0.985 * head {
+            (head, narrow) = (ring.tape, (0.0, f64::MAX));
+        } else if ring.tape < narrow.1 {
+            narrow = (slice.z, ring.tape);
+        } else if narrow.1 < 0.985 * head && ring.tape > 1.3 * narrow.1 {
+            return Some(narrow.0);
+        }
+    }
+    None
 }
 
 /// Feet point forward of the ankles.
@@ -134,60 +136,6 @@ fn facing(body: &Body) -> Option<Vector3<f64>> {
     let mut ahead = mean(0.008, 0.025)? - mean(0.06, 0.09)?;
     ahead.z = 0.0;
     (ahead.norm() > 0.004 * body.stature).then(|| ahead.normalize())
-}
-
-/// The upper arm: a plane across it amid shoulder and elbow, from the arm's axis below the armpit.
-pub struct Arm {
-    /// The plane, its normal down the arm.
-    pub plane: Plane,
-    /// Direction down the arm.
-    pub axis: Vector3<f64>,
-}
-
-/// The arm on a side (1 left, -1 right), where it stands clear of the trunk; `z` is the height of
-/// the middle of the upper arm. \[mm\]
-pub fn arm(mesh: &Mesh, body: &Body, side: f64, z: f64) -> Option<Arm> {
-    let low = body.ground + 0.5 * (z - body.ground);
-    let apart: Vec<Point3<f64>> = body
-        .between(low, z)
-        .filter_map(|s| {
-            let trunk = s.rings.first()?;
-            let is = |r: &&Ring| {
-                (r.centre - trunk.centre).dot(&body.left) * side > 0.0 && r.area < 0.35 * trunk.area
-            };
-            let outer = |r: &Ring| (r.centre - trunk.centre).dot(&body.left) * side;
-            s.rings[1..]
-                .iter()
-                .filter(is)
-                .max_by(|a, b| outer(a).total_cmp(&outer(b)))
-                .map(|r| r.centre)
-        })
-        .collect();
-    let top = apart.iter().map(|p| p.z).fold(f64::MIN, f64::max);
-    // The forearm may be bent: only the upper part of what stands clear tells the axis.
-    let reach = 0.10 * body.stature;
-    let upper: Vec<&Point3<f64>> = apart.iter().filter(|p| p.z > top - reach).collect();
-    if upper.len() < 8 {
-        return None;
-    }
-    let mean = upper.iter().map(|p| p.coords).sum::<Vector3<f64>>() / upper.len() as f64;
-    let slope = upper
-        .iter()
-        .map(|p| (p.coords - mean) * (p.z - mean.z))
-        .sum::<Vector3<f64>>();
-    let axis = -(slope / slope.z).normalize();
-    let middle = Point3::from(mean + axis * ((z - mean.z) / axis.z));
-    let plane = Plane {
-        point_mm: middle.into(),
-        normal: axis.into(),
-    };
-    // Centred on the ring itself.
-    let ring = nearest_ring(mesh, &plane)?;
-    let plane = Plane {
-        point_mm: centre(&ring.curve).into(),
-        ..plane
-    };
-    Some(Arm { plane, axis })
 }
 
 /// The ring of a plane whose middle is nearest to the plane's point.

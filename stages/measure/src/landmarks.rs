@@ -1,13 +1,14 @@
 //! The stage that finds where to measure, without a statistical body model.
 
 mod limbs;
-mod neck;
+pub(crate) mod neck;
 
 use crate::body::{Body, body};
-use crate::slices::{Ring, Slice, level, rings, without_arms};
+use crate::levels;
+use crate::marks::{Marks, hip, marks};
+use crate::slices::level;
 use limbs::{legs, parts, upper_arm};
-use nalgebra::{Point3, Vector3};
-use neck::neck_plane;
+use nalgebra::Point3;
 use shape::{Cameras, Landmark, Landmarks, Mesh, Missing, Part, Plane};
 use stage::{Ctx, Stage, Stop};
 use std::sync::Arc;
@@ -55,16 +56,10 @@ pub struct NoBody;
 /// `measure.landmarks`: mesh → landmarks.
 pub struct FindLandmarks;
 
-/// Heights of levels that no shape marks on every body, as shares of the height of the narrowest of
-/// the neck, which hardly depend on age and build: infant, heavy man and slim woman agree to 0.01.
-const WAIST: f64 = 0.695;
-const CHEST: f64 = 0.849;
-const UPPER_ARM: f64 = 0.844;
-
 impl Stage for FindLandmarks {
     const NAME: &'static str = "measure.landmarks";
-    const VERSION: u32 = 1;
-    const ABOUT: &'static str = "Finds neck, chest, waist, hip, arms and legs by how slices join and split, and by proportion.";
+    const VERSION: u32 = 2;
+    const ABOUT: &'static str = "Finds neck, chest, waist, hip, arms and legs from marks on the outline: buttocks, hollow of the back, bust, shoulders, throat, jaw.";
     type Params = LandmarkParams;
     type Input = LandmarkInput;
     type Output = Landmarks;
@@ -86,19 +81,16 @@ impl Stage for FindLandmarks {
         }
         let front = ("front".to_owned(), body.front.into());
         found.points.push(front);
-        hip(&body, &mut found);
-        match body.neck {
-            Some(neck) => above(p, mesh, &body, neck - ground, &mut found),
-            None => {
-                for name in ["NC", "CC", "WC", "AC_L", "AC_R"] {
-                    let why = "no neck was found between head and shoulders, and heights are told from it";
-                    found.missing.push(Missing {
-                        name: name.into(),
-                        why: why.into(),
-                    });
-                }
-            }
+        if !body.front_is_sure {
+            ctx.warn(
+                "no feet tell which way the body faces, so the hip's and the neck's levels may be wrong: \
+                 do shoes or a long coat hide them?",
+            );
         }
+        let marks = marks(&body);
+        trunk(p, &body, marks.as_ref(), &mut found);
+        across_neck(p, mesh, &body, marks.as_ref(), &mut found);
+        arms(mesh, &body, marks.as_ref(), &mut found);
         legs(&body, &mut found);
         found.parts = parts(mesh, &body);
         found
@@ -129,139 +121,131 @@ fn across(body: &Body, z: f64) -> Plane {
     }
 }
 
-/// The hip: where the buttocks reach farthest back, above the crotch.
-fn hip(body: &Body, found: &mut Landmarks) {
-    let Some(crotch) = body.crotch else {
-        let why = "no two legs were found, so nothing tells where the hip is".into();
-        found.missing.push(Missing {
-            name: "HC".into(),
-            why,
-        });
-        return;
-    };
-    let back = |s: &Slice| {
-        let points = &s.rings.first()?.curve;
-        points
-            .iter()
-            .map(|p| -p.coords.dot(&body.front))
-            .reduce(f64::max)
-    };
-    let range = body.between(crotch - 0.01 * body.stature, crotch + 0.16 * body.stature);
-    let reach: Vec<(f64, f64)> = range.filter_map(|s| Some((s.z, back(s)?))).collect();
-    // Smoothed over five slices: a hull's facets jump.
-    let smooth = |i: usize| {
-        let near = &reach[i.saturating_sub(2)..(i + 3).min(reach.len())];
-        near.iter().map(|r| r.1).sum::<f64>() / near.len() as f64
-    };
-    let most = (0..reach.len()).max_by(|a, b| smooth(*a).total_cmp(&smooth(*b)));
-    let Some(most) = most else { return };
-    let text = "hip: horizontal, at the greatest prominence of the buttocks (ISO 8559-1 5.3.13)";
-    found.found.push(landmark(
-        "HC",
-        "hip",
-        text,
-        across(body, reach[most].0),
-        Part::Trunk,
-    ));
+fn missing(name: &str, why: &str) -> Missing {
+    let (name, why) = (name.into(), why.into());
+    Missing { name, why }
 }
 
-/// Waist, chest, neck and upper arms, whose heights follow from the neck's.
-fn above(p: &LandmarkParams, mesh: &Mesh, body: &Body, neck: f64, found: &mut Landmarks) {
-    let at = |share: f64| body.ground + share * neck;
-    let narrowest = narrowest(body, at(WAIST - 0.06), at(WAIST + 0.05));
-    let (z, text) = match p.waist {
-        Waist::Natural => (
-            at(WAIST),
-            "waist: horizontal, natural waist between lowest rib and hip bone (ISO 8559-1 5.3.10)",
-        ),
-        Waist::Narrowest => (
-            narrowest.unwrap_or(at(WAIST)),
-            "waist: horizontal, the narrowest of the trunk (ISAK)",
-        ),
-        Waist::Navel => (
-            at(WAIST - 0.02),
-            "waist: horizontal, at the navel's height (MESA)",
-        ),
-        Waist::HipBone => (
-            at(WAIST - 0.035),
-            "waist: horizontal, top of the hip bone (NIH)",
-        ),
-    };
-    found
-        .found
-        .push(landmark("WC", "waist", text, across(body, z), Part::Trunk));
-    let z = at(CHEST);
-    let arms_off = body.trunk(z).is_some_and(|r| {
-        let own = |v: Vector3<f64>| [v.x, v.y];
-        !merged(body, z) || without_arms(r, own(body.left), own(body.front)).is_some()
-    });
-    if arms_off {
-        let text = "chest: horizontal at the nipples' height, trunk only (ISO 8559-1 5.3.4)";
+/// Hip, waist and chest.
+fn trunk(p: &LandmarkParams, body: &Body, marks: Option<&Marks>, found: &mut Landmarks) {
+    let mut add = |name: &str, label: &str, z: f64, text: &str| {
+        let plane = across(body, z);
         found
             .found
-            .push(landmark("CC", "chest", text, across(body, z), Part::Trunk));
-    } else {
-        let why = "arms and trunk are one on the surface there, without folds to part them: hold the arms farther away";
-        found.missing.push(Missing {
-            name: "CC".into(),
-            why: why.into(),
-        });
+            .push(landmark(name, label, text, plane, Part::Trunk));
+    };
+    let lowest = body.crotch.and_then(|crotch| hip(body, crotch));
+    if let Some(z) = lowest {
+        let text =
+            "hip: horizontal, at the greatest prominence of the buttocks (ISO 8559-1 5.3.13)";
+        add("HC", "hip", z, text);
     }
-    neck_plane(p, mesh, body, found);
+    if let Some(m) = marks {
+        let (z, text) = waist(p.waist, body, m);
+        add("WC", "waist", z, text);
+        let z = body.ground + levels::chest(m, body.stature);
+        let text = "chest: horizontal at the nipples' height, trunk only (ISO 8559-1 5.3.4)";
+        add("CC", "chest", z, text);
+    }
+    let why = match (body.crotch, body.neck) {
+        (None, _) => {
+            "no two legs were found, and levels are told from where they join: does a coat or a skirt hide them?"
+        }
+        (_, None) => {
+            "no neck was found between head and shoulders, and levels are told from it: does hair or a collar hide it?"
+        }
+        _ => "trunk and legs are not those of an upright body",
+    };
+    if lowest.is_none() {
+        found.missing.push(missing("HC", why));
+    }
+    if marks.is_none() {
+        found.missing.push(missing("WC", why));
+        found.missing.push(missing("CC", why));
+    }
+}
+
+/// The waist's height and what it is called.
+fn waist(which: Waist, body: &Body, m: &Marks) -> (f64, &'static str) {
+    let natural = body.ground + levels::waist(m, body.stature);
+    match which {
+        Waist::Natural => (
+            natural,
+            "waist: horizontal, amid lowest rib and hip bone (ISO 8559-1 5.3.10, WHO)",
+        ),
+        Waist::Narrowest => match narrowest(body, m) {
+            Some(z) => (z, "waist: horizontal, the narrowest of the trunk (ISAK)"),
+            None => (
+                natural,
+                "waist: horizontal, amid lowest rib and hip bone, as ISAK has it where nothing is narrowest",
+            ),
+        },
+        Waist::Navel => (
+            natural - 0.017 * body.stature,
+            "waist: horizontal, at the navel's usual height (MESA)",
+        ),
+        Waist::HipBone => (
+            natural - 0.030 * body.stature,
+            "waist: horizontal, at the usual height of the top of the hip bone (NIH)",
+        ),
+    }
+}
+
+/// The neck, across its axis.
+fn across_neck(
+    p: &LandmarkParams,
+    mesh: &Mesh,
+    body: &Body,
+    marks: Option<&Marks>,
+    found: &mut Landmarks,
+) {
+    let lean = p.neck_lean_deg.to_radians();
+    let plane = neck::throat(mesh, body, lean).and_then(|throat| {
+        let plane = throat.plane(levels::neck(&throat, marks));
+        let ring = neck::neck_ring(mesh, body, &plane)?;
+        Some(Plane {
+            point_mm: ring.centre.into(),
+            ..plane
+        })
+    });
+    match plane {
+        Some(plane) => {
+            let text = "neck: across its axis, amid its height (ISO 8559-1 5.3.2)";
+            found
+                .found
+                .push(landmark("NC", "neck", text, plane, Part::Head));
+        }
+        None => found.missing.push(missing(
+            "NC",
+            "no neck was found between head and shoulders: does hair or a collar hide it?",
+        )),
+    }
+}
+
+/// Both upper arms.
+fn arms(mesh: &Mesh, body: &Body, marks: Option<&Marks>, found: &mut Landmarks) {
     for (name, label, side, part) in [
         ("AC_L", "upper arm, left", 1.0, Part::ArmLeft),
         ("AC_R", "upper arm, right", -1.0, Part::ArmRight),
     ] {
         let text = "upper arm: across the arm, amid shoulder and elbow (ISO 8559-1 5.3.16)";
-        match upper_arm(mesh, body, side, at(UPPER_ARM)) {
+        match marks.and_then(|m| upper_arm(mesh, body, side, m)) {
             Some(plane) => found.found.push(landmark(name, label, text, plane, part)),
-            None => {
-                let why = "this arm does not stand clear of the trunk on the surface: hold it farther away";
-                found.missing.push(Missing {
-                    name: name.into(),
-                    why: why.into(),
-                });
-            }
+            None => found.missing.push(missing(
+                name,
+                "this arm does not stand clear of the trunk on the surface: hold it farther away",
+            )),
         }
     }
 }
 
-/// Whether trunk and arms are one ring at a height: no smaller rings stand beside it.
-pub(crate) fn merged(body: &Body, z: f64) -> bool {
-    let Some(slice) = body.slice(z) else {
-        return false;
-    };
-    let Some(trunk) = slice.rings.first() else {
-        return false;
-    };
-    let beside = |side: f64| {
-        slice.rings[1..]
-            .iter()
-            .any(|r| (r.centre - trunk.centre).dot(&body.left) * side > 0.0)
-    };
-    !(beside(1.0) && beside(-1.0))
-}
-
-/// The height of a true minimum of the trunk's tape between two heights.
-fn narrowest(body: &Body, low: f64, high: f64) -> Option<f64> {
+/// The height of a true minimum of the trunk's tape between hip and bust.
+fn narrowest(body: &Body, m: &Marks) -> Option<f64> {
     let tapes: Vec<(f64, f64)> = body
-        .between(low, high)
+        .between(body.ground + m.hip, body.ground + m.bust)
         .filter_map(|s| Some((s.z, s.rings.first()?.tape)))
         .collect();
     let least = tapes.iter().min_by(|a, b| a.1.total_cmp(&b.1))?;
     let ends = tapes.first()?.1.min(tapes.last()?.1);
     (least.1 < 0.99 * ends).then_some(least.0)
-}
-
-/// The ring of a landmark on a mesh: for the trunk the largest, else the one whose middle is the
-/// plane's point; of several there, the largest.
-pub(crate) fn ring_of(mesh: &Mesh, landmark: &Landmark) -> Option<Ring> {
-    let all = rings(mesh, &landmark.plane);
-    if landmark.part == Part::Trunk {
-        return all.into_iter().next();
-    }
-    let p = Point3::from(landmark.plane.point_mm);
-    let far = |r: &Ring| (r.centre - p).norm();
-    let least = all.iter().map(far).fold(f64::MAX, f64::min);
-    all.into_iter().find(|r| far(r) <= least + 3.0)
 }

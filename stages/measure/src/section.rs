@@ -127,7 +127,7 @@ pub fn tape(points: &[[f64; 2]]) -> f64 {
     length(&hull(points))
 }
 
-/// Mean of a curve's points, weighted by length. \[mm\]
+/// Mean of a curve's points, weighted by length; the origin for a curve without points. \[mm\]
 pub fn centre(curve: &[Point3<f64>]) -> Point3<f64> {
     let n = curve.len();
     let (mut sum, mut total) = (Vector3::zeros(), 0.0);
@@ -140,6 +140,6 @@ pub fn centre(curve: &[Point3<f64>]) -> Point3<f64> {
     Point3::from(if total > 0.0 {
         sum / total
     } else {
-        curve[0].coords
+        curve.first().map_or(Vector3::zeros(), |p| p.coords)
     })
 }

@@ -1,39 +1,31 @@
 //! Landmarks on arms and legs, and the part of each vertex.
 
 use super::landmark;
-use crate::body::{Body, arm, nearest_ring};
+use crate::arms::upper_arm_axis;
+use crate::body::{Body, nearest_ring};
+use crate::levels;
+use crate::marks::Marks;
 use crate::slices::{Ring, Slice, level};
 use nalgebra::Point3;
 use shape::{Landmarks, Mesh, Part, Plane};
 
-/// The plane across an upper arm; moved down the arm, by a quarter of it at most, until the arm
-/// stands clear.
-pub(super) fn upper_arm(mesh: &Mesh, body: &Body, side: f64, z: f64) -> Option<Plane> {
-    let found = arm(mesh, body, side, z)?;
-    let step = 0.004 * body.stature;
-    let ring_at = |k: i32| {
-        let point = Point3::from(found.plane.point_mm) + found.axis * (f64::from(k) * step);
-        let plane = Plane {
-            point_mm: point.into(),
-            normal: found.axis.into(),
-        };
-        nearest_ring(mesh, &plane).map(|r| (plane, r))
+/// The plane across an upper arm amid shoulder and elbow, from the arm's axis below the armpit.
+pub(super) fn upper_arm(mesh: &Mesh, body: &Body, side: f64, marks: &Marks) -> Option<Plane> {
+    let axis = upper_arm_axis(body, side, body.ground + marks.hip)?;
+    let z = body.ground + levels::upper_arm(marks, body.stature);
+    let plane = Plane {
+        point_mm: axis.at(z).into(),
+        normal: axis.down.into(),
     };
-    // Well below the armpit the arm is surely clear: a clear ring is not much larger than there.
-    let (_, below) = ring_at(16)?;
-    let trunk = body.trunk(z - 0.15 * body.stature)?.area;
-    if below.area > 0.25 * trunk {
-        return None;
+    // Centred on the ring itself, where that is the arm's alone.
+    let ring = nearest_ring(mesh, &plane)?;
+    let off = (ring.centre - axis.at(z)).norm();
+    if off > 0.02 * body.stature {
+        return Some(plane);
     }
-    let clear = (0..12).filter_map(ring_at).find(|(plane, ring)| {
-        let near = (ring.centre - Point3::from(plane.point_mm)).norm();
-        // An arm is nearly round; an arm with a fold of the trunk is not.
-        let round = 4.0 * std::f64::consts::PI * ring.area / (ring.tape * ring.tape);
-        ring.area < 1.5 * below.area && round > 0.92 && near < 0.05 * body.stature
-    })?;
     Some(Plane {
-        point_mm: clear.1.centre.into(),
-        ..clear.0
+        point_mm: ring.centre.into(),
+        ..plane
     })
 }
 

@@ -1,0 +1,61 @@
+//! Arms told from the trunk: where they stand clear, their axes, and cuts where they do not.
+
+use crate::body::Body;
+use crate::slices::Ring;
+use nalgebra::{Point3, Vector3};
+
+/// The ring of an arm in a slice, on a side (1 left, -1 right), where it stands clear of the trunk.
+pub fn arm_ring<'a>(body: &Body, rings: &'a [Ring], side: f64) -> Option<&'a Ring> {
+    let trunk = rings.first()?;
+    let out = |r: &Ring| (r.centre - trunk.centre).dot(&body.left) * side;
+    rings[1..]
+        .iter()
+        .filter(|r| out(r) > 0.0 && r.area < 0.35 * trunk.area)
+        .max_by(|a, b| out(a).total_cmp(&out(b)))
+}
+
+/// Middles of an arm's level sections above a height, where it stands clear of the trunk. \[mm\]
+pub fn clear(body: &Body, side: f64, above: f64) -> Vec<Point3<f64>> {
+    body.between(above, f64::MAX)
+        .take_while(|s| body.neck.is_none_or(|n| s.z < n))
+        .filter_map(|s| arm_ring(body, &s.rings, side).map(|r| r.centre))
+        .collect()
+}
+
+/// A straight line: a point and a unit direction, here down a limb.
+#[derive(Debug, Clone, Copy)]
+pub struct Axis {
+    /// A point of it. \[mm\]
+    pub point: Point3<f64>,
+    /// Its direction, unit, downward.
+    pub down: Vector3<f64>,
+}
+
+impl Axis {
+    /// Where it is at a height.
+    pub fn at(&self, z: f64) -> Point3<f64> {
+        self.point + self.down * ((z - self.point.z) / self.down.z)
+    }
+}
+
+/// The axis of an upper arm from where it stands clear of the trunk; `hip` is a height below which
+/// no upper arm is.
+pub fn upper_arm_axis(body: &Body, side: f64, hip: f64) -> Option<Axis> {
+    let all = clear(body, side, hip);
+    let top = all.iter().map(|p| p.z).reduce(f64::max)?;
+    // The forearm may be bent: only what is well above the elbow tells the axis.
+    let near = |p: &&Point3<f64>| p.z > top - 0.06 * body.stature;
+    let upper: Vec<&Point3<f64>> = all.iter().filter(near).collect();
+    if upper.len() < 6 {
+        return None;
+    }
+    let mean = upper.iter().map(|p| p.coords).sum::<Vector3<f64>>() / upper.len() as f64;
+    let slope = upper
+        .iter()
+        .map(|p| (p.coords - mean) * (p.z - mean.z))
+        .sum::<Vector3<f64>>();
+    Some(Axis {
+        point: mean.into(),
+        down: -(slope / slope.z).normalize(),
+    })
+}

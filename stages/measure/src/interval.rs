@@ -1,0 +1,83 @@
+//! How sure a girth is, from what it was made of.
+
+use crate::body::Body;
+use crate::levels::scatter;
+use crate::taken::taken;
+use nalgebra::{Point3, Rotation3, Unit, Vector3};
+use shape::{Landmark, Mesh, Plane};
+
+/// Nine times in ten, in standard deviations.
+pub(crate) const NINE_IN_TEN: f64 = 1.645;
+/// Scatter of the lean of necks about the usual. \[rad\]
+const LEAN: f64 = 3.3 * std::f64::consts::PI / 180.0;
+/// Standard deviation of a carried stretch against the hidden one, as a share of it.
+const CARRIED: f64 = 0.04;
+
+/// Standard deviations of a tape. \[mm\]
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub(crate) struct Spread {
+    /// Where the girth is taken: the level's scatter, and the neck's lean.
+    pub(crate) level: f64,
+    /// The surface: its even error along the normal is 2π as much of girth.
+    pub(crate) surface: f64,
+    /// What another limb hides.
+    pub(crate) carried: f64,
+    /// The unit of length.
+    pub(crate) scale: f64,
+}
+
+impl Spread {
+    /// All together.
+    pub(crate) fn total(&self) -> f64 {
+        [self.level, self.surface, self.carried, self.scale]
+            .iter()
+            .map(|s| s * s)
+            .sum::<f64>()
+            .sqrt()
+    }
+}
+
+/// How much a tape changes by where it is taken: root mean square of a standard deviation's step to
+/// either side along the normal, and for a neck of its lean. \[mm\]
+pub(crate) fn level_spread(mesh: &Mesh, body: &Body, landmark: &Landmark, tape_mm: f64) -> f64 {
+    let far = scatter(&landmark.name) * body.stature;
+    let n = Vector3::from(landmark.plane.normal);
+    let at = |plane: Plane| {
+        let moved = Landmark {
+            plane,
+            ..landmark.clone()
+        };
+        taken(mesh, Some(body), &moved)
+            .ok()
+            .map(|t| t.tape_mm - tape_mm)
+    };
+    let moved = |by: f64| {
+        let point = Point3::from(landmark.plane.point_mm) + n * by;
+        at(Plane {
+            point_mm: point.into(),
+            ..landmark.plane
+        })
+    };
+    let leaning = |by: f64| {
+        let turn = Rotation3::from_axis_angle(&Unit::new_normalize(body.left), by);
+        at(Plane {
+            normal: (turn * n).into(),
+            ..landmark.plane
+        })
+    };
+    let pair = |changes: [Option<f64>; 2]| {
+        let known: Vec<f64> = changes.into_iter().flatten().collect();
+        let square = known.iter().map(|c| c * c).sum::<f64>() / known.len().max(1) as f64;
+        square.sqrt().min(0.2 * tape_mm)
+    };
+    let level = pair([moved(-far), moved(far)]);
+    match landmark.name == "NC" {
+        true => level.hypot(pair([leaning(-LEAN), leaning(LEAN)])),
+        false => level,
+    }
+}
+
+/// What is carried over from a clear section. \[mm\]
+pub(crate) fn carried_spread(share: f64, tape_mm: f64) -> f64 {
+    CARRIED * share * tape_mm
+}

@@ -1,0 +1,169 @@
+//! Heights that the shape of a body marks, so that a visual hull shows them as well as the body.
+
+use crate::body::Body;
+use crate::slices::{Ring, Slice};
+use nalgebra::Vector3;
+
+/// Heights above the ground that the outline of an upright body marks, and how its arms hang. \[mm\]
+///
+/// Each is told from an outline seen from the front or from the side: what a visual hull has right
+/// even where it fills the armpits.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Marks {
+    /// Where the buttocks reach farthest back.
+    pub hip: f64,
+    /// The narrowest of the neck, cut level.
+    pub neck: f64,
+    /// The hollow of the back: farthest within the line from buttocks to shoulder blades.
+    pub hollow: f64,
+    /// Bust or pectorals: farthest before the line from belly to throat.
+    pub bust: f64,
+    /// Where the outline from the front is amid neck and shoulders.
+    pub shoulder: f64,
+    /// Millimetres that the arms' middle lines go outward for each that they go down; 0.6 where
+    /// no arm stands clear.
+    pub spread: f64,
+    /// Half the trunk's tape where it is least between hip and bust, as a length across. \[mm\]
+    pub girth: f64,
+}
+
+/// The spread of arms where none stands clear: some thirty degrees.
+const USUAL_SPREAD: f64 = 0.6;
+
+/// Reads the marks. `None` without legs or neck.
+pub fn marks(body: &Body) -> Option<Marks> {
+    let ground = body.ground;
+    let (crotch, neck) = (body.crotch?, body.neck?);
+    let hip = hip(body, crotch)?;
+    let long = neck - hip;
+    if long < 0.15 * body.stature {
+        return None;
+    }
+    let front = |s: &Slice| extent(s.rings.first()?, &body.front).map(|e| e.1);
+    let back = |s: &Slice| extent(s.rings.first()?, &-body.front).map(|e| e.1);
+    let hollow = off_chord(body, hip, hip + 0.6 * long, back, -1.0)?;
+    let bust = off_chord(
+        body,
+        hip + 0.25 * long,
+        neck - 0.02 * body.stature,
+        front,
+        1.0,
+    )?;
+    let girth = body
+        .between(hip, bust.max(hip + 0.3 * long))
+        .filter_map(|s| s.rings.first())
+        .map(|r| r.tape / 2.0)
+        .reduce(f64::min)?;
+    Some(Marks {
+        hip: hip - ground,
+        neck: neck - ground,
+        hollow: hollow - ground,
+        bust: bust - ground,
+        shoulder: shoulder(body, hip, neck)? - ground,
+        spread: spread(body, hip).unwrap_or(USUAL_SPREAD),
+        girth,
+    })
+}
+
+/// Least and greatest of a ring along a direction.
+pub(crate) fn extent(ring: &Ring, along: &Vector3<f64>) -> Option<(f64, f64)> {
+    let reach = ring.curve.iter().map(|p| p.coords.dot(along));
+    reach.fold(None, |e: Option<(f64, f64)>, x| {
+        Some(e.map_or((x, x), |(lo, hi)| (lo.min(x), hi.max(x))))
+    })
+}
+
+/// Values of slices between two heights, each the mean of five: a hull's facets jump.
+fn smoothed(
+    body: &Body,
+    low: f64,
+    high: f64,
+    value: impl Fn(&Slice) -> Option<f64>,
+) -> Vec<(f64, f64)> {
+    let raw: Vec<(f64, f64)> = body
+        .between(low, high)
+        .filter_map(|s| Some((s.z, value(s)?)))
+        .collect();
+    let mean = |i: usize| {
+        let near = &raw[i.saturating_sub(2)..(i + 3).min(raw.len())];
+        near.iter().map(|r| r.1).sum::<f64>() / near.len() as f64
+    };
+    (0..raw.len()).map(|i| (raw[i].0, mean(i))).collect()
+}
+
+/// The height of the greatest prominence of the buttocks, above the crotch. \[mm\]
+pub(crate) fn hip(body: &Body, crotch: f64) -> Option<f64> {
+    let back = |s: &Slice| extent(s.rings.first()?, &-body.front).map(|e| e.1);
+    let reach = smoothed(
+        body,
+        crotch - 0.01 * body.stature,
+        crotch + 0.16 * body.stature,
+        back,
+    );
+    let most = reach.iter().max_by(|a, b| a.1.total_cmp(&b.1))?;
+    Some(most.0)
+}
+
+/// Where a profile lies farthest from the straight line between its ends; above it for `side` 1.
+fn off_chord(
+    body: &Body,
+    low: f64,
+    high: f64,
+    value: impl Fn(&Slice) -> Option<f64>,
+    side: f64,
+) -> Option<f64> {
+    let profile = smoothed(body, low, high, value);
+    let ((z0, v0), (z1, v1)) = (*profile.first()?, *profile.last()?);
+    let off = |(z, v): &(f64, f64)| side * (v - v0 - (v1 - v0) * (z - z0) / (z1 - z0));
+    let most = profile.iter().max_by(|a, b| off(a).total_cmp(&off(b)))?;
+    (z1 > z0).then_some(most.0)
+}
+
+/// The highest level at which the outline from the front is as wide as amid neck and shoulders.
+fn shoulder(body: &Body, hip: f64, neck: f64) -> Option<f64> {
+    let full = |s: &Slice| {
+        let all = s.rings.iter().filter_map(|r| extent(r, &body.left));
+        all.reduce(|a, b| (a.0.min(b.0), a.1.max(b.1)))
+            .map(|(lo, hi)| hi - lo)
+    };
+    let at = |z: f64| body.slice(z).and_then(full);
+    let (narrow, wide) = (at(neck)?, at(hip + 0.65 * (neck - hip))?);
+    let amid = (narrow + wide) / 2.0;
+    body.between(hip, neck)
+        .filter(|s| full(s).is_some_and(|w| w >= amid))
+        .map(|s| s.z)
+        .reduce(f64::max)
+}
+
+/// How far the middle lines of both arms go outward for a millimetre down, just below where they
+/// stand clear of the trunk.
+fn spread(body: &Body, hip: f64) -> Option<f64> {
+    let slopes: Vec<f64> = [1.0, -1.0]
+        .into_iter()
+        .filter_map(|side| {
+            let all = crate::arms::clear(body, side, hip);
+            let top = all.iter().map(|c| c.z).reduce(f64::max)?;
+            let near =
+                |z: &f64| (top - 0.08 * body.stature..=top - 0.02 * body.stature).contains(z);
+            let line: Vec<(f64, f64)> = all
+                .iter()
+                .filter(|c| near(&c.z))
+                .map(|c| (c.z, side * c.coords.dot(&body.left)))
+                .collect();
+            (line.len() >= 4).then(|| -slope(&line))
+        })
+        .collect();
+    (!slopes.is_empty()).then(|| slopes.iter().sum::<f64>() / slopes.len() as f64)
+}
+
+/// Slope of the least-squares line through (x, y).
+pub(crate) fn slope(points: &[(f64, f64)]) -> f64 {
+    let n = points.len() as f64;
+    let (mx, my) = points
+        .iter()
+        .fold((0.0, 0.0), |m, p| (m.0 + p.0 / n, m.1 + p.1 / n));
+    let (up, down) = points.iter().fold((0.0, 0.0), |s, p| {
+        (s.0 + (p.0 - mx) * (p.1 - my), s.1 + (p.0 - mx).powi(2))
+    });
+    up / down
+}

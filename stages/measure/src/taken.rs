@@ -1,0 +1,285 @@
+//! The section of a landmark on a mesh, with other limbs taken off before anything is measured.
+
+use crate::arms::{Axis, arm_ring, upper_arm_axis};
+use crate::body::Body;
+use crate::carry::{Carried, RAYS, carried, ray, reaches};
+use crate::marks::{extent, hip};
+use crate::section::{axes, flat, length, tape};
+use crate::slices::{Ring, rings};
+use crate::spline::{closed_spline_length, paper_girth};
+use nalgebra::{Point3, Vector3};
+use shape::{Landmark, Mesh, Part, Plane};
+
+/// What one section gives.
+#[derive(Debug, Clone)]
+pub struct Taken {
+    /// The curve around the part alone. \[mm\]
+    pub contour: Vec<Point3<f64>>,
+    /// Its length. \[mm\]
+    pub contour_mm: f64,
+    /// Length of a tape around it. \[mm\]
+    pub tape_mm: f64,
+    /// Length of the paper's spline. \[mm\]
+    pub spline_mm: f64,
+    /// Share of the way around that another limb hides, carried over from a clear section.
+    pub carried: f64,
+}
+
+/// Why a section gives no girth: a sentence.
+pub type Why = &'static str;
+
+const NOTHING: Why = "the surface has no closed section there";
+const NO_ARMS: Why = "no arm stands clear of the trunk anywhere, so nothing tells whether arms are in this section: \
+     hold them away from the body";
+const FUSED: Why = "arm and trunk are one on the surface there, and no clear section nearby tells them apart: \
+     hold the arms farther away";
+
+/// Takes the section of a landmark.
+pub fn taken(mesh: &Mesh, body: Option<&Body>, landmark: &Landmark) -> Result<Taken, Why> {
+    match (landmark.part, body) {
+        (Part::Trunk, Some(body)) => trunk(mesh, body, landmark),
+        (Part::ArmLeft, Some(body)) => arm(mesh, body, landmark, 1.0),
+        (Part::ArmRight, Some(body)) => arm(mesh, body, landmark, -1.0),
+        _ => plain(
+            mesh,
+            &landmark.plane,
+            nearest(mesh, &landmark.plane).ok_or(NOTHING)?,
+        ),
+    }
+}
+
+/// The ring whose middle is the plane's point; of several there, the largest.
+fn nearest(mesh: &Mesh, plane: &Plane) -> Option<Ring> {
+    let all = rings(mesh, plane);
+    let p = Point3::from(plane.point_mm);
+    let far = |r: &Ring| (r.centre - p).norm();
+    let least = all.iter().map(far).fold(f64::MAX, f64::min);
+    all.into_iter().find(|r| far(r) <= least + 3.0)
+}
+
+fn plain(mesh: &Mesh, plane: &Plane, ring: Ring) -> Result<Taken, Why> {
+    let points = flat(&ring.curve, plane);
+    let contour_mm = length(&points);
+    Ok(Taken {
+        contour_mm,
+        tape_mm: tape(&points),
+        spline_mm: paper_girth(mesh, &ring.curve).unwrap_or(contour_mm),
+        contour: ring.curve,
+        carried: 0.0,
+    })
+}
+
+/// From points about an origin in a plane.
+fn completed(origin: Point3<f64>, plane: &Plane, whole: Carried) -> Taken {
+    let (u, v) = axes(plane);
+    let knots: Vec<[f64; 2]> = whole.points.iter().step_by(5).copied().collect();
+    let contour_mm = length(&whole.points);
+    Taken {
+        contour: whole
+            .points
+            .iter()
+            .map(|p| origin + u * p[0] + v * p[1])
+            .collect(),
+        contour_mm,
+        tape_mm: tape(&whole.points),
+        spline_mm: closed_spline_length(&knots).unwrap_or(contour_mm),
+        carried: whole.share,
+    }
+}
+
+/// Reaches of a ring about a point of its plane.
+fn about(ring: &Ring, origin: Point3<f64>, plane: &Plane) -> Vec<Option<f64>> {
+    let plane = Plane {
+        point_mm: origin.into(),
+        ..*plane
+    };
+    reaches(&flat(&ring.curve, &plane))
+}
+
+/// Whether a point lies within a level ring.
+fn within(ring: &Ring, p: Point3<f64>) -> bool {
+    let mut inside = false;
+    for (i, a) in ring.curve.iter().enumerate() {
+        let b = ring.curve[(i + 1) % ring.curve.len()];
+        if (a.y > p.y) != (b.y > p.y) && p.x < a.x + (b.x - a.x) * (p.y - a.y) / (b.y - a.y) {
+            inside = !inside;
+        }
+    }
+    inside
+}
+
+/// An arm beside the trunk: its side, its axis, and half its breadth in a level section. \[mm\]
+struct Beside {
+    side: f64,
+    axis: Axis,
+    half: f64,
+}
+
+fn beside(body: &Body) -> Vec<Beside> {
+    let Some(low) = body.crotch.and_then(|c| hip(body, c)) else {
+        return vec![];
+    };
+    let one = |side: f64| {
+        let axis = upper_arm_axis(body, side, low)?;
+        let clear = body
+            .between(low, f64::MAX)
+            .filter_map(|s| arm_ring(body, &s.rings, side));
+        let top = clear
+            .filter(|r| r.centre.z > axis.point.z)
+            .filter_map(|r| extent(r, &body.left))
+            .map(|(lo, hi)| (hi - lo) / 2.0);
+        let half = top.reduce(f64::max)?;
+        Some(Beside { side, axis, half })
+    };
+    [1.0, -1.0].into_iter().filter_map(one).collect()
+}
+
+fn trunk(mesh: &Mesh, body: &Body, landmark: &Landmark) -> Result<Taken, Why> {
+    let plane = &landmark.plane;
+    let z = plane.point_mm[2];
+    let ring = rings(mesh, plane).into_iter().next().ok_or(NOTHING)?;
+    let arms = beside(body);
+    if landmark.name == "CC" && arms.len() < 2 {
+        return Err(NO_ARMS);
+    }
+    let fused: Vec<&Beside> = arms
+        .iter()
+        .filter(|arm| z > arm.axis.point.z && within(&ring, arm.axis.at(z)))
+        .collect();
+    if fused.is_empty() {
+        return plain(mesh, plane, ring);
+    }
+    // The highest slice below in which these arms stand clear, a little lower: above, the gap is
+    // filled already.
+    let clear = |s: &&crate::slices::Slice| {
+        fused
+            .iter()
+            .all(|arm| arm_ring(body, &s.rings, arm.side).is_some())
+    };
+    let low = z - 0.08 * body.stature;
+    let highest = body.between(low, z).filter(clear).last().ok_or(FUSED)?.z;
+    let below = highest - 0.008 * body.stature;
+    let reference = body.between(low, below).filter(clear).last().ok_or(FUSED)?;
+    let mut origin = reference.rings[0].centre;
+    let clear = about(&reference.rings[0], origin, plane);
+    origin.z = z;
+    let here = about(&ring, origin, plane);
+    let hidden = behind_arms(body, &fused, &here, &clear, origin, plane);
+    let whole = carried(&here, &clear, &hidden, &(0.97..=1.03)).ok_or(FUSED)?;
+    Ok(completed(origin, plane, whole))
+}
+
+/// How much farther out a ray may reach than those nearer the middle of chest and back.
+const SWELL: f64 = 1.02;
+/// Rays this near to straight forward or back always show the trunk. \[°\]
+const SURE: usize = 20;
+
+/// Which rays of a trunk show an arm, or the filled fold between arm and trunk: from the middle of
+/// chest and back outward, all from the first that reaches an arm or swells against the clear section.
+fn behind_arms(
+    body: &Body,
+    fused: &[&Beside],
+    here: &[Option<f64>],
+    clear: &[Option<f64>],
+    origin: Point3<f64>,
+    plane: &Plane,
+) -> Vec<bool> {
+    let (u, v) = axes(plane);
+    let nearest = |d: &Vector3<f64>| {
+        let turn = v.dot(d).atan2(u.dot(d)) / std::f64::consts::TAU;
+        (turn * RAYS as f64).round() as i64
+    };
+    let mut hidden = vec![false; RAYS];
+    for arm in fused {
+        let inner = arm.axis.at(origin.z).coords.dot(&body.left) * arm.side - arm.half;
+        for from in [nearest(&body.front), nearest(&-body.front)] {
+            // Toward the arm's side: the way in which rays come nearer to it.
+            let way = if ray_at(from + 10, &u, &v).dot(&body.left) * arm.side > 0.0 {
+                1
+            } else {
+                -1
+            };
+            let (mut least, mut lost) = (f64::MAX, false);
+            for d in 0..=(RAYS / 4) as i64 {
+                let k = (from + way * d).rem_euclid(RAYS as i64) as usize;
+                let ratio = here[k].zip(clear[k]).map(|(h, c)| h / c);
+                let reached = here[k].is_none_or(|r| {
+                    let p = origin + ray_at(k as i64, &u, &v) * r;
+                    p.coords.dot(&body.left) * arm.side > inner
+                });
+                let swells = ratio.is_none_or(|r| r > SWELL * least);
+                lost |= reached || (d > SURE as i64 && swells);
+                hidden[k] |= lost;
+                least = least.min(ratio.unwrap_or(f64::MAX));
+            }
+        }
+    }
+    hidden
+}
+
+/// A ray's direction in the world.
+fn ray_at(k: i64, u: &Vector3<f64>, v: &Vector3<f64>) -> Vector3<f64> {
+    let [c, s] = ray(k.rem_euclid(RAYS as i64) as usize);
+    u * c + v * s
+}
+
+/// How round an arm's own section is: its area against a circle's of the same tape.
+const ROUND: f64 = 0.93;
+/// How much farther out than the clear section in proportion a ray may reach and still be the arm.
+const BULGE: f64 = 1.08;
+
+fn arm(mesh: &Mesh, body: &Body, landmark: &Landmark, side: f64) -> Result<Taken, Why> {
+    let plane = &landmark.plane;
+    let low = body.crotch.and_then(|c| hip(body, c)).ok_or(NO_ARMS)?;
+    let axis = upper_arm_axis(body, side, low).ok_or(NO_ARMS)?;
+    let down = Vector3::from(plane.normal).normalize();
+    let step = 0.004 * body.stature;
+    let middle = Point3::from(plane.point_mm);
+    let trunk = body.trunk(low).map_or(f64::MAX, |r| r.area);
+    // Sections down the arm that are the arm's alone: small, round, about the axis.
+    let alone = |k: i32| {
+        let point = axis.at((middle + down * (f64::from(k) * step)).z);
+        let there = Plane {
+            point_mm: point.into(),
+            ..*plane
+        };
+        let ring = nearest(mesh, &there)?;
+        let round = 4.0 * std::f64::consts::PI * ring.area / (ring.tape * ring.tape);
+        let near = (ring.centre - point).norm() < 0.02 * body.stature;
+        (ring.area < 0.25 * trunk && near).then_some((k, round, ring))
+    };
+    let clear = match alone(0).filter(|c| c.1 > ROUND) {
+        Some((_, _, ring)) => return plain(mesh, plane, ring),
+        None => (1..=24).filter_map(alone).find(|c| c.1 > ROUND),
+    };
+    let (steps, _, clear) = clear.ok_or(FUSED)?;
+    // The axis runs through the middle of the clear section.
+    let origin = clear.centre - down * (f64::from(steps) * step);
+    let there = Plane {
+        point_mm: clear.centre.into(),
+        ..*plane
+    };
+    let reference = about(&clear, clear.centre, &there);
+    let around = rings(mesh, plane)
+        .into_iter()
+        .map(|ring| about(&ring, origin, plane))
+        .find(|r| r.iter().filter(|r| r.is_some()).count() > RAYS * 9 / 10)
+        .ok_or(FUSED)?;
+    let mut ratios: Vec<f64> = (0..RAYS)
+        .filter_map(|k| Some(around[k]? / reference[k]?))
+        .collect();
+    ratios.sort_by(f64::total_cmp);
+    let usual = ratios[ratios.len() * 3 / 10];
+    let hidden: Vec<bool> = (0..RAYS)
+        .map(|k| match (around[k], reference[k]) {
+            (Some(here), Some(clear)) => here / clear > BULGE * usual,
+            _ => true,
+        })
+        .collect();
+    if !hidden.contains(&true) {
+        let ring = nearest(mesh, plane).ok_or(NOTHING)?;
+        return plain(mesh, plane, ring);
+    }
+    let whole = carried(&around, &reference, &hidden, &(0.95..=1.15)).ok_or(FUSED)?;
+    Ok(completed(origin, plane, whole))
+}
