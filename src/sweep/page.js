@@ -22,7 +22,7 @@
     return { at: (t) => (words.indexOf(t) + 0.5) / words.length, ticks: words.map((w) => [w, w]) };
   };
   const [W, H, L, R, T, B] = [320, 210, 48, 10, 8, 26];
-  const legend = document.getElementById("legend"), plots = document.getElementById("plots");
+  const legend = document.getElementById("legend"), plots = document.getElementById("view");
   const vary = data.params.map((_, p) => distinct(rows.map((r) => r.params[p])).length > 1);
 
   // --- one plot a param and a number; a line joins points that differ in this param only ---
@@ -86,5 +86,5 @@
     const sorted = [...body.rows].sort((a, b) => { const [x, y] = [key(a), key(b)]; const c = typeof x === "number" && typeof y === "number" ? x - y : String(x).localeCompare(String(y)); return down ? -c : c; });
     body.append(...sorted);
   }));
-  document.body.dataset.drawn = String(plots.children.length);
+  plots.dataset.drawn = String(plots.children.length);
 })();

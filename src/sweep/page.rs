@@ -46,7 +46,7 @@ pub fn page(name: &str, about: &str, rows: &[Row]) -> String {
     let title = if about.is_empty() { name } else { about };
     let body = format!(
         "<h1>{}</h1>\n<p class=\"soft\">sweep <code>{}</code>; {}</p>\n\
-         <section><h2>Each number over each param</h2><div id=\"legend\" class=\"legend\"></div><div id=\"plots\" class=\"plots\"></div></section>\n\
+         <section><h2>Each number over each param</h2><div id=\"legend\" class=\"legend\"></div><div id=\"view\" class=\"plots\"></div></section>\n\
          <section><h2>All side by side</h2><div id=\"parallel\"></div></section>\n\
          <section><h2>All points</h2>{}</section>",
         page::escaped(title),
