@@ -1,17 +1,22 @@
-//! A pipeline as DOT or Mermaid, coloured by what a run would do.
+//! A pipeline as DOT, Mermaid or SVG, coloured by what a run would do.
 
 use crate::graph::{Graph, Source};
 use crate::plan::{Planned, State};
 use std::fmt::Write;
 
-/// The drawing in a format, `dot` or `mermaid`.
-pub fn draw(graph: &Graph, plan: &[Option<Planned>], format: &str) -> Result<String, String> {
-    let color = |i: usize| match plan[i].as_ref().map(|p| &p.state) {
+/// The colour of a node; `None` is not asked.
+pub(crate) fn color(state: Option<&State>) -> &'static str {
+    match state {
         Some(State::Cached) => "#b7e4c7",
         Some(State::Stale(_)) => "#ffb4a2",
         Some(State::May) => "#ffe8a3",
         None => "#e5e5e5",
-    };
+    }
+}
+
+/// The drawing in a format: `dot`, `mermaid` or `svg`.
+pub fn draw(graph: &Graph, plan: &[Option<Planned>], format: &str) -> Result<String, String> {
+    let color = |i: usize| color(plan[i].as_ref().map(|p| &p.state));
     let source = |s: &Source| match s {
         Source::Node(j) => graph.nodes[*j].name.clone(),
         Source::Input(j) => graph.inputs[*j].name.clone(),
@@ -20,7 +25,8 @@ pub fn draw(graph: &Graph, plan: &[Option<Planned>], format: &str) -> Result<Str
     let dot = match format {
         "dot" => true,
         "mermaid" => false,
-        other => return Err(stage::unknown("format", other, &["dot", "mermaid"])),
+        "svg" => return Ok(crate::drawing_svg::svg(graph, plan)),
+        other => return Err(stage::unknown("format", other, &["dot", "mermaid", "svg"])),
     };
     let _ = writeln!(
         text,

@@ -1,6 +1,6 @@
 //! The engine as a library: hash the inputs, walk, write the run down, read results.
 
-use crate::graph::Graph;
+use crate::graph::{Bound, Graph};
 use crate::history::{self, Told};
 use crate::journal::Journal;
 use crate::run_one::{Pool, Surroundings};
@@ -147,13 +147,17 @@ impl Outcome {
 
     /// The first failure: node and why.
     pub fn failure<'a>(&'a self, graph: &'a Graph) -> Option<(&'a str, &'a str)> {
-        self.nodes
-            .iter()
-            .zip(&graph.nodes)
-            .find_map(|(done, node)| match &done.as_ref()?.fate {
-                Fate::Failed(why) => Some((node.name.as_str(), why.as_str())),
-                _ => None,
-            })
+        self.failures(graph).into_iter().next()
+    }
+
+    /// All failures: node and why.
+    pub fn failures<'a>(&'a self, graph: &'a Graph) -> Vec<(&'a str, &'a str)> {
+        let nodes = self.nodes.iter().zip(&graph.nodes);
+        let why = |(done, node): (&'a Option<Done>, &'a Bound)| match &done.as_ref()?.fate {
+            Fate::Failed(why) => Some((node.name.as_str(), why.as_str())),
+            _ => None,
+        };
+        nodes.filter_map(why).collect()
     }
 
     /// Whether the user asked to stop before all was done.

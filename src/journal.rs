@@ -1,6 +1,6 @@
 //! The event log of a run: one JSON object a line in `runs/ID.jsonl`, written as things happen.
 //!
-//! `{"t":1.25,"event":"started","node":"hull"}`, and likewise `waits`, `progress` (with `label`,
+//! `{"t":1.25,"event":"started","node":"hull"}`, and likewise `progress` (with `label`,
 //! `done`, `of`) and `done` (with `fate`, `seconds`, `bytes`, and `why` of a failure); `t` is in
 //! seconds from the start of the run. A run that makes nothing leaves no log.
 

@@ -228,6 +228,13 @@ pub(crate) fn needed(graph: &Graph, wanted: &[usize]) -> Vec<bool> {
     needed
 }
 
+/// The wanted nodes and all that they need: for who reads results on the way, too, which
+/// otherwise need not be there as long as their content is known.
+pub fn all(graph: &Graph, wanted: &[usize]) -> Vec<usize> {
+    let needed = needed(graph, wanted);
+    (0..needed.len()).filter(|i| needed[*i]).collect()
+}
+
 /// The nodes that a node reads, one a port.
 pub(crate) fn sources(graph: &Graph, node: usize) -> impl Iterator<Item = usize> {
     let from = graph.nodes[node].from.iter().flatten();

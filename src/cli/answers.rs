@@ -25,7 +25,7 @@ pub(crate) struct Why {
 pub(crate) struct Drawing {
     #[command(flatten)]
     wanted: Wanted,
-    /// dot or mermaid
+    /// dot, mermaid or svg
     #[arg(long = "as", default_value = "dot")]
     format: String,
 }
@@ -171,6 +171,14 @@ pub(crate) fn graph(drawing: &Drawing, house: &House) -> Result<(), Fault> {
         "{}",
         crate::drawing::draw(&graph, &plan, &drawing.format).map_err(Fault::input)?
     );
+    Ok(())
+}
+
+/// `tailor stages --json-schema`.
+pub(crate) fn schema() -> Result<(), Fault> {
+    let schema = crate::schema::schema(catalog::stages());
+    let text = serde_json::to_string_pretty(&schema).expect("bug: JSON");
+    super::outln!("{text}");
     Ok(())
 }
 

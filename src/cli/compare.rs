@@ -4,7 +4,7 @@ use super::run::{execute, folders, opened};
 use super::{Change, Fault, House};
 use crate::compare::{Side, compare, json, markdown, page};
 use crate::store::Store;
-use crate::{engine, out};
+use crate::{engine, out, walk};
 use clap::Args;
 use std::path::{Path, PathBuf};
 
@@ -58,7 +58,14 @@ pub(crate) fn compare_sides(args: &CompareArgs, house: &House) -> Result<(), Fau
                 }
                 let again: Vec<String> = std::env::args().collect();
                 let again = again.join(" ");
-                let outcome = execute(graph, &folders, &graph.goal, house, false, &again)?;
+                let outcome = execute(
+                    graph,
+                    &folders,
+                    &walk::all(graph, &graph.goal),
+                    house,
+                    false,
+                    &again,
+                )?;
                 let store = Store::open(&house.cache).map_err(Fault::input)?;
                 Side::from_run(text, &outcome.json(graph), &store).map_err(Fault::stage)?
             }

@@ -111,6 +111,9 @@ enum Verb {
     Stages {
         /// One stage, or all of a room
         name: Option<String>,
+        /// The JSON schema of a pipeline file instead, for editors
+        #[arg(long)]
+        json_schema: bool,
     },
     /// All mistakes of a pipeline at once
     Check {
@@ -173,7 +176,10 @@ pub fn main() -> ExitCode {
         Verb::Impact(verb) => impact::impact(verb, house),
         Verb::Graph(verb) => answers::graph(verb, house),
         Verb::Show(verb) => show::show(verb, house),
-        Verb::Stages { name } => answers::stages(name.as_deref(), house),
+        Verb::Stages { name, json_schema } => match json_schema {
+            true => answers::schema(),
+            false => answers::stages(name.as_deref(), house),
+        },
         Verb::Check { pipeline } => answers::check(pipeline, house),
         Verb::Cache(verb) => cache::cache(verb, house),
         Verb::Mat(verb) => mat::mat(verb, house),

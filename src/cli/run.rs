@@ -4,8 +4,9 @@ use super::speak::Speaker;
 use super::{CANCEL, Change, Fault, House, Wanted};
 use crate::engine::{self, Options, Outcome};
 use crate::graph::Graph;
+use crate::history::History;
 use crate::recipe::{self, Overrides};
-use crate::{out, walk};
+use crate::{out, verify, walk};
 use clap::Args;
 use shape::Photos;
 use std::path::PathBuf;
@@ -21,6 +22,9 @@ pub(crate) struct Run {
     /// Go on with what does not depend on a failed node
     #[arg(long)]
     keep_going: bool,
+    /// Run every stage once more and compare: a stage must give the same bytes twice
+    #[arg(long)]
+    verify: bool,
 }
 
 /// Opens the pipeline of some arguments and finds the wanted nodes.
@@ -103,12 +107,29 @@ pub(crate) fn execute(
     wanted.extend(photos_node(graph).filter(|i| needed[*i]));
     let wanted = wanted.as_slice();
     let speaker = Speaker::new(house.quiet || house.json, count);
+    if speaker.asks_for_time() {
+        let history = History::of(&house.cache);
+        let names = graph
+            .nodes
+            .iter()
+            .zip(&needed)
+            .filter(|(_, needed)| **needed);
+        let seconds = |name: &str| history.last(name)?["seconds"].as_f64();
+        let expected = names.filter_map(|(n, _)| Some((n.name.clone(), seconds(&n.name)?)));
+        speaker.expect(expected.collect());
+    }
     let options = options(house, keep_going);
     let outcome = engine::run(graph, folders, wanted, &options, &speaker, &CANCEL);
     let outcome = outcome.map_err(Fault::input)?;
-    if let Some((node, why)) = outcome.failure(graph) {
+    let failures = outcome.failures(graph);
+    if !failures.is_empty() {
+        let lines: Vec<String> = failures
+            .iter()
+            .map(|(node, why)| format!("{node} failed: {why}\n"))
+            .collect();
         return Err(Fault::stage(format!(
-            "{node} failed: {why}\nto repeat it: {again}"
+            "{}to repeat it: {again}",
+            lines.concat()
         )));
     }
     if outcome.cancelled() {
@@ -135,11 +156,40 @@ pub(crate) fn photos(graph: &Graph, outcome: &Outcome) -> Photos {
     photos.map_or_else(Photos::default, |p| (*p).clone())
 }
 
+/// Every stage once more; those that differ are a fault.
+fn verify(
+    graph: &Graph,
+    folders: &[(String, PathBuf)],
+    outcome: &Outcome,
+    house: &House,
+) -> Result<(), Fault> {
+    let told = |node: &str| {
+        if !house.quiet {
+            eprintln!("{node}: once more");
+        }
+    };
+    let options = options(house, false);
+    let unsteady = verify::verify(graph, folders, outcome, &options, &CANCEL, &told);
+    let lines: Vec<String> = unsteady
+        .map_err(Fault::input)?
+        .iter()
+        .map(|u| format!("{}: {}", u.node, u.what))
+        .collect();
+    match lines.is_empty() {
+        true => Ok(()),
+        false => Err(Fault::stage(lines.join("\n"))),
+    }
+}
+
 /// Does it.
 pub(crate) fn run(run: &Run, house: &House) -> Result<(), Fault> {
     let (graph, wanted) = open(&run.wanted, house)?;
     let folders = folders(&run.wanted.change)?;
     let again: Vec<String> = std::env::args().collect();
+    let wanted = match run.verify {
+        true => walk::all(&graph, &wanted),
+        false => wanted,
+    };
     let outcome = execute(
         &graph,
         &folders,
@@ -148,6 +198,9 @@ pub(crate) fn run(run: &Run, house: &House) -> Result<(), Fault> {
         run.keep_going,
         &again.join(" "),
     )?;
+    if run.verify {
+        verify(&graph, &folders, &outcome, house)?;
+    }
     if let Some(folder) = &run.out {
         let names = photos(&graph, &outcome);
         for node in &wanted {

@@ -1,6 +1,7 @@
-//! Plain lines while a run goes on.
+//! Plain lines while a run goes on; on a terminal also what runs now, and for how long still.
 
 use crate::walk::{Done, Fate, Watch};
+use std::collections::{BTreeMap, BTreeSet};
 use std::io::{IsTerminal, Write};
 use std::sync::Mutex;
 use std::time::Instant;
@@ -14,18 +15,59 @@ pub(crate) struct Speaker {
 }
 
 struct State {
-    done: usize,
-    running: Vec<(String, String)>,
+    done: BTreeSet<String>,
+    found: usize,
+    running: Vec<Running>,
     drawn: Instant,
+    /// What each node took the last time. \[s\]
+    expected: BTreeMap<String, f64>,
+}
+
+struct Running {
+    node: String,
+    /// How far it says it is.
+    at: String,
+    since: Instant,
+}
+
+/// From so many nodes on, what was found is counted but not told one by one.
+const MANY: usize = 60;
+
+impl State {
+    /// How long it may still take by what things took the last time. \[s\]
+    fn left(&self) -> f64 {
+        let open = self
+            .expected
+            .iter()
+            .filter(|(node, _)| !self.done.contains(*node));
+        let left = |(node, seconds): (&String, &f64)| {
+            let running = self.running.iter().find(|r| r.node == *node);
+            let spent = running.map_or(0.0, |r| r.since.elapsed().as_secs_f64());
+            (seconds - spent).max(0.0)
+        };
+        open.map(left).sum()
+    }
+}
+
+/// `75` as `1 min 15 s`.
+fn duration(seconds: f64) -> String {
+    let whole = seconds.round() as u64;
+    match (whole / 3600, whole / 60 % 60, whole % 60) {
+        (0, 0, s) => format!("{s} s"),
+        (0, m, s) => format!("{m} min {s} s"),
+        (h, m, _) => format!("{h} h {m} min"),
+    }
 }
 
 impl Speaker {
     /// For a walk of so many nodes.
     pub(crate) fn new(quiet: bool, of: usize) -> Self {
         let state = State {
-            done: 0,
+            done: BTreeSet::new(),
+            found: 0,
             running: vec![],
             drawn: Instant::now(),
+            expected: BTreeMap::new(),
         };
         let terminal = std::io::stderr().is_terminal();
         Speaker {
@@ -36,14 +78,33 @@ impl Speaker {
         }
     }
 
+    /// Whether it matters to know what nodes took the last time.
+    pub(crate) fn asks_for_time(&self) -> bool {
+        self.terminal && !self.quiet
+    }
+
+    /// Tells what nodes took the last time. \[s\]
+    pub(crate) fn expect(&self, expected: BTreeMap<String, f64>) {
+        self.state.lock().expect("bug: poisoned").expected = expected;
+    }
+
     fn draw(&self, state: &mut State) {
         if self.terminal && !self.quiet {
             let running: Vec<String> = state
                 .running
                 .iter()
-                .map(|(node, at)| format!("{node}{at}"))
+                .map(|r| format!("{}{}", r.node, r.at))
                 .collect();
-            let line = format!("[{}/{}] {}", state.done, self.of, running.join(", "));
+            let left = match state.left() {
+                left if left >= 1.0 => format!(" about {} left", duration(left)),
+                _ => String::new(),
+            };
+            let line = format!(
+                "[{}/{}]{left} {}",
+                state.done.len(),
+                self.of,
+                running.join(", ")
+            );
             let line: String = line.chars().take(110).collect();
             let _ = write!(std::io::stderr(), "\r\x1b[K{line}");
             state.drawn = Instant::now();
@@ -54,14 +115,37 @@ impl Speaker {
 impl Watch for Speaker {
     fn started(&self, node: &str) {
         let mut state = self.state.lock().expect("bug: poisoned");
-        state.running.push((node.into(), String::new()));
+        state.running.retain(|r| r.node != node);
+        state.running.push(Running {
+            node: node.into(),
+            at: String::new(),
+            since: Instant::now(),
+        });
         self.draw(&mut state);
+    }
+
+    fn waits(&self, node: &str) {
+        let mut state = self.state.lock().expect("bug: poisoned");
+        if !state.running.iter().any(|r| r.node == node) {
+            if !self.terminal && !self.quiet {
+                let _ = writeln!(
+                    std::io::stderr(),
+                    "{node}: another process makes it; waiting for that"
+                );
+            }
+            state.running.push(Running {
+                node: node.into(),
+                at: " (made by another process)".into(),
+                since: Instant::now(),
+            });
+            self.draw(&mut state);
+        }
     }
 
     fn progress(&self, node: &str, label: &str, done: usize, of: usize) {
         let mut state = self.state.lock().expect("bug: poisoned");
-        if let Some(entry) = state.running.iter_mut().find(|(name, _)| name == node) {
-            entry.1 = format!(" ({label} {done}/{of})");
+        if let Some(entry) = state.running.iter_mut().find(|r| r.node == node) {
+            entry.at = format!(" ({label} {done}/{of})");
         }
         if state.drawn.elapsed().as_millis() > 100 {
             self.draw(&mut state);
@@ -70,9 +154,17 @@ impl Watch for Speaker {
 
     fn done(&self, node: &str, done: &Done) {
         let mut state = self.state.lock().expect("bug: poisoned");
-        state.running.retain(|(name, _)| name != node);
-        state.done += 1;
+        state.running.retain(|r| r.node != node);
+        state.done.insert(node.into());
+        let last = state.done.len() == self.of;
         if self.quiet {
+            return;
+        }
+        if done.fate == Fate::Found && self.of > MANY {
+            state.found += 1;
+            if last {
+                let _ = writeln!(std::io::stderr(), "{} of {} found", state.found, self.of);
+            }
             return;
         }
         let fate = match &done.fate {
@@ -96,12 +188,16 @@ impl Watch for Speaker {
         } else {
             format!("  ({})", numbers.join(", "))
         };
-        eprintln!("[{:>2}/{}] {node:<12} {fate}{numbers}", state.done, self.of);
+        eprintln!(
+            "[{:>2}/{}] {node:<12} {fate}{numbers}",
+            state.done.len(),
+            self.of
+        );
         for warning in &done.warnings {
             eprintln!("        warning: {warning}");
         }
         self.draw(&mut state);
-        if self.terminal && state.done == self.of {
+        if self.terminal && last {
             eprint!("\r\x1b[K");
         }
     }

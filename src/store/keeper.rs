@@ -3,7 +3,7 @@
 use super::Store;
 use crate::engine;
 use stage::Hash;
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
 
 /// A result in the store.
@@ -38,11 +38,14 @@ fn hash_of(path: &Path) -> Option<Hash> {
     Hash::from_hex(path.file_name()?.to_str()?).ok()
 }
 
-/// The results, by key. Records that are corrupt are put aside and left out.
+/// The results that are there, by key. Records that are corrupt are put aside and left out.
 pub fn list(store: &Store) -> Vec<Kept> {
     let kept = |path: PathBuf| {
         let key = hash_of(&path)?;
         let record = store.record(key)?;
+        if !store.place("cas", record.content).is_file() {
+            return None;
+        }
         let stage = record
             .story
             .first()
@@ -68,46 +71,56 @@ pub fn parts_size(store: &Store) -> u64 {
 }
 
 /// Removes results worth least (seconds to rebuild per byte) until the rest fits into `most` bytes;
-/// those of the last `keep_runs` runs stay. Returns what went, or would go. Parts go too, and
-/// whatever lies in `tmp`.
+/// those of the last `keep_runs` runs stay. Parts go first if it does not fit, and what killed
+/// processes left goes anyhow. Returns what went, or would go.
+///
+/// Records stay: the content of what went is still known, so that it is made again only when
+/// somebody reads it.
 pub fn gc(store: &Store, most: u64, keep_runs: usize, dry_run: bool) -> Vec<Kept> {
-    let mut kept = list(store);
     let pinned: BTreeSet<String> = engine::runs(store.root())
         .into_iter()
         .take(keep_runs)
         .flat_map(|(_, run)| run["nodes"].as_array().cloned().unwrap_or_default())
-        .filter_map(|node| node["key"].as_str().map(str::to_owned))
+        .filter_map(|node| node["content"].as_str().map(str::to_owned))
         .collect();
+    // Nodes may share a result: it is worth what the dearest of them took.
+    let mut kept: BTreeMap<String, Kept> = BTreeMap::new();
+    for k in list(store) {
+        let dearest = kept.entry(k.content.clone()).or_insert_with(|| k.clone());
+        if k.seconds > dearest.seconds {
+            *dearest = k;
+        }
+    }
+    let known: BTreeSet<String> = kept.keys().cloned().collect();
+    let mut kept: Vec<Kept> = kept.into_values().collect();
     let worth = |k: &Kept| k.seconds / k.bytes.max(1) as f64;
     kept.sort_by(|a, b| worth(a).total_cmp(&worth(b)).then(a.key.cmp(&b.key)));
     let mut total: u64 = kept.iter().map(|k| k.bytes).sum();
+    let parts_go = total + parts_size(store) > most;
     let mut gone = Vec::new();
-    for k in &kept {
+    for k in kept {
         if total <= most {
             break;
         }
-        if !pinned.contains(&k.key) {
+        if !pinned.contains(&k.content) {
             total -= k.bytes;
-            gone.push(k.clone());
+            gone.push(k);
         }
     }
     if !dry_run {
-        for path in shelf(store.root(), "part") {
-            let _ = std::fs::remove_file(path);
-        }
-        // Records first: a record without its blob is a miss, a blob without a record is litter.
-        for k in &gone {
-            if let Ok(key) = Hash::from_hex(&k.key) {
-                let _ = std::fs::remove_file(store.place("ac", key));
-            }
-        }
-        sweep(store);
-        let left: BTreeSet<String> = list(store).into_iter().map(|k| k.content).collect();
-        for path in shelf(store.root(), "cas") {
-            if hash_of(&path).is_some_and(|h| !left.contains(h.to_hex().as_str())) {
+        if parts_go {
+            for path in shelf(store.root(), "part") {
                 let _ = std::fs::remove_file(path);
             }
         }
+        let going: BTreeSet<&str> = gone.iter().map(|k| k.content.as_str()).collect();
+        for path in shelf(store.root(), "cas") {
+            let name = path.file_name().and_then(|n| n.to_str()).unwrap_or("");
+            if going.contains(name) || !known.contains(name) {
+                let _ = std::fs::remove_file(path);
+            }
+        }
+        sweep(store);
     }
     gone
 }

@@ -125,7 +125,7 @@ fn one(sweeping: &Sweeping<'_>, point: Point, failures: &mut Failures) -> Result
     let outcome = engine::run(
         &graph,
         sweeping.folders,
-        &wanted,
+        &crate::walk::all(&graph, &wanted),
         sweeping.options,
         sweeping.watch,
         sweeping.cancel,

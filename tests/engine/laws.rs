@@ -3,9 +3,12 @@
 use crate::place::{Log, Place, graph};
 use proof::Dice;
 use std::collections::BTreeSet;
+use std::sync::atomic::AtomicBool;
+use tailor::engine::Options;
 use tailor::graph::Graph;
 use tailor::plan::{State, plan};
 use tailor::store::{Store, keeper};
+use tailor::verify::verify;
 use tailor::walk::Fate;
 use tailor::{engine, key};
 
@@ -132,6 +135,61 @@ fn any_number_of_threads_gives_equal_bytes() {
             .collect::<Vec<_>>()
     };
     assert_eq!(contents(1), contents(2));
+}
+
+#[test]
+fn a_stage_that_is_not_the_same_twice_is_found() {
+    let place = Place::new("hello\n");
+    let node = |name: &str, stage: &str, from: &str| {
+        format!("[node.{name}]\nstage = \"toy.{stage}\"\nfrom = {{ {from} }}\n")
+    };
+    let nodes = node("clean", "clean", "files = \"@src\"")
+        + &node("m", "mid", "text = \"clean\"")
+        + &node("bad", "unsteady", "text = \"m\"");
+    let graph = graph(&["clean", "m", "bad"], &nodes);
+    let outcome = place.outcome(&graph, &place.cache(), 2, &Log::default());
+    let options = Options {
+        cache: place.cache(),
+        threads: None,
+        keep_going: false,
+    };
+    let folders = [("src".to_owned(), place.src())];
+    let cancel = AtomicBool::new(false);
+    let found = verify(&graph, &folders, &outcome, &options, &cancel, &|_| {}).unwrap();
+    assert_eq!(found.len(), 1);
+    assert!(found[0].node == "bad" && found[0].what.contains("not deterministic"));
+}
+
+#[test]
+fn gc_removes_what_is_cheap_for_its_size_and_a_rerun_makes_nothing_of_it() {
+    let place = Place::new("hello\n");
+    let chained = crate::place::chain(1);
+    place.outcome(&chained, &place.cache(), 1, &Log::default());
+    let store = place.store();
+    assert_eq!(
+        keeper::gc(&store, 0, 1, true).len(),
+        0,
+        "the last run is kept"
+    );
+    assert_eq!(keeper::gc(&store, 0, 0, true).len(), 4);
+    assert_eq!(keeper::list(&store).len(), 4, "a dry run removes nothing");
+    let blob = std::fs::read(place.blob(1, "mid")).unwrap().len() as u64;
+    let gone = keeper::gc(&store, 3 * blob, 0, false);
+    assert!((1..4).contains(&gone.len()));
+    let worth = |k: &keeper::Kept| k.seconds / k.bytes as f64;
+    let left = keeper::list(&store);
+    assert!(
+        gone.iter()
+            .all(|g| left.iter().all(|l| worth(g) <= worth(l)))
+    );
+    let goal = |name: &str| chained.goal.iter().any(|i| chained.nodes[*i].name == name);
+    assert!(
+        place
+            .run(1)
+            .iter()
+            .all(|name| goal(name) || name == "mid" || name == "clean")
+    );
+    assert_eq!(keeper::verify(&store), 0);
 }
 
 #[test]

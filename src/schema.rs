@@ -1,0 +1,139 @@
+//! The JSON schema of a pipeline file, for editors: stages with their ports and params, their
+//! units, ranges and defaults.
+//!
+//! JSON Schema 2020-12. Editors that know TOML (Even Better TOML, Tombi) take it by a first line
+//! `#:schema pipeline.schema.json`.
+
+use serde_json::{Map, Value, json};
+use stage::{AnyStage, ParamSpec};
+
+/// The schema for a catalog of stages.
+pub fn schema<'a>(stages: impl Iterator<Item = &'a dyn AnyStage>) -> Value {
+    let stages: Vec<&dyn AnyStage> = stages.collect();
+    let names: Vec<&str> = stages.iter().map(|s| s.name()).collect();
+    let by_stage: Vec<Value> = stages.iter().map(|s| rule(*s)).collect();
+    let texts = json!({ "type": "array", "items": { "type": "string" } });
+    let text_or_texts = json!({ "anyOf": [{ "type": "string" }, texts] });
+    let from = json!({
+        "description": "What the ports read: `{ port = \"node\" }`, or a list where each port is called like what it reads; `@name` is an input",
+        "anyOf": [
+            { "type": "object", "additionalProperties": { "type": "string" } },
+            texts,
+            { "type": "string" },
+        ],
+    });
+    let with = json!({ "type": "object", "additionalProperties": { "$ref": "#/$defs/value" } });
+    let about = json!({ "type": "string", "description": "What it is for" });
+    let stage = json!({ "type": "string", "enum": names, "description": "What the node does" });
+    let of_nodes = |value: Value| json!({ "type": "object", "additionalProperties": value });
+    let named = |value: Value| json!({ "type": "object", "additionalProperties": value });
+    json!({
+        "$schema": "https://json-schema.org/draft/2020-12/schema",
+        "title": "A pipeline of tailor",
+        "type": "object",
+        "required": ["goal", "node"],
+        "additionalProperties": false,
+        "properties": {
+            "about": about,
+            "goal": text_or_texts,
+            "input": named(json!({
+                "type": "object", "required": ["files"], "additionalProperties": false,
+                "properties": { "about": about, "files": text_or_texts },
+            })),
+            "node": named(json!({
+                "type": "object", "required": ["stage"], "additionalProperties": false,
+                "properties": { "stage": stage, "from": from, "with": { "type": "object" } },
+                "allOf": by_stage,
+            })),
+            "variant": named(json!({
+                "type": "object", "additionalProperties": false,
+                "properties": {
+                    "about": about, "without": text_or_texts, "with": of_nodes(with),
+                    "stage": of_nodes(stage), "from": of_nodes(from),
+                },
+            })),
+            "sweep": named(json!({
+                "type": "object", "additionalProperties": false,
+                "properties": {
+                    "about": about, "with": text_or_texts, "tell": text_or_texts,
+                    "csv": { "type": "string" }, "zip": { "type": "array" },
+                    "sample": { "type": "object" },
+                    "over": of_nodes(json!({ "type": "object" })),
+                },
+            })),
+        },
+        "$defs": { "value": { "type": ["boolean", "number", "string", "array"] } },
+    })
+}
+
+/// If a node has this stage, its ports and params are these.
+fn rule(stage: &dyn AnyStage) -> Value {
+    let properties = |entries: Vec<(&str, Value)>| -> Value {
+        let map: Map<String, Value> = entries
+            .into_iter()
+            .map(|(k, v)| (k.to_owned(), v))
+            .collect();
+        map.into()
+    };
+    let ports = stage.ports();
+    let port = |p: &stage::PortSpec| {
+        let description = format!("{} ({})", p.doc, p.kind);
+        (
+            p.name,
+            json!({ "type": "string", "description": description }),
+        )
+    };
+    let needed: Vec<&str> = ports
+        .iter()
+        .filter(|p| !p.optional)
+        .map(|p| p.name)
+        .collect();
+    let specs = stage.params();
+    let params = specs.iter().map(|p| (p.name, param(p))).collect();
+    json!({
+        "if": { "required": ["stage"], "properties": { "stage": { "const": stage.name() } } },
+        "then": {
+            "description": stage.about(),
+            "properties": {
+                "from": {
+                    "if": { "type": "object" },
+                    "then": {
+                        "properties": properties(ports.iter().map(port).collect()),
+                        "required": needed, "additionalProperties": false,
+                    },
+                },
+                "with": { "properties": properties(params), "additionalProperties": false },
+            },
+        },
+    })
+}
+
+fn param(spec: &ParamSpec) -> Value {
+    let mut rule = json!({ "description": spec.doc, "default": plain(&spec.default) });
+    if !spec.choices.is_empty() {
+        rule["enum"] = json!(spec.choices);
+    } else {
+        rule["type"] = json!(match &spec.default {
+            stage::Value::Bool(_) => "boolean",
+            stage::Value::Int(_) => "integer",
+            stage::Value::Float(_) => "number",
+            stage::Value::Text(_) => "string",
+            stage::Value::List(_) => "array",
+        });
+    }
+    if let Some((least, greatest)) = spec.range {
+        rule["minimum"] = json!(least);
+        rule["maximum"] = json!(greatest);
+    }
+    rule
+}
+
+fn plain(value: &stage::Value) -> Value {
+    match value {
+        stage::Value::Bool(b) => json!(b),
+        stage::Value::Int(i) => json!(i),
+        stage::Value::Float(x) => json!(x),
+        stage::Value::Text(t) => json!(t),
+        stage::Value::List(l) => l.iter().map(plain).collect(),
+    }
+}
