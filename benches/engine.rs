@@ -216,6 +216,8 @@ fn bench(width: usize) {
             println!("| {tool} | {nodes} | absent | | | |");
             continue;
         }
+        let outputs = (0..width).flat_map(|w| (0..LENGTH).map(move |l| format!("w{w}l{l}")));
+        outputs.for_each(|o| _ = std::fs::remove_file(folder.join(o)));
         let run = || time(Command::new(tool).args(["-j2"]).current_dir(folder)).0;
         let cold = run();
         let idle = least(9, run);

@@ -151,3 +151,52 @@ fn a_set_must_name_a_node_and_a_param() {
         assert!(error.to_string().contains(says), "{error}");
     }
 }
+
+#[test]
+fn the_schema_for_editors_knows_every_stage_with_its_ports_and_params() {
+    let schema = tailor::schema::schema(tailor::catalog::stages());
+    let rules = &schema["properties"]["node"]["additionalProperties"]["allOf"];
+    for stage in tailor::catalog::stages() {
+        let rules = rules.as_array().unwrap();
+        let of = |r: &&serde_json::Value| r["if"]["properties"]["stage"]["const"] == stage.name();
+        let rule = &rules.iter().find(of).unwrap()["then"]["properties"];
+        for port in stage.ports() {
+            let ports = &rule["from"]["then"];
+            assert!(ports["properties"][port.name].is_object(), "{}", port.name);
+            let needed = ports["required"].as_array().unwrap();
+            assert_eq!(needed.iter().any(|n| n == port.name), !port.optional);
+        }
+        for param in stage.params() {
+            let said = &rule["with"]["properties"][param.name];
+            assert_eq!(said["description"], param.doc, "{}", param.name);
+            assert_eq!(said["minimum"].as_f64(), param.range.map(|r| r.0));
+            assert!(!said["default"].is_null());
+        }
+    }
+}
+
+#[test]
+fn a_drawing_has_a_box_for_every_node_and_input_and_arrows_point_down() {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("pipelines/body.toml");
+    let graph = open(&path, &Overrides::default()).unwrap();
+    let plan = vec![None; graph.nodes.len()];
+    let svg = tailor::drawing::draw(&graph, &plan, "svg").unwrap();
+    assert_eq!(
+        svg.matches("<g>").count(),
+        graph.nodes.len() + graph.inputs.len()
+    );
+    for node in &graph.nodes {
+        assert!(
+            svg.contains(&format!(">{}</text>", node.name)),
+            "{}",
+            node.name
+        );
+    }
+    for path in svg.split("<path d=\"M").skip(1) {
+        let path = path.split('"').next().unwrap();
+        let (start, rest) = path.split_once('C').unwrap();
+        let end: f64 = rest.split_whitespace().last().unwrap().parse().unwrap();
+        let start: f64 = start.split_whitespace().last().unwrap().parse().unwrap();
+        assert!(start < end, "{path}");
+    }
+}

@@ -5,6 +5,7 @@
 mod exif;
 mod load;
 mod rig;
+mod whole;
 
 pub use load::{CaptureError, Load, LoadInput, LoadParams};
 pub use rig::{RigError, RigFile, read_rig};

@@ -223,6 +223,9 @@ fn photo(path: &str, bytes: Vec<u8>) -> Result<Photo, CaptureError> {
     if bytes.is_empty() {
         return Err(no_picture("it is empty".into()));
     }
+    if crate::whole::is_cut_off(&bytes) {
+        return Err(no_picture("it ends too early: copied whole?".into()));
+    }
     let exif = exif::read(&bytes);
     let (width, height) = image::ImageReader::new(std::io::Cursor::new(&bytes))
         .with_guessed_format()
