@@ -105,6 +105,7 @@ const RETRY: Duration = Duration::from_millis(15);
 /// Walks: one entry a node, `None` for those that were not wanted.
 pub fn walk(job: &Job<'_>, around: &Surroundings<'_>) -> Vec<Option<Done>> {
     let mut agenda = Agenda::new(job.graph, job.files, job.wanted);
+    around.store.look_around(job.graph.nodes.len(), job.threads);
     settle(job, around, &mut agenda);
     if !agenda.idle() {
         let (shared, bell) = (Mutex::new(agenda), Condvar::new());

@@ -41,6 +41,8 @@ struct Entry {
     stamp: Stamp,
     seconds: f64,
     notes: Vec<u8>,
+    /// The blob's stamp as it was seen a moment ago, to be used once; see [`Store::look_around`].
+    seen: Option<Option<Stamp>>,
 }
 
 /// What is known of a key.
@@ -141,6 +143,7 @@ fn parse(file: &[u8]) -> Option<BTreeMap<[u8; 32], Entry>> {
                 stamp,
                 seconds,
                 notes,
+                seen: None,
             },
         );
     }
@@ -162,12 +165,13 @@ impl Store {
     /// that is there but corrupt is a miss.
     pub fn found(&self, key: Hash) -> Option<Found> {
         let known = {
-            let index = self.index.lock().expect("bug: poisoned");
-            index.entries.get(key.as_bytes()).cloned()
+            let mut index = self.index.lock().expect("bug: poisoned");
+            let entry = index.entries.get_mut(key.as_bytes());
+            entry.map(|e| (e.seen.take(), e.clone()))
         };
-        if let Some(entry) = known {
+        if let Some((seen, entry)) = known {
             let content = Hash::from_bytes(entry.content);
-            let stamp = Stamp::of(&self.place("cas", content));
+            let stamp = seen.unwrap_or_else(|| Stamp::of(&self.place("cas", content)));
             if stamp.is_none_or(|stamp| stamp == entry.stamp) {
                 let present = stamp.is_some();
                 let record = entry.record();
@@ -188,6 +192,26 @@ impl Store {
         Some(Found { record, present })
     }
 
+    /// Looks at the blobs of all entries on several threads, ahead of a walk of so many nodes
+    /// that is going to ask for most of them.
+    pub(crate) fn look_around(&self, nodes: usize, threads: usize) {
+        let mut index = self.index.lock().expect("bug: poisoned");
+        let n = index.entries.len();
+        if threads < 2 || n < 2000 || n > 2 * nodes {
+            return;
+        }
+        let mut entries: Vec<&mut Entry> = index.entries.values_mut().collect();
+        let look = |entry: &mut Entry| {
+            let content = Hash::from_bytes(entry.content);
+            entry.seen = Some(Stamp::of(&self.place("cas", content)));
+        };
+        std::thread::scope(|scope| {
+            for chunk in entries.chunks_mut(n.div_ceil(threads.min(4))) {
+                scope.spawn(move || chunk.iter_mut().for_each(|entry| look(entry)));
+            }
+        });
+    }
+
     /// Remembers that the blob of a record was found whole.
     fn note(&self, key: Hash, record: &Record, stamp: Stamp) {
         let entry = Entry {
@@ -195,6 +219,7 @@ impl Store {
             stamp,
             seconds: record.seconds,
             notes: notes(record),
+            seen: None,
         };
         let mut index = self.index.lock().expect("bug: poisoned");
         index.entries.insert(*key.as_bytes(), entry);
@@ -237,6 +262,7 @@ mod tests {
             stamp: Stamp(7, 8, 9),
             seconds: 0.5,
             notes: vec![n; usize::from(n)],
+            seen: None,
         };
         let mut index = Index::default();
         for n in 0..3 {
