@@ -60,7 +60,7 @@ pub use mat_layout::{LayoutError, Mark, mat_for, mat_marks, mat_toml};
 pub use mat_print::{Paper, tiles, to_pdf, to_svg};
 
 pub use epipolar::{Both, agreeing, fundamental, sampson};
-pub use matching::{Pairs, mutual};
+pub use matching::{Pairs, mutual, still};
 pub use planar::planar_pose;
 pub use residual::{Derivatives, derivatives};
 pub use ring::Ring;
@@ -68,7 +68,7 @@ pub use ring_fit::{Circle, camera_circle, circle, moved};
 pub use ring_start::{Known, Pair, Start, starts};
 pub use scene::{Beliefs, LENS, LensPrior, Scene, Settings, Sight, cost};
 pub use sift::{Sift, SiftInput, SiftParams, features};
-pub use sift_describe::describe;
+pub use sift_describe::{describe, fading};
 pub use sift_detect::{Extremum, extrema, orientations};
 pub use sift_pyramid::{INTERVALS, Octave, SIGMA, blur, octaves};
 pub use stature::{Stature, stature};

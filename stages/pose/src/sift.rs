@@ -1,6 +1,6 @@
 //! The stage that finds features.
 
-use crate::sift_describe::describe;
+use crate::sift_describe::{describe, fading};
 use crate::sift_detect::{Extremum, extrema, orientations};
 use crate::sift_pyramid::octaves;
 use rayon::prelude::*;
@@ -23,6 +23,10 @@ stage::params! {
         /// Longest side at which features are searched; larger photos are reduced by whole factors.
         #[range(200..=10000)]
         longest_px: u32 = 3200,
+        /// Photos whose longer side is at most this are searched at twice their size, too: for
+        /// features of the size of a pixel.
+        #[range(0..=10000)]
+        fine_px: u32 = 2600,
         /// Whether features are searched even where a marker mat tells of the cameras.
         beside_mat: bool = false,
     }
@@ -41,7 +45,7 @@ pub struct Sift;
 
 impl Stage for Sift {
     const NAME: &'static str = "pose.sift";
-    const VERSION: u32 = 1;
+    const VERSION: u32 = 2;
     const ABOUT: &'static str =
         "Finds scale-invariant features (Lowe 2004) and describes them (RootSIFT).";
     type Params = SiftParams;
@@ -90,12 +94,19 @@ pub fn features(gray: &Gray, p: &SiftParams) -> Features {
         gray.clone()
     };
     let mut found: Vec<(f32, Keypoint, [u8; 128])> = Vec::new();
-    octaves(&reduced, |number, octave| {
-        let unit = (1usize << number) as f32;
-        let points: Vec<Extremum> = extrema(octave, p.contrast as f32, p.edge as f32);
+    let fading = fading();
+    let fine = reduced.width.max(reduced.height) <= p.fine_px as usize;
+    octaves(&reduced, fine, |unit, octave| {
+        let mut points: Vec<Extremum> = extrema(octave, p.contrast as f32, p.edge as f32);
+        // Those that cannot be among the strongest of all are not described.
+        let mut all: Vec<f32> = found.iter().map(|f| f.0).collect();
+        all.extend(points.iter().map(|e| e.contrast));
+        all.sort_by(|a, b| b.total_cmp(a));
+        let bar = all.get(p.most as usize).copied().unwrap_or(0.0);
+        points.retain(|e| e.contrast >= bar);
         for e in points {
             let image = &octave.blurred[e.layer];
-            for angle in orientations(image, &e) {
+            for angle in orientations(image, &e, &fading) {
                 let full = |v: f32| (v * unit + 0.5) * factor as f32 - 0.5;
                 let point = Keypoint {
                     x: full(e.x),
@@ -103,7 +114,7 @@ pub fn features(gray: &Gray, p: &SiftParams) -> Features {
                     scale: e.scale * unit * factor as f32,
                     angle,
                 };
-                found.push((e.contrast, point, describe(image, &e, angle)));
+                found.push((e.contrast, point, describe(image, &e, angle, &fading)));
             }
         }
     });

@@ -10,7 +10,7 @@ const BINS: usize = 8;
 const CELL_SCALES: f32 = 3.0;
 
 /// The descriptor of a point with a direction. \[rad\]
-pub fn describe(image: &Gray, e: &Extremum, angle: f32) -> [u8; 128] {
+pub fn describe(image: &Gray, e: &Extremum, angle: f32, fading: &[f32]) -> [u8; 128] {
     let (sin, cos) = angle.sin_cos();
     let cell = CELL_SCALES * e.scale;
     let half = CELLS as f32 / 2.0;
@@ -29,9 +29,9 @@ pub fn describe(image: &Gray, e: &Extremum, angle: f32) -> [u8; 128] {
             let gx = image.at(px + 1, py) - image.at(px - 1, py);
             let gy = image.at(px, py + 1) - image.at(px, py - 1);
             let weight =
-                (-(u * u + v * v) / (2.0 * half * half)).exp() * (gx * gx + gy * gy).sqrt();
-            let turn = (gy.atan2(gx) - angle) / std::f32::consts::TAU;
-            let bo = (turn - turn.floor()) * BINS as f32;
+                faded(fading, (u * u + v * v) / (2.0 * half * half)) * (gx * gx + gy * gy).sqrt();
+            let from = turn(gx, gy) - angle / std::f32::consts::TAU;
+            let bo = (if from < 0.0 { from + 1.0 } else { from }) * BINS as f32;
             spread(&mut bins, bu, bv, bo, weight);
         }
     }
@@ -46,20 +46,63 @@ pub fn describe(image: &Gray, e: &Extremum, angle: f32) -> [u8; 128] {
     out
 }
 
+/// The direction of a gradient in turns, 0..=1 (Abramowitz and Stegun 4.4.49: to 2e-6 of a turn).
+pub(crate) fn turn(gx: f32, gy: f32) -> f32 {
+    let (ax, ay) = (gx.abs(), gy.abs());
+    let (low, high) = if ax < ay { (ax, ay) } else { (ay, ax) };
+    let a = low / (high + 1e-20);
+    let s = a * a;
+    let arc =
+        a * (0.999_866 + s * (-0.330_299_5 + s * (0.180_141 + s * (-0.085_133 + s * 0.020_835_1))));
+    let first = arc * (1.0 / std::f32::consts::TAU);
+    let half = if ax < ay { 0.25 - first } else { first };
+    let upper = if gx < 0.0 { 0.5 - half } else { half };
+    if gy < 0.0 { 1.0 - upper } else { upper }
+}
+
+/// exp(-x) for 0 <= x < 8 in steps of 1/128.
+pub fn fading() -> Vec<f32> {
+    (0..1024)
+        .map(|i| (-(i as f32 + 0.5) / 128.0).exp())
+        .collect()
+}
+
+/// Looks up [`fading`]; nothing beyond its end.
+pub(crate) fn faded(table: &[f32], x: f32) -> f32 {
+    table.get((x * 128.0) as usize).copied().unwrap_or(0.0)
+}
+
 /// Adds a gradient to the eight bins around it.
 fn spread(bins: &mut [f32], u: f32, v: f32, o: f32, weight: f32) {
-    let (u0, v0, o0) = (u.floor(), v.floor(), o.floor());
-    let (fu, fv, fo) = (u - u0, v - v0, o - o0);
+    // Truncation of what is at least -1, moved by one, is the floor.
+    let (u0, v0, o0) = ((u + 1.0) as i32 - 1, (v + 1.0) as i32 - 1, o as usize);
+    let (fu, fv, fo) = (u - u0 as f32, v - v0 as f32, o - o0 as f32);
     for (du, wu) in [(0, 1.0 - fu), (1, fu)] {
         for (dv, wv) in [(0, 1.0 - fv), (1, fv)] {
-            let (cu, cv) = (u0 as i32 + du, v0 as i32 + dv);
+            let (cu, cv) = (u0 + du, v0 + dv);
             if cu < 0 || cv < 0 || cu >= CELLS as i32 || cv >= CELLS as i32 {
                 continue;
             }
             for (d, wo) in [(0, 1.0 - fo), (1, fo)] {
-                let bin = (o0 as usize + d) % BINS;
+                let bin = (o0 + d) % BINS;
                 bins[(cv as usize * CELLS + cu as usize) * BINS + bin] += weight * wu * wv * wo;
             }
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn directions_are_those_of_the_arc_tangent() {
+        for k in 0..1000 {
+            let angle = (k as f32 + 0.3) / 1000.0 * std::f32::consts::TAU;
+            let (sin, cos) = angle.sin_cos();
+            let got = turn(7.0 * cos, 7.0 * sin) * std::f32::consts::TAU;
+            assert!((got - angle).abs() < 2e-5, "{got} {angle}");
+        }
+        assert!((0.0..=1.0).contains(&turn(0.0, 0.0)));
     }
 }

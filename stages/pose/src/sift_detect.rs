@@ -1,5 +1,6 @@
 //! Extrema of scale space, to a part of a pixel (Lowe 2004, §3.1, §4, §5).
 
+use crate::sift_describe::{faded, turn};
 use crate::sift_pyramid::{INTERVALS, Octave, SIGMA};
 use nalgebra::{Matrix3, Vector3};
 use shape::Gray;
@@ -21,30 +22,40 @@ pub struct Extremum {
 
 /// The extrema of an octave with at least this contrast (levels of 255), edges left out.
 pub fn extrema(octave: &Octave, contrast: f32, edge: f32) -> Vec<Extremum> {
-    let d = &octave.differences;
-    let (w, h) = (d[0].width, d[0].height);
+    let blurred = &octave.blurred;
+    let (w, h) = (blurred[0].width, blurred[0].height);
+    // Three rows of each difference, row y in place y % 3.
+    let mut d = vec![[vec![0.0f32; w], vec![0.0; w], vec![0.0; w]]; INTERVALS + 2];
     let mut found = Vec::new();
-    for layer in 1..=INTERVALS {
-        for y in 5..h - 5 {
-            for x in 5..w - 5 {
-                let v = d[layer].at(x, y);
-                if v.abs() < 0.5 * contrast || !is_extremum(d, layer, x, y, v) {
-                    continue;
+    for y in 4..h - 4 {
+        for (layer, rows) in d.iter_mut().enumerate() {
+            let (finer, coarser) = (blurred[layer].row(y), blurred[layer + 1].row(y));
+            for ((d, a), b) in rows[y % 3].iter_mut().zip(coarser).zip(finer) {
+                *d = a - b;
+            }
+        }
+        if y < 6 {
+            continue;
+        }
+        let middle = y - 1;
+        for layer in 1..=INTERVALS {
+            let row = &d[layer][middle % 3];
+            for (x, v) in row.iter().enumerate().take(w - 5).skip(5) {
+                if v.abs() >= 0.5 * contrast && is_extremum(&d, layer, x, middle, *v) {
+                    found.extend(refined(blurred, layer, x, middle, contrast, edge));
                 }
-                found.extend(refined(d, layer, x, y, contrast, edge));
             }
         }
     }
     found
 }
 
-fn is_extremum(d: &[Gray], layer: usize, x: usize, y: usize, v: f32) -> bool {
+fn is_extremum(d: &[[Vec<f32>; 3]], layer: usize, x: usize, y: usize, v: f32) -> bool {
     let sign = v.signum();
-    for (l, image) in d[layer - 1..=layer + 1].iter().enumerate() {
-        for yy in y - 1..=y + 1 {
-            let row = &image.row(yy)[x - 1..=x + 1];
-            for (k, n) in row.iter().enumerate() {
-                let itself = l == 1 && yy == y && k == 1;
+    for l in [layer, layer - 1, layer + 1] {
+        for (i, row) in d[l].iter().enumerate() {
+            for (k, n) in row[x - 1..=x + 1].iter().enumerate() {
+                let itself = l == layer && i == y % 3 && k == 1;
                 if !itself && n * sign >= v * sign {
                     return false;
                 }
@@ -56,20 +67,19 @@ fn is_extremum(d: &[Gray], layer: usize, x: usize, y: usize, v: f32) -> bool {
 
 /// The extremum of the quadratic through the neighbours (Brown and Lowe 2002).
 fn refined(
-    d: &[Gray],
+    blurred: &[Gray],
     mut layer: usize,
     mut x: usize,
     mut y: usize,
     contrast: f32,
     edge: f32,
 ) -> Option<Extremum> {
-    let (w, h) = (d[0].width, d[0].height);
+    let (w, h) = (blurred[0].width, blurred[0].height);
     for _ in 0..5 {
         let at = |l: i32, dx: i32, dy: i32| {
-            f64::from(
-                d[(layer as i32 + l) as usize]
-                    .at((x as i32 + dx) as usize, (y as i32 + dy) as usize),
-            )
+            let (x, y) = ((x as i32 + dx) as usize, (y as i32 + dy) as usize);
+            let l = (layer as i32 + l) as usize;
+            f64::from(blurred[l + 1].at(x, y) - blurred[l].at(x, y))
         };
         let v = at(0, 0, 0);
         let g = Vector3::new(
@@ -116,7 +126,7 @@ fn refined(
 
 /// The directions of a point: peaks of a histogram of gradients around it, at least four fifths of
 /// the highest. \[rad\]
-pub fn orientations(image: &Gray, e: &Extremum) -> Vec<f32> {
+pub fn orientations(image: &Gray, e: &Extremum, fading: &[f32]) -> Vec<f32> {
     const BINS: usize = 36;
     let mut bins = [0f32; BINS];
     let sigma = 1.5 * e.scale;
@@ -133,9 +143,8 @@ pub fn orientations(image: &Gray, e: &Extremum) -> Vec<f32> {
                 image.at(x + 1, y) - image.at(x - 1, y),
                 image.at(x, y + 1) - image.at(x, y - 1),
             );
-            let weight = (-((dx * dx + dy * dy) as f32) / (2.0 * sigma * sigma)).exp();
-            let turn = gy.atan2(gx) / std::f32::consts::TAU + 1.0;
-            bins[(turn * BINS as f32).round() as usize % BINS] +=
+            let weight = faded(fading, (dx * dx + dy * dy) as f32 / (2.0 * sigma * sigma));
+            bins[(turn(gx, gy) * BINS as f32 + 0.5) as usize % BINS] +=
                 weight * (gx * gx + gy * gy).sqrt();
         }
     }

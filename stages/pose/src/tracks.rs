@@ -1,7 +1,7 @@
 //! The stage that follows features over the photos.
 
 use crate::epipolar::{Both, agreeing};
-use crate::matching::mutual;
+use crate::matching::{mutual, still};
 use rayon::prelude::*;
 use shape::{Features, Keypoints, PhotoId, Photos, Sighting, Tracks};
 use stage::{Ctx, Stage, Stop};
@@ -46,7 +46,7 @@ pub struct Follow;
 
 impl Stage for Follow {
     const NAME: &'static str = "pose.tracks";
-    const VERSION: u32 = 1;
+    const VERSION: u32 = 2;
     const ABOUT: &'static str = "Follows features over the photos: what stands still and what breaks the epipolar constraint goes.";
     type Params = TracksParams;
     type Input = TracksInput;
@@ -68,7 +68,7 @@ impl Stage for Follow {
             .map_or(1000.0, |p| p.height as f32);
         let steps = ctx.steps("pairs", pairs.len());
         let one = |(i, j): &(usize, usize)| -> Result<(Vec<Match>, usize), Stop> {
-            let found = matched(views[*i].1, views[*j].1, p, height);
+            let found = matched(views[*i].1, views[*j].1, p, 0.16 * height);
             steps.tick()?;
             Ok((
                 found
@@ -110,9 +110,10 @@ impl Stage for Follow {
 /// Two features, each by photo and place.
 type Match = ((usize, u32), (usize, u32));
 
-/// The matches of a pair, and how many stood still.
-fn matched(a: &Features, b: &Features, p: &TracksParams, height: f32) -> (Vec<(u32, u32)>, usize) {
-    let all = mutual(a, b, p.ratio, 0.16 * height);
+/// The matches of a pair, and how many features stood still.
+fn matched(a: &Features, b: &Features, p: &TracksParams, rise: f32) -> (Vec<(u32, u32)>, usize) {
+    let left_out = still(a, b, p.still_px as f32);
+    let mut moving = mutual(a, b, p.ratio, rise, &left_out);
     let both = |(i, j): &(u32, u32)| -> Both {
         let (k, l) = (&a.points[*i as usize], &b.points[*j as usize]);
         [
@@ -120,20 +121,19 @@ fn matched(a: &Features, b: &Features, p: &TracksParams, height: f32) -> (Vec<(u
             [f64::from(l.x), f64::from(l.y)],
         ]
     };
-    let moves = |m: &&(u32, u32)| {
+    moving.retain(|m| {
         let [k, l] = both(m);
         (k[0] - l[0]).hypot(k[1] - l[1]) >= p.still_px
-    };
-    let moving: Vec<(u32, u32)> = all.iter().filter(moves).copied().collect();
+    });
     let pairs: Vec<Both> = moving.iter().map(both).collect();
     let agree = agreeing(&pairs, p.epipolar_px, p.rounds as usize, p.seed as u64);
-    let kept = moving
+    let kept: Vec<(u32, u32)> = moving
         .iter()
         .zip(&agree)
         .filter(|(_, agree)| **agree)
         .map(|(m, _)| *m)
         .collect();
-    (kept, all.len() - moving.len())
+    (kept, left_out[0].iter().filter(|still| **still).count())
 }
 
 /// Matches joined to tracks (union-find); a track with two features on one photo is no point.
