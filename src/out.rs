@@ -33,11 +33,11 @@ pub enum OutError {
 /// The formats of a kind, the usual one first.
 pub fn formats(kind: &str) -> &'static [&'static str] {
     match kind {
-        "mesh" => &["ply", "glb"],
+        "mesh" => &["ply", "glb", "obj"],
         "textured" => &["glb", "ply", "obj"],
         "cameras" => &["json", "colmap", "svg"],
         "masks" => &["png"],
-        "girths" => &["json", "csv"],
+        "girths" => &["json", "csv", "schema"],
         "landmarks" => &["json"],
         "document" => &["file"],
         "tags" => &["json"],
@@ -71,6 +71,7 @@ pub fn files(
     match (kind, format) {
         ("mesh", "ply") => one(mesh_to_ply(&*take!(Mesh))),
         ("mesh", "glb") => one(shape::mesh_to_glb(&*take!(Mesh))),
+        ("mesh", "obj") => Ok(shape::mesh_to_obj(&*take!(Mesh))),
         ("textured", "ply") => one(mesh_to_ply(&take!(Textured).mesh)),
         ("textured", "glb") => one(shape::textured_to_glb(&*take!(Textured))),
         ("textured", "obj") => Ok(shape::textured_to_obj(&*take!(Textured))),
@@ -78,6 +79,7 @@ pub fn files(
         ("cameras", "colmap") => Ok(shape::cameras_to_colmap_text(&*take!(Cameras))),
         ("girths", "json") => one(shape::girths_to_json(&*take!(Girths)).into_bytes()),
         ("girths", "csv") => one(shape::girths_to_csv(&*take!(Girths)).into_bytes()),
+        ("girths", "schema") => one(shape::girths_schema().into()),
         ("landmarks", "json") => one(shape::landmarks_to_json(&*take!(Landmarks)).into_bytes()),
         ("tags", _) => one(tags_to_json(&*take!(Tags)).into_bytes()),
         ("document", _) => one(take!(Document).bytes.clone()),

@@ -1,28 +1,31 @@
 //! `tailor measure`: the one-line door.
 
 use super::run::{execute, photos};
+use super::screen::screen;
 use super::{Fault, House, provenance};
 use crate::engine::Outcome;
 use crate::graph::Graph;
 use crate::out;
 use crate::recipe::{Overrides, open_text};
 use clap::Args;
-use shape::{Document, Girths};
+use shape::{Cameras, Document, Girths};
 use std::path::PathBuf;
 
 /// The product's pipeline, so that the binary works alone.
 pub(super) const BODY: &str = include_str!("../../pipelines/body.toml");
 
-/// What is written: node, file in the folder, format.
-const WRITTEN: [(&str, &str, &str); 8] = [
-    ("girths", "girths.json", "json"),
-    ("girths", "girths.csv", "csv"),
-    ("landmarks", "landmarks.json", "json"),
-    ("cameras", "cameras.json", "json"),
-    ("masks", "masks", "png"),
-    ("hull", "hull.ply", "ply"),
-    ("body", "body.ply", "ply"),
-    ("body", "body.glb", "glb"),
+/// What is written: nodes, of which the first that there is counts, file in the folder, format.
+/// Without refinement the hull is the body. Formats of several files go into the folder itself.
+const WRITTEN: [(&[&str], &str, &str); 9] = [
+    (&["girths"], "girths.json", "json"),
+    (&["girths"], "girths.csv", "csv"),
+    (&["landmarks"], "landmarks.json", "json"),
+    (&["cameras"], "cameras.json", "json"),
+    (&["masks"], "masks", "png"),
+    (&["hull"], "hull.ply", "ply"),
+    (&["body", "hull"], "body.ply", "ply"),
+    (&["textured", "body", "hull"], "body.glb", "glb"),
+    (&["textured", "body", "hull"], "", "obj"),
 ];
 
 /// Arguments of `tailor measure`.
@@ -71,7 +74,11 @@ pub(crate) fn measure(measure: &Measure, house: &House) -> Result<(), Fault> {
     let again: Vec<String> = std::env::args().collect();
     // What is written must be there, the goal or not.
     let mut wanted = graph.goal.clone();
-    wanted.extend(WRITTEN.iter().filter_map(|(node, ..)| place(&graph, node)));
+    wanted.extend(
+        WRITTEN
+            .iter()
+            .filter_map(|(nodes, ..)| place(&graph, nodes)),
+    );
     let outcome = execute(&graph, &folders, &wanted, house, false, &again.join(" "))?;
     let name = measure
         .folder
@@ -87,8 +94,12 @@ pub(crate) fn measure(measure: &Measure, house: &House) -> Result<(), Fault> {
     if house.json {
         super::outln!("{}", serde_json::to_string_pretty(&run).expect("bug: JSON"));
     } else if let Some(girths) = get::<Girths>(&graph, &outcome, "girths") {
-        super::out!("{}", table(&girths));
-        super::outln!("\nreport: {}", folder.join("report.html").display());
+        let cameras = get::<Cameras>(&graph, &outcome, "cameras");
+        let count = photos(&graph, &outcome).photos.len();
+        let screen = screen(&name, count, cameras.as_deref(), &girths);
+        super::out!("{screen}");
+        super::outln!("\nall files: {}", folder.display());
+        super::outln!("report:    {}", folder.join("report.html").display());
     }
     Ok(())
 }
@@ -101,17 +112,16 @@ fn get<A: stage::Artifact>(
     outcome.artifact(graph, graph.node(name)?)?.downcast()
 }
 
-/// A node that is written. Without refinement the hull is the body.
-fn place(graph: &Graph, node: &str) -> Option<usize> {
-    let other = if node == "body" { "hull" } else { node };
-    graph.node(node).or_else(|| graph.node(other))
+/// The first of these nodes that there is.
+fn place(graph: &Graph, nodes: &[&str]) -> Option<usize> {
+    nodes.iter().find_map(|node| graph.node(node))
 }
 
 /// Writes all that the contract names.
 fn write(graph: &Graph, outcome: &Outcome, folder: &std::path::Path) -> Result<(), Fault> {
     let names = photos(graph, outcome);
-    for (node, file, format) in WRITTEN {
-        let artifact = place(graph, node).and_then(|at| outcome.artifact(graph, at));
+    for (nodes, file, format) in WRITTEN {
+        let artifact = place(graph, nodes).and_then(|at| outcome.artifact(graph, at));
         let Some(artifact) = artifact else { continue };
         let files = out::files(artifact, &names, Some(format)).map_err(Fault::stage)?;
         out::write(&folder.join(file), &files).map_err(Fault::stage)?;
@@ -127,32 +137,4 @@ fn write(graph: &Graph, outcome: &Outcome, folder: &std::path::Path) -> Result<(
     }
     let run = vec![(String::new(), run.into_bytes())];
     out::write(&folder.join("run.json"), &run).map_err(Fault::stage)
-}
-
-/// The last screen.
-fn table(girths: &Girths) -> String {
-    let mut text = format!(
-        "{:<24} {:>8}  {:<17} {:>8}\n",
-        "girth", "tape cm", "interval", "contour"
-    );
-    for g in &girths.girths {
-        let interval = format!(
-            "{:.1} to {:.1}",
-            g.interval_mm[0] / 10.0,
-            g.interval_mm[1] / 10.0
-        );
-        let label = format!("{} {}", g.name, g.label);
-        let (tape, contour) = (g.tape_mm / 10.0, g.contour_mm / 10.0);
-        text += &format!("{label:<24} {tape:>8.1}  {interval:<17} {contour:>8.1}\n");
-    }
-    for (name, value, note) in &girths.ratios {
-        text += &format!("{name:<24} {value:>8.3}  {note}\n");
-    }
-    if let Some(bmi) = girths.bmi {
-        text += &format!("{:<24} {bmi:>8.1}\n", "body mass index");
-    }
-    for missing in &girths.missing {
-        text += &format!("{} not measured: {}\n", missing.name, missing.why);
-    }
-    text
 }

@@ -26,6 +26,7 @@ mod mat;
 mod provenance;
 mod run;
 mod scoring;
+mod screen;
 mod show;
 mod speak;
 mod sweep;

@@ -1,5 +1,6 @@
 //! How a result was made, as HTML for the report.
 
+use super::screen::short;
 use crate::engine::Outcome;
 use crate::graph::Graph;
 use shape::Girths;
@@ -52,7 +53,7 @@ fn table(outcome: &Outcome, graph: &Graph) -> String {
         let params = node.params.values.iter();
         let params: Vec<String> = params.map(|(k, v)| format!("{k} = {v}")).collect();
         let number = |m: &stage::Metric| {
-            format!("{} {:.3} {}", m.name, m.value, m.unit)
+            format!("{} {} {}", m.name, short(m.value), m.unit)
                 .trim()
                 .to_owned()
         };

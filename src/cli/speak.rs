@@ -1,5 +1,6 @@
 //! Plain lines while a run goes on; on a terminal also what runs now, and for how long still.
 
+use super::screen::short;
 use crate::walk::{Done, Fate, Watch};
 use std::collections::{BTreeMap, BTreeSet};
 use std::io::{IsTerminal, Write};
@@ -105,7 +106,12 @@ impl Speaker {
                 self.of,
                 running.join(", ")
             );
-            let line: String = line.chars().take(110).collect();
+            // A longer line would break, and its first half stay on the screen.
+            let columns = std::env::var("COLUMNS").ok().and_then(|c| c.parse().ok());
+            let line: String = line
+                .chars()
+                .take(columns.unwrap_or(80usize).max(21) - 1)
+                .collect();
             let _ = write!(std::io::stderr(), "\r\x1b[K{line}");
             state.drawn = Instant::now();
         }
@@ -177,7 +183,7 @@ impl Watch for Speaker {
         if self.terminal {
             eprint!("\r\x1b[K");
         }
-        let number = |m: &stage::Metric| format!("{} {:.4} {}", m.name, m.value, m.unit);
+        let number = |m: &stage::Metric| format!("{} {} {}", m.name, short(m.value), m.unit);
         let numbers: Vec<String> = done
             .metrics
             .iter()

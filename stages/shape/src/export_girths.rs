@@ -48,23 +48,58 @@ pub fn girths_to_json(girths: &Girths) -> String {
     serde_json::to_string_pretty(&file).expect("bug: girths JSON cannot hold")
 }
 
-/// A table for a spreadsheet: one girth a row, centimetres.
+/// The JSON schema (draft 2020-12) of what [`girths_to_json`] writes.
+pub fn girths_schema() -> &'static str {
+    include_str!("girths.schema.json")
+}
+
+/// A table for a spreadsheet (RFC 4180): one girth a row, centimetres; what is missing has a row
+/// with a note and no number.
 pub fn girths_to_csv(girths: &Girths) -> String {
     let mut csv = String::from(
-        "name,label,tape_cm,interval_low_cm,interval_high_cm,cm,spline_cm,height_cm\n",
+        "name,label,tape_cm,interval_low_cm,interval_high_cm,cm,spline_cm,height_cm,silhouette_cm,note\n",
     );
+    let quoted = |text: &str| format!("\"{}\"", text.replace('"', "\"\""));
+    let number = |mm: Option<f64>| mm.map_or(String::new(), |mm| format!("{:.2}", cm(mm)));
+    let mut row = |name: &str, label: &str, lengths: [Option<f64>; 7], note: &str| {
+        let lengths = lengths.map(number).join(",");
+        let note = if note.is_empty() {
+            String::new()
+        } else {
+            quoted(note)
+        };
+        let _ = writeln!(csv, "{name},{},{lengths},{note}", quoted(label));
+    };
     for g in &girths.girths {
-        let quoted = g.label.replace('"', "\"\"");
-        let [lo, hi] = g.interval_mm.map(cm);
-        let _ = writeln!(
-            csv,
-            "{},\"{quoted}\",{:.2},{lo:.2},{hi:.2},{:.2},{:.2},{:.2}",
-            g.name,
-            cm(g.tape_mm),
-            cm(g.contour_mm),
-            cm(g.spline_mm),
-            cm(g.plane.point_mm[2]),
-        );
+        let [lo, hi] = g.interval_mm.map(Some);
+        let (tape, contour, spline) = (g.tape_mm, g.contour_mm, g.spline_mm);
+        let height = Some(g.plane.point_mm[2]);
+        let lengths = [
+            Some(tape),
+            lo,
+            hi,
+            Some(contour),
+            Some(spline),
+            height,
+            g.silhouette_mm,
+        ];
+        row(&g.name, &g.label, lengths, "");
+    }
+    if let (Some(l), Some(r)) = (girths.get("AC_L"), girths.get("AC_R")) {
+        let mean = |f: fn(&Girth) -> f64| Some((f(l) + f(r)) / 2.0);
+        let lengths = [
+            mean(|g| g.tape_mm),
+            mean(|g| g.interval_mm[0]),
+            mean(|g| g.interval_mm[1]),
+            mean(|g| g.contour_mm),
+            mean(|g| g.spline_mm),
+            None,
+            None,
+        ];
+        row("AC", "upper arm", lengths, "mean of AC_L and AC_R");
+    }
+    for missing in &girths.missing {
+        row(&missing.name, "", [None; 7], &missing.why);
     }
     csv
 }

@@ -114,35 +114,6 @@ pub fn textured_to_glb(body: &Textured) -> Vec<u8> {
     glb(buffer, primitive, rest)
 }
 
-/// A mesh with its atlas as OBJ, MTL and JPEG, in millimetres, z up.
-pub fn textured_to_obj(body: &Textured) -> Vec<(String, Vec<u8>)> {
-    use std::fmt::Write;
-    let mut obj = String::from("# unit mm\nmtllib body.mtl\nusemtl body\n");
-    for [x, y, z] in &body.mesh.positions {
-        let _ = writeln!(obj, "v {x} {y} {z}");
-    }
-    for [u, v] in body.corners.iter().flatten() {
-        let _ = writeln!(obj, "vt {u} {}", 1.0 - v);
-    }
-    for (i, face) in body.mesh.faces.iter().enumerate() {
-        let [a, b, c] = face.map(|v| v + 1);
-        let _ = writeln!(
-            obj,
-            "f {a}/{} {b}/{} {c}/{}",
-            3 * i + 1,
-            3 * i + 2,
-            3 * i + 3
-        );
-    }
-    let mtl = "newmtl body\nKd 1 1 1\nmap_Kd body.jpg\n";
-    let atlas = rgb_to_jpeg(&body.atlas, 90);
-    vec![
-        ("body.obj".into(), obj.into_bytes()),
-        ("body.mtl".into(), mtl.into()),
-        ("body.jpg".into(), atlas),
-    ]
-}
-
 /// Header, JSON chunk, binary chunk.
 fn glb(mut buffer: Buffer, primitive: Value, rest: Value) -> Vec<u8> {
     buffer

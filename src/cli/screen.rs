@@ -1,0 +1,157 @@
+//! The last screen of `tailor measure`: what was measured, what was not, and where it lies.
+
+use shape::{Cameras, Girths, Scale};
+
+/// Lines are broken before this column.
+const WIDTH: usize = 100;
+
+/// A number for people: whole as it is, else with four digits that matter.
+pub(crate) fn short(x: f64) -> String {
+    if !x.is_finite() || (x.fract() == 0.0 && x.abs() < 1e9) {
+        return format!("{x}");
+    }
+    let digits = 3 - x.abs().log10().floor() as i32;
+    let text = format!("{x:.*}", digits.clamp(0, 8) as usize);
+    match text.contains('.') {
+        true => text.trim_end_matches('0').trim_end_matches('.').to_owned(),
+        false => text,
+    }
+}
+
+/// The screen.
+pub(crate) fn screen(
+    name: &str,
+    photos: usize,
+    cameras: Option<&Cameras>,
+    girths: &Girths,
+) -> String {
+    let mut text = String::new();
+    if let Some(cameras) = cameras {
+        text += &format!(
+            "{name}: {} of {photos} photos have a camera; {}\n\n",
+            cameras.views.len(),
+            origin(cameras)
+        );
+    }
+    text += &format!(
+        "{:<24} {:>8}  {:<16} {:>8}\n",
+        "girth", "tape cm", "interval (90 %)", "contour"
+    );
+    let cm = |mm: f64| mm / 10.0;
+    for g in &girths.girths {
+        let [lo, hi] = g.interval_mm.map(cm);
+        let interval = format!("{lo:.1} to {hi:.1}");
+        let label = format!("{} {}", g.name, g.label);
+        let (tape, contour) = (cm(g.tape_mm), cm(g.contour_mm));
+        text += &format!("{label:<24} {tape:>8.1}  {interval:<16} {contour:>8.1}\n");
+    }
+    if let Some(mm) = girths.stature_mm {
+        text += &format!("{:<24} {:>8.1}\n", "stature", cm(mm));
+    }
+    for (name, value, note) in &girths.ratios {
+        text += format!("{name:<24} {value:>8.3}  {note}").trim_end();
+        text.push('\n');
+    }
+    if let Some(bmi) = girths.bmi {
+        text += &format!("{:<24} {bmi:>8.1}  kg/m²\n", "body mass index");
+    }
+    if !girths.missing.is_empty() {
+        text += "\nnot measured\n";
+    }
+    for missing in &girths.missing {
+        text += &broken(&format!("  {:<6} {}", missing.name, missing.why), 9);
+    }
+    text
+}
+
+fn origin(cameras: &Cameras) -> String {
+    let from = match cameras.scale {
+        Scale::Mat => "the marker mat",
+        Scale::Reference => "the reference length",
+        Scale::Disk => "the disk's diameter",
+        Scale::Stature => "the subject's stature",
+        Scale::Given => "the cameras that were given",
+        Scale::Nothing => {
+            return "LENGTHS ARE RELATIVE, for nothing of known length was given: \
+                    ratios hold, centimetres do not"
+                .into();
+        }
+    };
+    format!(
+        "lengths come from {from} (± {:.2} %)",
+        100.0 * cameras.scale_sigma
+    )
+}
+
+/// The line in pieces, the later ones set in.
+fn broken(line: &str, indent: usize) -> String {
+    let (mut text, mut column) = (String::new(), 0);
+    let lead = line.len() - line.trim_start().len();
+    text += &line[..lead];
+    for word in line[lead..].split_inclusive(' ') {
+        let long = word.trim_end().chars().count();
+        if column > 0 && lead + column + long > WIDTH {
+            text.truncate(text.trim_end().len());
+            text += &format!("\n{:indent$}", "");
+            column = indent - lead;
+        }
+        text += word;
+        column += word.chars().count();
+    }
+    text + "\n"
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn numbers_keep_the_digits_that_matter() {
+        for (x, text) in [
+            (18.0, "18"),
+            (1670.0939, "1670"),
+            (0.15337, "0.1534"),
+            (2.5, "2.5"),
+            (12.0004, "12"),
+            (0.000_012_344, "0.00001234"),
+            (-27.1828, "-27.18"),
+            (f64::NAN, "NaN"),
+        ] {
+            assert_eq!(short(x), text);
+        }
+    }
+
+    #[test]
+    fn long_lines_are_broken_between_words_and_lose_none() {
+        let why = "arms and trunk are one on the surface there ".repeat(5);
+        let text = broken(&format!("  CC     {why}"), 9);
+        assert!(text.lines().count() > 2 && text.lines().all(|l| l.chars().count() <= WIDTH));
+        assert!(
+            text.lines()
+                .skip(1)
+                .all(|l| l.starts_with("         a") || !l.starts_with("          "))
+        );
+        let words = |t: &str| t.split_whitespace().map(str::to_owned).collect::<Vec<_>>();
+        assert_eq!(words(&text), words(&format!("CC {why}")));
+    }
+
+    #[test]
+    fn what_has_no_scale_says_so() {
+        let mut cameras = Cameras {
+            views: [].into_iter().collect(),
+            scale: Scale::Nothing,
+            scale_sigma: 0.0,
+            disk_radius_mm: None,
+            ground_mm: 0.0,
+            points: vec![],
+        };
+        let told = screen("a", 3, Some(&cameras), &Girths::default());
+        assert!(told.contains("LENGTHS ARE RELATIVE"), "{told}");
+        cameras.scale = Scale::Mat;
+        let told = screen("a", 3, Some(&cameras), &Girths::default());
+        assert!(
+            told.contains("a: 0 of 3 photos") && told.contains("the marker mat"),
+            "{told}"
+        );
+    }
+}

@@ -1,0 +1,189 @@
+//! The files that leave the house are what others expect: a schema that holds, a table that opens.
+
+use serde_json::{Value, json};
+use shape::{Girth, Girths, Missing, Plane, girths_schema, girths_to_csv, girths_to_json};
+
+fn girth(name: &str, label: &str, silhouette_mm: Option<f64>) -> Girth {
+    Girth {
+        name: name.into(),
+        label: label.into(),
+        definition: format!("{label}: across its axis"),
+        contour_mm: 300.5,
+        tape_mm: 299.96,
+        spline_mm: 301.25,
+        silhouette_mm,
+        interval_mm: [296.0, 304.0],
+        plane: Plane {
+            point_mm: [1.0, 2.0, 1100.0],
+            normal: [0.0, 0.0, 1.0],
+        },
+        contour: vec![],
+    }
+}
+
+fn girths() -> Girths {
+    let missing = Missing {
+        name: "CC".into(),
+        why: "arms and trunk are one, \"fused\": hold the arms farther away, please".into(),
+    };
+    Girths {
+        girths: vec![
+            girth("NC", "neck", None),
+            girth("AC_L", "upper arm, left", Some(298.0)),
+            girth("AC_R", "upper arm, right", None),
+        ],
+        missing: vec![missing],
+        ratios: vec![("WHR".into(), 0.9, String::new())],
+        stature_mm: Some(1720.0),
+        ..Girths::default()
+    }
+}
+
+/// The faults of a value by a JSON schema: as much of it as ours uses.
+fn faults(schema: &Value, value: &Value, at: &str) -> Vec<String> {
+    let mut found = Vec::new();
+    for (rule, wanted) in schema.as_object().unwrap() {
+        let fits = |kind: &str| match kind {
+            "object" => value.is_object(),
+            "array" => value.is_array(),
+            "string" => value.is_string(),
+            "number" => value.is_number(),
+            "null" => value.is_null(),
+            other => panic!("{other} is no type"),
+        };
+        let length = value.as_array().map(Vec::len);
+        let holds = match rule.as_str() {
+            "$schema" | "title" | "description" => true,
+            "type" => match wanted {
+                Value::Array(kinds) => kinds.iter().any(|k| fits(k.as_str().unwrap())),
+                kind => fits(kind.as_str().unwrap()),
+            },
+            "const" => value == wanted,
+            "minItems" => length.is_none_or(|n| n as u64 >= wanted.as_u64().unwrap()),
+            "maxItems" => length.is_none_or(|n| n as u64 <= wanted.as_u64().unwrap()),
+            "required" => {
+                let names = wanted.as_array().unwrap();
+                names
+                    .iter()
+                    .all(|name| value.get(name.as_str().unwrap()).is_some())
+            }
+            "items" => {
+                for (i, item) in value.as_array().into_iter().flatten().enumerate() {
+                    found.extend(faults(wanted, item, &format!("{at}/{i}")));
+                }
+                true
+            }
+            "properties" => {
+                for (name, schema) in wanted.as_object().unwrap() {
+                    if let Some(value) = value.get(name) {
+                        found.extend(faults(schema, value, &format!("{at}/{name}")));
+                    }
+                }
+                true
+            }
+            "additionalProperties" => {
+                let known = |name: &String| schema["properties"].get(name).is_some();
+                let others = value.as_object().into_iter().flatten();
+                let others: Vec<_> = others.filter(|(name, _)| !known(name)).collect();
+                if wanted.is_object() {
+                    for (name, other) in &others {
+                        found.extend(faults(wanted, other, &format!("{at}/{name}")));
+                    }
+                }
+                wanted.is_object() || others.is_empty()
+            }
+            other => panic!("this test does not know `{other}`"),
+        };
+        if !holds {
+            found.push(format!("{at}: {rule}"));
+        }
+    }
+    found
+}
+
+#[test]
+fn girths_json_keeps_to_its_schema() {
+    let schema: Value = serde_json::from_str(girths_schema()).unwrap();
+    for girths in [girths(), Girths::default()] {
+        let value = serde_json::from_str(&girths_to_json(&girths)).unwrap();
+        assert_eq!(faults(&schema, &value, ""), Vec::<String>::new());
+    }
+}
+
+#[test]
+fn the_schema_notices_what_is_wrong() {
+    let schema: Value = serde_json::from_str(girths_schema()).unwrap();
+    let good: Value = serde_json::from_str(&girths_to_json(&girths())).unwrap();
+    for (place, wrong, fault) in [
+        ("/unit", json!("mm"), "/unit: const"),
+        ("/girths/0/cm", json!("30"), "/girths/0/cm: type"),
+        (
+            "/girths/0/interval_cm",
+            json!([1.0]),
+            "/girths/0/interval_cm: minItems",
+        ),
+        ("/girths/1", json!({}), "/girths/1: required"),
+        ("/ratios", json!({ "WHR": null }), "/ratios/WHR: type"),
+        (
+            "/missing/0",
+            json!({ "name": "", "why": "", "x": 1 }),
+            "/missing/0: additionalProperties",
+        ),
+    ] {
+        let mut bad = good.clone();
+        *bad.pointer_mut(place).unwrap() = wrong;
+        assert_eq!(faults(&schema, &bad, ""), [fault]);
+    }
+}
+
+/// Rows and fields by RFC 4180.
+fn cells(csv: &str) -> Vec<Vec<String>> {
+    let mut rows = vec![vec![String::new()]];
+    let (mut quoted, mut letters) = (false, csv.chars().peekable());
+    while let Some(letter) = letters.next() {
+        let row = rows.last_mut().unwrap();
+        match letter {
+            '"' if quoted && letters.peek() == Some(&'"') => {
+                row.last_mut().unwrap().push(letters.next().unwrap());
+            }
+            '"' => quoted = !quoted,
+            ',' if !quoted => row.push(String::new()),
+            '\n' if !quoted => rows.push(vec![String::new()]),
+            other => row.last_mut().unwrap().push(other),
+        }
+    }
+    assert_eq!(rows.pop(), Some(vec![String::new()]), "ends with a line");
+    rows
+}
+
+#[test]
+fn girths_csv_is_a_table_whose_numbers_are_numbers() {
+    let rows = cells(&girths_to_csv(&girths()));
+    let head = &rows[0];
+    let column = |name: &str| head.iter().position(|h| h == name).unwrap();
+    assert!(rows.iter().all(|row| row.len() == head.len()));
+    let names: Vec<_> = rows[1..].iter().map(|row| row[0].as_str()).collect();
+    assert_eq!(names, ["NC", "AC_L", "AC_R", "AC", "CC"]);
+    for (row, name, cell) in [
+        (1, "tape_cm", "30.00"),
+        (1, "silhouette_cm", ""),
+        (1, "height_cm", "110.00"),
+        (2, "label", "upper arm, left"),
+        (2, "silhouette_cm", "29.80"),
+        (4, "spline_cm", "30.13"),
+        (4, "note", "mean of AC_L and AC_R"),
+        (5, "tape_cm", ""),
+        (
+            5,
+            "note",
+            "arms and trunk are one, \"fused\": hold the arms farther away, please",
+        ),
+    ] {
+        assert_eq!(rows[row][column(name)], cell, "{name} of row {row}");
+    }
+    for row in &rows[1..] {
+        let numbers = (0..row.len()).filter(|i| head[*i].ends_with("_cm") || head[*i] == "cm");
+        let number = |i: usize| row[i].is_empty() || row[i].parse::<f64>().is_ok();
+        assert!(numbers.into_iter().all(number), "{row:?}");
+    }
+}
