@@ -22,7 +22,7 @@ stage::params! {
         blur_face: bool = false,
         /// Greatest height of a photo on the page; less where there are more than forty.
         #[range(100..=2000)]
-        photo_px: u32 = 600,
+        photo_px: u32 = 900,
         /// Greatest number of faces of a surface without an atlas; finer ones are simplified.
         #[range(1000..=1000000)]
         most_faces: u32 = 100000,
@@ -65,7 +65,7 @@ pub struct Html;
 
 impl Stage for Html {
     const NAME: &'static str = "report.html";
-    const VERSION: u32 = 3;
+    const VERSION: u32 = 4;
     const ABOUT: &'static str = "Makes one self-contained page: 3D view, girths, photos, cameras.";
     type Params = HtmlParams;
     type Input = HtmlInput;

@@ -67,11 +67,17 @@ pub(crate) fn svg(cameras: &Cameras) -> String {
             }
             let _ = write!(
                 svg,
-                "<circle class=\"cam\" data-photo=\"{label}\" cx=\"{x:.1}\" cy=\"{y:.1}\" r=\"3\"/>\
-                 <text x=\"{:.1}\" y=\"{:.1}\">{label}</text>",
-                x + 5.0,
-                y - 4.0
+                "<circle class=\"cam\" data-photo=\"{label}\" cx=\"{x:.1}\" cy=\"{y:.1}\" r=\"3\"/>"
             );
+            // From the side they would lie on one another.
+            if !side {
+                let _ = write!(
+                    svg,
+                    "<text x=\"{:.1}\" y=\"{:.1}\">{label}</text>",
+                    x + 5.0,
+                    y - 4.0
+                );
+            }
         }
         let caption = if side { "from the side" } else { "from above" };
         let _ = write!(

@@ -84,7 +84,7 @@ pub(crate) fn tapes(girths: &Girths) -> Value {
     let tape = |g: &shape::Girth| {
         json!({
             "name": g.name, "label": g.label, "normal": g.plane.normal,
-            "text": format!("{:.1} cm", g.tape_mm / 10.0),
+            "definition": g.definition, "text": format!("{:.1} cm", g.tape_mm / 10.0),
             "tape": flat(&tape::around(&g.contour, g.plane.normal)), "contour": flat(&g.contour),
         })
     };

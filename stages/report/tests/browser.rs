@@ -52,6 +52,8 @@ fn a_click_marks_a_tape_and_hands_turn_and_zoom_the_body() {
     assert!(red > 300, "the marked tape is red: {red}");
     let said = tab.value("document.getElementById('said').textContent");
     assert_eq!(said, "waist <natural> 50.2 cm");
+    let place = tab.value("document.getElementById('where').textContent");
+    assert_eq!(place, "horizontal, at the \"natural\" waist");
     let marked = tab.value("document.querySelectorAll('figure .tape.on').length");
     assert_eq!(marked, 6, "on three photos, before and behind");
     tab.click("#girths tbody tr");
@@ -88,6 +90,20 @@ fn a_click_marks_a_tape_and_hands_turn_and_zoom_the_body() {
     tab.value("document.getElementById('view').focus()");
     tab.key("1");
     assert_eq!(seen(&mut tab)[3], first, "1 is the first surface");
+}
+
+#[test]
+fn without_webgl_the_rest_of_the_page_works() {
+    let Some(mut tab) = Tab::open(&page().replace("webgl2", "webgl9"), DESK, false, false) else {
+        return;
+    };
+    let told = tab.value("document.getElementById('no3d').checkVisibility()");
+    assert_eq!(told, true);
+    tab.click("#girths tbody tr");
+    let marked = "document.querySelectorAll('figure .tape.on').length";
+    assert_eq!(tab.value(marked), 6);
+    tab.click("figure[data-photo='1']");
+    assert_eq!(tab.value("document.getElementById('big').open"), true);
 }
 
 #[test]

@@ -220,12 +220,12 @@ fn a_fine_surface_and_many_photos_stay_light() {
     photos.photos = (0..90).map(|i| photos.photos[i % 3].clone()).collect();
     let noise = |i: usize| ((i * 2_654_435_761) >> 7) as u8;
     let pixels = Rgb {
-        width: 400,
-        height: 600,
-        data: (0..400 * 600).map(|i| [noise(i); 3]).collect(),
+        width: 600,
+        height: 900,
+        data: (0..600 * 900).map(|i| [noise(i); 3]).collect(),
     };
     for photo in &mut photos.photos {
-        (photo.width, photo.height) = (400, 600);
+        (photo.width, photo.height) = (600, 900);
         photo.file = rgb_to_jpeg(&pixels, 80).into();
     }
     input.photos = Arc::new(photos);

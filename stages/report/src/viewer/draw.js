@@ -9,7 +9,10 @@ const middle = [0, 1, 2].map((k) => (bounds.lo[k] + bounds.hi[k]) / 2);
 const half = [0, 1, 2].map((k) => Math.max(1, (bounds.hi[k] - bounds.lo[k]) / 2));
 const around = Math.hypot(half[0], half[1]), size = 2 * Math.max(...half);
 let draw = () => {};
-if (gl) {
+// Without WebGL 2, or when a phone takes it away, the rest of the page still works.
+const no3d = () => { element("no3d").hidden = false; canvas.hidden = true; draw = () => {}; };
+canvas.addEventListener("webglcontextlost", no3d);
+const prepare = () => {
   const program = (vertex, fragment) => {
     const p = gl.createProgram();
     for (const [kind, source] of [[gl.VERTEX_SHADER, vertex], [gl.FRAGMENT_SHADER, fragment]]) {
@@ -106,8 +109,9 @@ if (gl) {
       gl.disable(gl.BLEND);
     }
     gl.bindVertexArray(null);
-    canvas.dataset.drawn = String(1 + Number(canvas.dataset.drawn || 0));
   };
-} else { element("no3d").hidden = false; canvas.hidden = true; }
+};
+if (gl) { try { prepare(); } catch (error) { console.warn(error); no3d(); } } else no3d();
 let waiting = false;
-listeners.push(() => { if (!waiting) { waiting = true; requestAnimationFrame(() => { waiting = false; draw(); }); } });
+const frame = () => { waiting = false; draw(); canvas.dataset.drawn = String(1 + Number(canvas.dataset.drawn || 0)); };
+listeners.push(() => { if (!waiting) { waiting = true; requestAnimationFrame(frame); } });

@@ -37,4 +37,5 @@ listeners.push(() => {
   document.querySelectorAll(".tape").forEach((p) => p.classList.toggle("on", p.dataset.name === state.marked));
   const t = scene.tapes.find((t) => t.name === state.marked);
   element("said").textContent = t ? `${t.label} ${t.text}` : "";
+  element("where").textContent = t ? t.definition : "";
 });
