@@ -3,6 +3,7 @@
 use crate::face::{self, HeadBox};
 use crate::overlay::{self, Shown};
 use crate::page::{self, Content};
+use crate::paint::Paint;
 use shape::{Cameras, Document, Girths, Landmarks, Masks, Mesh, Photos, Textured};
 use stage::{Ctx, Stage, Stop};
 use std::sync::Arc;
@@ -26,6 +27,8 @@ stage::params! {
         /// Greatest number of faces of a surface without an atlas; finer ones are simplified.
         #[range(1000..=1000000)]
         most_faces: u32 = 100000,
+        /// Whether a body without an atlas takes its colours from the photos.
+        paint: bool = true,
         /// Longest side of the atlas on the page; longer ones are halved.
         #[range(256..=16384)]
         atlas_px: u32 = 4096,
@@ -65,7 +68,7 @@ pub struct Html;
 
 impl Stage for Html {
     const NAME: &'static str = "report.html";
-    const VERSION: u32 = 4;
+    const VERSION: u32 = 5;
     const ABOUT: &'static str = "Makes one self-contained page: 3D view, girths, photos, cameras.";
     type Params = HtmlParams;
     type Input = HtmlInput;
@@ -73,9 +76,17 @@ impl Stage for Html {
 
     fn run(p: &HtmlParams, input: HtmlInput, ctx: &Ctx<'_>) -> Result<Document, Stop> {
         let head = face::head(&input.body, input.landmarks.as_deref());
-        let figures = figures(p, &input, &head, ctx)?;
+        let small = page::simplified(&input.body, p.most_faces as usize);
+        let plain = input.textured.is_none() && small.colors.is_empty();
+        let mut paint = (p.photos && p.paint && plain).then(|| Paint::new(&small));
+        let figures = figures(p, &input, &head, &mut paint, ctx)?;
         let hidden = p.blur_face.then(|| HeadBox::new(&head));
-        let surfaces = surfaces(p, &input, hidden.as_ref());
+        let colors = paint.map(Paint::colors);
+        let painted = colors.map(|colors| Mesh {
+            colors,
+            ..small.clone()
+        });
+        let surfaces = surfaces(p, &input, painted, hidden.as_ref());
         let page = page::page(&Content {
             photos: &input.photos,
             cameras: &input.cameras,
@@ -99,11 +110,12 @@ impl Stage for Html {
     }
 }
 
-/// The figures of all photos, as HTML.
+/// The figures of all photos, as HTML; each photo paints the body on its way.
 fn figures(
     p: &HtmlParams,
     input: &HtmlInput,
     head: &[nalgebra::Point3<f64>],
+    paint: &mut Option<Paint<'_>>,
     ctx: &Ctx<'_>,
 ) -> Result<String, Stop> {
     let count = input.photos.photos.len();
@@ -138,6 +150,11 @@ fn figures(
                 if p.blur_face {
                     face::blur(&mut pixels, &at_px);
                 }
+                if let (Some(paint), Some(mask), Some(camera)) =
+                    (paint.as_mut(), shown.mask, camera)
+                {
+                    paint.add(&pixels, mask, camera);
+                }
                 shown.photo = Some(overlay::reduced(&pixels, factor));
             }
         }
@@ -148,7 +165,12 @@ fn figures(
 }
 
 /// The surfaces to switch between, the best first; equal ones once.
-fn surfaces(p: &HtmlParams, input: &HtmlInput, hidden: Option<&HeadBox>) -> Vec<page::Surface> {
+fn surfaces(
+    p: &HtmlParams,
+    input: &HtmlInput,
+    painted: Option<Mesh>,
+    hidden: Option<&HeadBox>,
+) -> Vec<page::Surface> {
     let mut surfaces = Vec::new();
     if let Some(textured) = input.textured.as_ref().filter(|_| p.photos) {
         let shown = match hidden {
@@ -157,6 +179,16 @@ fn surfaces(p: &HtmlParams, input: &HtmlInput, hidden: Option<&HeadBox>) -> Vec<
         };
         let atlas_px = p.atlas_px as usize;
         surfaces.push(page::Surface::Textured("body in colours", shown, atlas_px));
+    }
+    let gray = |mesh: Mesh| match hidden {
+        Some(head) => head.without_colors(&mesh),
+        None => mesh,
+    };
+    if let Some(painted) = painted {
+        surfaces.push(page::Surface::Plain(
+            "body in colours".into(),
+            gray(painted),
+        ));
     }
     let named = [
         ("body", Some(&input.body)),
@@ -178,10 +210,7 @@ fn surfaces(p: &HtmlParams, input: &HtmlInput, hidden: Option<&HeadBox>) -> Vec<
         if !p.photos {
             small.colors.clear();
         }
-        if let Some(head) = hidden {
-            small = head.without_colors(&small);
-        }
-        surfaces.push(page::Surface::Plain(label, small));
+        surfaces.push(page::Surface::Plain(label, gray(small)));
     }
     surfaces
 }

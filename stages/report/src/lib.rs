@@ -14,6 +14,7 @@ mod html;
 mod overlay;
 mod packing;
 mod page;
+mod paint;
 mod profile;
 mod ring;
 mod ring_picture;

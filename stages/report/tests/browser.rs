@@ -81,7 +81,7 @@ fn a_click_marks_a_tape_and_hands_turn_and_zoom_the_body() {
     assert_eq!(seen(&mut tab)[1], 0, "t takes the tapes off");
     tab.key("t");
 
-    tab.click("#meshes button:nth-child(2)");
+    tab.click("#meshes button:nth-child(3)");
     let label =
         tab.value("document.querySelector('#meshes button[aria-pressed=true]').textContent");
     assert_eq!(label, "visual hull");

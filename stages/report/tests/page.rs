@@ -73,7 +73,7 @@ fn the_page_is_whole_and_asks_for_nothing_from_outside() {
 #[test]
 fn without_photos_no_pixel_of_them_is_in_it_but_the_outlines_are() {
     let mut input = input();
-    input.textured = Some(Arc::new(painted()));
+    input.textured = Some(Arc::new(painted_body()));
     let params = HtmlParams {
         photos: false,
         ..HtmlParams::default()
@@ -151,7 +151,7 @@ fn a_photo_whose_face_cannot_be_found_is_left_out_when_faces_are_blurred() {
 }
 
 /// The body with an atlas of one colour.
-fn painted() -> Textured {
+fn painted_body() -> Textured {
     let mesh = (*input().body).clone();
     let corner = |v: u32| {
         [
@@ -170,7 +170,7 @@ fn painted() -> Textured {
 fn a_texture_is_shown_first_and_loses_the_face_when_faces_are_blurred() {
     let with = |params: &HtmlParams| {
         let mut input = input();
-        input.textured = Some(Arc::new(painted()));
+        input.textured = Some(Arc::new(painted_body()));
         let page = page_of(params, input);
         assert!(page.find("body in colours") < page.find("\"label\":\"body\""));
         shape::gray_from_file(pictures(&page).last().unwrap()).unwrap()
@@ -184,6 +184,23 @@ fn a_texture_is_shown_first_and_loses_the_face_when_faces_are_blurred() {
             hidden.at(x, 75).abs_diff(128) < 8 && hidden.at(x, 10).abs_diff(open.at(x, 10)) < 8
         );
     }
+}
+
+#[test]
+fn a_body_without_an_atlas_is_painted_by_the_photos_unless_they_stay_out() {
+    let unpainted = HtmlParams {
+        paint: false,
+        ..HtmlParams::default()
+    };
+    let without = HtmlParams {
+        photos: false,
+        ..HtmlParams::default()
+    };
+    let painted = |params: &HtmlParams| page(params).contains("\"colors\":");
+    assert!(painted(&HtmlParams::default()) && !painted(&unpainted) && !painted(&without));
+    let mut input = input();
+    input.textured = Some(Arc::new(painted_body()));
+    assert!(!page_of(&HtmlParams::default(), input).contains("\"colors\":"));
 }
 
 #[test]
