@@ -78,6 +78,22 @@ fn a_moved_store_still_hits() {
 }
 
 #[test]
+fn a_moved_source_still_hits() {
+    let place = Place::new("hello\n");
+    place.run(1);
+    let moved = place.path().join("moved");
+    std::fs::create_dir(&moved).unwrap();
+    std::fs::copy(place.src().join("a.txt"), moved.join("a.txt")).unwrap();
+    std::fs::remove_dir_all(place.src()).unwrap();
+    std::fs::rename(&moved, place.src()).unwrap();
+    assert_eq!(
+        place.run(1),
+        NONE,
+        "another inode, another time, the same content"
+    );
+}
+
+#[test]
 fn a_failure_is_not_cached_and_others_go_on() {
     let place = Place::new("hello\n");
     for _ in 0..2 {
