@@ -9,6 +9,11 @@ const BOX: [usize; 2] = [150, 40];
 const GAP: [usize; 2] = [22, 46];
 const MARGIN: usize = 16;
 
+/// How far an arrow over so many rows bows out. \[px\]
+fn bow(rows: usize) -> usize {
+    if rows < 2 { 0 } else { 8 + 9 * rows }
+}
+
 /// A box of the drawing: an input or a node.
 struct Spot {
     row: usize,
@@ -26,7 +31,11 @@ pub(crate) fn svg(graph: &Graph, plan: &[Option<Planned>]) -> String {
     let widest = arrange(&mut spots);
     let rows = spots.iter().map(|s| s.row + 1).max().unwrap_or(0);
     let [w, h] = [0, 1].map(|i| BOX[i] + GAP[i]);
-    let width = widest * w - GAP[0] + 2 * MARGIN;
+    let longest = spots
+        .iter()
+        .flat_map(|s| s.reads.iter().map(|i| s.row - spots[*i].row));
+    let around = bow(longest.max().unwrap_or(0));
+    let width = widest * w - GAP[0] + 2 * MARGIN + around;
     let height = rows * h - GAP[1] + 2 * MARGIN + 26;
     let mut svg = format!(
         "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {width} {height}\" width=\"{width}\" \
@@ -39,16 +48,23 @@ pub(crate) fn svg(graph: &Graph, plan: &[Option<Planned>]) -> String {
     let left = |s: &Spot| MARGIN + s.at * w + (widest - counts[s.row]) * w / 2;
     let top = |s: &Spot| MARGIN + s.row * h;
     for spot in &spots {
-        let (x1, y1) = (left(spot) + BOX[0] / 2, top(spot));
         for from in spot.reads.iter().map(|i| &spots[*i]) {
-            let (x0, y0) = (left(from) + BOX[0] / 2, top(from) + BOX[1]);
-            let bend = GAP[1] / 2 + (y1 - y0) / 4;
-            let _ = writeln!(
-                svg,
-                "<path d=\"M{x0} {y0}C{x0} {} {x1} {} {x1} {y1}\" fill=\"none\" stroke=\"#8a8f98\"/>",
-                y0 + bend,
-                y1.saturating_sub(bend)
-            );
+            let path = match spot.row - from.row {
+                1 => {
+                    let (x0, y0) = (left(from) + BOX[0] / 2, top(from) + BOX[1]);
+                    let (x1, y1) = (left(spot) + BOX[0] / 2, top(spot));
+                    let y = (y0 + y1) / 2;
+                    format!("M{x0} {y0}C{x0} {y} {x1} {y} {x1} {y1}")
+                }
+                // Around the boxes between, on the right.
+                rows => {
+                    let [x0, x1] = [from, spot].map(|s| left(s) + BOX[0]);
+                    let [y0, y1] = [from, spot].map(|s| top(s) + BOX[1] / 2);
+                    let x = x0.max(x1) + bow(rows) * 4 / 3;
+                    format!("M{x0} {y0}C{x} {y0} {x} {y1} {x1} {y1}")
+                }
+            };
+            let _ = writeln!(svg, "<path d=\"{path}\" fill=\"none\" stroke=\"#8a8f98\"/>");
         }
     }
     for spot in &spots {
@@ -102,7 +118,7 @@ fn spots(graph: &Graph, plan: &[Option<Planned>]) -> Vec<Spot> {
             row: 0,
             at: 0,
             title: format!("@{}", input.name),
-            line: input.files.join(", "),
+            line: shortened(&input.files.join(", ")),
             fill: "#ffffff",
             reads: vec![],
         });
@@ -120,7 +136,7 @@ fn spots(graph: &Graph, plan: &[Option<Planned>]) -> Vec<Spot> {
             row,
             at: 0,
             title: node.name.clone(),
-            line: node.stage.name().into(),
+            line: shortened(node.stage.name()),
             fill: color(planned.as_ref().map(|p| &p.state)),
             reads,
         });
@@ -147,6 +163,14 @@ fn arrange(spots: &mut [Spot]) -> usize {
         }
     }
     widest
+}
+
+/// What fits into a box.
+fn shortened(text: &str) -> String {
+    match text.char_indices().nth(24) {
+        Some((end, _)) => format!("{}…", &text[..end]),
+        None => text.to_owned(),
+    }
 }
 
 fn escaped(text: &str) -> String {

@@ -56,6 +56,7 @@ pub fn schema<'a>(stages: impl Iterator<Item = &'a dyn AnyStage>) -> Value {
                 "type": "object", "additionalProperties": false,
                 "properties": {
                     "about": about, "with": text_or_texts, "tell": text_or_texts,
+                    "goal": text_or_texts,
                     "csv": { "type": "string" }, "zip": { "type": "array" },
                     "sample": { "type": "object" },
                     "over": of_nodes(json!({ "type": "object" })),

@@ -176,6 +176,25 @@ fn the_schema_for_editors_knows_every_stage_with_its_ports_and_params() {
 }
 
 #[test]
+fn the_schema_for_editors_knows_every_key_of_the_shipped_pipelines() {
+    let schema = tailor::schema::schema(tailor::catalog::stages());
+    let properties = &schema["properties"];
+    for path in shipped() {
+        let text = std::fs::read_to_string(&path).unwrap();
+        let pipeline: toml::Table = text.parse().unwrap();
+        for (section, entries) in &pipeline {
+            assert!(properties[section].is_object(), "{section}");
+            for (name, entry) in entries.as_table().into_iter().flatten() {
+                let known = &properties[section]["additionalProperties"]["properties"];
+                for key in entry.as_table().unwrap().keys() {
+                    assert!(known[key].is_object(), "{section}.{name}.{key}");
+                }
+            }
+        }
+    }
+}
+
+#[test]
 fn a_drawing_has_a_box_for_every_node_and_input_and_arrows_point_down() {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("pipelines/body.toml");
     let graph = open(&path, &Overrides::default()).unwrap();
