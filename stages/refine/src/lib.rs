@@ -1,4 +1,39 @@
 //! From a hull to the body's surface: inter-image consistency.
+//!
+//! ```text
+//! mesh, photos, cameras, masks ─┬─ Steady → cameras   the body held still
+//!                               ├─ Settle → mesh      consistency, silhouettes, plate; level by level
+//!                               └─ Evolve → mesh      the paper's eq. 3 and 5–7
+//! ```
+
+pub mod curvature;
+pub mod depth;
+pub mod energy;
+mod evolve_stage;
+pub mod median;
+pub mod patch;
+pub mod picture;
+pub mod remesh;
+pub mod rims;
+pub mod scene;
+pub mod settle;
+mod settle_stage;
+pub mod sights;
+pub mod smooth;
+#[cfg(test)]
+mod solids;
+mod steady;
+pub mod sway;
+pub mod sweep;
+
+pub use evolve_stage::{Evolve, EvolveInput, EvolveParams, Flow};
+pub use scene::RefineError;
+pub use settle_stage::{Settle, SettleInput, SettleParams};
+pub use steady::{Steady, SteadyInput, SteadyParams};
 
 /// Every stage of this room, in the order in which data flows through it.
-pub const STAGES: &[&dyn stage::AnyStage] = &[];
+pub const STAGES: &[&dyn stage::AnyStage] = &[
+    &stage::erase::<Steady>(),
+    &stage::erase::<Settle>(),
+    &stage::erase::<Evolve>(),
+];

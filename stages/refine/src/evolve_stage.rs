@@ -1,0 +1,249 @@
+//! The paper's evolution: rigid (eq. 3) or by the weighted median (eq. 5–7), step by explicit step.
+
+use crate::curvature::Laplacian;
+use crate::patch::{Agreement, Pairing, Window, agreement};
+use crate::picture::Picture;
+use crate::remesh::{relax, remesh};
+use crate::scene::{Progress, RefineError, check, footprint, pictures};
+use crate::sights::{Sighting, Sights};
+use crate::smooth::medians;
+use rayon::prelude::*;
+use shape::{Adjacency, Cameras, Masks, Mesh, Photos};
+use stage::{Ctx, Stage, Stop};
+use std::sync::Arc;
+
+stage::choice! {
+    /// How a vertex follows the photos.
+    pub enum Flow {
+        /// Its own pull (eq. 3).
+        Rigid = "rigid",
+        /// The weighted median of its neighbourhood's (eq. 5–7).
+        WeightedMedian = "weighted_median",
+    }
+}
+
+stage::params! {
+    /// The evolution; lengths in pixels of the level on the surface, as in all of eq. 3–7 here.
+    pub struct EvolveParams {
+        /// Each vertex' own pull (eq. 3), or its neighbourhood's weighted median (eq. 5–7).
+        flow: Flow = Flow::Rigid,
+        /// Weight λ of mean curvature (eq. 3).
+        #[range(0.0..=1000.0)]
+        lambda: f64 = 1.0,
+        /// Weight η of near neighbours in the median (eq. 7).
+        #[range(0.0..=1000.0)]
+        eta: f64 = 1.0,
+        /// Weight κ of alike curved neighbours in the median (eq. 7).
+        #[range(0.0..=1000.0)]
+        kappa: f64 = 1.0,
+        /// Rings of neighbours in the median.
+        #[range(1..=2)]
+        rings: u32 = 1,
+        /// Time step Δt, in square pixels.
+        #[range(0.00001..=1.0)]
+        time_step: f64 = 0.01,
+        /// Steps.
+        #[range(0..=100000)]
+        iterations: u32 = 100,
+        /// Steps after which visibility is looked at anew.
+        #[range(1..=1000)]
+        look_every: u32 = 10,
+        /// Level of the Gaussian pyramid: photos are halved so many times.
+        #[range(0..=6)]
+        level: u32 = 0,
+        /// Photos are halved first until they have at most so many million pixels.
+        #[range(0.1..=100.0)]
+        most_mpx: f64 = 6.0,
+        /// Edge of the mesh, in pixels of the level; 0 keeps the mesh as it is.
+        #[range(0.0..=50.0)]
+        edge_px: f64 = 4.0,
+        /// Points of a patch from its middle to its side.
+        #[range(1..=5)]
+        patch: u32 = 3,
+        /// Whether a linear change of brightness across a patch is taken out, as shade is.
+        level_patch: bool = false,
+        /// Greatest angle between the surface's normal and a line of sight.
+        #[range(10.0..=85.0)]
+        tilt_deg: f64 = 65.0,
+        /// Greatest angle between two photos that are compared.
+        #[range(5.0..=180.0)]
+        pair_to_deg: f64 = 180.0,
+    }
+}
+
+stage::inputs! {
+    /// A surface and the photos that it is held against.
+    pub struct EvolveInput {
+        /// Closed; such as a hull.
+        mesh: Arc<Mesh>,
+        /// Those without a camera are passed over.
+        photos: Arc<Photos>,
+        /// Where they were taken.
+        cameras: Arc<Cameras>,
+        /// Silhouettes: what lies beyond them is not compared.
+        masks: Option<Arc<Masks>>,
+    }
+}
+
+/// `refine.evolve`: mesh, photos, cameras, masks → mesh.
+pub struct Evolve;
+
+impl Stage for Evolve {
+    const NAME: &'static str = "refine.evolve";
+    const VERSION: u32 = 1;
+    const ABOUT: &'static str = "Evolves a surface towards inter-image consistency as the paper does: rigid (eq. 3) or by the weighted median (eq. 5-7).";
+    type Params = EvolveParams;
+    type Input = EvolveInput;
+    type Output = Mesh;
+
+    fn run(p: &EvolveParams, input: EvolveInput, ctx: &Ctx<'_>) -> Result<Mesh, Stop> {
+        check(&input.mesh)?;
+        let masks = input.masks.as_deref();
+        let pictures = pictures(
+            &input.photos,
+            &input.cameras,
+            masks,
+            p.level,
+            p.most_mpx,
+            ctx,
+        )?;
+        let footprint = footprint(&input.mesh, &pictures);
+        let mut mesh = Mesh {
+            colors: vec![],
+            ..Mesh::clone(&input.mesh)
+        };
+        if p.edge_px > 0.0 {
+            mesh = remesh(&mesh, p.edge_px * footprint, 4);
+        }
+        let mut state = Progress {
+            best: mesh.clone(),
+            mesh,
+            done: 0,
+            score: -1.0,
+            first: -1.0,
+            seen: 0.0,
+        };
+        let looks = p.iterations.div_ceil(p.look_every);
+        let steps = ctx.steps("looks", looks as usize + 1);
+        if let Some(left) = ctx.resume::<Progress>("look") {
+            state = left;
+            (0..state.done).try_for_each(|_| steps.tick())?;
+        }
+        for look in state.done..=looks {
+            let left = p.iterations - (look * p.look_every).min(p.iterations);
+            let told = some_steps(
+                p,
+                &mut state.mesh,
+                &pictures,
+                footprint,
+                left.min(p.look_every),
+            );
+            if told.seen == 0.0 {
+                return Err(RefineError::Unseen.into());
+            }
+            state.seen = told.seen;
+            state.keep(told.before, &told.start);
+            state.done = look + 1;
+            ctx.checkpoint("look", &state);
+            steps.tick()?;
+        }
+        if state.score <= state.first && p.iterations > 0 {
+            ctx.warn("the evolution made the photos agree less; the mesh is handed on as it came");
+        }
+        ctx.metric("consistency before", state.first, "");
+        ctx.metric("consistency", state.score, "");
+        ctx.metric("seen twice", state.seen, "");
+        ctx.metric("faces", state.best.faces.len() as f64, "");
+        Ok(state.best)
+    }
+}
+
+/// What was found before some steps were made.
+struct Told {
+    before: f64,
+    seen: f64,
+    start: Mesh,
+}
+
+/// Looks at the mesh, then makes `count` steps, visibility held.
+fn some_steps(
+    p: &EvolveParams,
+    mesh: &mut Mesh,
+    pictures: &[Picture],
+    footprint: f64,
+    count: u32,
+) -> Told {
+    let window = Window::new(p.patch as usize, p.level_patch);
+    let rules = Sighting {
+        most_tilt: p.tilt_deg.to_radians(),
+        spacing_px: 1.0,
+        pairing: Pairing {
+            cosine: [p.pair_to_deg.to_radians().cos() as f32 - 1e-6, 1.0],
+        },
+        noise_gain: 1.0,
+    };
+    let around = Adjacency::new(mesh);
+    let start = mesh.clone();
+    let mut sights = Sights::new(mesh, &around, pictures, &window, &rules);
+    let mut before = None;
+    for step in 0..=count {
+        for (v, frame) in sights.frames.iter_mut().enumerate() {
+            frame.x = mesh.point(v as u32);
+        }
+        let told: Vec<Agreement> = (0..sights.frames.len())
+            .into_par_iter()
+            .with_min_len(128)
+            .map(|v| {
+                agreement::<true>(
+                    pictures,
+                    sights.of(v),
+                    &sights.frames[v],
+                    0.0,
+                    &window,
+                    rules.pairing,
+                )
+            })
+            .collect();
+        before.get_or_insert_with(|| consistency(&told));
+        if step == count {
+            break;
+        }
+        let laplacian = Laplacian::new(mesh, &around);
+        let normals = mesh.normals();
+        let curvature = laplacian.mean_curvature(mesh, &normals);
+        let own: Vec<f64> = told.iter().map(|a| a.slope).collect();
+        let psi = match p.flow {
+            Flow::Rigid => own,
+            Flow::WeightedMedian => medians(
+                mesh,
+                &around,
+                &curvature,
+                &own,
+                p.rings,
+                (p.eta, p.kappa),
+                footprint,
+            ),
+        };
+        for v in 0..normals.len() {
+            // Pixels: H and ψ are an inverse length, Δt a square.
+            let speed = (psi[v] - p.lambda * curvature[v]) * footprint;
+            let far = (p.time_step * speed).clamp(-1.0, 1.0) * footprint;
+            let to = mesh.point(v as u32) + normals[v] * far;
+            mesh.positions[v] = [to.x as f32, to.y as f32, to.z as f32];
+        }
+    }
+    relax(mesh);
+    Told {
+        before: before.unwrap_or(0.0),
+        seen: sights.share(),
+        start,
+    }
+}
+
+/// Mean correlation of all pairs, by their weights.
+fn consistency(told: &[Agreement]) -> f64 {
+    let (score, weight) = told
+        .iter()
+        .fold((0.0, 0.0), |s, a| (s.0 + a.score, s.1 + a.weight));
+    score / f64::max(weight, 1e-9)
+}

@@ -1,0 +1,192 @@
+//! One photo, ready to be compared: free of distortion, one level of its Gaussian pyramid.
+
+use nalgebra::{Matrix3x4, Point3, Vector3};
+use shape::{Camera, Gray, Intrinsics, Mask, signed_distance};
+
+/// A photo's brightness at one level of the pyramid, its pinhole camera, and its silhouette.
+pub struct Picture {
+    /// Brightness, 0..=255, as a lens without distortion would show it.
+    pub gray: Gray,
+    /// `pixel ~ projection * (x, 1)`, in pixels of this level and millimetres.
+    pub projection: Matrix3x4<f64>,
+    /// The camera's centre. \[mm\]
+    pub centre: Point3<f64>,
+    /// Focal length. \[px of this level\]
+    pub focal: f64,
+    /// Signed distance to the silhouette's border, positive inside. \[px of this level\]
+    pub inside: Option<Gray>,
+    /// Standard deviation of the noise, estimated from the photo itself. \[grey levels\]
+    pub noise: f32,
+}
+
+impl Picture {
+    /// Prepares a photo, halved `halvings` times.
+    pub fn new(gray: Gray, camera: &Camera, mask: Option<&Mask>, halvings: u32) -> Self {
+        let mut level = gray;
+        let noise = noise(&level);
+        for _ in 0..halvings {
+            level = halved(&level);
+        }
+        let size = (level.width as u32, level.height as u32);
+        let lens = camera.lens.resized(size.0, size.1);
+        let inside = mask.map(|mask| {
+            let far = signed_distance(mask);
+            let scale = level.width as f32 / mask.width as f32;
+            straightened(&far, &camera.lens, &lens).map(|d| d * scale)
+        });
+        let gray = if lens.radial == [0.0; 2] {
+            level
+        } else {
+            straightened(&level, &lens, &lens)
+        };
+        Picture {
+            gray,
+            projection: projection(&lens, camera),
+            centre: camera.centre(),
+            focal: f64::from((lens.focal[0] * lens.focal[1]) as f32).sqrt(),
+            inside,
+            // A halving by [1 3 3 1]/8 along both sides leaves 5/16 of white noise's deviation.
+            noise: (noise * 0.3125f32.powi(halvings as i32)).max(0.25),
+        }
+    }
+
+    /// The same picture, taken from elsewhere.
+    pub fn moved(&mut self, camera: &Camera) {
+        let size = (self.gray.width as u32, self.gray.height as u32);
+        self.projection = projection(&camera.lens.resized(size.0, size.1), camera);
+        self.centre = camera.centre();
+    }
+
+    /// Pixel and depth of a point. [`None`] behind the camera. \[px, mm\]
+    #[inline]
+    pub fn project(&self, x: &Point3<f64>) -> Option<([f64; 2], f64)> {
+        let p = self.projection * x.to_homogeneous();
+        (p.z > 0.0).then(|| ([p.x / p.z, p.y / p.z], p.z))
+    }
+
+    /// How the pixel of a point moves with the point, the two rows of the Jacobian. \[px/mm\]
+    pub fn jacobian(&self, x: &Point3<f64>) -> [Vector3<f64>; 2] {
+        let p = self.projection * x.to_homogeneous();
+        let row =
+            |r: usize| -> Vector3<f64> { self.projection.fixed_view::<1, 3>(r, 0).transpose() };
+        [0, 1].map(|r| (row(r) - row(2) * (p[r] / p.z)) / p.z)
+    }
+
+    /// Whether a pixel lies at least `margin` pixels from the picture's edge.
+    #[inline]
+    pub fn holds(&self, at: [f64; 2], margin: f64) -> bool {
+        let (w, h) = (self.gray.width as f64, self.gray.height as f64);
+        at[0] >= margin && at[1] >= margin && at[0] < w - 1.0 - margin && at[1] < h - 1.0 - margin
+    }
+
+    /// What a pixel covers at a depth. \[mm\]
+    pub fn footprint(&self, depth_mm: f64) -> f64 {
+        depth_mm / self.focal
+    }
+}
+
+/// `K (R | t)` of a pinhole.
+fn projection(lens: &Intrinsics, camera: &Camera) -> Matrix3x4<f64> {
+    let mut pose = Matrix3x4::zeros();
+    pose.fixed_view_mut::<3, 3>(0, 0)
+        .copy_from(camera.pose.rotation.matrix());
+    pose.set_column(3, &camera.pose.translation);
+    lens.matrix() * pose
+}
+
+/// An image as a lens `to` without distortion shows it; `from` is the image's own lens.
+fn straightened(image: &Gray, from: &Intrinsics, to: &Intrinsics) -> Gray {
+    let mut out = Gray::filled(to.width as usize, to.height as usize, 0.0);
+    for y in 0..out.height {
+        for x in 0..out.width {
+            let straight = nalgebra::Vector2::new(
+                (x as f64 - to.centre[0]) / to.focal[0],
+                (y as f64 - to.centre[1]) / to.focal[1],
+            );
+            let at = from.distort(straight);
+            *out.at_mut(x, y) = image.sample(at.x as f32, at.y as f32);
+        }
+    }
+    out
+}
+
+/// Half the size, by the binomial kernel [1 3 3 1]/8; pixel centres as in [`Intrinsics::resized`].
+pub fn halved(image: &Gray) -> Gray {
+    let (w, h) = ((image.width / 2).max(1), (image.height / 2).max(1));
+    let mut rows = Gray::filled(w, image.height, 0.0);
+    let clamp = |i: isize, n: usize| i.clamp(0, n as isize - 1) as usize;
+    for y in 0..image.height {
+        let row = image.row(y);
+        for x in 0..w {
+            let at = |d: isize| row[clamp(2 * x as isize + d, image.width)];
+            *rows.at_mut(x, y) = (at(-1) + at(2) + 3.0 * (at(0) + at(1))) / 8.0;
+        }
+    }
+    let mut out = Gray::filled(w, h, 0.0);
+    for y in 0..h {
+        let row = |d: isize| rows.row(clamp(2 * y as isize + d, image.height));
+        let (a, b, c, d) = (row(-1), row(0), row(1), row(2));
+        for x in 0..w {
+            *out.at_mut(x, y) = (a[x] + d[x] + 3.0 * (b[x] + c[x])) / 8.0;
+        }
+    }
+    out
+}
+
+/// Standard deviation of an image's noise: the median of its responses to a mask that is blind to
+/// constant, linear and quadratic brightness (after Immerkær 1996). \[grey levels\]
+pub fn noise(image: &Gray) -> f32 {
+    let mut responses = Vec::new();
+    for y in (1..image.height.saturating_sub(1)).step_by(3) {
+        let [a, b, c] = [y - 1, y, y + 1].map(|y| image.row(y));
+        for x in (1..image.width.saturating_sub(1)).step_by(3) {
+            let cross = a[x - 1] + a[x + 1] + c[x - 1] + c[x + 1];
+            let plus = a[x] + c[x] + b[x - 1] + b[x + 1];
+            responses.push((cross - 2.0 * plus + 4.0 * b[x]).abs());
+        }
+    }
+    if responses.is_empty() {
+        return 0.0;
+    }
+    let middle = responses.len() / 2;
+    let (_, median, _) = responses.select_nth_unstable_by(middle, f32::total_cmp);
+    // White noise of deviation 1 gives a response of deviation 6, whose absolute median is 0.6745 of it.
+    *median / (6.0 * 0.6745)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn halving_keeps_a_ramp_where_it_is() {
+        let ramp = |w: usize, h: usize, f: &dyn Fn(f32, f32) -> f32| {
+            let data = (0..w * h).map(|i| f((i % w) as f32, (i / w) as f32));
+            Gray {
+                width: w,
+                height: h,
+                data: data.collect(),
+            }
+        };
+        let half = halved(&ramp(40, 60, &|x, y| 2.0 * x - y));
+        let expected = ramp(20, 30, &|x, y| 2.0 * (2.0 * x + 0.5) - (2.0 * y + 0.5));
+        for y in 1..29 {
+            for x in 1..19 {
+                assert!((half.at(x, y) - expected.at(x, y)).abs() < 1e-4);
+            }
+        }
+    }
+
+    #[test]
+    fn noise_is_found_beneath_a_slope() {
+        let mut dice = proof::Dice(3);
+        let mut normal = || (0..12).map(|_| dice.unit()).sum::<f64>() - 6.0;
+        let data = (0..200 * 200).map(|i| (i % 200) as f32 + 3.0 * normal() as f32);
+        let image = Gray {
+            width: 200,
+            height: 200,
+            data: data.collect(),
+        };
+        assert!((noise(&image) - 3.0).abs() < 0.2, "{}", noise(&image));
+    }
+}

@@ -1,0 +1,170 @@
+//! The pictures of a turn, made ready from photos, cameras and masks.
+
+use crate::picture::Picture;
+use rayon::prelude::*;
+use shape::{Cameras, Masks, Mesh, Photos};
+use stage::{Ctx, Stop};
+
+/// Why a surface cannot be refined.
+#[derive(Debug, thiserror::Error)]
+pub enum RefineError {
+    /// Too few photos.
+    #[error("only {0} photos have a camera, but a surface needs at least 2 that see it")]
+    TooFew(usize),
+    /// A mesh with holes, or that touches itself.
+    #[error("the mesh cannot be refined: {0}; repair it, or start from `hull.carve`")]
+    Mesh(#[from] shape::MeshFault),
+    /// Nothing to refine.
+    #[error("the mesh has no face")]
+    Empty,
+    /// Photos and cameras that do not belong together.
+    #[error("photo {name} is {photo:?} pixels, but its camera was calibrated for {camera:?}")]
+    Size {
+        /// The photo.
+        name: String,
+        /// Its size.
+        photo: [u32; 2],
+        /// The camera's.
+        camera: [u32; 2],
+    },
+    /// No part of the mesh is seen twice.
+    #[error("no part of the mesh is seen by two photos: do mesh and cameras belong together?")]
+    Unseen,
+}
+
+/// Checks a mesh before anything is done to it.
+pub fn check(mesh: &Mesh) -> Result<(), RefineError> {
+    mesh.validate_closed()?;
+    if mesh.faces.is_empty() {
+        return Err(RefineError::Empty);
+    }
+    Ok(())
+}
+
+/// The photos that have a camera, at one level: each halved until it has at most `most_mpx`
+/// million pixels, then `level` times more.
+pub fn pictures(
+    photos: &Photos,
+    cameras: &Cameras,
+    masks: Option<&Masks>,
+    level: u32,
+    most_mpx: f64,
+    ctx: &Ctx<'_>,
+) -> Result<Vec<Picture>, Stop> {
+    let views: Vec<_> = cameras
+        .views
+        .iter()
+        .filter_map(|(id, view)| Some((id, view, photos.get(id)?)))
+        .collect();
+    if views.len() < 2 {
+        return Err(RefineError::TooFew(views.len()).into());
+    }
+    views
+        .par_iter()
+        .map(|(id, view, photo)| {
+            ctx.check()?;
+            let lens = &view.camera.lens;
+            if [photo.width, photo.height] != [lens.width, lens.height] {
+                return Err(RefineError::Size {
+                    name: photo.name.clone(),
+                    photo: [photo.width, photo.height],
+                    camera: [lens.width, lens.height],
+                }
+                .into());
+            }
+            let mpx = f64::from(lens.width) * f64::from(lens.height) / 1e6;
+            let halvings = level
+                + (0..8)
+                    .find(|k| mpx / 4f64.powi(*k) <= most_mpx)
+                    .unwrap_or(8) as u32;
+            let mask = masks.and_then(|m| m.views.get(*id));
+            let mask =
+                mask.filter(|m| (m.width as u32, m.height as u32) == (lens.width, lens.height));
+            Ok(Picture::new(
+                photo.decode()?.gray(),
+                &view.camera,
+                mask,
+                halvings,
+            ))
+        })
+        .collect()
+}
+
+/// What a pixel covers on the mesh, the median over vertices and pictures. \[mm\]
+pub fn footprint(mesh: &Mesh, pictures: &[Picture]) -> f64 {
+    let stride = (mesh.positions.len() / 500).max(1);
+    let mut all: Vec<f64> = (0..mesh.positions.len())
+        .step_by(stride)
+        .flat_map(|v| {
+            pictures
+                .iter()
+                .filter_map(move |p| p.project(&mesh.point(v as u32)).map(|x| p.footprint(x.1)))
+        })
+        .collect();
+    all.sort_by(f64::total_cmp);
+    all.get(all.len() / 2).copied().unwrap_or(1.0)
+}
+
+/// An evolution under way: where it is, and the best that it was.
+pub struct Progress {
+    /// Where it is.
+    pub mesh: Mesh,
+    /// The most consistent so far.
+    pub best: Mesh,
+    /// How consistent that is.
+    pub score: f64,
+    /// How consistent the start was.
+    pub first: f64,
+    /// Share of the vertices that two photos see.
+    pub seen: f64,
+    /// How many looks were taken.
+    pub done: u32,
+}
+
+impl Progress {
+    /// Keeps a mesh if it is the most consistent so far.
+    pub fn keep(&mut self, score: f64, mesh: &Mesh) {
+        if self.done == 0 {
+            self.first = score;
+        }
+        if self.done == 0 || score > self.score {
+            self.score = score;
+            self.best = mesh.clone();
+        }
+    }
+}
+
+impl stage::Artifact for Progress {
+    const KIND: &'static str = "refine.progress";
+    const FORMAT: u32 = 1;
+
+    fn pack(&self, to: &mut stage::Packer) {
+        to.meta(&(self.score, self.first, self.seen, self.done));
+        for (name, mesh) in [("mesh", &self.mesh), ("best", &self.best)] {
+            to.section(format!("{name} positions"), &mesh.positions);
+            to.section(format!("{name} faces"), &mesh.faces);
+        }
+    }
+
+    fn unpack(from: &stage::Unpacker<'_>) -> Result<Self, stage::Corrupt> {
+        let (score, first, seen, done) = from.meta()?;
+        let mesh = |name: &str| -> Result<Mesh, stage::Corrupt> {
+            let mesh = Mesh {
+                positions: from.section(&format!("{name} positions"))?,
+                faces: from.section(&format!("{name} faces"))?,
+                colors: vec![],
+            };
+            let whole = mesh.validate();
+            whole.map_err(|fault| stage::Corrupt(fault.to_string()))?;
+            Ok(mesh)
+        };
+        Ok(Progress {
+            mesh: mesh("mesh")?,
+            best: mesh("best")?,
+            score,
+            first,
+            seen,
+            done,
+        })
+    }
+}
