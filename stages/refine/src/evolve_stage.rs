@@ -105,7 +105,7 @@ impl Stage for Evolve {
             masks,
             p.level,
             p.most_mpx,
-            ctx,
+            || ctx.check().map_err(Stop::from),
         )?;
         let footprint = footprint(&input.mesh, &pictures);
         let mut mesh = Mesh {

@@ -2,8 +2,7 @@
 
 use crate::picture::Picture;
 use rayon::prelude::*;
-use shape::{Cameras, Masks, Mesh, Photos};
-use stage::{Ctx, Stop};
+use shape::{Cameras, Masks, Mesh, PhotoError, Photos};
 
 /// Why a surface cannot be refined.
 #[derive(Debug, thiserror::Error)]
@@ -42,15 +41,15 @@ pub fn check(mesh: &Mesh) -> Result<(), RefineError> {
 }
 
 /// The photos that have a camera, at one level: each halved until it has at most `most_mpx`
-/// million pixels, then `level` times more.
-pub fn pictures(
+/// million pixels, then `level` times more. `check` fails when the user asked to stop.
+pub fn pictures<E: From<RefineError> + From<PhotoError> + Send>(
     photos: &Photos,
     cameras: &Cameras,
     masks: Option<&Masks>,
     level: u32,
     most_mpx: f64,
-    ctx: &Ctx<'_>,
-) -> Result<Vec<Picture>, Stop> {
+    check: impl Fn() -> Result<(), E> + Sync,
+) -> Result<Vec<Picture>, E> {
     let views: Vec<_> = cameras
         .views
         .iter()
@@ -62,7 +61,7 @@ pub fn pictures(
     views
         .par_iter()
         .map(|(id, view, photo)| {
-            ctx.check()?;
+            check()?;
             let lens = &view.camera.lens;
             if [photo.width, photo.height] != [lens.width, lens.height] {
                 return Err(RefineError::Size {

@@ -110,7 +110,7 @@ impl Stage for Settle {
             masks,
             p.level,
             p.most_mpx,
-            ctx,
+            || ctx.check().map_err(Stop::from),
         )?;
         let footprint = footprint(&input.mesh, &pictures);
         let mut mesh = Mesh::clone(&input.mesh);

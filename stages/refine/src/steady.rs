@@ -92,7 +92,7 @@ impl Stage for Steady {
             input.masks.as_deref(),
             p.level,
             p.most_mpx,
-            ctx,
+            || ctx.check().map_err(Stop::from),
         )?;
         let footprint = footprint(&input.mesh, &pictures);
         let mesh = remesh(&input.mesh, p.edge_px * footprint, 3);
