@@ -100,6 +100,38 @@ fn the_store_may_be_deleted_while_it_is_in_use() {
 }
 
 #[test]
+fn a_run_that_is_stopped_keeps_what_is_done_and_the_next_goes_on() {
+    struct Stopper<'a>(&'a AtomicBool);
+    impl Watch for Stopper<'_> {
+        fn done(&self, node: &str, _: &tailor::walk::Done) {
+            if node == "mid" {
+                self.0.store(true, std::sync::atomic::Ordering::Relaxed);
+            }
+        }
+    }
+    let place = Place::new("hello\n");
+    let (graph, cancel) = (chain(1), AtomicBool::new(false));
+    let options = Options {
+        cache: place.cache(),
+        threads: Some(1),
+        keep_going: true,
+    };
+    let folders = [("src".to_owned(), place.src())];
+    let stopper = Stopper(&cancel);
+    let outcome = engine::run(&graph, &folders, &graph.goal, &options, &stopper, &cancel).unwrap();
+    assert!(outcome.cancelled() && outcome.failure(&graph).is_none());
+    let fate = |name: &str| {
+        outcome.nodes[graph.node(name).unwrap()]
+            .clone()
+            .unwrap()
+            .fate
+    };
+    assert_eq!((fate("mid"), fate("final")), (Fate::Made, Fate::Cancelled));
+    let made = place.run(1);
+    assert!(made.contains(&"final".to_owned()) && !made.contains(&"mid".to_owned()));
+}
+
+#[test]
 fn a_source_that_changes_while_it_is_read_is_told_and_nothing_is_published() {
     struct Meddler<'a>(&'a Place);
     impl Watch for Meddler<'_> {
