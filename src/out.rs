@@ -38,6 +38,7 @@ pub fn formats(kind: &str) -> &'static [&'static str] {
         "cameras" => &["json", "colmap", "svg"],
         "masks" => &["png"],
         "girths" => &["json", "csv", "schema"],
+        "photos" => &["capture"],
         "landmarks" => &["json"],
         "document" => &["file"],
         "tags" => &["json"],
@@ -82,6 +83,7 @@ pub fn files(
         ("girths", "schema") => one(shape::girths_schema().into()),
         ("landmarks", "json") => one(shape::landmarks_to_json(&*take!(Landmarks)).into_bytes()),
         ("tags", _) => one(tags_to_json(&*take!(Tags)).into_bytes()),
+        ("photos", _) => Ok(shape::photos_to_capture(&*take!(Photos))),
         ("document", _) => one(take!(Document).bytes.clone()),
         ("masks", _) => {
             let masks = take!(Masks);

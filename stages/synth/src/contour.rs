@@ -1,6 +1,6 @@
 //! The section of a solid by a plane, from its formula: no mesh is involved.
 
-use crate::field::value;
+use crate::field::Field;
 use nalgebra::{Point3, Vector3};
 use rayon::prelude::*;
 use shape::{Plane, Solid};
@@ -15,7 +15,8 @@ const STRIDE: f64 = 1.5;
 /// within three metres. The curve is the whole section if that is star-shaped about the point.
 pub fn contour(solid: &Solid, plane: &Plane) -> Option<Vec<Point3<f64>>> {
     let from = Point3::from(plane.point_mm);
-    if value(solid, &from) >= 0.0 {
+    let field = Field::new(solid);
+    if field.value(&from) >= 0.0 {
         return None;
     }
     let normal = Vector3::from(plane.normal).normalize();
@@ -29,7 +30,7 @@ pub fn contour(solid: &Solid, plane: &Plane) -> Option<Vec<Point3<f64>>> {
     let leave = |k: usize| {
         let (sin, cos) = (std::f64::consts::TAU * k as f64 / DIRECTIONS as f64).sin_cos();
         let along = u * cos + v * sin;
-        let inside = |r: f64| value(solid, &(from + along * r)) < 0.0;
+        let inside = |r: f64| field.value(&(from + along * r)) < 0.0;
         let mut high = STRIDE;
         while inside(high) {
             high += STRIDE;

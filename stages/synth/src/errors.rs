@@ -1,6 +1,6 @@
 //! How far cameras, silhouettes and surfaces are from the truth.
 
-use crate::field::{gradient, value};
+use crate::field::Field;
 use crate::frame::turn_between;
 use nalgebra::Rotation3;
 use rayon::prelude::*;
@@ -67,10 +67,11 @@ pub(crate) struct SurfaceErrors {
 /// A mesh's vertices, turned into the solid's frame, against its surface; distances are the
 /// formula's value over its slope, good near the surface.
 pub(crate) fn surface_errors(mesh: &Mesh, solid: &Solid, turn: &Rotation3<f64>) -> SurfaceErrors {
+    let field = Field::new(solid);
     let count = mesh.positions.len() as u32;
     let off = |v: u32| {
         let p = turn * mesh.point(v);
-        value(solid, &p) / gradient(solid, &p).norm().max(0.2)
+        field.value(&p) / field.gradient(&p).norm().max(0.2)
     };
     let off: Vec<f64> = (0..count).into_par_iter().map(off).collect();
     let share = 1.0 / f64::from(count.max(1));

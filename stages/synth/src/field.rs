@@ -1,41 +1,95 @@
 //! The function that is negative inside a solid, and steps onto its surface.
 
+use crate::bounds::bounds;
 use nalgebra::{Point3, Vector3};
 use shape::{Furrow, Level, Solid, SolidPart};
 
-/// A point's value: negative inside, 0 on the surface, nowhere steeper than about 1.5. \[mm\]
-/// Parts are joined by the polynomial soft minimum of width `blend_mm`, which leaves untouched
-/// what is farther than that from the other part.
-pub fn value(solid: &Solid, p: &Point3<f64>) -> f64 {
-    let mut least = f64::MAX;
-    for part in &solid.parts {
-        least = soft_min(least, part_value(part, p), solid.blend_mm);
-    }
-    least
+/// A solid, made ready to be asked often.
+pub struct Field<'a> {
+    parts: Vec<(Ball, &'a SolidPart)>,
+    blend_mm: f64,
 }
 
-/// The direction in which the value grows, by central differences.
-pub fn gradient(solid: &Solid, p: &Point3<f64>) -> Vector3<f64> {
-    const STEP: f64 = 1e-3;
-    Vector3::from_fn(|i, _| {
-        let mut d = Vector3::zeros();
-        d[i] = STEP;
-        (value(solid, &(p + d)) - value(solid, &(p - d))) / (2.0 * STEP)
-    })
+/// A ball around a part; outside, the part's value is at least `slope` times the way to the ball.
+struct Ball {
+    centre: Point3<f64>,
+    radius: f64,
+    slope: f64,
 }
 
-/// The point of the surface near `p`, by Newton steps along the gradient.
-pub fn onto(solid: &Solid, p: &Point3<f64>) -> Point3<f64> {
-    let mut p = *p;
-    for _ in 0..8 {
-        let (v, g) = (value(solid, &p), gradient(solid, &p));
-        let step = g * (v / g.norm_squared().max(0.05));
-        p -= step;
-        if step.norm() < 1e-7 {
-            break;
+impl<'a> Field<'a> {
+    /// Of a solid.
+    pub fn new(solid: &'a Solid) -> Self {
+        let parts = solid.parts.iter().map(|part| (ball(part), part));
+        Field {
+            parts: parts.collect(),
+            blend_mm: solid.blend_mm,
         }
     }
-    p
+
+    /// A point's value: negative inside, 0 on the surface, nowhere steeper than about 1.5. \[mm\]
+    /// Parts are joined by the polynomial soft minimum of width `blend_mm`, which leaves untouched
+    /// what is farther than that from the other part.
+    pub fn value(&self, p: &Point3<f64>) -> f64 {
+        let mut least = f64::MAX;
+        for (ball, part) in &self.parts {
+            // A part that is farther than the blend reaches changes nothing.
+            let reach = ball.radius + (least + self.blend_mm).max(0.0) / ball.slope;
+            if reach < f64::MAX && (p - ball.centre).norm_squared() > reach * reach {
+                continue;
+            }
+            least = soft_min(least, part_value(part, p), self.blend_mm);
+        }
+        least
+    }
+
+    /// The direction in which the value grows, by central differences.
+    pub fn gradient(&self, p: &Point3<f64>) -> Vector3<f64> {
+        const STEP: f64 = 1e-3;
+        Vector3::from_fn(|i, _| {
+            let mut d = Vector3::zeros();
+            d[i] = STEP;
+            (self.value(&(p + d)) - self.value(&(p - d))) / (2.0 * STEP)
+        })
+    }
+
+    /// The point of the surface near `p`, by Newton steps along the gradient.
+    pub fn onto(&self, p: &Point3<f64>) -> Point3<f64> {
+        let mut p = *p;
+        for _ in 0..8 {
+            let (v, g) = (self.value(&p), self.gradient(&p));
+            let step = g * (v / g.norm_squared().max(0.05));
+            p -= step;
+            if step.norm() < 1e-6 {
+                break;
+            }
+        }
+        p
+    }
+}
+
+/// A ball around a part. Sections grow no slower than their least half-axis over their greatest;
+/// half of that is safe for all exponents and for the ends.
+fn ball(part: &SolidPart) -> Ball {
+    let (low, high) = bounds(&Solid {
+        parts: vec![part.clone()],
+        ..Solid::default()
+    });
+    let halves: Vec<f64> = match part {
+        SolidPart::Ellipsoid { half, .. } => half.to_vec(),
+        SolidPart::Torus { .. } => vec![1.0],
+        SolidPart::Limb {
+            half_from, half_to, ..
+        } => [*half_from, *half_to].concat(),
+        SolidPart::Stack { levels, .. } => levels.iter().flat_map(|l| l.half).collect(),
+    };
+    let least = halves.iter().copied().fold(f64::MAX, f64::min);
+    let most = halves.iter().copied().fold(0.0, f64::max);
+    Ball {
+        centre: nalgebra::center(&low, &high),
+        radius: (high - low).norm() / 2.0,
+        slope: (least / most / 2.0).max(1e-3),
+    }
 }
 
 /// Soft minimum: equal to the minimum where the two differ by more than `width`.
@@ -116,7 +170,7 @@ fn part_value(part: &SolidPart, p: &Point3<f64>) -> f64 {
 
 /// The two directions of a limb's half-axes: level across it, and across that. For an upright
 /// limb the first is world x.
-pub fn limb_axes(axis: &Vector3<f64>) -> (Vector3<f64>, Vector3<f64>) {
+fn limb_axes(axis: &Vector3<f64>) -> (Vector3<f64>, Vector3<f64>) {
     let level = Vector3::y().cross(axis);
     let u = level.try_normalize(1e-6).unwrap_or(Vector3::x());
     (u, axis.cross(&u))

@@ -35,7 +35,7 @@ pub use anatomy::{Build, body as body_solid};
 pub use body::{BodyInput, BodyParams, MakeBody};
 pub use bounds::bounds;
 pub use contour::{contour, length, taut};
-pub use field::{gradient, limb_axes, onto, value};
+pub use field::Field;
 pub use frame::turn_between;
 pub use girths::{FormulaGirths, FormulaInput};
 pub use masks::{MaskInput, MaskParams, TrueMasks};

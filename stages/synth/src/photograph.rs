@@ -104,8 +104,8 @@ pub(crate) fn with_body(
     });
 }
 
-/// As a file has it: sRGB, with noise that differs from photo to photo.
-pub(crate) fn developed(image: &Linear, noise: f32, seed: u32) -> Rgb {
+/// As a file has it: sRGB or, if `linear`, in proportion to light; with noise by seed.
+pub(crate) fn developed(image: &Linear, noise: f32, linear: bool, seed: u32) -> Rgb {
     let mut i = 0;
     image.map(|color| {
         i += 1;
@@ -115,11 +115,13 @@ pub(crate) fn developed(image: &Linear, noise: f32, seed: u32) -> Rgb {
             (four.sum::<f32>() - 2.0) * 3f32.sqrt() * noise
         };
         [0, 1, 2].map(|c| {
-            let linear = color[c].clamp(0.0, 1.0);
-            let encoded = if linear <= 0.003_130_8 {
-                12.92 * linear
+            let light = color[c].clamp(0.0, 1.0);
+            let encoded = if linear {
+                light
+            } else if light <= 0.003_130_8 {
+                12.92 * light
             } else {
-                1.055 * linear.powf(1.0 / 2.4) - 0.055
+                1.055 * light.powf(1.0 / 2.4) - 0.055
             };
             let grain = if noise > 0.0 { grain(c) } else { 0.0 };
             (255.0 * encoded + grain).round().clamp(0.0, 255.0) as u8

@@ -1,6 +1,6 @@
 //! A solid's surface as a closed mesh: dual marching cubes (Nielson 2004), vertices moved onto the surface.
 
-use crate::field::{onto, value};
+use crate::field::Field;
 use nalgebra::{Point3, Vector3};
 use rayon::prelude::*;
 use shape::{Mesh, Solid};
@@ -41,6 +41,7 @@ impl Grid {
 
 /// The surface of a solid between two corners, in cells of a size. \[mm\] Faces look outward.
 pub fn surface(solid: &Solid, low: Point3<f64>, high: Point3<f64>, cell_mm: f64) -> Mesh {
+    let field = Field::new(solid);
     let margin = Vector3::from_element(2.5 * cell_mm);
     let low = low - margin;
     let span = high + margin - low;
@@ -54,7 +55,7 @@ pub fn surface(solid: &Solid, low: Point3<f64>, high: Point3<f64>, cell_mm: f64)
     let count = blocks[0] * blocks[1] * blocks[2];
     let found: Vec<Vec<Cell>> = (0..count)
         .into_par_iter()
-        .map(|b| block_cells(solid, &grid, b))
+        .map(|b| block_cells(&field, &grid, b))
         .collect();
     let mut cells: Vec<Cell> = found.into_iter().flatten().collect();
     cells.par_sort_unstable_by_key(|c| c.key);
@@ -69,13 +70,13 @@ pub fn surface(solid: &Solid, low: Point3<f64>, high: Point3<f64>, cell_mm: f64)
 }
 
 /// The cells of one block that the surface passes.
-fn block_cells(solid: &Solid, grid: &Grid, block: usize) -> Vec<Cell> {
+fn block_cells(field: &Field<'_>, grid: &Grid, block: usize) -> Vec<Cell> {
     let [bx, by, _] = grid.blocks;
     let first = [block % bx, block / bx % by, block / (bx * by)].map(|b| b * BLOCK);
     let half = grid.cell_mm * BLOCK as f64 / 2.0;
     let middle = grid.corner(first) + Vector3::from_element(half);
     let mut cells = Vec::new();
-    if value(solid, &middle).abs() > STEEP * half * 3f64.sqrt() {
+    if field.value(&middle).abs() > STEEP * half * 3f64.sqrt() {
         return cells;
     }
     const SIDE: usize = BLOCK + 1;
@@ -85,7 +86,7 @@ fn block_cells(solid: &Solid, grid: &Grid, block: usize) -> Vec<Cell> {
         for y in 0..SIDE {
             for x in 0..SIDE {
                 let corner = grid.corner([first[0] + x, first[1] + y, first[2] + z]);
-                values[at(x, y, z)] = value(solid, &corner);
+                values[at(x, y, z)] = field.value(&corner);
             }
         }
     }
@@ -100,7 +101,7 @@ fn block_cells(solid: &Solid, grid: &Grid, block: usize) -> Vec<Cell> {
                 let c = [first[0] + x, first[1] + y, first[2] + z];
                 let (patch, starts) = patches(inside, &corner);
                 let onto =
-                    |start: &Vector3<f64>| onto(solid, &(grid.corner(c) + start * grid.cell_mm));
+                    |start: &Vector3<f64>| field.onto(&(grid.corner(c) + start * grid.cell_mm));
                 cells.push(Cell {
                     key: grid.key(c),
                     inside,

@@ -30,6 +30,8 @@ stage::params! {
         /// Standard deviation of the sensor's noise, in levels of 0..=255.
         #[range(0.0..=50.0)]
         noise_levels: f64 = 1.0,
+        /// Whether levels are in proportion to light; else they are sRGB, as cameras write them.
+        linear: bool = false,
         /// Rays through each pixel along each of its sides.
         #[range(1..=8)]
         rays: u32 = 3,
@@ -94,7 +96,12 @@ impl Stage for TakePhotos {
             let mut seen = with_disk(&scene, own.as_ref().unwrap_or(&room), camera, &fixed);
             let motion = input.sway.as_ref().and_then(|s| s.views.get(*id));
             with_body(&scene, &mut seen, mesh, &normals, camera, motion);
-            let rgb = developed(&seen, scene.noise, p.seed.wrapping_mul(1009) + 2 + id.0);
+            let rgb = developed(
+                &seen,
+                scene.noise,
+                p.linear,
+                p.seed.wrapping_mul(1009) + 2 + id.0,
+            );
             steps.tick()?;
             Ok(photo(p, &view.name, &rgb, camera))
         };
@@ -102,7 +109,7 @@ impl Stage for TakePhotos {
         let photos: Vec<Photo> = photos.collect::<Result<_, _>>()?;
         let plate = p.plate.then(|| {
             let empty = with_disk(&scene, &room, &first, &fixed);
-            let rgb = developed(&empty, scene.noise, p.seed.wrapping_mul(1009) + 1);
+            let rgb = developed(&empty, scene.noise, p.linear, p.seed.wrapping_mul(1009) + 1);
             photo(p, "plate.jpg", &rgb, &first)
         });
         ctx.metric("photos", photos.len() as f64, "");

@@ -6,8 +6,8 @@ use stage::{Ctx, Params, Stage, Value};
 use std::collections::BTreeMap;
 use std::sync::Arc;
 use synth::{
-    BodyInput, BodyParams, MakeBody, MakeRing, MakeSolid, MakeSway, MaskInput, MaskParams,
-    RingInput, SolidInput, SwayInput, TakePhotos, TrueMasks, TurnInput, value,
+    BodyInput, BodyParams, Field, MakeBody, MakeRing, MakeSolid, MakeSway, MaskInput, MaskParams,
+    RingInput, SolidInput, SwayInput, TakePhotos, TrueMasks, TurnInput,
 };
 
 /// Params with some values said.
@@ -54,9 +54,39 @@ fn every_figure_is_closed_smooth_and_where_its_formula_says() {
         let mesh = mesh(&solid, 11.0);
         mesh.validate_closed().unwrap();
         assert!(mesh.volume() > 0.0, "{figure} looks inward");
-        let far = (0..mesh.positions.len() as u32).map(|v| value(&solid, &mesh.point(v)).abs());
+        let field = Field::new(&solid);
+        let far = (0..mesh.positions.len() as u32).map(|v| field.value(&mesh.point(v)).abs());
         let far = far.fold(0.0, f64::max);
         assert!(far < 1e-2, "{figure}: a vertex lies {far} mm off");
+    }
+}
+
+#[test]
+fn a_far_part_changes_no_value() {
+    let whole = solid(&[]);
+    let field = Field::new(&whole);
+    let mut dice = proof::Dice(3);
+    for _ in 0..3000 {
+        let p = Point3::new(
+            dice.within(-700.0, 700.0),
+            dice.within(-250.0, 250.0),
+            dice.within(-100.0, 1850.0),
+        );
+        // All parts, one after another, none left out.
+        let one = |part: &shape::SolidPart| Solid {
+            parts: vec![part.clone()],
+            ..whole.clone()
+        };
+        let values = whole
+            .parts
+            .iter()
+            .map(|part| Field::new(&one(part)).value(&p));
+        let soft = |a: f64, b: f64| {
+            let h = (whole.blend_mm - (a - b).abs()).max(0.0);
+            a.min(b) - h * h / (4.0 * whole.blend_mm)
+        };
+        let want = values.reduce(soft).unwrap();
+        proof::near(field.value(&p), want, 1e-9);
     }
 }
 
