@@ -219,3 +219,29 @@ fn a_drawing_has_a_box_for_every_node_and_input_and_arrows_point_down() {
         assert!(start < end, "{path}");
     }
 }
+
+#[test]
+fn every_shipped_pipeline_and_each_of_its_variants_is_without_mistake() {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("pipelines");
+    let mut count = 0;
+    for entry in std::fs::read_dir(folder).unwrap() {
+        let path = entry.unwrap().path();
+        let text = std::fs::read_to_string(&path).unwrap();
+        let named = text.lines().filter_map(|l| l.strip_prefix("[variant."));
+        let variants = named
+            .filter_map(|l| l.strip_suffix(']'))
+            .map(|v| Some(v.to_string()));
+        for variant in std::iter::once(None).chain(variants) {
+            let opened = open(
+                &path,
+                &Overrides {
+                    variant: variant.clone(),
+                    sets: vec![],
+                },
+            );
+            assert!(opened.is_ok(), "{} {variant:?}", path.display());
+            count += 1;
+        }
+    }
+    assert!(count >= 8, "only {count} looked at");
+}

@@ -3,13 +3,16 @@
 //! ```text
 //! mesh, photos, cameras, masks ─┬─ Steady → cameras   the body held still
 //!                               ├─ Settle → mesh      consistency, silhouettes, plate; level by level
-//!                               └─ Evolve → mesh      the paper's eq. 3 and 5–7
+//!                               ├─ Evolve → mesh      the paper's eq. 3 and 5–7
+//!                               └─ Texture → textured colours from the photos
 //! ```
 
+pub mod atlas;
 pub mod curvature;
 pub mod depth;
 pub mod energy;
 mod evolve_stage;
+pub mod labels;
 pub mod median;
 pub mod patch;
 pub mod picture;
@@ -25,15 +28,18 @@ mod solids;
 mod steady;
 pub mod sway;
 pub mod sweep;
+mod texture;
 
 pub use evolve_stage::{Evolve, EvolveInput, EvolveParams, Flow};
 pub use scene::RefineError;
 pub use settle_stage::{Settle, SettleInput, SettleParams};
 pub use steady::{Steady, SteadyInput, SteadyParams};
+pub use texture::{Texture, TextureInput, TextureParams};
 
 /// Every stage of this room, in the order in which data flows through it.
 pub const STAGES: &[&dyn stage::AnyStage] = &[
     &stage::erase::<Steady>(),
     &stage::erase::<Settle>(),
     &stage::erase::<Evolve>(),
+    &stage::erase::<Texture>(),
 ];

@@ -48,7 +48,7 @@ stage::params! {
         turn_deg: f64 = 0.7,
         /// Rounds.
         #[range(1..=100)]
-        rounds: u32 = 10,
+        rounds: u32 = 20,
     }
 }
 
