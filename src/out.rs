@@ -1,8 +1,8 @@
 //! Artifacts as files for people and other programs.
 
 use shape::{
-    Cameras, Document, Girths, Landmarks, Masks, Mesh, Photos, Tags, Textured, gray_to_png,
-    mesh_to_ply,
+    Cameras, Document, Girths, Keypoints, Landmarks, Masks, Mesh, Photos, Tags, Textured, Tracks,
+    gray_to_png, mesh_to_ply,
 };
 use stage::AnyArtifact;
 use std::path::{Path, PathBuf};
@@ -18,6 +18,9 @@ pub enum OutError {
         /// What the system says.
         why: std::io::Error,
     },
+    /// A photo that is to be drawn on.
+    #[error(transparent)]
+    Photo(#[from] shape::PhotoError),
     /// No such format for this kind.
     #[error("{kind} cannot be written as `{format}`; known: {known}")]
     Format {
@@ -42,6 +45,7 @@ pub fn formats(kind: &str) -> &'static [&'static str] {
         "landmarks" => &["json"],
         "document" => &["file"],
         "tags" => &["json"],
+        "keypoints" | "tracks" => &["png"],
         _ => &["tailor"],
     }
 }
@@ -77,6 +81,9 @@ pub fn files(
         ("textured", "glb") => one(shape::textured_to_glb(&*take!(Textured))),
         ("textured", "obj") => Ok(shape::textured_to_obj(&*take!(Textured))),
         ("cameras", "json") => one(shape::cameras_to_json(&*take!(Cameras)).into_bytes()),
+        ("cameras", "svg") => one(shape::cameras_to_svg(&*take!(Cameras)).into_bytes()),
+        ("keypoints", _) => Ok(shape::keypoints_to_png(&*take!(Keypoints), names)?),
+        ("tracks", _) => Ok(shape::tracks_to_png(&*take!(Tracks), names)?),
         ("cameras", "colmap") => Ok(shape::cameras_to_colmap_text(&*take!(Cameras))),
         ("girths", "json") => one(shape::girths_to_json(&*take!(Girths)).into_bytes()),
         ("girths", "csv") => one(shape::girths_to_csv(&*take!(Girths)).into_bytes()),

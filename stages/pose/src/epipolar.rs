@@ -1,7 +1,10 @@
 //! Matches that agree with one motion: the fundamental matrix by locally optimised RANSAC
-//! (Chum, Matas and Kittler 2003; normalised eight-point algorithm, Hartley 1997).
+//! (Chum, Matas and Kittler 2003; normalised eight-point algorithm, Hartley 1997), or the essential
+//! matrix where the lens is known (Nistér 2004).
 
+use crate::five_point::essentials;
 use nalgebra::{DMatrix, Matrix3, Vector3};
+use shape::Intrinsics;
 
 /// A pair of pixels.
 pub type Both = [[f64; 2]; 2];
@@ -55,8 +58,58 @@ pub fn sampson(f: &Matrix3<f64>, [a, b]: &Both) -> f64 {
     b.dot(&fa).abs() / slope.sqrt().max(1e-12)
 }
 
-/// Which pairs agree with the motion that most agree with, within `most_px`. Deterministic by `seed`.
+/// What a motion is fitted to pairs by.
+struct Model<'a> {
+    /// How many pairs a sample has.
+    size: usize,
+    /// The fundamental matrices of a sample.
+    of_few: &'a dyn Fn(&[Both]) -> Vec<Matrix3<f64>>,
+    /// The fundamental matrix nearest to many.
+    of_many: &'a dyn Fn(&[Both]) -> Option<Matrix3<f64>>,
+}
+
+/// Which pairs agree with the motion that most agree with, within `most_px`; samples of eight.
+/// Deterministic by `seed`.
 pub fn agreeing(pairs: &[Both], most_px: f64, rounds: usize, seed: u64) -> Vec<bool> {
+    let model = Model {
+        size: 8,
+        of_few: &|sample| fundamental(sample).into_iter().collect(),
+        of_many: &fundamental,
+    };
+    sampled(pairs, &model, most_px, rounds, seed)
+}
+
+/// As [`agreeing`] where the lens is known: samples of five, and only motions of rigid things.
+/// Planes, which leave the fundamental matrix open, are no trouble.
+pub fn agreeing_through(
+    lens: &Intrinsics,
+    pairs: &[Both],
+    most_px: f64,
+    rounds: usize,
+    seed: u64,
+) -> Vec<bool> {
+    let (f, [cx, cy]) = (lens.focal[0], lens.centre);
+    let to_ray = Matrix3::new(1.0 / f, 0.0, -cx / f, 0.0, 1.0 / f, -cy / f, 0.0, 0.0, 1.0);
+    let in_px = |e: Matrix3<f64>| to_ray.transpose() * e * to_ray;
+    let rays = |pairs: &[Both]| -> Vec<Both> {
+        let ray = |p: [f64; 2]| [(p[0] - cx) / f, (p[1] - cy) / f];
+        pairs.iter().map(|both| both.map(ray)).collect()
+    };
+    let rigid = |pairs: &[Both]| {
+        let mut svd = fundamental(&rays(pairs))?.svd(true, true);
+        let mean = (svd.singular_values[0] + svd.singular_values[1]) / 2.0;
+        svd.singular_values = Vector3::new(mean, mean, 0.0);
+        Some(in_px(svd.recompose().ok()?))
+    };
+    let model = Model {
+        size: 5,
+        of_few: &|sample| essentials(&rays(sample)).into_iter().map(in_px).collect(),
+        of_many: &rigid,
+    };
+    sampled(pairs, &model, most_px, rounds, seed)
+}
+
+fn sampled(pairs: &[Both], model: &Model<'_>, most_px: f64, rounds: usize, seed: u64) -> Vec<bool> {
     let count = |f: &Matrix3<f64>| pairs.iter().filter(|p| sampson(f, p) < most_px).count();
     let (mut best, mut most) = (None, 0);
     let mut state = seed;
@@ -70,34 +123,19 @@ pub fn agreeing(pairs: &[Both], most_px: f64, rounds: usize, seed: u64) -> Vec<b
     let mut done = 0;
     while done < need.min(rounds) && pairs.len() >= 12 {
         done += 1;
-        let sample: Vec<Both> = (0..8).map(|_| pairs[draw(pairs.len())]).collect();
-        let Some(mut f) = fundamental(&sample) else {
-            continue;
-        };
-        let mut own = count(&f);
-        if own <= most {
-            continue;
-        }
-        // Local optimisation: fit to all that agree, with a narrowing bound.
-        for widen in [3.0, 2.0, 1.0, 1.0] {
-            let inside: Vec<Both> = pairs
-                .iter()
-                .filter(|p| sampson(&f, p) < most_px * widen)
-                .copied()
-                .collect();
-            match fundamental(&inside) {
-                Some(better) if count(&better) >= own => {
-                    own = count(&better);
-                    f = better;
-                }
-                _ => {}
+        let sample: Vec<Both> = (0..model.size).map(|_| pairs[draw(pairs.len())]).collect();
+        for f in (model.of_few)(&sample) {
+            let own = count(&f);
+            if own <= most {
+                continue;
             }
+            let (f, own) = bettered(pairs, model, most_px, f, own, &count);
+            (best, most) = (Some(f), own);
+            let share = (own as f64 / pairs.len() as f64)
+                .powi(model.size as i32)
+                .clamp(1e-9, 0.999_999);
+            need = ((1e-3f64).ln() / (1.0 - share).ln()).ceil().max(20.0) as usize;
         }
-        (best, most) = (Some(f), own);
-        let share = (own as f64 / pairs.len() as f64)
-            .powi(8)
-            .clamp(1e-9, 0.999_999);
-        need = ((1e-3f64).ln() / (1.0 - share).ln()).ceil().max(20.0) as usize;
     }
     pairs
         .iter()
@@ -105,21 +143,45 @@ pub fn agreeing(pairs: &[Both], most_px: f64, rounds: usize, seed: u64) -> Vec<b
         .collect()
 }
 
+/// Local optimisation: fits to all that agree, with a narrowing bound.
+fn bettered(
+    pairs: &[Both],
+    model: &Model<'_>,
+    most_px: f64,
+    mut f: Matrix3<f64>,
+    mut own: usize,
+    count: &dyn Fn(&Matrix3<f64>) -> usize,
+) -> (Matrix3<f64>, usize) {
+    for widen in [3.0, 2.0, 1.0, 1.0] {
+        let inside: Vec<Both> = pairs
+            .iter()
+            .filter(|p| sampson(&f, p) < most_px * widen)
+            .copied()
+            .collect();
+        match (model.of_many)(&inside) {
+            Some(better) if count(&better) >= own => {
+                own = count(&better);
+                f = better;
+            }
+            _ => {}
+        }
+    }
+    (f, own)
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
 
-    #[test]
-    fn half_of_the_pairs_may_be_wrong() {
+    /// Two hundred pairs of a turned scene, every second wrong; `flat` for points of one plane.
+    fn pairs(flat: bool) -> Vec<Both> {
         let mut dice = proof::Dice(9);
         let turn = nalgebra::Rotation3::from_euler_angles(0.02, 0.3, -0.01);
         let mut pairs = Vec::new();
         for i in 0..200 {
-            let x = Vector3::new(
-                dice.within(-1.0, 1.0),
-                dice.within(-1.0, 1.0),
-                dice.within(4.0, 6.0),
-            );
+            let (x, y) = (dice.within(-1.0, 1.0), dice.within(-1.0, 1.0));
+            let z = dice.within(4.0, 6.0);
+            let x = Vector3::new(x, y, if flat { 5.0 + 0.3 * x - 0.8 * y } else { z });
             let y = turn * x + Vector3::new(-1.5, 0.1, 0.4);
             let mut px = |v: Vector3<f64>| {
                 [
@@ -128,19 +190,39 @@ mod tests {
                 ]
             };
             let (a, b) = (px(x), px(y));
+            let mut wrong = || dice.within(-300.0, 300.0);
             pairs.push(if i % 2 == 0 {
                 [a, b]
             } else {
-                [
-                    a,
-                    [
-                        b[0] + dice.within(-300.0, 300.0),
-                        b[1] + dice.within(-300.0, 300.0),
-                    ],
-                ]
+                [a, [b[0] + wrong(), b[1] + wrong()]]
             });
         }
-        let kept = agreeing(&pairs, 1.5, 5000, 1);
+        pairs
+    }
+
+    fn lens() -> Intrinsics {
+        let mut lens = Intrinsics::simple(2000, 2000, 1000.0);
+        lens.centre = [0.0, 0.0];
+        lens
+    }
+
+    #[test]
+    fn half_of_the_pairs_may_be_wrong() {
+        let pairs = pairs(false);
+        for kept in [
+            agreeing(&pairs, 1.5, 5000, 1),
+            agreeing_through(&lens(), &pairs, 1.5, 5000, 1),
+        ] {
+            let right = (0..200).step_by(2).filter(|i| kept[*i]).count();
+            let wrong = (1..200).step_by(2).filter(|i| kept[*i]).count();
+            assert!(right >= 95 && wrong <= 12, "{right} right, {wrong} wrong");
+        }
+    }
+
+    #[test]
+    fn a_plane_is_no_trouble_where_the_lens_is_known() {
+        let pairs = pairs(true);
+        let kept = agreeing_through(&lens(), &pairs, 1.5, 5000, 1);
         let right = (0..200).step_by(2).filter(|i| kept[*i]).count();
         let wrong = (1..200).step_by(2).filter(|i| kept[*i]).count();
         assert!(right >= 95 && wrong <= 12, "{right} right, {wrong} wrong");

@@ -144,9 +144,15 @@ pub(crate) fn calibrate(
     if swaying {
         // Sway is alike in all features of a photo, so that many of them know no better than one:
         // they would bend the lens (3 % of focal length at 12 mm of sway) and the steps.
-        beliefs.lens.sigma = beliefs.lens.sigma.map(|s| s * 1e-3);
+        let believed = beliefs.lens.sigma;
+        beliefs.lens.sigma = believed.map(|s| s * 1e-3);
         beliefs.step = beliefs.step.map(|[step, sigma]| [step, sigma * 0.01]);
-        fit = Some(adjust(&mut scene, &sights, &beliefs, &settings(p)));
+        // What is held is no better known for that, and nothing tells how far sway moved cameras.
+        fit = Some(crate::adjust::Fit {
+            lens_sigma: believed,
+            sigma_mm: vec![0.0; count],
+            ..adjust(&mut scene, &sights, &beliefs, &settings(p))
+        });
     }
     if free {
         scene.ring = None;
@@ -216,7 +222,7 @@ pub(crate) fn calibrate(
     }
     if swaying {
         warnings.push(
-            "the subject moved against the disk (free cameras would follow it): lens and steps were held at what EXIF and capture.toml say".into(),
+            "the subject moved against the disk (free cameras would follow it): lens and steps were held at what EXIF and capture.toml say, and how sure the cameras are cannot be told".into(),
         );
     }
     if !known_focal && fit.lens_sigma[0] > 0.02 * scene.lens.focal[0] {

@@ -21,6 +21,7 @@ mod mat_layout;
 mod mat_print;
 
 mod epipolar;
+mod five_point;
 mod matching;
 mod pairs;
 mod planar;
@@ -59,7 +60,8 @@ pub use mat::{MatInput, MatParams, Print, PrintMat, Sheet};
 pub use mat_layout::{LayoutError, Mark, mat_for, mat_marks, mat_toml};
 pub use mat_print::{Paper, tiles, to_pdf, to_svg};
 
-pub use epipolar::{Both, agreeing, fundamental, sampson};
+pub use epipolar::{Both, agreeing, agreeing_through, fundamental, sampson};
+pub use five_point::essentials;
 pub use matching::{Pairs, mutual, still};
 pub use planar::planar_pose;
 pub use residual::{Derivatives, derivatives};

@@ -1,9 +1,10 @@
 //! The stage that follows features over the photos.
 
-use crate::epipolar::{Both, agreeing};
+use crate::calibrate::first_lens;
+use crate::epipolar::{Both, agreeing, agreeing_through};
 use crate::matching::{mutual, still};
 use rayon::prelude::*;
-use shape::{Features, Keypoints, PhotoId, Photos, Sighting, Tracks};
+use shape::{Features, Intrinsics, Keypoints, PhotoId, Photos, Sighting, Tracks};
 use stage::{Ctx, Stage, Stop};
 use std::collections::BTreeMap;
 use std::sync::Arc;
@@ -46,7 +47,7 @@ pub struct Follow;
 
 impl Stage for Follow {
     const NAME: &'static str = "pose.tracks";
-    const VERSION: u32 = 2;
+    const VERSION: u32 = 3;
     const ABOUT: &'static str = "Follows features over the photos: what stands still and what breaks the epipolar constraint goes.";
     type Params = TracksParams;
     type Input = TracksInput;
@@ -66,9 +67,11 @@ impl Stage for Follow {
             .photos
             .first()
             .map_or(1000.0, |p| p.height as f32);
+        let known = input.photos.rig.focal_35mm.is_some() && !input.photos.photos.is_empty();
+        let lens = known.then(|| first_lens(&input.photos));
         let steps = ctx.steps("pairs", pairs.len());
         let one = |(i, j): &(usize, usize)| -> Result<(Vec<Match>, usize), Stop> {
-            let found = matched(views[*i].1, views[*j].1, p, 0.16 * height);
+            let found = matched(views[*i].1, views[*j].1, p, 0.16 * height, lens.as_ref());
             steps.tick()?;
             Ok((
                 found
@@ -111,7 +114,13 @@ impl Stage for Follow {
 type Match = ((usize, u32), (usize, u32));
 
 /// The matches of a pair, and how many features stood still.
-fn matched(a: &Features, b: &Features, p: &TracksParams, rise: f32) -> (Vec<(u32, u32)>, usize) {
+fn matched(
+    a: &Features,
+    b: &Features,
+    p: &TracksParams,
+    rise: f32,
+    lens: Option<&Intrinsics>,
+) -> (Vec<(u32, u32)>, usize) {
     let left_out = still(a, b, p.still_px as f32);
     let mut moving = mutual(a, b, p.ratio, rise, &left_out);
     let both = |(i, j): &(u32, u32)| -> Both {
@@ -126,7 +135,11 @@ fn matched(a: &Features, b: &Features, p: &TracksParams, rise: f32) -> (Vec<(u32
         (k[0] - l[0]).hypot(k[1] - l[1]) >= p.still_px
     });
     let pairs: Vec<Both> = moving.iter().map(both).collect();
-    let agree = agreeing(&pairs, p.epipolar_px, p.rounds as usize, p.seed as u64);
+    let (rounds, seed) = (p.rounds as usize, p.seed as u64);
+    let agree = match lens {
+        Some(lens) => agreeing_through(lens, &pairs, p.epipolar_px, rounds, seed),
+        None => agreeing(&pairs, p.epipolar_px, rounds, seed),
+    };
     let kept: Vec<(u32, u32)> = moving
         .iter()
         .zip(&agree)

@@ -115,9 +115,9 @@ pub(crate) fn origin(scale: Scale) -> &'static str {
 pub(crate) fn scale(cameras: &Cameras, rig: &Rig) -> String {
     let count = cameras.views.len().max(1) as f64;
     let mean = |f: fn(&shape::View) -> f64| cameras.views.values().map(f).sum::<f64>() / count;
-    // A ring that a swaying subject leaves undetermined has variances beyond any use.
+    // Zero is unknown: cameras that were given, and those of a subject that sways.
     let centres = match mean(|v| v.sigma_mm) {
-        mm if mm.is_finite() && mm < 100.0 => format!("camera centres ± {mm:.1} mm"),
+        mm if mm > 0.0 && mm < 100.0 => format!("camera centres ± {mm:.1} mm"),
         _ => "how sure the camera centres are cannot be told".into(),
     };
     let mut html = format!(

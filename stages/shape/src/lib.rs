@@ -19,6 +19,7 @@ mod export_cameras;
 mod export_girths;
 mod export_glb;
 mod export_image;
+mod export_marks;
 mod export_obj;
 mod export_photos;
 mod girths;
@@ -45,6 +46,7 @@ pub use export_cameras::{cameras_to_colmap_binary, cameras_to_colmap_text, camer
 pub use export_girths::{girths_schema, girths_to_csv, girths_to_json, landmarks_to_json};
 pub use export_glb::{mesh_to_glb, textured_to_glb};
 pub use export_image::{gray_from_file, gray_to_png, rgb_to_jpeg, rgb_to_png};
+pub use export_marks::{cameras_to_svg, keypoints_to_png, tracks_to_png};
 pub use export_obj::{mesh_to_obj, textured_to_obj};
 pub use export_photos::photos_to_capture;
 pub use girths::{Girth, Girths, Missing, Profile};
