@@ -51,7 +51,7 @@ struct Measure {
 
 impl Stage for Frame {
     const NAME: &'static str = "pose.frame";
-    const VERSION: u32 = 1;
+    const VERSION: u32 = 2;
     const ABOUT: &'static str = "Puts the origin on the disk and scales to millimetres: by the mat, a reference length, the disk, or the stature.";
     type Params = FrameParams;
     type Input = FrameInput;
@@ -116,7 +116,13 @@ impl Stage for Frame {
             measures.extend(match reference.kind.as_str() {
                 "subject_height" => tall(mm, "the reference length (stature)", Scale::Reference),
                 "disk_diameter" => round(mm, "the reference length (disk)", Scale::Reference),
-                "tag_size" => None,
+                "tag_size" => {
+                    let tag = rig.mat.map(|mat| mat.tag_mm).filter(|tag| (mm / tag - 1.0).abs() > 0.002);
+                    if let Some(tag) = tag {
+                        ctx.warn(format!("[mat] says that tags are {tag} mm, [reference] that they are {mm} mm: [mat] was taken; measure a printed tag and correct the other"));
+                    }
+                    None
+                }
                 other => {
                     ctx.warn(format!(
                         "the reference of kind `{other}` is not known here: `subject_height`, `disk_diameter` and `tag_size` are"

@@ -9,7 +9,7 @@ use crate::ring_fit::{camera_circle, in_ring_frame};
 use crate::ring_start::{Known, Start, on_axis, starts};
 use crate::scene::{Beliefs, Scene, Sight};
 use crate::tracks_in::{Seen, triangulated};
-use crate::trust::{median_px, warnings};
+use crate::trust::{median_px, misfits, warnings};
 use nalgebra::{Matrix3, Rotation3, Vector3};
 use shape::{ByPhoto, Camera, Cameras, Intrinsics, PhotoId, Photos, Scale, Tracks, View};
 
@@ -208,6 +208,7 @@ pub(crate) fn calibrate(
     let cameras = in_ring_frame(&cameras, RING_MM);
     scene.poses = cameras.views.values().map(|v| v.camera.pose).collect();
     let mut warnings = warnings(photos, &ids, &scene, &fit, &beliefs.lens);
+    warnings.extend(misfits(&cameras));
     for view in cameras.views.values().filter(|v| v.points < 30) {
         warnings.push(format!(
             "{} holds on to only {} features: its camera follows from those of the others",

@@ -2,7 +2,8 @@
 
 use crate::adjust::Fit;
 use crate::scene::{LensPrior, Scene, Sight};
-use shape::{Camera, PhotoId, Photos};
+use nalgebra::Vector3;
+use shape::{Camera, Cameras, PhotoId, Photos, Pose, View};
 
 /// Median distance between sightings and projections. \[px\]
 pub(crate) fn median_px(scene: &Scene, sights: &[Sight]) -> f64 {
@@ -64,8 +65,70 @@ pub(crate) fn warnings(
             ));
         }
     }
+    warnings.extend(turned(&scene.poses).into_iter().map(|(i, degrees)| {
+        let name = photos.get(ids[i]).map_or("", |p| p.name.as_str());
+        format!("{name}: its camera looks {degrees:.1}° away from where the others look: did the camera move?")
+    }));
     if fit.sigma_mm.iter().any(|s| !s.is_finite()) {
         warnings.push("the adjustment is degenerate: do not trust its uncertainties".into());
     }
     warnings
+}
+
+/// Share of the distance, or angle \[rad\], by which the disk may seem to move before a fixed camera.
+const MOVED: f64 = 0.01;
+
+/// Cameras before which the disk's centre lies elsewhere than before most, and by what angle. \[°\]
+/// A fixed camera sees it in one place all the time, be the disk turned as it may.
+fn turned(poses: &[Pose]) -> Vec<(usize, f64)> {
+    let middle = |axis: usize| {
+        let mut all: Vec<f64> = poses.iter().map(|p| p.translation[axis]).collect();
+        all.sort_by(f64::total_cmp);
+        all.get(all.len() / 2).copied().unwrap_or(0.0)
+    };
+    let usual = Vector3::new(middle(0), middle(1), middle(2));
+    let off = |p: &Pose| p.translation.angle(&usual);
+    let places = poses.iter().map(off).enumerate();
+    places
+        .filter(|(_, off)| *off > MOVED)
+        .map(|(i, off)| (i, off.to_degrees()))
+        .collect()
+}
+
+/// Photos whose features fit far worse than those of most.
+pub(crate) fn misfits(cameras: &Cameras) -> Vec<String> {
+    let mut all: Vec<f64> = cameras.views.values().map(|v| v.rms_px).collect();
+    all.sort_by(f64::total_cmp);
+    let usual = all.get(all.len() / 2).copied().unwrap_or(0.0);
+    let worse = |v: &&View| v.rms_px > 4.0 * usual && v.rms_px > 2.0;
+    let say = |v: &View| {
+        format!(
+            "{}: its features lie {:.1} px from where they should, {usual:.1} on most photos: did camera or subject move?",
+            v.name, v.rms_px
+        )
+    };
+    cameras.views.values().filter(worse).map(say).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use nalgebra::Rotation3;
+
+    #[test]
+    fn a_camera_that_was_nudged_is_told_by_its_photo() {
+        let pose = |i: u32| Pose {
+            rotation: Rotation3::from_euler_angles(1.8, 0.0, 0.3 * f64::from(i)),
+            translation: Vector3::new(3.0, 340.0, 1770.0 + f64::from(i % 3)),
+        };
+        let mut poses: Vec<Pose> = (0..9).map(pose).collect();
+        assert_eq!(turned(&poses), vec![]);
+        // A turn of the camera about its own centre: the ring does not tell.
+        let nudge = Rotation3::from_euler_angles(0.0, 0.026, 0.0);
+        poses[4].rotation = nudge * poses[4].rotation;
+        poses[4].translation = nudge * poses[4].translation;
+        let told = turned(&poses);
+        assert!(told.len() == 1 && told[0].0 == 4, "{told:?}");
+        proof::near(told[0].1, 0.026f64.to_degrees(), 0.1);
+    }
 }
