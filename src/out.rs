@@ -39,7 +39,7 @@ pub fn formats(kind: &str) -> &'static [&'static str] {
         "mesh" => &["ply", "glb", "obj"],
         "textured" => &["glb", "ply", "obj"],
         "cameras" => &["json", "colmap", "svg"],
-        "masks" => &["png"],
+        "masks" => &["png", "sheet"],
         "girths" => &["json", "csv", "schema"],
         "photos" => &["capture"],
         "landmarks" => &["json"],
@@ -92,6 +92,10 @@ pub fn files(
         ("tags", _) => one(tags_to_json(&*take!(Tags)).into_bytes()),
         ("photos", _) => Ok(shape::photos_to_capture(&*take!(Photos))),
         ("document", _) => one(take!(Document).bytes.clone()),
+        ("masks", "sheet") => {
+            let sheet = shape::masks_to_sheet(&*take!(Masks), names).map_err(OutError::Photo)?;
+            one(shape::rgb_to_jpeg(&sheet, 88))
+        }
         ("masks", _) => {
             let masks = take!(Masks);
             let name = |id: shape::PhotoId| {

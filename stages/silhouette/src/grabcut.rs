@@ -1,7 +1,9 @@
 //! The stage that cuts the body out of each photo, without a hand-drawn box.
 
+use crate::backdrop::Backdrop;
 use crate::background::{expected, plate_turn};
 use crate::coherence::agreed;
+use crate::empty::{Empty, empty_scene, everything};
 use crate::photo_cut::{Prepared, coarse, fine, prepare};
 use crate::segment::Settings;
 use rayon::prelude::*;
@@ -33,11 +35,11 @@ stage::params! {
 }
 
 stage::inputs! {
-    /// Photos, with their plate.
+    /// Photos, with a plate or without.
     pub struct GrabCutInput {
         /// The photos.
         photos: Arc<Photos>,
-        /// Their cameras: where the disk is, and where the body cannot be.
+        /// Their cameras: where the disk is, and where the body cannot be. Without a plate they are needed.
         cameras: Option<Arc<Cameras>>,
     }
 }
@@ -45,19 +47,24 @@ stage::inputs! {
 /// Why there are no masks.
 #[derive(Debug, thiserror::Error)]
 pub enum CutError {
-    /// No plate.
+    /// Neither plate nor cameras.
     #[error(
-        "there is no plate: take one photo of the same scene without the subject and call it plate.jpg"
+        "there is no plate, and without cameras the body cannot be told from the room: take one photo of the same scene without the subject and call it plate.jpg, or hand in masks (silhouette.import)"
     )]
     NoPlate,
+    /// No plate, and nothing that stands still.
+    #[error(
+        "there is no plate, and only {0:.0} % of the photos' pixels stand still over the turn: did the camera move? take a plate with a fixed camera, or hand in masks (silhouette.import)"
+    )]
+    Moves(f64),
     /// Nothing found.
     #[error(
-        "{0}: nothing in it differs from the plate: is it a photo of the empty scene, or was the camera moved after the plate?"
+        "{0}: nothing in it differs from the empty scene: is the subject in it, or was the camera moved after the plate?"
     )]
     Empty(String),
     /// Everything found.
     #[error(
-        "{0}: nearly all of it differs from the plate: was the camera moved, or the light changed, after the plate was taken?"
+        "{0}: nearly all of it differs from the empty scene: was the camera moved, or the light changed, while photos and plate were taken?"
     )]
     Full(String),
 }
@@ -67,46 +74,50 @@ pub struct GrabCut;
 
 impl Stage for GrabCut {
     const NAME: &'static str = "silhouette.grabcut";
-    const VERSION: u32 = 4;
-    const ABOUT: &'static str =
-        "Cuts the body out of each photo by graph cuts, seeded by the plate and the disk.";
+    const VERSION: u32 = 5;
+    const ABOUT: &'static str = "Cuts the body out of each photo by graph cuts, seeded by the plate, or by what stands still, and the disk.";
     type Params = GrabCutParams;
     type Input = GrabCutInput;
     type Output = Masks;
 
     fn run(p: &GrabCutParams, input: GrabCutInput, ctx: &Ctx<'_>) -> Result<Masks, Stop> {
-        let plate_photo = input.photos.plate.as_ref().ok_or(CutError::NoPlate)?;
-        let plate = plate_photo.decode()?;
         let radius = input.cameras.as_ref().and_then(|c| c.disk_radius_mm);
-        let jobs: Vec<OnePhoto<'_>> = input
-            .photos
-            .iter()
-            .map(|(id, photo)| {
-                let camera = input
-                    .cameras
-                    .as_ref()
-                    .and_then(|c| c.views.get(id))
-                    .map(|v| v.camera);
-                OnePhoto {
-                    id,
-                    photo,
-                    camera,
-                    radius,
-                    plate: &plate,
-                }
-            })
-            .collect();
-        let steps = ctx.steps("photos", jobs.len() * 2);
         let settings = Settings {
             gamma: p.gamma,
             rounds: p.rounds as usize,
             clusters: p.clusters as usize,
         };
+        let (empty, told) = match (&input.photos.plate, &input.cameras) {
+            (Some(plate), _) => (Empty::Plate(plate.decode()?), plate.content()),
+            (None, Some(cameras)) => {
+                let scene = empty_scene(p, &settings, &input.photos, cameras, ctx)?;
+                (Empty::Turn(scene), everything(&input.photos, cameras))
+            }
+            (None, None) => return Err(CutError::NoPlate.into()),
+        };
+        let camera = |id| {
+            let cameras = input.cameras.as_ref();
+            cameras.and_then(|c| c.views.get(id)).map(|v| v.camera)
+        };
+        let jobs: Vec<OnePhoto<'_>> = input
+            .photos
+            .iter()
+            .map(|(id, photo)| OnePhoto {
+                id,
+                photo,
+                camera: camera(id),
+                radius,
+                empty: &empty,
+                told,
+            })
+            .filter(|job| job.camera.is_some() || input.photos.plate.is_some())
+            .collect();
+        let steps = ctx.steps("photos", jobs.len() * 2);
         // First a coarse cut of each photo alone, then again with what all of them say together.
         let first: Vec<(PhotoId, Mask)> = jobs
             .par_iter()
             .map(|job| {
-                let mask = job.remembered(ctx, plate_photo, "coarse", &[], || {
+                let mask = job.remembered(ctx, "coarse", &[], || {
                     let (_, _, ready) = job.ready(p)?;
                     let (sides, _) = job.checked(coarse(&ready, &settings))?;
                     Ok(sides.map(|b| if *b { 255 } else { 0 }))
@@ -124,13 +135,12 @@ impl Stage for GrabCut {
             .map(|job| {
                 let agreed = together.get(&job.id);
                 let said: Vec<u8> = agreed.into_iter().flatten().map(|k| *k as u8).collect();
-                let mask =
-                    job.remembered(ctx, plate_photo, "mask", &[stage::hash(&said)], || {
-                        let (pixels, without, mut ready) = job.ready(p)?;
-                        ready.agree(agreed.into_iter().flatten());
-                        let (sides, gmm) = job.checked(coarse(&ready, &settings))?;
-                        Ok(fine(&pixels, &without, &ready, &sides, &gmm, &settings))
-                    })?;
+                let mask = job.remembered(ctx, "mask", &[stage::hash(&said)], || {
+                    let (pixels, without, mut ready) = job.ready(p)?;
+                    ready.agree(agreed.into_iter().flatten());
+                    let (sides, gmm) = job.checked(coarse(&ready, &settings))?;
+                    Ok(fine(&pixels, &without, &ready, &sides, &gmm, &settings))
+                })?;
                 steps.tick()?;
                 Ok((job.id, mask))
             })
@@ -147,19 +157,27 @@ struct OnePhoto<'a> {
     photo: &'a Photo,
     camera: Option<Camera>,
     radius: Option<f64>,
-    plate: &'a Rgb,
+    empty: &'a Empty,
+    /// Hash of all that the empty scene follows from.
+    told: stage::Hash,
 }
 
 impl OnePhoto<'_> {
     /// The photo, what it would show without the subject, and what follows from both.
-    fn ready(&self, p: &GrabCutParams) -> Result<(Rgb, Rgb, Prepared), Stop> {
+    fn ready(&self, p: &GrabCutParams) -> Result<(Rgb, Backdrop, Prepared), Stop> {
         let disk = self.camera.as_ref().zip(self.radius);
         let pixels = self.photo.decode()?;
-        let turned = disk.map(|(camera, radius)| {
-            let turn = plate_turn(&pixels, self.plate, camera, radius).0;
-            (camera, radius, turn)
-        });
-        let without = expected(self.plate, turned);
+        let without = match (self.empty, &self.camera) {
+            (Empty::Plate(plate), _) => {
+                let turned = disk.map(|(camera, radius)| {
+                    let turn = plate_turn(&pixels, plate, camera, radius).0;
+                    (camera, radius, turn)
+                });
+                Backdrop::whole(expected(plate, turned))
+            }
+            (Empty::Turn(scene), Some(camera)) => scene.behind(&pixels, camera),
+            (Empty::Turn(scene), None) => scene.room.clone(),
+        };
         let (most, side) = (p.coarse_px as usize, p.disk_side_mm);
         let ready = prepare(&pixels, &without, disk, most, side);
         Ok((pixels, without, ready))
@@ -169,7 +187,6 @@ impl OnePhoto<'_> {
     fn remembered(
         &self,
         ctx: &Ctx<'_>,
-        plate: &Photo,
         label: &str,
         more: &[stage::Hash],
         make: impl FnOnce() -> Result<Mask, Stop>,
@@ -177,7 +194,7 @@ impl OnePhoto<'_> {
         let stands = format!("{:?} {:?}", self.camera, self.radius);
         let mut depends = vec![
             self.photo.content(),
-            plate.content(),
+            self.told,
             stage::hash(stands.as_bytes()),
         ];
         depends.extend_from_slice(more);

@@ -1,26 +1,39 @@
 //! From photos to masks: where the body is.
 //!
 //! `photos`, `cameras` → [`GrabCut`] → `masks`
+//! `files`, `photos` → [`Import`] → `masks`
 
+mod backdrop;
 mod background;
 mod border;
 mod coherence;
+mod disk_top;
+mod empty;
 mod gmm;
 mod grabcut;
+mod import;
 mod maxflow;
+mod means;
 mod photo_cut;
 mod segment;
+mod turn;
 mod unary;
 
+pub use backdrop::{Backdrop, backdrop, middle, still, thinned};
 pub use background::{expected, on_disk, plate_turn, sample, turned};
 pub use border::{coverage, soft_border};
 pub use coherence::agreed;
+pub use disk_top::{laid_out, lay_into, point};
 pub use gmm::Gmm;
 pub use grabcut::{CutError, GrabCut, GrabCutInput, GrabCutParams};
+pub use import::{Body, Import, ImportError, ImportInput, ImportParams};
 pub use maxflow::{Grid, STEPS};
+pub use means::Means;
 pub use photo_cut::{Disk, Prepared, coarse, fine, prepare};
 pub use segment::{Known, Settings, Window, cut, cut_whole, largest, reduced};
+pub use turn::{Scene, Shot, without_plate};
 pub use unary::{Ground, Noise, background_cost};
 
 /// Every stage of this room, in the order in which data flows through it.
-pub const STAGES: &[&dyn stage::AnyStage] = &[&stage::erase::<GrabCut>()];
+pub const STAGES: &[&dyn stage::AnyStage] =
+    &[&stage::erase::<GrabCut>(), &stage::erase::<Import>()];

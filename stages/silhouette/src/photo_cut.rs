@@ -1,5 +1,6 @@
 //! One photo: a coarse cut of all of it, then its border at full size.
 
+use crate::backdrop::Backdrop;
 use crate::background::on_disk;
 use crate::border::soft_border;
 use crate::gmm::Gmm;
@@ -56,11 +57,15 @@ impl Prepared {
 /// Where the disk is: the photo's camera and the disk's radius. \[mm\]
 pub type Disk<'a> = Option<(&'a Camera, f64)>;
 
+/// What the background costs where nobody saw it: a little more than any colour of the body does, for
+/// it is the body that covers it.
+pub(crate) const UNSEEN: f32 = FLAT + 14.0;
+
 /// Makes a photo ready to be cut. `without` is what it would show without the subject, `coarse_px`
 /// the longest side of the reduced photo.
 pub fn prepare(
     pixels: &Rgb,
-    without: &Rgb,
+    without: &Backdrop,
     disk: Disk<'_>,
     coarse_px: usize,
     side_mm: f64,
@@ -70,7 +75,7 @@ pub fn prepare(
         .max(pixels.height)
         .div_ceil(coarse_px.max(1))
         .max(1);
-    let (small, expected) = (reduced(pixels, factor), reduced(without, factor));
+    let (small, expected) = (reduced(pixels, factor), reduced(&without.image, factor));
     let at_small =
         disk.map(|(c, radius)| (c.resized(small.width as u32, small.height as u32), radius));
     let grounds: Vec<Ground> = (0..small.data.len())
@@ -79,7 +84,14 @@ pub fn prepare(
     let on = |x: usize, y: usize| grounds[y * small.width + x];
     let noise = Noise::measure(&small, &expected, &on);
     let all = [0, 0, small.width, small.height];
-    let cost = background_cost(&small, &expected, noise, &on, 1, all);
+    let mut cost = background_cost(&small, &expected, noise, &on, 1, all);
+    for (i, cost) in cost.iter_mut().enumerate() {
+        let (x, y) = (i % small.width * factor, i / small.width * factor);
+        let rows = |y: usize| (x..x + factor).all(|x| without.seen.at(x, y));
+        if !(y..y + factor).all(rows) {
+            *cost = UNSEEN;
+        }
+    }
     let known = certain(
         &small,
         at_small.as_ref().map(|(c, radius)| (c, *radius)),
@@ -103,13 +115,17 @@ pub fn coarse(ready: &Prepared, settings: &Settings) -> Option<(Image<bool>, Gmm
 /// The border of a coarse cut again at full size, window by window so that memory stays small.
 pub fn fine(
     pixels: &Rgb,
-    without: &Rgb,
+    without: &Backdrop,
     ready: &Prepared,
     coarse: &Image<bool>,
     gmm: &Gmm,
     settings: &Settings,
 ) -> Mask {
     let factor = ready.factor;
+    let Backdrop {
+        image: without,
+        seen,
+    } = without;
     let on = |x: usize, y: usize| ground(&ready.disk, factor, x, y);
     let noise = Noise::measure(pixels, without, &|x, y| {
         // The ground of every pixel is dear, and that of its neighbourhood serves.
@@ -161,7 +177,13 @@ pub fn fine(
             height: ((ty + tile + 4).min(coarse.height) - y0) * factor,
         };
         let area = [window.x, window.y, window.width, window.height];
-        let cost = background_cost(pixels, without, noise, &on, 2, area);
+        let mut cost = background_cost(pixels, without, noise, &on, 2, area);
+        for (i, cost) in cost.iter_mut().enumerate() {
+            let (x, y) = (window.x + i % window.width, window.y + i / window.width);
+            if !seen.at(x, y) {
+                *cost = UNSEEN;
+            }
+        }
         let body = cut(pixels, &cost, &window, gmm, settings, &settled);
         for y in ty * factor..((ty + tile).min(coarse.height)) * factor {
             for x in tx * factor..((tx + tile).min(coarse.width)) * factor {

@@ -1,0 +1,98 @@
+//! All masks of a turn on one picture: at a glance a person sees which one went wrong, and where.
+
+use crate::{Mask, Masks, PhotoError, Photos, Rgb};
+
+/// Width of a photo on the sheet. \[px\]
+const TILE: usize = 320;
+/// Photos side by side.
+const ACROSS: usize = 6;
+/// The mask's border. \[sRGB\]
+const LINE: [u8; 3] = [255, 64, 32];
+
+/// The photos in turning order, six a row, 320 px wide each: what the mask leaves out is darkened,
+/// its border drawn. A photo without a mask is all dark.
+///
+/// # Errors
+/// A photo that cannot be decoded.
+pub fn masks_to_sheet(masks: &Masks, photos: &Photos) -> Result<Rgb, PhotoError> {
+    let mut tiles = Vec::new();
+    for (id, photo) in photos.iter() {
+        tiles.push(tile(&photo.decode()?, masks.views.get(id)));
+    }
+    let tall = tiles.iter().map(|t| t.height).max().unwrap_or(1);
+    let rows = tiles.len().div_ceil(ACROSS).max(1);
+    let mut sheet = Rgb::filled(TILE * ACROSS.min(tiles.len().max(1)), tall * rows, [0; 3]);
+    for (i, tile) in tiles.iter().enumerate() {
+        let (left, top) = (i % ACROSS * TILE, i / ACROSS * tall);
+        for y in 0..tile.height {
+            let at = (top + y) * sheet.width + left;
+            sheet.data[at..at + TILE].copy_from_slice(tile.row(y));
+        }
+    }
+    Ok(sheet)
+}
+
+/// One photo of the sheet.
+fn tile(photo: &Rgb, mask: Option<&Mask>) -> Rgb {
+    let height = (photo.height * TILE).div_ceil(photo.width.max(1)).max(1);
+    // The pixel of the photo that a pixel of the tile stands for.
+    let from =
+        |v: usize, tile: usize, whole: usize| ((2 * v + 1) * whole / (2 * tile)).min(whole - 1);
+    let body = |x: usize, y: usize| {
+        mask.is_some_and(|m| {
+            let (mx, my) = (from(x, TILE, m.width), from(y, height, m.height));
+            m.at(mx, my) > 127
+        })
+    };
+    let mut tile = Rgb::filled(TILE, height, [0; 3]);
+    for y in 0..height {
+        for x in 0..TILE {
+            let here = body(x, y);
+            let edge = [(x + 1, y), (x, y + 1)]
+                .iter()
+                .any(|(nx, ny)| *nx < TILE && *ny < height && body(*nx, *ny) != here);
+            let color = photo.at(from(x, TILE, photo.width), from(y, height, photo.height));
+            *tile.at_mut(x, y) = match (edge, here) {
+                (true, _) => LINE,
+                (false, true) => color,
+                (false, false) => color.map(|c| c / 3),
+            };
+        }
+    }
+    tile
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{Photo, PhotoId, rgb_to_png};
+
+    #[test]
+    fn a_sheet_darkens_what_is_no_body_and_draws_the_border() {
+        let photo = |name: &str| Photo {
+            name: name.into(),
+            width: 640,
+            height: 320,
+            orientation: 1,
+            focal_35mm: None,
+            device: String::new(),
+            time_s: None,
+            file: rgb_to_png(&Rgb::filled(640, 320, [90, 120, 150])).into(),
+        };
+        let photos = Photos {
+            photos: (0..7).map(|i| photo(&format!("{i}.png"))).collect(),
+            ..Photos::default()
+        };
+        let mut mask = Mask::filled(640, 320, 0);
+        (0..640 * 160).for_each(|i| mask.data[i] = 255);
+        let masks = Masks {
+            views: [(PhotoId(6), mask)].into_iter().collect(),
+        };
+        let sheet = masks_to_sheet(&masks, &photos).unwrap();
+        assert_eq!((sheet.width, sheet.height), (6 * 320, 2 * 160));
+        assert_eq!(sheet.at(10, 10), [30, 40, 50], "a photo without a mask");
+        assert_eq!(sheet.at(10, 160 + 10), [90, 120, 150], "body");
+        assert_eq!(sheet.at(10, 160 + 79), LINE);
+        assert_eq!(sheet.at(10, 160 + 140), [30, 40, 50], "background");
+    }
+}

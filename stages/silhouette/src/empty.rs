@@ -1,0 +1,95 @@
+//! The scene without the subject, for the stage that cuts: a plate, or what all photos say.
+
+use crate::grabcut::{CutError, GrabCutParams};
+use crate::means::Means;
+use crate::segment::{Settings, reduced};
+use crate::turn::{Scene, Shot, full_side, standing, without_plate};
+use rayon::prelude::*;
+use shape::{Camera, Cameras, Image, Photo, PhotoId, Photos, Rgb};
+use stage::{Ctx, Hash, Stop};
+
+/// The empty scene.
+pub(crate) enum Empty {
+    /// A photo of it.
+    Plate(Rgb),
+    /// What stands still while the body turns.
+    Turn(Scene),
+}
+
+/// Photos that are decoded side by side while means are taken.
+const AT_ONCE: usize = 4;
+/// Least share of the photos that must stand still. \[%\]
+const STANDS: f64 = 15.0;
+
+/// Hash of all photos and cameras: the empty scene without a plate follows from all of them.
+pub(crate) fn everything(photos: &Photos, cameras: &Cameras) -> Hash {
+    let mut bytes = format!("{:?} {:?}", cameras.views, cameras.disk_radius_mm).into_bytes();
+    for (_, photo) in photos.iter() {
+        bytes.extend_from_slice(photo.content().as_bytes());
+    }
+    stage::hash(&bytes)
+}
+
+/// The empty scene out of all photos that have a camera.
+pub(crate) fn empty_scene(
+    p: &GrabCutParams,
+    settings: &Settings,
+    photos: &Photos,
+    cameras: &Cameras,
+    ctx: &Ctx<'_>,
+) -> Result<Scene, Stop> {
+    let known: Vec<(PhotoId, &Photo, Camera)> = photos
+        .iter()
+        .filter_map(|(id, photo)| Some((id, photo, cameras.views.get(id)?.camera)))
+        .collect();
+    let shots: Vec<Shot> = known
+        .par_iter()
+        .map(|(id, photo, camera)| {
+            ctx.check()?;
+            let pixels = photo.decode()?;
+            let longest = pixels.width.max(pixels.height);
+            let small = reduced(
+                &pixels,
+                longest.div_ceil(p.coarse_px.max(1) as usize).max(1),
+            );
+            let camera = camera.resized(small.width as u32, small.height as u32);
+            Ok(Shot {
+                id: *id,
+                small,
+                camera,
+            })
+        })
+        .collect::<Result<_, Stop>>()?;
+    let stands = standing(&shots) * 100.0;
+    if stands < STANDS {
+        return Err(CutError::Moves(stands).into());
+    }
+    ctx.metric("stands still", stands, "%");
+    let cuts = without_plate(&shots, cameras, settings, p.disk_side_mm);
+    let (width, height) = known
+        .first()
+        .map_or((0, 0), |(_, photo, _)| (photo.width, photo.height));
+    let radius = cameras.disk_radius_mm.unwrap_or(0.0);
+    let all: Vec<Camera> = known.iter().map(|k| k.2).collect();
+    let mut means = Means::new(
+        width as usize,
+        height as usize,
+        radius,
+        full_side(&all, radius),
+    );
+    let pairs: Vec<_> = known.iter().zip(&cuts).collect();
+    for some in pairs.chunks(AT_ONCE) {
+        ctx.check()?;
+        let decoded: Vec<Rgb> = some
+            .par_iter()
+            .map(|((_, photo, _), _)| photo.decode())
+            .collect::<Result<_, _>>()?;
+        for (pixels, ((_, photo, camera), cut)) in decoded.iter().zip(some) {
+            let cut: &Image<bool> = cut
+                .as_ref()
+                .ok_or_else(|| CutError::Empty(photo.name.clone()))?;
+            means.add(pixels, camera, cut);
+        }
+    }
+    Ok(means.scene())
+}
