@@ -7,13 +7,14 @@ use crate::turn::{Scene, Shot, full_side, standing, without_plate};
 use rayon::prelude::*;
 use shape::{Camera, Cameras, Image, Photo, PhotoId, Photos, Rgb};
 use stage::{Ctx, Hash, Stop};
+use std::collections::BTreeMap;
 
 /// The empty scene.
 pub(crate) enum Empty {
     /// A photo of it.
     Plate(Rgb),
-    /// What stands still while the body turns.
-    Turn(Scene),
+    /// What stands still while the body turns, and the coarse cuts that go with it.
+    Turn(Scene, BTreeMap<PhotoId, Image<bool>>),
 }
 
 /// Photos that are decoded side by side while means are taken.
@@ -37,7 +38,7 @@ pub(crate) fn empty_scene(
     photos: &Photos,
     cameras: &Cameras,
     ctx: &Ctx<'_>,
-) -> Result<Scene, Stop> {
+) -> Result<Empty, Stop> {
     let known: Vec<(PhotoId, &Photo, Camera)> = photos
         .iter()
         .filter_map(|(id, photo)| Some((id, photo, cameras.views.get(id)?.camera)))
@@ -91,5 +92,7 @@ pub(crate) fn empty_scene(
             means.add(pixels, camera, cut);
         }
     }
-    Ok(means.scene())
+    let ids = known.iter().map(|k| k.0);
+    let cuts = ids.zip(cuts).filter_map(|(id, cut)| Some((id, cut?)));
+    Ok(Empty::Turn(means.scene(), cuts.collect()))
 }

@@ -4,6 +4,7 @@ use crate::backdrop::Backdrop;
 use crate::background::{expected, plate_turn};
 use crate::coherence::agreed;
 use crate::empty::{Empty, empty_scene, everything};
+use crate::gmm::Gmm;
 use crate::photo_cut::{Prepared, coarse, fine, prepare};
 use crate::segment::Settings;
 use rayon::prelude::*;
@@ -90,8 +91,8 @@ impl Stage for GrabCut {
         let (empty, told) = match (&input.photos.plate, &input.cameras) {
             (Some(plate), _) => (Empty::Plate(plate.decode()?), plate.content()),
             (None, Some(cameras)) => {
-                let scene = empty_scene(p, &settings, &input.photos, cameras, ctx)?;
-                (Empty::Turn(scene), everything(&input.photos, cameras))
+                let empty = empty_scene(p, &settings, &input.photos, cameras, ctx)?;
+                (empty, everything(&input.photos, cameras))
             }
             (None, None) => return Err(CutError::NoPlate.into()),
         };
@@ -119,7 +120,7 @@ impl Stage for GrabCut {
             .map(|job| {
                 let mask = job.remembered(ctx, "coarse", &[], || {
                     let (_, _, ready) = job.ready(p)?;
-                    let (sides, _) = job.checked(coarse(&ready, &settings))?;
+                    let (sides, _) = job.checked(job.cut(&ready, &settings))?;
                     Ok(sides.map(|b| if *b { 255 } else { 0 }))
                 })?;
                 steps.tick()?;
@@ -127,7 +128,8 @@ impl Stage for GrabCut {
             })
             .collect::<Result<_, Stop>>()?;
         let together = match &input.cameras {
-            Some(cameras) if p.coherence => agreed(&first, cameras),
+            // Without a plate the photos have agreed already.
+            Some(cameras) if p.coherence && input.photos.plate.is_some() => agreed(&first, cameras),
             _ => Default::default(),
         };
         let second: Vec<(PhotoId, Mask)> = jobs
@@ -138,7 +140,7 @@ impl Stage for GrabCut {
                 let mask = job.remembered(ctx, "mask", &[stage::hash(&said)], || {
                     let (pixels, without, mut ready) = job.ready(p)?;
                     ready.agree(agreed.into_iter().flatten());
-                    let (sides, gmm) = job.checked(coarse(&ready, &settings))?;
+                    let (sides, gmm) = job.checked(job.cut(&ready, &settings))?;
                     Ok(fine(&pixels, &without, &ready, &sides, &gmm, &settings))
                 })?;
                 steps.tick()?;
@@ -175,12 +177,27 @@ impl OnePhoto<'_> {
                 });
                 Backdrop::whole(expected(plate, turned))
             }
-            (Empty::Turn(scene), Some(camera)) => scene.behind(&pixels, camera),
-            (Empty::Turn(scene), None) => scene.room.clone(),
+            (Empty::Turn(scene, _), Some(camera)) => scene.behind(&pixels, camera),
+            (Empty::Turn(scene, _), None) => scene.room.clone(),
         };
         let (most, side) = (p.coarse_px as usize, p.disk_side_mm);
         let ready = prepare(&pixels, &without, disk, most, side);
         Ok((pixels, without, ready))
+    }
+
+    /// The coarse cut: without a plate that on which all photos agreed.
+    fn cut(&self, ready: &Prepared, settings: &Settings) -> Option<(Image<bool>, Gmm)> {
+        let Empty::Turn(_, cuts) = self.empty else {
+            return coarse(ready, settings);
+        };
+        let sides = cuts.get(&self.id)?;
+        let of_body = sides
+            .data
+            .iter()
+            .zip(&ready.small.data)
+            .filter(|(b, _)| **b);
+        let colors: Vec<[u8; 3]> = of_body.map(|(_, c)| *c).step_by(7).collect();
+        Some((sides.clone(), Gmm::fit(&colors, settings.clusters)?))
     }
 
     /// A mask of this photo, found again when nothing that it depends on has changed.
