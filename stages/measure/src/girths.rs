@@ -1,20 +1,28 @@
 //! The stage that measures: contour, tape and the paper's spline at each landmark.
 
-use crate::body::{Body, body};
+use crate::body::body;
 use crate::derive::{derive, profile};
-use crate::interval::{NINE_IN_TEN, Spread, carried_spread, level_spread};
-use crate::taken::taken;
-use shape::{Cameras, Girth, Girths, Landmark, Landmarks, Mesh, Missing, Photos};
+use crate::interval::{NINE_IN_TEN, Spread, carried_spread, level_spread, together};
+use crate::outlines::{by_silhouettes, shared_border, surface_by_cameras};
+use crate::picked::picked;
+use crate::silhouette::Support;
+use crate::taken::{Taken, taken};
+use nalgebra::Point3;
+use shape::{Cameras, Girth, Girths, Landmark, Landmarks, Masks, Mesh, Missing, Photos};
 use stage::{Ctx, Stage, Stop};
+use std::f64::consts::TAU;
 use std::sync::Arc;
 
 stage::params! {
-    /// How sure the surface is.
+    /// How sure the surface is, and points picked by hand.
     pub struct GirthParams {
         /// Standard deviation of the surface along its normal, even all over a section, where
         /// neither cameras nor silhouettes say more.
         #[range(0.0..=50.0)]
         surface_mm: f64 = 0.6,
+        /// Points picked around the body, `[[x, y, z], ...]` in millimetres in the turntable frame:
+        /// the paper's procedure gives a girth through them, called PICKED.
+        points: Vec<Vec<f64>> = vec![],
     }
 }
 
@@ -29,6 +37,8 @@ stage::inputs! {
         cameras: Option<Arc<Cameras>>,
         /// Photos: what the user said of stature and weight.
         photos: Option<Arc<Photos>>,
+        /// Silhouettes: girths without the surface, where limbs stand clear.
+        masks: Option<Arc<Masks>>,
     }
 }
 
@@ -40,7 +50,7 @@ const WAIST_FOLDS: f64 = 1.05;
 
 impl Stage for Measure {
     const NAME: &'static str = "measure.girths";
-    const VERSION: u32 = 4;
+    const VERSION: u32 = 5;
     const ABOUT: &'static str = "Measures girths at landmarks: along the skin, as a tape, and as the paper's closed spline (eq. 8).";
     type Params = GirthParams;
     type Input = GirthInput;
@@ -49,16 +59,25 @@ impl Stage for Measure {
     fn run(p: &GirthParams, input: GirthInput, ctx: &Ctx<'_>) -> Result<Girths, Stop> {
         let (mesh, landmarks) = (&input.mesh, &input.landmarks);
         let ground = input.cameras.as_ref().map_or(0.0, |c| c.ground_mm);
-        let scale_sigma = input.cameras.as_ref().map_or(0.0, |c| c.scale_sigma);
         let body = body(mesh, ground);
         let mut girths = Girths {
             missing: landmarks.missing.clone(),
             ..Girths::default()
         };
-        let steps = ctx.steps("girths", landmarks.found.len());
+        let steps = ctx.steps("girths", 2 * landmarks.found.len());
+        let seen = input.cameras.as_deref().zip(input.masks.as_deref());
+        let mut all: Vec<(&Landmark, Taken, Option<Support>)> = Vec::new();
         for landmark in &landmarks.found {
-            match girth(p, mesh, landmark, body.as_ref(), scale_sigma) {
-                Ok(girth) => girths.girths.push(girth),
+            match taken(mesh, body.as_ref(), landmark) {
+                Ok(here) => {
+                    let support = body
+                        .as_ref()
+                        .zip(seen)
+                        .and_then(|(body, (cameras, masks))| {
+                            by_silhouettes(body, landmark, &here, cameras, masks)
+                        });
+                    all.push((landmark, here, support));
+                }
                 Err(why) => {
                     ctx.warn(format!("{}: {why}", landmark.name));
                     girths.missing.push(Missing {
@@ -68,6 +87,29 @@ impl Stage for Measure {
                 }
             }
             steps.tick()?;
+        }
+        // How far the surface stands off the silhouettes' girths, as an even error along its normal.
+        let off: Vec<f64> = all
+            .iter()
+            .filter_map(|(_, here, s)| Some((here.tape_mm - s.as_ref()?.girth) / TAU))
+            .collect();
+        let square = off.iter().map(|o| o * o).sum::<f64>() / off.len().max(1) as f64;
+        let sure = Sure {
+            surface_mm: p.surface_mm,
+            off_mm: square.sqrt(),
+            cameras: input.cameras.as_deref(),
+        };
+        for (landmark, here, support) in all {
+            let level = body
+                .as_ref()
+                .map_or(0.0, |b| level_spread(mesh, b, landmark, here.tape_mm));
+            girths
+                .girths
+                .push(girth(&sure, landmark, here, support, level));
+            steps.tick()?;
+        }
+        if !p.points.is_empty() {
+            girths.girths.push(picked(mesh, &p.points)?);
         }
         if let Some(waist) = girths.get("WC")
             && waist.contour_mm > WAIST_FOLDS * waist.tape_mm
@@ -92,19 +134,38 @@ impl Stage for Measure {
     }
 }
 
+/// What is known of the surface's error.
+struct Sure<'a> {
+    surface_mm: f64,
+    off_mm: f64,
+    cameras: Option<&'a Cameras>,
+}
+
 fn girth(
-    p: &GirthParams,
-    mesh: &Mesh,
+    sure: &Sure<'_>,
     landmark: &Landmark,
-    body: Option<&Body>,
-    scale_sigma: f64,
-) -> Result<Girth, &'static str> {
-    let here = taken(mesh, body, landmark)?;
+    here: Taken,
+    support: Option<Support>,
+    level: f64,
+) -> Girth {
+    let at = Point3::from(landmark.plane.point_mm);
+    let by_cameras = sure.cameras.and_then(|c| surface_by_cameras(c, at));
+    let surface = sure.surface_mm.hypot(by_cameras.unwrap_or(0.0));
+    // Where silhouettes say nothing of this girth, what they say of others widens it.
+    let surface = match support {
+        Some(_) => surface,
+        None => surface.hypot(sure.off_mm),
+    };
+    let outline = support.as_ref().map(|s| {
+        let shared = sure.cameras.map_or(0.0, |c| shared_border(c, at));
+        (s.girth, s.sigma.hypot(shared))
+    });
+    let (tape, width) = together((here.tape_mm, TAU * surface), outline);
     let spread = Spread {
-        level: body.map_or(0.0, |b| level_spread(mesh, b, landmark, here.tape_mm)),
-        surface: std::f64::consts::TAU * p.surface_mm,
+        level,
+        surface: width,
         carried: carried_spread(here.carried, here.tape_mm),
-        scale: scale_sigma * here.tape_mm,
+        scale: sure.cameras.map_or(0.0, |c| c.scale_sigma) * here.tape_mm,
     };
     let reach = NINE_IN_TEN * spread.total();
     let note = match here.carried > 0.0 {
@@ -114,20 +175,20 @@ fn girth(
         ),
         false => String::new(),
     };
-    Ok(Girth {
+    Girth {
         name: landmark.name.clone(),
         label: landmark.label.clone(),
         definition: format!("{}{note}", landmark.definition),
         contour_mm: here.contour_mm,
         tape_mm: here.tape_mm,
         spline_mm: here.spline_mm,
-        silhouette_mm: None,
-        interval_mm: [here.tape_mm - reach, here.tape_mm + reach],
+        silhouette_mm: support.map(|s| s.girth),
+        interval_mm: [tape - reach, tape + reach],
         plane: landmark.plane,
         contour: here
             .contour
             .iter()
             .map(|p| [p.x as f32, p.y as f32, p.z as f32])
             .collect(),
-    })
+    }
 }

@@ -11,7 +11,7 @@ pub(crate) const NINE_IN_TEN: f64 = 1.645;
 /// Scatter of the lean of necks about the usual. \[rad\]
 const LEAN: f64 = 3.3 * std::f64::consts::PI / 180.0;
 /// Standard deviation of a carried stretch against the hidden one, as a share of it.
-const CARRIED: f64 = 0.04;
+const CARRIED: f64 = 0.06;
 
 /// Standard deviations of a tape. \[mm\]
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -75,6 +75,19 @@ pub(crate) fn level_spread(mesh: &Mesh, body: &Body, landmark: &Landmark, tape_m
         true => level.hypot(pair([leaning(-LEAN), leaning(LEAN)])),
         false => level,
     }
+}
+
+/// A tape and its standard deviation, by the mesh and by silhouettes, as one: weighted by their
+/// variances, and as wide again as the two disagree. \[mm\]
+pub(crate) fn together(mesh: (f64, f64), silhouettes: Option<(f64, f64)>) -> (f64, f64) {
+    let Some(other) = silhouettes else {
+        return mesh;
+    };
+    let weights = [mesh.1.powi(-2), other.1.powi(-2)];
+    let sum = weights[0] + weights[1];
+    let mean = (weights[0] * mesh.0 + weights[1] * other.0) / sum;
+    let apart = (mesh.0 - other.0) / 2.0;
+    (mean, (1.0 / sum + apart * apart).sqrt())
 }
 
 /// What is carried over from a clear section. \[mm\]

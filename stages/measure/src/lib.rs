@@ -1,6 +1,10 @@
 //! From a surface to girths.
 //!
-//! `mesh` → [`FindLandmarks`] → `landmarks` → [`Measure`] → `girths`
+//! ```text
+//! mesh ─ FindLandmarks ─ landmarks ─┐
+//!   └────────────────────────────────┴─ Measure ─ girths
+//!            masks, cameras: girths by silhouettes beside them
+//! ```
 
 mod arms;
 mod body;
@@ -11,7 +15,10 @@ mod interval;
 mod landmarks;
 mod levels;
 mod marks;
+mod outlines;
+mod picked;
 mod section;
+mod silhouette;
 mod slices;
 mod spline;
 mod taken;
@@ -23,7 +30,9 @@ pub use girths::{GirthInput, GirthParams, Measure};
 pub use landmarks::neck::{Throat, neck_ring, throat};
 pub use landmarks::{FindLandmarks, LandmarkInput, LandmarkParams, NoBody, Waist};
 pub use marks::{Marks, marks};
+pub use picked::{BadPoints, picked};
 pub use section::{Loop, area, axes, centre, flat, hull, length, section, tape};
+pub use silhouette::{Support, Tangent, support_girth, tangents};
 pub use slices::{Ring, Slice, level, rings, slices};
 pub use spline::{closed_spline_length, fitted_plane, grown, paper_girth, spline_length};
 pub use taken::{Taken, Why, taken};

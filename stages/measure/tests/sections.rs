@@ -1,6 +1,8 @@
 //! Sections, tapes and splines against solids whose girths are formulas.
 
-use measure::{area, fitted_plane, flat, length, paper_girth, rings, section, tape};
+use measure::{
+    BadPoints, area, fitted_plane, flat, length, paper_girth, picked, rings, section, tape,
+};
 use nalgebra::{Point3, Rotation3, Vector3};
 use shape::{Mesh, Plane};
 use std::f64::consts::{PI, TAU};
@@ -160,4 +162,38 @@ fn the_papers_procedure_agrees_with_the_exact_curve_on_a_smooth_body() {
     let exact = &rings(&mesh, &cut)[0];
     let paper = paper_girth(&mesh, &exact.curve).unwrap();
     proof::near(paper / exact.tape, 1.0, 2e-3);
+}
+
+#[test]
+fn points_picked_by_hand_give_the_papers_girth_through_them() {
+    let mesh = ellipsoid([150.0, 100.0, 200.0], 120, 240);
+    // Six points about the level z = 50, each a little off it, as a hand picks them.
+    let k = (1.0 - (50.0f64 / 200.0).powi(2)).sqrt();
+    let points: Vec<Vec<f64>> = (0..6)
+        .map(|i| {
+            let (s, c) = (TAU * f64::from(i) / 6.0).sin_cos();
+            let off = if i % 2 == 0 { 0.4 } else { -0.4 };
+            vec![150.0 * k * c, 100.0 * k * s, 50.0 + off]
+        })
+        .collect();
+    let girth = picked(&mesh, &points).unwrap();
+    let truth = ellipse(150.0 * k, 100.0 * k);
+    proof::near(girth.contour_mm / truth, 1.0, 2e-3);
+    proof::near(girth.spline_mm / truth, 1.0, 3e-3);
+    proof::near(girth.plane.normal[2], 1.0, 1e-3);
+}
+
+#[test]
+fn picked_points_that_tell_no_girth_are_refused_in_words() {
+    let mesh = ellipsoid([150.0, 100.0, 200.0], 40, 80);
+    let line: Vec<Vec<f64>> = (0..4)
+        .map(|i| vec![f64::from(i) * 20.0, 0.0, 0.0])
+        .collect();
+    assert_eq!(picked(&mesh, &line), Err(BadPoints::NoPlane));
+    assert_eq!(picked(&mesh, &[vec![1.0, 2.0]]), Err(BadPoints::NotThree));
+    let far: Vec<Vec<f64>> = (0..5)
+        .map(|i| (TAU * f64::from(i) / 5.0).sin_cos())
+        .map(|(s, c)| vec![9e3 + 50.0 * c, 50.0 * s, 9e3])
+        .collect();
+    assert_eq!(picked(&mesh, &far), Err(BadPoints::NoSection));
 }

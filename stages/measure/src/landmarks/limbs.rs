@@ -9,13 +9,18 @@ use crate::slices::{Ring, Slice, level};
 use nalgebra::Point3;
 use shape::{Landmarks, Mesh, Part, Plane};
 
+/// How much the middle line of an upper arm's flesh leans forward, going down, against the line from
+/// joint to joint that the standard means: the median of the bodies that levels were fitted on.
+const FLESH: f64 = 0.068;
+
 /// The plane across an upper arm amid shoulder and elbow, from the arm's axis below the armpit.
 pub(super) fn upper_arm(mesh: &Mesh, body: &Body, side: f64, marks: &Marks) -> Option<Plane> {
     let axis = upper_arm_axis(body, side, body.ground + marks.hip)?;
     let z = body.ground + levels::upper_arm(marks, body.stature);
+    let normal = (axis.down - body.front * FLESH).normalize();
     let plane = Plane {
         point_mm: axis.at(z).into(),
-        normal: axis.down.into(),
+        normal: normal.into(),
     };
     // Centred on the ring itself, where that is the arm's alone.
     let ring = nearest_ring(mesh, &plane)?;

@@ -1,0 +1,157 @@
+//! A girth from silhouettes alone: each photo's two borders beside a level section are tangents,
+//! and the length of a convex curve is the integral of its support function (Cauchy 1841):
+//! L = ∫ h(θ) dθ.
+
+use nalgebra::{DMatrix, DVector, Point2, Point3};
+use shape::{Camera, Mask};
+use std::f64::consts::TAU;
+
+/// A tangent of a level section: its outward normal's angle, and its distance from an origin.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Tangent {
+    /// Angle of the outward normal. \[rad\]
+    pub angle: f64,
+    /// Distance from the origin. \[mm\]
+    pub support: f64,
+}
+
+/// How far from the surface a border is looked for. \[mm\]
+const REACH: f64 = 30.0;
+/// How near another limb's outline may come. \[mm\]
+const CLEARANCE: f64 = 6.0;
+
+/// How much of a pixel is body, between pixels. `None` outside the mask.
+fn cover(mask: &Mask, at: Point2<f64>) -> Option<f64> {
+    let (x, y) = (at.x.floor(), at.y.floor());
+    if x < 0.0 || y < 0.0 || x + 1.0 >= mask.width as f64 || y + 1.0 >= mask.height as f64 {
+        return None;
+    }
+    let (i, j, s, t) = (x as usize, y as usize, at.x - x, at.y - y);
+    let v = |di, dj| f64::from(mask.at(i + di, j + dj));
+    let top = v(0, 0) + s * (v(1, 0) - v(0, 0));
+    let bottom = v(0, 1) + s * (v(1, 1) - v(0, 1));
+    Some(top + t * (bottom - top))
+}
+
+/// The two tangents that one photo gives of a level section, where its borders show and no other
+/// limb's outline is near. `curve` and `others` lie at one height; `origin` is what supports are from.
+pub fn tangents(
+    curve: &[Point3<f64>],
+    others: &[&[Point3<f64>]],
+    origin: Point3<f64>,
+    camera: &Camera,
+    mask: &Mask,
+) -> Vec<Tangent> {
+    let eye = camera.pose.centre();
+    let lens = camera.lens.resized(mask.width as u32, mask.height as u32);
+    let side = |turn: f64| -> Option<Tangent> {
+        // The outward normal of the line from the eye to a point, on this side.
+        let normal = |p: &Point3<f64>| {
+            let (dx, dy) = (p.x - eye.x, p.y - eye.y);
+            let length = dx.hypot(dy);
+            (length > 1.0).then(|| (turn * dy / length, -turn * dx / length))
+        };
+        let axis = normal(&origin)?;
+        let lean = |p: &Point3<f64>| {
+            let (dx, dy) = (p.x - eye.x, p.y - eye.y);
+            (axis.0 * dx + axis.1 * dy) / dx.hypot(dy)
+        };
+        let touch = curve
+            .iter()
+            .max_by(|a, b| lean(a).total_cmp(&lean(b)))
+            .copied()?;
+        let n = normal(&touch)?;
+        let out = |p: &Point3<f64>| n.0 * (p.x - touch.x) + n.1 * (p.y - touch.y);
+        if others.iter().any(|o| o.iter().any(|p| out(p) > -CLEARANCE)) {
+            return None;
+        }
+        let at = |d: f64| Point3::new(touch.x + n.0 * d, touch.y + n.1 * d, touch.z);
+        let seen = |d: f64| cover(mask, lens.project(&camera.pose.apply(&at(d)))?);
+        // Outward from within: the crossing nearest to the surface.
+        const STEP: f64 = 0.5;
+        let count = (2.0 * REACH / STEP) as usize;
+        let values: Vec<Option<f64>> = (0..=count)
+            .map(|i| seen(-REACH + STEP * i as f64))
+            .collect();
+        let crossing = (0..count)
+            .filter_map(|i| {
+                let (a, b) = (values[i]?, values[i + 1]?);
+                let falls = a > 127.5 && b <= 127.5;
+                falls.then(|| -REACH + STEP * (i as f64 + (a - 127.5) / (a - b)))
+            })
+            .min_by(|a, b| a.abs().total_cmp(&b.abs()))?;
+        let border = at(crossing);
+        let n = normal(&border)?;
+        Some(Tangent {
+            angle: n.1.atan2(n.0),
+            support: n.0 * (border.x - origin.x) + n.1 * (border.y - origin.y),
+        })
+    };
+    [1.0, -1.0].into_iter().filter_map(side).collect()
+}
+
+/// A girth by Cauchy's formula, and its standard deviation from how the tangents disagree. \[mm\]
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Support {
+    /// The girth.
+    pub girth: f64,
+    /// Its standard deviation.
+    pub sigma: f64,
+    /// How many tangents hold it.
+    pub tangents: usize,
+}
+
+/// Widest stretch of directions without a tangent. \[rad\]
+const GAP: f64 = 45.0 * TAU / 360.0;
+
+/// Fits the support function as a trigonometric polynomial (robustly: Huber weights) and
+/// integrates it. `None` with fewer than 18 tangents or with a wide gap between them.
+pub fn support_girth(tangents: &[Tangent]) -> Option<Support> {
+    let n = tangents.len();
+    if n < 18 {
+        return None;
+    }
+    let mut angles: Vec<f64> = tangents.iter().map(|t| t.angle.rem_euclid(TAU)).collect();
+    angles.sort_by(f64::total_cmp);
+    let gap = (0..n)
+        .map(|i| (angles[(i + 1) % n] - angles[i]).rem_euclid(TAU))
+        .fold(0.0, f64::max);
+    if gap > GAP {
+        return None;
+    }
+    let order = if n >= 28 { 6 } else { 4 };
+    let unknowns = 1 + 2 * order;
+    let row = |t: &Tangent, j: usize| match j {
+        0 => 1.0,
+        j if j % 2 == 1 => (j.div_ceil(2) as f64 * t.angle).cos(),
+        j => ((j / 2) as f64 * t.angle).sin(),
+    };
+    let design = DMatrix::from_fn(n, unknowns, |i, j| row(&tangents[i], j));
+    let want = DVector::from_iterator(n, tangents.iter().map(|t| t.support));
+    let mut weights = vec![1.0; n];
+    let mut fit = DVector::zeros(unknowns);
+    let mut spread = 0.0;
+    for _ in 0..12 {
+        let weighted = DMatrix::from_fn(n, unknowns, |i, j| weights[i] * design[(i, j)]);
+        let mut normal = design.transpose() * &weighted;
+        // High harmonics of a body are small: a faint pull to zero keeps sparse tangents tame.
+        for j in 1..unknowns {
+            normal[(j, j)] += 1e-4 * n as f64 * (j.div_ceil(2) as f64).powi(4) / 16.0;
+        }
+        fit = normal.cholesky()?.solve(&(weighted.transpose() * &want));
+        let off = &want - &design * &fit;
+        let mut sizes: Vec<f64> = off.iter().map(|e| e.abs()).collect();
+        sizes.sort_by(f64::total_cmp);
+        // Scatter by the median, freed of the unknowns fitted.
+        spread = 1.4826 * sizes[n / 2] * (n as f64 / (n - unknowns) as f64).sqrt();
+        let limit = (1.5 * spread).max(0.05);
+        for (weight, e) in weights.iter_mut().zip(off.iter()) {
+            *weight = (limit / e.abs().max(1e-12)).min(1.0);
+        }
+    }
+    Some(Support {
+        girth: TAU * fit[0],
+        sigma: TAU * spread / (n as f64).sqrt(),
+        tangents: n,
+    })
+}

@@ -1,0 +1,118 @@
+//! Girths from silhouettes alone, against an ellipse seen by cameras around it.
+
+use measure::{Tangent, support_girth, tangents};
+use nalgebra::{Point3, Rotation3, Vector3};
+use shape::{Camera, Intrinsics, Mask, Pose};
+use std::f64::consts::TAU;
+
+const A: f64 = 160.0;
+const B: f64 = 110.0;
+
+fn ellipse(n: u32) -> Vec<Point3<f64>> {
+    (0..n)
+        .map(|k| (TAU * f64::from(k) / f64::from(n)).sin_cos())
+        .map(|(s, c)| Point3::new(A * c, B * s, 1000.0))
+        .collect()
+}
+
+fn perimeter() -> f64 {
+    let points = ellipse(5000);
+    (0..5000)
+        .map(|i| (points[(i + 1) % 5000] - points[i]).norm())
+        .sum()
+}
+
+/// A camera 2.5 m from the axis at height 1 m, looking at it, turned by an angle.
+fn camera(angle: f64) -> Camera {
+    let (s, c) = angle.sin_cos();
+    let eye = Point3::new(2500.0 * c, 2500.0 * s, 1000.0);
+    let (forward, down) = (Vector3::new(-c, -s, 0.0), -Vector3::z());
+    let right = down.cross(&forward);
+    let rows =
+        nalgebra::Matrix3::from_rows(&[right.transpose(), down.transpose(), forward.transpose()]);
+    let rotation = Rotation3::from_matrix_unchecked(rows);
+    Camera {
+        lens: Intrinsics::simple(600, 60, 900.0),
+        pose: Pose {
+            rotation,
+            translation: -(rotation * eye.coords),
+        },
+    }
+}
+
+/// The silhouette of the upright elliptic cylinder: exact to a pixel's cover along its rows.
+fn silhouette(camera: &Camera) -> Mask {
+    let xs: Vec<f64> = ellipse(20_000)
+        .iter()
+        .map(|p| camera.lens.project(&camera.pose.apply(p)).unwrap().x)
+        .collect();
+    let (low, high) = xs
+        .iter()
+        .fold((f64::MAX, f64::MIN), |e, x| (e.0.min(*x), e.1.max(*x)));
+    let mut mask = Mask::filled(600, 60, 0);
+    for (i, c) in mask.data.iter_mut().enumerate() {
+        let x = (i % 600) as f64;
+        let cover = (high.min(x + 0.5) - low.max(x - 0.5)).clamp(0.0, 1.0);
+        *c = (255.0 * cover).round() as u8;
+    }
+    mask
+}
+
+fn seen(others: &[&[Point3<f64>]]) -> Vec<Tangent> {
+    // What the surface says is 6 mm too large: silhouettes must not believe it.
+    let surface: Vec<Point3<f64>> = ellipse(720)
+        .iter()
+        .map(|p| Point3::new(p.x * 1.04, p.y * 1.04, p.z))
+        .collect();
+    (0..18)
+        .flat_map(|k| {
+            let camera = camera(TAU * f64::from(k) / 18.0);
+            let mask = silhouette(&camera);
+            tangents(
+                &surface,
+                others,
+                Point3::new(5.0, -3.0, 1000.0),
+                &camera,
+                &mask,
+            )
+        })
+        .collect()
+}
+
+#[test]
+fn eighteen_silhouettes_give_an_ellipses_girth_to_a_tenth_of_a_percent() {
+    let all = seen(&[]);
+    assert_eq!(all.len(), 36);
+    let got = support_girth(&all).unwrap();
+    proof::near(got.girth / perimeter(), 1.0, 1e-3);
+    assert!(got.sigma < 0.005 * got.girth);
+}
+
+#[test]
+fn tangents_behind_an_arm_are_left_out_and_a_wide_gap_gives_no_girth() {
+    let arm: Vec<Point3<f64>> = (0..60)
+        .map(|k| (TAU * f64::from(k) / 60.0).sin_cos())
+        .map(|(s, c)| Point3::new(230.0 + 40.0 * c, 40.0 * s, 1000.0))
+        .collect();
+    let some = seen(&[&arm]);
+    assert!(some.len() < 36 && !some.is_empty());
+    for t in &some {
+        let reach = arm
+            .iter()
+            .map(|p| t.angle.cos() * (p.x - 5.0) + t.angle.sin() * (p.y + 3.0))
+            .fold(f64::MIN, f64::max);
+        assert!(reach < t.support + 3.0, "{t:?} runs into the arm");
+    }
+    let half: Vec<Tangent> = seen(&[])
+        .into_iter()
+        .filter(|t| t.angle.cos() > -0.3)
+        .collect();
+    assert_eq!(support_girth(&half), None);
+}
+
+#[test]
+fn one_photo_that_disagrees_hardly_moves_the_girth() {
+    let mut all = seen(&[]);
+    all[7].support += 40.0;
+    proof::near(support_girth(&all).unwrap().girth / perimeter(), 1.0, 5e-3);
+}
