@@ -16,8 +16,8 @@ use std::sync::Arc;
 stage::params! {
     /// How sure the surface is, and points picked by hand.
     pub struct GirthParams {
-        /// Standard deviation of the surface along its normal, even all over a section, where
-        /// neither cameras nor silhouettes say more.
+        /// Standard deviation of the surface along its normal, even all over a section, beside what
+        /// cells, cameras and silhouettes say.
         #[range(0.0..=50.0)]
         surface_mm: f64 = 0.6,
         /// Points picked around the body, `[[x, y, z], ...]` in millimetres in the turntable frame:
@@ -47,6 +47,9 @@ pub struct Measure;
 
 /// How much longer than its tape the skin around a waist may be: more points to a hole.
 const WAIST_FOLDS: f64 = 1.05;
+
+/// Even error of a surface along its normal, as a share of its mean edge: cells bound what it shows.
+const EVEN: f64 = 0.25;
 
 impl Stage for Measure {
     const NAME: &'static str = "measure.girths";
@@ -95,7 +98,7 @@ impl Stage for Measure {
             .collect();
         let square = off.iter().map(|o| o * o).sum::<f64>() / off.len().max(1) as f64;
         let sure = Sure {
-            surface_mm: p.surface_mm,
+            surface_mm: p.surface_mm.hypot(EVEN * mesh.mean_edge()),
             off_mm: square.sqrt(),
             cameras: input.cameras.as_deref(),
         };

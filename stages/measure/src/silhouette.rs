@@ -17,8 +17,9 @@ pub struct Tangent {
 
 /// How far from the surface a border is looked for. \[mm\]
 const REACH: f64 = 30.0;
-/// How near another limb's outline may come. \[mm\]
-const CLEARANCE: f64 = 6.0;
+/// How near a line of sight may come to another limb, as a share of the section's half breadth: as
+/// limbs sway.
+const CLEARANCE: f64 = 0.08;
 
 /// How much of a pixel is body, between pixels. `None` outside the mask.
 fn cover(mask: &Mask, at: Point2<f64>) -> Option<f64> {
@@ -43,6 +44,8 @@ pub fn tangents(
     mask: &Mask,
 ) -> Vec<Tangent> {
     let eye = camera.pose.centre();
+    let wide = curve.iter().map(|p| (p - origin).norm());
+    let clearance = CLEARANCE * wide.fold(0.0, f64::max);
     let lens = camera.lens.resized(mask.width as u32, mask.height as u32);
     let side = |turn: f64| -> Option<Tangent> {
         // The outward normal of the line from the eye to a point, on this side.
@@ -62,7 +65,15 @@ pub fn tangents(
             .copied()?;
         let n = normal(&touch)?;
         let out = |p: &Point3<f64>| n.0 * (p.x - touch.x) + n.1 * (p.y - touch.y);
-        if others.iter().any(|o| o.iter().any(|p| out(p) > -CLEARANCE)) {
+        // The line of sight must pass every other limb, on one side or the other.
+        let met = |other: &&[Point3<f64>]| {
+            let (near, far) = other
+                .iter()
+                .map(out)
+                .fold((f64::MAX, f64::MIN), |e, d| (e.0.min(d), e.1.max(d)));
+            near < clearance && far > -clearance
+        };
+        if others.iter().any(met) {
             return None;
         }
         let at = |d: f64| Point3::new(touch.x + n.0 * d, touch.y + n.1 * d, touch.z);
@@ -102,7 +113,7 @@ pub struct Support {
 }
 
 /// Widest stretch of directions without a tangent. \[rad\]
-const GAP: f64 = 45.0 * TAU / 360.0;
+const GAP: f64 = 60.0 * TAU / 360.0;
 
 /// Fits the support function as a trigonometric polynomial (robustly: Huber weights) and
 /// integrates it. `None` with fewer than 18 tangents or with a wide gap between them.
@@ -119,7 +130,7 @@ pub fn support_girth(tangents: &[Tangent]) -> Option<Support> {
     if gap > GAP {
         return None;
     }
-    let order = if n >= 28 { 6 } else { 4 };
+    let order = if n >= 28 && gap < GAP / 1.5 { 6 } else { 4 };
     let unknowns = 1 + 2 * order;
     let row = |t: &Tangent, j: usize| match j {
         0 => 1.0,
