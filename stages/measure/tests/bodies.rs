@@ -1,0 +1,142 @@
+//! Landmarks and girths of whole bodies given by formula: what is measured is the part alone, or
+//! nothing.
+
+use measure::{FindLandmarks, GirthInput, LandmarkInput, Measure};
+use nalgebra::{Rotation3, Vector3};
+use shape::{Girths, Landmarks, Mesh, Solid, SolidPart};
+use stage::{Ctx, Stage};
+use std::sync::Arc;
+use synth::{Build, body_solid, bounds, contour, length, surface, taut};
+
+fn built(stature: f64, stout: f64, arms_deg: f64) -> Solid {
+    body_solid(&Build {
+        stature,
+        stout,
+        furrow: 6.0,
+        arms: arms_deg.to_radians(),
+        exponent: 2.3,
+    })
+}
+
+/// The same without limbs that start at the shoulders.
+fn armless(solid: &Solid) -> Solid {
+    let top = bounds(solid).1.z;
+    let arm = |p: &SolidPart| match p {
+        SolidPart::Limb { from, .. } => from[0].abs() > 0.02 * top,
+        SolidPart::Ellipsoid { centre, .. } => centre[0].abs() > 0.1 * top,
+        SolidPart::Stack { .. } | SolidPart::Torus { .. } => false,
+    };
+    let mut solid = solid.clone();
+    solid.parts.retain(|p| !arm(p));
+    solid
+}
+
+fn mesh(solid: &Solid, cell_mm: f64) -> Mesh {
+    let (low, high) = bounds(solid);
+    surface(solid, low, high, cell_mm)
+}
+
+fn measured(mesh: Mesh) -> (Landmarks, Girths) {
+    let mesh = Arc::new(mesh);
+    let input = LandmarkInput {
+        mesh: mesh.clone(),
+        cameras: None,
+    };
+    let landmarks = FindLandmarks::run(&Default::default(), input, &Ctx::alone()).unwrap();
+    let input = GirthInput {
+        mesh,
+        landmarks: Arc::new(landmarks.clone()),
+        cameras: None,
+        photos: None,
+        masks: None,
+    };
+    let girths = Measure::run(&Default::default(), input, &Ctx::alone()).unwrap();
+    (landmarks, girths)
+}
+
+/// The formula's tape at the plane of a girth.
+fn formula(solid: &Solid, girths: &Girths, name: &str) -> f64 {
+    let plane = girths.get(name).unwrap().plane;
+    let curve = contour(solid, &plane).unwrap();
+    length(&taut(&curve, &plane))
+}
+
+#[test]
+fn every_girth_of_a_standing_body_is_found_and_is_its_formulas_at_that_plane() {
+    let solid = built(1750.0, 1.0, 32.0);
+    let (landmarks, girths) = measured(mesh(&solid, 8.0));
+    assert_eq!(landmarks.missing, vec![]);
+    for name in ["WC", "HC", "NC", "AC_L", "AC_R", "TC_L", "CFC_R"] {
+        let girth = girths.get(name).unwrap();
+        let truth = formula(&solid, &girths, name);
+        assert!(
+            (girth.tape_mm / truth - 1.0).abs() < 0.01,
+            "{name}: {} for {truth}",
+            girth.tape_mm
+        );
+        let [low, high] = girth.interval_mm;
+        assert!(
+            low <= truth && truth <= high,
+            "{name}: {low}..{high} for {truth}"
+        );
+    }
+    let of = |name: &str| girths.get(name).unwrap().plane.point_mm[2];
+    assert!(of("HC") < of("WC") && of("WC") < of("CC") && of("CC") < of("NC"));
+}
+
+#[test]
+fn a_chest_is_the_trunks_alone_or_refused_however_the_arms_hang() {
+    let mut taken = 0;
+    for (stout, arms_deg) in [(1.0, 32.0), (1.0, 20.0), (1.25, 26.0), (1.0, 12.0)] {
+        let solid = built(1700.0, stout, arms_deg);
+        let (_, girths) = measured(mesh(&solid, 10.0));
+        let Some(chest) = girths.get("CC") else {
+            assert!(girths.missing.iter().any(|m| m.name == "CC"));
+            continue;
+        };
+        let trunk = formula(&armless(&solid), &girths, "CC");
+        assert!(
+            (chest.tape_mm / trunk - 1.0).abs() < 0.05,
+            "arms at {arms_deg}: {} for a trunk of {trunk}",
+            chest.tape_mm
+        );
+        taken += 1;
+    }
+    assert!(taken >= 2, "only {taken} chests were measured");
+}
+
+#[test]
+fn a_body_measures_the_same_whichever_way_it_faces() {
+    let straight = mesh(&built(1200.0, 1.1, 30.0), 8.0);
+    let turn = Rotation3::from_axis_angle(&Vector3::z_axis(), 1.1);
+    let mut turned = straight.clone();
+    for v in 0..straight.positions.len() as u32 {
+        let p = turn * straight.point(v);
+        turned.positions[v as usize] = [p.x as f32, p.y as f32, p.z as f32];
+    }
+    let ((_, a), (_, b)) = (measured(straight), measured(turned));
+    for girth in &a.girths {
+        let other = b.get(&girth.name).unwrap().tape_mm;
+        assert!(
+            (girth.tape_mm / other - 1.0).abs() < 0.01,
+            "{}: {} and {other}",
+            girth.name,
+            girth.tape_mm
+        );
+    }
+}
+
+#[test]
+fn what_is_no_body_gives_reasons_and_no_girths() {
+    let mut legless = built(1750.0, 1.0, 30.0);
+    legless.parts = vec![SolidPart::Ellipsoid {
+        centre: [0.0, 0.0, 500.0],
+        half: [200.0, 150.0, 500.0],
+    }];
+    let (landmarks, girths) = measured(mesh(&legless, 20.0));
+    assert_eq!(girths.girths.len(), 0);
+    for name in ["WC", "HC", "CC", "NC", "AC_L", "AC_R"] {
+        let missing = landmarks.missing.iter().find(|m| m.name == name);
+        assert!(missing.is_some_and(|m| m.why.len() > 20), "{name}");
+    }
+}
