@@ -12,7 +12,7 @@ use tailor::walk::{Done, Fate, Watch};
 /// A doll of 60 cm on a disk with a marker mat, twelve photos of a fifth of a megapixel.
 const SMALL: &[&str] = &[
     "solid.stature_mm=600",
-    "body.cell_mm=5",
+    "true_body.cell_mm=5",
     "ring.views=12",
     "ring.width=400",
     "ring.height=520",
@@ -143,7 +143,7 @@ fn cameras_come_from_features_alone_though_the_subject_sways() {
 #[test]
 fn a_synthetic_turn_leaves_as_a_capture_that_is_read_back() {
     let place = tempfile::tempdir().unwrap();
-    let graph = small(&["ring.views=3", "body.cell_mm=9", "photos.rays=1"]);
+    let graph = small(&["ring.views=3", "true_body.cell_mm=9", "photos.rays=1"]);
     let node = graph.node("photos").unwrap();
     let (outcome, _) = run(&graph, place.path(), &[node]);
     let artifact = outcome.artifact(&graph, node).unwrap();

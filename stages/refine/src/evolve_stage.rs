@@ -48,7 +48,7 @@ stage::params! {
         /// Steps after which visibility is looked at anew.
         #[range(1..=1000)]
         look_every: u32 = 10,
-        /// Level of the Gaussian pyramid: photos are halved so many times.
+        /// Level of the Gaussian pyramid: photos are halved so many times, 500 pixels left.
         #[range(0..=6)]
         level: u32 = 0,
         /// Photos are halved first until they have at most so many million pixels.
@@ -90,7 +90,7 @@ pub struct Evolve;
 
 impl Stage for Evolve {
     const NAME: &'static str = "refine.evolve";
-    const VERSION: u32 = 1;
+    const VERSION: u32 = 2;
     const ABOUT: &'static str = "Evolves a surface towards inter-image consistency as the paper does: rigid (eq. 3) or by the weighted median (eq. 5-7).";
     type Params = EvolveParams;
     type Input = EvolveInput;

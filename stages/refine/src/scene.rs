@@ -40,8 +40,20 @@ pub fn check(mesh: &Mesh) -> Result<(), RefineError> {
     Ok(())
 }
 
+/// A photo is never halved below so many pixels of its longer side: a coarser one shows no limb.
+const LEAST_PX: u32 = 500;
+
+/// How often a photo is halved: until it has at most `most_mpx` million pixels, then `level` times
+/// more, but not below [`LEAST_PX`].
+fn halvings([width, height]: [u32; 2], level: u32, most_mpx: f64) -> u32 {
+    let mpx = |k: u32| f64::from(width >> k) * f64::from(height >> k) / 1e6;
+    let first = (0..8).find(|k| mpx(*k) <= most_mpx).unwrap_or(8);
+    let fits = |k: &u32| width.max(height) >> k >= LEAST_PX;
+    (0..=first + level).rev().find(fits).unwrap_or(0).max(first)
+}
+
 /// The photos that have a camera, at one level: each halved until it has at most `most_mpx`
-/// million pixels, then `level` times more. `check` fails when the user asked to stop.
+/// million pixels, then `level` times more, 500 pixels left. `check` fails when the user asked to stop.
 pub fn pictures<E: From<RefineError> + From<PhotoError> + Send>(
     photos: &Photos,
     cameras: &Cameras,
@@ -71,11 +83,7 @@ pub fn pictures<E: From<RefineError> + From<PhotoError> + Send>(
                 }
                 .into());
             }
-            let mpx = f64::from(lens.width) * f64::from(lens.height) / 1e6;
-            let halvings = level
-                + (0..8)
-                    .find(|k| mpx / 4f64.powi(*k) <= most_mpx)
-                    .unwrap_or(8) as u32;
+            let halvings = halvings([lens.width, lens.height], level, most_mpx);
             let mask = masks.and_then(|m| m.views.get(*id));
             let mask =
                 mask.filter(|m| (m.width as u32, m.height as u32) == (lens.width, lens.height));
@@ -165,5 +173,23 @@ impl stage::Artifact for Progress {
             seen,
             done,
         })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn photos_are_halved_to_the_level_but_never_to_a_thumbnail() {
+        for (size, level, halved) in [
+            ([1600, 2400], 2, 2),
+            ([4016, 6016], 2, 3),
+            ([800, 1200], 2, 1),
+            ([400, 600], 2, 0),
+            ([300, 200], 3, 0),
+        ] {
+            assert_eq!(halvings(size, level, 6.0), halved, "{size:?}");
+        }
     }
 }

@@ -21,7 +21,7 @@ use std::sync::Arc;
 stage::params! {
     /// How the surface settles.
     pub struct SettleParams {
-        /// Level of the Gaussian pyramid: photos are halved so many times.
+        /// Level of the Gaussian pyramid: photos are halved so many times, 500 pixels left.
         #[range(0..=6)]
         level: u32 = 0,
         /// Photos are halved first until they have at most so many million pixels.
@@ -95,7 +95,7 @@ pub struct Settle;
 
 impl Stage for Settle {
     const NAME: &'static str = "refine.settle";
-    const VERSION: u32 = 2;
+    const VERSION: u32 = 3;
     const ABOUT: &'static str = "Refines a surface by inter-image consistency, silhouettes and a thin plate, the energy never rising.";
     type Params = SettleParams;
     type Input = SettleInput;

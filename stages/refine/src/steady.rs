@@ -15,7 +15,7 @@ use std::sync::Arc;
 stage::params! {
     /// How the body's motion is looked for.
     pub struct SteadyParams {
-        /// Level of the Gaussian pyramid: photos are halved so many times.
+        /// Level of the Gaussian pyramid: photos are halved so many times, 500 pixels left.
         #[range(0..=6)]
         level: u32 = 2,
         /// Photos are halved first until they have at most so many million pixels.
@@ -71,7 +71,7 @@ pub struct Steady;
 
 impl Stage for Steady {
     const NAME: &'static str = "refine.steady";
-    const VERSION: u32 = 1;
+    const VERSION: u32 = 2;
     const ABOUT: &'static str = "Finds how the body swayed against the disk, six numbers a photo, and gives the cameras as seen from the body.";
     type Params = SteadyParams;
     type Input = SteadyInput;

@@ -46,7 +46,7 @@ const MARGIN: usize = 2;
 
 impl Stage for Texture {
     const NAME: &'static str = "refine.texture";
-    const VERSION: u32 = 1;
+    const VERSION: u32 = 2;
     const ABOUT: &'static str = "Paints each face from the photo that shows it best, brightness evened out where photos meet.";
     type Params = TextureParams;
     type Input = TextureInput;

@@ -113,6 +113,11 @@ impl Stage for GrabCut {
             })
             .filter(|job| job.camera.is_some() || input.photos.plate.is_some())
             .collect();
+        if input.photos.plate.is_none() {
+            ctx.warn(
+                "there is no plate: the empty scene is guessed from what stands still, and may cost parts of the body; look at the masks, or take one photo without the subject and call it plate.jpg",
+            );
+        }
         let steps = ctx.steps("photos", jobs.len() * 2);
         // First a coarse cut of each photo alone, then again with what all of them say together.
         let first: Vec<(PhotoId, Mask)> = jobs
