@@ -5,8 +5,8 @@ use crate::means::Means;
 use crate::segment::{Settings, reduced};
 use crate::turn::{Scene, Shot, full_side, standing, without_plate};
 use rayon::prelude::*;
-use shape::{Camera, Cameras, Image, Photo, PhotoId, Photos, Rgb};
-use stage::{Ctx, Hash, Stop};
+use shape::{Camera, Cameras, Image, Photo, PhotoError, PhotoId, Photos, Rgb};
+use stage::Hash;
 use std::collections::BTreeMap;
 
 /// The empty scene.
@@ -31,14 +31,15 @@ pub(crate) fn everything(photos: &Photos, cameras: &Cameras) -> Hash {
     stage::hash(&bytes)
 }
 
-/// The empty scene out of all photos that have a camera.
-pub(crate) fn empty_scene(
+/// The empty scene out of all photos that have a camera, and the share of the photos that stands
+/// still \[%\]. `check` fails when the user asked to stop.
+pub(crate) fn empty_scene<E: From<CutError> + From<PhotoError> + Send>(
     p: &GrabCutParams,
     settings: &Settings,
     photos: &Photos,
     cameras: &Cameras,
-    ctx: &Ctx<'_>,
-) -> Result<Empty, Stop> {
+    check: impl Fn() -> Result<(), E> + Sync,
+) -> Result<(Empty, f64), E> {
     let known: Vec<(PhotoId, &Photo, Camera)> = photos
         .iter()
         .filter_map(|(id, photo)| Some((id, photo, cameras.views.get(id)?.camera)))
@@ -46,7 +47,7 @@ pub(crate) fn empty_scene(
     let shots: Vec<Shot> = known
         .par_iter()
         .map(|(id, photo, camera)| {
-            ctx.check()?;
+            check()?;
             let pixels = photo.decode()?;
             let longest = pixels.width.max(pixels.height);
             let small = reduced(
@@ -60,12 +61,11 @@ pub(crate) fn empty_scene(
                 camera,
             })
         })
-        .collect::<Result<_, Stop>>()?;
+        .collect::<Result<_, E>>()?;
     let stands = standing(&shots) * 100.0;
     if stands < STANDS {
         return Err(CutError::Moves(stands).into());
     }
-    ctx.metric("stands still", stands, "%");
     let cuts = without_plate(&shots, cameras, settings, p.disk_side_mm);
     let (width, height) = known
         .first()
@@ -80,11 +80,11 @@ pub(crate) fn empty_scene(
     );
     let pairs: Vec<_> = known.iter().zip(&cuts).collect();
     for some in pairs.chunks(AT_ONCE) {
-        ctx.check()?;
+        check()?;
         let decoded: Vec<Rgb> = some
             .par_iter()
             .map(|((_, photo, _), _)| photo.decode())
-            .collect::<Result<_, _>>()?;
+            .collect::<Result<_, PhotoError>>()?;
         for (pixels, ((_, photo, camera), cut)) in decoded.iter().zip(some) {
             let cut: &Image<bool> = cut
                 .as_ref()
@@ -94,5 +94,6 @@ pub(crate) fn empty_scene(
     }
     let ids = known.iter().map(|k| k.0);
     let cuts = ids.zip(cuts).filter_map(|(id, cut)| Some((id, cut?)));
-    Ok(Empty::Turn(means.scene(), cuts.collect()))
+    let scene = Empty::Turn(means.scene(), cuts.collect());
+    Ok((scene, stands))
 }

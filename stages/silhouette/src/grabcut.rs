@@ -91,7 +91,9 @@ impl Stage for GrabCut {
         let (empty, told) = match (&input.photos.plate, &input.cameras) {
             (Some(plate), _) => (Empty::Plate(plate.decode()?), plate.content()),
             (None, Some(cameras)) => {
-                let empty = empty_scene(p, &settings, &input.photos, cameras, ctx)?;
+                let check = || ctx.check().map_err(Stop::from);
+                let (empty, still) = empty_scene(p, &settings, &input.photos, cameras, check)?;
+                ctx.metric("stands still", still, "%");
                 (empty, everything(&input.photos, cameras))
             }
             (None, None) => return Err(CutError::NoPlate.into()),
