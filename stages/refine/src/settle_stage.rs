@@ -67,6 +67,9 @@ stage::params! {
         /// How far inward a better place is looked for first, in pixels of the level; 0 is nowhere.
         #[range(0.0..=100.0)]
         reach_px: f64 = 0.0,
+        /// Rounds that begin with such a search.
+        #[range(0..=100)]
+        searches: u32 = 1,
         /// Times that visibility is looked at anew.
         #[range(1..=100)]
         rounds: u32 = 3,
@@ -130,7 +133,7 @@ impl Stage for Settle {
         }
         for round in state.done..p.rounds {
             let before = state.told.before;
-            state.told = one_round(p, &mut state.mesh, &pictures, footprint, round == 0)?;
+            state.told = one_round(p, &mut state.mesh, &pictures, footprint, round < p.searches)?;
             if round > 0 {
                 state.told.before = before;
             }
