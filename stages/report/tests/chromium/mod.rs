@@ -184,6 +184,8 @@ impl Tab {
             "(() => {{ const e = document.querySelector({selector:?}); e.scrollIntoView({{ block: 'center' }}); \
              const r = e.getBoundingClientRect(); return [r.x + r.width / 2, r.y + r.height / 2]; }})()"
         ));
+        // A pointer meets what the last frame shows, so the frame after the scrolling must be there.
+        self.drawn();
         [at[0].as_f64().unwrap(), at[1].as_f64().unwrap()]
     }
 
@@ -197,12 +199,13 @@ impl Tab {
 
     /// Drags from the middle.
     pub(crate) fn drag(&mut self, selector: &str, [dx, dy]: [f64; 2]) {
+        let draws = self.draws();
         let [x, y] = self.middle(selector);
         self.mouse("mousePressed", [x, y], 1);
         self.mouse("mouseMoved", [x + dx / 2.0, y + dy / 2.0], 1);
         self.mouse("mouseMoved", [x + dx, y + dy], 1);
         self.mouse("mouseReleased", [x + dx, y + dy], 0);
-        self.drawn();
+        self.drawn_since(draws);
     }
 
     /// Turns the wheel over the middle.
