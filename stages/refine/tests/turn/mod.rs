@@ -150,6 +150,7 @@ pub(crate) fn ball(radius: f64) -> Mesh {
     mesh
 }
 
+#[allow(dead_code)]
 /// Mean distance of the band that the cameras see well from the true ball. \[mm\]
 pub(crate) fn off(mesh: &Mesh) -> f64 {
     let band = (0..mesh.positions.len() as u32)

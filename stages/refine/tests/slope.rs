@@ -1,0 +1,234 @@
+//! The slopes that the refinement follows, held against central differences of what it minimises.
+
+mod turn;
+
+use nalgebra::Vector3;
+use refine::curvature::Laplacian;
+use refine::energy::Forces;
+use refine::patch::{Pairing, Window, agreement};
+use refine::picture::Picture;
+use refine::rims::{Pull, pulls};
+use refine::scene::{footprint, pictures};
+use refine::settle::{Rest, Springs, settle};
+use refine::sights::{Sighting, Sights};
+use shape::{Adjacency, Mesh};
+use stage::Stop;
+use turn::{RADIUS, ball, turn};
+
+fn rules() -> Sighting {
+    Sighting {
+        most_tilt: 65f64.to_radians(),
+        spacing_px: 1.0,
+        pairing: Pairing {
+            cosine: [50f64, 3.0].map(|d| d.to_radians().cos() as f32),
+        },
+        noise_gain: 4.0,
+    }
+}
+
+/// The ball's photos.
+fn scene() -> Vec<Picture> {
+    let (photos, cameras, masks) = turn(18.0, &[]);
+    pictures::<Stop>(&photos, &cameras, Some(&masks), 0, 6.0, || Ok(())).unwrap()
+}
+
+/// A bumpy ball, positions and normals.
+fn bumpy() -> (Mesh, Vec<Vector3<f64>>) {
+    let mut mesh = ball(RADIUS + 0.7);
+    for p in &mut mesh.positions {
+        let wave = 1.0 + 0.01 * (0.2 * p[0] + 0.13 * p[1]).sin() * (0.17 * p[2]).cos();
+        *p = p.map(|x| x * wave);
+    }
+    let x = (0..mesh.positions.len() as u32)
+        .map(|v| mesh.point(v).coords)
+        .collect();
+    (mesh, x)
+}
+
+/// Everything that [`Forces`] borrows.
+struct Held {
+    sights: Sights,
+    window: Window,
+    rules: Sighting,
+    pulls: Vec<Pull>,
+    laplacian: Laplacian,
+    rest: Rest,
+    pictures: Vec<Picture>,
+    footprint: f64,
+    normals: Vec<Vector3<f64>>,
+    x: Vec<Vector3<f64>>,
+}
+
+fn held(level: bool) -> Held {
+    let (pictures, (mesh, x)) = (scene(), bumpy());
+    let around = Adjacency::new(&mesh);
+    let normals = mesh.normals();
+    let (window, rules) = (Window::new(4, level), rules());
+    let laplacian = Laplacian::new(&mesh, &around);
+    Held {
+        sights: Sights::new(&mesh, &around, &pictures, &window, &rules),
+        pulls: pulls(&mesh, &around, &normals, &pictures, 3.0),
+        rest: Rest::new(&laplacian, &x, &normals, 5),
+        footprint: footprint(&mesh, &pictures),
+        laplacian,
+        window,
+        rules,
+        pictures,
+        normals,
+        x,
+    }
+}
+
+impl Held {
+    fn forces(&self, rim: f64, plate: f64) -> Forces<'_> {
+        Forces {
+            pictures: &self.pictures,
+            sights: &self.sights,
+            rules: &self.rules,
+            window: &self.window,
+            pulls: &self.pulls,
+            laplacian: &self.laplacian,
+            footprint: self.footprint,
+            rim,
+            rest: &self.rest,
+            plate,
+            anchor: 0.0,
+        }
+    }
+}
+
+/// ψ (eq. 4) at every vertex that is seen. Brightness is bilinear, so its slope jumps at pixels'
+/// edges; a step is so short that few points cross one, and those few make single vertices differ.
+#[test]
+fn the_slope_of_consistency_is_its_derivative() {
+    for level in [false, true] {
+        let held = held(level);
+        let (mut off, mut far, mut count) = (0.0, 0, 0);
+        for v in 0..held.x.len() {
+            let (sights, frame) = (held.sights.of(v), &held.sights.frames[v]);
+            if sights.len() < 2 {
+                continue;
+            }
+            let pairing = held.rules.pairing;
+            let at = |d: f64| {
+                let a = agreement::<false>(&held.pictures, sights, frame, d, &held.window, pairing);
+                a.score
+            };
+            let told = agreement::<true>(&held.pictures, sights, frame, 0.0, &held.window, pairing);
+            assert!((told.score - at(0.0)).abs() < 1e-6 * told.weight.max(1.0));
+            assert!(told.stiffness >= 0.0 && told.score <= told.weight * 1.0001);
+            let h = 4e-3;
+            let want = (at(h) - at(-h)) / (2.0 * h);
+            let scale = told.stiffness.max(1e-3).sqrt() * told.weight.max(1e-3).sqrt();
+            let error = (told.slope - want).abs() / scale;
+            off += error;
+            far += usize::from(error > 0.05);
+            count += 1;
+        }
+        assert!(count > 300, "{count} vertices are seen");
+        assert!(off / f64::from(count) < 5e-3, "{}", off / f64::from(count));
+        assert!(far * 100 < count as usize, "{far} of {count} are off");
+    }
+}
+
+/// The pull on all vertices at once is minus the slope of the whole energy, rims and plate included.
+#[test]
+fn the_pull_on_the_surface_is_minus_the_slope_of_the_energy() {
+    let held = held(true);
+    assert!(held.pulls.len() > 100, "{} rims", held.pulls.len());
+    let mut dice = proof::Dice(4);
+    for (rim, plate) in [(0.0, 0.0), (3.0, 0.0), (0.3, 40.0)] {
+        let forces = held.forces(rim, plate);
+        let still = vec![0.0; held.x.len()];
+        let springs = forces.springs(&forces.agreements::<true>(&still));
+        // Against very stiff springs the step is the pull over the stiffness: plate included.
+        let stiff = 1e9;
+        let hard = Springs {
+            pull: springs.pull.clone(),
+            stiffness: vec![stiff; still.len()],
+        };
+        let step = settle(
+            &hard,
+            &held.laplacian,
+            &held.x,
+            &held.normals,
+            &held.rest,
+            plate,
+            3,
+        );
+        for _ in 0..5 {
+            let way: Vec<f64> = still.iter().map(|_| dice.normal()).collect();
+            let energy = |h: f64| {
+                let d: Vec<f64> = way.iter().map(|w| w * h).collect();
+                forces.energy(&forces.agreements::<false>(&d), &d, &held.x)
+            };
+            let h = 2e-3;
+            let want = (energy(h) - energy(-h)) / (2.0 * h);
+            let told: f64 = step.iter().zip(&way).map(|(s, w)| -s * stiff * w).sum();
+            let size: f64 = step.iter().map(|s| (s * stiff).powi(2)).sum::<f64>().sqrt();
+            assert!(
+                (told - want).abs() < 0.02 * size,
+                "rim {rim}, plate {plate}: {told} against {want}, of {size}"
+            );
+        }
+    }
+}
+
+/// Mean curvature and a plain plate shrink what is round; this plate must not: a tube of 100 mm
+/// girth, and one of 1 m, bare of texture and rims, keep their girth within 0.02 % a step.
+#[test]
+fn the_plate_does_not_shrink_a_cylinder() {
+    for radius in [16.0, 160.0] {
+        let (around, along) = (60usize, 120usize);
+        let edge = std::f64::consts::TAU * radius / around as f64;
+        let mut mesh = Mesh::default();
+        for (k, i) in (0..along).flat_map(|k| (0..around).map(move |i| (k, i))) {
+            let angle = i as f64 / around as f64 * std::f64::consts::TAU;
+            let z = (k as f64 - along as f64 / 2.0) * edge;
+            let p = [radius * angle.cos(), radius * angle.sin(), z];
+            mesh.positions.push(p.map(|x| x as f32));
+        }
+        let at = |k: usize, i: usize| (k * around + i % around) as u32;
+        for (k, i) in (0..along - 1).flat_map(|k| (0..around).map(move |i| (k, i))) {
+            let (a, b, c, d) = (at(k, i), at(k, i + 1), at(k + 1, i), at(k + 1, i + 1));
+            mesh.faces.extend([[a, b, c], [b, d, c]]);
+        }
+        for (end, inward) in [(0, true), (along - 1, false)] {
+            let middle = mesh.positions.len() as u32;
+            let z = mesh.positions[end * around][2];
+            mesh.positions.push([0.0, 0.0, z]);
+            for i in 0..around {
+                let (a, b) = (at(end, i), at(end, i + 1));
+                let face = if inward {
+                    [b, a, middle]
+                } else {
+                    [a, b, middle]
+                };
+                mesh.faces.push(face);
+            }
+        }
+        mesh.validate_closed().unwrap();
+        assert!(mesh.volume() > 0.0);
+        let adjacency = Adjacency::new(&mesh);
+        let (laplacian, normals) = (Laplacian::new(&mesh, &adjacency), mesh.normals());
+        let x: Vec<_> = (0..mesh.positions.len() as u32)
+            .map(|v| mesh.point(v).coords)
+            .collect();
+        let rest = Rest::new(&laplacian, &x, &normals, 20);
+        let springs = Springs {
+            pull: vec![0.0; x.len()],
+            stiffness: vec![1e-4 / (edge * edge); x.len()],
+        };
+        let plate = 10.0 * edge * edge;
+        let d = settle(&springs, &laplacian, &x, &normals, &rest, plate, 100);
+        let middle = &d[at(along / 2, 0) as usize..at(along / 2, 0) as usize + around];
+        let mean = middle.iter().sum::<f64>() / around as f64;
+        assert!(mean.abs() < 2e-4 * radius, "{mean} mm of {radius} mm");
+        // The test sees shrinking where there is some: without a rest shape the tube gives way.
+        let plain = Rest {
+            wanted: vec![0.0; x.len()],
+        };
+        let d = settle(&springs, &laplacian, &x, &normals, &plain, plate, 100);
+        assert!(d[at(along / 2, 0) as usize] < -1e-3 * radius);
+    }
+}
