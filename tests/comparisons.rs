@@ -100,7 +100,7 @@ fn the_first_difference_the_girths_and_the_surfaces_are_told() {
     let other = compare(sides.to_vec(), Some(20.0));
     assert_eq!(other.girths[0].same, [Some(true)]);
     assert_eq!(told(&c)["against_first"][0]["first_diverging"], "hull");
-    let page = page(&c);
+    let page = page(&c, true);
     for outside in ["http:", "https:", " src=", "@import", "url("] {
         assert!(!page.contains(outside), "{outside}");
     }

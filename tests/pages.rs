@@ -6,9 +6,10 @@
 mod chromium;
 
 use chromium::Tab;
-use shape::Mesh;
+use nalgebra::{Rotation3, Vector3};
+use shape::{Camera, Intrinsics, Mask, Mesh, Pose};
 use stage::{Metric, Value};
-use tailor::compare::{Side, compare};
+use tailor::compare::{Side, View, Views, compare};
 use tailor::sweep::{End, Point, Row};
 
 const DESK: [u32; 2] = [1280, 900];
@@ -46,6 +47,7 @@ fn side(name: &str, half: [f32; 3]) -> Side {
         nodes: vec![],
         girths: vec![],
         mesh: Some(block(half)),
+        views: Default::default(),
     }
 }
 
@@ -93,7 +95,7 @@ fn surfaces_are_coloured_by_distance_split_by_the_slider_and_turned_together() {
         side("small", [40.0, 40.0, 90.0]),
         side("large", [44.0, 44.0, 94.0]),
     ];
-    let page = tailor::compare::page(&compare(sides, None));
+    let page = tailor::compare::page(&compare(sides, None), true);
     let Some(mut tab) = Tab::open(&page, DESK, false, false) else {
         return;
     };
@@ -135,6 +137,79 @@ fn surfaces_are_coloured_by_distance_split_by_the_slider_and_turned_together() {
     kept_to_itself(&tab);
 }
 
+/// What a camera before the block saw of it: a silhouette so many pixels wide, on no photo.
+fn seen_by(names: &[&str], wide: usize) -> Views {
+    let mut mask = Mask::filled(200, 300, 0);
+    for y in 100..200 {
+        (60..60 + wide).for_each(|x| *mask.at_mut(x, y) = 255);
+    }
+    let down = Rotation3::from_euler_angles(-std::f64::consts::FRAC_PI_2, 0.0, 0.0);
+    let camera = Camera {
+        lens: Intrinsics::simple(200, 300, 400.0),
+        pose: Pose {
+            rotation: down,
+            translation: Vector3::new(0.0, 0.0, 500.0),
+        },
+    };
+    let view = |name: &&str| {
+        let (mask, camera) = (Some(mask.clone()), Some(camera));
+        let photo = None;
+        (
+            name.to_string(),
+            View {
+                photo,
+                mask,
+                camera,
+            },
+        )
+    };
+    names.iter().map(view).collect()
+}
+
+#[test]
+fn silhouettes_and_surfaces_stand_side_by_side_photo_by_photo() {
+    let mut sides = vec![
+        side("small", [40.0, 40.0, 90.0]),
+        side("large", [44.0, 44.0, 94.0]),
+    ];
+    sides[0].views = seen_by(&["0000", "0001"], 60);
+    sides[1].views = seen_by(&["0000"], 80);
+    let page = tailor::compare::page(&compare(sides, None), true);
+    let Some(mut tab) = Tab::open(&page, DESK, false, false) else {
+        return;
+    };
+    let words = |tab: &mut Tab| {
+        let all = "[...document.querySelectorAll('#pictures figcaption')].map((c) => c.textContent).join('; ')";
+        tab.value(all).as_str().unwrap().to_owned()
+    };
+    let images = "[...document.querySelectorAll('#pictures img')].filter((i) => i.complete && i.naturalWidth === 300).length";
+    assert_eq!(
+        words(&mut tab),
+        "small: silhouette; large: silhouette; large against small: 75.000 % shared; \
+         small: surface; large: surface; large against small: distance"
+    );
+    tab.value(
+        "Promise.all([...document.querySelectorAll('#pictures img')].map((i) => i.decode()))",
+    );
+    assert_eq!(tab.value(images), 6);
+    // Orange where the larger block is seen, on the last picture.
+    let orange = tab.value(
+        "(() => { const i = [...document.querySelectorAll('#pictures img')].pop(), c = document.createElement('canvas');
+         c.width = i.naturalWidth; c.height = i.naturalHeight; const x = c.getContext('2d'); x.drawImage(i, 0, 0);
+         const p = x.getImageData(0, 0, c.width, c.height).data; let n = 0;
+         for (let k = 0; k < p.length; k += 4) if (p[k] > 2 * p[k + 2]) n++; return n; })()",
+    );
+    assert!(orange.as_u64().unwrap() > 3000, "{orange}");
+    tab.click("#after");
+    assert!(
+        words(&mut tab).contains("large: silhouette: none"),
+        "the large one has no second photo"
+    );
+    tab.click("#after");
+    assert!(words(&mut tab).contains("75.000 % shared"), "round again");
+    kept_to_itself(&tab);
+}
+
 fn row(voxel: f64, method: &str, waist: Option<f64>) -> Row {
     let metric = |value| Metric {
         name: "WC".into(),
@@ -157,6 +232,7 @@ fn row(voxel: f64, method: &str, waist: Option<f64>) -> Row {
         seconds: 1.0,
         alone: 2.0,
         work: 1.0,
+        engine: 0.1,
     }
 }
 

@@ -1,10 +1,13 @@
-//! A killed run goes on: `measure` on the sample, killed at twenty random moments.
+//! A killed run goes on: `measure` on the sample, killed at twenty random moments. Whatever a part
+//! or a checkpoint holds is never done again: no more of them are written than by a run that
+//! nobody disturbs.
 //!
 //! Takes minutes, so it is asked for: `cargo test --release --test resume -- --ignored --nocapture`.
 
+use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 use std::process::{Child, Command, Stdio};
-use std::time::{Duration, Instant};
+use std::time::{Duration, Instant, SystemTime};
 
 const KILLS: usize = 20;
 
@@ -42,21 +45,46 @@ fn result(folder: &Path) -> Vec<(PathBuf, Vec<u8>)> {
     all
 }
 
-/// Names of the records and parts of a store.
-fn kept(cache: &Path) -> Vec<PathBuf> {
-    let mut names = Vec::new();
-    for shelf in ["ac", "part"] {
-        let folder = cache.join(shelf);
-        let inner = |d: PathBuf| {
-            std::fs::read_dir(d)
-                .into_iter()
-                .flatten()
-                .map(|e| e.unwrap().path())
-        };
-        names.extend(inner(folder).flat_map(inner));
+/// The files of a shelf of a store, and when each was written.
+fn shelf(cache: &Path, name: &str) -> Vec<(PathBuf, SystemTime)> {
+    let inner = |d: PathBuf| {
+        let entries = std::fs::read_dir(d).into_iter().flatten();
+        entries.map(|e| e.unwrap().path())
+    };
+    let written = |path: PathBuf| {
+        let at = std::fs::metadata(&path).and_then(|m| m.modified());
+        at.ok().map(|at| (path, at))
+    };
+    let files = inner(cache.join(name)).flat_map(inner);
+    files.filter_map(written).collect()
+}
+
+/// Waits for the end, or kills at the moment; notes every part and checkpoint that is written.
+/// Whether it came to its end, and how long it took.
+fn watched(
+    mut child: Child,
+    cache: &Path,
+    kill_at: Option<Duration>,
+    written: &mut BTreeSet<(PathBuf, SystemTime)>,
+) -> (bool, Duration) {
+    let start = Instant::now();
+    loop {
+        let status = child.try_wait().unwrap();
+        let due = kill_at.is_some_and(|moment| start.elapsed() >= moment);
+        if status.is_none() && due {
+            child.kill().unwrap();
+            child.wait().unwrap();
+        }
+        written.extend(shelf(cache, "part"));
+        match status {
+            Some(status) => {
+                assert!(status.success());
+                return (true, start.elapsed());
+            }
+            None if due => return (false, start.elapsed()),
+            None => std::thread::sleep(Duration::from_millis(5)),
+        }
     }
-    names.sort();
-    names
 }
 
 #[test]
@@ -64,57 +92,44 @@ fn kept(cache: &Path) -> Vec<PathBuf> {
 fn killed_at_twenty_random_moments_it_goes_on_and_ends_with_the_same_bytes() {
     let place = tempfile::tempdir().unwrap();
     let path = |name: &str| place.path().join(name);
-    let start = Instant::now();
-    assert!(
-        measure(&path("clean"), &path("out"))
-            .wait()
-            .unwrap()
-            .success()
-    );
-    let clean = start.elapsed();
+    let mut once = BTreeSet::new();
+    let child = measure(&path("clean"), &path("out"));
+    let (_, clean) = watched(child, &path("clean"), None, &mut once);
     let want = result(&path("out"));
-    eprintln!("one run: {:.1} s", clean.as_secs_f64());
+    let (secs, count) = (clean.as_secs_f64(), once.len());
+    eprintln!("one run: {secs:.1} s, {count} parts and checkpoints");
+    assert!(count > 50, "{count} parts and checkpoints");
     let (mut dice, mut kills, mut round) = (proof::Dice(2026), 0, 0);
     while kills < KILLS {
         round += 1;
         let (cache, out) = (path(&format!("cache{round}")), path(&format!("out{round}")));
-        let (mut in_all, mut killed) = (Duration::ZERO, 0);
+        let (mut in_all, mut killed, mut written) = (Duration::ZERO, 0, BTreeSet::new());
         loop {
-            let before = kept(&cache);
-            let start = Instant::now();
-            let mut child = measure(&cache, &out);
+            let records = shelf(&cache, "ac");
             let moment = clean.mul_f64(dice.within(0.0, 0.4));
-            let ended = loop {
-                if let Some(status) = child.try_wait().unwrap() {
-                    break Some(status);
-                }
-                if kills < KILLS && start.elapsed() >= moment {
-                    child.kill().unwrap();
-                    child.wait().unwrap();
-                    (kills, killed) = (kills + 1, killed + 1);
-                    break None;
-                }
-                std::thread::sleep(Duration::from_millis(5));
-            };
-            in_all += start.elapsed();
-            let after = kept(&cache);
-            let records = |all: &[PathBuf]| {
-                all.iter()
-                    .filter(|p| p.starts_with(cache.join("ac")))
-                    .cloned()
-                    .collect::<Vec<_>>()
-            };
-            let still = |p: &PathBuf| after.binary_search(p).is_ok();
-            assert!(records(&before).iter().all(still), "a record went away");
-            if let Some(status) = ended {
-                assert!(status.success());
+            let kill_at = (kills < KILLS).then_some(moment);
+            let (ended, took) = watched(measure(&cache, &out), &cache, kill_at, &mut written);
+            in_all += took;
+            let after = shelf(&cache, "ac");
+            let still = |r: &(PathBuf, SystemTime)| after.contains(r);
+            assert!(
+                records.iter().all(still),
+                "a record went away or was made again"
+            );
+            if ended {
                 break;
             }
+            (kills, killed) = (kills + 1, killed + 1);
         }
         assert!(result(&out) == want, "round {round} ended with other bytes");
         eprintln!(
-            "round {round}: {killed} kills, {:.1} s in all; same bytes",
-            in_all.as_secs_f64()
+            "round {round}: {killed} kills, {:.1} s in all, {} parts and checkpoints; same bytes",
+            in_all.as_secs_f64(),
+            written.len()
+        );
+        assert!(
+            written.len() <= count,
+            "what a checkpoint held was done again"
         );
         let _ = std::fs::remove_dir_all(&cache);
     }

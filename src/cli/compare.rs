@@ -24,6 +24,9 @@ pub(crate) struct CompareArgs {
     /// Write compare.md, compare.json and compare.html into this folder
     #[arg(long)]
     out: Option<PathBuf>,
+    /// Leave the photos off the page
+    #[arg(long)]
+    no_photos: bool,
 }
 
 /// Does it.
@@ -78,7 +81,7 @@ pub(crate) fn compare_sides(args: &CompareArgs, house: &House) -> Result<(), Fau
         for (file, text) in [
             ("compare.md", words.clone()),
             ("compare.json", pretty.clone()),
-            ("compare.html", page(&comparison)),
+            ("compare.html", page(&comparison, !args.no_photos)),
         ] {
             let file = folder.join(file);
             out::write(&file, &[(String::new(), text.into_bytes())]).map_err(Fault::stage)?;

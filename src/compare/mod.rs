@@ -3,14 +3,18 @@
 //! ```text
 //! variant ─ run ─┐                  ┌─ differ: params, first result that is another
 //! run of a cache ┼─ Side ─ compare ─┼─ girths: within tolerance or not      ─┬─ words: Markdown, JSON
-//! folder ────────┘                  └─ surfaces: how far apart, everywhere  ─┴─ page: HTML with a view
+//! folder ────────┘                  ├─ surfaces: how far apart, everywhere  ─┴─ page: HTML with a view
+//!                                   └─ pictures: silhouettes and surfaces as each camera saw them
 //! ```
 
 mod differ;
 mod girths;
 mod page;
+mod pictures;
+mod render;
 mod side;
 mod surfaces;
+mod views;
 mod words;
 
 pub use differ::{Change, Difference, differ};
@@ -18,6 +22,7 @@ pub use girths::{GirthRow, Told, girths};
 pub use page::page;
 pub use side::{NodeRun, Side, SideError};
 pub use surfaces::{Apart, apart};
+pub use views::{View, Views};
 pub use words::{json, markdown};
 
 /// All that is said of the sides.

@@ -1,13 +1,14 @@
 //! A comparison as one page, with the surfaces to turn around: coloured by how far apart they are.
 
 use super::Comparison;
-use super::surfaces::{distances, thinned};
+use super::pictures::{Surface, pictures};
+use super::surfaces::distances;
 use super::words::{Table, change_table, cost_table, girth_table, sentences, surface_table};
 use crate::page;
 use serde_json::{Value, json};
-use shape::Mesh;
+use shape::{Mesh, thinned};
 
-const SCRIPT: &str = include_str!("view.js");
+const SCRIPT: &str = concat!(include_str!("view.js"), include_str!("pictures.js"));
 
 /// Most faces of a surface on the page; those of the numbers are not thinned.
 const MOST_FACES: usize = 60_000;
@@ -21,17 +22,32 @@ const VIEW: &str = r#"<section><h2>Surfaces</h2><p id="no3d" hidden>This browser
 <div class="view"><canvas id="view" tabindex="0"></canvas></div>
 <p class="soft">Orange lies outside of the other surface, blue inside; the first is held against the second, all others against the first. Drag to turn, wheel to come nearer, shift and drag to move.</p></section>"#;
 
-/// The page.
-pub fn page(c: &Comparison) -> String {
+const IMAGES: &str = r#"<section><h2>Images</h2>
+<div class="bar"><label>photo <select id="photo"></select></label><span><button id="before" aria-label="the photo before">◀</button> <button id="after" aria-label="the next photo">▶</button></span></div>
+<div id="pictures"></div>
+<p class="soft">What lies outside of the first side's is orange, what lies inside blue.</p></section>"#;
+
+/// Distance at which a surface is coloured fully until the slider says otherwise. \[mm\]
+const FULL_MM: f64 = 3.0;
+
+/// The page; photos are on it only if they may be.
+pub fn page(c: &Comparison, show_photos: bool) -> String {
     let names: Vec<&str> = c.sides.iter().map(|s| s.name.as_str()).collect();
     let title = names.join(" against ");
-    let meshes = meshes(c);
+    let surfaces = surfaces(c);
+    let pictures = pictures(&c.sides, &surfaces, show_photos, FULL_MM);
     let mut body = format!("<h1>{}</h1>\n", page::escaped(&title));
     for sentence in sentences(c) {
         body += &format!("<p>{}</p>\n", marked(&page::escaped(&sentence)));
     }
-    if meshes.len() > 1 {
+    if surfaces.len() > 1 {
         body += VIEW;
+    }
+    if pictures["uris"]
+        .as_array()
+        .is_some_and(|all| !all.is_empty())
+    {
+        body += IMAGES;
     }
     for (title, table) in [
         ("Girths by tape", girth_table(c)),
@@ -41,7 +57,9 @@ pub fn page(c: &Comparison) -> String {
     ] {
         body += &section(title, &table);
     }
-    page::page(&title, &body, &json!({ "meshes": meshes }), SCRIPT)
+    let meshes: Vec<Value> = surfaces.iter().map(packed).collect();
+    let data = json!({ "meshes": meshes, "pictures": pictures });
+    page::page(&title, &body, &data, SCRIPT)
 }
 
 /// Names between backticks as code.
@@ -62,27 +80,39 @@ fn section(title: &str, table: &Table) -> String {
 }
 
 /// The surfaces for the view: the first with its distance to the second, the others to the first.
-fn meshes(c: &Comparison) -> Vec<Value> {
+fn surfaces(c: &Comparison) -> Vec<Surface<'_>> {
     let there: Vec<(&str, &Mesh)> = c
         .sides
         .iter()
         .filter_map(|s| Some((s.name.as_str(), s.mesh.as_ref()?)))
         .collect();
     let mut all = Vec::new();
-    for (i, (name, mesh)) in there.iter().enumerate() {
-        let Some((_, other)) = there.get(if i == 0 { 1 } else { 0 }) else {
-            continue;
+    for (i, (side, mesh)) in there.iter().enumerate() {
+        let other = there.get(if i == 0 { 1 } else { 0 });
+        let mut mesh = thinned(mesh, MOST_FACES);
+        mesh.colors = vec![];
+        let distances = match other {
+            Some((_, other)) => distances(&mesh, other),
+            None => vec![0.0; mesh.positions.len()],
         };
-        let thin = thinned(mesh, MOST_FACES);
-        let whole = |x: f64, step: f64| (x / step).round() as i64;
-        let positions = thin.positions.iter().flatten();
-        all.push(json!({
-            "name": name,
-            // In tenths and hundredths of a millimetre.
-            "positions": positions.map(|x| whole(f64::from(*x), 0.1)).collect::<Vec<_>>(),
-            "distances": distances(&thin, other).iter().map(|d| whole(*d, 0.01)).collect::<Vec<_>>(),
-            "faces": thin.faces.iter().flatten().collect::<Vec<_>>(),
-        }));
+        all.push(Surface {
+            side,
+            mesh,
+            distances,
+        });
     }
     all
+}
+
+/// A surface for the script, in tenths and hundredths of a millimetre.
+fn packed(surface: &Surface<'_>) -> Value {
+    let whole = |x: f64, step: f64| (x / step).round() as i64;
+    let positions = surface.mesh.positions.iter().flatten();
+    let distances = surface.distances.iter();
+    json!({
+        "name": surface.side,
+        "positions": positions.map(|x| whole(f64::from(*x), 0.1)).collect::<Vec<_>>(),
+        "distances": distances.map(|d| whole(*d, 0.01)).collect::<Vec<_>>(),
+        "faces": surface.mesh.faces.iter().flatten().collect::<Vec<_>>(),
+    })
 }

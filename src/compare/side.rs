@@ -1,10 +1,11 @@
 //! One side: what ran, the girths and the surface that came out.
 
 use super::girths::Told;
+use super::views::{self, Views};
 use crate::store::Store;
 use serde::Deserialize;
 use serde_json::Value;
-use shape::{Girths, Mesh, girths_to_json, mesh_from_ply};
+use shape::{Cameras, Girths, Masks, Mesh, Photos, girths_to_json, mesh_from_ply};
 use stage::{AnyArtifact, Hash};
 use std::path::{Path, PathBuf};
 
@@ -42,6 +43,8 @@ pub struct Side {
     pub girths: Vec<Told>,
     /// The surface that was measured.
     pub mesh: Option<Mesh>,
+    /// What was seen; photos only of a run, since folders of results hold none.
+    pub views: Views,
 }
 
 /// Something that cannot be compared.
@@ -108,6 +111,7 @@ impl Side {
             nodes: nodes(name, &run)?,
             girths,
             mesh,
+            views: views::of_folder(folder).map_err(|e| wrong(folder, "", e))?,
         })
     }
 
@@ -134,6 +138,12 @@ impl Side {
         };
         let girths = read(measured, "girths")?.and_then(|a| a.downcast::<Girths>());
         let mesh = read(mesh.or_else(|| last("mesh")), "surface")?;
+        // A result on the way may have gone: then there is no picture of it.
+        let there = |kind: &'static str| read(last(kind), kind).ok().flatten();
+        let photos = there("photos").and_then(|a| a.downcast::<Photos>());
+        let masks = there("masks").and_then(|a| a.downcast::<Masks>());
+        let cameras = there("cameras").and_then(|a| a.downcast::<Cameras>());
+        let views = photos.map(|p| views::of_run(&p, masks.as_deref(), cameras.as_deref()));
         let girths = girths.map(|g| told(&girths_to_json(&g)).expect("bug: girths JSON"));
         Ok(Side {
             name: name.into(),
@@ -142,6 +152,7 @@ impl Side {
                 .and_then(|a| a.downcast::<Mesh>())
                 .map(|m| (*m).clone()),
             nodes,
+            views: views.unwrap_or_default(),
         })
     }
 

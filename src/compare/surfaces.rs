@@ -1,7 +1,6 @@
 //! How far two surfaces are apart, at every vertex and in all.
 
 use crate::closest::Closest;
-use nalgebra::Point3;
 use rayon::prelude::*;
 use serde::Serialize;
 use shape::Mesh;
@@ -76,46 +75,6 @@ pub fn apart(a: &Mesh, b: &Mesh) -> Apart {
     }
 }
 
-/// A surface for a page: at most about so many faces, vertices of a grid cell become one (Rossignac
-/// and Borrel 1993), at the mean of their places.
-pub(super) fn thinned(mesh: &Mesh, most_faces: usize) -> Mesh {
-    let mut cell = mesh.mean_edge().max(1e-6);
-    let mut thin = mesh.clone();
-    while thin.faces.len() > most_faces {
-        let over = thin.faces.len() as f64 / most_faces as f64;
-        cell *= over.sqrt().max(1.05);
-        thin = clustered(mesh, cell);
-    }
-    thin.colors = vec![];
-    thin
-}
-
-fn clustered(mesh: &Mesh, cell: f64) -> Mesh {
-    let mut cells = std::collections::BTreeMap::new();
-    let (mut sums, mut merged) = (Vec::<(Point3<f64>, f64)>::new(), Vec::new());
-    for v in 0..mesh.positions.len() as u32 {
-        let p = mesh.point(v);
-        let key: [i64; 3] = [0, 1, 2].map(|i| (p[i] / cell).floor() as i64);
-        let at = *cells.entry(key).or_insert(sums.len());
-        if at == sums.len() {
-            sums.push((Point3::origin(), 0.0));
-        }
-        sums[at] = (sums[at].0 + p.coords, sums[at].1 + 1.0);
-        merged.push(at as u32);
-    }
-    let faces = mesh.faces.iter().map(|f| f.map(|v| merged[v as usize]));
-    Mesh {
-        positions: sums
-            .iter()
-            .map(|(sum, n)| [0, 1, 2].map(|i| (sum[i] / n) as f32))
-            .collect(),
-        faces: faces
-            .filter(|[a, b, c]| a != b && b != c && c != a)
-            .collect(),
-        colors: vec![],
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -163,13 +122,5 @@ mod tests {
         let back = super::apart(&b, &a);
         near(back.bias_mm, -3.0, 0.05);
         assert_eq!(super::apart(&a, &a).max_mm, 0.0);
-    }
-
-    #[test]
-    fn a_thinned_surface_stays_where_it_was() {
-        let mesh = sphere(100.0, 80);
-        let thin = thinned(&mesh, 3000);
-        assert!(thin.faces.len() <= 3000 && thin.faces.len() > 500);
-        assert!(apart(&mesh, &thin).max_mm < 2.0);
     }
 }

@@ -12,6 +12,7 @@
 //! ```
 
 pub mod axes;
+mod busy;
 mod csv;
 mod errors;
 mod facts;

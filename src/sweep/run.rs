@@ -1,5 +1,6 @@
 //! Runs the points of a sweep, one after the other, each to its end.
 
+use super::busy::Busy;
 use super::points::Point;
 use super::{errors::errors, facts::facts};
 use crate::engine::{self, EngineError, Options, Outcome};
@@ -46,6 +47,8 @@ pub struct Row {
     pub alone: f64,
     /// What the nodes took that ran for it. \[s\]
     pub work: f64,
+    /// How long no stage ran: to open and plan, to hash, keep and read, to tell. \[s\]
+    pub engine: f64,
 }
 
 /// What all points have in common.
@@ -102,6 +105,7 @@ fn one(sweeping: &Sweeping<'_>, point: Point, failures: &mut Failures) -> Result
         seconds: 0.0,
         alone: 0.0,
         work: 0.0,
+        engine: 0.0,
     };
     let start = std::time::Instant::now();
     let graph = match (sweeping.open)(&row.point) {
@@ -122,12 +126,13 @@ fn one(sweeping: &Sweeping<'_>, point: Point, failures: &mut Failures) -> Result
         row.end = End::Failed(node, why);
         return Ok(row);
     }
+    let busy = Busy::new(sweeping.watch);
     let outcome = engine::run(
         &graph,
         sweeping.folders,
         &crate::walk::all(&graph, &wanted),
         sweeping.options,
-        sweeping.watch,
+        &busy,
         sweeping.cancel,
     )?;
     for done in outcome.nodes.iter().flatten() {
@@ -151,6 +156,7 @@ fn one(sweeping: &Sweeping<'_>, point: Point, failures: &mut Failures) -> Result
         Err(why) => row.end = End::Wrong(format!("against the truth: {why}")),
     }
     row.seconds = start.elapsed().as_secs_f64();
+    row.engine = (row.seconds - busy.seconds()).max(0.0);
     Ok(row)
 }
 

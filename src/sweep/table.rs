@@ -131,10 +131,11 @@ pub(super) fn summary(rows: &[Row]) -> String {
         .iter()
         .fold((0, 0), |(m, f), r| (m + r.made, f + r.found));
     format!(
-        "{} points{failed}: {made} results made in {:.1} s, {found} found; {:.1} s in all; each point alone: {:.1} s",
+        "{} points{failed}: {made} results made in {:.1} s, {found} found; {:.1} s in all, {:.1} s of them while no stage ran; each point alone: {:.1} s",
         rows.len(),
         sum(|r| r.work),
         sum(|r| r.seconds),
+        sum(|r| r.engine),
         sum(|r| r.alone),
     )
 }
@@ -157,7 +158,17 @@ pub fn csv(rows: &[Row]) -> String {
             .iter()
             .map(|(n, u)| format!("{n} {u}").trim_end().to_owned()),
     );
-    head.extend(["made", "found", "seconds", "alone_seconds", "trouble"].map(String::from));
+    head.extend(
+        [
+            "made",
+            "found",
+            "seconds",
+            "engine_seconds",
+            "alone_seconds",
+            "trouble",
+        ]
+        .map(String::from),
+    );
     let mut lines = vec![head];
     for row in rows {
         let mut line: Vec<String> = params(row).into_iter().map(|p| p.1).collect();
@@ -167,7 +178,7 @@ pub fn csv(rows: &[Row]) -> String {
                 .map(|(n, _)| cell(row, n).map_or(String::new(), |x| x.to_string())),
         );
         line.extend([row.made.to_string(), row.found.to_string()]);
-        line.extend([format!("{:.3}", row.seconds), format!("{:.3}", row.alone)]);
+        line.extend([row.seconds, row.engine, row.alone].map(|s| format!("{s:.3}")));
         line.push(trouble(row).unwrap_or_default());
         lines.push(line);
     }
@@ -189,7 +200,7 @@ pub fn json(name: &str, about: &str, rows: &[Row]) -> Value {
             "told": row.told.iter().map(told).collect::<Vec<_>>(),
             "done": row.end == End::Done, "why": trouble(row),
             "made": row.made, "found": row.found, "seconds": row.seconds,
-            "alone_seconds": row.alone, "work_seconds": row.work,
+            "alone_seconds": row.alone, "work_seconds": row.work, "engine_seconds": row.engine,
         })
     };
     json!({

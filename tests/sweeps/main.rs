@@ -1,5 +1,6 @@
 //! Sweeps: what ran, in which order, and what the table says, on a chain src → mid → final.
 
+mod processes;
 mod toy;
 mod words;
 

@@ -76,7 +76,7 @@ impl Stage for Html {
 
     fn run(p: &HtmlParams, input: HtmlInput, ctx: &Ctx<'_>) -> Result<Document, Stop> {
         let head = face::head(&input.body, input.landmarks.as_deref());
-        let small = page::simplified(&input.body, p.most_faces as usize);
+        let small = shape::thinned(&input.body, p.most_faces as usize);
         let plain = input.textured.is_none() && small.colors.is_empty();
         let mut paint = (p.photos && p.paint && plain).then(|| Paint::new(&small));
         let figures = figures(p, &input, &head, &mut paint, ctx)?;
@@ -206,7 +206,7 @@ fn surfaces(
         }
     }
     for (label, mesh) in kept {
-        let mut small = page::simplified(mesh, p.most_faces as usize);
+        let mut small = shape::thinned(mesh, p.most_faces as usize);
         if !p.photos {
             small.colors.clear();
         }

@@ -7,8 +7,6 @@
 //!
 //! The page is one file: no request leaves the machine, and it carries no metadata of the photos.
 
-mod base64;
-mod cluster;
 mod face;
 mod html;
 mod overlay;

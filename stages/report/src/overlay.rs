@@ -1,9 +1,8 @@
 //! A small picture of each photo with the silhouette's outline and the sections over it.
 
-use crate::base64::base64;
 use crate::tables::escaped;
 use nalgebra::{Point2, Point3};
-use shape::{Camera, Girth, Girths, Mask, Rgb, rgb_to_jpeg};
+use shape::{Camera, Girth, Girths, Mask, Rgb, base64, rgb_to_jpeg};
 use std::fmt::Write;
 
 /// The whole factor by which a photo of some height is reduced to at most `most_px`.

@@ -1,6 +1,5 @@
 //! The page itself, out of its parts.
 
-pub(crate) use crate::cluster::simplified;
 use crate::{profile, ring, scene, tables};
 use shape::{Cameras, Girths, Landmarks, Mesh, Photos, Scale, Textured};
 

@@ -1,10 +1,9 @@
 //! What the viewer draws, as JSON: meshes, an atlas, tapes, where the cameras stood.
 
-use crate::base64::base64;
 use crate::packing::{corners, steps};
 use crate::tape;
 use serde_json::{Value, json};
-use shape::{Camera, Girths, Mesh, Rgb, Textured, rgb_to_jpeg};
+use shape::{Camera, Girths, Mesh, Rgb, Textured, base64, rgb_to_jpeg};
 use std::collections::BTreeMap;
 
 /// Finest step of a coordinate. \[mm\]

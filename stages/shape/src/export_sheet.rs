@@ -17,7 +17,7 @@ const LINE: [u8; 3] = [255, 64, 32];
 pub fn masks_to_sheet(masks: &Masks, photos: &Photos) -> Result<Rgb, PhotoError> {
     let mut tiles = Vec::new();
     for (id, photo) in photos.iter() {
-        tiles.push(tile(&photo.decode()?, masks.views.get(id)));
+        tiles.push(mask_on_photo(&photo.decode()?, masks.views.get(id), TILE));
     }
     let tall = tiles.iter().map(|t| t.height).max().unwrap_or(1);
     let rows = tiles.len().div_ceil(ACROSS).max(1);
@@ -32,26 +32,26 @@ pub fn masks_to_sheet(masks: &Masks, photos: &Photos) -> Result<Rgb, PhotoError>
     Ok(sheet)
 }
 
-/// One photo of the sheet.
-fn tile(photo: &Rgb, mask: Option<&Mask>) -> Rgb {
-    let height = (photo.height * TILE).div_ceil(photo.width.max(1)).max(1);
+/// A photo, so many pixels wide: what the mask leaves out is darkened, its border drawn.
+pub fn mask_on_photo(photo: &Rgb, mask: Option<&Mask>, across: usize) -> Rgb {
+    let height = (photo.height * across).div_ceil(photo.width.max(1)).max(1);
     // The pixel of the photo that a pixel of the tile stands for.
     let from =
         |v: usize, tile: usize, whole: usize| ((2 * v + 1) * whole / (2 * tile)).min(whole - 1);
     let body = |x: usize, y: usize| {
         mask.is_some_and(|m| {
-            let (mx, my) = (from(x, TILE, m.width), from(y, height, m.height));
+            let (mx, my) = (from(x, across, m.width), from(y, height, m.height));
             m.at(mx, my) > 127
         })
     };
-    let mut tile = Rgb::filled(TILE, height, [0; 3]);
+    let mut tile = Rgb::filled(across, height, [0; 3]);
     for y in 0..height {
-        for x in 0..TILE {
+        for x in 0..across {
             let here = body(x, y);
             let edge = [(x + 1, y), (x, y + 1)]
                 .iter()
-                .any(|(nx, ny)| *nx < TILE && *ny < height && body(*nx, *ny) != here);
-            let color = photo.at(from(x, TILE, photo.width), from(y, height, photo.height));
+                .any(|(nx, ny)| *nx < across && *ny < height && body(*nx, *ny) != here);
+            let color = photo.at(from(x, across, photo.width), from(y, height, photo.height));
             *tile.at_mut(x, y) = match (edge, here) {
                 (true, _) => LINE,
                 (false, true) => color,

@@ -9,6 +9,7 @@
 //!    └──────────────── Masks ────────────┴─ Mesh ─ Landmarks ─ Girths ─ Document
 //! ```
 
+mod base64;
 mod by_photo;
 mod camera;
 mod cameras;
@@ -35,8 +36,10 @@ mod solid;
 mod sway;
 mod tags;
 mod textured;
+mod thin;
 mod tracks;
 
+pub use base64::base64;
 pub use by_photo::{ByPhoto, PhotoId};
 pub use camera::{Camera, Intrinsics, Pose};
 pub use cameras::{Cameras, Scale, View};
@@ -50,7 +53,7 @@ pub use export_image::{gray_from_file, gray_to_png, rgb_to_jpeg, rgb_to_png};
 pub use export_marks::{cameras_to_svg, keypoints_to_png, tracks_to_png};
 pub use export_obj::{mesh_to_obj, textured_to_obj};
 pub use export_photos::photos_to_capture;
-pub use export_sheet::masks_to_sheet;
+pub use export_sheet::{mask_on_photo, masks_to_sheet};
 pub use girths::{Girth, Girths, Missing, Profile};
 pub use image::{Gray, Image, Rgb};
 pub use keypoints::{Features, Keypoint, Keypoints};
@@ -63,4 +66,5 @@ pub use solid::{Furrow, Level, Part as SolidPart, Solid};
 pub use sway::Sway;
 pub use tags::{Tag, Tags};
 pub use textured::Textured;
+pub use thin::thinned;
 pub use tracks::{Sighting, Tracks};

@@ -1,11 +1,12 @@
 //! Fewer faces for a page: vertices of a grid cell become one (Rossignac and Borrel 1993).
 
-use shape::Mesh;
+use crate::Mesh;
 use std::collections::BTreeMap;
 
-/// The mesh with at most about `most_faces` faces; as it is if it has no more.
-pub(crate) fn simplified(mesh: &Mesh, most_faces: usize) -> Mesh {
-    let mut cell = mesh.mean_edge() as f32;
+/// The mesh with at most about `most_faces` faces; as it is if it has no more. Vertices keep the
+/// colour of the first that became them.
+pub fn thinned(mesh: &Mesh, most_faces: usize) -> Mesh {
+    let mut cell = (mesh.mean_edge() as f32).max(1e-6);
     let mut small = mesh.clone();
     while small.faces.len() > most_faces {
         cell *= (small.faces.len() as f32 / most_faces as f32)
@@ -85,7 +86,8 @@ mod tests {
             mesh.faces
                 .extend([[v, v + 1, v + n + 2], [v, v + n + 2, v + n + 1]]);
         }
-        let small = simplified(&mesh, 800);
+        let small = thinned(&mesh, 800);
+        assert!(small.positions.iter().all(|p| p[2] == 0.0));
         let area = |m: &Mesh| {
             (0..m.faces.len())
                 .map(|f| m.area_vector(f).z / 2.0)
@@ -99,5 +101,15 @@ mod tests {
             area(&small),
             area(&mesh)
         );
+    }
+    #[test]
+    fn a_mesh_without_extent_ends_too() {
+        let mesh = Mesh {
+            positions: vec![[1.0; 3]; 3],
+            faces: vec![[0, 1, 2]; 40],
+            colors: vec![],
+        };
+        assert!(thinned(&mesh, 10).faces.is_empty());
+        assert_eq!(thinned(&mesh, 40), mesh);
     }
 }

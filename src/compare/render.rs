@@ -1,0 +1,133 @@
+//! A surface as a camera sees it: triangles into a buffer of depths, lit from the camera.
+
+use nalgebra::{Point2, Vector3};
+use shape::{Camera, Image, Mesh, Rgb};
+
+/// What is behind the surface. \[sRGB\]
+const BACK: [u8; 3] = [233, 234, 236];
+
+/// The surface, a colour 0..=1 a vertex, in the size of the camera's photo. Faces that reach
+/// behind the camera are left out.
+pub(super) fn render(mesh: &Mesh, camera: &Camera, color: &dyn Fn(usize) -> [f32; 3]) -> Rgb {
+    let (width, height) = (camera.lens.width as usize, camera.lens.height as usize);
+    let mut picture = Rgb::filled(width, height, BACK);
+    let mut nearest = Image::filled(width, height, 0.0f64);
+    let seen: Vec<Option<(Point2<f64>, f64)>> = (0..mesh.positions.len() as u32)
+        .map(|v| camera.project_with_depth(&mesh.point(v)))
+        .collect();
+    let normals = normals(mesh);
+    let eye = camera.centre();
+    let light: Vec<f64> = (0..mesh.positions.len())
+        .map(|v| {
+            let to_eye = (eye - mesh.point(v as u32)).normalize();
+            let n = normals[v].try_normalize(0.0).unwrap_or(to_eye);
+            0.3 + 0.7 * n.dot(&to_eye).abs()
+        })
+        .collect();
+    for face in &mesh.faces {
+        let [Some(a), Some(b), Some(c)] = face.map(|v| seen[v as usize]) else {
+            continue;
+        };
+        let lit = face.map(|v| {
+            let l = light[v as usize] as f32;
+            color(v as usize).map(|x| x * l)
+        });
+        fill([a, b, c], (width, height), &mut |x, y, share, near| {
+            // Inverse depth is linear on the picture.
+            if near > nearest.at(x, y) {
+                *nearest.at_mut(x, y) = near;
+                let mix = |k: usize| (0..3).map(|i| lit[i][k] * share[i] as f32).sum::<f32>();
+                *picture.at_mut(x, y) = [0, 1, 2].map(|k| (mix(k) * 255.0).clamp(0.0, 255.0) as u8);
+            }
+        });
+    }
+    picture
+}
+
+/// Sums of the area vectors around each vertex.
+fn normals(mesh: &Mesh) -> Vec<Vector3<f64>> {
+    let mut normals = vec![Vector3::zeros(); mesh.positions.len()];
+    for (f, face) in mesh.faces.iter().enumerate() {
+        let n = mesh.area_vector(f);
+        face.iter().for_each(|v| normals[*v as usize] += n);
+    }
+    normals
+}
+
+/// Calls `at` for each pixel whose centre lies in a triangle: its place, the shares of the
+/// corners, inverse depth.
+fn fill(
+    corners: [(Point2<f64>, f64); 3],
+    (width, height): (usize, usize),
+    at: &mut dyn FnMut(usize, usize, [f64; 3], f64),
+) {
+    let [a, b, c] = corners.map(|(p, _)| p);
+    let cross = |p: Point2<f64>, q: Point2<f64>, r: Point2<f64>| {
+        (q.x - p.x) * (r.y - p.y) - (q.y - p.y) * (r.x - p.x)
+    };
+    let whole = cross(a, b, c);
+    if whole == 0.0 || !whole.is_finite() || corners.iter().any(|(_, z)| *z <= 0.0) {
+        return;
+    }
+    let span = |values: [f64; 3], size: usize| {
+        let lo = values.into_iter().fold(f64::MAX, f64::min).ceil().max(0.0);
+        let hi = values.into_iter().fold(f64::MIN, f64::max).floor();
+        lo as usize..(hi.min(size as f64 - 1.0) + 1.0).max(0.0) as usize
+    };
+    for y in span([a.y, b.y, c.y], height) {
+        for x in span([a.x, b.x, c.x], width) {
+            let p = Point2::new(x as f64, y as f64);
+            let share = [cross(b, c, p), cross(c, a, p), cross(a, b, p)].map(|s| s / whole);
+            if share.iter().all(|s| *s >= 0.0) {
+                let near = (0..3).map(|i| share[i] / corners[i].1).sum();
+                at(x, y, share, near);
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use nalgebra::Rotation3;
+    use shape::{Intrinsics, Pose};
+
+    #[test]
+    fn the_nearer_of_two_squares_is_seen_where_it_should_be() {
+        let square = |half: f32, z: f32| {
+            [
+                [-half, -half, z],
+                [half, -half, z],
+                [half, half, z],
+                [-half, half, z],
+            ]
+        };
+        let mesh = Mesh {
+            positions: [square(50.0, 0.0), square(10.0, -100.0)].concat(),
+            faces: vec![[0, 1, 2], [0, 2, 3], [4, 5, 6], [4, 6, 7]],
+            colors: vec![],
+        };
+        // One pixel is 1 mm at the large square, which the camera sees from 1000 mm.
+        let camera = Camera {
+            lens: Intrinsics::simple(201, 201, 1000.0),
+            pose: Pose {
+                rotation: Rotation3::identity(),
+                translation: Vector3::new(0.0, 0.0, 1000.0),
+            },
+        };
+        let near_is_red = |v: usize| {
+            if v < 4 {
+                [0.0, 0.0, 1.0]
+            } else {
+                [1.0, 0.0, 0.0]
+            }
+        };
+        let picture = render(&mesh, &camera, &near_is_red);
+        let count = |f: fn(&[u8; 3]) -> bool| picture.data.iter().filter(|p| f(p)).count();
+        assert_eq!(count(|p| *p == BACK), 201 * 201 - 101 * 101);
+        // 10 mm at 900 mm are 11.1 px.
+        assert_eq!(count(|p| p[0] > 0 && p[2] == 0), 23 * 23);
+        assert!(picture.at(100, 100)[0] > 250, "seen head on");
+        assert_eq!(picture.at(100, 140)[0], 0, "the large one");
+    }
+}

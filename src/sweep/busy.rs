@@ -1,0 +1,98 @@
+//! How long at least one stage ran: what is left of a point's time is the engine's.
+
+use crate::walk::{Done, Fate, Watch};
+use std::sync::Mutex;
+use std::time::{Duration, Instant};
+
+/// Passes on what happens, and notes when each stage ran.
+pub(super) struct Busy<'a> {
+    listener: &'a dyn Watch,
+    state: Mutex<State>,
+}
+
+#[derive(Default)]
+struct State {
+    /// Stages that run: node and since when.
+    running: Vec<(String, Instant)>,
+    /// From when to when stages ran that are done.
+    spans: Vec<(Instant, Instant)>,
+}
+
+impl<'a> Busy<'a> {
+    pub(super) fn new(listener: &'a dyn Watch) -> Self {
+        Busy {
+            listener,
+            state: Mutex::default(),
+        }
+    }
+
+    /// How long at least one stage ran. \[s\]
+    pub(super) fn seconds(&self) -> f64 {
+        let mut spans = self.state.lock().expect("bug: poisoned").spans.clone();
+        spans.sort();
+        let (mut all, mut until) = (Duration::ZERO, None);
+        for (from, to) in spans {
+            let from = until.map_or(from, |until| from.max(until));
+            all += to.saturating_duration_since(from);
+            until = Some(to.max(from));
+        }
+        all.as_secs_f64()
+    }
+}
+
+impl Watch for Busy<'_> {
+    fn started(&self, node: &str) {
+        let mut state = self.state.lock().expect("bug: poisoned");
+        state.running.push((node.into(), Instant::now()));
+        drop(state);
+        self.listener.started(node);
+    }
+
+    fn waits(&self, node: &str) {
+        self.listener.waits(node);
+    }
+
+    fn progress(&self, node: &str, label: &str, done: usize, of: usize) {
+        self.listener.progress(node, label, done, of);
+    }
+
+    fn done(&self, node: &str, done: &Done) {
+        let mut state = self.state.lock().expect("bug: poisoned");
+        let at = state.running.iter().position(|(n, _)| n == node);
+        if let Some((_, from)) = at.map(|at| state.running.swap_remove(at)) {
+            // The time that the stage itself took: what it took to keep its result is the engine's.
+            let to = match done.fate {
+                Fate::Made => from + Duration::from_secs_f64(done.seconds),
+                _ => Instant::now(),
+            };
+            state.spans.push((from, to));
+        }
+        drop(state);
+        self.listener.done(node, done);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    struct Nobody;
+    impl Watch for Nobody {}
+
+    #[test]
+    fn stages_side_by_side_count_once() {
+        let busy = Busy::new(&Nobody);
+        let zero = Instant::now();
+        let at = |s: u64| zero + Duration::from_secs(s);
+        let spans = [
+            (at(5), at(7)),
+            (at(0), at(2)),
+            (at(1), at(3)),
+            (at(5), at(6)),
+        ];
+        busy.state.lock().unwrap().spans.extend(spans);
+        assert_eq!(busy.seconds(), 5.0);
+        busy.done("found", &Done::nothing(Fate::Found));
+        assert_eq!(busy.seconds(), 5.0, "what did not start did not run");
+    }
+}
