@@ -13,6 +13,7 @@ pub mod depth;
 pub mod energy;
 mod evolve_stage;
 pub mod labels;
+pub mod look;
 pub mod median;
 pub mod patch;
 pub mod picture;

@@ -3,12 +3,14 @@
 
 mod collapse;
 mod flip;
+mod order;
 mod split;
 
 use nalgebra::{Point3, Vector3};
 use shape::{Adjacency, Mesh};
 
-/// Remeshes to edges of about `edge_mm`, in so many rounds. Colours are dropped.
+/// Remeshes to edges of about `edge_mm`, in so many rounds. Neighbours in
+/// space become neighbours in memory. Colours are dropped.
 pub fn remesh(mesh: &Mesh, edge_mm: f64, rounds: usize) -> Mesh {
     let mut mesh = Mesh {
         colors: vec![],
@@ -33,7 +35,7 @@ pub fn remesh(mesh: &Mesh, edge_mm: f64, rounds: usize) -> Mesh {
         }
         relax(&mut mesh);
     }
-    mesh
+    order::ordered(&mesh)
 }
 
 /// Moves each vertex within its tangent plane towards the middle of its faces.

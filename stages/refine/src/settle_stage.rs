@@ -98,7 +98,7 @@ pub struct Settle;
 
 impl Stage for Settle {
     const NAME: &'static str = "refine.settle";
-    const VERSION: u32 = 3;
+    const VERSION: u32 = 4;
     const ABOUT: &'static str = "Refines a surface by inter-image consistency, silhouettes and a thin plate, the energy never rising.";
     type Params = SettleParams;
     type Input = SettleInput;

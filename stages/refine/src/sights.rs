@@ -2,7 +2,8 @@
 
 use crate::curvature::{shape_operators, tangents};
 use crate::depth::DepthMap;
-use crate::patch::{Frame, Look, MOST_SIGHTS, Pairing, Sight, Window};
+use crate::look::Look;
+use crate::patch::{Frame, MOST_SIGHTS, Pairing, Sight, Window};
 use crate::picture::Picture;
 use nalgebra::Vector3;
 use rayon::prelude::*;
@@ -97,7 +98,7 @@ fn sights(
     if frame.normal == Vector3::zeros() {
         return vec![];
     }
-    let radius = window.points.iter().fold(0.0f32, |r, p| r.max(p[0])) as f64 * rules.spacing_px;
+    let radius = window.half as f64 * rules.spacing_px;
     let least = rules.most_tilt.cos();
     let mut found = Vec::new();
     let mut spacing = f64::MAX;
@@ -152,7 +153,7 @@ fn sights(
         });
     }
     // A picture that agrees with none of the others is not believed: a hand in front, a highlight.
-    let count = window.points.len();
+    let count = window.len();
     let trust: Vec<f32> = (0..sights.len())
         .map(|i| {
             let others = (0..sights.len())

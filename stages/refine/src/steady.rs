@@ -71,7 +71,7 @@ pub struct Steady;
 
 impl Stage for Steady {
     const NAME: &'static str = "refine.steady";
-    const VERSION: u32 = 2;
+    const VERSION: u32 = 3;
     const ABOUT: &'static str = "Finds how the body swayed against the disk, six numbers a photo, and gives the cameras as seen from the body.";
     type Params = SteadyParams;
     type Input = SteadyInput;

@@ -4,7 +4,8 @@
 //! carries the surface onto that photo: brightness of the photo against the mean of the others'
 //! wherever the surface carries texture, and the silhouette's rim everywhere.
 
-use crate::patch::{Look, MOST_SIGHTS, Window, dot};
+use crate::look::{Look, MOST_POINTS, dot};
+use crate::patch::{MOST_SIGHTS, Window};
 use crate::picture::Picture;
 use crate::rims::Pull;
 use crate::sights::Sights;
@@ -82,7 +83,7 @@ pub fn tugs_of_brightness(
     window: &Window,
     leash: &Leash,
 ) -> Vec<Tug> {
-    let count = window.points.len();
+    let count = window.len();
     let chunk = 512;
     let chunks: Vec<Vec<Tug>> = (0..sights.frames.len().div_ceil(chunk))
         .into_par_iter()
@@ -108,7 +109,7 @@ pub fn tugs_of_brightness(
                     continue;
                 }
                 for (i, sight) in seen.iter().enumerate() {
-                    let mut others = [0.0f32; crate::patch::MOST_POINTS];
+                    let mut others = [0.0f32; MOST_POINTS];
                     let mut weight = 0.0;
                     for (j, other) in seen.iter().enumerate().filter(|(j, _)| *j != i) {
                         let w = other.weight;

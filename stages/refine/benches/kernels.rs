@@ -1,0 +1,233 @@
+//! What each kernel of the refinement costs: `cargo bench -p refine`, or `-- 400` for a mesh of about
+//! 400 thousand faces. A textured ball before 18 cameras of 1600×2400; the least of three, on one
+//! thread and on all.
+
+use nalgebra::{Matrix3x4, Point3, Rotation3, Vector3};
+use refine::curvature::{Laplacian, shape_operators};
+use refine::depth::DepthMap;
+use refine::energy::Forces;
+use refine::patch::{Pairing, Window};
+use refine::picture::{Picture, halved};
+use refine::remesh::{relax, remesh};
+use refine::rims::pulls;
+use refine::settle::{Rest, settle};
+use refine::sights::{Sighting, Sights};
+use refine::smooth::ring_median;
+use refine::sweep::sweep;
+use shape::{Adjacency, Gray, Mesh};
+use std::time::Instant;
+
+const RADIUS: f64 = 400.0;
+const SIZE: [usize; 2] = [1600, 2400];
+
+/// The ball from a ring of cameras, brightness a few waves through space.
+fn picture(k: usize) -> Picture {
+    let angle = k as f64 * std::f64::consts::TAU / 18.0;
+    let centre = Point3::new(3000.0 * angle.cos(), 3000.0 * angle.sin(), 300.0);
+    let forward = (Point3::origin() - centre).normalize();
+    let right = forward.cross(&Vector3::z()).normalize();
+    let axes = [right, forward.cross(&right), forward].map(|a| a.transpose());
+    let rotation = Rotation3::from_matrix_unchecked(nalgebra::Matrix3::from_rows(&axes));
+    let focal = 4500.0;
+    let middle = SIZE.map(|n| (n as f64 - 1.0) / 2.0);
+    let lens = nalgebra::Matrix3::new(focal, 0.0, middle[0], 0.0, focal, middle[1], 0.0, 0.0, 1.0);
+    let mut pose = Matrix3x4::zeros();
+    pose.fixed_view_mut::<3, 3>(0, 0)
+        .copy_from(rotation.matrix());
+    pose.set_column(3, &-(rotation * centre.coords));
+    let (mut gray, mut inside) = (
+        Gray::filled(SIZE[0], SIZE[1], 30.0),
+        Gray::filled(SIZE[0], SIZE[1], -99.0),
+    );
+    for y in 0..SIZE[1] {
+        for x in 0..SIZE[0] {
+            let (u, v) = (
+                (x as f64 - middle[0]) / focal,
+                (y as f64 - middle[1]) / focal,
+            );
+            let ray = (axes[0].transpose() * u + axes[1].transpose() * v + forward).normalize();
+            let b = centre.coords.dot(&ray);
+            let nearest = (centre.coords.norm_squared() - b * b).sqrt();
+            *inside.at_mut(x, y) = ((RADIUS - nearest) * focal / 3000.0) as f32;
+            let root = b * b - centre.coords.norm_squared() + RADIUS * RADIUS;
+            if root > 0.0 {
+                let p = centre + ray * (-b - root.sqrt());
+                let waves = (0.9 * p.x + 0.4 * p.z).sin()
+                    + (0.7 * p.y - 0.8 * p.z).sin()
+                    + (1.3 * p.z + 0.3 * p.x).sin();
+                *gray.at_mut(x, y) = (128.0 + 25.0 * waves) as f32;
+            }
+        }
+    }
+    Picture {
+        gray,
+        projection: lens * pose,
+        centre,
+        focal,
+        inside: Some(inside),
+        noise: 1.0,
+    }
+}
+
+/// A ball with edges of this length.
+fn ball(edge_mm: f64) -> Mesh {
+    let s = RADIUS as f32;
+    let corner = |x, y, z| [x * s, y * s, z * s];
+    let mut mesh = Mesh {
+        positions: vec![
+            corner(1.0, 0.0, 0.0),
+            corner(-1.0, 0.0, 0.0),
+            corner(0.0, 1.0, 0.0),
+            corner(0.0, -1.0, 0.0),
+            corner(0.0, 0.0, 1.0),
+            corner(0.0, 0.0, -1.0),
+        ],
+        faces: vec![
+            [0, 2, 4],
+            [2, 1, 4],
+            [1, 3, 4],
+            [3, 0, 4],
+            [2, 0, 5],
+            [1, 2, 5],
+            [3, 1, 5],
+            [0, 3, 5],
+        ],
+        colors: vec![],
+    };
+    let round = |mesh: &mut Mesh| {
+        for p in &mut mesh.positions {
+            let long = p.iter().map(|x| x * x).sum::<f32>().sqrt();
+            *p = p.map(|x| x / long * s);
+        }
+    };
+    let mut edge = RADIUS / 2.0;
+    while edge > edge_mm {
+        mesh = remesh(&mesh, edge, 2);
+        round(&mut mesh);
+        edge = (edge / 1.6).max(edge_mm * 0.999);
+    }
+    mesh = remesh(&mesh, edge_mm, 2);
+    round(&mut mesh);
+    mesh
+}
+
+/// The least time of three. \[ms\]
+fn least<T>(mut once: impl FnMut() -> T) -> f64 {
+    let time = |_| {
+        let start = Instant::now();
+        std::hint::black_box(once());
+        start.elapsed().as_secs_f64() * 1e3
+    };
+    (0..3).map(time).fold(f64::INFINITY, f64::min)
+}
+
+fn main() {
+    let arguments: Vec<String> = std::env::args().collect();
+    let thousands = arguments.iter().find_map(|a| a.parse::<f64>().ok());
+    let faces = thousands.unwrap_or(200.0) * 1e3;
+    // Area of an even triangle of edge e: √3/4 e².
+    let area = 4.0 * std::f64::consts::PI * RADIUS * RADIUS;
+    let mesh = ball((area / faces / 0.433).sqrt());
+    let pictures: Vec<Picture> = (0..18).map(picture).collect();
+    let count = mesh.positions.len();
+    let cores = std::thread::available_parallelism().map_or(1, usize::from);
+    println!(
+        "{} faces, {count} vertices, 18 photos of 1600×2400; milliseconds",
+        mesh.faces.len()
+    );
+    println!(
+        "{:28} {:>9} {:>9} {:>14}",
+        "",
+        "1 thread",
+        format!("{cores} threads"),
+        "ns a vertex, 1"
+    );
+    let pools = [1, cores].map(|n| {
+        let pool = rayon::ThreadPoolBuilder::new().num_threads(n).build();
+        pool.expect("a pool of threads")
+    });
+    let tell = |name: &str, run: &(dyn Fn() + Sync)| {
+        let [one, all] = [0, 1].map(|k| least(|| pools[k].install(run)));
+        println!(
+            "{name:28} {one:9.1} {all:9.1} {:14.0}",
+            one * 1e6 / count as f64
+        );
+    };
+    let window = Window::new(4, true);
+    let cosine = [50f64, 3.0].map(|d| d.to_radians().cos() as f32);
+    let rules = Sighting {
+        most_tilt: 65f64.to_radians(),
+        spacing_px: 1.0,
+        pairing: Pairing { cosine },
+        noise_gain: 4.0,
+    };
+    let around = Adjacency::new(&mesh);
+    let normals = mesh.normals();
+    let x: Vec<_> = (0..count as u32).map(|v| mesh.point(v).coords).collect();
+    let laplacian = Laplacian::new(&mesh, &around);
+    let rest = Rest::new(&laplacian, &x, &normals, 20);
+    let sights = Sights::new(&mesh, &around, &pictures, &window, &rules);
+    let rims = pulls(&mesh, &around, &normals, &pictures, 3.0);
+    let footprint = 3000.0 / 4500.0;
+    let plate = 0.04 * 8f64.powi(4) * footprint * footprint;
+    let forces = Forces {
+        pictures: &pictures,
+        sights: &sights,
+        rules: &rules,
+        window: &window,
+        pulls: &rims,
+        laplacian: &laplacian,
+        footprint,
+        rim: 0.3,
+        rest: &rest,
+        plate,
+        anchor: 1e-4,
+    };
+    let still = vec![0.0; count];
+    let seen = forces.agreements::<true>(&still);
+    let springs = forces.springs(&seen);
+    tell("halving one photo", &|| drop(halved(&pictures[0].gray)));
+    tell("depth map of one photo", &|| {
+        drop(DepthMap::new(&mesh, &pictures[0], 2.0));
+    });
+    tell("shape operators", &|| {
+        drop(shape_operators(&mesh, &around, &normals, 0.1));
+    });
+    tell("visibility and weights", &|| {
+        drop(Sights::new(&mesh, &around, &pictures, &window, &rules));
+    });
+    tell("consistency", &|| drop(forces.agreements::<false>(&still)));
+    tell("consistency and its slope", &|| {
+        drop(forces.agreements::<true>(&still));
+    });
+    tell("rims", &|| {
+        drop(pulls(&mesh, &around, &normals, &pictures, 3.0));
+    });
+    tell("Laplacian", &|| drop(Laplacian::new(&mesh, &around)));
+    tell("rest shape, 20 rings", &|| {
+        drop(Rest::new(&laplacian, &x, &normals, 20));
+    });
+    tell("settling, 60 rounds of CG", &|| {
+        drop(settle(&springs, &laplacian, &x, &normals, &rest, plate, 60));
+    });
+    tell("weighted median", &|| {
+        let mut springs = springs.clone();
+        let weights = (1.0, 1.0);
+        ring_median(
+            &mesh,
+            &around,
+            &laplacian,
+            &normals,
+            &mut springs,
+            weights,
+            footprint,
+        );
+    });
+    tell("search, 9 places", &|| {
+        drop(sweep(&forces, &around, 5, 3, footprint))
+    });
+    tell("relaxing", &|| relax(&mut mesh.clone()));
+    tell("remeshing to other edges", &|| {
+        drop(remesh(&mesh, mesh.mean_edge() * 0.9, 1));
+    });
+}
