@@ -109,4 +109,15 @@ impl Forces<'_> {
         let bent = self.rest.energy(self.laplacian, &moved, &normals);
         photo + 0.5 * rims + self.plate * bent
     }
+    /// The longest of a few shares of a step that lowers the energy; 0 where none does.
+    pub fn falls(&self, x: &[Vector3<f64>], d: &[f64], before: f64) -> f64 {
+        for share in [1.0, 0.5, 0.25, 0.1] {
+            let d: Vec<f64> = d.iter().map(|d| d * share).collect();
+            let seen = self.agreements::<false>(&d);
+            if self.energy(&seen, &d, x) < before {
+                return share;
+            }
+        }
+        0.0
+    }
 }

@@ -8,6 +8,7 @@
 //! ```
 
 pub mod atlas;
+pub mod crossing;
 pub mod curvature;
 pub mod depth;
 pub mod energy;

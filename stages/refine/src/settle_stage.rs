@@ -1,9 +1,10 @@
 //! The stage that refines a surface level by level, its energy never rising.
 
+use crate::crossing::{crossings, part, unfold};
 use crate::curvature::Laplacian;
 use crate::energy::Forces;
 use crate::evolve_stage::Flow;
-use crate::patch::{Agreement, Pairing, Window};
+use crate::patch::{Pairing, Window};
 use crate::picture::Picture;
 use crate::remesh::{relax, remesh};
 use crate::rims::pulls;
@@ -98,7 +99,7 @@ pub struct Settle;
 
 impl Stage for Settle {
     const NAME: &'static str = "refine.settle";
-    const VERSION: u32 = 4;
+    const VERSION: u32 = 6;
     const ABOUT: &'static str = "Refines a surface by inter-image consistency, silhouettes and a thin plate, the energy never rising.";
     type Params = SettleParams;
     type Input = SettleInput;
@@ -121,6 +122,7 @@ impl Stage for Settle {
         if p.edge_px > 0.0 {
             mesh = remesh(&mesh, p.edge_px * footprint, 4);
         }
+        unfold(&mut mesh);
         let steps = ctx.steps("rounds", p.rounds as usize);
         let mut state = Checkpoint {
             mesh,
@@ -151,9 +153,14 @@ impl Stage for Settle {
         if told.consistency < told.before - 0.02 {
             ctx.warn("the photos agree less on the settled surface than on the one that came in");
         }
+        let crossed = crossings(&mesh).len();
+        if crossed * 1000 > mesh.faces.len() {
+            ctx.warn(format!("{crossed} pairs of faces pass through each other"));
+        }
         ctx.metric("consistency", told.consistency, "");
         ctx.metric("seen twice", told.seen, "");
         ctx.metric("rim gap", told.gap_px, "px");
+        ctx.metric("crossing faces", crossed as f64, "pairs");
         ctx.metric("faces", mesh.faces.len() as f64, "");
         Ok(mesh)
     }
@@ -206,6 +213,7 @@ fn one_round(
         noise_gain: p.noise_gain,
     };
     let around = Adjacency::new(mesh);
+    let start = mesh.positions.clone();
     let mut told = Told::default();
     let searches = usize::from(begin && p.reach_px > 0.0);
     for step in 0..p.steps as usize + searches {
@@ -270,7 +278,7 @@ fn one_round(
         let taken = if searching {
             1.0
         } else {
-            line_search(&forces, &x, &d, before)
+            forces.falls(&x, &d, before)
         };
         if taken == 0.0 {
             break;
@@ -281,17 +289,6 @@ fn one_round(
         }
         relax(mesh);
     }
+    part(mesh, &start, &around);
     Ok(told)
-}
-
-/// The longest of a few shares of a step that lowers the energy; 0 where none does.
-fn line_search(forces: &Forces<'_>, x: &[Vector3<f64>], d: &[f64], before: f64) -> f64 {
-    for share in [1.0, 0.5, 0.25, 0.1] {
-        let d: Vec<f64> = d.iter().map(|d| d * share).collect();
-        let seen: Vec<Agreement> = forces.agreements::<false>(&d);
-        if forces.energy(&seen, &d, x) < before {
-            return share;
-        }
-    }
-    0.0
 }
