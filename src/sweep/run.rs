@@ -200,31 +200,37 @@ fn told(
     done: bool,
 ) -> Result<(Vec<(String, Option<Metric>)>, Vec<String>), String> {
     let mut known: BTreeMap<usize, Vec<Metric>> = BTreeMap::new();
+    let plain = |node: usize| -> Vec<Metric> {
+        let Some(done) = &outcome.nodes[node] else {
+            return vec![];
+        };
+        let beside = [
+            ("seconds", done.seconds, "s"),
+            ("bytes", done.bytes as f64, "B"),
+        ];
+        let beside = beside.map(|(name, value, unit)| Metric {
+            name: name.into(),
+            value,
+            unit: unit.into(),
+        });
+        done.metrics.iter().cloned().chain(beside).collect()
+    };
     let mut of = |node: usize| -> Vec<Metric> {
-        known
-            .entry(node)
-            .or_insert_with(|| {
-                let Some(done) = &outcome.nodes[node] else {
-                    return vec![];
-                };
-                let mut all = done.metrics.clone();
-                let plain = |name: &str, value, unit: &str| Metric {
-                    name: name.into(),
-                    value,
-                    unit: unit.into(),
-                };
-                all.push(plain("seconds", done.seconds, "s"));
-                all.push(plain("bytes", done.bytes as f64, "B"));
-                all.extend(outcome.artifact(graph, node).map_or(vec![], facts));
-                all
-            })
-            .clone()
+        let all = known.entry(node).or_insert_with(|| {
+            let mut all = plain(node);
+            all.extend(outcome.artifact(graph, node).map_or(vec![], facts));
+            all
+        });
+        all.clone()
     };
     let mut told = Vec::new();
     for asked in sweeping.tell.iter().filter(|t| !t.starts_with("error.")) {
         let (node, name) = asked.split_once('.').unwrap_or((asked, ""));
-        let found = graph.node(node).map_or(vec![], &mut of);
-        let metric = found.into_iter().find(|m| m.name == name);
+        let find = |all: Vec<Metric>| all.into_iter().find(|m| m.name == name);
+        // The result itself is read only for what nobody told of it.
+        let metric = graph
+            .node(node)
+            .and_then(|node| find(plain(node)).or_else(|| find(of(node))));
         told.push((asked.clone(), metric));
     }
     if sweeping.tell.is_empty() {
