@@ -224,7 +224,7 @@ pub fn largest(sides: &Image<bool>, background: &dyn Fn(usize) -> f32) -> Image<
 
 /// Connected parts (four neighbours) of the pixels of one side: number of each pixel's part or
 /// `u32::MAX`, and sizes.
-fn parts(sides: &Image<bool>, of: bool) -> (Image<u32>, Vec<usize>) {
+pub(crate) fn parts(sides: &Image<bool>, of: bool) -> (Image<u32>, Vec<usize>) {
     let mut parts = Image {
         width: sides.width,
         height: sides.height,

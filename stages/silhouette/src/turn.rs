@@ -1,23 +1,27 @@
 //! The scene without its subject when nobody took a plate: out of all photos of the turn.
 
-use crate::backdrop::{Backdrop, backdrop, middle, still, thinned};
+use crate::backdrop::{Backdrop, middle, still, thinned};
+use crate::background::on_disk;
 use crate::coherence::agreed;
+use crate::disk_colors::{body_colors, disk_colors, disk_cost, on_the_disk};
 use crate::disk_top::{laid_out, lay_into, point};
-use crate::gmm::Gmm;
+use crate::nearby::Nearby;
 use crate::photo_cut::{Prepared, UNSEEN, coarse, prepare};
-use crate::segment::{Known, Settings};
+use crate::recur::recurring;
+use crate::segment::{Known, Settings, parts};
+use nalgebra::Point2;
 use rayon::prelude::*;
 use shape::{Camera, Cameras, Image, Mask, PhotoId, Rgb};
 
 /// Rounds of finding masks and the background by turns.
-const ROUNDS: usize = 3;
+const ROUNDS: usize = 2;
 /// Pixels around a mask that do not tell of the background.
 pub(crate) const SHY: usize = 2;
 
-/// What it costs to find a colour of the room at another place than there.
-const ELSEWHERE: f32 = 4.0;
-/// Clusters of the room's colours.
-const CLUSTERS: usize = 12;
+/// A part of the room that is seen amid the turn must be so large a share of the photo.
+const ISLAND: f64 = 0.004;
+/// Agreement of photos, each of which gives 1 at most, that suffices once masks are known.
+const SOME: f32 = 0.3;
 
 /// A photo, reduced, with its camera at that size.
 pub struct Shot {
@@ -58,10 +62,9 @@ impl Scene {
     }
 }
 
-/// Finds the scene from reduced photos; `covered` as in [`backdrop`].
-fn scene(shots: &[Shot], radius: f64, covered: Option<&[Image<bool>]>) -> Scene {
-    let smalls: Vec<Rgb> = shots.iter().map(|s| s.small.clone()).collect();
-    let room = backdrop(&smalls, covered);
+/// Finds the scene from reduced photos; `covered` names the photos (first) and pixels (second) that
+/// cannot show it.
+pub(crate) fn scene(shots: &[Shot], room: Backdrop, radius: f64, covered: &[Image<bool>]) -> Scene {
     let cameras: Vec<Camera> = shots.iter().map(|s| s.camera).collect();
     let side = full_side(&cameras, radius);
     let nowhere = Backdrop {
@@ -87,7 +90,7 @@ fn scene(shots: &[Shot], radius: f64, covered: Option<&[Image<bool>]>) -> Scene 
             at.x.round().max(0.0) as usize,
             at.y.round().max(0.0) as usize,
         );
-        covered.is_some_and(|c| x < c[k].width && y < c[k].height && c[k].at(x, y))
+        x < covered[k].width && y < covered[k].height && covered[k].at(x, y)
     };
     let hidden: Vec<Image<bool>> = (0..shots.len())
         .into_par_iter()
@@ -139,14 +142,21 @@ pub fn without_plate(
     let radius = cameras.disk_radius_mm.unwrap_or(0.0);
     let smalls: Vec<Rgb> = shots.iter().map(|s| s.small.clone()).collect();
     let still = still(&smalls);
-    let mut around = scene(shots, radius, None);
-    // What never changes amid the turn may be a body that always covers it.
-    for (seen, still) in around.room.seen.data.iter_mut().zip(&still.data) {
-        *seen &= *still != Some(false);
-    }
+    let first = recurring(&smalls, None, 1.0);
+    let mut room = first.backdrop;
+    // What agrees here and there amid what does not is the body.
+    without_islands(&mut room.seen);
+    let body = body_colors(shots, &room, radius);
+    let mut covered = on_the_disk(shots, &room, body.as_ref(), radius);
     let mut cuts: Vec<Option<Image<bool>>> = Vec::new();
-    for _ in 0..ROUNDS {
-        let colors = room_colors(&around.room);
+    for round in 0..ROUNDS {
+        if round > 0 {
+            room = recurring(&smalls, Some(&covered), SOME).backdrop;
+            without_islands(&mut room.seen);
+        }
+        let around = scene(shots, room.clone(), radius, &covered);
+        let of_disk = disk_colors(&around.disk, 0.0);
+        let nearby = Nearby::of(&around.room);
         let ready: Vec<Prepared> = shots
             .par_iter()
             .map(|shot| {
@@ -155,10 +165,11 @@ pub fn without_plate(
                     if *still == Some(true) {
                         ready.known[i] = Known::Background;
                     }
-                    // Where nobody saw the room, its colours elsewhere serve.
-                    if let (true, Some(room)) = (ready.cost[i] == UNSEEN, &colors) {
-                        let elsewhere = room.cost(shot.small.data[i]) as f32 + ELSEWHERE;
-                        ready.cost[i] = ready.cost[i].min(elsewhere);
+                    if ready.cost[i] == UNSEEN {
+                        ready.cost[i] = ready.cost[i].min(match shot.shows_disk(i, radius) {
+                            true => disk_cost(of_disk.as_ref(), shot.small.data[i]),
+                            false => nearby.cost(&shot.small, i).unwrap_or(UNSEEN),
+                        });
                     }
                 }
                 ready
@@ -181,7 +192,7 @@ pub fn without_plate(
                 coarse(&ready, settings).map(|(sides, _)| sides)
             })
             .collect();
-        let covered: Vec<Image<bool>> = cuts
+        covered = cuts
             .iter()
             .zip(shots)
             .map(|(cut, shot)| match cut {
@@ -189,34 +200,25 @@ pub fn without_plate(
                 None => Image::filled(shot.small.width, shot.small.height, false),
             })
             .collect();
-        around = scene(shots, radius, Some(&covered));
     }
     cuts
 }
 
-/// The colours of the room where it was seen, in the columns and rows in which it was not.
-fn room_colors(room: &Backdrop) -> Option<Gmm> {
-    let (w, h) = (room.seen.width, room.seen.height);
-    let unseen = (0..w * h).filter(|i| !room.seen.data[*i]);
-    let (mut left, mut right, mut top, mut bottom) = (w, 0, h, 0);
-    for i in unseen {
-        (left, right) = (left.min(i % w), right.max(i % w));
-        (top, bottom) = (top.min(i / w), bottom.max(i / w));
+impl Shot {
+    /// Whether a pixel looks at the disk's top, or what stands on it.
+    pub(crate) fn shows_disk(&self, i: usize, radius: f64) -> bool {
+        let at = Point2::new((i % self.small.width) as f64, (i / self.small.width) as f64);
+        radius > 0.0 && on_disk(&self.camera, at, radius).is_some()
     }
-    let near = |i: &usize| {
-        (left.saturating_sub(w / 8)..=right + w / 8).contains(&(i % w))
-            && (top.saturating_sub(h / 8)..=bottom + h / 8).contains(&(i / w))
-    };
-    let colors: Vec<[u8; 3]> = (0..w * h)
-        .filter(|i| room.seen.data[*i] && near(i))
-        .map(|i| room.image.data[i])
-        .collect();
-    let some: Vec<[u8; 3]> = colors
-        .iter()
-        .copied()
-        .step_by(colors.len() / 8000 + 1)
-        .collect();
-    Gmm::fit(&some, CLUSTERS)
+}
+
+/// Drops small parts of what is seen.
+fn without_islands(seen: &mut Image<bool>) {
+    let least = (seen.data.len() as f64 * ISLAND) as usize;
+    let (of, sizes) = parts(seen, true);
+    for (seen, of) in seen.data.iter_mut().zip(&of.data) {
+        *seen &= *of != u32::MAX && sizes[*of as usize] >= least;
+    }
 }
 
 fn one(shot: &Shot, around: &Scene, radius: f64, disk_side_mm: f64) -> Prepared {

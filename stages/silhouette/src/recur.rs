@@ -1,0 +1,286 @@
+//! What comes again to the level is background: patches that photos of a turn share.
+//!
+//! The room stands still, so where two photos show it their patches differ by noise alone. A body
+//! that has turned between them does not look the same to the level, be it ever so plain: its shade
+//! changes. So patches are held against each other pair by pair, and the photos that agree with most
+//! others show the background.
+
+use crate::backdrop::Backdrop;
+use rayon::prelude::*;
+use shape::{Image, Rgb};
+
+/// Half the side of a patch. \[px\]
+const REACH: usize = 2;
+/// Patches may differ by so much more than those of most pixels do.
+const OUTLIER: f32 = 3.5;
+/// Least and greatest squared difference that counts as noise before [`OUTLIER`]. \[levels²\]
+const NOISE: (f32, f32) = (0.4, 12.0);
+/// Share of a patch's own contrast by which it may differ: cameras tremble by a part of a pixel.
+const TREMBLE: f32 = 0.005;
+/// Photos that each is held against, at most: more of them tell nothing new.
+const PARTNERS: usize = 9;
+
+/// What most photos agree on.
+#[derive(Debug, Clone)]
+pub struct Recurring {
+    /// What they show, where any agree.
+    pub backdrop: Backdrop,
+    /// Of each photo: where it agrees.
+    pub agrees: Vec<Image<bool>>,
+}
+
+/// Sums over all pixels left of and above; differences of them are right though they wrap around.
+struct Sums {
+    width: usize,
+    data: Vec<u32>,
+}
+
+impl Sums {
+    fn of(width: usize, height: usize, value: impl Fn(usize) -> u32) -> Self {
+        let wide = width + 1;
+        let mut data = vec![0u32; wide * (height + 1)];
+        for y in 0..height {
+            let mut row = 0u32;
+            for x in 0..width {
+                row = row.wrapping_add(value(y * width + x));
+                data[(y + 1) * wide + x + 1] = data[y * wide + x + 1].wrapping_add(row);
+            }
+        }
+        Sums { width, data }
+    }
+
+    /// Sum over the patch around a pixel, cut off at the border.
+    fn around(&self, x: usize, y: usize) -> u32 {
+        let (wide, tall) = (self.width + 1, self.data.len() / (self.width + 1));
+        let (x0, x1) = (x.saturating_sub(REACH), (x + REACH + 1).min(wide - 1));
+        let (y0, y1) = (y.saturating_sub(REACH), (y + REACH + 1).min(tall - 1));
+        let at = |x: usize, y: usize| self.data[y * wide + x];
+        let plus = at(x1, y1).wrapping_add(at(x0, y0));
+        plus.wrapping_sub(at(x1, y0)).wrapping_sub(at(x0, y1))
+    }
+}
+
+/// Mean squared difference of the patches of two photos around each pixel, per channel. \[levels²\]
+fn differences(a: &Rgb, b: &Rgb) -> Vec<f32> {
+    let (w, h) = (a.width, a.height);
+    let squared = |i: usize| -> u32 {
+        let off = |c: usize| u32::from(a.data[i][c].abs_diff(b.data[i][c]));
+        (0..3).map(|c| off(c) * off(c)).sum()
+    };
+    let count = |x: usize, y: usize| {
+        let along = |v: usize, n: usize| (v + REACH + 1).min(n) - v.saturating_sub(REACH);
+        (along(x, w) * along(y, h) * 3) as f32
+    };
+    let sums = Sums::of(w, h, squared);
+    let one = |i: usize| sums.around(i % w, i / w) as f32 / count(i % w, i / w);
+    (0..w * h).map(one).collect()
+}
+
+/// Squared contrast within the patch around each pixel, per channel. \[levels²\]
+fn contrast(photo: &Rgb) -> Vec<f32> {
+    let (w, h) = (photo.width, photo.height);
+    let steep = |i: usize| -> u32 {
+        let (x, y) = (i % w, i / w);
+        let off = |j: usize| -> u32 {
+            let one = |c: usize| u32::from(photo.data[i][c].abs_diff(photo.data[j][c]));
+            (0..3).map(|c| one(c) * one(c)).sum()
+        };
+        let right = if x + 1 < w { off(i + 1) } else { 0 };
+        right + if y + 1 < h { off(i + w) } else { 0 }
+    };
+    let sums = Sums::of(w, h, steep);
+    let area = ((2 * REACH + 1) * (2 * REACH + 1) * 3) as f32;
+    (0..w * h)
+        .map(|i| sums.around(i % w, i / w) as f32 / area)
+        .collect()
+}
+
+/// Pairs of photos that are held against each other.
+fn pairs(count: usize) -> Vec<(usize, usize)> {
+    let half = count / 2;
+    let mut steps: Vec<usize> = (1..=PARTNERS.min(half))
+        .map(|i| (i * half).div_ceil(PARTNERS.min(half)))
+        .collect();
+    steps.dedup();
+    let all = steps
+        .iter()
+        .flat_map(|s| (0..count).map(move |k| (k, (k + s) % count)));
+    let mut all: Vec<(usize, usize)> = all.map(|(a, b)| (a.min(b), a.max(b))).collect();
+    all.sort_unstable();
+    all.dedup();
+    all
+}
+
+/// What photos that share it pixel for pixel agree on. `hidden` names the photos (first) and pixels
+/// (second) that cannot show it; `least` is the agreement with others, each of which gives 1 at most,
+/// that makes a pixel seen.
+pub fn recurring(photos: &[Rgb], hidden: Option<&[Image<bool>]>, least: f32) -> Recurring {
+    let (w, h) = photos.first().map_or((0, 0), |p| (p.width, p.height));
+    let pairs = pairs(photos.len());
+    let rough: Vec<Vec<f32>> = photos.par_iter().map(contrast).collect();
+    let open = |k: usize, i: usize| hidden.is_none_or(|hidden| !hidden[k].data[i]);
+    // How far each pair agrees at each pixel, in 255ths.
+    let agreement: Vec<Vec<u8>> = pairs
+        .par_iter()
+        .map(|(a, b)| {
+            let far = differences(&photos[*a], &photos[*b]);
+            let both = |i: &usize| open(*a, *i) && open(*b, *i);
+            let mut usual: Vec<f32> = (0..w * h).step_by(3).filter(both).map(|i| far[i]).collect();
+            usual.sort_by(f32::total_cmp);
+            let noise = usual.get(usual.len() * 2 / 5).copied().unwrap_or(0.0);
+            let noise = noise.clamp(NOISE.0, NOISE.1);
+            let one = |i: usize| {
+                let most = OUTLIER * noise + TREMBLE * rough[*a][i].min(rough[*b][i]);
+                let share = if both(&i) { 1.0 - far[i] / most } else { 0.0 };
+                (share.max(0.0) * 255.0) as u8
+            };
+            (0..w * h).map(one).collect()
+        })
+        .collect();
+    let rows: Vec<(Vec<[u8; 3]>, Vec<bool>, Vec<Vec<bool>>)> = (0..h)
+        .into_par_iter()
+        .map(|y| {
+            let mut row = (
+                vec![[0; 3]; w],
+                vec![false; w],
+                vec![vec![false; w]; photos.len()],
+            );
+            for x in 0..w {
+                let i = y * w + x;
+                let mut worth = vec![0u32; photos.len()];
+                for ((a, b), told) in pairs.iter().zip(&agreement) {
+                    worth[*a] += u32::from(told[i]);
+                    worth[*b] += u32::from(told[i]);
+                }
+                let Some(best) = (0..worth.len()).max_by_key(|k| (worth[*k], usize::MAX - k))
+                else {
+                    continue;
+                };
+                if (worth[best] as f32) < least * 255.0 {
+                    continue;
+                }
+                let (mut sum, mut count) = ([0u32; 3], 0u32);
+                let mut take = |k: usize| {
+                    (0..3).for_each(|c| sum[c] += u32::from(photos[k].data[i][c]));
+                    count += 1;
+                    row.2[k][x] = true;
+                };
+                take(best);
+                for ((a, b), told) in pairs.iter().zip(&agreement) {
+                    if told[i] > 0 && (*a == best || *b == best) {
+                        take(a + b - best);
+                    }
+                }
+                row.0[x] = sum.map(|s| ((s + count / 2) / count) as u8);
+                row.1[x] = true;
+            }
+            row
+        })
+        .collect();
+    let image = |data| Image {
+        width: w,
+        height: h,
+        data,
+    };
+    let agrees = (0..photos.len())
+        .map(|k| image(rows.iter().flat_map(|r| r.2[k].iter().copied()).collect()))
+        .collect();
+    Recurring {
+        backdrop: Backdrop {
+            image: Image {
+                width: w,
+                height: h,
+                data: rows.iter().flat_map(|r| r.0.iter().copied()).collect(),
+            },
+            seen: image(rows.iter().flat_map(|r| r.1.iter().copied()).collect()),
+        },
+        agrees,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A wall before which a plain block swings to and fro; turning changes its shade.
+    fn turn(dice: &mut proof::Dice) -> (Rgb, Vec<Rgb>, Vec<Image<bool>>) {
+        let mut wall = Rgb::filled(60, 40, [0; 3]);
+        for p in &mut wall.data {
+            *p = [0, 1, 2].map(|_| dice.within(60.0, 200.0) as u8);
+        }
+        let (mut photos, mut bodies) = (Vec::new(), Vec::new());
+        for (k, left) in [20, 22, 24, 26, 28, 30, 30, 28, 26, 24, 22, 20]
+            .into_iter()
+            .enumerate()
+        {
+            let body =
+                |i: usize| (left..left + 14).contains(&(i % 60)) && (8..32).contains(&(i / 60));
+            let mut photo = wall.clone();
+            for (i, p) in photo.data.iter_mut().enumerate() {
+                let shade = 25.0 * (k as f64 * 1.1 + (i % 60) as f64 * 0.2).sin();
+                let shown = if body(i) {
+                    [210.0 + shade, 180.0 + shade, 160.0 + shade]
+                } else {
+                    p.map(f64::from)
+                };
+                let noise = dice.within(-1.5, 1.5);
+                *p = shown.map(|c| (c + noise).round() as u8);
+            }
+            photos.push(photo);
+            let data = (0..2400).map(body).collect();
+            bodies.push(Image {
+                width: 60,
+                height: 40,
+                data,
+            });
+        }
+        (wall, photos, bodies)
+    }
+
+    #[test]
+    fn the_wall_is_found_though_a_plain_body_covers_it_most_of_the_time() {
+        let (wall, photos, bodies) = turn(&mut proof::Dice(2));
+        let told = recurring(&photos, None, 1.0);
+        let off = |x: usize| {
+            let (got, want) = (told.backdrop.image.at(x, 20), wall.at(x, 20));
+            (0..3).map(|c| got[c].abs_diff(want[c])).max().unwrap()
+        };
+        // The body leaves these columns free on four photos of twelve.
+        for x in [23, 40] {
+            assert!(
+                told.backdrop.seen.at(x, 20) && off(x) <= 2,
+                "{x}: {}",
+                off(x)
+            );
+        }
+        // Never free: nobody saw the wall there, and what there is is not called so.
+        assert!((31..33).all(|x| !told.backdrop.seen.at(x, 20)));
+        let wrong = |k: usize| {
+            (0..2400)
+                .filter(|i| told.agrees[k].data[*i] && bodies[k].data[*i])
+                .count()
+        };
+        assert!((0..12).map(wrong).sum::<usize>() < 12 * 14 * 24 / 20);
+    }
+
+    #[test]
+    fn hidden_photos_are_not_asked() {
+        let (wall, mut photos, _) = turn(&mut proof::Dice(3));
+        // Seven photos agree on a blot that two do not show.
+        for photo in &mut photos[..7] {
+            (0..2400)
+                .filter(|i| i % 60 < 12)
+                .for_each(|i| photo.data[i] = [9, 90, 9]);
+        }
+        let hidden: Vec<Image<bool>> = (0..12).map(|k| Image::filled(60, 40, k < 7)).collect();
+        assert_eq!(
+            recurring(&photos, None, 1.0).backdrop.image.at(5, 20),
+            [9, 90, 9]
+        );
+        let told = recurring(&photos, Some(&hidden), 1.0)
+            .backdrop
+            .image
+            .at(5, 20);
+        assert!((0..3).all(|c| told[c].abs_diff(wall.at(5, 20)[c]) <= 2));
+    }
+}
