@@ -1,8 +1,8 @@
 //! The walk's book: what is ready, what waits for what, what is still read. Linear in the graph.
 
 use crate::graph::{Graph, Source};
-use crate::walk::{Done, Fate, needed, sources};
-use stage::{AnyArtifact, Files, Hash};
+use crate::walk::{Done, Fate, Job, needed, sources};
+use stage::{AnyArtifact, Hash};
 use std::cmp::Reverse;
 use std::collections::{BTreeMap, BinaryHeap};
 
@@ -38,7 +38,8 @@ const MOST_TRIES: usize = 3;
 
 impl<'a> Agenda<'a> {
     /// For the wanted nodes of a graph and all that they need.
-    pub(crate) fn new(graph: &'a Graph, files: &[Files], wanted: &[usize]) -> Self {
+    pub(crate) fn new(job: &Job<'a>) -> Self {
+        let (graph, wanted) = (job.graph, job.wanted);
         let n = graph.nodes.len();
         let needed = needed(graph, wanted);
         let (mut waits, mut unread) = (vec![0; n], vec![0; n]);
@@ -60,10 +61,12 @@ impl<'a> Agenda<'a> {
         });
         let mut is_wanted = vec![false; n];
         wanted.iter().for_each(|i| is_wanted[*i] = true);
-        let input = |f: &Files| (stage::content(f), AnyArtifact::new(f.clone()));
+        let inputs = job.contents.iter().zip(job.files);
         Agenda {
             graph,
-            inputs: files.iter().map(input).collect(),
+            inputs: inputs
+                .map(|(c, f)| (*c, AnyArtifact::new(f.clone())))
+                .collect(),
             ready: (0..n)
                 .filter(|i| needed[*i] && waits[*i] == 0)
                 .map(Reverse)

@@ -1,7 +1,8 @@
 //! A pipeline as DOT, Mermaid or SVG, coloured by what a run would do.
 
-use crate::graph::{Graph, Source};
+use crate::graph::{Bound, Graph, Source};
 use crate::plan::{Planned, State};
+use serde_json::{Map, Value, json};
 use std::fmt::Write;
 
 /// The colour of a node; `None` is not asked.
@@ -12,6 +13,35 @@ pub(crate) fn color(state: Option<&State>) -> &'static str {
         Some(State::May) => "#ffe8a3",
         None => "#e5e5e5",
     }
+}
+
+/// The same for other programs: nodes with their states and what their ports read.
+pub(crate) fn json(graph: &Graph, plan: &[Option<Planned>]) -> Value {
+    let word = |state: &State| match state {
+        State::Cached => "cached",
+        State::Stale(_) => "will run",
+        State::May => "may run",
+    };
+    let read = |source: &Option<Source>| {
+        source.map(|source| match source {
+            Source::Node(j) => graph.nodes[j].name.clone(),
+            Source::Input(j) => format!("@{}", graph.inputs[j].name),
+        })
+    };
+    let node = |(node, planned): (&Bound, &Option<Planned>)| {
+        let ports = node.ports.iter().map(|p| p.name.to_owned());
+        let from = ports.zip(node.from.iter().map(|s| read(s).into()));
+        json!({
+            "node": node.name, "stage": node.stage.name(), "from": from.collect::<Map<_, _>>(),
+            "state": planned.as_ref().map(|p| word(&p.state)),
+        })
+    };
+    let inputs = graph.inputs.iter();
+    let inputs: Value = inputs
+        .map(|i| json!({ "input": i.name, "files": i.files }))
+        .collect();
+    let nodes: Value = graph.nodes.iter().zip(plan).map(node).collect();
+    json!({ "inputs": inputs, "nodes": nodes })
 }
 
 /// The drawing in a format: `dot`, `mermaid` or `svg`.

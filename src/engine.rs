@@ -5,15 +5,15 @@ use crate::history::{self, Told};
 use crate::journal::Journal;
 use crate::run_one::{Pool, Surroundings};
 use crate::source::{self, Memo, SourceError};
-use crate::store::{Store, StoreError};
+use crate::store::{InUse, Store, StoreError};
 use crate::walk::{Done, Fate, Job, Watch, walk};
 use serde_json::Value;
 use stage::{AnyArtifact, Files, Hash};
-use std::collections::BTreeMap;
+use std::collections::{HashMap, HashSet};
 use std::path::PathBuf;
 use std::sync::atomic::AtomicBool;
 
-pub use crate::history::runs;
+pub use crate::past::runs;
 
 /// How to run.
 #[derive(Debug, Clone)]
@@ -43,6 +43,9 @@ pub enum EngineError {
     /// An input that nobody handed over.
     #[error("input `{0}` ({1}) was not handed over: say --input {0}=FOLDER")]
     Unsaid(String, String),
+    /// An input that the pipeline does not have.
+    #[error("{0}")]
+    Unknown(String),
 }
 
 /// A run that came to an end.
@@ -54,19 +57,26 @@ pub struct Outcome {
     /// The content of each input.
     inputs: Vec<Hash>,
     store: Store,
+    /// Results stay as long as somebody may read them.
+    _using: InUse,
 }
 
 /// The files of each input, hashed; what was hashed is remembered in the store.
 pub fn inputs(
     graph: &Graph,
-    folders: &[(String, PathBuf)],
+    said: &[(String, PathBuf)],
     store: &Store,
 ) -> Result<Vec<Files>, EngineError> {
     let memo_file = store.root().join("files.json");
     let mut memo = Memo::load(&memo_file);
-    let folders: BTreeMap<&str, &PathBuf> =
-        folders.iter().map(|(name, f)| (name.as_str(), f)).collect();
-    let mut files = Vec::new();
+    let folders: HashMap<&str, &PathBuf> =
+        said.iter().map(|(name, f)| (name.as_str(), f)).collect();
+    let known: HashSet<&str> = graph.inputs.iter().map(|i| i.name.as_str()).collect();
+    if let Some((name, _)) = said.iter().find(|(name, _)| !known.contains(&**name)) {
+        let known: Vec<&str> = graph.inputs.iter().map(|i| i.name.as_str()).collect();
+        return Err(EngineError::Unknown(stage::unknown("input", name, &known)));
+    }
+    let mut files = Vec::with_capacity(graph.inputs.len());
     for input in &graph.inputs {
         let folder = folders.get(input.name.as_str());
         let unsaid = || EngineError::Unsaid(input.name.clone(), input.about.clone());
@@ -90,9 +100,24 @@ pub fn run(
     watch: &dyn Watch,
     cancel: &AtomicBool,
 ) -> Result<Outcome, EngineError> {
-    let start = std::time::Instant::now();
     let store = Store::open(&options.cache)?;
+    run_in(store, graph, folders, wanted, options, watch, cancel)
+}
+
+/// As [`run`], in a store that is open already.
+pub fn run_in(
+    store: Store,
+    graph: &Graph,
+    folders: &[(String, PathBuf)],
+    wanted: &[usize],
+    options: &Options,
+    watch: &dyn Watch,
+    cancel: &AtomicBool,
+) -> Result<Outcome, EngineError> {
+    let start = std::time::Instant::now();
+    let using = store.using();
     let files = inputs(graph, folders, &store)?;
+    let contents: Vec<Hash> = files.iter().map(stage::content).collect();
     let threads = threads(options);
     let id = format!("{:020}-{}", crate::clock::now_ns(), std::process::id());
     let journal = Journal::new(watch, store.root().join(format!("runs/{id}.jsonl")));
@@ -106,6 +131,7 @@ pub fn run(
     let job = Job {
         graph,
         files: &files,
+        contents: &contents,
         wanted,
         threads,
         keep_going: options.keep_going,
@@ -113,19 +139,19 @@ pub fn run(
     let nodes = walk(&job, &around);
     store.save_index();
     let seconds = start.elapsed().as_secs_f64();
-    let inputs: Vec<Hash> = files.iter().map(stage::content).collect();
     let told = Told {
         graph,
         nodes: &nodes,
-        inputs: &inputs,
+        inputs: &contents,
         seconds,
     };
     history::write(&store, &id, &told)?;
     Ok(Outcome {
-        inputs,
+        inputs: contents,
         nodes,
         seconds,
         store,
+        _using: using,
     })
 }
 
@@ -143,6 +169,12 @@ impl Outcome {
             .stage
             .read(&self.store.blob(content)?)
             .ok()
+    }
+
+    /// The bytes of a node's result, out of the store.
+    pub fn bytes(&self, node: usize) -> Option<Vec<u8>> {
+        let content = self.nodes[node].as_ref()?.content?;
+        Some(self.store.blob(content)?.to_vec())
     }
 
     /// The first failure: node and why.

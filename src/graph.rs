@@ -1,6 +1,7 @@
 //! A pipeline whose every name means something: what the walk runs.
 
-use stage::{AnyStage, Checked};
+use stage::{AnyStage, Checked, PortSpec};
+use std::sync::Arc;
 
 /// Where a port gets its artifact from.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -18,6 +19,8 @@ pub struct Bound {
     pub name: String,
     /// What it does.
     pub stage: &'static dyn AnyStage,
+    /// The stage's ports.
+    pub ports: Arc<[PortSpec]>,
     /// With what params.
     pub params: Checked,
     /// From where: one entry a port, in the stage's order; `None` where an optional port is open.

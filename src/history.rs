@@ -1,17 +1,15 @@
 //! The records of runs: one file a run, with provenance; a run that found all that an earlier one
-//! had is a line that says so.
+//! had is a line that says so. `past.rs` reads them.
 
 use crate::graph::{Bound, Graph, Source};
 use crate::key;
+use crate::past::run_file;
 use crate::store::{Store, StoreError};
 use crate::walk::{Done, Fate};
 use serde::Serialize;
-use serde_json::{Value, json};
+use serde_json::json;
 use stage::Hash;
 use std::borrow::Cow;
-use std::cell::RefCell;
-use std::collections::BTreeMap;
-use std::path::{Path, PathBuf};
 
 /// A run with its provenance, for `run.json` and the store.
 #[derive(Serialize)]
@@ -164,104 +162,4 @@ fn digest(graph: &Graph, nodes: &[Option<Done>]) -> String {
         }
     }
     hasher.finalize().to_hex().to_string()
-}
-
-fn run_file(store: &Path, id: &str) -> PathBuf {
-    store.join("runs").join(format!("{id}.json"))
-}
-
-/// The ids of all runs, the newest first.
-fn ids(store: &Path) -> Vec<String> {
-    let entries = std::fs::read_dir(store.join("runs")).into_iter().flatten();
-    let id = |e: std::fs::DirEntry| Some(e.file_name().to_str()?.strip_suffix(".json")?.to_owned());
-    let mut ids: Vec<String> = entries.filter_map(|e| id(e.ok()?)).collect();
-    ids.sort_by(|a, b| b.cmp(a));
-    ids
-}
-
-fn load(store: &Path, id: &str) -> Option<Value> {
-    serde_json::from_slice(&std::fs::read(run_file(store, id)).ok()?).ok()
-}
-
-/// The records of earlier runs in a store, the newest first, with their ids.
-pub fn runs(store: &Path) -> Vec<(String, Value)> {
-    let mut bases: BTreeMap<String, Value> = BTreeMap::new();
-    let mut read = |id: String| {
-        let run = load(store, &id)?;
-        let Some(base) = run["same_as"].as_str() else {
-            return Some((id, run));
-        };
-        if !bases.contains_key(base) {
-            bases.insert(base.to_owned(), load(store, base)?);
-        }
-        let mut whole = bases[base].clone();
-        whole["seconds"] = run["seconds"].clone();
-        for node in whole["nodes"].as_array_mut()? {
-            node["fate"] = "found".into();
-        }
-        Some((id, whole))
-    };
-    ids(store).into_iter().filter_map(&mut read).collect()
-}
-
-/// Earlier runs, read one by one as far back as somebody asks.
-pub struct History {
-    store: PathBuf,
-    state: RefCell<Read>,
-}
-
-#[derive(Default)]
-struct Read {
-    left: Vec<String>,
-    /// Nodes with a result of each run that was read, the newest first.
-    runs: Vec<BTreeMap<String, Value>>,
-}
-
-/// As far back as it goes.
-const MOST_RUNS: usize = 64;
-
-impl History {
-    /// Of a store.
-    pub fn of(store: &Path) -> History {
-        let mut left = ids(store);
-        left.reverse();
-        let runs = vec![];
-        History {
-            store: store.into(),
-            state: RefCell::new(Read { left, runs }),
-        }
-    }
-
-    /// The node's entry in the newest run that has one with a result.
-    pub fn last(&self, node: &str) -> Option<Value> {
-        let mut state = self.state.borrow_mut();
-        let mut at = 0;
-        loop {
-            if at == state.runs.len() && !self.read_one(&mut state) {
-                return None;
-            }
-            if let Some(entry) = state.runs[at].get(node) {
-                return Some(entry.clone());
-            }
-            at += 1;
-        }
-    }
-
-    /// Reads one run further back.
-    fn read_one(&self, state: &mut Read) -> bool {
-        while let Some(id) = state.left.pop().filter(|_| state.runs.len() < MOST_RUNS) {
-            let Some(mut run) = load(&self.store, &id) else {
-                continue;
-            };
-            // A run that found all of an earlier one has nothing that the earlier one has not.
-            let Some(nodes) = run["nodes"].as_array_mut() else {
-                continue;
-            };
-            let named = |node: Value| Some((node["node"].as_str()?.to_owned(), node));
-            let with_result = nodes.drain(..).filter(|n| !n["content"].is_null());
-            state.runs.push(with_result.filter_map(named).collect());
-            return true;
-        }
-        false
-    }
 }

@@ -5,6 +5,7 @@
 
 use crate::graph::Bound;
 use stage::Hash;
+use std::fmt::Write as _;
 
 /// Takes down what a result depends on.
 pub trait Ledger {
@@ -14,23 +15,33 @@ pub trait Ledger {
 
 /// Writes down what the node does, without its inputs: stage, format of the output, params.
 pub fn tell_recipe(node: &Bound, ledger: &mut impl Ledger) {
+    let (mut what, mut value) = (String::from("with "), String::with_capacity(64));
     let stage = node.stage;
-    ledger.line("stage", &format!("{} v{}", stage.name(), stage.version()));
-    ledger.line(
-        "makes",
-        &format!("{} format {}", stage.yields(), stage.format()),
-    );
-    for (name, value) in &node.params.values {
-        ledger.line(&format!("with {name}"), &value.to_string());
+    let _ = write!(value, "{} v{}", stage.name(), stage.version());
+    ledger.line("stage", &value);
+    value.clear();
+    let _ = write!(value, "{} format {}", stage.yields(), stage.format());
+    ledger.line("makes", &value);
+    for (name, said) in &node.params.values {
+        what.truncate("with ".len());
+        what += name;
+        value.clear();
+        let _ = write!(value, "{said}");
+        ledger.line(&what, &value);
     }
 }
 
 /// Writes down all that the node's result depends on. `inputs` has one entry a port.
 pub fn tell(node: &Bound, inputs: &[Option<Hash>], ledger: &mut impl Ledger) {
     tell_recipe(node, ledger);
-    for (port, content) in node.stage.ports().iter().zip(inputs) {
-        let value = content.map_or("nothing".into(), |hash| hash.to_hex().to_string());
-        ledger.line(&format!("from {}", port.name), &value);
+    let mut what = String::from("from ");
+    for (port, content) in node.ports.iter().zip(inputs) {
+        what.truncate("from ".len());
+        what += port.name;
+        match content {
+            Some(hash) => ledger.line(&what, hash.to_hex().as_str()),
+            None => ledger.line(&what, "nothing"),
+        }
     }
 }
 

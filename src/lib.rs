@@ -20,6 +20,7 @@ mod journal;
 pub mod key;
 pub mod out;
 mod page;
+pub mod past;
 pub mod plan;
 pub mod recipe;
 pub mod reference;

@@ -33,6 +33,9 @@ pub enum OutError {
     },
 }
 
+/// The format of a kind that has no other: the artifact's own file, as it lies in the store.
+pub const RAW: &str = "tailor";
+
 /// The formats of a kind, the usual one first.
 pub fn formats(kind: &str) -> &'static [&'static str] {
     match kind {
@@ -46,13 +49,31 @@ pub fn formats(kind: &str) -> &'static [&'static str] {
         "document" => &["file"],
         "tags" => &["json"],
         "keypoints" | "tracks" => &["png"],
-        _ => &["tailor"],
+        _ => &[RAW],
+    }
+}
+
+/// What the file of an artifact in its usual format ends with.
+pub fn extension(artifact: &AnyArtifact) -> &'static str {
+    let media = artifact.clone().downcast::<Document>();
+    match media
+        .as_ref()
+        .map(|d| d.media.split(';').next().unwrap_or("").trim())
+    {
+        Some("text/html") => "html",
+        Some("application/json") => "json",
+        Some("text/csv") => "csv",
+        Some("image/svg+xml") => "svg",
+        Some("text/plain") => "txt",
+        _ => formats(artifact.kind())[0],
     }
 }
 
 /// Files of an artifact in a format: names and bytes. One nameless file, or several in a folder.
+/// `raw` gives the bytes of the artifact's own file.
 pub fn files(
     artifact: AnyArtifact,
+    raw: impl FnOnce() -> Vec<u8>,
     names: &Photos,
     format: Option<&str>,
 ) -> Result<Vec<(String, Vec<u8>)>, OutError> {
@@ -74,6 +95,7 @@ pub fn files(
         };
     }
     match (kind, format) {
+        (_, RAW) => one(raw()),
         ("mesh", "ply") => one(mesh_to_ply(&*take!(Mesh))),
         ("mesh", "glb") => one(shape::mesh_to_glb(&*take!(Mesh))),
         ("mesh", "obj") => Ok(shape::mesh_to_obj(&*take!(Mesh))),
@@ -154,8 +176,9 @@ pub fn write(path: &Path, files: &[(String, Vec<u8>)]) -> Result<(), OutError> {
         let written = options
             .open(&tmp)
             .and_then(|mut file| file.write_all(bytes));
+        let written = written.and_then(|()| std::fs::rename(&tmp, &path));
         written
-            .and_then(|()| std::fs::rename(&tmp, &path))
+            .inspect_err(|_| _ = std::fs::remove_file(&tmp))
             .map_err(disk)?;
     }
     Ok(())

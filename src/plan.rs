@@ -1,8 +1,8 @@
 //! Graph → Plan: found, stale because, or waiting; nothing is run.
 
 use crate::graph::{Graph, Source};
-use crate::history::History;
 use crate::key;
+use crate::past::History;
 use crate::store::Store;
 use serde_json::Value;
 use stage::{Files, Hash};
@@ -35,6 +35,7 @@ pub fn plan(
     wanted: &[usize],
     store: &Store,
 ) -> Vec<Option<Planned>> {
+    store.look_around(graph.nodes.len());
     let needed = crate::walk::needed(graph, wanted);
     let file_contents: Vec<Hash> = files.iter().map(stage::content).collect();
     let history = History::of(store.root());
@@ -55,8 +56,7 @@ pub fn plan(
         let (state, seconds) = match inputs {
             None => (State::May, took(&before())),
             Some(inputs) => {
-                let story = key::story(node, &inputs);
-                let key = story.key();
+                let key = key::key(node, &inputs);
                 let found = store.found(key);
                 match found.filter(|f| f.present || !is_wanted.contains(&i)) {
                     Some(found) => {
@@ -68,6 +68,7 @@ pub fn plan(
                     None if !coming.insert(*key.as_bytes()) => (State::May, took(&before())),
                     None => {
                         let before = before();
+                        let story = key::story(node, &inputs);
                         let changes = changes(&story.0, before.as_ref());
                         (State::Stale(changes), took(&before))
                     }

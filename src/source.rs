@@ -60,21 +60,20 @@ pub fn files(folder: &Path, input: &InputDecl, memo: &mut Memo) -> Result<Files,
         move |why| SourceError::Unreadable { path, why }
     };
     let root = memo.root(folder).map_err(unreadable(folder))?;
-    let plain = input.files.iter().all(|p| !p.contains(['*', '{']));
-    let mut names: Vec<String> = match plain {
-        true => input
-            .files
-            .iter()
-            .filter(|p| root.join(p).is_file())
-            .cloned()
-            .collect(),
-        false => vec![],
-    };
     // Plain names need no look around, unless one is written otherwise on the disk.
-    let mut open = match names.len() == input.files.len() {
-        true => vec![],
-        false => vec![String::new()],
-    };
+    if input.files.iter().all(|p| !p.contains(['*', '{'])) {
+        let entry = |name: &String| {
+            let path = root.join(name);
+            let meta = std::fs::metadata(&path).ok().filter(|m| m.is_file())?;
+            Some(memo.entry(name, &path, &meta))
+        };
+        if let Some(entries) = input.files.iter().map(entry).collect::<Option<Vec<_>>>() {
+            let mut entries = entries.into_iter().collect::<Result<Vec<_>, _>>()?;
+            order(&mut entries, |e| &e.name);
+            return Ok(Files { root, entries });
+        }
+    }
+    let (mut names, mut open) = (Vec::<String>::new(), vec![String::new()]);
     while let Some(inner) = open.pop() {
         let here = root.join(&inner);
         for entry in std::fs::read_dir(&here).map_err(unreadable(&here))? {
@@ -106,18 +105,21 @@ pub fn files(folder: &Path, input: &InputDecl, memo: &mut Memo) -> Result<Files,
             patterns,
         });
     }
-    names.sort_by(|a, b| natural(a).cmp(&natural(b)).then(a.cmp(b)));
-    let mut entries = Vec::new();
-    for name in names {
-        let path = root.join(&name);
-        let (content, size) = memo.content(&path).map_err(unreadable(&path))?;
-        entries.push(FileEntry {
-            name,
-            content,
-            size,
-        });
-    }
+    order(&mut names, |name| name);
+    let entry = |name: &String| {
+        let path = root.join(name);
+        let meta = std::fs::metadata(&path).map_err(unreadable(&path))?;
+        memo.entry(name, &path, &meta)
+    };
+    let entries = names.iter().map(entry).collect::<Result<_, _>>()?;
     Ok(Files { root, entries })
+}
+
+/// Brings names into natural order.
+fn order<T>(all: &mut [T], name: impl Fn(&T) -> &String) {
+    if all.len() > 1 {
+        all.sort_by_cached_key(|x| (natural(name(x)), name(x).clone()));
+    }
 }
 
 impl Memo {
@@ -150,8 +152,26 @@ impl Memo {
         serde_json::to_vec(&self.files).expect("bug: a memo JSON cannot hold")
     }
 
-    fn content(&mut self, path: &Path) -> std::io::Result<(Hash, u64)> {
-        let meta = std::fs::metadata(path)?;
+    fn entry(
+        &mut self,
+        name: &str,
+        path: &Path,
+        meta: &std::fs::Metadata,
+    ) -> Result<FileEntry, SourceError> {
+        let unreadable = |why| SourceError::Unreadable {
+            path: path.into(),
+            why,
+        };
+        let (content, size) = self.content(path, meta).map_err(unreadable)?;
+        let name = name.to_owned();
+        Ok(FileEntry {
+            name,
+            content,
+            size,
+        })
+    }
+
+    fn content(&mut self, path: &Path, meta: &std::fs::Metadata) -> std::io::Result<(Hash, u64)> {
         let ns = |s: i64, ns: i64| i128::from(s) * 1_000_000_000 + i128::from(ns);
         let modified_ns = ns(meta.mtime(), meta.mtime_nsec());
         let changed_ns = ns(meta.ctime(), meta.ctime_nsec());

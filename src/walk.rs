@@ -91,6 +91,8 @@ pub struct Job<'a> {
     pub graph: &'a Graph,
     /// The files of each input, in the graph's order.
     pub files: &'a [Files],
+    /// Their content.
+    pub contents: &'a [Hash],
     /// The nodes that are wanted.
     pub wanted: &'a [usize],
     /// How many threads work.
@@ -104,8 +106,8 @@ const RETRY: Duration = Duration::from_millis(15);
 
 /// Walks: one entry a node, `None` for those that were not wanted.
 pub fn walk(job: &Job<'_>, around: &Surroundings<'_>) -> Vec<Option<Done>> {
-    let mut agenda = Agenda::new(job.graph, job.files, job.wanted);
-    around.store.look_around(job.graph.nodes.len(), job.threads);
+    let mut agenda = Agenda::new(job);
+    around.store.look_around(job.graph.nodes.len());
     settle(job, around, &mut agenda);
     if !agenda.idle() {
         let (shared, bell) = (Mutex::new(agenda), Condvar::new());

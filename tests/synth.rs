@@ -114,6 +114,64 @@ fn off(found: &Cameras, truth: &Cameras) -> (f64, f64) {
     (place.fold(0.0, f64::max), focal)
 }
 
+/// What the synthetic turn says otherwise than the product: photos are made, not read; nothing else.
+const OTHERWISE: [&str; 1] = ["photos"];
+
+#[test]
+fn the_synthetic_turn_goes_through_the_very_product() {
+    let read = |file: &str| {
+        let path = Path::new(env!("CARGO_MANIFEST_DIR"))
+            .join("pipelines")
+            .join(file);
+        tailor::recipe::read(&std::fs::read_to_string(path).unwrap()).unwrap()
+    };
+    let (product, synth) = (read("body.toml"), read("synth.toml"));
+    let mut compared = 0;
+    for node in product
+        .nodes
+        .iter()
+        .filter(|n| !OTHERWISE.contains(&n.name.value.as_str()))
+    {
+        let name = &node.name.value;
+        let same = synth.nodes.iter().find(|n| n.name.value == *name);
+        let same = same.unwrap_or_else(|| panic!("synth.toml has no node `{name}`"));
+        assert_eq!(same.stage.value, node.stage.value, "stage of `{name}`");
+        assert_eq!(said(&same.with), said(&node.with), "params of `{name}`");
+        assert_eq!(wires(&same.from), wires(&node.from), "sources of `{name}`");
+        compared += 1;
+    }
+    assert!(compared >= 15, "only {compared} nodes were compared");
+}
+
+/// Params as they are written, in the order of their names.
+fn said(with: &tailor::recipe::With) -> Vec<(String, String)> {
+    let pairs = with
+        .iter()
+        .map(|(k, v)| (k.value.clone(), v.value.to_string()));
+    let mut pairs: Vec<_> = pairs.collect();
+    pairs.sort();
+    pairs
+}
+
+/// Sources as they are written, those of tables in the order of the ports.
+fn wires(from: &tailor::recipe::From) -> Vec<(String, String)> {
+    use tailor::recipe::From;
+    match from {
+        From::List(list) => list
+            .iter()
+            .map(|s| (String::new(), s.value.clone()))
+            .collect(),
+        From::Table(table) => {
+            let pairs = table
+                .iter()
+                .map(|(p, s)| (p.value.clone(), s.value.clone()));
+            let mut pairs: Vec<_> = pairs.collect();
+            pairs.sort();
+            pairs
+        }
+    }
+}
+
 #[test]
 fn cameras_come_from_features_alone_though_the_subject_sways() {
     let place = tempfile::tempdir().unwrap();
@@ -149,7 +207,7 @@ fn a_synthetic_turn_leaves_as_a_capture_that_is_read_back() {
     let artifact = outcome.artifact(&graph, node).unwrap();
     let first = artifact.clone().downcast::<Photos>().unwrap();
     let folder = place.path().join("capture");
-    let files = tailor::out::files(artifact, &Photos::default(), None).unwrap();
+    let files = tailor::out::files(artifact, Vec::new, &Photos::default(), None).unwrap();
     tailor::out::write(&folder, &files).unwrap();
 
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("pipelines/body.toml");

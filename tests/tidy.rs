@@ -131,3 +131,23 @@ fn only_the_catalog_names_rooms() {
     };
     assert_eq!(breakers(names), Vec::<PathBuf>::new());
 }
+
+#[test]
+fn every_case_of_the_engine_has_a_test_that_is_there() {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let table = std::fs::read_to_string(root.join("docs/engine.md")).unwrap();
+    let rows: Vec<&str> = table.lines().filter(|l| l.starts_with("| T")).collect();
+    assert_eq!(rows.len(), 23, "T1 to T18 and T21 to T25");
+    let sources = sources();
+    for row in rows {
+        let mut tests = row.split('`').skip(1).step_by(2).peekable();
+        assert!(tests.peek().is_some(), "{row}");
+        for test in tests.filter(|t| !t.contains(' ')) {
+            let name = format!("#[test]\nfn {test}() {{");
+            assert!(
+                sources.iter().any(|(_, text)| text.contains(&name)),
+                "{test}"
+            );
+        }
+    }
+}

@@ -1,12 +1,12 @@
 //! `tailor plan`, `why`, `graph`, `stages`, `check`: answers that run nothing.
 
-use super::run::{folders, open};
+use super::run::{ahead, folders, open};
 use super::{Fault, House, Wanted};
 use crate::graph::{Graph, Source};
 use crate::plan::{self, Planned, State};
 use crate::recipe::{self, Overrides};
 use crate::store::Store;
-use crate::{catalog, engine, key};
+use crate::{catalog, drawing, engine, key};
 use clap::Args;
 use serde_json::{Value, json};
 use std::path::Path;
@@ -31,8 +31,9 @@ pub(crate) struct Drawing {
 }
 
 fn planned(wanted: &Wanted, house: &House) -> Result<(Graph, Vec<Option<Planned>>, Store), Fault> {
-    let (graph, goal) = open(wanted, house)?;
-    let store = Store::open(&house.cache).map_err(Fault::input)?;
+    let ahead = ahead(wanted, house);
+    let (graph, goal) = open(wanted)?;
+    let store = Store::open_after(&house.cache, ahead).map_err(Fault::input)?;
     let files = engine::inputs(&graph, &folders(&wanted.change)?, &store).map_err(Fault::input)?;
     let plan = plan::plan(&graph, &files, &goal, &store);
     Ok((graph, plan, store))
@@ -41,7 +42,7 @@ fn planned(wanted: &Wanted, house: &House) -> Result<(Graph, Vec<Option<Planned>
 /// `tailor plan`.
 pub(crate) fn plan(wanted: &Wanted, house: &House) -> Result<(), Fault> {
     let (graph, plan, _) = planned(wanted, house)?;
-    let (mut lines, mut seconds) = (Vec::new(), [0.0; 2]);
+    let (mut lines, mut seconds, mut unknown) = (Vec::new(), [0.0; 2], 0);
     for (node, planned) in graph.nodes.iter().zip(&plan) {
         let Some(p) = planned else { continue };
         let word = match &p.state {
@@ -49,6 +50,7 @@ pub(crate) fn plan(wanted: &Wanted, house: &House) -> Result<(), Fault> {
             State::Stale(_) => "will run",
             State::May => "may run",
         };
+        unknown += usize::from(p.state != State::Cached && p.seconds.is_none());
         match p.state {
             State::Cached => {}
             State::Stale(_) => seconds[0] += p.seconds.unwrap_or(0.0),
@@ -74,13 +76,20 @@ pub(crate) fn plan(wanted: &Wanted, house: &House) -> Result<(), Fault> {
     if house.json {
         super::outln!(
             "{}",
-            json!({ "nodes": lines, "will_seconds": seconds[0], "may_seconds": seconds[1] })
+            json!({
+                "nodes": lines, "will_seconds": seconds[0], "may_seconds": seconds[1],
+                "without_history": unknown,
+            })
         );
     } else {
         super::outln!(
-            "expected: {:.1} s, and up to {:.1} s more if results change",
+            "expected: {:.1} s, and up to {:.1} s more if results change{}",
             seconds[0],
-            seconds[1]
+            seconds[1],
+            match unknown {
+                0 => String::new(),
+                n => format!("; {n} nodes have never run here, so nothing is known of their time"),
+            }
         );
     }
     Ok(())
@@ -121,9 +130,8 @@ pub(crate) fn why(why: &Why, house: &House) -> Result<(), Fault> {
             Source::Input(_) => false,
         };
         let changed = |port: &str| changes.iter().any(|(w, _, _)| *w == format!("from {port}"));
-        let ports = node.stage.ports();
         let wired = || {
-            ports
+            node.ports
                 .iter()
                 .zip(&node.from)
                 .filter_map(|(p, s)| s.as_ref().map(|s| (p, s)))
@@ -161,16 +169,17 @@ fn since_before(runs: &[(String, Value)], node: &str) -> Vec<(String, String, St
 
 /// `tailor graph`.
 pub(crate) fn graph(drawing: &Drawing, house: &House) -> Result<(), Fault> {
-    let (graph, _) = open(&drawing.wanted, house)?;
-    let plan = if drawing.wanted.change.input.is_empty() {
-        vec![None; graph.nodes.len()]
-    } else {
-        planned(&drawing.wanted, house)?.1
+    let (graph, _) = open(&drawing.wanted)?;
+    // Without its inputs nobody knows what would run.
+    let plan = match drawing.wanted.change.input.is_empty() && !graph.inputs.is_empty() {
+        true => vec![None; graph.nodes.len()],
+        false => planned(&drawing.wanted, house)?.1,
     };
-    super::out!(
-        "{}",
-        crate::drawing::draw(&graph, &plan, &drawing.format).map_err(Fault::input)?
-    );
+    let drawn = drawing::draw(&graph, &plan, &drawing.format).map_err(Fault::input)?;
+    match house.json {
+        true => super::outln!("{}", drawing::json(&graph, &plan)),
+        false => super::out!("{drawn}"),
+    }
     Ok(())
 }
 
@@ -232,7 +241,6 @@ pub(crate) fn check(pipeline: &Path, house: &House) -> Result<(), Fault> {
             }
             Ok(())
         }
-        Err(mistakes) if house.json => Err(Fault::input(mistakes.json())),
-        Err(mistakes) => Err(Fault::input(mistakes)),
+        Err(mistakes) => Err(Fault::mistakes(mistakes)),
     }
 }

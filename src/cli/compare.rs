@@ -42,11 +42,9 @@ pub(crate) fn compare_sides(args: &CompareArgs, house: &House) -> Result<(), Fau
     let mut graphs = Vec::new();
     for text in &what {
         graphs.push(match pipeline {
-            Some(file) if !Path::new(text).is_dir() && past(text).is_none() => Some(opened(
-                Some(Path::new(file)),
-                &changed(text, &args.change),
-                house,
-            )?),
+            Some(file) if !Path::new(text).is_dir() && past(text).is_none() => {
+                Some(opened(Some(Path::new(file)), &changed(text, &args.change))?)
+            }
             _ => None,
         });
     }
@@ -57,11 +55,13 @@ pub(crate) fn compare_sides(args: &CompareArgs, house: &House) -> Result<(), Fau
             None => found(text, house)?,
             Some(graph) => {
                 if !house.quiet && !house.json {
-                    eprintln!("{text}:");
+                    super::errln!("{text}:");
                 }
                 let again: Vec<String> = std::env::args().collect();
                 let again = again.join(" ");
+                let store = Store::open(&house.cache).map_err(Fault::input)?;
                 let outcome = execute(
+                    store,
                     graph,
                     &folders,
                     &walk::all(graph, &graph.goal),
@@ -109,15 +109,23 @@ fn changed(text: &str, all: &Change) -> Change {
 }
 
 /// `last`, `last~1`, …: how many runs ago.
-fn past(text: &str) -> Option<usize> {
+pub(super) fn past(text: &str) -> Option<usize> {
     match text.strip_prefix("last")? {
         "" => Some(0),
         rest => rest.strip_prefix('~')?.parse().ok(),
     }
 }
 
-/// A folder of results, or a run of the cache.
+/// A folder of results, or a run of the cache: how long ago it was, or the name of a pin.
 fn found(text: &str, house: &House) -> Result<Side, Fault> {
+    let pinned = std::fs::read_to_string(house.cache.join("pins").join(text));
+    if let Some(pinned) = pinned.ok().filter(|_| !text.contains('/')) {
+        let store = Store::open(&house.cache).map_err(Fault::input)?;
+        let runs = engine::runs(&house.cache);
+        let run = runs.iter().find(|(id, _)| id == pinned.trim());
+        let gone = || Fault::input(format!("`{text}`: the record of the pinned run is gone"));
+        return Side::from_run(text, &run.ok_or_else(gone)?.1, &store).map_err(Fault::input);
+    }
     if let Some(ago) = past(text) {
         let store = Store::open(&house.cache).map_err(Fault::input)?;
         let runs = engine::runs(&house.cache);

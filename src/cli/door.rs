@@ -1,12 +1,13 @@
 //! `tailor measure`: the one-line door.
 
-use super::run::{execute, photos};
+use super::run::{execute, photos, there};
 use super::screen::screen;
 use super::{Fault, House, provenance};
 use crate::engine::Outcome;
 use crate::graph::Graph;
 use crate::out;
 use crate::recipe::{Overrides, open_text};
+use crate::store::Store;
 use clap::Args;
 use shape::{Cameras, Document, Girths};
 use std::path::PathBuf;
@@ -79,7 +80,9 @@ pub(crate) fn measure(measure: &Measure, house: &House) -> Result<(), Fault> {
             .iter()
             .filter_map(|(nodes, ..)| place(&graph, nodes)),
     );
-    let outcome = execute(&graph, &folders, &wanted, house, false, &again.join(" "))?;
+    let store = Store::open(&house.cache).map_err(Fault::input)?;
+    let again = again.join(" ");
+    let outcome = execute(store, &graph, &folders, &wanted, house, false, &again)?;
     let name = measure
         .folder
         .file_name()
@@ -121,9 +124,11 @@ fn place(graph: &Graph, nodes: &[&str]) -> Option<usize> {
 fn write(graph: &Graph, outcome: &Outcome, folder: &std::path::Path) -> Result<(), Fault> {
     let names = photos(graph, outcome);
     for (nodes, file, format) in WRITTEN {
-        let artifact = place(graph, nodes).and_then(|at| outcome.artifact(graph, at));
-        let Some(artifact) = artifact else { continue };
-        let files = out::files(artifact, &names, Some(format)).map_err(Fault::stage)?;
+        let Some(at) = place(graph, nodes) else {
+            continue;
+        };
+        let (artifact, raw) = there(graph, outcome, at)?;
+        let files = out::files(artifact, || raw, &names, Some(format)).map_err(Fault::stage)?;
         out::write(&folder.join(file), &files).map_err(Fault::stage)?;
     }
     let run = serde_json::to_string_pretty(&outcome.json(graph)).expect("bug: JSON");

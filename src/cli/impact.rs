@@ -23,7 +23,7 @@ pub(crate) fn impact(args: &ImpactArgs, house: &House) -> Result<(), Fault> {
     if files.len() > 1 {
         return Err(Fault::input("one pipeline at a time"));
     }
-    let graph = opened(files.first().map(|f| f.as_ref()), &args.change, house)?;
+    let graph = opened(files.first().map(|f| f.as_ref()), &args.change)?;
     let all = impacts(&graph, &graph.goal);
     let full = |i: &Impact| format!("{}.{}", graph.nodes[i.node].name, i.param);
     let mut shown = Vec::new();

@@ -4,7 +4,7 @@
 macro_rules! out {
     ($($t:tt)*) => {{
         use std::io::Write;
-        let _ = write!(std::io::stdout(), $($t)*);
+        $crate::cli::printed(write!(std::io::stdout(), $($t)*));
     }};
 }
 
@@ -12,10 +12,18 @@ macro_rules! out {
 macro_rules! outln {
     ($($t:tt)*) => {{
         use std::io::Write;
-        let _ = writeln!(std::io::stdout(), $($t)*);
+        $crate::cli::printed(writeln!(std::io::stdout(), $($t)*));
     }};
 }
-use {out, outln};
+
+/// Prints to standard error, if anybody takes it.
+macro_rules! errln {
+    ($($t:tt)*) => {{
+        use std::io::Write;
+        let _ = writeln!(std::io::stderr(), $($t)*);
+    }};
+}
+use {errln, out, outln};
 
 mod answers;
 mod cache;
@@ -31,7 +39,10 @@ mod show;
 mod speak;
 mod sweep;
 
+use crate::recipe::Mistakes;
 use clap::{Args, Parser, Subcommand};
+use serde_json::{Map, Value};
+use std::num::NonZeroUsize;
 use std::path::PathBuf;
 use std::process::ExitCode;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -57,7 +68,7 @@ pub(crate) struct House {
     cache: PathBuf,
     /// How many threads work; one a core if not said
     #[arg(long, global = true)]
-    threads: Option<usize>,
+    threads: Option<NonZeroUsize>,
     /// Say nothing but results and errors
     #[arg(long, global = true)]
     quiet: bool,
@@ -86,6 +97,13 @@ pub(crate) struct Change {
     /// Another value for a param: NODE.PARAM=VALUE
     #[arg(long)]
     set: Vec<String>,
+}
+
+impl Change {
+    /// Whether the pipeline is changed.
+    fn changes(&self) -> bool {
+        self.variant.is_some() || !self.set.is_empty()
+    }
 }
 
 #[derive(Subcommand)]
@@ -121,12 +139,23 @@ enum Verb {
         /// The pipeline file
         pipeline: PathBuf,
     },
-    /// The store: ls, du, gc, verify
+    /// The store: ls, du, runs, pin, unpin, pins, gc, verify
     Cache(cache::Cache),
     /// A printable marker mat for the disk: PDF or SVG at true scale
     Mat(mat::MatArgs),
     /// A result against ground truth
     Score(scoring::Scoring),
+}
+
+/// Set when an answer could not be written.
+static LOST: AtomicBool = AtomicBool::new(false);
+
+/// Notes whether what was printed got anywhere.
+fn printed(result: std::io::Result<()>) {
+    let lost = |e: std::io::Error| e.kind() != std::io::ErrorKind::BrokenPipe;
+    if result.is_err_and(lost) {
+        LOST.store(true, Ordering::Relaxed);
+    }
 }
 
 /// Set when the user asks to stop.
@@ -136,6 +165,8 @@ static CANCEL: AtomicBool = AtomicBool::new(false);
 pub(crate) struct Fault {
     code: u8,
     text: String,
+    /// What `--json` tells beside the text.
+    more: Map<String, Value>,
 }
 
 impl Fault {
@@ -144,6 +175,27 @@ impl Fault {
         Fault {
             code: 2,
             text: text.to_string(),
+            more: Map::new(),
+        }
+    }
+
+    /// The pipeline is wrong: every mistake with its place.
+    fn mistakes(mistakes: Mistakes) -> Fault {
+        let more = match mistakes.json() {
+            Value::Object(more) => more,
+            _ => Map::new(),
+        };
+        Fault {
+            more,
+            ..Fault::input(mistakes)
+        }
+    }
+
+    /// The user asked to stop.
+    fn stopped() -> Fault {
+        Fault {
+            code: 130,
+            ..Fault::input("stopped; run the same command to go on")
         }
     }
 
@@ -151,7 +203,7 @@ impl Fault {
     fn stage(text: impl ToString) -> Fault {
         Fault {
             code: 1,
-            text: text.to_string(),
+            ..Fault::input(text)
         }
     }
 }
@@ -164,7 +216,7 @@ pub fn main() -> ExitCode {
         if CANCEL.swap(true, Ordering::Relaxed) {
             std::process::exit(130);
         }
-        eprintln!("stopping; what is done is kept, run again to go on (once more stops at once)");
+        errln!("stopping; what is done is kept, run again to go on (once more stops at once)");
     });
     let house = &cli.house;
     let done = match &cli.verb {
@@ -186,18 +238,23 @@ pub fn main() -> ExitCode {
         Verb::Mat(verb) => mat::mat(verb, house),
         Verb::Score(verb) => scoring::scoring(verb, house),
     };
+    printed(std::io::Write::flush(&mut std::io::stdout()));
     match done {
+        Ok(()) if LOST.load(Ordering::Relaxed) => {
+            errln!("the answer could not be written to standard output: is the disk full?");
+            ExitCode::FAILURE
+        }
         Ok(()) => ExitCode::SUCCESS,
         Err(fault) => {
             if fault.text.is_empty() {
                 // The answer itself has said it.
             } else if house.json {
-                outln!(
-                    "{}",
-                    serde_json::json!({ "error": fault.text, "code": fault.code })
-                );
+                let mut answer = fault.more;
+                answer.insert("error".into(), fault.text.into());
+                answer.insert("code".into(), fault.code.into());
+                outln!("{}", Value::Object(answer));
             } else {
-                eprintln!("{}", fault.text);
+                errln!("{}", fault.text);
             }
             ExitCode::from(fault.code)
         }

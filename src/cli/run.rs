@@ -4,12 +4,17 @@ use super::speak::Speaker;
 use super::{CANCEL, Change, Fault, House, Wanted};
 use crate::engine::{self, Options, Outcome};
 use crate::graph::Graph;
-use crate::history::History;
+use crate::past::History;
 use crate::recipe::{self, Overrides};
+use crate::store::{Ahead, Store};
 use crate::{out, verify, walk};
 use clap::Args;
+use serde_json::json;
 use shape::Photos;
+use stage::AnyArtifact;
+use std::num::NonZeroUsize;
 use std::path::PathBuf;
+use std::sync::atomic::Ordering;
 
 /// Arguments of `tailor run`.
 #[derive(Args)]
@@ -27,9 +32,15 @@ pub(crate) struct Run {
     verify: bool,
 }
 
+/// Reads what is remembered of the store while the pipeline is read.
+pub(crate) fn ahead(wanted: &Wanted, house: &House) -> Ahead {
+    let bytes = std::fs::metadata(&wanted.pipeline).map_or(0, |m| m.len());
+    Ahead::of(&house.cache, bytes)
+}
+
 /// Opens the pipeline of some arguments and finds the wanted nodes.
-pub(crate) fn open(wanted: &Wanted, house: &House) -> Result<(Graph, Vec<usize>), Fault> {
-    let graph = opened(Some(&wanted.pipeline), &wanted.change, house)?;
+pub(crate) fn open(wanted: &Wanted) -> Result<(Graph, Vec<usize>), Fault> {
+    let graph = opened(Some(&wanted.pipeline), &wanted.change)?;
     let names: Vec<&str> = graph.nodes.iter().map(|n| n.name.as_str()).collect();
     let mut nodes = Vec::new();
     for name in &wanted.nodes {
@@ -45,11 +56,7 @@ pub(crate) fn open(wanted: &Wanted, house: &House) -> Result<(Graph, Vec<usize>)
 }
 
 /// A pipeline file, the product's if none is said, with what the command line changes.
-pub(crate) fn opened(
-    file: Option<&std::path::Path>,
-    change: &Change,
-    house: &House,
-) -> Result<Graph, Fault> {
+pub(crate) fn opened(file: Option<&std::path::Path>, change: &Change) -> Result<Graph, Fault> {
     let overrides = Overrides {
         variant: change.variant.clone(),
         sets: change.set.clone(),
@@ -63,10 +70,7 @@ pub(crate) fn opened(
             &crate::catalog::find,
         ),
     };
-    graph.map_err(|m| match house.json {
-        true => Fault::input(m.json()),
-        false => Fault::input(m),
-    })
+    graph.map_err(Fault::mistakes)
 }
 
 /// `NAME=FOLDER` as a pair.
@@ -86,13 +90,14 @@ pub(crate) fn folders(change: &Change) -> Result<Vec<(String, PathBuf)>, Fault> 
 pub(crate) fn options(house: &House, keep_going: bool) -> Options {
     Options {
         cache: house.cache.clone(),
-        threads: house.threads,
+        threads: house.threads.map(NonZeroUsize::get),
         keep_going,
     }
 }
 
-/// Runs, and turns failures into faults; `again` is the command that repeats a failed node.
+/// Runs in a store, and turns failures into faults; `again` is the command that repeats a failed node.
 pub(crate) fn execute(
+    store: Store,
     graph: &Graph,
     folders: &[(String, PathBuf)],
     wanted: &[usize],
@@ -119,7 +124,7 @@ pub(crate) fn execute(
         speaker.expect(expected.collect());
     }
     let options = options(house, keep_going);
-    let outcome = engine::run(graph, folders, wanted, &options, &speaker, &CANCEL);
+    let outcome = engine::run_in(store, graph, folders, wanted, &options, &speaker, &CANCEL);
     let outcome = outcome.map_err(Fault::input)?;
     let failures = outcome.failures(graph);
     if !failures.is_empty() {
@@ -127,18 +132,39 @@ pub(crate) fn execute(
             .iter()
             .map(|(node, why)| format!("{node} failed: {why}\n"))
             .collect();
-        return Err(Fault::stage(format!(
-            "{}to repeat it: {again}",
-            lines.concat()
-        )));
+        let one = |(node, why): &(&str, &str)| json!({ "node": node, "why": why });
+        let mut fault = Fault::stage(format!("{}to repeat it: {again}", lines.concat()));
+        let failures = failures.iter().map(one).collect();
+        fault.more.insert("failures".into(), failures);
+        fault.more.insert("repeat".into(), again.into());
+        return Err(fault);
     }
     if outcome.cancelled() {
-        return Err(Fault {
-            code: 130,
-            text: "stopped; run the same command to go on".into(),
-        });
+        return Err(Fault::stopped());
     }
     Ok(outcome)
+}
+
+/// A result that must be there, for somebody wants to write it; and the bytes of its own file
+/// where that is what is written.
+pub(crate) fn there(
+    graph: &Graph,
+    outcome: &Outcome,
+    node: usize,
+) -> Result<(AnyArtifact, Vec<u8>), Fault> {
+    let found = outcome.artifact(graph, node).and_then(|artifact| {
+        let raw = match out::formats(artifact.kind()) {
+            [out::RAW] => outcome.bytes(node)?,
+            _ => vec![],
+        };
+        Some((artifact, raw))
+    });
+    found.ok_or_else(|| {
+        let name = &graph.nodes[node].name;
+        Fault::stage(format!(
+            "the result of `{name}` went out of the cache before it was written; run the same command again"
+        ))
+    })
 }
 
 fn photos_node(graph: &Graph) -> Option<usize> {
@@ -164,8 +190,8 @@ fn verify(
     house: &House,
 ) -> Result<(), Fault> {
     let told = |node: &str| {
-        if !house.quiet {
-            eprintln!("{node}: once more");
+        if !house.quiet && !house.json {
+            super::errln!("{node}: once more");
         }
     };
     let options = options(house, false);
@@ -176,6 +202,7 @@ fn verify(
         .map(|u| format!("{}: {}", u.node, u.what))
         .collect();
     match lines.is_empty() {
+        true if CANCEL.load(Ordering::Relaxed) => Err(Fault::stopped()),
         true => Ok(()),
         false => Err(Fault::stage(lines.join("\n"))),
     }
@@ -183,14 +210,17 @@ fn verify(
 
 /// Does it.
 pub(crate) fn run(run: &Run, house: &House) -> Result<(), Fault> {
-    let (graph, wanted) = open(&run.wanted, house)?;
+    let ahead = ahead(&run.wanted, house);
+    let (graph, wanted) = open(&run.wanted)?;
     let folders = folders(&run.wanted.change)?;
+    let store = Store::open_after(&house.cache, ahead).map_err(Fault::input)?;
     let again: Vec<String> = std::env::args().collect();
     let wanted = match run.verify {
         true => walk::all(&graph, &wanted),
         false => wanted,
     };
     let outcome = execute(
+        store,
         &graph,
         &folders,
         &wanted,
@@ -204,11 +234,9 @@ pub(crate) fn run(run: &Run, house: &House) -> Result<(), Fault> {
     if let Some(folder) = &run.out {
         let names = photos(&graph, &outcome);
         for node in &wanted {
-            let Some(artifact) = outcome.artifact(&graph, *node) else {
-                continue;
-            };
-            let format = out::formats(artifact.kind())[0];
-            let files = out::files(artifact, &names, None).map_err(Fault::stage)?;
+            let (artifact, raw) = there(&graph, &outcome, *node)?;
+            let format = out::extension(&artifact);
+            let files = out::files(artifact, || raw, &names, None).map_err(Fault::stage)?;
             let single = files.len() == 1 && files[0].0.is_empty();
             let name = &graph.nodes[*node].name;
             let name = if single {

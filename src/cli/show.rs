@@ -2,9 +2,12 @@
 
 use super::run::open;
 use super::{Change, Fault, House, Wanted};
+use crate::graph::{Bound, Graph};
+use crate::key::{self, Story};
 use crate::store::Store;
-use crate::{engine, out};
+use crate::{engine, out, walk};
 use clap::Args;
+use serde_json::{Value, json};
 use shape::Photos;
 use stage::Hash;
 use std::path::PathBuf;
@@ -27,6 +30,27 @@ pub(crate) struct Show {
     o: PathBuf,
 }
 
+/// What a run's record says of a node.
+fn entry<'a>(run: &'a Value, node: &str) -> Option<&'a Value> {
+    run["nodes"].as_array()?.iter().find(|n| n["node"] == node)
+}
+
+/// Whether the node and all that it needs had these stages and params in a run.
+fn fits(run: &Value, graph: &Graph, node: usize) -> bool {
+    let needed = walk::needed(graph, &[node]);
+    let same = |node: &Bound| {
+        let mut story = Story::default();
+        key::tell_recipe(node, &mut story);
+        let told = entry(run, &node.name).map(|n| n["story"].clone());
+        let told = serde_json::from_value::<Vec<(String, String)>>(told.unwrap_or_default());
+        told.is_ok_and(|told| told.starts_with(&story.0))
+    };
+    let nodes = graph.nodes.iter().zip(needed);
+    nodes
+        .filter(|(_, needed)| *needed)
+        .all(|(node, _)| same(node))
+}
+
 /// Does it: the newest run of a node of that name whose result is still there.
 pub(crate) fn show(show: &Show, house: &House) -> Result<(), Fault> {
     let wanted = Wanted {
@@ -34,35 +58,46 @@ pub(crate) fn show(show: &Show, house: &House) -> Result<(), Fault> {
         nodes: vec![show.node.clone()],
         change: show.change.clone(),
     };
-    let (graph, nodes) = open(&wanted, house)?;
+    let (graph, nodes) = open(&wanted)?;
     let store = Store::open(&house.cache).map_err(Fault::input)?;
+    let (runs, changed) = (engine::runs(store.root()), show.change.changes());
     let read = |name: &str| {
         let at = graph.node(name)?;
         let stage = graph.nodes[at].stage;
-        engine::runs(store.root()).into_iter().find_map(|(_, run)| {
-            let node = run["nodes"]
-                .as_array()?
-                .iter()
-                .find(|n| n["node"] == name)?
-                .clone();
-            if node["stage"] != stage.name() {
-                return None;
-            }
+        let fitting = runs
+            .iter()
+            .filter(|(_, run)| !changed || fits(run, &graph, at));
+        fitting.into_iter().find_map(|(_, run)| {
+            let node = entry(run, name).filter(|n| n["stage"] == stage.name())?;
             let blob = store.blob(Hash::from_hex(node["content"].as_str()?).ok()?)?;
-            stage.read(&blob).ok()
+            Some((stage.read(&blob).ok()?, blob))
         })
     };
     let name = &graph.nodes[nodes[0]].name;
-    let artifact = read(name).ok_or_else(|| {
+    let (artifact, blob) = read(name).ok_or_else(|| {
+        let so = if changed { " with these changes" } else { "" };
         Fault::input(format!(
-            "the cache holds no result of `{name}`; run the pipeline first"
+            "the cache holds no result of `{name}`{so}; run the pipeline first"
         ))
     })?;
     let photos = graph.nodes.iter().find(|n| n.stage.yields() == "photos");
     let photos = photos
         .and_then(|n| read(&n.name))
-        .and_then(|a| a.downcast::<Photos>());
+        .and_then(|(a, _)| a.downcast::<Photos>());
     let photos = photos.map_or_else(Photos::default, |p| (*p).clone());
-    let files = out::files(artifact, &photos, show.format.as_deref()).map_err(Fault::input)?;
-    out::write(&show.o, &files).map_err(Fault::stage)
+    let raw = || blob.to_vec();
+    let files = out::files(artifact, raw, &photos, show.format.as_deref()).map_err(Fault::input)?;
+    out::write(&show.o, &files).map_err(Fault::stage)?;
+    if house.json {
+        let one = |(name, bytes): &(String, Vec<u8>)| {
+            let path = match name.is_empty() {
+                true => show.o.clone(),
+                false => show.o.join(name),
+            };
+            json!({ "file": path, "bytes": bytes.len() })
+        };
+        let files: Value = files.iter().map(one).collect();
+        super::outln!("{}", json!({ "node": name, "files": files }));
+    }
+    Ok(())
 }

@@ -4,18 +4,21 @@ use super::screen::short;
 use crate::walk::{Done, Fate, Watch};
 use std::collections::{BTreeMap, BTreeSet};
 use std::io::{IsTerminal, Write};
-use std::sync::Mutex;
-use std::time::Instant;
+use std::sync::mpsc::{RecvTimeoutError, Sender, channel};
+use std::sync::{Arc, Mutex};
+use std::time::{Duration, Instant};
 
 /// Speaks on standard error; on a terminal the last line shows what runs now.
 pub(crate) struct Speaker {
     quiet: bool,
     terminal: bool,
-    of: usize,
-    state: Mutex<State>,
+    state: Arc<Mutex<State>>,
+    /// Draws while no stage says anything; ends when this is dropped.
+    _clock: Option<Sender<()>>,
 }
 
 struct State {
+    of: usize,
     done: BTreeSet<String>,
     found: usize,
     running: Vec<Running>,
@@ -30,6 +33,9 @@ struct Running {
     at: String,
     since: Instant,
 }
+
+/// How often the last line is drawn while nothing is said.
+const TICK: Duration = Duration::from_millis(500);
 
 /// From so many nodes on, what was found is counted but not told one by one.
 const MANY: usize = 60;
@@ -48,6 +54,34 @@ impl State {
         };
         open.map(left).sum()
     }
+
+    /// The last line of the screen: what runs now, and for how long still.
+    fn draw(&mut self) {
+        let one = |r: &Running| {
+            let spent = r.since.elapsed().as_secs_f64();
+            let spent = if spent < 2.0 {
+                String::new()
+            } else {
+                format!(" {}", duration(spent))
+            };
+            format!("{}{spent}{}", r.node, r.at)
+        };
+        let running: Vec<String> = self.running.iter().map(one).collect();
+        let left = match self.left() {
+            left if left >= 1.0 => format!(" about {} left", duration(left)),
+            _ => String::new(),
+        };
+        let (done, of) = (self.done.len(), self.of);
+        let line = format!("[{done}/{of}]{left} {}", running.join(", "));
+        // A longer line would break, and its first half stay on the screen.
+        let columns = std::env::var("COLUMNS").ok().and_then(|c| c.parse().ok());
+        let line: String = line
+            .chars()
+            .take(columns.unwrap_or(80usize).max(21) - 1)
+            .collect();
+        let _ = write!(std::io::stderr(), "\r\x1b[K{line}");
+        self.drawn = Instant::now();
+    }
 }
 
 /// `75` as `1 min 15 s`.
@@ -64,6 +98,7 @@ impl Speaker {
     /// For a walk of so many nodes.
     pub(crate) fn new(quiet: bool, of: usize) -> Self {
         let state = State {
+            of,
             done: BTreeSet::new(),
             found: 0,
             running: vec![],
@@ -71,11 +106,25 @@ impl Speaker {
             expected: BTreeMap::new(),
         };
         let terminal = std::io::stderr().is_terminal();
+        let state = Arc::new(Mutex::new(state));
+        let clock = (terminal && !quiet).then(|| {
+            let (clock, ended) = channel();
+            let state = Arc::clone(&state);
+            std::thread::spawn(move || {
+                while ended.recv_timeout(TICK) == Err(RecvTimeoutError::Timeout) {
+                    let mut state = state.lock().expect("bug: poisoned");
+                    if !state.running.is_empty() && state.drawn.elapsed() >= TICK {
+                        state.draw();
+                    }
+                }
+            });
+            clock
+        });
         Speaker {
             quiet,
             terminal,
-            of,
-            state: Mutex::new(state),
+            state,
+            _clock: clock,
         }
     }
 
@@ -91,29 +140,7 @@ impl Speaker {
 
     fn draw(&self, state: &mut State) {
         if self.terminal && !self.quiet {
-            let running: Vec<String> = state
-                .running
-                .iter()
-                .map(|r| format!("{}{}", r.node, r.at))
-                .collect();
-            let left = match state.left() {
-                left if left >= 1.0 => format!(" about {} left", duration(left)),
-                _ => String::new(),
-            };
-            let line = format!(
-                "[{}/{}]{left} {}",
-                state.done.len(),
-                self.of,
-                running.join(", ")
-            );
-            // A longer line would break, and its first half stay on the screen.
-            let columns = std::env::var("COLUMNS").ok().and_then(|c| c.parse().ok());
-            let line: String = line
-                .chars()
-                .take(columns.unwrap_or(80usize).max(21) - 1)
-                .collect();
-            let _ = write!(std::io::stderr(), "\r\x1b[K{line}");
-            state.drawn = Instant::now();
+            state.draw();
         }
     }
 }
@@ -162,14 +189,14 @@ impl Watch for Speaker {
         let mut state = self.state.lock().expect("bug: poisoned");
         state.running.retain(|r| r.node != node);
         state.done.insert(node.into());
-        let last = state.done.len() == self.of;
+        let last = state.done.len() == state.of;
         if self.quiet {
             return;
         }
-        if done.fate == Fate::Found && self.of > MANY {
+        if done.fate == Fate::Found && state.of > MANY {
             state.found += 1;
             if last {
-                let _ = writeln!(std::io::stderr(), "{} of {} found", state.found, self.of);
+                let _ = writeln!(std::io::stderr(), "{} of {} found", state.found, state.of);
             }
             return;
         }
@@ -181,7 +208,7 @@ impl Watch for Speaker {
             Fate::Cancelled => "stopped".into(),
         };
         if self.terminal {
-            eprint!("\r\x1b[K");
+            let _ = write!(std::io::stderr(), "\r\x1b[K");
         }
         let number = |m: &stage::Metric| format!("{} {} {}", m.name, short(m.value), m.unit);
         let numbers: Vec<String> = done
@@ -194,17 +221,17 @@ impl Watch for Speaker {
         } else {
             format!("  ({})", numbers.join(", "))
         };
-        eprintln!(
+        super::errln!(
             "[{:>2}/{}] {node:<12} {fate}{numbers}",
             state.done.len(),
-            self.of
+            state.of
         );
         for warning in &done.warnings {
-            eprintln!("        warning: {warning}");
+            super::errln!("        warning: {warning}");
         }
         self.draw(&mut state);
         if self.terminal && last {
-            eprint!("\r\x1b[K");
+            let _ = write!(std::io::stderr(), "\r\x1b[K");
         }
     }
 }

@@ -57,20 +57,14 @@ struct Asked {
 /// Does it.
 pub(crate) fn sweep(args: &SweepArgs, house: &House) -> Result<(), Fault> {
     let file = args.pipeline.display().to_string();
-    let wrong = |m: Mistakes| {
-        if house.json {
-            Fault::input(m.json())
-        } else {
-            Fault::input(m)
-        }
-    };
     let all = Overrides {
         variant: args.change.variant.clone(),
         sets: args.change.set.clone(),
     };
-    let base = recipe::open(&args.pipeline, &all).map_err(wrong)?;
+    let base = recipe::open(&args.pipeline, &all).map_err(Fault::mistakes)?;
     let text = std::fs::read_to_string(&args.pipeline).map_err(Fault::input)?;
-    let recipe = recipe::read(&text).map_err(|m| wrong(Mistakes::new(&file, &text, m)))?;
+    let recipe =
+        recipe::read(&text).map_err(|m| Fault::mistakes(Mistakes::new(&file, &text, m)))?;
     let asked = asked(args, &recipe, &base)?;
     let at = |point: &Point| {
         let overrides = point.overrides(&all);
@@ -239,18 +233,18 @@ fn finish(args: &SweepArgs, house: &House, asked: &Asked, rows: &[Row]) -> Resul
     }
     untold(asked, rows)
         .iter()
-        .for_each(|line| eprintln!("{line}"));
+        .for_each(|line| super::errln!("{line}"));
     if CANCEL.load(Ordering::Relaxed) {
         let text = "stopped; run the same command to go on".into();
-        return Err(Fault { code: 130, text });
+        return Err(Fault {
+            text,
+            ..Fault::stopped()
+        });
     }
     match rows.iter().filter(|r| r.end != End::Done).count() {
         0 => Ok(()),
         // The table has said which and why.
-        _ => Err(Fault {
-            code: 1,
-            text: String::new(),
-        }),
+        _ => Err(Fault::stage("")),
     }
 }
 
@@ -277,7 +271,7 @@ struct Voice(bool);
 impl Voice {
     fn say(&self, line: &str) {
         if self.0 {
-            eprintln!("{line}");
+            super::errln!("{line}");
         }
     }
 }

@@ -5,8 +5,9 @@ use super::{Mistake, Node, Recipe};
 use crate::graph::{Bound, Graph, Source};
 use petgraph::algo::{tarjan_scc, toposort};
 use petgraph::graph::DiGraph;
-use stage::{AnyStage, unknown};
-use std::collections::BTreeMap;
+use stage::{AnyStage, PortSpec, unknown};
+use std::collections::HashMap;
+use std::sync::Arc;
 
 /// Binds a recipe to the stages that `find` knows. A `strict` one may hold no node that its goal
 /// does not need.
@@ -18,8 +19,9 @@ pub fn bind(
     let mut binder = Binder {
         recipe,
         mistakes: vec![],
-        places: BTreeMap::new(),
-        inputs: BTreeMap::new(),
+        places: HashMap::with_capacity(recipe.nodes.len()),
+        inputs: HashMap::with_capacity(recipe.inputs.len()),
+        known: HashMap::new(),
     };
     for (i, input) in recipe.inputs.iter().enumerate() {
         binder
@@ -31,14 +33,12 @@ pub fn bind(
             .places
             .insert(node.name.value.as_str(), Source::Node(i));
     }
-    let stages: Vec<_> = recipe
-        .nodes
-        .iter()
-        .map(|node| binder.stage(node, find))
-        .collect();
-    let mut bound: Vec<Option<Bound>> = Vec::new();
-    for (node, stage) in recipe.nodes.iter().zip(&stages) {
-        bound.push(stage.and_then(|stage| binder.node(node, stage, &stages)));
+    let nodes = recipe.nodes.iter();
+    let stages: Vec<_> = nodes.map(|node| binder.stage(node, find)).collect();
+    let mut bound: Vec<Option<Bound>> = Vec::with_capacity(stages.len());
+    for (node, known) in recipe.nodes.iter().zip(&stages) {
+        let known = known.as_ref();
+        bound.push(known.and_then(|known| binder.node(node, known, &stages)));
     }
     let goal = binder.goal();
     let order = binder.order(&bound);
@@ -55,36 +55,45 @@ pub fn bind(
 pub(super) struct Binder<'a> {
     pub(super) recipe: &'a Recipe,
     pub(super) mistakes: Vec<Mistake>,
-    pub(super) places: BTreeMap<&'a str, Source>,
-    pub(super) inputs: BTreeMap<&'a str, Source>,
+    pub(super) places: HashMap<&'a str, Source>,
+    pub(super) inputs: HashMap<&'a str, Source>,
+    /// What stages' names mean: many nodes have the same.
+    known: HashMap<&'a str, Option<Known>>,
+}
+
+/// A stage with its ports.
+#[derive(Clone)]
+pub(super) struct Known {
+    pub(super) stage: &'static dyn AnyStage,
+    pub(super) ports: Arc<[PortSpec]>,
 }
 
 impl<'a> Binder<'a> {
     fn stage(
         &mut self,
-        node: &Node,
+        node: &'a Node,
         find: &dyn Fn(&str) -> Option<&'static dyn AnyStage>,
-    ) -> Option<&'static dyn AnyStage> {
-        let stage = find(&node.stage.value);
-        if stage.is_none() && !node.stage.value.is_empty() {
+    ) -> Option<Known> {
+        let known = self.known.entry(&node.stage.value).or_insert_with(|| {
+            let stage = find(&node.stage.value)?;
+            let ports = stage.ports().into();
+            Some(Known { stage, ports })
+        });
+        if known.is_none() && !node.stage.value.is_empty() {
             let known: Vec<&str> = crate::catalog::stages().map(|s| s.name()).collect();
             self.mistakes.push(Mistake::at(
                 &node.stage.span,
                 unknown("stage", &node.stage.value, &known),
             ));
+            return None;
         }
-        stage
+        known.clone()
     }
 
-    fn node(
-        &mut self,
-        node: &'a Node,
-        stage: &'static dyn AnyStage,
-        stages: &[Option<&'static dyn AnyStage>],
-    ) -> Option<Bound> {
-        let ports = stage.ports();
+    fn node(&mut self, node: &'a Node, known: &Known, stages: &[Option<Known>]) -> Option<Bound> {
+        let Known { stage, ports } = known;
         let mut from: Vec<Option<Source>> = vec![None; ports.len()];
-        for (port, said) in self.wires(node, &ports, stages) {
+        for (port, said) in self.wires(node, ports, stages) {
             let Some(source) = self.source(said) else {
                 continue;
             };
@@ -121,7 +130,8 @@ impl<'a> Binder<'a> {
         match stage.check(&said) {
             Ok(params) => Some(Bound {
                 name: node.name.value.clone(),
-                stage,
+                stage: *stage,
+                ports: ports.clone(),
                 params,
                 from,
             }),

@@ -6,8 +6,10 @@
 mod arrange;
 mod bind;
 mod mistake;
+mod plain;
 mod read;
 mod sweeps;
+mod tree;
 mod variant;
 mod wire;
 
@@ -17,6 +19,7 @@ pub use read::read;
 pub use variant::{parse_value, vary};
 
 use crate::graph::Graph;
+use read::read_some;
 use stage::{AnyStage, Value};
 use std::borrow::Cow;
 use std::ops::Range;
@@ -181,13 +184,23 @@ pub fn open_text(
     overrides: &Overrides,
     find: &dyn Fn(&str) -> Option<&'static dyn AnyStage>,
 ) -> Result<Graph, Mistakes> {
-    let recipe = read(text).map_err(|m| Mistakes::new(name, text, m))?;
+    let (recipe, mut mistakes) = read_some(text).map_err(|m| Mistakes::new(name, text, m))?;
     let as_it_is = recipe.variants.is_empty() && overrides.variant.is_none();
     let varied = match as_it_is && overrides.sets.is_empty() {
-        true => Cow::Borrowed(&recipe),
-        false => Cow::Owned(vary(&recipe, overrides).map_err(|m| Mistakes::new(name, text, m))?),
+        true => Ok(Cow::Borrowed(&recipe)),
+        false => vary(&recipe, overrides).map(Cow::Owned),
     };
-    sweeps::check(&recipe, find).map_err(|m| Mistakes::new(name, text, m))?;
-    let strict = overrides.variant.is_none();
-    bind(&varied, find, strict).map_err(|m| Mistakes::new(name, text, m))
+    let varied = varied.unwrap_or_else(|wrong| {
+        mistakes.extend(wrong);
+        Cow::Borrowed(&recipe)
+    });
+    mistakes.extend(sweeps::check(&recipe, find).err().into_iter().flatten());
+    let strict = overrides.variant.is_none() && mistakes.is_empty();
+    match bind(&varied, find, strict) {
+        Ok(graph) if mistakes.is_empty() => Ok(graph),
+        bound => {
+            mistakes.extend(bound.err().into_iter().flatten());
+            Err(Mistakes::new(name, text, mistakes))
+        }
+    }
 }

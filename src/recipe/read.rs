@@ -1,30 +1,27 @@
 //! TOML → [`Recipe`]: knows the grammar, not what names mean.
 
+use super::tree::{Item, Key, Spot, Table, tree};
 use super::{From, Input, Mistake, Node, Recipe, Said, Variant, With};
 use stage::{Value, unknown};
 use std::ops::Range;
-use toml::Spanned;
-use toml::de::{DeTable, DeValue};
-
-pub(super) type Entry<'a, 'i> = (Said<String>, &'a Spanned<DeValue<'i>>);
 
 /// Reads a pipeline. All mistakes of grammar come at once.
 pub fn read(text: &str) -> Result<Recipe, Vec<Mistake>> {
-    let (root, errors) = DeTable::parse_recoverable(text);
-    let mut reader = Reader {
-        mistakes: Vec::new(),
-    };
-    for error in errors {
-        let span = error.span().unwrap_or(0..0);
-        reader
-            .mistakes
-            .push(Mistake::at(&span, error.message().to_owned()));
+    match read_some(text)? {
+        (recipe, mistakes) if mistakes.is_empty() => Ok(recipe),
+        (_, mistakes) => Err(mistakes),
     }
-    let recipe = reader.recipe(root.get_ref());
-    if reader.mistakes.is_empty() {
-        Ok(recipe)
-    } else {
-        Err(reader.mistakes)
+}
+
+/// What can be read of a pipeline, and what is wrong with the rest; nothing of what is no TOML.
+pub(super) fn read_some(text: &str) -> Result<(Recipe, Vec<Mistake>), Vec<Mistake>> {
+    let (root, mistakes) = tree(text);
+    let whole = mistakes.is_empty();
+    let mut reader = Reader { mistakes };
+    let recipe = reader.recipe(&root);
+    match whole {
+        true => Ok((recipe, reader.mistakes)),
+        false => Err(reader.mistakes),
     }
 }
 
@@ -33,15 +30,14 @@ pub(super) struct Reader {
     mistakes: Vec<Mistake>,
 }
 
-/// The entries of a table in the order of the file.
-pub(super) fn entries<'a, 'i>(table: &'a DeTable<'i>) -> Vec<Entry<'a, 'i>> {
-    let said = |key: &Spanned<std::borrow::Cow<'i, str>>| Said {
-        value: key.get_ref().to_string(),
-        span: key.span(),
-    };
-    let mut entries: Vec<_> = table.iter().map(|(k, v)| (said(k), v)).collect();
-    entries.sort_by_key(|(key, _)| key.span.start);
-    entries
+impl Key<'_> {
+    /// As it is kept.
+    pub(super) fn said(&self) -> Said<String> {
+        Said {
+            value: self.name.clone().into_owned(),
+            span: self.span.clone(),
+        }
+    }
 }
 
 impl Reader {
@@ -49,61 +45,66 @@ impl Reader {
         self.mistakes.push(Mistake::at(span, what));
     }
 
-    pub(super) fn unknown_key(&mut self, key: &Said<String>, known: &[&str]) {
-        self.wrong(&key.span, unknown("key", &key.value, known));
+    pub(super) fn unknown_key(&mut self, key: &Key<'_>, known: &[&str]) {
+        self.wrong(&key.span, unknown("key", &key.name, known));
     }
 
-    pub(super) fn table<'a, 'i>(
-        &mut self,
-        value: &'a Spanned<DeValue<'i>>,
-        what: &str,
-    ) -> Vec<Entry<'a, 'i>> {
-        match value.get_ref() {
-            DeValue::Table(table) => entries(table),
+    /// Names become those of files, and stand in commands.
+    fn name(&mut self, key: &Key<'_>) {
+        let plain = |b: u8| b.is_ascii_alphanumeric() || b == b'_' || b == b'-';
+        if key.name.is_empty() || !key.name.bytes().all(plain) {
+            let what = format!(
+                "`{}` is no name: say letters, digits, `_` and `-`",
+                key.name
+            );
+            self.wrong(&key.span, what);
+        }
+    }
+
+    pub(super) fn table<'a, 't>(&mut self, value: &'a Spot<'t>, what: &str) -> &'a Table<'t> {
+        match &value.item {
+            Item::Table(table) => table,
             _ => {
-                self.wrong(&value.span(), format!("{what} must be a table"));
-                vec![]
+                self.wrong(&value.span, format!("{what} must be a table"));
+                const { &Vec::new() }
             }
         }
     }
 
-    pub(super) fn text(&mut self, value: &Spanned<DeValue<'_>>, what: &str) -> Said<String> {
-        let text = match value.get_ref() {
-            DeValue::String(text) => text.to_string(),
+    pub(super) fn text(&mut self, value: &Spot<'_>, what: &str) -> Said<String> {
+        let text = match &value.item {
+            Item::Text(text) => text.clone().into_owned(),
             _ => {
-                self.wrong(&value.span(), format!("{what} must be a text"));
+                self.wrong(&value.span, format!("{what} must be a text"));
                 String::new()
             }
         };
         Said {
             value: text,
-            span: value.span(),
+            span: value.span.clone(),
         }
     }
 
     /// A text, or a list of texts.
-    pub(super) fn texts(&mut self, value: &Spanned<DeValue<'_>>, what: &str) -> Vec<Said<String>> {
-        match value.get_ref() {
-            DeValue::Array(list) => list.iter().map(|v| self.text(v, what)).collect(),
+    pub(super) fn texts(&mut self, value: &Spot<'_>, what: &str) -> Vec<Said<String>> {
+        match &value.item {
+            Item::List(list) => list.iter().map(|v| self.text(v, what)).collect(),
             _ => vec![self.text(value, what)],
         }
     }
 
-    pub(super) fn value(&mut self, value: &Spanned<DeValue<'_>>) -> Said<Value> {
-        let read = match value.get_ref() {
-            DeValue::Boolean(b) => Some(Value::Bool(*b)),
-            DeValue::Integer(i) => {
-                let digits = i.as_str();
-                i64::from_str_radix(digits, i.radix()).ok().map(Value::Int)
-            }
-            DeValue::Float(x) => x.as_str().parse().ok().map(Value::Float),
-            DeValue::String(t) => Some(Value::Text(t.to_string())),
-            DeValue::Array(list) => Some(Value::List(
+    pub(super) fn value(&mut self, value: &Spot<'_>) -> Said<Value> {
+        let read = match &value.item {
+            Item::Bool(b) => Some(Value::Bool(*b)),
+            Item::Int(i) => Some(Value::Int(*i)),
+            Item::Float(x) => Some(Value::Float(*x)),
+            Item::Text(t) => Some(Value::Text(t.clone().into_owned())),
+            Item::List(list) => Some(Value::List(
                 list.iter().map(|v| self.value(v).value).collect(),
             )),
-            DeValue::Datetime(_) | DeValue::Table(_) => None,
+            Item::Other | Item::Table(_) => None,
         };
-        let span = value.span();
+        let span = value.span.clone();
         if read.is_none() {
             self.wrong(
                 &span,
@@ -116,53 +117,54 @@ impl Reader {
         }
     }
 
-    fn recipe(&mut self, root: &DeTable<'_>) -> Recipe {
+    fn recipe(&mut self, root: &Table<'_>) -> Recipe {
         let mut recipe = Recipe::default();
-        for (key, value) in entries(root) {
-            match key.value.as_str() {
+        for (key, value) in root {
+            match &*key.name {
                 "about" => recipe.about = self.text(value, "`about`").value,
                 "goal" => recipe.goal = self.texts(value, "a goal"),
                 "input" => {
                     for (name, value) in self.table(value, "`input`") {
-                        let input = self.input(name, value);
+                        self.name(name);
+                        let input = self.input(name.said(), value);
                         recipe.inputs.push(input);
                     }
                 }
                 "node" => {
                     for (name, value) in self.table(value, "`node`") {
-                        let node = self.node(name, value);
+                        self.name(name);
+                        let node = self.node(name.said(), value);
                         recipe.nodes.push(node);
                     }
                 }
                 "variant" => {
                     for (name, value) in self.table(value, "`variant`") {
-                        let variant = self.variant(name, value);
+                        self.name(name);
+                        let variant = self.variant(name.said(), value);
                         recipe.variants.push(variant);
                     }
                 }
                 "sweep" => {
                     for (name, value) in self.table(value, "`sweep`") {
-                        let sweep = self.sweep(name, value);
+                        self.name(name);
+                        let sweep = self.sweep(name.said(), value);
                         recipe.sweeps.push(sweep);
                     }
                 }
-                _ => self.unknown_key(
-                    &key,
-                    &["about", "goal", "input", "node", "variant", "sweep"],
-                ),
+                _ => self.unknown_key(key, &["about", "goal", "input", "node", "variant", "sweep"]),
             }
         }
         recipe
     }
 
-    fn input(&mut self, name: Said<String>, value: &Spanned<DeValue<'_>>) -> Input {
+    fn input(&mut self, name: Said<String>, value: &Spot<'_>) -> Input {
         let mut input = Input {
             name,
             about: String::new(),
             files: vec![],
         };
         for (key, value) in self.table(value, "an input") {
-            match key.value.as_str() {
+            match &*key.name {
                 "about" => input.about = self.text(value, "`about`").value,
                 "files" => {
                     input.files = self
@@ -171,7 +173,7 @@ impl Reader {
                         .map(|s| s.value)
                         .collect();
                 }
-                _ => self.unknown_key(&key, &["about", "files"]),
+                _ => self.unknown_key(key, &["about", "files"]),
             }
         }
         if input.files.is_empty() {
@@ -184,15 +186,15 @@ impl Reader {
         input
     }
 
-    fn node(&mut self, name: Said<String>, value: &Spanned<DeValue<'_>>) -> Node {
+    fn node(&mut self, name: Said<String>, value: &Spot<'_>) -> Node {
         let mut stage = None;
         let (mut from, mut with) = (From::List(vec![]), With::new());
         for (key, value) in self.table(value, "a node") {
-            match key.value.as_str() {
+            match &*key.name {
                 "stage" => stage = Some(self.text(value, "`stage`")),
                 "from" => from = self.from(value),
                 "with" => with = self.with(value),
-                _ => self.unknown_key(&key, &["stage", "from", "with"]),
+                _ => self.unknown_key(key, &["stage", "from", "with"]),
             }
         }
         let stage = stage.unwrap_or_else(|| {
@@ -210,27 +212,22 @@ impl Reader {
         }
     }
 
-    fn from(&mut self, value: &Spanned<DeValue<'_>>) -> From {
-        match value.get_ref() {
-            DeValue::Table(table) => From::Table(
-                entries(table)
-                    .into_iter()
-                    .map(|(k, v)| (k, self.text(v, "a source")))
-                    .collect(),
-            ),
+    fn from(&mut self, value: &Spot<'_>) -> From {
+        match &value.item {
+            Item::Table(table) => {
+                let wire = |(k, v): &(Key<'_>, _)| (k.said(), self.text(v, "a source"));
+                From::Table(table.iter().map(wire).collect())
+            }
             _ => From::List(self.texts(value, "a source")),
         }
     }
 
-    fn with(&mut self, value: &Spanned<DeValue<'_>>) -> With {
-        let entries = self.table(value, "`with`");
-        entries
-            .into_iter()
-            .map(|(key, value)| (key, self.value(value)))
-            .collect()
+    fn with(&mut self, value: &Spot<'_>) -> With {
+        let entries = self.table(value, "`with`").iter();
+        entries.map(|(k, v)| (k.said(), self.value(v))).collect()
     }
 
-    fn variant(&mut self, name: Said<String>, value: &Spanned<DeValue<'_>>) -> Variant {
+    fn variant(&mut self, name: Said<String>, value: &Spot<'_>) -> Variant {
         let mut v = Variant {
             name,
             about: String::new(),
@@ -240,31 +237,31 @@ impl Reader {
             without: vec![],
         };
         for (key, value) in self.table(value, "a variant") {
-            match key.value.as_str() {
+            match &*key.name {
                 "about" => v.about = self.text(value, "`about`").value,
                 "without" => v.without = self.texts(value, "a node"),
                 "with" => {
                     let nodes = self.table(value, "`with` of a variant");
                     v.with = nodes
-                        .into_iter()
-                        .map(|(node, w)| (node, self.with(w)))
+                        .iter()
+                        .map(|(node, w)| (node.said(), self.with(w)))
                         .collect();
                 }
                 "stage" => {
                     let nodes = self.table(value, "`stage` of a variant");
                     v.stage = nodes
-                        .into_iter()
-                        .map(|(n, s)| (n, self.text(s, "a stage")))
+                        .iter()
+                        .map(|(n, s)| (n.said(), self.text(s, "a stage")))
                         .collect();
                 }
                 "from" => {
                     let nodes = self.table(value, "`from` of a variant");
                     v.from = nodes
-                        .into_iter()
-                        .map(|(node, f)| (node, self.from(f)))
+                        .iter()
+                        .map(|(node, f)| (node.said(), self.from(f)))
                         .collect();
                 }
-                _ => self.unknown_key(&key, &["about", "with", "without", "stage", "from"]),
+                _ => self.unknown_key(key, &["about", "with", "without", "stage", "from"]),
             }
         }
         v

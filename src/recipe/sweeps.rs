@@ -1,13 +1,12 @@
 //! `[sweep.NAME]`: what it says, and whether it can be.
 
-use super::read::{Reader, entries};
+use super::read::Reader;
+use super::tree::{Item, Spot};
 use super::{Mistake, Over, Overrides, Recipe, Said, Sample, Stretch, Sweep, vary};
 use stage::{AnyStage, Value, unknown};
-use toml::Spanned;
-use toml::de::DeValue;
 
 impl Reader {
-    pub(super) fn sweep(&mut self, name: Said<String>, value: &Spanned<DeValue<'_>>) -> Sweep {
+    pub(super) fn sweep(&mut self, name: Said<String>, value: &Spot<'_>) -> Sweep {
         let mut s = Sweep {
             name,
             about: String::new(),
@@ -20,7 +19,7 @@ impl Reader {
             goal: vec![],
         };
         for (key, value) in self.table(value, "a sweep") {
-            match key.value.as_str() {
+            match &*key.name {
                 "about" => s.about = self.text(value, "`about`").value,
                 "with" => s.with = self.texts(value, "a variant"),
                 "goal" => s.goal = self.texts(value, "a goal"),
@@ -32,12 +31,12 @@ impl Reader {
                     for (node, params) in self.table(value, "`over`") {
                         for (param, values) in self.table(params, "the params of a node") {
                             let over = self.over(values);
-                            s.over.push((node.clone(), param, over));
+                            s.over.push((node.said(), param.said(), over));
                         }
                     }
                 }
                 _ => self.unknown_key(
-                    &key,
+                    key,
                     &[
                         "about", "over", "zip", "csv", "sample", "with", "tell", "goal",
                     ],
@@ -47,37 +46,37 @@ impl Reader {
         s
     }
 
-    fn over(&mut self, value: &Spanned<DeValue<'_>>) -> Over {
-        match value.get_ref() {
-            DeValue::Array(list) => Over::List(list.iter().map(|v| self.value(v)).collect()),
-            DeValue::Table(_) => Over::Range(Said {
+    fn over(&mut self, value: &Spot<'_>) -> Over {
+        match &value.item {
+            Item::List(list) => Over::List(list.iter().map(|v| self.value(v)).collect()),
+            Item::Table(_) => Over::Range(Said {
                 value: self.stretch(value),
-                span: value.span(),
+                span: value.span.clone(),
             }),
             _ => Over::List(vec![self.value(value)]),
         }
     }
 
-    fn stretch(&mut self, value: &Spanned<DeValue<'_>>) -> Stretch {
+    fn stretch(&mut self, value: &Spot<'_>) -> Stretch {
         let (mut ends, mut steps, mut log) = ([None, None], None, false);
         for (key, said) in self.table(value, "a range") {
             let known = ["from", "to", "steps", "log"];
-            let value = match known.contains(&key.value.as_str()) {
+            let value = match known.contains(&&*key.name) {
                 true => self.value(said).value,
                 false => {
-                    self.unknown_key(&key, &known);
+                    self.unknown_key(key, &known);
                     continue;
                 }
             };
-            match (key.value.as_str(), &value) {
+            match (&*key.name, &value) {
                 ("from", _) => ends[0] = Some(value),
                 ("to", _) => ends[1] = Some(value),
                 ("steps", Value::Int(n)) if (1..=1_000_000).contains(n) => {
                     steps = Some(*n as usize)
                 }
                 ("log", Value::Bool(b)) => log = *b,
-                ("log", _) => self.wrong(&said.span(), "`log` is true or false"),
-                _ => self.wrong(&said.span(), "`steps` is a whole number, 1 to a million"),
+                ("log", _) => self.wrong(&said.span, "`log` is true or false"),
+                _ => self.wrong(&said.span, "`steps` is a whole number, 1 to a million"),
             }
         }
         let number = |value: &Option<Value>| match value {
@@ -88,11 +87,11 @@ impl Reader {
         let (from, to) = (number(&ends[0]), number(&ends[1]));
         if from.is_none() || to.is_none() {
             let what = "a range needs two numbers: `{ from = 1.0, to = 8.0, steps = 4 }`";
-            self.wrong(&value.span(), what);
+            self.wrong(&value.span, what);
         }
         let (from, to) = (from.unwrap_or(1.0), to.unwrap_or(1.0));
         if log && (from <= 0.0 || to <= 0.0) {
-            self.wrong(&value.span(), "a `log` range needs two numbers above zero");
+            self.wrong(&value.span, "a `log` range needs two numbers above zero");
         }
         let whole = ends.iter().all(|e| matches!(e, Some(Value::Int(_))));
         Stretch {
@@ -104,48 +103,43 @@ impl Reader {
         }
     }
 
-    fn zip(&mut self, value: &Spanned<DeValue<'_>>) -> Vec<Vec<Said<String>>> {
-        match value.get_ref() {
-            DeValue::Array(list)
-                if list
-                    .iter()
-                    .any(|v| matches!(v.get_ref(), DeValue::Array(_))) =>
-            {
-                list.iter()
-                    .map(|group| self.texts(group, "a param"))
-                    .collect()
-            }
+    fn zip(&mut self, value: &Spot<'_>) -> Vec<Vec<Said<String>>> {
+        match &value.item {
+            Item::List(list) if list.iter().any(|v| matches!(v.item, Item::List(_))) => list
+                .iter()
+                .map(|group| self.texts(group, "a param"))
+                .collect(),
             _ => vec![self.texts(value, "a param")],
         }
     }
 
-    fn sample(&mut self, value: &Spanned<DeValue<'_>>) -> Option<Said<Sample>> {
+    fn sample(&mut self, value: &Spot<'_>) -> Option<Said<Sample>> {
         let (mut points, mut seed) = (None, 1);
-        let DeValue::Table(table) = value.get_ref() else {
-            self.wrong(&value.span(), "say `sample = { points = 40, seed = 1 }`");
+        let Item::Table(table) = &value.item else {
+            self.wrong(&value.span, "say `sample = { points = 40, seed = 1 }`");
             return None;
         };
-        for (key, value) in entries(table) {
-            match (key.value.as_str(), self.value(value).value) {
+        for (key, value) in table {
+            match (&*key.name, self.value(value).value) {
                 ("points", Value::Int(n)) if (1..=1_000_000).contains(&n) => {
                     points = Some(n as usize)
                 }
                 ("seed", Value::Int(n)) => seed = n as u64,
                 ("points" | "seed", _) => {
-                    self.wrong(&value.span(), "a whole number, `points` 1 to a million")
+                    self.wrong(&value.span, "a whole number, `points` 1 to a million")
                 }
-                _ => self.unknown_key(&key, &["points", "seed"]),
+                _ => self.unknown_key(key, &["points", "seed"]),
             }
         }
         if points.is_none() {
-            self.wrong(&value.span(), "a sample needs `points`");
+            self.wrong(&value.span, "a sample needs `points`");
         }
         Some(Said {
             value: Sample {
                 points: points?,
                 seed,
             },
-            span: value.span(),
+            span: value.span.clone(),
         })
     }
 }

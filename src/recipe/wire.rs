@@ -1,9 +1,9 @@
 //! Which port of a node reads what.
 
-use super::bind::Binder;
+use super::bind::{Binder, Known};
 use super::{From, Mistake, Node, Said};
 use crate::graph::Source;
-use stage::{AnyStage, PortSpec, unknown};
+use stage::{PortSpec, unknown};
 
 impl<'a> Binder<'a> {
     /// Which port reads what: by name; in a list also the only open port of that kind.
@@ -11,7 +11,7 @@ impl<'a> Binder<'a> {
         &mut self,
         node: &'a Node,
         ports: &[PortSpec],
-        stages: &[Option<&'static dyn AnyStage>],
+        stages: &[Option<Known>],
     ) -> Vec<(usize, &'a Said<String>)> {
         let known: Vec<&str> = ports.iter().map(|p| p.name).collect();
         let mut wires: Vec<(usize, &'a Said<String>)> = Vec::new();
@@ -103,14 +103,10 @@ impl<'a> Binder<'a> {
         source
     }
 
-    pub(super) fn kind(
-        &self,
-        source: Source,
-        stages: &[Option<&'static dyn AnyStage>],
-    ) -> Option<&'static str> {
+    pub(super) fn kind(&self, source: Source, stages: &[Option<Known>]) -> Option<&'static str> {
         match source {
             Source::Input(_) => Some("files"),
-            Source::Node(i) => stages[i].map(|s| s.yields()),
+            Source::Node(i) => stages[i].as_ref().map(|s| s.stage.yields()),
         }
     }
 }

@@ -22,7 +22,7 @@ impl Store {
         let hash = blake3::hash(bytes);
         if self.blob(hash).is_none() {
             files::publish(
-                &self.fresh()?,
+                &self.fresh(),
                 &self.place("cas", hash),
                 bytes,
                 Care::worth(seconds),

@@ -2,7 +2,7 @@
 
 use super::StoreError;
 use std::fs::{self, File, OpenOptions};
-use std::io::Write;
+use std::io::{ErrorKind, Write};
 use std::os::unix::fs::{DirBuilderExt, OpenOptionsExt};
 use std::path::Path;
 
@@ -47,14 +47,25 @@ pub(super) fn folder(path: &Path) -> Result<(), StoreError> {
         .map_err(disk(path))
 }
 
+/// Makes the folder that a file is to lie in, mode 0700.
+fn above(path: &Path) -> std::io::Result<()> {
+    let mut make = fs::DirBuilder::new();
+    let make = make.recursive(true).mode(0o700);
+    path.parent().map_or(Ok(()), |folder| make.create(folder))
+}
+
 /// Writes a file under another name and renames it: whole or not at all. Mode 0600.
 pub(super) fn publish(tmp: &Path, path: &Path, bytes: &[u8], care: Care) -> Result<(), StoreError> {
     let written = (|| {
-        let mut file = OpenOptions::new()
-            .write(true)
-            .create_new(true)
-            .mode(0o600)
-            .open(tmp)?;
+        let mut open = OpenOptions::new();
+        let open = open.write(true).create_new(true).mode(0o600);
+        let mut file = match open.open(tmp) {
+            Err(error) if error.kind() == ErrorKind::NotFound => {
+                above(tmp)?;
+                open.open(tmp)?
+            }
+            opened => opened?,
+        };
         file.write_all(bytes)?;
         if care == Care::Durable {
             file.sync_data()?;
@@ -62,13 +73,10 @@ pub(super) fn publish(tmp: &Path, path: &Path, bytes: &[u8], care: Care) -> Resu
         drop(file);
         if let Err(error) = fs::rename(tmp, path) {
             // The folder of a new prefix is made when it is missed, which is rare.
-            let Some(parent) = path.parent().filter(|p| !p.is_dir()) else {
+            if error.kind() != ErrorKind::NotFound {
                 return Err(error);
-            };
-            fs::DirBuilder::new()
-                .recursive(true)
-                .mode(0o700)
-                .create(parent)?;
+            }
+            above(path)?;
             fs::rename(tmp, path)?;
         }
         match (care, path.parent()) {

@@ -16,19 +16,22 @@
 use super::files::{self, Care};
 use super::{Record, Store};
 use stage::{Hash, Metric};
-use std::collections::BTreeMap;
+use std::collections::HashMap;
+use std::hash::{BuildHasherDefault, Hasher};
 use std::os::unix::fs::MetadataExt;
 use std::path::Path;
 
 const MAGIC: &[u8; 8] = b"TAILORIX";
 const RACY_NS: i64 = 1_000_000_000;
+/// Of an entry without notes.
+const LEAST_ENTRY_BYTES: usize = 100;
 
 /// A file's size, inode and time of change. \[bytes, 1, ns\]
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) struct Stamp(u64, u64, i64);
 
 impl Stamp {
-    fn of(path: &Path) -> Option<Stamp> {
+    pub(super) fn of(path: &Path) -> Option<Stamp> {
         let meta = std::fs::metadata(path).ok()?;
         let changed = meta.ctime() * 1_000_000_000 + meta.ctime_nsec();
         Some(Stamp(meta.size(), meta.ino(), changed))
@@ -36,13 +39,13 @@ impl Stamp {
 }
 
 #[derive(Debug, Clone)]
-struct Entry {
-    content: [u8; 32],
+pub(super) struct Entry {
+    pub(super) content: [u8; 32],
     stamp: Stamp,
     seconds: f64,
     notes: Vec<u8>,
     /// The blob's stamp as it was seen a moment ago, to be used once; see [`Store::look_around`].
-    seen: Option<Option<Stamp>>,
+    pub(super) seen: Option<Option<Stamp>>,
 }
 
 /// What is known of a key.
@@ -57,7 +60,10 @@ pub struct Found {
 
 impl Entry {
     fn record(&self) -> Record {
-        let (metrics, warnings): Notes = serde_json::from_slice(&self.notes).unwrap_or_default();
+        let (metrics, warnings): Notes = match self.notes.is_empty() {
+            true => Notes::default(),
+            false => serde_json::from_slice(&self.notes).unwrap_or_default(),
+        };
         let metric = |(name, value, unit)| Metric { name, value, unit };
         Record {
             story: vec![],
@@ -72,11 +78,31 @@ impl Entry {
 
 type Notes = (Vec<(String, f64, String)>, Vec<String>);
 
+/// A key is a hash: its first bits are as good as any.
+#[derive(Default)]
+pub(super) struct FirstBits(u64);
+
+impl Hasher for FirstBits {
+    fn finish(&self) -> u64 {
+        self.0
+    }
+    fn write_usize(&mut self, _length: usize) {}
+    fn write(&mut self, key: &[u8]) {
+        if let Some(first) = key.first_chunk() {
+            self.0 = u64::from_le_bytes(*first);
+        }
+    }
+}
+
+type Entries = HashMap<[u8; 32], Entry, BuildHasherDefault<FirstBits>>;
+
 /// All entries by key, and whether there are new ones.
 #[derive(Debug, Default)]
 pub(super) struct Index {
-    entries: BTreeMap<[u8; 32], Entry>,
+    pub(super) entries: Entries,
     fresh: bool,
+    /// Whether the blobs of all entries have been looked at.
+    pub(super) looked: bool,
 }
 
 impl Index {
@@ -85,17 +111,16 @@ impl Index {
         let file = std::fs::read(path).unwrap_or_default();
         Index {
             entries: parse(&file).unwrap_or_default(),
-            fresh: false,
+            ..Index::default()
         }
     }
 
     fn bytes(&self, now_ns: i64) -> Vec<u8> {
         let mut file = vec![0; 40];
         let steady = |e: &&Entry| now_ns - e.stamp.2 > RACY_NS;
-        for (key, entry) in &self.entries {
-            let Some(e) = Some(entry).filter(steady) else {
-                continue;
-            };
+        let mut entries: Vec<_> = self.entries.iter().filter(|(_, e)| steady(e)).collect();
+        entries.sort_unstable_by_key(|(key, _)| **key);
+        for (key, e) in entries {
             file.extend_from_slice(key);
             file.extend_from_slice(&e.content);
             file.extend_from_slice(&e.stamp.0.to_le_bytes());
@@ -112,7 +137,7 @@ impl Index {
     }
 }
 
-fn parse(file: &[u8]) -> Option<BTreeMap<[u8; 32], Entry>> {
+fn parse(file: &[u8]) -> Option<Entries> {
     let mut rest = file.get(40..)?;
     if &file[..8] != MAGIC || blake3::hash(rest).as_bytes() != &file[8..40] {
         return None;
@@ -122,7 +147,8 @@ fn parse(file: &[u8]) -> Option<BTreeMap<[u8; 32], Entry>> {
         *rest = tail;
         Some(*head)
     }
-    let mut entries = BTreeMap::new();
+    let mut entries = Entries::default();
+    entries.reserve(rest.len() / LEAST_ENTRY_BYTES);
     while !rest.is_empty() {
         let (key, content) = (take::<32>(&mut rest)?, take::<32>(&mut rest)?);
         let (size, inode) = (take(&mut rest)?, take(&mut rest)?);
@@ -192,26 +218,6 @@ impl Store {
         Some(Found { record, present })
     }
 
-    /// Looks at the blobs of all entries on several threads, ahead of a walk of so many nodes
-    /// that is going to ask for most of them.
-    pub(crate) fn look_around(&self, nodes: usize, threads: usize) {
-        let mut index = self.index.lock().expect("bug: poisoned");
-        let n = index.entries.len();
-        if threads < 2 || n < 2000 || n > 2 * nodes {
-            return;
-        }
-        let mut entries: Vec<&mut Entry> = index.entries.values_mut().collect();
-        let look = |entry: &mut Entry| {
-            let content = Hash::from_bytes(entry.content);
-            entry.seen = Some(Stamp::of(&self.place("cas", content)));
-        };
-        std::thread::scope(|scope| {
-            for chunk in entries.chunks_mut(n.div_ceil(threads.min(4))) {
-                scope.spawn(move || chunk.iter_mut().for_each(|entry| look(entry)));
-            }
-        });
-    }
-
     /// Remembers that the blob of a record was found whole.
     fn note(&self, key: Hash, record: &Record, stamp: Stamp) {
         let entry = Entry {
@@ -241,13 +247,10 @@ impl Store {
         if !std::mem::replace(&mut index.fresh, false) {
             return;
         }
-        for (key, entry) in Index::load(&path).entries {
-            index.entries.entry(key).or_insert(entry);
-        }
+        let theirs = Index::load(&path).entries.into_iter();
+        theirs.for_each(|(key, entry)| _ = index.entries.entry(key).or_insert(entry));
         let bytes = index.bytes(crate::clock::now_ns() as i64);
-        if let Ok(tmp) = self.fresh() {
-            let _ = files::publish(&tmp, &path, &bytes, Care::Cheap);
-        }
+        let _ = files::publish(&self.fresh(), &path, &bytes, Care::Cheap);
     }
 }
 

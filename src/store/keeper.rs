@@ -1,7 +1,7 @@
 //! What the store holds, what may go when it grows, and whether it is sound.
 
-use super::Store;
-use crate::engine;
+use super::{Store, StoreError};
+use crate::past;
 use stage::Hash;
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
@@ -70,19 +70,45 @@ pub fn parts_size(store: &Store) -> u64 {
     shelf(store.root(), "part").iter().map(size).sum()
 }
 
-/// Removes results worth least (seconds to rebuild per byte) until the rest fits into `most` bytes;
-/// those of the last `keep_runs` runs stay. Parts go first if it does not fit, and what killed
-/// processes left goes anyhow. Returns what went, or would go.
+/// What may stay.
+#[derive(Debug, Clone, Copy)]
+pub struct Budget {
+    /// Of all results. \[bytes\]
+    pub most: u64,
+    /// The last so many runs keep their results whatever their size, as pinned runs do.
+    pub keep_runs: usize,
+    /// The last so many runs keep their records, as pinned runs do.
+    pub keep_records: usize,
+}
+
+/// What went, or would go.
+#[derive(Debug, Clone, Default)]
+pub struct Swept {
+    /// Results.
+    pub results: Vec<Kept>,
+    /// Parts and checkpoints. \[bytes\]
+    pub parts_bytes: u64,
+    /// Records of runs.
+    pub records: usize,
+}
+
+/// Removes results worth least (seconds to rebuild per byte) until the rest fits into the budget;
+/// those of pinned runs and of the last ones stay. Parts go first if it does not fit, and what
+/// killed processes left, what was put aside and records of old runs go anyhow.
 ///
-/// Records stay: the content of what went is still known, so that it is made again only when
-/// somebody reads it.
-pub fn gc(store: &Store, most: u64, keep_runs: usize, dry_run: bool) -> Vec<Kept> {
-    let pinned: BTreeSet<String> = engine::runs(store.root())
-        .into_iter()
-        .take(keep_runs)
-        .flat_map(|(_, run)| run["nodes"].as_array().cloned().unwrap_or_default())
-        .filter_map(|node| node["content"].as_str().map(str::to_owned))
-        .collect();
+/// Records of results stay: the content of what went is still known, so that it is made again only
+/// when somebody reads it. Nothing goes while a run uses the store.
+pub fn gc(store: &Store, budget: &Budget, dry_run: bool) -> Result<Swept, StoreError> {
+    let _alone = match dry_run {
+        true => None,
+        false => Some(
+            store
+                .alone()
+                .ok_or_else(|| StoreError::Busy(store.root().into()))?,
+        ),
+    };
+    let pins: BTreeSet<String> = store.pins().into_iter().map(|(_, run)| run).collect();
+    let stays = past::contents(store.root(), budget.keep_runs, &pins);
     // Nodes may share a result: it is worth what the dearest of them took.
     let mut kept: BTreeMap<String, Kept> = BTreeMap::new();
     for k in list(store) {
@@ -96,24 +122,28 @@ pub fn gc(store: &Store, most: u64, keep_runs: usize, dry_run: bool) -> Vec<Kept
     let worth = |k: &Kept| k.seconds / k.bytes.max(1) as f64;
     kept.sort_by(|a, b| worth(a).total_cmp(&worth(b)).then(a.key.cmp(&b.key)));
     let mut total: u64 = kept.iter().map(|k| k.bytes).sum();
-    let parts_go = total + parts_size(store) > most;
-    let mut gone = Vec::new();
+    let mut swept = Swept::default();
+    let parts = parts_size(store);
+    if total + parts > budget.most {
+        swept.parts_bytes = parts;
+    }
     for k in kept {
-        if total <= most {
+        if total <= budget.most {
             break;
         }
-        if !pinned.contains(&k.content) {
+        if !stays.contains(&k.content) {
             total -= k.bytes;
-            gone.push(k);
+            swept.results.push(k);
         }
     }
+    swept.records = past::prune(store.root(), budget.keep_records, &pins, dry_run);
     if !dry_run {
-        if parts_go {
+        if swept.parts_bytes > 0 {
             for path in shelf(store.root(), "part") {
                 let _ = std::fs::remove_file(path);
             }
         }
-        let going: BTreeSet<&str> = gone.iter().map(|k| k.content.as_str()).collect();
+        let going: BTreeSet<&str> = swept.results.iter().map(|k| k.content.as_str()).collect();
         for path in shelf(store.root(), "cas") {
             let name = path.file_name().and_then(|n| n.to_str()).unwrap_or("");
             if going.contains(name) || !known.contains(name) {
@@ -122,10 +152,11 @@ pub fn gc(store: &Store, most: u64, keep_runs: usize, dry_run: bool) -> Vec<Kept
         }
         sweep(store);
     }
-    gone
+    Ok(swept)
 }
 
-/// Removes what killed processes left: files that were being written, and leases nobody holds.
+/// Removes what killed processes left: files that were being written; files of leases; and what
+/// was put aside.
 fn sweep(store: &Store) {
     let _ = std::fs::remove_file(store.root().join("index"));
     let names = |folder: &str| {
@@ -136,6 +167,9 @@ fn sweep(store: &Store) {
             .filter_map(|e| Some(e.ok()?.path()))
             .collect::<Vec<_>>()
     };
+    for path in names("quarantine") {
+        let _ = std::fs::remove_file(path);
+    }
     for path in names("tmp") {
         // Files here begin with the number of the process that writes them.
         let process = path.file_name().and_then(|n| n.to_str()?.split('-').next());
@@ -144,9 +178,9 @@ fn sweep(store: &Store) {
             let _ = std::fs::remove_file(path);
         }
     }
-    for key in names("lease").iter().filter_map(|p| hash_of(p)) {
-        // Claimed and dropped: the file goes, unless somebody holds it.
-        drop(store.claim(key));
+    // Nobody runs, so nobody holds one.
+    for path in names("lease") {
+        let _ = std::fs::remove_file(path);
     }
 }
 

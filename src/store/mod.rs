@@ -7,6 +7,8 @@
 //! part/ab/abcdef…       parts and checkpoints of unfinished work
 //! lease/…               held while a result is made; see `lease.rs`
 //! runs/…                one record a run
+//! pins/…                names of runs whose results stay
+//! in-use                locked by whoever runs, and by who sweeps; see `lease.rs`
 //! index                 what was verified; see `index.rs`; may go at any time
 //! quarantine/…          what was found corrupt
 //! tmp/…                 what is being written
@@ -17,16 +19,20 @@
 //! What is read is verified; what is corrupt or missing is a miss. What took long enough to be
 //! worth it is synced to the disk before it gets its name.
 
+mod ahead;
 mod blob;
 mod files;
 mod index;
 pub mod keeper;
 mod lease;
 mod part;
+mod pins;
 mod record;
 
+pub use ahead::Ahead;
 pub use index::Found;
-pub use lease::{Claim, Lease};
+pub use lease::{Claim, InUse, Lease};
+pub use pins::PinError;
 pub use record::Record;
 
 use files::Care;
@@ -63,30 +69,42 @@ pub enum StoreError {
         /// What it says of itself.
         found: String,
     },
+    /// Not to be swept now.
+    #[error("a run is using the cache at {}: nothing was removed; say it again when the run is done", .0.display())]
+    Busy(PathBuf),
 }
 
 impl Store {
     /// Opens a store; makes it if there is none.
     pub fn open(root: &Path) -> Result<Store, StoreError> {
+        Store::with(root, Index::load(&root.join("index")))
+    }
+
+    /// As [`Store::open`], with what was read ahead of it.
+    pub fn open_after(root: &Path, ahead: Ahead) -> Result<Store, StoreError> {
+        Store::with(root, ahead.index())
+    }
+
+    fn with(root: &Path, index: Index) -> Result<Store, StoreError> {
         let store = Store {
             root: root.to_owned(),
-            index: Mutex::new(Index::load(&root.join("index"))),
+            index: Mutex::new(index),
         };
         let mark = root.join("format");
-        match std::fs::read_to_string(&mark) {
-            Ok(text) if text == FORMAT => {}
-            Ok(found) => {
-                let found = found.trim().chars().take(40).collect();
-                return Err(StoreError::Format {
-                    root: root.into(),
-                    found,
-                });
-            }
-            Err(_) => {
-                files::folder(root)?;
-                files::publish(&store.fresh()?, &mark, FORMAT.as_bytes(), Care::Durable)?;
-            }
+        let found = std::fs::read(&mark).unwrap_or_default();
+        if found == FORMAT.as_bytes() {
+            return Ok(store);
         }
+        // A loss of power may leave a file without what was written, whose layout was this one.
+        if found.iter().any(|byte| *byte != 0) {
+            let found = String::from_utf8_lossy(&found);
+            return Err(StoreError::Format {
+                root: root.into(),
+                found: found.trim().chars().take(40).collect(),
+            });
+        }
+        files::folder(root)?;
+        files::publish(&store.fresh(), &mark, FORMAT.as_bytes(), Care::Cheap)?;
         Ok(store)
     }
 
@@ -98,27 +116,21 @@ impl Store {
     /// Writes a file of the store by its name, over what was there. It is not synced: what lies
     /// outside of the shelves is of use, but nothing depends on it.
     pub fn write(&self, name: &str, bytes: &[u8]) -> Result<(), StoreError> {
-        files::publish(&self.fresh()?, &self.root.join(name), bytes, Care::Cheap)
+        files::publish(&self.fresh(), &self.root.join(name), bytes, Care::Cheap)
     }
 
     /// The file of a hash under a shelf: `cas/ab/abcdef…`.
     fn place(&self, shelf: &str, hash: Hash) -> PathBuf {
-        let hex = hash.to_hex();
-        self.root.join(shelf).join(&hex[..2]).join(hex.as_str())
+        place(&self.root, shelf, hash)
     }
 
     /// A name in `tmp` that nobody else has.
-    fn fresh(&self) -> Result<PathBuf, StoreError> {
+    fn fresh(&self) -> PathBuf {
         use std::sync::atomic::{AtomicU64, Ordering};
         static COUNT: AtomicU64 = AtomicU64::new(0);
-        let folder = self.root.join("tmp");
-        files::folder(&folder)?;
         let count = COUNT.fetch_add(1, Ordering::Relaxed);
-        Ok(folder.join(format!(
-            "{}-{count}-{:x}",
-            std::process::id(),
-            crate::clock::now_ns()
-        )))
+        let (id, now) = (std::process::id(), crate::clock::now_ns());
+        self.root.join("tmp").join(format!("{id}-{count}-{now:x}"))
     }
 
     /// Puts what is corrupt aside, so that it is a miss from now on.
@@ -129,4 +141,15 @@ impl Store {
             let _ = std::fs::remove_file(path);
         }
     }
+}
+
+/// The file of a hash under a shelf of the store at `root`.
+fn place(root: &Path, shelf: &str, hash: Hash) -> PathBuf {
+    let hex = hash.to_hex();
+    let mut path = PathBuf::with_capacity(root.as_os_str().len() + shelf.len() + 70);
+    path.push(root);
+    path.push(shelf);
+    path.push(&hex[..2]);
+    path.push(hex.as_str());
+    path
 }

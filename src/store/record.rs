@@ -66,7 +66,7 @@ impl Store {
             "{}\n{body}\n",
             blake3::hash(format!("{body}\n").as_bytes()).to_hex()
         );
-        let (tmp, path) = (self.fresh()?, self.place("ac", key));
+        let (tmp, path) = (self.fresh(), self.place("ac", key));
         files::publish(&tmp, &path, file.as_bytes(), Care::worth(record.seconds))?;
         self.note_made(key, record);
         Ok(())

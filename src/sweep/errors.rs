@@ -22,7 +22,7 @@ pub(super) fn errors(
         let Some(artifact) = body(graph, outcome, kind) else {
             continue;
         };
-        let files = out::files(artifact, &Photos::default(), Some(format));
+        let files = out::files(artifact, Vec::new, &Photos::default(), Some(format));
         let files = files.map_err(|e| e.to_string())?;
         out::write(&folder.path().join(file), &files).map_err(|e| e.to_string())?;
     }

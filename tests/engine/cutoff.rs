@@ -111,12 +111,13 @@ fn a_store_of_another_layout_is_refused() {
     let Err(error) = Store::open(&place.cache()) else {
         panic!("it was opened")
     };
-    assert!(
-        error
-            .to_string()
-            .contains("another layout (tailor store 99)"),
-        "{error}"
-    );
+    let told = error.to_string();
+    assert!(told.contains("another layout (tailor store 99)"), "{told}");
+    // What a loss of power leaves is no layout.
+    for torn in [&b""[..], &[0; 15]] {
+        std::fs::write(place.cache().join("format"), torn).unwrap();
+        assert_eq!(place.run(1), NONE);
+    }
 }
 
 #[test]
@@ -173,6 +174,13 @@ fn one_file_more_redoes_one_part_and_a_failed_stage_goes_on_at_its_last_step() {
         (Fate::Made, vec![1.0, 9.0]),
         "one photo of eighteen"
     );
+    for part in place.shelf("part") {
+        let bytes = std::fs::read(&part).unwrap();
+        std::fs::write(&part, &bytes[..bytes.len() * 2 / 3]).unwrap();
+    }
+    std::fs::write(place.src().join("3.txt"), "a third\n").unwrap();
+    let torn = (Fate::Made, vec![18.0, 9.0]);
+    assert_eq!(parts(0), torn, "torn parts are made again");
     assert!(matches!(parts(6).0, Fate::Failed(_)));
     assert_eq!(
         parts(6),

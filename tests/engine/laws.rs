@@ -161,38 +161,6 @@ fn a_stage_that_is_not_the_same_twice_is_found() {
 }
 
 #[test]
-fn gc_removes_what_is_cheap_for_its_size_and_a_rerun_makes_nothing_of_it() {
-    let place = Place::new("hello\n");
-    let chained = crate::place::chain(1);
-    place.outcome(&chained, &place.cache(), 1, &Log::default());
-    let store = place.store();
-    assert_eq!(
-        keeper::gc(&store, 0, 1, true).len(),
-        0,
-        "the last run is kept"
-    );
-    assert_eq!(keeper::gc(&store, 0, 0, true).len(), 4);
-    assert_eq!(keeper::list(&store).len(), 4, "a dry run removes nothing");
-    let blob = std::fs::read(place.blob(1, "mid")).unwrap().len() as u64;
-    let gone = keeper::gc(&store, 3 * blob, 0, false);
-    assert!((1..4).contains(&gone.len()));
-    let worth = |k: &keeper::Kept| k.seconds / k.bytes as f64;
-    let left = keeper::list(&store);
-    assert!(
-        gone.iter()
-            .all(|g| left.iter().all(|l| worth(g) <= worth(l)))
-    );
-    let goal = |name: &str| chained.goal.iter().any(|i| chained.nodes[*i].name == name);
-    assert!(
-        place
-            .run(1)
-            .iter()
-            .all(|name| goal(name) || name == "mid" || name == "clean")
-    );
-    assert_eq!(keeper::verify(&store), 0);
-}
-
-#[test]
 fn keys_are_those_of_every_build_and_know_no_layout() {
     let at = |with: &str| {
         let text = format!(
@@ -219,5 +187,21 @@ fn keys_are_those_of_every_build_and_know_no_layout() {
     assert_eq!(at("[node.m.with]\nn = 0x1"), default, "another layout");
     assert_ne!(at("with = { n = 2 }"), default);
 }
+
+#[test]
+fn keys_of_odd_values_are_those_of_every_build() {
+    let odd = [-0.0, 0.0, f64::NAN, 0.1 + 0.2, 1e300, 5e-324].map(stage::Value::Float);
+    let mut story = key::Story::default();
+    for (i, value) in odd.iter().enumerate() {
+        key::Ledger::line(&mut story, &format!("with x{i}"), &value.to_string());
+    }
+    for text in ["größe", "a\"b", "line\nbreak", "尺"] {
+        let value = stage::Value::Text(text.into());
+        key::Ledger::line(&mut story, "with text", &value.to_string());
+    }
+    assert_eq!(story.key().to_hex().as_str(), ODD);
+}
+
+const ODD: &str = "e8b4bac4832bc920abddd27d342ee4e6180d66bd5cff566e9cc235455abec3fa";
 
 const GOLDEN: &str = "bb284515e22442efb4809202a690090dc41a46881ef604281090bf8c06db8aa0";

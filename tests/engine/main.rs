@@ -5,4 +5,5 @@ mod faults;
 mod laws;
 mod place;
 mod processes;
+mod sweeping;
 pub mod toys;

@@ -1,0 +1,87 @@
+//! What a pipeline's TOML says, as a tree: every key and value with its place in the file.
+//!
+//! Most of a large pipeline is plain: [`super::plain`] reads that several times as fast as a
+//! reader of all of TOML. Whatever it does not know, mistakes included, the `toml` crate reads.
+
+use super::{Mistake, plain};
+use std::borrow::Cow;
+use std::ops::Range;
+use toml::Spanned;
+use toml::de::{DeTable, DeValue};
+
+/// A value.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) enum Item<'t> {
+    Bool(bool),
+    Int(i64),
+    Float(f64),
+    Text(Cow<'t, str>),
+    List(Vec<Spot<'t>>),
+    Table(Table<'t>),
+    /// A date, or a number that is none of ours.
+    Other,
+}
+
+/// A value and its place.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Spot<'t> {
+    pub(super) item: Item<'t>,
+    pub(super) span: Range<usize>,
+}
+
+/// A key and its place.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Key<'t> {
+    pub(super) name: Cow<'t, str>,
+    pub(super) span: Range<usize>,
+}
+
+/// Keys with their values in the order of the file.
+pub(super) type Table<'t> = Vec<(Key<'t>, Spot<'t>)>;
+
+/// Reads all of a text; what is no TOML is told, and left out of the tree.
+pub(super) fn tree(text: &str) -> (Table<'_>, Vec<Mistake>) {
+    match plain::tree(text) {
+        Some(table) => (table, vec![]),
+        None => whole(text),
+    }
+}
+
+/// As [`tree`], by the reader of all of TOML.
+pub(super) fn whole(text: &str) -> (Table<'_>, Vec<Mistake>) {
+    let (root, errors) = DeTable::parse_recoverable(text);
+    let mistake = |error: toml::de::Error| {
+        let span = error.span().unwrap_or(0..0);
+        Mistake::at(&span, error.message().to_owned())
+    };
+    let mistakes = errors.into_iter().map(mistake).collect();
+    (table(root.into_inner()), mistakes)
+}
+
+fn table(table: DeTable<'_>) -> Table<'_> {
+    let entry = |(key, value): (Spanned<Cow<'_, str>>, _)| {
+        let span = key.span();
+        let name = Cow::Owned(key.into_inner().into_owned());
+        (Key { name, span }, spot(value))
+    };
+    let mut entries: Table<'_> = table.into_iter().map(entry).collect();
+    entries.sort_by_key(|(key, _)| key.span.start);
+    entries
+}
+
+fn spot(value: Spanned<DeValue<'_>>) -> Spot<'_> {
+    let span = value.span();
+    let item = match value.into_inner() {
+        DeValue::Boolean(b) => Item::Bool(b),
+        DeValue::Integer(i) => {
+            let whole = i64::from_str_radix(i.as_str(), i.radix());
+            whole.map_or(Item::Other, Item::Int)
+        }
+        DeValue::Float(x) => x.as_str().parse().map_or(Item::Other, Item::Float),
+        DeValue::String(text) => Item::Text(text),
+        DeValue::Array(list) => Item::List(list.into_iter().map(spot).collect()),
+        DeValue::Table(entries) => Item::Table(table(entries)),
+        DeValue::Datetime(_) => Item::Other,
+    };
+    Spot { item, span }
+}

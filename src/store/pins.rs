@@ -1,0 +1,90 @@
+//! Names that a user gives to runs: what a named run made or found stays when the store is swept.
+
+use super::{Store, StoreError};
+
+/// Why a run cannot be pinned.
+#[derive(Debug, thiserror::Error)]
+pub enum PinError {
+    /// The name.
+    #[error(
+        "`{0}` is no name for a pin: say letters, digits, `-`, `_` and `.`, and begin with a letter or digit; \
+         `last` is the last run's already"
+    )]
+    Name(String),
+    /// The store.
+    #[error(transparent)]
+    Store(#[from] StoreError),
+}
+
+/// Whether a name may be a file's, and is nobody else's.
+fn fits(name: &str) -> bool {
+    let first = name
+        .bytes()
+        .next()
+        .is_some_and(|b| b.is_ascii_alphanumeric());
+    let plain = |b: u8| b.is_ascii_alphanumeric() || b"-_.".contains(&b);
+    first && name.len() <= 64 && name.bytes().all(plain) && !name.starts_with("last")
+}
+
+impl Store {
+    /// Gives a run a name, over what had it before.
+    pub fn pin(&self, name: &str, run: &str) -> Result<(), PinError> {
+        if !fits(name) {
+            return Err(PinError::Name(name.into()));
+        }
+        Ok(self.write(&format!("pins/{name}"), format!("{run}\n").as_bytes())?)
+    }
+
+    /// Takes a name away; whether there was one.
+    pub fn unpin(&self, name: &str) -> bool {
+        fits(name) && std::fs::remove_file(self.root().join("pins").join(name)).is_ok()
+    }
+
+    /// All names with their runs, in the order of the names.
+    pub fn pins(&self) -> Vec<(String, String)> {
+        let entries = std::fs::read_dir(self.root().join("pins"));
+        let pin = |entry: std::fs::DirEntry| {
+            let name = entry.file_name().into_string().ok().filter(|n| fits(n))?;
+            let run = std::fs::read_to_string(entry.path()).ok()?;
+            Some((name, run.trim().to_owned()))
+        };
+        let mut pins: Vec<_> = entries
+            .into_iter()
+            .flatten()
+            .filter_map(|e| pin(e.ok()?))
+            .collect();
+        pins.sort();
+        pins
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn names_are_given_and_taken_and_none_leaves_the_folder() {
+        let folder = tempfile::tempdir().unwrap();
+        let store = Store::open(folder.path()).unwrap();
+        store.pin("talk", "007-1").unwrap();
+        store.pin("a-2.b", "008-1").unwrap();
+        store.pin("talk", "009-1").unwrap();
+        let pins = [("a-2.b", "008-1"), ("talk", "009-1")];
+        assert_eq!(store.pins(), pins.map(|(a, b)| (a.into(), b.into())));
+        for name in [
+            "",
+            "../format",
+            ".x",
+            "a/b",
+            "last",
+            "last~1",
+            "ä",
+            &"x".repeat(65),
+        ] {
+            assert!(store.pin(name, "1").is_err(), "{name}");
+            assert!(!store.unpin(name), "{name}");
+        }
+        assert!(store.unpin("talk") && !store.unpin("talk"));
+        assert_eq!(store.pins().len(), 1);
+    }
+}

@@ -1,0 +1,165 @@
+//! A folder of a user's, and the program run in it.
+
+use serde_json::Value;
+use std::path::{Path, PathBuf};
+use std::process::{Child, Command, Stdio};
+
+/// Cheap stages of the synthetic room: four nodes, no input.
+pub(crate) const SMALL: &str = "about = \"a doll\"\ngoal = [\"sway\", \"body\"]\n\
+    [node.solid]\nstage = \"synth.solid\"\n\
+    [node.body]\nstage = \"synth.body\"\nfrom = [\"solid\"]\nwith = { cell_mm = 40.0 }\n\
+    [node.ring]\nstage = \"synth.ring\"\n\
+    [node.sway]\nstage = \"synth.sway\"\nfrom = { cameras = \"ring\" }\n";
+
+/// A folder with `small.toml`, and a cache in it.
+pub(crate) struct Place(tempfile::TempDir);
+
+/// What the program said.
+pub(crate) struct Said {
+    pub(crate) code: Option<i32>,
+    pub(crate) out: String,
+    pub(crate) err: String,
+}
+
+impl Said {
+    /// Holds it to an exit code.
+    #[track_caller]
+    pub(crate) fn code(self, code: i32) -> Said {
+        let Said { out, err, .. } = &self;
+        assert_eq!(self.code, Some(code), "{out}{err}");
+        assert!(!err.contains("panicked"), "{err}");
+        self
+    }
+
+    /// The answer in JSON.
+    #[track_caller]
+    pub(crate) fn json(&self) -> Value {
+        let parsed = serde_json::from_str(&self.out);
+        parsed.unwrap_or_else(|error| panic!("{error}: {}", self.out))
+    }
+}
+
+impl Place {
+    pub(crate) fn new() -> Place {
+        let place = Place(tempfile::tempdir().unwrap());
+        place.write("small.toml", SMALL);
+        place
+    }
+
+    pub(crate) fn path(&self, name: &str) -> PathBuf {
+        self.0.path().join(name)
+    }
+
+    pub(crate) fn write(&self, name: &str, bytes: impl AsRef<[u8]>) {
+        let path = self.path(name);
+        std::fs::create_dir_all(path.parent().unwrap()).unwrap();
+        std::fs::write(path, bytes).unwrap();
+    }
+
+    /// A folder with so many photos of the sample.
+    pub(crate) fn photos(&self, folder: &str, count: usize) {
+        let sample = Path::new(env!("CARGO_MANIFEST_DIR")).join("samples/mannequin/images");
+        for i in 0..count {
+            let name = format!("{i:04}.jpg");
+            let photo = std::fs::read(sample.join(&name)).unwrap();
+            self.write(&format!("{folder}/{name}"), photo);
+        }
+    }
+
+    fn command(&self, args: &str) -> Command {
+        let mut command = Command::new(env!("CARGO_BIN_EXE_tailor"));
+        command.args(args.split_whitespace());
+        command
+            .current_dir(self.0.path())
+            .env_remove("TAILOR_CACHE");
+        command
+    }
+
+    pub(crate) fn run(&self, args: &str) -> Said {
+        let out = self.command(args).output().unwrap();
+        let text = |bytes: &[u8]| String::from_utf8_lossy(bytes).into_owned();
+        Said {
+            code: out.status.code(),
+            out: text(&out.stdout),
+            err: text(&out.stderr),
+        }
+    }
+
+    /// Under a limit on the size of files, which stands for a full disk. \[KiB\]
+    pub(crate) fn run_limited(&self, kib: usize, args: &str) -> Said {
+        let exe = env!("CARGO_BIN_EXE_tailor");
+        self.bash(&format!("trap '' XFSZ; ulimit -f {kib}; exec {exe} {args}"))
+    }
+
+    fn bash(&self, line: &str) -> Said {
+        let mut bash = Command::new("bash");
+        let out = bash.args(["-c", line]).current_dir(self.0.path());
+        let out = out.output().unwrap();
+        Said {
+            code: out.status.code(),
+            out: String::from_utf8_lossy(&out.stdout).into_owned(),
+            err: String::from_utf8_lossy(&out.stderr).into_owned(),
+        }
+    }
+
+    /// With one of its outputs into a device that takes nothing.
+    pub(crate) fn run_into_full(&self, output: &str, args: &str) -> Said {
+        self.bash(&format!(
+            "exec {} {args} {output}>/dev/full",
+            env!("CARGO_BIN_EXE_tailor")
+        ))
+    }
+
+    pub(crate) fn start(&self, args: &str) -> Child {
+        let mut command = self.command(args);
+        let command = command.stdout(Stdio::null()).stderr(Stdio::piped());
+        command.spawn().unwrap()
+    }
+
+    /// What the event logs of all runs say, one JSON object a line.
+    pub(crate) fn events(&self) -> Vec<Value> {
+        let runs = std::fs::read_dir(self.path("cache/runs"));
+        let mut logs: Vec<PathBuf> = runs
+            .into_iter()
+            .flatten()
+            .map(|e| e.unwrap().path())
+            .filter(|p| p.extension().is_some_and(|e| e == "jsonl"))
+            .collect();
+        logs.sort();
+        let text: String = logs
+            .iter()
+            .filter_map(|log| std::fs::read_to_string(log).ok())
+            .collect();
+        let whole = text.lines().filter_map(|l| serde_json::from_str(l).ok());
+        whole.collect()
+    }
+
+    /// Waits for an event of a node.
+    pub(crate) fn wait_for(&self, node: &str, event: &str) {
+        let there = |e: &Value| e["node"] == node && e["event"] == event;
+        while !self.events().iter().any(there) {
+            std::thread::sleep(std::time::Duration::from_millis(2));
+        }
+    }
+
+    /// Events of a node.
+    pub(crate) fn has(&self, node: &str, event: &str, fate: &str) -> bool {
+        let fits = |e: &Value| e["node"] == node && e["event"] == event && e["fate"] == fate;
+        self.events().iter().any(fits)
+    }
+
+    /// Whether the whole store is sound.
+    #[track_caller]
+    pub(crate) fn sound(&self) {
+        let answer = self.run("cache verify --json").code(0).json();
+        assert_eq!(answer["bad"], 0, "{answer}");
+    }
+}
+
+/// Sends a signal such as `INT`.
+pub(crate) fn signal(child: &Child, name: &str) {
+    // A builtin of the shell: the program of that name is not everywhere.
+    let line = format!("kill -{name} {}", child.id());
+    let kill = Command::new("bash").args(["-c", &line]).status();
+    assert!(kill.unwrap().success());
+}
