@@ -2,7 +2,7 @@
 
 use crate::body::body;
 use crate::derive::{derive, profile};
-use crate::interval::{NINE_IN_TEN, Spread, carried_spread, level_spread, together};
+use crate::interval::{NINE_IN_TEN, Spread, level_spread, together};
 use crate::outlines::{by_silhouettes, shared_border, surface_by_cameras};
 use crate::picked::picked;
 use crate::silhouette::Support;
@@ -48,12 +48,15 @@ pub struct Measure;
 /// How much longer than its tape the skin around a waist may be: more points to a hole.
 const WAIST_FOLDS: f64 = 1.05;
 
+/// What the definition of a girth says whose section was split.
+const SPLIT: &str = "arm and trunk are one there on the surface and were split";
+
 /// Even error of a surface along its normal, as a share of its mean edge: cells bound what it shows.
 const EVEN: f64 = 0.25;
 
 impl Stage for Measure {
     const NAME: &'static str = "measure.girths";
-    const VERSION: u32 = 5;
+    const VERSION: u32 = 6;
     const ABOUT: &'static str = "Measures girths at landmarks: along the skin, as a tape, and as the paper's closed spline (eq. 8).";
     type Params = GirthParams;
     type Input = GirthInput;
@@ -105,11 +108,21 @@ impl Stage for Measure {
         for (landmark, here, support) in all {
             let level = body
                 .as_ref()
-                .map_or(0.0, |b| level_spread(mesh, b, landmark, here.tape_mm));
+                .map_or(0.0, |b| level_spread(mesh, b, landmark, &here));
             girths
                 .girths
                 .push(girth(&sure, landmark, here, support, level));
             steps.tick()?;
+        }
+        for girth in girths
+            .girths
+            .iter()
+            .filter(|g| g.definition.contains(SPLIT))
+        {
+            ctx.warn(format!(
+                "{}: arm and trunk are one on the surface there and were split: its interval is wider; hold the arms farther away",
+                girth.name
+            ));
         }
         if !p.points.is_empty() {
             girths.girths.push(picked(mesh, &p.points)?);
@@ -167,13 +180,13 @@ fn girth(
     let spread = Spread {
         level,
         surface: width,
-        carried: carried_spread(here.carried, here.tape_mm),
+        carried: here.doubt_mm,
         scale: sure.cameras.map_or(0.0, |c| c.scale_sigma) * here.tape_mm,
     };
     let reach = NINE_IN_TEN * spread.total();
     let note = match here.carried > 0.0 {
         true => format!(
-            "; arm and trunk are one there on the surface: {:.0} % of the way around is carried over from where they are apart",
+            "; {SPLIT}: {:.0} % of the way around is told by the outline beside it or by a clear section",
             100.0 * here.carried
         ),
         false => String::new(),

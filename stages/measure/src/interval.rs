@@ -2,7 +2,7 @@
 
 use crate::body::Body;
 use crate::levels::scatter;
-use crate::taken::taken;
+use crate::taken::{Taken, taken};
 use nalgebra::{Point3, Rotation3, Unit, Vector3};
 use shape::{Landmark, Mesh, Plane};
 
@@ -10,8 +10,6 @@ use shape::{Landmark, Mesh, Plane};
 pub(crate) const NINE_IN_TEN: f64 = 1.645;
 /// Scatter of the lean of necks about the usual. \[rad\]
 const LEAN: f64 = 3.3 * std::f64::consts::PI / 180.0;
-/// Standard deviation of a carried stretch against the hidden one, as a share of it.
-const CARRIED: f64 = 0.06;
 
 /// Standard deviations of a tape. \[mm\]
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -20,7 +18,7 @@ pub(crate) struct Spread {
     pub(crate) level: f64,
     /// The surface: its even error along the normal is 2π as much of girth.
     pub(crate) surface: f64,
-    /// What another limb hides.
+    /// What another limb hides or was parted from.
     pub(crate) carried: f64,
     /// The unit of length.
     pub(crate) scale: f64,
@@ -38,8 +36,10 @@ impl Spread {
 }
 
 /// How much a tape changes by where it is taken: root mean square of a standard deviation's step to
-/// either side along the normal, and for a neck of its lean. \[mm\]
-pub(crate) fn level_spread(mesh: &Mesh, body: &Body, landmark: &Landmark, tape_mm: f64) -> f64 {
+/// either side along the normal, and for a neck of its lean. A step to where limbs are parted
+/// otherwise than here tells of the parting, not of the level. \[mm\]
+pub(crate) fn level_spread(mesh: &Mesh, body: &Body, landmark: &Landmark, here: &Taken) -> f64 {
+    let tape_mm = here.tape_mm;
     let far = scatter(&landmark.name) * body.stature;
     let n = Vector3::from(landmark.plane.normal);
     let at = |plane: Plane| {
@@ -47,9 +47,10 @@ pub(crate) fn level_spread(mesh: &Mesh, body: &Body, landmark: &Landmark, tape_m
             plane,
             ..landmark.clone()
         };
-        taken(mesh, Some(body), &moved)
-            .ok()
-            .map(|t| t.tape_mm - tape_mm)
+        let there = taken(mesh, Some(body), &moved).ok()?;
+        let change = there.tape_mm - tape_mm;
+        let alike = (there.carried > 0.0) == (here.carried > 0.0);
+        (alike || change.abs() < 0.05 * tape_mm).then_some(change)
     };
     let moved = |by: f64| {
         let point = Point3::from(landmark.plane.point_mm) + n * by;
@@ -88,9 +89,4 @@ pub(crate) fn together(mesh: (f64, f64), silhouettes: Option<(f64, f64)>) -> (f6
     let mean = (weights[0] * mesh.0 + weights[1] * other.0) / sum;
     let apart = (mesh.0 - other.0) / 2.0;
     (mean, (1.0 / sum + apart * apart).sqrt())
-}
-
-/// What is carried over from a clear section. \[mm\]
-pub(crate) fn carried_spread(share: f64, tape_mm: f64) -> f64 {
-    CARRIED * share * tape_mm
 }

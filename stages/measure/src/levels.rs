@@ -8,9 +8,14 @@
 use crate::landmarks::neck::Throat;
 use crate::marks::Marks;
 
-/// Nipples (ISO 8559-1 bust level). Height above the ground. \[mm\]
+/// Nipples (ISO 8559-1 bust level): at the bust's apex where the outline comes to a point near their
+/// usual level. Height above the ground. \[mm\]
 pub(crate) fn chest(m: &Marks, stature: f64) -> f64 {
-    0.132 * stature + 0.589 * m.bust + 0.223 * m.shoulder - 0.106 * m.girth
+    let usual = 0.132 * stature + 0.589 * m.bust + 0.223 * m.shoulder - 0.106 * m.girth;
+    match m.apex {
+        Some((z, sharp)) if (z - usual).abs() < 0.03 * stature => usual + sharp * (z - usual),
+        _ => usual,
+    }
 }
 
 /// Amid the lowest rib and the hip bone (ISO 8559-1 waist level). Height above the ground. \[mm\]

@@ -6,6 +6,7 @@
 //!            masks, cameras: girths by silhouettes beside them
 //! ```
 
+mod across_arm;
 mod arms;
 mod body;
 mod carry;
@@ -21,6 +22,7 @@ mod section;
 mod silhouette;
 mod slices;
 mod spline;
+mod split;
 mod taken;
 
 pub use arms::{Axis, arm_ring, clear, upper_arm_axis};
@@ -35,6 +37,7 @@ pub use section::{Loop, area, axes, centre, flat, hull, length, section, tape};
 pub use silhouette::{Support, Tangent, support_girth, tangents};
 pub use slices::{Ring, Slice, level, rings, slices};
 pub use spline::{closed_spline_length, fitted_plane, grown, paper_girth, spline_length};
+pub use split::{Parted, parted};
 pub use taken::{Taken, Why, taken};
 
 /// Every stage of this room, in the order in which data flows through it.

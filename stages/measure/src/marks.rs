@@ -18,6 +18,9 @@ pub struct Marks {
     pub hollow: f64,
     /// Bust or pectorals: farthest before the line from belly to throat.
     pub bust: f64,
+    /// Where the outline from the side comes to a point at the bust, if it does, and how sharp that
+    /// is: 1 beyond doubt, 0 none.
+    pub apex: Option<(f64, f64)>,
     /// Where the outline from the front is amid neck and shoulders.
     pub shoulder: f64,
     /// Millimetres that the arms' middle lines go outward for each that they go down; 0.6 where
@@ -59,6 +62,7 @@ pub fn marks(body: &Body) -> Option<Marks> {
         neck: neck - ground,
         hollow: hollow - ground,
         bust: bust - ground,
+        apex: apex(body, hip, neck, front).map(|(z, sharp)| (z - ground, sharp)),
         shoulder: shoulder(body, hip, neck)? - ground,
         spread: spread(body, hip).unwrap_or(USUAL_SPREAD),
         girth,
@@ -117,6 +121,32 @@ fn off_chord(
     let off = |(z, v): &(f64, f64)| side * (v - v0 - (v1 - v0) * (z - z0) / (z1 - z0));
     let most = profile.iter().max_by(|a, b| off(a).total_cmp(&off(b)))?;
     (z1 > z0).then_some(most.0)
+}
+
+/// The bust's apex: where the outline from the side bends most, over two spans that must agree; and
+/// how sharp it is there. Flat chests have none.
+fn apex(
+    body: &Body,
+    hip: f64,
+    neck: f64,
+    front: impl Fn(&Slice) -> Option<f64>,
+) -> Option<(f64, f64)> {
+    let reach = smoothed(body, hip, neck, front);
+    let bend = |span: usize| {
+        let value = |i: usize| 2.0 * reach[i].1 - reach[i - span].1 - reach[i + span].1;
+        let among = |i: &usize| {
+            (hip + 0.25 * (neck - hip)..neck - 0.06 * body.stature).contains(&reach[*i].0)
+        };
+        (span..reach.len().saturating_sub(span))
+            .filter(among)
+            .map(|i| (reach[i].0, value(i)))
+            .max_by(|a, b| a.1.total_cmp(&b.1))
+    };
+    // A fiftieth and a thirtieth of the stature, in slices.
+    let (fine, wide) = (bend(8)?, bend(14)?);
+    let sharp = ((fine.1 / body.stature - 0.010) / 0.006).clamp(0.0, 1.0);
+    let agree = (fine.0 - wide.0).abs() < 0.01 * body.stature;
+    (agree && sharp > 0.0).then_some(((fine.0 + wide.0) / 2.0, sharp))
 }
 
 /// The highest level at which the outline from the front is as wide as amid neck and shoulders.

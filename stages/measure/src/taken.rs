@@ -1,5 +1,6 @@
 //! The section of a landmark on a mesh, with other limbs taken off before anything is measured.
 
+use crate::across_arm::across_arm;
 use crate::arms::{Axis, arm_ring, upper_arm_axis};
 use crate::body::Body;
 use crate::carry::{Carried, RAYS, carried, ray, reaches};
@@ -7,6 +8,7 @@ use crate::marks::{extent, hip};
 use crate::section::{axes, flat, length, tape};
 use crate::slices::{Ring, rings};
 use crate::spline::{closed_spline_length, paper_girth};
+use crate::split::parted;
 use nalgebra::{Point3, Vector3};
 use shape::{Landmark, Mesh, Part, Plane};
 
@@ -21,25 +23,27 @@ pub struct Taken {
     pub tape_mm: f64,
     /// Length of the paper's spline. \[mm\]
     pub spline_mm: f64,
-    /// Share of the way around that another limb hides, carried over from a clear section.
+    /// Share of the way around that another limb hides: bridged, or carried over from a clear section.
     pub carried: f64,
+    /// Half the span between the shortest and the longest girth that a convex outline allows there. \[mm\]
+    pub doubt_mm: f64,
 }
 
 /// Why a section gives no girth: a sentence.
 pub type Why = &'static str;
 
-const NOTHING: Why = "the surface has no closed section there";
-const NO_ARMS: Why = "no arm stands clear of the trunk anywhere, so nothing tells whether arms are in this section: \
+pub(crate) const NOTHING: Why = "the surface has no closed section there";
+pub(crate) const NO_ARMS: Why = "no arm stands clear of the trunk anywhere, so nothing tells whether arms are in this section: \
      hold them away from the body";
-const FUSED: Why = "arm and trunk are one on the surface there, and no clear section nearby tells them apart: \
+pub(crate) const FUSED: Why = "arm and trunk are one on the surface there, and no clear section nearby tells them apart: \
      hold the arms farther away";
 
 /// Takes the section of a landmark.
 pub fn taken(mesh: &Mesh, body: Option<&Body>, landmark: &Landmark) -> Result<Taken, Why> {
     match (landmark.part, body) {
         (Part::Trunk, Some(body)) => trunk(mesh, body, landmark),
-        (Part::ArmLeft, Some(body)) => arm(mesh, body, landmark, 1.0),
-        (Part::ArmRight, Some(body)) => arm(mesh, body, landmark, -1.0),
+        (Part::ArmLeft, Some(body)) => across_arm(mesh, body, landmark, 1.0),
+        (Part::ArmRight, Some(body)) => across_arm(mesh, body, landmark, -1.0),
         _ => plain(
             mesh,
             &landmark.plane,
@@ -49,7 +53,7 @@ pub fn taken(mesh: &Mesh, body: Option<&Body>, landmark: &Landmark) -> Result<Ta
 }
 
 /// The ring whose middle is the plane's point; of several there, the largest.
-fn nearest(mesh: &Mesh, plane: &Plane) -> Option<Ring> {
+pub(crate) fn nearest(mesh: &Mesh, plane: &Plane) -> Option<Ring> {
     let all = rings(mesh, plane);
     let p = Point3::from(plane.point_mm);
     let far = |r: &Ring| (r.centre - p).norm();
@@ -57,7 +61,7 @@ fn nearest(mesh: &Mesh, plane: &Plane) -> Option<Ring> {
     all.into_iter().find(|r| far(r) <= least + 3.0)
 }
 
-fn plain(mesh: &Mesh, plane: &Plane, ring: Ring) -> Result<Taken, Why> {
+pub(crate) fn plain(mesh: &Mesh, plane: &Plane, ring: Ring) -> Result<Taken, Why> {
     let points = flat(&ring.curve, plane);
     let contour_mm = length(&points);
     Ok(Taken {
@@ -66,6 +70,7 @@ fn plain(mesh: &Mesh, plane: &Plane, ring: Ring) -> Result<Taken, Why> {
         spline_mm: paper_girth(mesh, &ring.curve).unwrap_or(contour_mm),
         contour: ring.curve,
         carried: 0.0,
+        doubt_mm: 0.0,
     })
 }
 
@@ -84,6 +89,7 @@ fn completed(origin: Point3<f64>, plane: &Plane, whole: Carried) -> Taken {
         tape_mm: tape(&whole.points),
         spline_mm: closed_spline_length(&knots).unwrap_or(contour_mm),
         carried: whole.share,
+        doubt_mm: 0.06 * whole.share * tape(&whole.points),
     }
 }
 
@@ -149,6 +155,9 @@ fn trunk(mesh: &Mesh, body: &Body, landmark: &Landmark) -> Result<Taken, Why> {
     if fused.is_empty() {
         return plain(mesh, plane, ring);
     }
+    if let Some(free) = cut_off(body, &fused, &ring) {
+        return Ok(free);
+    }
     // The highest slice below in which these arms stand clear, a little lower: above, the gap is
     // filled already.
     let clear = |s: &&crate::slices::Slice| {
@@ -167,6 +176,30 @@ fn trunk(mesh: &Mesh, body: &Body, landmark: &Landmark) -> Result<Taken, Why> {
     let hidden = behind_arms(body, &fused, &here, &clear, origin, plane);
     let whole = carried(&here, &clear, &hidden, &(0.97..=1.03)).ok_or(FUSED)?;
     Ok(completed(origin, plane, whole))
+}
+
+/// The trunk with its arms cut off at the seams that its own outline shows.
+fn cut_off(body: &Body, fused: &[&Beside], ring: &Ring) -> Option<Taken> {
+    let (u, v) = (&body.left, &body.front);
+    let arms = body.trunk(ring.centre.z).map_or(ring.centre, |r| r.centre);
+    let flat = |p: &Point3<f64>| [(p - arms).dot(u), (p - arms).dot(v)];
+    let outline: Vec<[f64; 2]> = ring.curve.iter().map(flat).collect();
+    let sides: Vec<f64> = fused.iter().map(|arm| arm.side).collect();
+    let free = parted(&outline, [0.0, 0.0], &sides)?;
+    let knots: Vec<[f64; 2]> = free.points.iter().step_by(8).copied().collect();
+    let contour_mm = length(&free.points);
+    Some(Taken {
+        contour: free
+            .points
+            .iter()
+            .map(|p| Point3::new(arms.x, arms.y, ring.centre.z) + u * p[0] + v * p[1])
+            .collect(),
+        contour_mm,
+        tape_mm: tape(&free.points),
+        spline_mm: closed_spline_length(&knots).unwrap_or(contour_mm),
+        carried: free.share,
+        doubt_mm: free.doubt_mm,
+    })
 }
 
 /// How much farther out a ray may reach than those nearer the middle of chest and back.
@@ -221,65 +254,4 @@ fn behind_arms(
 fn ray_at(k: i64, u: &Vector3<f64>, v: &Vector3<f64>) -> Vector3<f64> {
     let [c, s] = ray(k.rem_euclid(RAYS as i64) as usize);
     u * c + v * s
-}
-
-/// How round an arm's own section is: its area against a circle's of the same tape.
-const ROUND: f64 = 0.93;
-/// How much farther out than the clear section in proportion a ray may reach and still be the arm.
-const BULGE: f64 = 1.08;
-
-fn arm(mesh: &Mesh, body: &Body, landmark: &Landmark, side: f64) -> Result<Taken, Why> {
-    let plane = &landmark.plane;
-    let low = body.crotch.and_then(|c| hip(body, c)).ok_or(NO_ARMS)?;
-    let axis = upper_arm_axis(body, side, low).ok_or(NO_ARMS)?;
-    let down = Vector3::from(plane.normal).normalize();
-    let step = 0.004 * body.stature;
-    let middle = Point3::from(plane.point_mm);
-    let trunk = body.trunk(low).map_or(f64::MAX, |r| r.area);
-    // Sections down the arm that are the arm's alone: small, round, about the axis.
-    let alone = |k: i32| {
-        let point = axis.at((middle + down * (f64::from(k) * step)).z);
-        let there = Plane {
-            point_mm: point.into(),
-            ..*plane
-        };
-        let ring = nearest(mesh, &there)?;
-        let round = 4.0 * std::f64::consts::PI * ring.area / (ring.tape * ring.tape);
-        let near = (ring.centre - point).norm() < 0.02 * body.stature;
-        (ring.area < 0.25 * trunk && near).then_some((k, round, ring))
-    };
-    let clear = match alone(0).filter(|c| c.1 > ROUND) {
-        Some((_, _, ring)) => return plain(mesh, plane, ring),
-        None => (1..=24).filter_map(alone).find(|c| c.1 > ROUND),
-    };
-    let (steps, _, clear) = clear.ok_or(FUSED)?;
-    // The axis runs through the middle of the clear section.
-    let origin = clear.centre - down * (f64::from(steps) * step);
-    let there = Plane {
-        point_mm: clear.centre.into(),
-        ..*plane
-    };
-    let reference = about(&clear, clear.centre, &there);
-    let around = rings(mesh, plane)
-        .into_iter()
-        .map(|ring| about(&ring, origin, plane))
-        .find(|r| r.iter().filter(|r| r.is_some()).count() > RAYS * 9 / 10)
-        .ok_or(FUSED)?;
-    let mut ratios: Vec<f64> = (0..RAYS)
-        .filter_map(|k| Some(around[k]? / reference[k]?))
-        .collect();
-    ratios.sort_by(f64::total_cmp);
-    let usual = ratios[ratios.len() * 3 / 10];
-    let hidden: Vec<bool> = (0..RAYS)
-        .map(|k| match (around[k], reference[k]) {
-            (Some(here), Some(clear)) => here / clear > BULGE * usual,
-            _ => true,
-        })
-        .collect();
-    if !hidden.contains(&true) {
-        let ring = nearest(mesh, plane).ok_or(NOTHING)?;
-        return plain(mesh, plane, ring);
-    }
-    let whole = carried(&around, &reference, &hidden, &(0.95..=1.15)).ok_or(FUSED)?;
-    Ok(completed(origin, plane, whole))
 }

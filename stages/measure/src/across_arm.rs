@@ -1,0 +1,239 @@
+//! The section across an upper arm, freed of the trunk and of the filled fold of the armpit.
+//!
+//! The outer half of an arm always shows. A clear section farther down, grown and shifted so that
+//! its support function agrees with the outer half, tells how far the inner half may reach.
+
+use crate::arms::upper_arm_axis;
+use crate::body::Body;
+use crate::marks::hip;
+use crate::section::{axes, flat, hull, length, tape};
+use crate::slices::{Ring, rings};
+use crate::spline::closed_spline_length;
+use crate::taken::{FUSED, NO_ARMS, Taken, Why, nearest, plain};
+use nalgebra::{Matrix3, Point3, Vector3};
+use shape::{Landmark, Mesh, Plane};
+use std::f64::consts::{PI, TAU};
+
+/// How round an arm's own section is at least: its area against a circle's of the same tape.
+const ROUND: f64 = 0.93;
+/// As round as this, nothing hangs on it.
+const CLEAN: f64 = 0.965;
+/// How far beyond the grown section an inner half may reach, as a share of the arm's radius.
+const LOOSE: f64 = 0.03;
+/// Directions of support functions.
+const WAYS: usize = 180;
+/// Doubt of a girth whose inner half is told by another section, as a share of what is told.
+const DOUBT: f64 = 0.04;
+
+fn way(k: usize) -> [f64; 2] {
+    let (s, c) = (TAU * k as f64 / WAYS as f64).sin_cos();
+    [c, s]
+}
+
+/// Farthest of points in a direction.
+fn support(points: &[[f64; 2]], n: [f64; 2]) -> f64 {
+    let reach = points.iter().map(|p| n[0] * p[0] + n[1] * p[1]);
+    reach.fold(f64::MIN, f64::max)
+}
+
+/// A convex polygon without what lies beyond a line (Sutherland and Hodgman 1974).
+fn clipped(points: &[[f64; 2]], n: [f64; 2], reach: f64) -> Vec<[f64; 2]> {
+    let off = |p: &[f64; 2]| n[0] * p[0] + n[1] * p[1] - reach;
+    let mut out = Vec::with_capacity(points.len() + 2);
+    for (i, a) in points.iter().enumerate() {
+        let b = &points[(i + 1) % points.len()];
+        let (da, db) = (off(a), off(b));
+        if da <= 0.0 {
+            out.push(*a);
+        }
+        if (da < 0.0 && db > 0.0) || (da > 0.0 && db < 0.0) {
+            let t = da / (da - db);
+            out.push([a[0] + t * (b[0] - a[0]), a[1] + t * (b[1] - a[1])]);
+        }
+    }
+    out
+}
+
+/// An arm's outline freed of what hangs on its inner half, and the share of directions that were told by `clear`.
+/// Both lie about their middles; `outward` points away from the trunk. `None` if the two disagree in size.
+pub(crate) fn freed(
+    here: &[[f64; 2]],
+    clear: &[[f64; 2]],
+    outward: [f64; 2],
+) -> Option<(Vec<[f64; 2]>, f64)> {
+    let radius = tape(clear) / TAU;
+    // Of a ring that the trunk is part of, only what is near can be the arm.
+    let near: Vec<[f64; 2]> = here
+        .iter()
+        .filter(|p| p[0].hypot(p[1]) < 1.6 * radius)
+        .copied()
+        .collect();
+    if near.len() < 8 {
+        return None;
+    }
+    // Shift and growth of the clear section, by least squares over the outer half.
+    let (mut normal, mut right) = (Matrix3::zeros(), Vector3::zeros());
+    for k in 0..WAYS {
+        let n = way(k);
+        if n[0] * outward[0] + n[1] * outward[1] < 0.0 {
+            continue;
+        }
+        let row = Vector3::new(n[0], n[1], support(clear, n));
+        normal += row * row.transpose();
+        right += row * support(&near, n);
+    }
+    let fit = normal.cholesky()?.solve(&right);
+    if !(0.8..=1.3).contains(&fit.z) {
+        return None;
+    }
+    let grown = |n: [f64; 2]| fit.x * n[0] + fit.y * n[1] + fit.z * support(clear, n);
+    let inner = |n: [f64; 2]| n[0] * outward[0] + n[1] * outward[1] < 0.0;
+    // The inner half of a ring that is open to the trunk is the clear section's.
+    let mut points = near;
+    let open = points.len() < here.len();
+    if open {
+        points.extend(
+            clear
+                .iter()
+                .map(|p| [fit.x + fit.z * p[0], fit.y + fit.z * p[1]])
+                .filter(|p| inner([p[0] - fit.x, p[1] - fit.y])),
+        );
+    }
+    let mut outline = hull(&points);
+    let mut told = 0;
+    for k in 0..WAYS {
+        let n = way(k);
+        let most = grown(n);
+        let beyond = support(&outline, n) > most + LOOSE * radius;
+        if inner(n) && (open || beyond) {
+            outline = clipped(&outline, n, most);
+            told += 1;
+        }
+    }
+    (outline.len() >= 8).then_some((outline, told as f64 / WAYS as f64))
+}
+
+/// Takes the section of an upper arm.
+pub(crate) fn across_arm(
+    mesh: &Mesh,
+    body: &Body,
+    landmark: &Landmark,
+    side: f64,
+) -> Result<Taken, Why> {
+    let plane = &landmark.plane;
+    let low = body.crotch.and_then(|c| hip(body, c)).ok_or(NO_ARMS)?;
+    let axis = upper_arm_axis(body, side, low).ok_or(NO_ARMS)?;
+    let down = Vector3::from(plane.normal).normalize();
+    let step = 0.004 * body.stature;
+    let middle = Point3::from(plane.point_mm);
+    let trunk = body.trunk(low).map_or(f64::MAX, |r| r.area);
+    let round = |ring: &Ring| 4.0 * PI * ring.area / (ring.tape * ring.tape);
+    // Sections down the arm that are the arm's alone: small, round, about the axis.
+    let alone = |k: i32| {
+        let point = axis.at((middle + down * (f64::from(k) * step)).z);
+        let there = Plane {
+            point_mm: point.into(),
+            ..*plane
+        };
+        let ring = nearest(mesh, &there)?;
+        let near = (ring.centre - point).norm() < 0.02 * body.stature;
+        (ring.area < 0.25 * trunk && near && round(&ring) > ROUND).then_some((k, ring))
+    };
+    let own = alone(0).map(|(_, ring)| ring);
+    if let Some(ring) = own.as_ref().filter(|r| round(r) > CLEAN) {
+        return plain(mesh, plane, ring.clone());
+    }
+    // The roundest of the first that are.
+    let first = (1..=24).find_map(alone).ok_or(FUSED)?.0;
+    let (steps, clear) = (first..first + 10)
+        .filter_map(alone)
+        .max_by(|a, b| round(&a.1).total_cmp(&round(&b.1)))
+        .ok_or(FUSED)?;
+    let origin = match &own {
+        Some(ring) => ring.centre,
+        None => clear.centre - down * (f64::from(steps) * step),
+    };
+    let about = |p: Point3<f64>| Plane {
+        point_mm: p.into(),
+        ..*plane
+    };
+    let reference = hull(&flat(&clear.curve, &about(clear.centre)));
+    let (u, v) = axes(plane);
+    let outward = [u.dot(&body.left) * side, v.dot(&body.left) * side];
+    let all = match own {
+        Some(ring) => vec![ring],
+        None => rings(mesh, plane),
+    };
+    let (outline, told) = all
+        .iter()
+        .filter_map(|ring| freed(&flat(&ring.curve, &about(origin)), &reference, outward))
+        .next()
+        .ok_or(FUSED)?;
+    if told == 0.0 {
+        let ring = all.into_iter().next().ok_or(FUSED)?;
+        return plain(mesh, plane, ring);
+    }
+    let tape_mm = tape(&outline);
+    let even: Vec<[f64; 2]> = outline
+        .iter()
+        .step_by((outline.len() / 48).max(1))
+        .copied()
+        .collect();
+    let contour_mm = length(&outline);
+    Ok(Taken {
+        contour: outline
+            .iter()
+            .map(|p| origin + u * p[0] + v * p[1])
+            .collect(),
+        contour_mm,
+        tape_mm,
+        spline_mm: closed_spline_length(&even).unwrap_or(contour_mm),
+        carried: told,
+        doubt_mm: DOUBT * told * tape_mm,
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn oval(a: f64, b: f64) -> Vec<[f64; 2]> {
+        (0..360)
+            .map(|k| (TAU * f64::from(k) / 360.0).sin_cos())
+            .map(|(s, c)| [a * c, b * s])
+            .collect()
+    }
+
+    #[test]
+    fn a_fold_that_hangs_on_the_inner_half_is_cut_away() {
+        let (mut here, clear) = (oval(55.0, 48.0), oval(50.0, 44.0));
+        let own = tape(&here);
+        here.extend([[-68.0, 22.0], [-66.0, -5.0]]);
+        let here = hull(&here);
+        assert!(tape(&here) > 1.03 * own);
+        let (free, told) = freed(&here, &clear, [1.0, 0.0]).unwrap();
+        proof::near(tape(&free) / own, 1.0, 0.012);
+        assert!(told > 0.05 && told < 0.5);
+    }
+
+    #[test]
+    fn a_ring_open_to_the_trunk_gets_its_inner_half_from_the_clear_section() {
+        let clear = oval(50.0, 44.0);
+        let own = tape(&oval(55.0, 48.4));
+        let here: Vec<[f64; 2]> = oval(55.0, 48.4)
+            .into_iter()
+            .filter(|p| p[0] > -20.0)
+            .chain([[-200.0, 60.0], [-200.0, -60.0]])
+            .collect();
+        let (free, _) = freed(&here, &clear, [1.0, 0.0]).unwrap();
+        proof::near(tape(&free) / own, 1.0, 0.01);
+    }
+
+    #[test]
+    fn a_plain_arm_is_left_as_it_is() {
+        let (here, clear) = (oval(55.0, 48.0), oval(50.0, 44.0));
+        let (free, told) = freed(&here, &clear, [1.0, 0.0]).unwrap();
+        assert_eq!(told, 0.0);
+        proof::near(tape(&free), tape(&here), 1e-9);
+    }
+}

@@ -1,0 +1,261 @@
+//! Trunk and arms that are one on the surface, parted in a section: where the trunk's outline stops
+//! turning round toward its side, an arm or the filled fold before it begins.
+
+use std::f64::consts::TAU;
+
+/// A trunk freed of the arms in its section.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Parted {
+    /// The trunk's own outline, bridged where arms were. \[mm\]
+    pub points: Vec<[f64; 2]>,
+    /// Share of that outline that is bridge.
+    pub share: f64,
+    /// Half the span between the shortest and the longest bridge that a convex trunk allows. \[mm\]
+    pub doubt_mm: f64,
+}
+
+/// Points that an outline is resampled to.
+const SAMPLES: usize = 720;
+/// Samples to either side of one that tell the way of the outline there.
+const REACH: usize = 5;
+/// The trunk has turned at least so far before an arm begins. \[rad\]
+const TURNED: f64 = 25.0 * TAU / 360.0;
+/// Turning of an outline that counts as straight. \[rad\]
+const STRAIGHT: f64 = 5.0 * TAU / 360.0;
+
+/// Points evenly spread along a closed outline.
+fn even(outline: &[[f64; 2]], count: usize) -> Vec<[f64; 2]> {
+    let n = outline.len();
+    let step = crate::section::length(outline) / count as f64;
+    let (mut out, mut left) = (Vec::with_capacity(count), 0.0);
+    for i in 0..n {
+        let (a, b) = (outline[i], outline[(i + 1) % n]);
+        let long = (b[0] - a[0]).hypot(b[1] - a[1]);
+        while left < long && out.len() < count {
+            let t = left / long;
+            out.push([a[0] + t * (b[0] - a[0]), a[1] + t * (b[1] - a[1])]);
+            left += step;
+        }
+        left -= long;
+    }
+    out
+}
+
+/// Where on an outline an arm begins: an index, and the outline's way there.
+struct Seam {
+    at: usize,
+    way: [f64; 2],
+}
+
+/// Follows the outline from its middle at the front (`fore` 1) or the back (-1) to the outermost of
+/// a side, and finds where it first stops turning for long, or turns back.
+fn seam(points: &[[f64; 2]], middle: [f64; 2], side: f64, fore: f64) -> Option<Seam> {
+    let n = points.len();
+    // Seen so that the path runs from the top to the right.
+    let seen = |i: usize| {
+        let p = points[i % n];
+        [side * (p[0] - middle[0]), fore * (p[1] - middle[1])]
+    };
+    let start = (0..n)
+        .filter(|i| seen(*i)[0].abs() < 0.03 * crate::section::length(points) && seen(*i)[1] > 0.0)
+        .min_by(|a, b| seen(*a)[0].abs().total_cmp(&seen(*b)[0].abs()))?;
+    let end = (0..n).max_by(|a, b| seen(*a)[0].total_cmp(&seen(*b)[0]))?;
+    // A counter-clockwise outline runs to the left at the front.
+    let forward = side * fore > 0.0;
+    let along = |k: usize| match forward {
+        false => (start + k) % n,
+        true => (start + n - k % n) % n,
+    };
+    let long = match forward {
+        false => (end + n - start) % n,
+        true => (start + n - end) % n,
+    };
+    if long < 4 * REACH || long > n / 2 {
+        return None;
+    }
+    let way = |k: usize| {
+        let (a, b) = (seen(along(k + n - REACH)), seen(along(k + REACH)));
+        let (x, y) = (b[0] - a[0], b[1] - a[1]);
+        let length = x.hypot(y).max(1e-9);
+        [x / length, y / length]
+    };
+    let mut turned: Vec<f64> = Vec::with_capacity(long);
+    for k in 0..long {
+        let [x, y] = way(k);
+        let raw = (-y).atan2(x);
+        let last = turned.last().copied().unwrap_or(raw);
+        turned.push(raw + ((last - raw) / TAU).round() * TAU);
+    }
+    let step = crate::section::length(points) / n as f64;
+    let deep = (0..n).map(|i| seen(i)[1]).fold(0.0, f64::max);
+    let mut best: Option<(f64, usize)> = None;
+    for a in 0..long {
+        if turned[a] < TURNED {
+            continue;
+        }
+        for b in a + 1..long {
+            if turned[b] <= turned[a] + STRAIGHT {
+                let score = (b - a) as f64 * step + deep * (turned[a] - turned[b]);
+                if best.is_none_or(|o| score > o.0) {
+                    best = Some((score, a));
+                }
+            }
+        }
+    }
+    let (score, k) = best?;
+    let [x, y] = way(k);
+    (score > 0.25 * deep).then_some(Seam {
+        at: along(k),
+        way: [side * x, fore * y],
+    })
+}
+
+/// A convex bridge between two points that leaves and arrives along given ways: the conic that is
+/// a circle's arc where both are alike. Returns its points and its doubt.
+fn bridge(a: [f64; 2], u: [f64; 2], b: [f64; 2], v: [f64; 2]) -> (Vec<[f64; 2]>, f64) {
+    let (dx, dy) = (b[0] - a[0], b[1] - a[1]);
+    let chord = dx.hypot(dy);
+    let cross = u[0] * v[1] - u[1] * v[0];
+    // a + s u = b + t v
+    let s = (dx * v[1] - dy * v[0]) / cross;
+    let t = (dx * u[1] - dy * u[0]) / cross;
+    let within = |x: f64| x.is_finite() && x > 0.0 && x < 1.5 * chord;
+    if chord < 1e-6 || !within(s) || !within(t) {
+        return (vec![], 0.02 * chord);
+    }
+    let x = [a[0] + s * u[0], a[1] + s * u[1]];
+    // Half the turn from u to -v.
+    let turn = -(u[0] * v[0] + u[1] * v[1]);
+    let weight = ((1.0 + turn) / 2.0).clamp(0.0, 1.0).sqrt();
+    let conic = |k: usize| {
+        let t = k as f64 / 32.0;
+        let (p, q, r) = ((1.0 - t).powi(2), 2.0 * t * (1.0 - t) * weight, t * t);
+        let sum = p + q + r;
+        [0, 1].map(|i| (p * a[i] + q * x[i] + r * b[i]) / sum)
+    };
+    let doubt = (s + t - chord) / 2.0;
+    ((1..32).map(conic).collect(), doubt)
+}
+
+/// Parts the arms of the given sides (1 along the first axis, -1 against it) from a trunk. `outline`
+/// lies in axes left and forward; `middle` is within the trunk. `None` where no seam is to be found.
+pub fn parted(outline: &[[f64; 2]], middle: [f64; 2], sides: &[f64]) -> Option<Parted> {
+    if outline.len() < 8 {
+        return None;
+    }
+    let mut points = even(outline, SAMPLES);
+    if crate::section::area(&points) < 0.0 {
+        points.reverse();
+    }
+    let (mut share, mut doubt_mm) = (0.0, 0.0);
+    let mut cuts = Vec::new();
+    for side in sides {
+        let front = seam(&points, middle, *side, 1.0)?;
+        let back = seam(&points, middle, *side, -1.0)?;
+        // Counter-clockwise: on the left from the front's... with x to the left hand of a reader,
+        // the positive side runs from back to front, the negative from front to back.
+        let (from, to) = if *side > 0.0 {
+            (back, front)
+        } else {
+            (front, back)
+        };
+        let (arc, doubt) = bridge(points[from.at], from.way, points[to.at], to.way);
+        cuts.push((from.at, to.at, arc));
+        doubt_mm += doubt;
+    }
+    let n = points.len();
+    let inside = |i: usize| {
+        cuts.iter()
+            .any(|(from, to, _)| i != *from && (i + n - from) % n < (to + n - from) % n)
+    };
+    let mut out: Vec<[f64; 2]> = Vec::with_capacity(n);
+    for i in 0..n {
+        if inside(i) {
+            continue;
+        }
+        out.push(points[i]);
+        for (_, _, arc) in cuts.iter().filter(|c| c.0 == i) {
+            out.extend(arc);
+        }
+    }
+    let whole = crate::section::length(&out);
+    for (from, to, arc) in &cuts {
+        let mut path = vec![points[*from]];
+        path.extend(arc);
+        path.push(points[*to]);
+        share += path
+            .windows(2)
+            .map(|w| (w[1][0] - w[0][0]).hypot(w[1][1] - w[0][1]))
+            .sum::<f64>()
+            / whole;
+    }
+    (share < 0.5 && out.len() > n / 4).then_some(Parted {
+        points: out,
+        share,
+        doubt_mm,
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A superellipse, a trunk of 360 by 240 mm, with disks of radius 55 beside it; the folds
+    /// between are filled up to a line from disk to trunk, or open.
+    fn with_arms(filled: bool) -> (Vec<[f64; 2]>, f64) {
+        let trunk: Vec<[f64; 2]> = (0..720)
+            .map(|k| (TAU * f64::from(k) / 720.0).sin_cos())
+            .map(|(s, c)| {
+                let r = ((c / 180.0).abs().powf(2.5) + (s / 120.0).abs().powf(2.5)).powf(-0.4);
+                [r * c, r * s]
+            })
+            .collect();
+        let own = crate::section::tape(&trunk);
+        // A ray's farthest crossing of trunk, disks and, if filled, quadrangles between them.
+        let mut solids = vec![trunk];
+        for side in [1.0, -1.0] {
+            let disk: Vec<[f64; 2]> = (0..360)
+                .map(|k| (TAU * f64::from(k) / 360.0).sin_cos())
+                .map(|(s, c)| [side * 215.0 + 55.0 * c, -20.0 + 55.0 * s])
+                .collect();
+            if filled {
+                let fold = [[150.0, 78.0], [205.0, 34.0], [205.0, -74.0], [150.0, -78.0]];
+                solids.push(fold.map(|p| [side * p[0], p[1]]).to_vec());
+            }
+            solids.push(disk);
+        }
+        let reach: Vec<Vec<Option<f64>>> = solids.iter().map(|s| crate::reaches(s)).collect();
+        let union = (0..crate::RAYS)
+            .filter_map(|k| {
+                let far = reach.iter().filter_map(|r| r[k]).reduce(f64::max)?;
+                let [c, s] = crate::ray(k);
+                Some([far * c, far * s])
+            })
+            .collect();
+        (union, own)
+    }
+
+    #[test]
+    fn arms_beside_a_trunk_are_taken_off_whether_the_folds_are_filled_or_open() {
+        for filled in [false, true] {
+            let (union, own) = with_arms(filled);
+            assert!(crate::section::tape(&union) > 1.1 * own);
+            let free = parted(&union, [0.0, 0.0], &[1.0, -1.0]).unwrap();
+            proof::near(crate::section::tape(&free.points) / own, 1.0, 0.012);
+            assert!(free.share > 0.1 && free.share < 0.45);
+        }
+    }
+
+    #[test]
+    fn one_arm_may_be_taken_off_alone_and_nothing_is_taken_off_a_trunk_without_arms() {
+        let (union, own) = with_arms(true);
+        let one = parted(&union, [0.0, 0.0], &[1.0]).unwrap();
+        let tape = crate::section::tape(&one.points);
+        assert!(tape > 1.03 * own && tape < crate::section::tape(&union));
+        let bare: Vec<[f64; 2]> = (0..360)
+            .map(|k| (TAU * f64::from(k) / 360.0).sin_cos())
+            .map(|(s, c)| [180.0 * c, 120.0 * s])
+            .collect();
+        assert_eq!(parted(&bare, [0.0, 0.0], &[1.0, -1.0]), None);
+    }
+}
