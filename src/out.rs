@@ -48,6 +48,7 @@ pub fn formats(kind: &str) -> &'static [&'static str] {
         "landmarks" => &["json"],
         "document" => &["file"],
         "tags" => &["json"],
+        "warps" => &["json"],
         "keypoints" | "tracks" => &["png"],
         _ => &[RAW],
     }
@@ -111,6 +112,7 @@ pub fn files(
         ("girths", "csv") => one(shape::girths_to_csv(&*take!(Girths)).into_bytes()),
         ("girths", "schema") => one(shape::girths_schema().into()),
         ("landmarks", "json") => one(shape::landmarks_to_json(&*take!(Landmarks)).into_bytes()),
+        ("warps", _) => one(warps_to_json(&*take!(shape::Warps)).into_bytes()),
         ("tags", _) => one(tags_to_json(&*take!(Tags)).into_bytes()),
         ("photos", _) => Ok(shape::photos_to_capture(&*take!(Photos))),
         ("document", _) => one(take!(Document).bytes.clone()),
@@ -135,6 +137,16 @@ pub fn files(
         }
         _ => Err(wrong()),
     }
+}
+
+/// Fields of offsets by photo: the nodes' distance and, row by row, their offsets. \[px\]
+fn warps_to_json(warps: &shape::Warps) -> String {
+    let view = |(id, w): (shape::PhotoId, &shape::Warp)| {
+        let rows: Vec<_> = w.offsets.chunks(w.columns).collect();
+        serde_json::json!({ "photo": id.0, "cell_px": w.cell_px, "offsets": rows })
+    };
+    let views: Vec<_> = warps.views.iter().map(view).collect();
+    serde_json::to_string_pretty(&views).expect("bug: warps JSON cannot hold")
 }
 
 /// Tags by photo: number and corners. \[px\]

@@ -2,12 +2,15 @@
 //!
 //! ```text
 //! mesh, photos, cameras, masks ─┬─ Steady → cameras   the body held still
+//!                               ├─ Bend   → warps     arms, head and chest held still
 //!                               ├─ Settle → mesh      consistency, silhouettes, plate; level by level
 //!                               ├─ Evolve → mesh      the paper's eq. 3 and 5–7
 //!                               └─ Texture → textured colours from the photos
 //! ```
 
 pub mod atlas;
+pub mod bend;
+mod bend_stage;
 pub mod crossing;
 pub mod curvature;
 pub mod depth;
@@ -31,7 +34,9 @@ mod steady;
 pub mod sway;
 pub mod sweep;
 mod texture;
+pub mod tugs;
 
+pub use bend_stage::{Bend, BendInput, BendParams};
 pub use evolve_stage::{Evolve, EvolveInput, EvolveParams, Flow};
 pub use scene::RefineError;
 pub use settle_stage::{Settle, SettleInput, SettleParams};
@@ -41,6 +46,7 @@ pub use texture::{Texture, TextureInput, TextureParams};
 /// Every stage of this room, in the order in which data flows through it.
 pub const STAGES: &[&dyn stage::AnyStage] = &[
     &stage::erase::<Steady>(),
+    &stage::erase::<Bend>(),
     &stage::erase::<Settle>(),
     &stage::erase::<Evolve>(),
     &stage::erase::<Texture>(),

@@ -1,7 +1,7 @@
 //! One photo, ready to be compared: free of distortion, one level of its Gaussian pyramid.
 
 use nalgebra::{Matrix3x4, Point3, Vector3};
-use shape::{Camera, Gray, Intrinsics, Mask, signed_distance};
+use shape::{Camera, Gray, Intrinsics, Mask, Warp, signed_distance};
 
 /// A photo's brightness at one level of the pyramid, its pinhole camera, and its silhouette.
 pub struct Picture {
@@ -47,6 +47,32 @@ impl Picture {
             inside,
             // A halving by [1 3 3 1]/8 along both sides leaves 5/16 of white noise's deviation.
             noise: (noise * 0.3125f32.powi(halvings as i32)).max(0.25),
+        }
+    }
+
+    /// The picture as it would be had the body not bent: what `warp` says is seen at an offset,
+    /// brought back. `warp` in pixels of the photo, `photo_width` wide.
+    pub fn unbent(&self, warp: &Warp, photo_width: u32) -> Self {
+        let scale = self.gray.width as f64 / f64::from(photo_width);
+        let bent = |image: &Gray| -> Gray {
+            let mut out = Gray::filled(image.width, image.height, 0.0);
+            for y in 0..image.height {
+                let row = (y as f64 + 0.5) / scale - 0.5;
+                for x in 0..image.width {
+                    let offset = warp.at([(x as f64 + 0.5) / scale - 0.5, row]);
+                    let at = [x as f64 + offset[0] * scale, y as f64 + offset[1] * scale];
+                    *out.at_mut(x, y) = image.sample(at[0] as f32, at[1] as f32);
+                }
+            }
+            out
+        };
+        Picture {
+            gray: bent(&self.gray),
+            projection: self.projection,
+            centre: self.centre,
+            focal: self.focal,
+            inside: self.inside.as_ref().map(bent),
+            noise: self.noise,
         }
     }
 

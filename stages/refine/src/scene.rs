@@ -2,7 +2,7 @@
 
 use crate::picture::Picture;
 use rayon::prelude::*;
-use shape::{Cameras, Masks, Mesh, PhotoError, Photos};
+use shape::{Cameras, Masks, Mesh, PhotoError, Photos, Warps};
 
 /// Why a surface cannot be refined.
 #[derive(Debug, thiserror::Error)]
@@ -95,6 +95,21 @@ pub fn pictures<E: From<RefineError> + From<PhotoError> + Send>(
             ))
         })
         .collect()
+}
+
+/// Takes out of [`pictures`] of the same photos and cameras how the body bent.
+pub fn unbend(pictures: &mut [Picture], photos: &Photos, cameras: &Cameras, warps: &Warps) {
+    let views = cameras.views.iter();
+    let ids: Vec<_> = views
+        .filter(|(id, _)| photos.get(*id).is_some())
+        .map(|(id, view)| (id, view.camera.lens.width))
+        .collect();
+    let each = pictures.par_iter_mut().zip(&ids);
+    each.for_each(|(picture, (id, width))| {
+        if let Some(warp) = warps.views.get(*id) {
+            *picture = picture.unbent(warp, *width);
+        }
+    });
 }
 
 /// What a pixel covers on the mesh, the median over vertices and pictures. \[mm\]

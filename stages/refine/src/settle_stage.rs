@@ -8,14 +8,14 @@ use crate::patch::{Pairing, Window};
 use crate::picture::Picture;
 use crate::remesh::{relax, remesh};
 use crate::rims::pulls;
-use crate::scene::{RefineError, check, footprint, pictures};
+use crate::scene::{RefineError, check, footprint, pictures, unbend};
 use crate::settle::{Rest, settle};
 use crate::sights::{Sighting, Sights};
 use crate::smooth::ring_median;
 use crate::sweep;
 use nalgebra::Vector3;
 use serde::{Deserialize, Serialize};
-use shape::{Adjacency, Cameras, Masks, Mesh, Photos};
+use shape::{Adjacency, Cameras, Masks, Mesh, Photos, Warps};
 use stage::{Ctx, Stage, Stop};
 use std::sync::Arc;
 
@@ -91,6 +91,8 @@ stage::inputs! {
         cameras: Arc<Cameras>,
         /// Silhouettes; without them rims are left to the plate.
         masks: Option<Arc<Masks>>,
+        /// How the body bent; without them it did not.
+        warps: Option<Arc<Warps>>,
     }
 }
 
@@ -108,7 +110,7 @@ impl Stage for Settle {
     fn run(p: &SettleParams, input: SettleInput, ctx: &Ctx<'_>) -> Result<Mesh, Stop> {
         check(&input.mesh)?;
         let masks = input.masks.as_deref();
-        let pictures = pictures(
+        let mut pictures = pictures(
             &input.photos,
             &input.cameras,
             masks,
@@ -116,6 +118,9 @@ impl Stage for Settle {
             p.most_mpx,
             || ctx.check().map_err(Stop::from),
         )?;
+        if let Some(warps) = &input.warps {
+            unbend(&mut pictures, &input.photos, &input.cameras, warps);
+        }
         let footprint = footprint(&input.mesh, &pictures);
         let mut mesh = Mesh::clone(&input.mesh);
         mesh.colors.clear();

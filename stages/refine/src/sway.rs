@@ -4,11 +4,12 @@
 //! carries the surface onto that photo: brightness of the photo against the mean of the others'
 //! wherever the surface carries texture, and the silhouette's rim everywhere.
 
-use crate::look::{Look, MOST_POINTS, dot};
+use crate::look::Look;
 use crate::patch::{MOST_SIGHTS, Window};
 use crate::picture::Picture;
 use crate::rims::Pull;
 use crate::sights::Sights;
+use crate::tugs::tugs_at;
 use nalgebra::{Matrix3, Matrix6, Point3, Rotation3, Vector3, Vector6};
 use rayon::prelude::*;
 use shape::{Camera, Mesh, Pose};
@@ -83,7 +84,6 @@ pub fn tugs_of_brightness(
     window: &Window,
     leash: &Leash,
 ) -> Vec<Tug> {
-    let count = window.len();
     let chunk = 512;
     let chunks: Vec<Vec<Tug>> = (0..sights.frames.len().div_ceil(chunk))
         .into_par_iter()
@@ -91,66 +91,9 @@ pub fn tugs_of_brightness(
             let mut tugs = vec![Tug::NONE; pictures.len()];
             let mut looks = [[Look::EMPTY; 2]; MOST_SIGHTS];
             for v in c * chunk..((c + 1) * chunk).min(sights.frames.len()) {
-                let (frame, seen) = (&sights.frames[v], sights.of(v));
-                if seen.len() < 2 {
-                    continue;
-                }
-                let across: Vec<[Vector3<f64>; 2]> = seen
-                    .iter()
-                    .map(|s| crate::curvature::tangents(&Vector3::from(s.toward.map(f64::from))))
-                    .collect();
-                let fine = seen.iter().enumerate().all(|(i, s)| {
-                    let picture = &pictures[s.picture as usize];
-                    (0..2).all(|k| {
-                        looks[i][k].read::<true>(picture, frame, 0.0, &across[i][k], window)
-                    })
-                });
-                if !fine {
-                    continue;
-                }
-                for (i, sight) in seen.iter().enumerate() {
-                    let mut others = [0.0f32; MOST_POINTS];
-                    let mut weight = 0.0;
-                    for (j, other) in seen.iter().enumerate().filter(|(j, _)| *j != i) {
-                        let w = other.weight;
-                        (0..count).for_each(|k| others[k] += w * looks[j][0].z[k]);
-                        weight += w;
-                    }
-                    let norm = dot(&others[..count], &others[..count]).sqrt();
-                    if norm <= 0.0 || weight <= 0.0 {
-                        continue;
-                    }
-                    others[..count].iter_mut().for_each(|o| *o /= norm);
-                    let look = &looks[i];
-                    let agree = dot(&others[..count], &look[0].z[..count]);
-                    if agree < 0.3 {
-                        continue;
-                    }
-                    let slope = |k: usize| &look[k].slope[..count];
-                    let wanted: Vec<f32> = (0..count)
-                        .map(|k| others[k] - agree * look[0].z[k])
-                        .collect();
-                    // Two directions across the line of sight, made independent of each other.
-                    let (a, b, ab) = (
-                        dot(slope(0), slope(0)),
-                        dot(slope(1), slope(1)),
-                        dot(slope(0), slope(1)),
-                    );
-                    let (ra, rb) = (dot(slope(0), &wanted), dot(slope(1), &wanted));
-                    let (values, vectors) = eigen(f64::from(a), f64::from(ab), f64::from(b));
-                    for k in 0..2 {
-                        if values[k] < 1e-9 {
-                            continue;
-                        }
-                        let pull = vectors[k][0] * f64::from(ra) + vectors[k][1] * f64::from(rb);
-                        let gap = pull / values[k];
-                        // A shift of many pixels is none that this look can tell.
-                        let sure = (2.0 * leash.footprint / gap.abs().max(1e-9)).min(1.0);
-                        let direction = across[i][0] * vectors[k][0] + across[i][1] * vectors[k][1];
-                        let stiffness = values[k] * f64::from(sight.weight * weight * agree) * sure;
-                        tugs[sight.picture as usize]
-                            .add(leash, &frame.x, &direction, gap, stiffness);
-                    }
+                for t in tugs_at(v, pictures, sights, window, leash.footprint, &mut looks) {
+                    let tug = &mut tugs[t.picture as usize];
+                    tug.add(leash, &t.x, &t.direction, t.gap, t.stiffness);
                 }
             }
             tugs
@@ -164,15 +107,6 @@ pub fn tugs_of_brightness(
         }
     }
     sum
-}
-
-/// Eigenvalues and unit eigenvectors of a symmetric 2 × 2 matrix.
-fn eigen(a: f64, b: f64, c: f64) -> ([f64; 2], [[f64; 2]; 2]) {
-    let (mean, half) = ((a + c) / 2.0, (a - c) / 2.0);
-    let far = half.hypot(b);
-    let angle = 0.5 * b.atan2(half);
-    let (sin, cos) = angle.sin_cos();
-    ([mean + far, mean - far], [[cos, sin], [-sin, cos]])
 }
 
 /// What the rims say of each photo's motion, added to `tugs`.

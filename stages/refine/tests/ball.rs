@@ -20,6 +20,7 @@ fn settled(contrast: f64, masks: bool, radius: f64) -> Result<Mesh, Stop> {
         photos: photos.into(),
         cameras: cameras.into(),
         masks,
+        warps: None,
     };
     Settle::run(&p, input, &Ctx::alone())
 }
@@ -140,6 +141,7 @@ fn meshes_with_holes_and_photos_without_cameras_are_refused() {
             photos: photos.clone(),
             cameras: cameras.into(),
             masks: None,
+            warps: None,
         };
         match Settle::run(&Default::default(), input, &Ctx::alone()) {
             Err(Stop::Failed(error)) => error.downcast::<RefineError>().unwrap().to_string(),

@@ -20,6 +20,7 @@ fn settled(mesh: Mesh, spoil: impl Fn(&mut shape::Cameras)) -> Result<Mesh, Stop
         photos: photos.into(),
         cameras: cameras.into(),
         masks: Some(masks.into()),
+        warps: None,
     };
     Settle::run(&p, input, &Ctx::alone())
 }

@@ -38,6 +38,7 @@ mod tags;
 mod textured;
 mod thin;
 mod tracks;
+mod warps;
 
 pub use base64::base64;
 pub use by_photo::{ByPhoto, PhotoId};
@@ -68,3 +69,4 @@ pub use tags::{Tag, Tags};
 pub use textured::Textured;
 pub use thin::thinned;
 pub use tracks::{Sighting, Tracks};
+pub use warps::{Warp, Warps};
