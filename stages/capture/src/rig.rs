@@ -101,6 +101,8 @@ pub fn read_rig(text: &str) -> Result<RigFile, RigError> {
     root.take("images");
     if let Some(mut camera) = root.inner("camera")? {
         rig.focal_35mm = camera.number("focal_35mm", 5.0, 2000.0)?;
+        rig.focal_px = camera.number("focal_px", 50.0, 1e6)?;
+        rig.centre_px = read_pixel(&mut camera, "centre_px")?;
         ["make", "model"]
             .iter()
             .for_each(|key| drop(camera.take(key)));
@@ -131,6 +133,24 @@ pub fn read_rig(text: &str) -> Result<RigFile, RigError> {
     }
     root.rest(&mut file.unknown);
     Ok(file)
+}
+
+/// A pixel, `[x, y]`.
+fn read_pixel(keys: &mut Keys<'_>, key: &'static str) -> Result<Option<[f64; 2]>, RigError> {
+    let Some(value) = keys.take(key) else {
+        return Ok(None);
+    };
+    let number = |v: &Value| v.as_float().or(v.as_integer().map(|i| i as f64));
+    let list: Vec<f64> = value
+        .as_array()
+        .into_iter()
+        .flatten()
+        .filter_map(number)
+        .collect();
+    match (list.as_slice(), value.as_array().map(Vec::len)) {
+        ([x, y], Some(2)) if x.is_finite() && y.is_finite() => Ok(Some([*x, *y])),
+        _ => Err(keys.wrong(key, "a pixel, [x, y]", &value)),
+    }
 }
 
 fn read_mat(mat: &mut Keys<'_>) -> Result<Mat, RigError> {
@@ -191,6 +211,9 @@ mod tests {
             ring_mm: 187.0,
         };
         assert_eq!(file.rig.mat, Some(mat));
+        let lens = read_rig("[camera]\nfocal_px = 3346.7\ncentre_px = [804.8, 1191]").unwrap();
+        assert_eq!(lens.rig.focal_px, Some(3346.7));
+        assert_eq!(lens.rig.centre_px, Some([804.8, 1191.0]));
     }
 
     #[test]
@@ -210,6 +233,10 @@ mod tests {
             (
                 "[mat]\ntag_size_mm = 60\nring_radius_mm = 1\ncount = 3\nids = [0, 9]",
                 "of 3 ids",
+            ),
+            (
+                "[camera]\ncentre_px = [1.0]",
+                "`camera.centre_px` wants a pixel",
             ),
             ("a = [", "capture.toml"),
         ] {

@@ -2,7 +2,7 @@
 
 use crate::from_mat::{self, MatError};
 use crate::from_tracks::{self, TracksError};
-use shape::{Cameras, Intrinsics, Photos, Tags, Tracks};
+use shape::{Cameras, Intrinsics, Photos, Rig, Tags, Tracks};
 use stage::{Ctx, Stage, Stop};
 use std::sync::Arc;
 
@@ -27,6 +27,12 @@ stage::params! {
         /// How far the principal point may be from the photo's middle, as a share of its longer side.
         #[range(0.0001..=0.2)]
         centre_sigma: f64 = 0.004,
+        /// How sure a focal length in pixels of capture.toml is, as a share of it.
+        #[range(0.00001..=0.1)]
+        given_focal: f64 = 0.0005,
+        /// How sure a principal point of capture.toml is.
+        #[range(0.01..=100.0)]
+        given_centre_px: f64 = 0.5,
         /// How strong radial distortion may be (k1; k2 half as much).
         #[range(0.0001..=1.0)]
         radial_sigma: f64 = 0.03,
@@ -56,6 +62,10 @@ stage::params! {
         /// Free cameras further off a ring than this share of its radius are refused.
         #[range(0.001..=10.0)]
         off_ring: f64 = 0.02,
+        /// Without a mat, features that lie further from where they should (root mean square) are
+        /// not believed; in proportion more on photos of more than 2400 pixels.
+        #[range(0.1..=100.0)]
+        most_px: f64 = 1.5,
         /// Most features that are adjusted.
         #[range(100..=100000)]
         most_tracks: u32 = 3000,
@@ -95,7 +105,7 @@ pub struct Calibrate;
 
 impl Stage for Calibrate {
     const NAME: &'static str = "pose.calibrate";
-    const VERSION: u32 = 6;
+    const VERSION: u32 = 7;
     const ABOUT: &'static str = "Calibrates lens and cameras by bundle adjustment, in the turntable frame where a mat gives it.";
     type Params = CalibrateParams;
     type Input = CalibrateInput;
@@ -144,8 +154,13 @@ impl Stage for Calibrate {
     }
 }
 
-/// The lens that EXIF tells of: 36 mm of film lie along the photo's longer side. Without a focal
-/// length, that of a usual lens: its longer side times 1.2.
+/// Whether a focal length is known, be it EXIF's or a calibration's.
+pub(crate) fn knows_focal(rig: &Rig) -> bool {
+    rig.focal_35mm.is_some() || rig.focal_px.is_some()
+}
+
+/// The lens that capture.toml gives, or EXIF: 36 mm of film lie along the photo's longer side.
+/// Without a focal length, that of a usual lens: its longer side times 1.2.
 pub(crate) fn first_lens(photos: &Photos) -> Intrinsics {
     let first = &photos.photos[0];
     let longer = f64::from(first.width.max(first.height));
@@ -153,5 +168,10 @@ pub(crate) fn first_lens(photos: &Photos) -> Intrinsics {
         .rig
         .focal_35mm
         .map_or(1.2 * longer, |mm| mm / 36.0 * longer);
-    Intrinsics::simple(first.width, first.height, focal)
+    let focal = photos.rig.focal_px.unwrap_or(focal);
+    let simple = Intrinsics::simple(first.width, first.height, focal);
+    Intrinsics {
+        centre: photos.rig.centre_px.unwrap_or(simple.centre),
+        ..simple
+    }
 }

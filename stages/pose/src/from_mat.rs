@@ -6,7 +6,7 @@
 //! 0.1 % of focal length and 0.15 % of distance), and `scale_sigma` says how much is left open.
 
 use crate::adjust::{Fit, adjust};
-use crate::calibrate::CalibrateParams;
+use crate::calibrate::{CalibrateParams, knows_focal};
 use crate::planar::planar_pose;
 use crate::scene::{Beliefs, LensPrior, Scene, Settings, Sight, lens_values};
 use crate::tag_bloom::adjust_tags;
@@ -14,8 +14,8 @@ use crate::tracks_in::{self, Seen};
 use crate::trust::{median_px, warnings};
 use nalgebra::Point3;
 use shape::{
-    ByPhoto, Camera, Cameras, Intrinsics, Mat, PhotoId, Photos, Pose, Scale, Tag, Tags, Tracks,
-    View,
+    ByPhoto, Camera, Cameras, Intrinsics, Mat, PhotoId, Photos, Pose, Rig, Scale, Tag, Tags,
+    Tracks, View,
 };
 
 /// Why a mat gives no cameras.
@@ -79,6 +79,18 @@ pub(crate) fn lens_prior(lens: &Intrinsics, known_focal: bool, p: &CalibratePara
     }
 }
 
+/// The belief where capture.toml gives the lens.
+pub(crate) fn as_given(mut prior: LensPrior, rig: &Rig, p: &CalibrateParams) -> LensPrior {
+    if rig.focal_px.is_some() {
+        prior.sigma[0] = p.given_focal * prior.mean[0];
+    }
+    if rig.centre_px.is_some() {
+        prior.sigma[1] = p.given_centre_px;
+        prior.sigma[2] = p.given_centre_px;
+    }
+    prior
+}
+
 /// How the adjustments go.
 pub(crate) fn settings(p: &CalibrateParams) -> Settings {
     Settings {
@@ -134,7 +146,11 @@ pub(crate) fn calibrate(
         }
     }
     scene.known = scene.points.len();
-    let prior = lens_prior(lens, photos.rig.focal_35mm.is_some(), p);
+    let prior = as_given(
+        lens_prior(lens, knows_focal(&photos.rig), p),
+        &photos.rig,
+        p,
+    );
     let beliefs = Beliefs {
         lens: prior,
         step: None,

@@ -1,16 +1,15 @@
 //! Cameras without a mat: a turn about an unknown axis from features alone, then one adjustment.
 
 use crate::adjust::adjust;
-use crate::calibrate::{CalibrateParams, Motion};
-use crate::from_mat::{Found, lens_prior, settings};
+use crate::calibrate::{CalibrateParams, Motion, knows_focal};
+use crate::from_mat::{Found, as_given, lens_prior, settings};
 use crate::pairs::{chosen, pairs};
-use crate::ring::Ring;
 use crate::ring_fit::{camera_circle, in_ring_frame};
-use crate::ring_start::{Known, Start, on_axis, starts};
+use crate::ring_start::{Known, starts};
 use crate::scene::{Beliefs, Scene, Sight};
-use crate::tracks_in::{Seen, triangulated};
+use crate::tracks_in::triangulated;
 use crate::trust::{median_px, misfits, warnings};
-use nalgebra::{Matrix3, Rotation3, Vector3};
+use crate::turn_trial::{RING_MM, filled, spread_px, tried_out};
 use shape::{ByPhoto, Camera, Cameras, Intrinsics, PhotoId, Photos, Scale, Tracks, View};
 
 /// Why features give no cameras.
@@ -34,6 +33,16 @@ pub enum TracksError {
         /// How much it explains. [%]
         share: f64,
     },
+    /// Features that fit no better than by chance.
+    #[error(
+        "features lie {rms:.1} px from where they should (at most {most:.1} px is to be trusted), so the cameras are not: too little texture, a subject that moved, or photos out of order; put a patterned cloth or a marker mat (`tailor mat`) on the disk"
+    )]
+    Loose {
+        /// Root mean square, outliers left out. \[px\]
+        rms: f64,
+        /// What is borne. \[px\]
+        most: f64,
+    },
     /// Cameras that stand on no ring.
     #[error(
         "the cameras came out {off:.1} % off a ring, so they are not to be trusted: are the photos in turning order and the steps below 25°? `focal_35mm` and `step_deg` in capture.toml or a marker mat (`tailor mat`) on the disk help"
@@ -42,35 +51,6 @@ pub enum TracksError {
         /// Root mean square, of the ring's radius. [%]
         off: f64,
     },
-}
-
-/// Size of the ring while nothing tells of millimetres. \[mm\]
-pub(crate) const RING_MM: f64 = 1000.0;
-
-/// The ring of a start: camera zero looks along +y.
-fn ring_of(start: &Start) -> Ring {
-    let z = start.axis;
-    let y = (Vector3::z() - z * z.z).normalize();
-    Ring {
-        turn: Rotation3::from_matrix_unchecked(Matrix3::from_columns(&[y.cross(&z), y, z])),
-        offset: on_axis(&start.axis, start.beside) * RING_MM,
-        angles: start.angles.clone(),
-    }
-}
-
-/// A scene's points and sightings from triangulated tracks.
-fn filled(scene: &mut Scene, seen: &[Seen], sigma_px: f64) -> Vec<Sight> {
-    scene.points = seen.iter().map(|s| s.point).collect();
-    let sight = |(point, seen): (usize, &Seen)| -> Vec<Sight> {
-        let one = |(camera, at_px): &(usize, [f64; 2])| Sight {
-            camera: *camera,
-            point,
-            at_px: *at_px,
-            sigma_px,
-        };
-        seen.sights.iter().map(one).collect()
-    };
-    seen.iter().enumerate().flat_map(sight).collect()
 }
 
 /// Calibrates from features that move with the disk.
@@ -90,7 +70,7 @@ pub(crate) fn calibrate(
             of: count.saturating_sub(1),
         });
     }
-    let known_focal = photos.rig.focal_35mm.is_some();
+    let known_focal = knows_focal(&photos.rig);
     let longer = f64::from(lens.width.max(lens.height));
     let known = Known {
         photos: count,
@@ -118,7 +98,7 @@ pub(crate) fn calibrate(
         });
     };
     let many = chosen(tracks, p.most_tracks as usize);
-    let mut beliefs = beliefs(lens, known_focal, photos.rig.step, &scene, p);
+    let mut beliefs = beliefs(lens, photos, &scene, p);
     let mut sigma_px = p.feature_px;
     let mut sights = vec![];
     let mut fit = None;
@@ -168,6 +148,14 @@ pub(crate) fn calibrate(
     if share < 0.2 {
         return Err(TracksError::Unexplained {
             share: share * 100.0,
+        });
+    }
+    let longest = f64::from(lens.width.max(lens.height));
+    let most = p.most_px * (longest / 2400.0).max(1.0);
+    if fit.rms_px > most {
+        return Err(TracksError::Loose {
+            rms: fit.rms_px,
+            most,
         });
     }
     let view = |(camera, (id, photo)): (usize, (PhotoId, &shape::Photo))| {
@@ -238,60 +226,18 @@ pub(crate) fn calibrate(
 }
 
 /// What is believed of lens and ring once the direction of the turn is known.
-fn beliefs(
-    lens: &Intrinsics,
-    known_focal: bool,
-    step: Option<f64>,
-    scene: &Scene,
-    p: &CalibrateParams,
-) -> Beliefs {
+fn beliefs(lens: &Intrinsics, photos: &Photos, scene: &Scene, p: &CalibrateParams) -> Beliefs {
     let sign = scene.ring.as_ref().and_then(|r| r.angles.last().copied());
     let sign = sign.unwrap_or(1.0).signum();
     Beliefs {
-        lens: lens_prior(lens, known_focal, p),
-        step: step.map(|step| [step.abs() * sign, p.step_sigma_deg.to_radians()]),
+        lens: as_given(
+            lens_prior(lens, knows_focal(&photos.rig), p),
+            &photos.rig,
+            p,
+        ),
+        step: photos
+            .rig
+            .step
+            .map(|step| [step.abs() * sign, p.step_sigma_deg.to_radians()]),
     }
-}
-
-/// A candidate after a short adjustment: how much it explains, and its scene.
-fn tried_out(
-    lens: &Intrinsics,
-    start: &Start,
-    ids: &[PhotoId],
-    tracks: &Tracks,
-    p: &CalibrateParams,
-) -> (f64, Scene) {
-    let ring = ring_of(start);
-    let mut scene = Scene {
-        lens: Intrinsics {
-            focal: [start.focal_px; 2],
-            ..*lens
-        },
-        poses: ring.poses(),
-        ring: Some(ring),
-        points: vec![],
-        known: 0,
-    };
-    let mut beliefs = Beliefs {
-        lens: lens_prior(lens, true, p),
-        step: None,
-    };
-    beliefs.lens.mean[0] = start.focal_px;
-    let short = crate::scene::Settings {
-        steps: 15,
-        ..settings(p)
-    };
-    for most in [40.0, 20.0] {
-        let seen = triangulated(&scene.lens, &scene.poses, ids, tracks, most);
-        let sights = filled(&mut scene, &seen, spread_px(&seen).max(p.feature_px));
-        adjust(&mut scene, &sights, &beliefs, &short);
-    }
-    let seen = triangulated(&scene.lens, &scene.poses, ids, tracks, 20.0);
-    let score = seen.iter().map(|s| 1.0 / (1.0 + s.rms_px * s.rms_px)).sum();
-    (score, scene)
-}
-
-/// Standard deviation of the sightings about their points, by the median. \[px\]
-fn spread_px(seen: &[Seen]) -> f64 {
-    crate::tracks_in::median_residual(seen).min(100.0) / 1.18
 }

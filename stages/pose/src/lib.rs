@@ -45,6 +45,7 @@ mod tags;
 mod tracks;
 mod tracks_in;
 mod trust;
+mod turn_trial;
 
 pub use adjust::{Fit, adjust};
 pub use calibrate::{Calibrate, CalibrateError, CalibrateInput, CalibrateParams, Motion};

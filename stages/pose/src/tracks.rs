@@ -1,6 +1,6 @@
 //! The stage that follows features over the photos.
 
-use crate::calibrate::first_lens;
+use crate::calibrate::{first_lens, knows_focal};
 use crate::epipolar::{Both, agreeing, agreeing_through};
 use crate::matching::{mutual, still};
 use rayon::prelude::*;
@@ -67,7 +67,7 @@ impl Stage for Follow {
             .photos
             .first()
             .map_or(1000.0, |p| p.height as f32);
-        let known = input.photos.rig.focal_35mm.is_some() && !input.photos.photos.is_empty();
+        let known = knows_focal(&input.photos.rig) && !input.photos.photos.is_empty();
         let lens = known.then(|| first_lens(&input.photos));
         let steps = ctx.steps("pairs", pairs.len());
         let one = |(i, j): &(usize, usize)| -> Result<(Vec<Match>, usize), Stop> {

@@ -1,6 +1,7 @@
 //! Whether cameras are to be trusted: what the user should know before he does.
 
 use crate::adjust::Fit;
+use crate::calibrate::knows_focal;
 use crate::scene::{LensPrior, Scene, Sight};
 use nalgebra::Vector3;
 use shape::{Camera, Cameras, PhotoId, Photos, Pose, View};
@@ -37,9 +38,9 @@ pub(crate) fn warnings(
         ));
     }
     let off = (scene.lens.focal[0] / prior.mean[0] - 1.0).abs();
-    if photos.rig.focal_35mm.is_some() && off > 0.03 {
+    if knows_focal(&photos.rig) && off > 0.03 {
         warnings.push(format!(
-            "the focal length came out {:.1} % from what EXIF or capture.toml says: check `focal_35mm`",
+            "the focal length came out {:.1} % from what EXIF or capture.toml says: check `focal_35mm` or `focal_px`",
             off * 100.0
         ));
     }

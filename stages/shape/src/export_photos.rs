@@ -32,6 +32,7 @@ fn rig_to_toml(rig: &Rig) -> String {
     };
     line("step_deg", rig.step.map(f64::to_degrees));
     line("camera.focal_35mm", rig.focal_35mm);
+    line("camera.focal_px", rig.focal_px);
     line("subject.height_cm", rig.stature_mm.map(|mm| mm / 10.0));
     line("subject.weight_kg", rig.weight_kg);
     line("disk.diameter_cm", rig.disk_diameter_mm.map(|mm| mm / 10.0));

@@ -11,6 +11,10 @@ pub struct Rig {
     pub step: Option<f64>,
     /// Focal length as if the photo were taken on 36 × 24 mm film. \[mm\]
     pub focal_35mm: Option<f64>,
+    /// Focal length as a calibration of this lens gave it. \[px\]
+    pub focal_px: Option<f64>,
+    /// Principal point as a calibration gave it, the top-left pixel's centre at (0, 0). \[px\]
+    pub centre_px: Option<[f64; 2]>,
     /// The subject's stature. \[mm\]
     pub stature_mm: Option<f64>,
     /// The subject's weight. \[kg\]
