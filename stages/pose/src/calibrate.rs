@@ -15,6 +15,8 @@ stage::choice! {
         Ring = "ring",
         /// Not at all: each camera follows what it sees.
         Free = "free",
+        /// Nor are the photos in turning order: from two photos on, one more at a time.
+        Any = "any",
     }
 }
 

@@ -76,7 +76,11 @@ pub fn agreeing(pairs: &[Both], most_px: f64, rounds: usize, seed: u64) -> Vec<b
         of_few: &|sample| fundamental(sample).into_iter().collect(),
         of_many: &fundamental,
     };
-    sampled(pairs, &model, most_px, rounds, seed)
+    within(
+        pairs,
+        sampled(pairs, &model, most_px, rounds, seed),
+        most_px,
+    )
 }
 
 /// As [`agreeing`] where the lens is known: samples of five, and only motions of rigid things.
@@ -88,6 +92,21 @@ pub fn agreeing_through(
     rounds: usize,
     seed: u64,
 ) -> Vec<bool> {
+    within(
+        pairs,
+        motion_through(lens, pairs, most_px, rounds, seed),
+        most_px,
+    )
+}
+
+/// The motion that most pairs agree with, as a fundamental matrix.
+pub(crate) fn motion_through(
+    lens: &Intrinsics,
+    pairs: &[Both],
+    most_px: f64,
+    rounds: usize,
+    seed: u64,
+) -> Option<Matrix3<f64>> {
     let (f, [cx, cy]) = (lens.focal[0], lens.centre);
     let to_ray = Matrix3::new(1.0 / f, 0.0, -cx / f, 0.0, 1.0 / f, -cy / f, 0.0, 0.0, 1.0);
     let in_px = |e: Matrix3<f64>| to_ray.transpose() * e * to_ray;
@@ -109,7 +128,19 @@ pub fn agreeing_through(
     sampled(pairs, &model, most_px, rounds, seed)
 }
 
-fn sampled(pairs: &[Both], model: &Model<'_>, most_px: f64, rounds: usize, seed: u64) -> Vec<bool> {
+/// Which pairs lie within `most_px` of a motion.
+fn within(pairs: &[Both], motion: Option<Matrix3<f64>>, most_px: f64) -> Vec<bool> {
+    let near = |p: &Both| motion.is_some_and(|f| sampson(&f, p) < most_px);
+    pairs.iter().map(near).collect()
+}
+
+fn sampled(
+    pairs: &[Both],
+    model: &Model<'_>,
+    most_px: f64,
+    rounds: usize,
+    seed: u64,
+) -> Option<Matrix3<f64>> {
     let count = |f: &Matrix3<f64>| pairs.iter().filter(|p| sampson(f, p) < most_px).count();
     let (mut best, mut most) = (None, 0);
     let mut state = seed;
@@ -137,10 +168,7 @@ fn sampled(pairs: &[Both], model: &Model<'_>, most_px: f64, rounds: usize, seed:
             need = ((1e-3f64).ln() / (1.0 - share).ln()).ceil().max(20.0) as usize;
         }
     }
-    pairs
-        .iter()
-        .map(|p| best.is_some_and(|f| sampson(&f, p) < most_px))
-        .collect()
+    best
 }
 
 /// Local optimisation: fits to all that agree, with a narrowing bound.

@@ -11,7 +11,7 @@ use crate::planar::planar_pose;
 use crate::scene::{Beliefs, LensPrior, Scene, Settings, Sight, lens_values};
 use crate::tag_bloom::adjust_tags;
 use crate::tracks_in::{self, Seen};
-use crate::trust::{median_px, warnings};
+use crate::trust::{median_px, nudged, warnings};
 use nalgebra::Point3;
 use shape::{
     ByPhoto, Camera, Cameras, Intrinsics, Mat, PhotoId, Photos, Pose, Rig, Scale, Tag, Tags,
@@ -190,7 +190,8 @@ pub(crate) fn calibrate(
         }
         fit = adjust(&mut scene, &sights, &beliefs, &settings);
     }
-    let warnings = warnings(photos, &ids, &scene, &fit, &prior);
+    let mut warnings = warnings(photos, &ids, &scene, &fit, &prior);
+    warnings.extend(nudged(photos, &ids, &scene.poses));
     let view = |(camera, (id, ..)): (usize, &(PhotoId, Pose, &Vec<Tag>))| {
         let own: Vec<Sight> = sights
             .iter()

@@ -1,16 +1,17 @@
 //! Cameras without a mat: a turn about an unknown axis from features alone, then one adjustment.
 
 use crate::adjust::adjust;
+use crate::any_order::grown;
 use crate::calibrate::{CalibrateParams, Motion, knows_focal};
 use crate::from_mat::{Found, as_given, lens_prior, settings};
 use crate::pairs::{chosen, pairs};
-use crate::ring_fit::{camera_circle, in_ring_frame};
 use crate::ring_start::{Known, starts};
-use crate::scene::{Beliefs, Scene, Sight};
+use crate::scene::{Beliefs, Scene};
+use crate::solved::{Solved, told};
 use crate::tracks_in::triangulated;
-use crate::trust::{median_px, misfits, warnings};
-use crate::turn_trial::{RING_MM, filled, spread_px, tried_out};
-use shape::{ByPhoto, Camera, Cameras, Intrinsics, PhotoId, Photos, Scale, Tracks, View};
+use crate::trust::median_px;
+use crate::turn_trial::{filled, spread_px, tried_out};
+use shape::{Intrinsics, PhotoId, Photos, Tracks};
 
 /// Why features give no cameras.
 #[derive(Debug, thiserror::Error)]
@@ -43,6 +44,11 @@ pub enum TracksError {
         /// What is borne. \[px\]
         most: f64,
     },
+    /// No two photos give a beginning.
+    #[error(
+        "no two photos have enough in common to begin with: photograph at smaller steps, with more texture, or with a marker mat (`tailor mat`) on the disk"
+    )]
+    NoBeginning,
     /// Cameras that stand on no ring.
     #[error(
         "the cameras came out {off:.1} % off a ring, so they are not to be trusted: are the photos in turning order and the steps below 25°? `focal_35mm` and `step_deg` in capture.toml or a marker mat (`tailor mat`) on the disk help"
@@ -60,6 +66,9 @@ pub(crate) fn calibrate(
     tracks: &Tracks,
     p: &CalibrateParams,
 ) -> Result<Found, TracksError> {
+    if p.motion == Motion::Any {
+        return told(photos, &grown(photos, lens, tracks, p)?, p);
+    }
     let count = photos.photos.len();
     let ids: Vec<PhotoId> = photos.iter().map(|(id, _)| id).collect();
     let shared = pairs(tracks, count, lens.centre);
@@ -71,14 +80,9 @@ pub(crate) fn calibrate(
         });
     }
     let known_focal = knows_focal(&photos.rig);
-    let longer = f64::from(lens.width.max(lens.height));
     let known = Known {
         photos: count,
-        focals_px: if known_focal {
-            vec![lens.focal[0]]
-        } else {
-            [0.8, 1.1, 1.5, 2.1, 3.0].map(|k| k * longer).into()
-        },
+        focals_px: focals(photos, lens),
         free_focal: !known_focal,
         step: photos.rig.step.map(f64::abs),
     };
@@ -112,7 +116,7 @@ pub(crate) fn calibrate(
     let free = match p.motion {
         Motion::Auto => photos.rig.step.is_none(),
         Motion::Ring => false,
-        Motion::Free => true,
+        Motion::Free | Motion::Any => true,
     };
     // A rigid subject is seen as well from a ring as from free cameras; one that sways is not.
     let swaying = !free && {
@@ -150,79 +154,33 @@ pub(crate) fn calibrate(
             share: share * 100.0,
         });
     }
-    let longest = f64::from(lens.width.max(lens.height));
-    let most = p.most_px * (longest / 2400.0).max(1.0);
-    if fit.rms_px > most {
-        return Err(TracksError::Loose {
-            rms: fit.rms_px,
-            most,
-        });
-    }
-    let view = |(camera, (id, photo)): (usize, (PhotoId, &shape::Photo))| {
-        let own: Vec<Sight> = sights
-            .iter()
-            .filter(|s| s.camera == camera)
-            .copied()
-            .collect();
-        let view = View {
-            name: photo.name.clone(),
-            camera: Camera {
-                lens: scene.lens,
-                pose: scene.poses[camera],
-            },
-            sigma_mm: fit.sigma_mm[camera],
-            rms_px: median_px(&scene, &own),
-            points: own.len() as u32,
-        };
-        (id, view)
-    };
-    let views: ByPhoto<View> = photos.iter().enumerate().map(view).collect();
-    let points = scene
-        .points
-        .iter()
-        .map(|p| p.coords.map(|x| x as f32).into());
-    let cameras = Cameras {
-        views,
-        scale: Scale::Nothing,
-        scale_sigma: 0.0,
-        disk_radius_mm: None,
-        ground_mm: 0.0,
-        points: points.collect(),
-    };
-    let off = camera_circle(&cameras).map_or(f64::INFINITY, |c| c.rms / c.radius);
-    if off > p.off_ring {
-        return Err(TracksError::NoRing { off: off * 100.0 });
-    }
-    let cameras = in_ring_frame(&cameras, RING_MM);
-    scene.poses = cameras.views.values().map(|v| v.camera.pose).collect();
-    let mut warnings = warnings(photos, &ids, &scene, &fit, &beliefs.lens);
-    warnings.extend(misfits(&cameras));
-    for view in cameras.views.values().filter(|v| v.points < 30) {
-        warnings.push(format!(
-            "{} holds on to only {} features: its camera follows from those of the others",
-            view.name, view.points
-        ));
-    }
-    if share < 0.5 {
-        warnings.push(format!(
-            "only {:.0} % of the features fit the cameras: look at the camera ring before you trust it",
-            share * 100.0
-        ));
-    }
+    let mut found = told(
+        photos,
+        &Solved {
+            ids,
+            scene,
+            sights,
+            fit,
+            share,
+            prior: beliefs.lens,
+        },
+        p,
+    )?;
     if swaying {
-        warnings.push(
+        found.warnings.push(
             "the subject moved against the disk (free cameras would follow it): lens and steps were held at what EXIF and capture.toml say, and how sure the cameras are cannot be told".into(),
         );
     }
-    if !known_focal && fit.lens_sigma[0] > 0.02 * scene.lens.focal[0] {
-        warnings.push("the focal length is unknown and the photos hardly tell it: give `focal_35mm` in capture.toml".into());
+    Ok(found)
+}
+
+/// The focal lengths to try. \[px\]
+pub(crate) fn focals(photos: &Photos, lens: &Intrinsics) -> Vec<f64> {
+    let longer = f64::from(lens.width.max(lens.height));
+    if knows_focal(&photos.rig) {
+        return vec![lens.focal[0]];
     }
-    Ok(Found {
-        cameras,
-        used_tracks: scene.points.len(),
-        fit,
-        warnings,
-    })
+    [0.8, 1.1, 1.5, 2.1, 3.0].map(|k| k * longer).into()
 }
 
 /// What is believed of lens and ring once the direction of the turn is known.

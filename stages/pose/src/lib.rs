@@ -6,6 +6,7 @@
 //! ```
 
 mod adjust;
+mod any_order;
 mod calibrate;
 mod descent;
 mod disk_edge;
@@ -26,6 +27,7 @@ mod matching;
 mod pairs;
 mod planar;
 mod quiet;
+mod resection;
 mod residual;
 mod ring;
 mod ring_fit;
@@ -36,6 +38,7 @@ mod sift;
 mod sift_describe;
 mod sift_detect;
 mod sift_pyramid;
+mod solved;
 mod stature;
 mod system;
 mod tag36h11;

@@ -15,6 +15,9 @@ stage::params! {
         /// Photos within so many steps of each other are compared.
         #[range(1..=20)]
         neighbours: u32 = 3,
+        /// How far a feature may rise or sink from photo to photo, as a share of the photo's height.
+        #[range(0.01..=1.0)]
+        rise: f64 = 0.16,
         /// The nearest description must be nearer than this share of the next one.
         #[range(0.3..=1.0)]
         ratio: f64 = 0.85,
@@ -71,7 +74,13 @@ impl Stage for Follow {
         let lens = known.then(|| first_lens(&input.photos));
         let steps = ctx.steps("pairs", pairs.len());
         let one = |(i, j): &(usize, usize)| -> Result<(Vec<Match>, usize), Stop> {
-            let found = matched(views[*i].1, views[*j].1, p, 0.16 * height, lens.as_ref());
+            let found = matched(
+                views[*i].1,
+                views[*j].1,
+                p,
+                p.rise as f32 * height,
+                lens.as_ref(),
+            );
             steps.tick()?;
             Ok((
                 found

@@ -45,7 +45,10 @@ pub(crate) fn triangulated(
 }
 
 /// The point nearest to all rays, then two Gauss–Newton steps on the pixels, and its residual.
-fn triangulate(cameras: &[Camera], sights: &[(usize, [f64; 2])]) -> Option<(Point3<f64>, f64)> {
+pub(crate) fn triangulate(
+    cameras: &[Camera],
+    sights: &[(usize, [f64; 2])],
+) -> Option<(Point3<f64>, f64)> {
     let (mut normal, mut right) = (Matrix3::zeros(), Vector3::zeros());
     let mut rays = Vec::new();
     for (c, px) in sights {

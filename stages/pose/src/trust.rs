@@ -32,8 +32,12 @@ pub(crate) fn warnings(
     let mut warnings = Vec::new();
     for (id, photo) in photos.iter().filter(|(id, _)| !ids.contains(id)) {
         let n = id.0;
+        let why = match photos.rig.mat.is_some() {
+            true => "shows fewer than two tags",
+            false => "shares too little with the others",
+        };
         warnings.push(format!(
-            "{} (photo {n}) shows fewer than two tags and has no camera",
+            "{} (photo {n}) {why} and has no camera",
             photo.name
         ));
     }
@@ -66,14 +70,21 @@ pub(crate) fn warnings(
             ));
         }
     }
-    warnings.extend(turned(&scene.poses).into_iter().map(|(i, degrees)| {
-        let name = photos.get(ids[i]).map_or("", |p| p.name.as_str());
-        format!("{name}: its camera looks {degrees:.1}° away from where the others look: did the camera move?")
-    }));
     if fit.sigma_mm.iter().any(|s| !s.is_finite()) {
         warnings.push("the adjustment is degenerate: do not trust its uncertainties".into());
     }
     warnings
+}
+
+/// Photos on which the camera looks elsewhere than on the others.
+pub(crate) fn nudged(photos: &Photos, ids: &[PhotoId], poses: &[Pose]) -> Vec<String> {
+    let say = |(i, degrees): (usize, f64)| {
+        let name = photos.get(ids[i]).map_or("", |p| p.name.as_str());
+        format!(
+            "{name}: its camera looks {degrees:.1}° away from where the others look: did the camera move?"
+        )
+    };
+    turned(poses).into_iter().map(say).collect()
 }
 
 /// Share of the distance, or angle \[rad\], by which the disk may seem to move before a fixed camera.
