@@ -10,7 +10,7 @@ use turn::{COUNT, RADIUS, ball, camera, turn};
 /// The offset by which photo `k` shows what should be seen at a pixel.
 fn bent(k: u32, [x, y]: [f64; 2]) -> [f64; 2] {
     // Photos bend to and fro in turn, so that what they share is nothing.
-    let sign = if k % 2 == 0 { 1.0 } else { -1.0 };
+    let sign = if k.is_multiple_of(2) { 1.0 } else { -1.0 };
     let phase = f64::from(k / 2);
     [
         sign * 0.9 * (0.03 * y + phase).sin(),
