@@ -67,7 +67,7 @@ stage::params! {
         /// Without a mat, features that lie further from where they should (root mean square) are
         /// not believed; in proportion more on photos of more than 2400 pixels.
         #[range(0.1..=100.0)]
-        most_px: f64 = 1.5,
+        most_px: f64 = 2.0,
         /// Most features that are adjusted.
         #[range(100..=100000)]
         most_tracks: u32 = 3000,
