@@ -245,3 +245,41 @@ fn every_shipped_pipeline_and_each_of_its_variants_is_without_mistake() {
     }
     assert!(count >= 8, "only {count} looked at");
 }
+
+#[test]
+fn with_own_masks_nothing_but_the_masks_is_made_otherwise() {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("pipelines");
+    let read = |name: &str| std::fs::read_to_string(folder.join(name)).unwrap();
+    let (body, own) = (read("body.toml"), read("own-masks.toml"));
+    // Line by line in order: what one has and the other has not belongs to the masks.
+    let of = |text: &str| -> Vec<String> {
+        let until = text.split("# --- questions").next().unwrap();
+        until
+            .lines()
+            .map(str::to_owned)
+            .filter(|l| !l.is_empty() && !l.starts_with('#'))
+            .collect()
+    };
+    let (body, own) = (of(&body), of(&own));
+    let differ = |a: &[String], b: &[String]| -> Vec<String> {
+        a.iter().filter(|l| !b.contains(l)).cloned().collect()
+    };
+    let gone = differ(&body, &own);
+    assert_eq!(
+        gone,
+        [
+            "stage = \"silhouette.grabcut\"",
+            "from = { photos = \"photos\", cameras = \"placed\" }"
+        ]
+    );
+    let new = differ(&own, &body);
+    assert!(
+        new.len() == 5 && new.iter().any(|l| l == "stage = \"silhouette.import\""),
+        "{new:?}"
+    );
+    let graph = open(&folder.join("own-masks.toml"), &Overrides::default()).unwrap();
+    assert_eq!(
+        graph.nodes[graph.node("masks").unwrap()].stage.name(),
+        "silhouette.import"
+    );
+}

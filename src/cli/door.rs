@@ -15,6 +15,12 @@ use std::path::PathBuf;
 /// The product's pipeline, so that the binary works alone.
 pub(super) const BODY: &str = include_str!("../../pipelines/body.toml");
 
+/// The same with masks that somebody else made.
+const OWN_MASKS: &str = include_str!("../../pipelines/own-masks.toml");
+
+/// The folder of a capture that holds such masks.
+const MASKS: &str = "masks";
+
 /// What is written: nodes, of which the first that there is counts, file in the folder, format.
 /// Without refinement the hull is the body. Formats of several files go into the folder itself.
 const WRITTEN: [(&[&str], &str, &str); 9] = [
@@ -32,7 +38,7 @@ const WRITTEN: [(&[&str], &str, &str); 9] = [
 /// Arguments of `tailor measure`.
 #[derive(Args)]
 pub(crate) struct Measure {
-    /// The folder with the photos of one turn
+    /// The folder with the photos of one turn; masks in its folder `masks` are taken instead of own ones
     folder: PathBuf,
     /// Where to write; the folder's name with `-out` here if not said
     #[arg(long)]
@@ -64,14 +70,15 @@ pub(crate) fn measure(measure: &Measure, house: &House) -> Result<(), Fault> {
         variant: measure.variant.clone(),
         sets,
     };
-    let graph = open_text(
-        "pipelines/body.toml",
-        BODY,
-        &overrides,
-        &crate::catalog::find,
-    );
-    let graph = graph.map_err(Fault::input)?;
-    let folders = vec![("photos".to_owned(), measure.folder.clone())];
+    let mut folders = vec![("photos".to_owned(), measure.folder.clone())];
+    let masks = measure.folder.join(MASKS);
+    let (name, text) = if masks.is_dir() {
+        folders.push((MASKS.to_owned(), masks));
+        ("pipelines/own-masks.toml", OWN_MASKS)
+    } else {
+        ("pipelines/body.toml", BODY)
+    };
+    let graph = open_text(name, text, &overrides, &crate::catalog::find).map_err(Fault::input)?;
     let again: Vec<String> = std::env::args().collect();
     // What is written must be there, the goal or not.
     let mut wanted = graph.goal.clone();

@@ -94,7 +94,7 @@ impl Stage for Carve {
             let share = mask.area() as f64 / mask.data.len().max(1) as f64;
             let what = if share < 1e-4 {
                 "empty"
-            } else if share > 0.95 {
+            } else if share > 0.95 || framed(mask) > 0.9 {
                 "full, or inverted"
             } else if (mask.width as u32, mask.height as u32)
                 != (view.camera.lens.width, view.camera.lens.height)
@@ -132,7 +132,8 @@ impl Stage for Carve {
             p.voxel_mm,
         );
         if need > p.memory_mb {
-            let fits = p.voxel_mm * (need / p.memory_mb).sqrt() * 1.02;
+            // Rounded up to what is printed, so that what is said to fit does.
+            let fits = (p.voxel_mm * (need / p.memory_mb).sqrt() * 10.2).ceil() / 10.0;
             return Err(CarveError::Memory {
                 voxel_mm: p.voxel_mm,
                 need,
@@ -161,6 +162,15 @@ impl Stage for Carve {
         ctx.metric("cells looked into", cells as f64 / 1e6, "million");
         Ok(mesh)
     }
+}
+
+/// Share of the outermost pixels that are body. A subject never fills the frame all around.
+fn framed(mask: &Mask) -> f64 {
+    let (w, h) = (mask.width, mask.height);
+    let rows = (0..w).flat_map(|x| [(x, 0), (x, h - 1)]);
+    let sides = (0..h).flat_map(|y| [(0, y), (w - 1, y)]);
+    let body = rows.chain(sides).filter(|(x, y)| mask.at(*x, *y) > 127);
+    body.count() as f64 / (2 * (w + h)) as f64
 }
 
 /// What carving takes, from the area of the box around the solid. \[MB\]

@@ -1,0 +1,122 @@
+//! What carving costs: `cargo bench -p hull`. A body of 2 m before 18 cameras of 1600×2400, cells ever
+//! finer; time and memory must grow with the surface, n² log n, not n³. `benches/beside.py` times
+//! scikit-image's marching cubes on dense fields of the same sizes.
+
+use hull::{Carve, CarveInput, CarveParams};
+use nalgebra::{Matrix3, Point2, Point3, Rotation3, Vector3};
+use shape::{Camera, Cameras, Intrinsics, Mask, Masks, PhotoId, Pose, Scale, View};
+use stage::{Ctx, Stage};
+use std::sync::Arc;
+use std::time::Instant;
+
+/// Trunk with head, arms, legs: ends of a bone and its thickness. \[mm\]
+const BONES: [([f64; 3], [f64; 3], f64); 5] = [
+    ([0.0, 0.0, 900.0], [0.0, 0.0, 1860.0], 140.0),
+    ([0.0, 170.0, 1550.0], [60.0, 420.0, 900.0], 45.0),
+    ([0.0, -170.0, 1550.0], [60.0, -420.0, 900.0], 45.0),
+    ([0.0, 90.0, 900.0], [0.0, 140.0, 75.0], 75.0),
+    ([0.0, -90.0, 900.0], [0.0, -140.0, 75.0], 75.0),
+];
+
+fn camera(angle: f64) -> Camera {
+    let (s, c) = angle.sin_cos();
+    let (forward, right) = (Vector3::new(-c, -s, 0.0), Vector3::new(-s, c, 0.0));
+    let rows = [right, forward.cross(&right), forward].map(|r| r.transpose());
+    let rotation = Rotation3::from_matrix_unchecked(Matrix3::from_rows(&rows));
+    let centre = Vector3::new(3200.0 * c, 3200.0 * s, 1000.0);
+    Camera {
+        lens: Intrinsics::simple(1600, 2400, 3300.0),
+        pose: Pose {
+            rotation,
+            translation: -(rotation * centre),
+        },
+    }
+}
+
+/// Distance of a ray to a bone, less its thickness. \[mm\]
+fn beside(
+    from: &Point3<f64>,
+    ray: &Vector3<f64>,
+    (a, b, thick): &([f64; 3], [f64; 3], f64),
+) -> f64 {
+    let (a, b) = (Point3::from(*a), Point3::from(*b));
+    let (u, w) = (b - a, a - from);
+    let (uu, ur, uw, rw) = (u.dot(&u), u.dot(ray), u.dot(&w), ray.dot(&w));
+    let t = ((ur * rw - uw) / (uu - ur * ur)).clamp(0.0, 1.0);
+    let x = a + u * t - from;
+    (x - ray * x.dot(ray)).norm() - thick
+}
+
+fn main() {
+    let mut cameras = Cameras {
+        views: Default::default(),
+        scale: Scale::Given,
+        scale_sigma: 0.0,
+        disk_radius_mm: None,
+        ground_mm: 0.0,
+        points: vec![],
+    };
+    let all: Vec<Camera> = (0..18).map(|k| camera(f64::from(k) * 0.349)).collect();
+    let view = |c: &Camera| View {
+        name: String::new(),
+        camera: *c,
+        sigma_mm: 0.0,
+        rms_px: 0.0,
+        points: 0,
+    };
+    cameras.views = all
+        .iter()
+        .enumerate()
+        .map(|(k, c)| (PhotoId(k as u32), view(c)))
+        .collect();
+    let mask = |c: &Camera| {
+        let from = c.centre();
+        let mut mask = Mask::filled(1600, 2400, 0);
+        for (i, m) in mask.data.iter_mut().enumerate() {
+            let ray = c
+                .ray(Point2::new((i % 1600) as f64, (i / 1600) as f64))
+                .into_inner();
+            let least = BONES
+                .iter()
+                .map(|b| beside(&from, &ray, b))
+                .fold(f64::MAX, f64::min);
+            *m = ((0.5 - least).clamp(0.0, 1.0) * 255.0) as u8;
+        }
+        mask
+    };
+    let masks = all
+        .iter()
+        .enumerate()
+        .map(|(k, c)| (PhotoId(k as u32), mask(c)));
+    let (masks, cameras) = (
+        Arc::new(Masks {
+            views: masks.collect(),
+        }),
+        Arc::new(cameras),
+    );
+    for voxel_mm in [8.0, 4.0, 2.0, 1.0] {
+        let input = CarveInput {
+            masks: masks.clone(),
+            cameras: cameras.clone(),
+        };
+        let params = CarveParams {
+            voxel_mm,
+            memory_mb: 6000.0,
+            ..Default::default()
+        };
+        let start = Instant::now();
+        let mesh =
+            Carve::run(&params, input, &Ctx::alone()).unwrap_or_else(|why| panic!("{why:?}"));
+        let took = start.elapsed().as_secs_f64();
+        let status = std::fs::read_to_string("/proc/self/status").unwrap_or_default();
+        let most = status
+            .lines()
+            .find(|l| l.starts_with("VmHWM"))
+            .unwrap_or("");
+        println!(
+            "cells of {voxel_mm} mm: {took:6.2} s, {} thousand faces, {}",
+            mesh.faces.len() / 1000,
+            most.trim()
+        );
+    }
+}

@@ -1,0 +1,206 @@
+//! What carving says of masks, cameras and cells that cannot be: a sentence, never a panic.
+
+use hull::{Carve, CarveInput, CarveParams};
+use nalgebra::{Matrix3, Rotation3, Vector3};
+use shape::{Camera, Cameras, Intrinsics, Mask, Masks, PhotoId, Pose, Scale, View};
+use stage::{Ctx, Stage, Stop};
+use std::sync::Arc;
+
+/// Cameras 2 m from the axis, looking at it or away from it, and masks that show a body.
+fn turn(away: bool) -> (Masks, Cameras) {
+    let one = |k: u32| {
+        let (s, c) = (f64::from(k) * std::f64::consts::TAU / 8.0).sin_cos();
+        let turned = if away { -1.0 } else { 1.0 };
+        let forward = Vector3::new(-c, -s, 0.0) * turned;
+        let right = Vector3::new(-s, c, 0.0) * turned;
+        let rows = [right, forward.cross(&right), forward].map(|r| r.transpose());
+        let rotation = Rotation3::from_matrix_unchecked(Matrix3::from_rows(&rows));
+        let centre = Vector3::new(2000.0 * c, 2000.0 * s, 500.0);
+        let pose = Pose {
+            rotation,
+            translation: -(rotation * centre),
+        };
+        let camera = Camera {
+            lens: Intrinsics::simple(80, 120, 150.0),
+            pose,
+        };
+        let name = format!("{k:04}.jpg");
+        (
+            PhotoId(k),
+            View {
+                name,
+                camera,
+                sigma_mm: 0.0,
+                rms_px: 0.0,
+                points: 0,
+            },
+        )
+    };
+    let cameras = Cameras {
+        views: (0..8).map(one).collect(),
+        scale: Scale::Given,
+        scale_sigma: 0.0,
+        disk_radius_mm: None,
+        ground_mm: 0.0,
+        points: vec![],
+    };
+    let mut mask = Mask::filled(80, 120, 0);
+    for y in 20..90 {
+        (30..50).for_each(|x| *mask.at_mut(x, y) = 255);
+    }
+    let masks = Masks {
+        views: (0..8).map(|k| (PhotoId(k), mask.clone())).collect(),
+    };
+    (masks, cameras)
+}
+
+/// What is said of a turn whose mask 3 is another one.
+#[track_caller]
+fn says(masks: Masks, cameras: Cameras, voxel_mm: f64) -> String {
+    let params = CarveParams {
+        voxel_mm,
+        ..Default::default()
+    };
+    let input = CarveInput {
+        masks: Arc::new(masks),
+        cameras: Arc::new(cameras),
+    };
+    match Carve::run(&params, input, &Ctx::alone()) {
+        Err(Stop::Failed(why)) => why.to_string(),
+        Err(Stop::Cancelled) => panic!("cancelled"),
+        Ok(mesh) => panic!("a hull of {} faces", mesh.faces.len()),
+    }
+}
+
+/// The masks of a turn, that of photo 3 replaced.
+fn with(mask: Mask) -> (Masks, Cameras) {
+    let (masks, cameras) = turn(false);
+    let views = masks.views.iter().map(|(id, m)| {
+        let m = if id.0 == 3 { mask.clone() } else { m.clone() };
+        (id, m)
+    });
+    let masks = Masks {
+        views: views.collect(),
+    };
+    (masks, cameras)
+}
+
+#[test]
+fn masks_that_are_empty_full_inverted_or_of_another_size_are_named() {
+    // Around a small body an inverted mask is nearly full.
+    let mut small = Mask::filled(80, 120, 255);
+    (40..44).for_each(|x| *small.at_mut(x, 60) = 0);
+    let cases = [
+        (Mask::filled(80, 120, 0), "empty"),
+        (Mask::filled(80, 120, 255), "full, or inverted"),
+        (small, "full, or inverted"),
+        (Mask::filled(40, 60, 0), "empty"),
+    ];
+    for (mask, what) in cases {
+        let (masks, cameras) = with(mask);
+        let said = says(masks, cameras, 10.0);
+        assert!(said.contains("0003.jpg") && said.contains(what), "{said}");
+    }
+    let mut half = Mask::filled(40, 60, 0);
+    (10..30).for_each(|x| *half.at_mut(x, 30) = 255);
+    let (masks, cameras) = with(half);
+    let said = says(masks, cameras, 10.0);
+    assert!(
+        said.contains("0003.jpg") && said.contains("another size"),
+        "{said}"
+    );
+}
+
+#[test]
+fn an_inverted_mask_is_named_however_large_the_body_is() {
+    let (good, _) = turn(false);
+    let inverted = good.views.get(PhotoId(3)).unwrap().map(|c| 255 - c);
+    let (masks, cameras) = with(inverted);
+    let said = says(masks, cameras, 10.0);
+    assert!(
+        said.contains("0003.jpg") && said.contains("inverted"),
+        "{said}"
+    );
+}
+
+#[test]
+fn fewer_than_three_masks_with_a_camera_are_counted() {
+    let (masks, cameras) = turn(false);
+    let few = masks.views.iter().filter(|(id, _)| id.0 < 2);
+    let few = Masks {
+        views: few.map(|(id, m)| (id, m.clone())).collect(),
+    };
+    let said = says(few, cameras, 10.0);
+    assert!(
+        said.contains("only 2 photos") && said.contains("at least 3"),
+        "{said}"
+    );
+}
+
+#[test]
+fn missing_masks_of_some_views_are_passed_over() {
+    let (masks, cameras) = turn(false);
+    let some = masks.views.iter().filter(|(id, _)| id.0 != 3);
+    let some = Masks {
+        views: some.map(|(id, m)| (id, m.clone())).collect(),
+    };
+    let input = CarveInput {
+        masks: Arc::new(some),
+        cameras: Arc::new(cameras),
+    };
+    let params = CarveParams {
+        voxel_mm: 20.0,
+        ..Default::default()
+    };
+    assert!(Carve::run(&params, input, &Ctx::alone()).unwrap().volume() > 1e6);
+}
+
+#[test]
+fn cameras_that_see_nothing_together_are_told() {
+    let (masks, cameras) = turn(true);
+    let said = says(masks, cameras, 10.0);
+    assert!(
+        said.contains("do masks and cameras belong together"),
+        "{said}"
+    );
+}
+
+#[test]
+fn cells_that_need_more_memory_than_may_be_taken_are_told_with_a_size_that_fits() {
+    let (masks, cameras) = turn(false);
+    let said = says(masks.clone(), cameras.clone(), 0.25);
+    let before = |unit: &str, after: &str| -> f64 {
+        let rest = &said[said.find(after).unwrap() + after.len()..];
+        rest[..rest.find(unit).unwrap()].trim().parse().unwrap()
+    };
+    let (need, fits) = (before("MB", "about"), before("mm fits", "taken:"));
+    assert!(need > 3000.0 && fits > 0.25, "{said}");
+    // And what is said to fit does.
+    let params = CarveParams {
+        voxel_mm: 1.0,
+        memory_mb: 64.0,
+        ..Default::default()
+    };
+    let (masks, cameras) = (Arc::new(masks), Arc::new(cameras));
+    let run = |params: &CarveParams| {
+        let input = CarveInput {
+            masks: masks.clone(),
+            cameras: cameras.clone(),
+        };
+        Carve::run(params, input, &Ctx::alone())
+    };
+    let Err(Stop::Failed(why)) = run(&params) else {
+        panic!("1 mm fits in 64 MB")
+    };
+    let said = why.to_string();
+    let rest = &said[said.find("taken:").unwrap() + 6..];
+    let fits: f64 = rest[..rest.find("mm fits").unwrap()]
+        .trim()
+        .parse()
+        .unwrap();
+    let params = CarveParams {
+        voxel_mm: fits,
+        ..params
+    };
+    assert!(run(&params).is_ok(), "{fits} mm");
+}
