@@ -3,7 +3,7 @@
 //! The outer half of an arm always shows. A clear section farther down, grown and shifted so that
 //! its support function agrees with the outer half, tells how far the inner half may reach.
 
-use crate::arms::upper_arm_axis;
+use crate::arms::axis_about;
 use crate::body::Body;
 use crate::marks::hip;
 use crate::section::{axes, flat, hull, length, tape};
@@ -122,7 +122,7 @@ pub(crate) fn across_arm(
 ) -> Result<Taken, Why> {
     let plane = &landmark.plane;
     let low = body.crotch.and_then(|c| hip(body, c)).ok_or(NO_ARMS)?;
-    let axis = upper_arm_axis(body, side, low).ok_or(NO_ARMS)?;
+    let axis = axis_about(body, side, plane.point_mm[2], low).ok_or(NO_ARMS)?;
     let down = Vector3::from(plane.normal).normalize();
     let step = 0.004 * body.stature;
     let middle = Point3::from(plane.point_mm);

@@ -38,13 +38,26 @@ impl Axis {
     }
 }
 
+/// How far above the elbow's usual height an upper arm still tells its own axis, below its middle, as
+/// a share of stature.
+const STRAIGHT: f64 = 0.05;
+
+/// The axis of an upper arm whose middle is at a height: from what is above its elbow, where enough
+/// of that stands clear, else as [`upper_arm_axis`].
+pub(crate) fn axis_about(body: &Body, side: f64, middle: f64, hip: f64) -> Option<Axis> {
+    let elbow = middle - STRAIGHT * body.stature;
+    upper_arm_axis(body, side, elbow.max(hip)).or_else(|| upper_arm_axis(body, side, hip))
+}
+
 /// The axis of an upper arm from where it stands clear of the trunk; `hip` is a height below which
 /// no upper arm is.
 pub fn upper_arm_axis(body: &Body, side: f64, hip: f64) -> Option<Axis> {
     let all = clear(body, side, hip);
     let top = all.iter().map(|p| p.z).reduce(f64::max)?;
-    // The forearm may be bent: only what is well above the elbow tells the axis.
-    let near = |p: &&Point3<f64>| p.z > top - 0.06 * body.stature;
+    // The forearm may be bent: only what is well above the elbow tells the axis. Nor does what is
+    // nearest to the armpit, where a fold is filled.
+    let near =
+        |p: &&Point3<f64>| (top - 0.06 * body.stature..top - 0.006 * body.stature).contains(&p.z);
     let upper: Vec<&Point3<f64>> = all.iter().filter(near).collect();
     if upper.len() < 6 {
         return None;

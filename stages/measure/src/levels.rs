@@ -23,9 +23,10 @@ pub(crate) fn waist(m: &Marks, stature: f64) -> f64 {
     0.001 * stature + 0.382 * m.hip + 0.218 * m.hollow + 0.339 * m.neck - 0.101 * m.girth
 }
 
-/// Amid the joints of shoulder and elbow. Height above the ground. \[mm\]
+/// Where the middle line of the arm's flesh meets the plane amid the joints of shoulder and elbow.
+/// Height above the ground. \[mm\]
 pub(crate) fn upper_arm(m: &Marks, stature: f64) -> f64 {
-    (0.038 * m.spread - 0.082) * stature + 0.954 * m.shoulder - 0.040 * m.girth
+    (0.037 * m.spread - 0.075) * stature + 0.949 * m.shoulder - 0.052 * m.girth
 }
 
 /// Amid the two joints of the neck. Offset along the throat's axis. \[mm\]

@@ -1,7 +1,7 @@
 //! Landmarks on arms and legs, and the part of each vertex.
 
 use super::landmark;
-use crate::arms::upper_arm_axis;
+use crate::arms::axis_about;
 use crate::body::{Body, nearest_ring};
 use crate::levels;
 use crate::marks::Marks;
@@ -15,8 +15,8 @@ const FLESH: f64 = 0.068;
 
 /// The plane across an upper arm amid shoulder and elbow, from the arm's axis below the armpit.
 pub(super) fn upper_arm(mesh: &Mesh, body: &Body, side: f64, marks: &Marks) -> Option<Plane> {
-    let axis = upper_arm_axis(body, side, body.ground + marks.hip)?;
     let z = body.ground + levels::upper_arm(marks, body.stature);
+    let axis = axis_about(body, side, z, body.ground + marks.hip)?;
     let normal = (axis.down - body.front * FLESH).normalize();
     let plane = Plane {
         point_mm: axis.at(z).into(),
