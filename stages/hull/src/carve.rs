@@ -78,7 +78,7 @@ pub struct Carve;
 
 impl Stage for Carve {
     const NAME: &'static str = "hull.carve";
-    const VERSION: u32 = 1;
+    const VERSION: u32 = 2;
     const ABOUT: &'static str =
         "Carves the visual hull (Laurentini 1994) and gives its surface by marching cubes.";
     type Params = CarveParams;
@@ -142,13 +142,26 @@ impl Stage for Carve {
             }
             .into());
         }
-        let value = |x: &Point3<f64>| consensus(&prepared, x, dissent).min((x.z - ground) as f32);
+        // Beyond the lattice nothing is solid: half a cell within, the solid ends.
+        let [first, last] = [[0; 3], lattice.bricks.map(|b| b * BRICK)];
+        let [first, last] = [first, last].map(|[x, y, z]| lattice.corner(x, y, z));
+        let inward = |x: &Point3<f64>| (x - first).inf(&(last - x)).min() - p.voxel_mm / 2.0;
+        let value = |x: &Point3<f64>| {
+            let ends = (x.z - ground).min(inward(x)) as f32;
+            consensus(&prepared, x, dissent).min(ends)
+        };
         let steps = ctx.steps("layers", lattice.bricks[2]);
         let bricks = evaluate(&lattice, &value, &|| steps.tick())?;
         let cells = bricks.iter().flatten().count() * BRICK.pow(3);
         let (mesh, rest) = largest(&surface(&lattice, &bricks));
         if mesh.faces.is_empty() {
             return Err(nothing().into());
+        }
+        let ended = (0..mesh.positions.len() as u32).any(|v| inward(&mesh.point(v)) < p.voxel_mm);
+        if ended {
+            ctx.warn(
+                "the hull is cut off where the search for it ended: the photos do not see around the body, or masks and cameras do not belong together",
+            );
         }
         let small: f64 = rest.iter().map(|v| v.abs()).sum();
         if small > 0.01 * mesh.volume() {

@@ -204,3 +204,22 @@ fn cells_that_need_more_memory_than_may_be_taken_are_told_with_a_size_that_fits(
     };
     assert!(run(&params).is_ok(), "{fits} mm");
 }
+
+/// Three photos from one place see a cone without an end: it is cut off, and closed.
+#[test]
+fn a_hull_without_an_end_is_closed_all_the_same() {
+    let (masks, cameras) = turn(false);
+    let first = cameras.views.get(PhotoId(0)).unwrap().clone();
+    let views = (0..3).map(|k| (PhotoId(k), first.clone())).collect();
+    let params = CarveParams {
+        voxel_mm: 20.0,
+        ..CarveParams::default()
+    };
+    let input = CarveInput {
+        masks: Arc::new(masks),
+        cameras: Arc::new(Cameras { views, ..cameras }),
+    };
+    let mesh = Carve::run(&params, input, &Ctx::alone()).unwrap();
+    assert_eq!(mesh.validate_closed(), Ok(()));
+    assert!(mesh.volume() > 0.0);
+}

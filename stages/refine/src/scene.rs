@@ -11,7 +11,7 @@ pub enum RefineError {
     #[error("only {0} photos have a camera, but a surface needs at least 2 that see it")]
     TooFew(usize),
     /// A mesh with holes, or that touches itself.
-    #[error("the mesh cannot be refined: {0}; repair it, or start from `hull.carve`")]
+    #[error("the mesh cannot be refined; repair it, or start from `hull.carve`")]
     Mesh(#[from] shape::MeshFault),
     /// Nothing to refine.
     #[error("the mesh has no face")]
