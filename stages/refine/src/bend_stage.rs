@@ -4,7 +4,7 @@ use crate::bend::{Stiff, Ties, seen_off};
 use crate::patch::{Pairing, Window};
 use crate::remesh::remesh;
 use crate::rims::pulls;
-use crate::scene::{check, footprint, pictures};
+use crate::scene::{check, footprint, pictures, taken};
 use crate::sights::{Sighting, Sights};
 use shape::{Adjacency, Cameras, Masks, Mesh, Photos, Warp, Warps};
 use stage::{Ctx, Stage, Stop};
@@ -78,13 +78,7 @@ impl Stage for Bend {
 
     fn run(p: &BendParams, input: BendInput, ctx: &Ctx<'_>) -> Result<Warps, Stop> {
         check(&input.mesh)?;
-        let views: Vec<_> = input
-            .cameras
-            .views
-            .iter()
-            .filter(|(id, _)| input.photos.get(*id).is_some())
-            .map(|(id, view)| (id, view.camera.lens.width))
-            .collect();
+        let taken = taken(&input.photos, &input.cameras);
         let bent = pictures(
             &input.photos,
             &input.cameras,
@@ -133,12 +127,12 @@ impl Stage for Bend {
             .collect();
         let rms = (off.iter().map(|o| o * o).sum::<f64>() / off.len().max(1) as f64).sqrt();
         ctx.metric("bending", rms * footprint, "mm");
-        let whole = views
+        let whole = taken
             .iter()
             .zip(warps)
             .zip(&bent)
-            .map(|(((id, width), w), b)| {
-                let scale = f64::from(*width) / b.gray.width as f64;
+            .map(|(((id, view), w), b)| {
+                let scale = f64::from(view.camera.lens.width) / b.gray.width as f64;
                 let offsets = w.offsets.iter().map(|o| o.map(|o| o * scale as f32));
                 let warp = Warp {
                     cell_px: w.cell_px * scale,

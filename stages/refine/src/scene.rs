@@ -2,7 +2,7 @@
 
 use crate::picture::Picture;
 use rayon::prelude::*;
-use shape::{Cameras, Masks, Mesh, PhotoError, Photos, Warps};
+use shape::{Cameras, Masks, Mesh, PhotoError, PhotoId, Photos, View, Warps};
 
 /// Why a surface cannot be refined.
 #[derive(Debug, thiserror::Error)]
@@ -52,6 +52,12 @@ fn halvings([width, height]: [u32; 2], level: u32, most_mpx: f64) -> u32 {
     (0..=first + level).rev().find(fits).unwrap_or(0).max(first)
 }
 
+/// The cameras whose photo is there, in turning order: the order of [`pictures`].
+pub fn taken<'a>(photos: &Photos, cameras: &'a Cameras) -> Vec<(PhotoId, &'a View)> {
+    let views = cameras.views.iter();
+    views.filter(|(id, _)| photos.get(*id).is_some()).collect()
+}
+
 /// The photos that have a camera, at one level: each halved until it has at most `most_mpx`
 /// million pixels, then `level` times more, 500 pixels left. `check` fails when the user asked to stop.
 pub fn pictures<E: From<RefineError> + From<PhotoError> + Send>(
@@ -62,18 +68,15 @@ pub fn pictures<E: From<RefineError> + From<PhotoError> + Send>(
     most_mpx: f64,
     check: impl Fn() -> Result<(), E> + Sync,
 ) -> Result<Vec<Picture>, E> {
-    let views: Vec<_> = cameras
-        .views
-        .iter()
-        .filter_map(|(id, view)| Some((id, view, photos.get(id)?)))
-        .collect();
+    let views = taken(photos, cameras);
     if views.len() < 2 {
         return Err(RefineError::TooFew(views.len()).into());
     }
     views
         .par_iter()
-        .map(|(id, view, photo)| {
+        .map(|(id, view)| {
             check()?;
+            let photo = photos.get(*id).expect("bug: taken without a photo");
             let lens = &view.camera.lens;
             if [photo.width, photo.height] != [lens.width, lens.height] {
                 return Err(RefineError::Size {
@@ -99,15 +102,11 @@ pub fn pictures<E: From<RefineError> + From<PhotoError> + Send>(
 
 /// Takes out of [`pictures`] of the same photos and cameras how the body bent.
 pub fn unbend(pictures: &mut [Picture], photos: &Photos, cameras: &Cameras, warps: &Warps) {
-    let views = cameras.views.iter();
-    let ids: Vec<_> = views
-        .filter(|(id, _)| photos.get(*id).is_some())
-        .map(|(id, view)| (id, view.camera.lens.width))
-        .collect();
+    let ids = taken(photos, cameras);
     let each = pictures.par_iter_mut().zip(&ids);
-    each.for_each(|(picture, (id, width))| {
+    each.for_each(|(picture, (id, view))| {
         if let Some(warp) = warps.views.get(*id) {
-            *picture = picture.unbent(warp, *width);
+            *picture = picture.unbent(warp, view.camera.lens.width);
         }
     });
 }

@@ -4,7 +4,7 @@ use crate::patch::{Pairing, Window};
 use crate::picture::Picture;
 use crate::remesh::remesh;
 use crate::rims::pulls;
-use crate::scene::{check, footprint, pictures};
+use crate::scene::{check, footprint, pictures, taken};
 use crate::sights::{Sighting, Sights};
 use crate::sway::{Leash, Tug, add_tugs_of_rims, moved, tugs_of_brightness, without_gauge};
 use nalgebra::{Point3, Vector6};
@@ -80,12 +80,7 @@ impl Stage for Steady {
     fn run(p: &SteadyParams, input: SteadyInput, ctx: &Ctx<'_>) -> Result<Cameras, Stop> {
         check(&input.mesh)?;
         let mut cameras = Cameras::clone(&input.cameras);
-        let ids: Vec<_> = cameras
-            .views
-            .iter()
-            .filter(|(id, _)| input.photos.get(*id).is_some())
-            .map(|(id, _)| id)
-            .collect();
+        let taken = taken(&input.photos, &input.cameras);
         let mut pictures = pictures(
             &input.photos,
             &cameras,
@@ -104,11 +99,8 @@ impl Stage for Steady {
             rim: p.rim,
             footprint,
         };
-        let still: Vec<Camera> = ids
-            .iter()
-            .map(|id| cameras.views.get(*id).expect("bug: listed above").camera)
-            .collect();
-        let mut motions = vec![Vector6::zeros(); ids.len()];
+        let still: Vec<Camera> = taken.iter().map(|(_, view)| view.camera).collect();
+        let mut motions = vec![Vector6::zeros(); taken.len()];
         let steps = ctx.steps("rounds", p.rounds as usize);
         let mut last = 0.0;
         for _ in 0..p.rounds {
@@ -147,7 +139,7 @@ impl Stage for Steady {
             "mm",
         );
         ctx.metric("last change", last, "mm");
-        for ((id, camera), motion) in ids.iter().zip(&still).zip(&motions) {
+        for (((id, _), camera), motion) in taken.iter().zip(&still).zip(&motions) {
             let view = cameras.views.get_mut(*id).expect("bug: listed above");
             view.camera = moved(camera, motion, &leash.pivot);
         }
