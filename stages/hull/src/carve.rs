@@ -5,7 +5,7 @@ use crate::silhouettes::{Silhouette, bounds, consensus};
 use crate::surface::{largest, surface};
 use nalgebra::Point3;
 use rayon::prelude::*;
-use shape::{Cameras, Image, Mask, Masks, Mesh, signed_distance};
+use shape::{Cameras, Image, Mask, Masks, Mesh, seen_by_half, signed_distance};
 use stage::{Cancelled, Ctx, Stage, Stop};
 use std::sync::Arc;
 
@@ -78,7 +78,7 @@ pub struct Carve;
 
 impl Stage for Carve {
     const NAME: &'static str = "hull.carve";
-    const VERSION: u32 = 2;
+    const VERSION: u32 = 3;
     const ABOUT: &'static str =
         "Carves the visual hull (Laurentini 1994) and gives its surface by marching cubes.";
     type Params = CarveParams;
@@ -124,7 +124,8 @@ impl Stage for Carve {
         let dissent = ((1.0 - p.consensus) * prepared.len() as f64 + 1e-9).floor() as usize;
         let ground = input.cameras.ground_mm + p.ground_mm;
         let nothing = || CarveError::Nothing(p.consensus * 100.0);
-        let (lo, hi) = bounds(&prepared, dissent, ground).ok_or_else(nothing)?;
+        let cylinder = seen_by_half(&input.cameras).ok_or_else(nothing)?;
+        let (lo, hi) = bounds(&prepared, dissent, &cylinder, ground).ok_or_else(nothing)?;
         let lattice = Lattice::over(lo, hi, p.voxel_mm);
         let size = hi - lo;
         let need = need_mb(

@@ -1,7 +1,8 @@
 //! What all silhouettes together say of a point in space.
 
 use nalgebra::Point3;
-use shape::{Camera, Gray};
+use rayon::prelude::*;
+use shape::{Camera, Cylinder, Gray};
 
 /// A silhouette as a distance field, and its camera at the field's size.
 pub struct Silhouette {
@@ -52,42 +53,44 @@ pub fn consensus(views: &[Silhouette], x: &Point3<f64>, dissent: usize) -> f32 {
     }
 }
 
-/// A box around all of space that is body, found on a coarse lattice within the cylinder around
-/// the axis that all cameras look into (paper, Fig. 2 b). \[mm\]
+/// Steps across the cylinder in which the body is looked for.
+const STEPS: i32 = 96;
+
+/// A box around all of space that is body, found on a coarse lattice within a cylinder around the
+/// axis (paper, Fig. 2 b), above a height. \[mm\]
 pub fn bounds(
     views: &[Silhouette],
     dissent: usize,
+    cylinder: &Cylinder,
     ground: f64,
 ) -> Option<(Point3<f64>, Point3<f64>)> {
-    let nearest = views
-        .iter()
-        .map(|v| v.camera.centre())
-        .map(|c| c.x.hypot(c.y))
-        .fold(f64::MAX, f64::min);
-    let (reach, cells) = (nearest * 0.8, 96);
-    let step = 2.0 * reach / f64::from(cells);
-    let (mut lo, mut hi) = (
-        Point3::new(f64::MAX, f64::MAX, f64::MAX),
-        Point3::new(f64::MIN, f64::MIN, f64::MIN),
-    );
-    let tall = (3.0 * reach / step) as i32;
-    for k in 0..tall {
-        for i in 0..=cells {
-            for j in 0..=cells {
-                let x = Point3::new(
-                    -reach + f64::from(i) * step,
-                    -reach + f64::from(j) * step,
-                    ground + f64::from(k) * step,
-                );
-                if x.x.hypot(x.y) > reach || f64::from(consensus(views, &x, dissent)) < -step {
-                    continue;
-                }
-                for a in 0..3 {
-                    lo[a] = lo[a].min(x[a] - 2.0 * step);
-                    hi[a] = hi[a].max(x[a] + 2.0 * step);
-                }
+    let reach = cylinder.radius;
+    let step = 2.0 * reach / f64::from(STEPS);
+    let tall = ((cylinder.top - ground) / step).ceil().max(0.0) as i32;
+    let layer = |k: i32| {
+        let (mut lo, mut hi) = ([f64::MAX; 3], [f64::MIN; 3]);
+        for (i, j) in (0..=STEPS).flat_map(|i| (0..=STEPS).map(move |j| (i, j))) {
+            let x = Point3::new(
+                -reach + f64::from(i) * step,
+                -reach + f64::from(j) * step,
+                ground + f64::from(k) * step,
+            );
+            if x.x.hypot(x.y) > reach || f64::from(consensus(views, &x, dissent)) < -step {
+                continue;
+            }
+            for a in 0..3 {
+                lo[a] = lo[a].min(x[a] - 2.0 * step);
+                hi[a] = hi[a].max(x[a] + 2.0 * step);
             }
         }
-    }
-    (lo.x < hi.x).then_some((Point3::new(lo.x, lo.y, lo.z.max(ground - 2.0 * step)), hi))
+        (lo, hi)
+    };
+    let layers: Vec<_> = (0..=tall).into_par_iter().map(layer).collect();
+    let both = |a: ([f64; 3], [f64; 3]), b: ([f64; 3], [f64; 3])| {
+        let low = [0, 1, 2].map(|i| a.0[i].min(b.0[i]));
+        (low, [0, 1, 2].map(|i| a.1[i].max(b.1[i])))
+    };
+    let (lo, hi) = layers.into_iter().reduce(both)?;
+    let low = lo[2].max(ground - 2.0 * step);
+    (lo[0] < hi[0]).then(|| (Point3::new(lo[0], lo[1], low), Point3::from(hi)))
 }

@@ -1,6 +1,9 @@
 //! What was found on photos, and where cameras stand, as pictures to look at.
 
-use crate::{Cameras, Features, Keypoints, PhotoError, PhotoId, Photos, Rgb, Tracks, rgb_to_png};
+use crate::{
+    Cameras, Features, Keypoints, PhotoError, PhotoId, Photos, Rgb, Tracks, bounding_cylinder,
+    rgb_to_png,
+};
 use nalgebra::{Point3, Vector3};
 use std::fmt::Write as _;
 
@@ -111,7 +114,7 @@ fn drawn(
 }
 
 /// The cameras around the subject, seen from above at a slant: their path, where each looks, the
-/// disk, and the points that hold them (the paper's Fig. 2).
+/// disk, the cylinder that all of them have in view, and the points that hold them (the paper's Fig. 2).
 pub fn cameras_to_svg(cameras: &Cameras) -> String {
     let centres: Vec<Point3<f64>> = cameras.views.values().map(|v| v.camera.centre()).collect();
     let radius = centres
@@ -152,6 +155,31 @@ pub fn cameras_to_svg(cameras: &Cameras) -> String {
             svg,
             "<polygon points=\"{}\" fill=\"none\" stroke=\"#b80\"/>",
             path(&rim)
+        );
+    }
+    if let Some(cylinder) = bounding_cylinder(cameras) {
+        let angle = |i: i32| f64::from(i) * 5f64.to_radians();
+        for share in [0.0, 1.0] {
+            let rim: Vec<_> = (0..72).map(|i| cylinder.point(angle(i), share)).collect();
+            let _ = writeln!(
+                svg,
+                "<polygon points=\"{}\" fill=\"#d432\" stroke=\"#c33\"/>",
+                path(&rim)
+            );
+        }
+        // Its outline as seen from here.
+        for i in [0, 36] {
+            let side = [0.0, 1.0].map(|share| cylinder.point(angle(i), share));
+            let _ = writeln!(
+                svg,
+                "<polyline points=\"{}\" stroke=\"#c33\"/>",
+                path(&side)
+            );
+        }
+        let _ = writeln!(
+            svg,
+            "<text x=\"-310\" y=\"-312\" fill=\"#c33\">in view of all cameras: radius {:.0} mm, height {:.0} to {:.0} mm</text>",
+            cylinder.radius, cylinder.bottom, cylinder.top
         );
     }
     let _ = writeln!(
