@@ -146,6 +146,9 @@ pub fn without_plate(
     let mut room = first.backdrop;
     // What agrees here and there amid what does not is the body.
     without_islands(&mut room.seen);
+    // What never changes may be the crown of a head, but then it is not alike to the level.
+    let stands = |i: usize, room: &Backdrop| still.data[i] == Some(true) && room.seen.data[i];
+    let stands: Vec<bool> = (0..still.data.len()).map(|i| stands(i, &room)).collect();
     let body = body_colors(shots, &room, radius);
     let mut covered = on_the_disk(shots, &room, body.as_ref(), radius);
     let mut cuts: Vec<Option<Image<bool>>> = Vec::new();
@@ -161,8 +164,8 @@ pub fn without_plate(
             .par_iter()
             .map(|shot| {
                 let mut ready = one(shot, &around, radius, disk_side_mm);
-                for (i, still) in still.data.iter().enumerate() {
-                    if *still == Some(true) {
+                for (i, stands) in stands.iter().enumerate() {
+                    if *stands {
                         ready.known[i] = Known::Background;
                     }
                     if ready.cost[i] == UNSEEN {
