@@ -8,8 +8,8 @@ use shape::{Landmark, Mesh, Plane};
 
 /// Nine times in ten, in standard deviations.
 pub(crate) const NINE_IN_TEN: f64 = 1.645;
-/// Scatter of the lean of necks about the usual. \[rad\]
-const LEAN: f64 = 3.3 * std::f64::consts::PI / 180.0;
+/// Scatter of the lean of necks about what head and shoulders tell. \[rad\]
+const LEAN: f64 = 2.6 * std::f64::consts::PI / 180.0;
 
 /// Standard deviations of a tape. \[mm\]
 #[derive(Debug, Clone, Copy, PartialEq, Default)]

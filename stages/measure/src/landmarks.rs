@@ -32,9 +32,9 @@ stage::params! {
     pub struct LandmarkParams {
         /// Which waist is called WC.
         waist: Waist = Waist::Natural,
-        /// How far the neck leans forward.
-        #[range(0.0..=45.0)]
-        neck_lean_deg: f64 = 20.0,
+        /// How much farther forward the neck leans than head and shoulders tell.
+        #[range(-30.0..=30.0)]
+        neck_lean_deg: f64 = 0.0,
     }
 }
 
@@ -58,8 +58,8 @@ pub struct FindLandmarks;
 
 impl Stage for FindLandmarks {
     const NAME: &'static str = "measure.landmarks";
-    const VERSION: u32 = 5;
-    const ABOUT: &'static str = "Finds neck, chest, waist, hip, arms and legs from marks on the outline: buttocks, hollow of the back, bust, shoulders, throat, jaw.";
+    const VERSION: u32 = 6;
+    const ABOUT: &'static str = "Finds neck, chest, waist, hip, arms and legs from marks on the outline: buttocks, hollow of the back, bust, shoulders, ears.";
     type Params = LandmarkParams;
     type Input = LandmarkInput;
     type Output = Landmarks;
@@ -89,7 +89,7 @@ impl Stage for FindLandmarks {
         }
         let marks = marks(&body);
         trunk(p, &body, marks.as_ref(), &mut found);
-        across_neck(p, mesh, &body, marks.as_ref(), &mut found);
+        across_neck(p, mesh, &body, &mut found);
         arms(mesh, &body, marks.as_ref(), &mut found);
         legs(&body, &mut found);
         found.parts = parts(mesh, &body);
@@ -192,21 +192,11 @@ fn waist(which: Waist, body: &Body, m: &Marks) -> (f64, &'static str) {
 }
 
 /// The neck, across its axis.
-fn across_neck(
-    p: &LandmarkParams,
-    mesh: &Mesh,
-    body: &Body,
-    marks: Option<&Marks>,
-    found: &mut Landmarks,
-) {
-    let lean = p.neck_lean_deg.to_radians();
-    let plane = neck::throat(mesh, body, lean).and_then(|throat| {
-        let plane = throat.plane(levels::neck(&throat, marks));
-        let ring = neck::neck_ring(mesh, body, &plane)?;
-        Some(Plane {
-            point_mm: ring.centre.into(),
-            ..plane
-        })
+fn across_neck(p: &LandmarkParams, mesh: &Mesh, body: &Body, found: &mut Landmarks) {
+    let plane = neck::throat(mesh, body).and_then(|throat| {
+        let told = levels::neck_lean(&throat, body.stature);
+        let lean = told.clamp(0.0, 0.8) + p.neck_lean_deg.to_radians();
+        throat.leaning(mesh, body, levels::neck(&throat, body.stature), lean)
     });
     match plane {
         Some(plane) => {

@@ -29,12 +29,15 @@ pub(crate) fn upper_arm(m: &Marks, stature: f64) -> f64 {
     (0.037 * m.spread - 0.075) * stature + 0.949 * m.shoulder - 0.052 * m.girth
 }
 
-/// Amid the two joints of the neck. Offset along the throat's axis. \[mm\]
-pub(crate) fn neck(t: &Throat, marks: Option<&Marks>) -> f64 {
-    match marks {
-        Some(m) => 0.697 * t.jaw + 0.718 * t.base + 0.064 * m.girth,
-        None => 0.75 * (t.jaw + t.base),
-    }
+/// Amid the two joints of the neck: offset along the throat's usual axis. \[mm\]
+pub(crate) fn neck(t: &Throat, stature: f64) -> f64 {
+    0.713 * t.ears + 0.331 * t.shoulders + 0.264 * t.back - 0.017 * stature
+}
+
+/// How far the line between these joints leans forward: farther where the head is carried farther
+/// before the shoulders. \[rad\]
+pub(crate) fn neck_lean(t: &Throat, stature: f64) -> f64 {
+    (652.0 * t.ahead / stature - 1.8).to_radians()
 }
 
 /// Standard deviation of a girth's level, as a share of stature.
@@ -42,7 +45,7 @@ pub(crate) fn scatter(name: &str) -> f64 {
     match name.split('_').next().unwrap_or(name) {
         "WC" => 0.0070,
         "CC" => 0.0063,
-        "NC" => 0.0038,
+        "NC" => 0.0024,
         "AC" => 0.0066,
         "HC" => 0.0027,
         // Found as extremes: the girth hardly changes with the level.
