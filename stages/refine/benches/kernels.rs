@@ -176,6 +176,8 @@ fn main() {
         rules: &rules,
         window: &window,
         pulls: &rims,
+        outside: &[],
+        bound: 0.0,
         laplacian: &laplacian,
         footprint,
         rim: 0.3,

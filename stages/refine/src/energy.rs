@@ -10,7 +10,7 @@ use nalgebra::Vector3;
 use rayon::prelude::*;
 
 /// A surface under its forces, visibility and frames held: the energy is
-/// `Σ_v a_v (Σ_pairs w (1 − M) + ½ rim (gap/φ)²) + ½ plate Σ_v area_v (n·L x − rest)²` with `a = area/φ²`,
+/// `Σ_v a_v (Σ_pairs w (1 − M) + ½ rim (gap/φ)² + ½ bound (out/φ)²) + ½ plate Σ_v area_v (n·L x − rest)²` with `a = area/φ²`,
 /// φ the pixel's footprint; so its balance is the same at every scale.
 pub struct Forces<'a> {
     /// The pictures.
@@ -29,6 +29,10 @@ pub struct Forces<'a> {
     pub footprint: f64,
     /// Weight of a rim that is a pixel off, against a pair that does not agree at all.
     pub rim: f64,
+    /// How far inward each vertex has to go to show inside of all silhouettes \[mm\]; may be empty.
+    pub outside: &'a [f64],
+    /// Weight of a vertex that has a pixel to go.
+    pub bound: f64,
     /// The plate's rest shape.
     pub rest: &'a Rest,
     /// The plate's stiffness. \[mm²\]
@@ -84,6 +88,11 @@ impl Forces<'_> {
             springs.pull[v] -= weight * p.gap * p.slope;
             springs.stiffness[v] += weight * p.slope * p.slope;
         }
+        for (v, gap) in self.outside.iter().enumerate().filter(|o| *o.1 > 0.0) {
+            let weight = self.area(v) * self.bound * inverse;
+            springs.pull[v] -= weight * gap;
+            springs.stiffness[v] += weight;
+        }
         springs
     }
 
@@ -101,13 +110,17 @@ impl Forces<'_> {
                 self.area(p.vertex as usize) * self.rim * p.weight * gap * gap * inverse
             })
             .sum();
+        let drawn = self.outside.iter().enumerate().filter(|o| *o.1 > 0.0);
+        let bounds: f64 = drawn
+            .map(|(v, gap)| self.area(v) * self.bound * (gap + d[v]).powi(2) * inverse)
+            .sum();
         let frames = &self.sights.frames;
         let moved: Vec<_> = (0..d.len())
             .map(|v| x[v] + frames[v].normal * d[v])
             .collect();
         let normals: Vec<_> = frames.iter().map(|f| f.normal).collect();
         let bent = self.rest.energy(self.laplacian, &moved, &normals);
-        photo + 0.5 * rims + self.plate * bent
+        photo + 0.5 * (rims + bounds) + self.plate * bent
     }
     /// The longest of a few shares of a step that lowers the energy; 0 where none does.
     pub fn falls(&self, x: &[Vector3<f64>], d: &[f64], before: f64) -> f64 {

@@ -1,21 +1,12 @@
 //! The stage that refines a surface level by level, its energy never rising.
 
-use crate::crossing::{crossings, part, unfold};
-use crate::curvature::Laplacian;
-use crate::energy::Forces;
+use crate::crossing::unfold;
 use crate::evolve_stage::Flow;
-use crate::patch::{Pairing, Window};
-use crate::picture::Picture;
-use crate::remesh::{relax, remesh};
-use crate::rims::pulls;
-use crate::scene::{RefineError, check, footprint, pictures, unbend};
-use crate::settle::{Rest, settle};
-use crate::sights::{Sighting, Sights};
-use crate::smooth::ring_median;
-use crate::sweep;
-use nalgebra::Vector3;
-use serde::{Deserialize, Serialize};
-use shape::{Adjacency, Cameras, Masks, Mesh, Photos, Warps};
+use crate::mend::mend;
+use crate::remesh::remesh;
+use crate::round::{Told, one_round};
+use crate::scene::{check, footprint, pictures, unbend};
+use shape::{Cameras, Masks, Mesh, Photos, Warps};
 use stage::{Ctx, Stage, Stop};
 use std::sync::Arc;
 
@@ -65,6 +56,12 @@ stage::params! {
         /// Weight of the silhouettes.
         #[range(0.0..=100.0)]
         rim: f64 = 0.3,
+        /// Weight of the visual hull: what shows outside of a silhouette is drawn back into all of them.
+        #[range(0.0..=100.0)]
+        bound: f64 = 10.0,
+        /// How far outside of a silhouette the surface may show, in pixels of the level.
+        #[range(0.0..=100.0)]
+        slack_px: f64 = 3.0,
         /// How far inward a better place is looked for first, in pixels of the level; 0 is nowhere.
         #[range(0.0..=100.0)]
         reach_px: f64 = 0.0,
@@ -101,7 +98,7 @@ pub struct Settle;
 
 impl Stage for Settle {
     const NAME: &'static str = "refine.settle";
-    const VERSION: u32 = 6;
+    const VERSION: u32 = 8;
     const ABOUT: &'static str = "Refines a surface by inter-image consistency, silhouettes and a thin plate, the energy never rising.";
     type Params = SettleParams;
     type Input = SettleInput;
@@ -128,6 +125,7 @@ impl Stage for Settle {
             mesh = remesh(&mesh, p.edge_px * footprint, 4);
         }
         unfold(&mut mesh);
+        mend(&mut mesh);
         let steps = ctx.steps("rounds", p.rounds as usize);
         let mut state = Checkpoint {
             mesh,
@@ -148,7 +146,7 @@ impl Stage for Settle {
             ctx.checkpoint("round", &state);
             steps.tick()?;
         }
-        let Checkpoint { mesh, told, .. } = state;
+        let Checkpoint { mut mesh, told, .. } = state;
         if told.seen < 0.5 {
             ctx.warn(format!(
                 "only {:.0} % of the surface is seen by two photos or more",
@@ -158,8 +156,8 @@ impl Stage for Settle {
         if told.consistency < told.before - 0.02 {
             ctx.warn("the photos agree less on the settled surface than on the one that came in");
         }
-        let crossed = crossings(&mesh).len();
-        if crossed * 1000 > mesh.faces.len() {
+        let crossed = mend(&mut mesh);
+        if crossed > 0 {
             ctx.warn(format!("{crossed} pairs of faces pass through each other"));
         }
         ctx.metric("consistency", told.consistency, "");
@@ -169,15 +167,6 @@ impl Stage for Settle {
         ctx.metric("faces", mesh.faces.len() as f64, "");
         Ok(mesh)
     }
-}
-
-/// What a round found.
-#[derive(Debug, Clone, Copy, Default, Serialize, Deserialize)]
-struct Told {
-    before: f64,
-    consistency: f64,
-    seen: f64,
-    gap_px: f64,
 }
 
 /// What is left of a run that was stopped.
@@ -199,101 +188,4 @@ impl stage::Artifact for Checkpoint {
         let mesh = Mesh::unpack(from)?;
         Ok(Checkpoint { mesh, done, told })
     }
-}
-
-/// Looks anew, then steps while the energy falls.
-fn one_round(
-    p: &SettleParams,
-    mesh: &mut Mesh,
-    pictures: &[Picture],
-    footprint: f64,
-    begin: bool,
-) -> Result<Told, Stop> {
-    let window = Window::new(p.patch as usize, p.level_patch);
-    let cosine = [p.pair_to_deg, p.pair_from_deg].map(|d| d.to_radians().cos() as f32);
-    let rules = Sighting {
-        most_tilt: p.tilt_deg.to_radians(),
-        spacing_px: 1.0,
-        pairing: Pairing { cosine },
-        noise_gain: p.noise_gain,
-    };
-    let around = Adjacency::new(mesh);
-    let start = mesh.positions.clone();
-    let mut told = Told::default();
-    let searches = usize::from(begin && p.reach_px > 0.0);
-    for step in 0..p.steps as usize + searches {
-        let searching = step < searches;
-        let sights = Sights::new(mesh, &around, pictures, &window, &rules);
-        told.seen = sights.share();
-        if told.seen == 0.0 {
-            return Err(RefineError::Unseen.into());
-        }
-        let normals = mesh.normals();
-        let pulls = pulls(mesh, &around, &normals, pictures, 3.0);
-        let laplacian = Laplacian::new(mesh, &around);
-        // A typical pair-stiffness of 0.04 a pixel² balances the plate at the length asked for.
-        let plate = 0.04 * p.smooth_px.powi(4) * footprint.powi(2);
-        let x: Vec<Vector3<f64>> = (0..mesh.positions.len() as u32)
-            .map(|v| mesh.point(v).coords)
-            .collect();
-        let rest = Rest::new(&laplacian, &x, &normals, p.rest_rings as usize);
-        let forces = Forces {
-            rest: &rest,
-            pictures,
-            sights: &sights,
-            rules: &rules,
-            window: &window,
-            pulls: &pulls,
-            laplacian: &laplacian,
-            footprint,
-            rim: p.rim,
-            plate,
-            anchor: 1e-4,
-        };
-        let still = vec![0.0; x.len()];
-        let seen = forces.agreements::<true>(&still);
-        let (score, weight) = seen
-            .iter()
-            .fold((0.0, 0.0), |s, a| (s.0 + a.score, s.1 + a.weight));
-        told.consistency = score / f64::max(weight, 1e-9);
-        if step == 0 {
-            told.before = told.consistency;
-        }
-        let gaps: f64 = pulls.iter().map(|p| p.weight * p.gap * p.gap).sum();
-        told.gap_px =
-            (gaps / pulls.iter().map(|p| p.weight).sum::<f64>().max(1e-9)).sqrt() / footprint;
-        let before = forces.energy(&seen, &still, &x);
-        let mut springs = forces.springs(&seen);
-        if searching {
-            sweep::follow(&forces, &around, p.reach_px, &seen, &mut springs);
-        } else if p.flow == Flow::WeightedMedian {
-            ring_median(
-                mesh,
-                &around,
-                &laplacian,
-                &normals,
-                &mut springs,
-                (p.eta, p.kappa),
-                footprint,
-            );
-        }
-        let d = settle(&springs, &laplacian, &x, &normals, &rest, plate, 60);
-        let most = if searching { p.reach_px } else { 3.0 } * footprint;
-        let d: Vec<f64> = d.iter().map(|d| d.clamp(-most, most)).collect();
-        let taken = if searching {
-            1.0
-        } else {
-            forces.falls(&x, &d, before)
-        };
-        if taken == 0.0 {
-            break;
-        }
-        for (v, d) in d.iter().enumerate() {
-            let to = x[v] + normals[v] * (d * taken);
-            mesh.positions[v] = [to.x as f32, to.y as f32, to.z as f32];
-        }
-        relax(mesh);
-    }
-    part(mesh, &start, &around);
-    Ok(told)
 }

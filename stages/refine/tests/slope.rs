@@ -5,6 +5,7 @@ mod turn;
 use nalgebra::Vector3;
 use refine::curvature::Laplacian;
 use refine::energy::Forces;
+use refine::outside::outside;
 use refine::patch::{Pairing, Window, agreement};
 use refine::picture::Picture;
 use refine::rims::{Pull, pulls};
@@ -51,6 +52,7 @@ struct Held {
     window: Window,
     rules: Sighting,
     pulls: Vec<Pull>,
+    outside: Vec<f64>,
     laplacian: Laplacian,
     rest: Rest,
     pictures: Vec<Picture>,
@@ -69,6 +71,7 @@ fn held(level: bool) -> Held {
         sights: Sights::new(&mesh, &around, &pictures, &window, &rules),
         pulls: pulls(&mesh, &around, &normals, &pictures, 3.0),
         rest: Rest::new(&laplacian, &x, &normals, 5),
+        outside: outside(&mesh, &normals, &pictures, 0.2, footprint(&mesh, &pictures)),
         footprint: footprint(&mesh, &pictures),
         laplacian,
         window,
@@ -80,13 +83,15 @@ fn held(level: bool) -> Held {
 }
 
 impl Held {
-    fn forces(&self, rim: f64, plate: f64) -> Forces<'_> {
+    fn forces(&self, rim: f64, bound: f64, plate: f64) -> Forces<'_> {
         Forces {
             pictures: &self.pictures,
             sights: &self.sights,
             rules: &self.rules,
             window: &self.window,
             pulls: &self.pulls,
+            outside: &self.outside,
+            bound,
             laplacian: &self.laplacian,
             footprint: self.footprint,
             rim,
@@ -131,14 +136,21 @@ fn the_slope_of_consistency_is_its_derivative() {
     }
 }
 
-/// The pull on all vertices at once is minus the slope of the whole energy, rims and plate included.
+/// The pull on all vertices at once is minus the slope of the whole energy, rims, bound and plate included.
 #[test]
 fn the_pull_on_the_surface_is_minus_the_slope_of_the_energy() {
     let held = held(true);
     assert!(held.pulls.len() > 100, "{} rims", held.pulls.len());
     let mut dice = proof::Dice(4);
-    for (rim, plate) in [(0.0, 0.0), (3.0, 0.0), (0.3, 40.0)] {
-        let forces = held.forces(rim, plate);
+    let out = held.outside.iter().filter(|o| **o > 0.0).count();
+    assert!(out > 20, "{out} vertices show outside");
+    for (rim, bound, plate) in [
+        (0.0, 0.0, 0.0),
+        (3.0, 0.0, 0.0),
+        (0.0, 3.0, 0.0),
+        (0.3, 10.0, 40.0),
+    ] {
+        let forces = held.forces(rim, bound, plate);
         let still = vec![0.0; held.x.len()];
         let springs = forces.springs(&forces.agreements::<true>(&still));
         // Against very stiff springs the step is the pull over the stiffness: plate included.
@@ -168,7 +180,7 @@ fn the_pull_on_the_surface_is_minus_the_slope_of_the_energy() {
             let size: f64 = step.iter().map(|s| (s * stiff).powi(2)).sum::<f64>().sqrt();
             assert!(
                 (told - want).abs() < 0.02 * size,
-                "rim {rim}, plate {plate}: {told} against {want}, of {size}"
+                "rim {rim}, bound {bound}, plate {plate}: {told} against {want}, of {size}"
             );
         }
     }
