@@ -57,6 +57,54 @@ impl Lattice {
 /// The corners of the bricks that were looked into: `SIDE`³ values each, x fastest; above 0 is solid.
 pub type Bricks = Vec<Option<Vec<f32>>>;
 
+/// How far a cube's corners are from its centre, in halves of its side. The distance to a silhouette's
+/// border shrinks slower than space does, but depth and lens distortion bend it a little.
+const STEEP: f64 = 1.732_050_8 * 1.15;
+/// Cells along the side of a block, the smallest cube that is looked into or passed over.
+const BLOCK: usize = 4;
+
+/// The corners of a brick. Where all cubes of [`BLOCK`] cells around a corner are far from the surface
+/// it takes the value amid one of them, which depends on where the corner is and not on the brick: the
+/// neighbours say the same.
+fn filled(
+    lattice: &Lattice,
+    place: [usize; 3],
+    value: &(impl Fn(&Point3<f64>) -> f32 + Sync),
+) -> Vec<f32> {
+    // The brick's own blocks, and those around it.
+    const AROUND: usize = BRICK / BLOCK + 2;
+    let base = place.map(|b| b * BRICK);
+    let half = lattice.cell_mm * BLOCK as f64 / 2.0;
+    let reach = (half * STEEP) as f32;
+    let mut middles = Vec::with_capacity(AROUND * AROUND * AROUND);
+    for i in 0..AROUND * AROUND * AROUND {
+        let [u, v, w] = [i % AROUND, i / AROUND % AROUND, i / AROUND / AROUND];
+        // Counted in cells from the lattice's first corner, so that equal blocks have equal middles.
+        let cells = |b: usize, base: usize| (base + b * BLOCK) as f64 - BLOCK as f64 / 2.0;
+        let at = nalgebra::Vector3::new(cells(u, base[0]), cells(v, base[1]), cells(w, base[2]));
+        middles.push(value(&(lattice.origin + at * lattice.cell_mm)));
+    }
+    // The one or two blocks along an axis that a corner belongs to.
+    let blocks = |c: usize| [c.div_ceil(BLOCK), c / BLOCK + 1];
+    let mut values = Vec::with_capacity(SIDE * SIDE * SIDE);
+    for z in 0..SIDE {
+        for y in 0..SIDE {
+            for x in 0..SIDE {
+                let [us, vs, ws] = [blocks(x), blocks(y), blocks(z)];
+                let near = (0..8).any(|i| {
+                    let at = (ws[i >> 2] * AROUND + vs[i >> 1 & 1]) * AROUND + us[i & 1];
+                    middles[at].abs() <= reach
+                });
+                values.push(match near {
+                    true => value(&lattice.corner(base[0] + x, base[1] + y, base[2] + z)),
+                    false => middles[(ws[0] * AROUND + vs[0]) * AROUND + us[0]],
+                });
+            }
+        }
+    }
+    values
+}
+
 /// Evaluates `value` \[mm, 1-Lipschitz or nearly so\] where its zero runs. `tick` is called for each
 /// layer of bricks and may end the work.
 pub fn evaluate<E: Send>(
@@ -66,19 +114,8 @@ pub fn evaluate<E: Send>(
 ) -> Result<Bricks, E> {
     let [nx, ny, nz] = lattice.bricks;
     let half = lattice.cell_mm * BRICK as f64 / 2.0;
-    // The distance to a silhouette's border shrinks slower than space does, but depth and lens
-    // distortion bend it a little.
-    let reach = (half * 3f64.sqrt() * 1.15) as f32;
-    let fill = |brick: usize| -> Vec<f32> {
-        let [bx, by, bz] = lattice.place(brick).map(|b| b * BRICK);
-        let mut values = Vec::with_capacity(SIDE * SIDE * SIDE);
-        for z in bz..bz + SIDE {
-            for y in by..by + SIDE {
-                values.extend((bx..bx + SIDE).map(|x| value(&lattice.corner(x, y, z))));
-            }
-        }
-        values
-    };
+    let reach = (half * STEEP) as f32;
+    let fill = |brick: usize| filled(lattice, lattice.place(brick), value);
     let layer = |z: usize| -> Result<Vec<Option<Vec<f32>>>, E> {
         tick()?;
         let one = |i: usize| {

@@ -53,6 +53,18 @@ pub fn consensus(views: &[Silhouette], x: &Point3<f64>, dissent: usize) -> f32 {
     }
 }
 
+/// Whether a point lies deeper than a margin outside of the silhouettes of more than `dissent` views. \[mm\]
+fn far_outside(views: &[Silhouette], x: &Point3<f64>, dissent: usize, margin: f32) -> bool {
+    let mut against = 0;
+    for view in views {
+        against += usize::from(view.depth_inside(x).is_some_and(|depth| depth < -margin));
+        if against > dissent {
+            return true;
+        }
+    }
+    false
+}
+
 /// Steps across the cylinder in which the body is looked for.
 const STEPS: i32 = 96;
 
@@ -75,7 +87,8 @@ pub fn bounds(
                 -reach + f64::from(j) * step,
                 ground + f64::from(k) * step,
             );
-            if x.x.hypot(x.y) > reach || f64::from(consensus(views, &x, dissent)) < -step {
+            let out = x.x.hypot(x.y) > reach || far_outside(views, &x, dissent, step as f32);
+            if out || f64::from(consensus(views, &x, dissent)) < -step {
                 continue;
             }
             for a in 0..3 {

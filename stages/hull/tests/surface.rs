@@ -84,6 +84,33 @@ fn cost_follows_the_surface() {
 }
 
 #[test]
+fn what_is_passed_over_changes_nothing() {
+    // A ball with a dent, and another that touches it: distances to them, as far as a bound goes.
+    let value = |x: &Point3<f64>| {
+        let ball = |c: [f64; 3], r: f64| r - (x - Point3::from(c)).norm();
+        let solid = ball([0.0; 3], 60.0).min(-ball([50.0, 0.0, 30.0], 25.0));
+        solid.max(ball([-70.0, 10.0, 0.0], 22.0)) as f32
+    };
+    let (lo, hi) = (
+        Point3::new(-95.0, -62.0, -62.0),
+        Point3::new(62.0, 62.0, 62.0),
+    );
+    let lattice = Lattice::over(lo, hi, 1.5);
+    let some = evaluate(&lattice, &value, &|| Ok::<_, Infallible>(())).unwrap();
+    let whole = |brick: usize| {
+        let base = lattice.place(brick).map(|b| b * BRICK);
+        let corner = |i: usize| [i % SIDE, i / SIDE % SIDE, i / SIDE / SIDE];
+        let at = |i: usize| [0, 1, 2].map(|a| base[a] + corner(i)[a]);
+        let one = |i: usize| value(&lattice.corner(at(i)[0], at(i)[1], at(i)[2]));
+        Some((0..SIDE * SIDE * SIDE).map(one).collect())
+    };
+    let all: Bricks = (0..lattice.count()).map(whole).collect();
+    let (got, want) = (surface(&lattice, &some), surface(&lattice, &all));
+    assert!(got.faces.len() > 5000);
+    assert!(stage::to_bytes(&got) == stage::to_bytes(&want));
+}
+
+#[test]
 fn any_number_of_threads_gives_equal_bytes() {
     let with = |threads: usize| {
         let pool = rayon::ThreadPoolBuilder::new()

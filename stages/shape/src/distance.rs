@@ -53,51 +53,93 @@ pub fn signed_distance(mask: &Mask) -> Image<f32> {
 /// Squared distance of each pixel to the nearest one that `to` names.
 fn squared(mask: &Mask, to: impl Fn(u8) -> bool) -> Vec<f32> {
     let (w, h) = (mask.width, mask.height);
-    const FAR: f32 = 1e12;
-    let mut field: Vec<f32> = mask
-        .data
-        .iter()
-        .map(|c| if to(*c) { 0.0 } else { FAR })
-        .collect();
-    let mut column = vec![0.0; h];
-    for x in 0..w {
-        (0..h).for_each(|y| column[y] = field[y * w + x]);
-        envelope(&mut column);
-        (0..h).for_each(|y| field[y * w + x] = column[y]);
+    const FAR: f32 = 1e6;
+    // Along columns, down and up, a row at a time.
+    let start = |c: &u8| if to(*c) { 0.0 } else { FAR };
+    let mut field: Vec<f32> = mask.data.iter().map(start).collect();
+    let nearer = |here: &mut [f32], beside: &[f32]| {
+        let both = here.iter_mut().zip(beside);
+        both.for_each(|(here, beside)| *here = here.min(beside + 1.0));
+    };
+    for y in 1..h {
+        let (above, here) = field.split_at_mut(y * w);
+        nearer(&mut here[..w], &above[(y - 1) * w..]);
     }
-    field.chunks_mut(w).for_each(envelope);
+    for y in (1..h).rev() {
+        let (here, below) = field.split_at_mut(y * w);
+        nearer(&mut here[(y - 1) * w..], &below[..w]);
+    }
+    field.iter_mut().for_each(|d| *d *= *d);
+    let mut work = Envelope::default();
+    for row in field.chunks_mut(w.max(1)) {
+        // A pixel of distance 0 hides what lies behind it, so each run between two is a line of its own.
+        let mut first = 0;
+        while first + 1 < w {
+            if row[first] == 0.0 && row[first + 1] == 0.0 {
+                first += 1;
+                continue;
+            }
+            let zero = row[first + 1..].iter().position(|d| *d == 0.0);
+            let last = zero.map_or(w - 1, |z| first + 1 + z);
+            work.lower(&mut row[first..=last]);
+            first = last;
+        }
+    }
     field
 }
 
-/// The lower envelope of parabolas over one line, in place.
-fn envelope(line: &mut [f32]) {
-    let f = line.to_vec();
-    let mut roots = vec![0usize; f.len()];
-    let mut starts = vec![f64::MIN; f.len() + 1];
-    let mut k = 0;
-    let meets = |p: usize, q: usize| {
-        let value = |i: usize| f64::from(f[i]) + (i * i) as f64;
-        (value(q) - value(p)) / (2.0 * (q as f64 - p as f64))
-    };
-    starts[1] = f64::MAX;
-    for q in 1..f.len() {
-        let mut at = meets(roots[k], q);
-        while at <= starts[k] && k > 0 {
-            k -= 1;
-            at = meets(roots[k], q);
+/// What the lower envelope of parabolas over a line is found with.
+#[derive(Default)]
+struct Envelope {
+    /// The parabolas' values at their apex, and with the square of their place.
+    apex: Vec<f32>,
+    sums: Vec<f64>,
+    /// Those on the envelope, and where each begins to be the lowest.
+    roots: Vec<usize>,
+    starts: Vec<f64>,
+    /// 1 / 2d for distances d of two apices.
+    halves: Vec<f64>,
+}
+
+impl Envelope {
+    /// Replaces squared distances along other lines by those in the plane.
+    fn lower(&mut self, line: &mut [f32]) {
+        let n = line.len();
+        for d in self.halves.len()..n {
+            self.halves.push(0.5 / d as f64);
         }
-        k += 1;
-        roots[k] = q;
-        starts[k] = at;
-        starts[k + 1] = f64::MAX;
-    }
-    k = 0;
-    for (q, out) in line.iter_mut().enumerate() {
-        while starts[k + 1] < q as f64 {
-            k += 1;
+        self.apex.clear();
+        self.apex.extend_from_slice(line);
+        self.sums.clear();
+        let sum = |(i, f): (usize, &f32)| f64::from(*f) + (i * i) as f64;
+        self.sums.extend(line.iter().enumerate().map(sum));
+        let (sums, halves) = (&self.sums, &self.halves);
+        // At whole places a rounded crossing picks the same distance as an exact one.
+        let meets = |p: usize, q: usize| (sums[q] - sums[p]) * halves[q - p];
+        self.roots.clear();
+        self.roots.push(0);
+        self.starts.clear();
+        self.starts.push(f64::MIN);
+        for q in 1..n {
+            let mut k = self.roots.len() - 1;
+            let mut at = meets(self.roots[k], q);
+            while at <= self.starts[k] && k > 0 {
+                k -= 1;
+                at = meets(self.roots[k], q);
+            }
+            self.roots.truncate(k + 1);
+            self.starts.truncate(k + 1);
+            self.roots.push(q);
+            self.starts.push(at);
         }
-        let step = q as f32 - roots[k] as f32;
-        *out = step * step + f[roots[k]];
+        let mut k = 0;
+        for (q, out) in line.iter_mut().enumerate() {
+            while self.starts.get(k + 1).is_some_and(|s| *s < q as f64) {
+                k += 1;
+            }
+            let step = q as f32 - self.roots[k] as f32;
+            *out = step * step + self.apex[self.roots[k]];
+        }
     }
 }
 
