@@ -23,6 +23,7 @@ pub mod mend;
 pub mod outside;
 pub mod patch;
 pub mod picture;
+pub mod pinch;
 pub mod remesh;
 pub mod rims;
 mod round;

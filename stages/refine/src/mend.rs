@@ -18,7 +18,9 @@ pub fn mend(mesh: &mut Mesh) -> usize {
             break;
         }
         let faces: BTreeSet<u32> = found.iter().flat_map(|(f, g)| [*f, *g]).collect();
-        let mended = capped(mesh, faces, rings / 2);
+        let around = Adjacency::new(mesh);
+        let wider = (0..=rings / 2).fold(faces, |faces, _| grown(mesh, &around, &faces));
+        let mended = capped(mesh, wider);
         if mended.faces.is_empty() || mended.validate_closed().is_err() {
             continue;
         }
@@ -30,14 +32,9 @@ pub fn mend(mesh: &mut Mesh) -> usize {
     found.len()
 }
 
-/// The mesh without some faces and `rings` rings of faces about them, every hole capped. Of each part of
-/// the mesh the largest piece is kept.
-fn capped(mesh: &Mesh, faces: BTreeSet<u32>, rings: usize) -> Mesh {
+/// The mesh without some faces, every hole capped. Of each part of the mesh the largest piece is kept.
+pub(crate) fn capped(mesh: &Mesh, mut gone: BTreeSet<u32>) -> Mesh {
     let around = Adjacency::new(mesh);
-    let mut gone = faces;
-    for _ in 0..=rings {
-        gone = grown(mesh, &around, &gone);
-    }
     without_pinches(mesh, &around, &mut gone);
     let mut kept: Vec<[u32; 3]> = largest_pieces(mesh, &gone);
     let mut positions = mesh.positions.clone();

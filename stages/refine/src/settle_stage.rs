@@ -3,6 +3,7 @@
 use crate::crossing::unfold;
 use crate::evolve_stage::Flow;
 use crate::mend::mend;
+use crate::pinch::pinch;
 use crate::remesh::remesh;
 use crate::round::{Told, one_round};
 use crate::scene::{check, footprint, pictures, unbend};
@@ -62,6 +63,9 @@ stage::params! {
         /// How far outside of a silhouette the surface may show, in pixels of the level.
         #[range(0.0..=100.0)]
         slack_px: f64 = 3.0,
+        /// What hangs on a neck of at most so many edges is cut off; 0 keeps it.
+        #[range(0..=8)]
+        neck_edges: u32 = 6,
         /// How far inward a better place is looked for first, in pixels of the level; 0 is nowhere.
         #[range(0.0..=100.0)]
         reach_px: f64 = 0.0,
@@ -98,7 +102,7 @@ pub struct Settle;
 
 impl Stage for Settle {
     const NAME: &'static str = "refine.settle";
-    const VERSION: u32 = 8;
+    const VERSION: u32 = 9;
     const ABOUT: &'static str = "Refines a surface by inter-image consistency, silhouettes and a thin plate, the energy never rising.";
     type Params = SettleParams;
     type Input = SettleInput;
@@ -155,6 +159,9 @@ impl Stage for Settle {
         }
         if told.consistency < told.before - 0.02 {
             ctx.warn("the photos agree less on the settled surface than on the one that came in");
+        }
+        if p.neck_edges > 0 {
+            pinch(&mut mesh, p.neck_edges as usize);
         }
         let crossed = mend(&mut mesh);
         if crossed > 0 {
