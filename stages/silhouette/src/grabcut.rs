@@ -4,6 +4,7 @@ use crate::backdrop::Backdrop;
 use crate::background::{expected, plate_turn};
 use crate::coherence::agreed;
 use crate::empty::{Empty, empty_scene, everything};
+use crate::exposure::{exposure, relit};
 use crate::gmm::Gmm;
 use crate::photo_cut::{Prepared, coarse, fine, prepare};
 use crate::segment::Settings;
@@ -75,7 +76,7 @@ pub struct GrabCut;
 
 impl Stage for GrabCut {
     const NAME: &'static str = "silhouette.grabcut";
-    const VERSION: u32 = 7;
+    const VERSION: u32 = 8;
     const ABOUT: &'static str = "Cuts the body out of each photo by graph cuts, seeded by the plate, or by what stands still, and the disk.";
     type Params = GrabCutParams;
     type Input = GrabCutInput;
@@ -178,6 +179,8 @@ impl OnePhoto<'_> {
         let pixels = self.photo.decode()?;
         let without = match (self.empty, &self.camera) {
             (Empty::Plate(plate), _) => {
+                let lit = exposure(&pixels, plate).map(|levels| relit(plate, &levels));
+                let plate = lit.as_ref().unwrap_or(plate);
                 let turned = disk.map(|(camera, radius)| {
                     let turn = plate_turn(&pixels, plate, camera, radius).0;
                     (camera, radius, turn)

@@ -1,0 +1,121 @@
+//! A plate that was exposed otherwise than the photo: its levels brought to the photo's.
+//!
+//! Most of what both show is the same room, so of all ratios of their levels one is by far the most
+//! frequent: that of the exposures, channel by channel (a white balance changes, too). Around it the
+//! curve of the camera follows from the pixels that keep to it.
+
+use shape::Rgb;
+
+/// Bins of the logarithm of a ratio, and how wide they are. Ratios from 0.3 to 3.3.
+const BINS: usize = 240;
+const WIDE: f32 = 0.01;
+/// Levels of the plate that tell ratios: darker ones are too coarse, brighter ones may be cut off.
+const TELLING: std::ops::RangeInclusive<u8> = 40..=248;
+/// Share of the telling pixels that must keep to the ratio.
+const KEEP: f32 = 0.12;
+/// How far from the ratio a pixel keeps to it, as a share, in two rounds.
+const NEAR: [f32; 2] = [0.06, 0.03];
+/// Steps of the plate's levels in which the curve is found, and pixels that each needs.
+const STEP: usize = 16;
+const ENOUGH: u32 = 150;
+/// Levels from here on may be cut off: what they are on the photo is as bright as so many of its pixels
+/// there, since what is darker may be in a shadow.
+const CUT_OFF: (u8, usize) = (252, 85);
+/// Levels that differ by less than this on average, or by this share, are the same exposure.
+const SAME: (f32, f32) = (1.5, 0.012);
+
+/// What each level of the plate is on the photo, by channel.
+pub type Levels = [[u8; 256]; 3];
+
+/// Levels of the plate as the photo would show them. `None` if they are exposed alike, or share too
+/// little to tell.
+pub fn exposure(photo: &Rgb, plate: &Rgb) -> Option<Levels> {
+    if (photo.width, photo.height) != (plate.width, plate.height) {
+        return None;
+    }
+    let mut levels = [[0u8; 256]; 3];
+    let mut alike = true;
+    for (c, levels) in levels.iter_mut().enumerate() {
+        let pairs: Vec<(u8, u8)> = (0..photo.height)
+            .step_by(3)
+            .flat_map(|y| photo.row(y).iter().zip(plate.row(y)).step_by(3))
+            .map(|(p, e)| (p[c], e[c]))
+            .collect();
+        let gain = ratio(&pairs)?;
+        let curve = curve(&pairs, gain);
+        alike &= (gain - 1.0).abs() < SAME.1 && curve.iter().all(|off| off.abs() < SAME.0);
+        for (level, to) in levels.iter_mut().enumerate() {
+            *to = (gain * level as f32 + between(&curve, level)).round() as u8;
+        }
+        let cut_off = pairs.iter().filter(|(_, e)| *e >= CUT_OFF.0);
+        let mut photo: Vec<u8> = cut_off.map(|(p, _)| *p).collect();
+        photo.sort_unstable();
+        if photo.len() as u32 >= ENOUGH {
+            let bright = photo[(photo.len() - 1) * CUT_OFF.1 / 100];
+            levels[CUT_OFF.0 as usize..].fill(bright);
+        }
+    }
+    (!alike).then_some(levels)
+}
+
+/// The plate with its levels changed.
+pub fn relit(plate: &Rgb, levels: &Levels) -> Rgb {
+    plate.map(|p| [0, 1, 2].map(|c| levels[c][p[c] as usize]))
+}
+
+/// The most frequent ratio of photo to plate.
+fn ratio(pairs: &[(u8, u8)]) -> Option<f32> {
+    let mut counts = [0u32; BINS];
+    let mut all = 0u32;
+    for (photo, plate) in pairs.iter().filter(|(_, e)| TELLING.contains(e)) {
+        all += 1;
+        let log = (f32::from(*photo).max(1.0) / f32::from(*plate)).ln();
+        let bin = log / WIDE + BINS as f32 / 2.0;
+        if bin >= 0.0 && (bin as usize) < BINS && *photo < CUT_OFF.0 {
+            counts[bin as usize] += 1;
+        }
+    }
+    let around = |b: usize| -> u32 { counts[b - 2..=b + 2].iter().sum() };
+    let best = (2..BINS - 2).max_by_key(|b| (around(*b), BINS - b))?;
+    if all < 300 || (around(best) as f32) < KEEP * all as f32 {
+        return None;
+    }
+    let place = |b: usize| (b as f32 + 0.5 - BINS as f32 / 2.0) * WIDE;
+    let moment: f32 = (best - 2..=best + 2)
+        .map(|b| place(b) * counts[b] as f32)
+        .sum();
+    Some((moment / around(best) as f32).exp())
+}
+
+/// What the photo's levels are off `gain` times the plate's, at the middles of steps of the plate's
+/// levels; as beside it where too few pixels keep to the ratio.
+fn curve(pairs: &[(u8, u8)], gain: f32) -> [f32; 256 / STEP] {
+    let mut off = [0.0f32; 256 / STEP];
+    for near in NEAR {
+        let (mut sums, mut counts) = ([0.0f64; 256 / STEP], [0u32; 256 / STEP]);
+        for (photo, plate) in pairs.iter().filter(|(p, e)| *p.max(e) < CUT_OFF.0) {
+            let want = gain * f32::from(*plate) + between(&off, usize::from(*plate));
+            let by = f32::from(*photo) - want;
+            if by.abs() <= (near * want).max(4.0) {
+                let step = usize::from(*plate) / STEP;
+                sums[step] += f64::from(f32::from(*photo) - gain * f32::from(*plate));
+                counts[step] += 1;
+            }
+        }
+        let known: Vec<usize> = (0..off.len()).filter(|s| counts[*s] >= ENOUGH).collect();
+        for (step, off) in off.iter_mut().enumerate() {
+            let nearest = known.iter().min_by_key(|k| k.abs_diff(step));
+            *off = nearest.map_or(0.0, |k| (sums[*k] / f64::from(counts[*k])) as f32);
+        }
+    }
+    off
+}
+
+/// The curve between the middles of its steps.
+fn between(curve: &[f32; 256 / STEP], level: usize) -> f32 {
+    let at = (level as f32 + 0.5) / STEP as f32 - 0.5;
+    let low = at.floor().clamp(0.0, (curve.len() - 2) as f32);
+    let share = (at - low).clamp(0.0, 1.0);
+    let low = low as usize;
+    curve[low] + share * (curve[low + 1] - curve[low])
+}
