@@ -74,6 +74,9 @@ pub fn body(mesh: &Mesh, ground: f64) -> Option<Body> {
     Some(body)
 }
 
+/// Legs are at least so long, as a share of stature: less is a body that is cut off.
+const LEGS: f64 = 0.25;
+
 /// Two rings of like size, the largest, are legs; the crotch is where they become one.
 fn crotch(body: &Body) -> Option<f64> {
     let legs = |s: &Slice| s.rings.len() >= 2 && s.rings[1].area > 0.4 * s.rings[0].area;
@@ -95,7 +98,7 @@ fn crotch(body: &Body) -> Option<f64> {
         }
         top = z;
     }
-    Some(top)
+    (top >= body.ground + LEGS * body.stature).then_some(top)
 }
 
 /// The narrowest ring between head and shoulders: from the crown down, the least after the head's

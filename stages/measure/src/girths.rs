@@ -56,7 +56,7 @@ const EVEN: f64 = 0.25;
 
 impl Stage for Measure {
     const NAME: &'static str = "measure.girths";
-    const VERSION: u32 = 7;
+    const VERSION: u32 = 8;
     const ABOUT: &'static str = "Measures girths at landmarks: along the skin, as a tape, and as the paper's closed spline (eq. 8).";
     type Params = GirthParams;
     type Input = GirthInput;
@@ -125,7 +125,9 @@ impl Stage for Measure {
             ));
         }
         if !p.points.is_empty() {
-            girths.girths.push(picked(mesh, &p.points)?);
+            let mut girth = picked(mesh, &p.points)?;
+            sure.widen(&mut girth);
+            girths.girths.push(girth);
         }
         if let Some(waist) = girths.get("WC")
             && waist.contour_mm > WAIST_FOLDS * waist.tape_mm
@@ -157,6 +159,24 @@ struct Sure<'a> {
     cameras: Option<&'a Cameras>,
 }
 
+impl Sure<'_> {
+    /// The surface along its normal around a place, where no silhouette tells its girth. \[mm\]
+    fn unseen(&self, at: Point3<f64>) -> f64 {
+        let by_cameras = self.cameras.and_then(|c| surface_by_cameras(c, at));
+        let surface = self.surface_mm.hypot(by_cameras.unwrap_or(0.0));
+        surface.hypot(self.off_mm)
+    }
+
+    /// Adds to an interval what surface and scale leave open.
+    fn widen(&self, girth: &mut Girth) {
+        let own = (girth.interval_mm[1] - girth.tape_mm) / NINE_IN_TEN;
+        let scale = self.cameras.map_or(0.0, |c| c.scale_sigma) * girth.tape_mm;
+        let surface = TAU * self.unseen(Point3::from(girth.plane.point_mm));
+        let reach = NINE_IN_TEN * own.hypot(surface).hypot(scale);
+        girth.interval_mm = [girth.tape_mm - reach, girth.tape_mm + reach];
+    }
+}
+
 fn girth(
     sure: &Sure<'_>,
     landmark: &Landmark,
@@ -165,12 +185,13 @@ fn girth(
     level: f64,
 ) -> Girth {
     let at = Point3::from(landmark.plane.point_mm);
-    let by_cameras = sure.cameras.and_then(|c| surface_by_cameras(c, at));
-    let surface = sure.surface_mm.hypot(by_cameras.unwrap_or(0.0));
     // Where silhouettes say nothing of this girth, what they say of others widens it.
     let surface = match support {
-        Some(_) => surface,
-        None => surface.hypot(sure.off_mm),
+        Some(_) => {
+            let by_cameras = sure.cameras.and_then(|c| surface_by_cameras(c, at));
+            sure.surface_mm.hypot(by_cameras.unwrap_or(0.0))
+        }
+        None => sure.unseen(at),
     };
     let outline = support.as_ref().map(|s| {
         let shared = sure.cameras.map_or(0.0, |c| shared_border(c, at));

@@ -58,7 +58,7 @@ pub struct FindLandmarks;
 
 impl Stage for FindLandmarks {
     const NAME: &'static str = "measure.landmarks";
-    const VERSION: u32 = 6;
+    const VERSION: u32 = 7;
     const ABOUT: &'static str = "Finds neck, chest, waist, hip, arms and legs from marks on the outline: buttocks, hollow of the back, bust, shoulders, ears.";
     type Params = LandmarkParams;
     type Input = LandmarkInput;
@@ -139,6 +139,10 @@ fn trunk(p: &LandmarkParams, body: &Body, marks: Option<&Marks>, found: &mut Lan
         let text =
             "hip: horizontal, at the greatest prominence of the buttocks (ISO 8559-1 5.3.13)";
         add("HC", "hip", z, text);
+        if let Some(z) = longest(body, z) {
+            let text = "hip, greatest: horizontal, the longest tape near the hip's level";
+            add("HC_max", "hip, greatest", z, text);
+        }
     }
     if let Some(m) = marks {
         let (z, text) = waist(p.waist, body, m);
@@ -147,21 +151,26 @@ fn trunk(p: &LandmarkParams, body: &Body, marks: Option<&Marks>, found: &mut Lan
         let text = "chest: horizontal at the nipples' height, trunk only (ISO 8559-1 5.3.4)";
         add("CC", "chest", z, text);
     }
-    let why = match (body.crotch, body.neck) {
-        (None, _) => {
-            "no two legs were found, and levels are told from where they join: does a coat or a skirt hide them?"
-        }
-        (_, None) => {
-            "no neck was found between head and shoulders, and levels are told from it: does hair or a collar hide it?"
-        }
-        _ => "trunk and legs are not those of an upright body",
-    };
+    let why = unlike(body);
     if lowest.is_none() {
         found.missing.push(missing("HC", why));
     }
     if marks.is_none() {
         found.missing.push(missing("WC", why));
         found.missing.push(missing("CC", why));
+    }
+}
+
+/// What is missing of an upright body.
+fn unlike(body: &Body) -> &'static str {
+    match (body.crotch, body.neck) {
+        (None, _) => {
+            "no two legs were found, and levels are told from where they join: is the body cut off, or does a coat or a skirt hide them?"
+        }
+        (_, None) => {
+            "no neck was found between head and shoulders, and levels are told from it: does hair or a collar hide it?"
+        }
+        _ => "trunk and legs are not those of an upright body",
     }
 }
 
@@ -193,7 +202,9 @@ fn waist(which: Waist, body: &Body, m: &Marks) -> (f64, &'static str) {
 
 /// The neck, across its axis.
 fn across_neck(p: &LandmarkParams, mesh: &Mesh, body: &Body, found: &mut Landmarks) {
-    let plane = neck::throat(mesh, body).and_then(|throat| {
+    // A body that is cut off has no stature, and levels are shares of it.
+    let whole = body.crotch.and_then(|_| neck::throat(mesh, body));
+    let plane = whole.and_then(|throat| {
         let told = levels::neck_lean(&throat, body.stature);
         let lean = told.clamp(0.0, 0.8) + p.neck_lean_deg.to_radians();
         throat.leaning(mesh, body, levels::neck(&throat, body.stature), lean)
@@ -205,6 +216,7 @@ fn across_neck(p: &LandmarkParams, mesh: &Mesh, body: &Body, found: &mut Landmar
                 .found
                 .push(landmark("NC", "neck", text, plane, Part::Head));
         }
+        None if body.crotch.is_none() => found.missing.push(missing("NC", unlike(body))),
         None => found.missing.push(missing(
             "NC",
             "no neck was found between head and shoulders: does hair or a collar hide it?",
@@ -221,12 +233,25 @@ fn arms(mesh: &Mesh, body: &Body, marks: Option<&Marks>, found: &mut Landmarks) 
         let text = "upper arm: across the arm, amid shoulder and elbow (ISO 8559-1 5.3.16)";
         match marks.and_then(|m| upper_arm(mesh, body, side, m)) {
             Some(plane) => found.found.push(landmark(name, label, text, plane, part)),
+            None if marks.is_none() => found.missing.push(missing(name, unlike(body))),
             None => found.missing.push(missing(
                 name,
                 "this arm does not stand clear of the trunk on the surface: hold it farther away",
             )),
         }
     }
+}
+
+/// How far from the hip's level the greatest girth of the hips is looked for, as a share of stature.
+const NEAR_HIP: f64 = 0.03;
+
+/// The height near the hip's at which the tape around the trunk is longest.
+fn longest(body: &Body, hip: f64) -> Option<f64> {
+    let low = body.crotch?.max(hip - NEAR_HIP * body.stature);
+    body.between(low, hip + NEAR_HIP * body.stature)
+        .filter_map(|s| Some((s.z, s.rings.first()?.tape)))
+        .max_by(|a, b| a.1.total_cmp(&b.1))
+        .map(|(z, _)| z)
 }
 
 /// The height of a true minimum of the trunk's tape between hip and bust.

@@ -1,5 +1,7 @@
 //! The paper's girth from points picked by hand (§III-E): plane, more points (eq. 8), spline.
 
+use crate::body::nearest_ring;
+use crate::interval::NINE_IN_TEN;
 use crate::section::{flat, length, tape};
 use crate::slices::rings;
 use crate::spline::{fitted_plane, grown, paper_girth};
@@ -25,8 +27,11 @@ pub enum BadPoints {
     NoSection,
 }
 
+/// How far from where it was meant a hand picks, along the limb: one standard deviation. \[mm\]
+const HAND_MM: f64 = 3.0;
+
 /// The girth through points picked around a limb or the trunk, by the paper's procedure. Its
-/// interval is its own length only: a hand's choice has no known scatter.
+/// interval tells of the hand alone: how the tape changes where it is taken a little beside.
 pub fn picked(mesh: &Mesh, points: &[Vec<f64>]) -> Result<Girth, BadPoints> {
     let points: Vec<Point3<f64>> = points
         .iter()
@@ -69,6 +74,17 @@ pub fn picked(mesh: &Mesh, points: &[Vec<f64>]) -> Result<Girth, BadPoints> {
         normal: up.into(),
     };
     let tape_mm = tape(&flat);
+    let beside = |by: f64| {
+        let point = ring.centre + up * by;
+        let moved = shape::Plane {
+            point_mm: point.into(),
+            ..plane
+        };
+        Some(nearest_ring(mesh, &moved)?.tape - tape_mm)
+    };
+    let changes: Vec<f64> = [-HAND_MM, HAND_MM].into_iter().filter_map(beside).collect();
+    let square = changes.iter().map(|c| c * c).sum::<f64>() / changes.len().max(1) as f64;
+    let reach = NINE_IN_TEN * square.sqrt();
     Ok(Girth {
         name: "PICKED".into(),
         label: "through picked points".into(),
@@ -79,7 +95,7 @@ pub fn picked(mesh: &Mesh, points: &[Vec<f64>]) -> Result<Girth, BadPoints> {
         tape_mm,
         spline_mm,
         silhouette_mm: None,
-        interval_mm: [tape_mm, tape_mm],
+        interval_mm: [tape_mm - reach, tape_mm + reach],
         plane,
         contour: ring
             .curve

@@ -1,7 +1,7 @@
 //! Landmarks and girths of whole bodies given by formula: what is measured is the part alone, or
 //! nothing.
 
-use measure::{FindLandmarks, GirthInput, LandmarkInput, Measure};
+use measure::{FindLandmarks, GirthInput, GirthParams, LandmarkInput, Measure};
 use nalgebra::{Rotation3, Vector3};
 use shape::{Girths, Landmarks, Mesh, Solid, SolidPart};
 use stage::{Ctx, Stage};
@@ -64,7 +64,8 @@ fn formula(solid: &Solid, girths: &Girths, name: &str) -> f64 {
 #[test]
 fn every_girth_of_a_standing_body_is_found_and_is_its_formulas_at_that_plane() {
     let solid = built(1750.0, 1.0, 32.0);
-    let (landmarks, girths) = measured(mesh(&solid, 8.0));
+    let cut = mesh(&solid, 8.0);
+    let (landmarks, girths) = measured(cut.clone());
     assert_eq!(landmarks.missing, vec![]);
     for name in ["WC", "HC", "NC", "AC_L", "AC_R", "TC_L", "CFC_R"] {
         let girth = girths.get(name).unwrap();
@@ -82,6 +83,31 @@ fn every_girth_of_a_standing_body_is_found_and_is_its_formulas_at_that_plane() {
     }
     let of = |name: &str| girths.get(name).unwrap().plane.point_mm[2];
     assert!(of("HC") < of("WC") && of("WC") < of("CC") && of("CC") < of("NC"));
+    let hips = ["HC", "HC_max"].map(|name| girths.get(name).unwrap().tape_mm);
+    assert!(
+        hips[1] >= 0.999 * hips[0] && hips[1] < 1.1 * hips[0],
+        "{hips:?}"
+    );
+
+    // The waist again, through eight points picked on it.
+    let waist = girths.get("WC").unwrap();
+    let some = waist.contour.iter().step_by(waist.contour.len() / 8);
+    let params = GirthParams {
+        points: some.map(|p| p.map(f64::from).to_vec()).collect(),
+        ..Default::default()
+    };
+    let input = GirthInput {
+        mesh: Arc::new(cut),
+        landmarks: Arc::new(Landmarks::default()),
+        cameras: None,
+        photos: None,
+        masks: None,
+    };
+    let girths = Measure::run(&params, input, &Ctx::alone()).unwrap();
+    let picked = girths.get("PICKED").unwrap();
+    assert!((picked.tape_mm / waist.tape_mm - 1.0).abs() < 0.003);
+    let [low, high] = picked.interval_mm;
+    assert!(high - low > 5.0 && low < waist.tape_mm && waist.tape_mm < high);
 }
 
 #[test]
@@ -138,5 +164,32 @@ fn what_is_no_body_gives_reasons_and_no_girths() {
     for name in ["WC", "HC", "CC", "NC", "AC_L", "AC_R"] {
         let missing = landmarks.missing.iter().find(|m| m.name == name);
         assert!(missing.is_some_and(|m| m.why.len() > 20), "{name}");
+    }
+}
+
+#[test]
+fn a_body_cut_off_at_the_thighs_or_the_waist_gives_reasons_and_no_numbers() {
+    let whole = mesh(&built(1750.0, 1.0, 30.0), 10.0);
+    for cut in [600.0, 1000.0] {
+        let mut rest = whole.clone();
+        rest.faces
+            .retain(|f| f.iter().all(|v| whole.point(*v).z > cut));
+        rest.positions.iter_mut().for_each(|p| p[2] -= cut as f32);
+        // What no face uses goes to the ground's middle.
+        for p in rest.positions.iter_mut().filter(|p| p[2] <= 0.0) {
+            *p = [0.0; 3];
+        }
+        let (landmarks, girths) = measured(rest);
+        for name in ["WC", "HC", "CC", "NC", "AC_L", "AC_R", "TC_L"] {
+            assert!(girths.get(name).is_none(), "{name} of a body cut at {cut}");
+        }
+        for name in ["WC", "HC", "CC", "NC", "AC_L", "AC_R"] {
+            let missing = landmarks.missing.iter().find(|m| m.name == name);
+            let why = &missing.unwrap().why;
+            assert!(
+                why.contains("cut off"),
+                "{name} of a body cut at {cut}: {why}"
+            );
+        }
     }
 }
