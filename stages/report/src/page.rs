@@ -29,11 +29,12 @@ pub(crate) struct Content<'a> {
     pub(crate) without_photos: bool,
 }
 
-const SCRIPT: [&str; 5] = [
+const SCRIPT: [&str; 6] = [
     include_str!("viewer/unpack.js"),
     include_str!("viewer/draw.js"),
     include_str!("viewer/look.js"),
     include_str!("viewer/hands.js"),
+    include_str!("viewer/pick.js"),
     include_str!("viewer/photos.js"),
 ];
 

@@ -93,6 +93,41 @@ fn a_click_marks_a_tape_and_hands_turn_and_zoom_the_body() {
 }
 
 #[test]
+fn clicks_pick_points_on_the_body_for_a_line_to_paste() {
+    let Some(mut tab) = Tab::open(&page(), DESK, false, false) else {
+        return;
+    };
+    let line = "document.getElementById('points').value";
+    tab.click("#view");
+    tab.click("#pick");
+    assert_eq!(tab.value(line), "", "nothing is picked unless asked for");
+    for _ in 0..4 {
+        tab.click("#view");
+        tab.value("document.getElementById('view').focus()");
+        (0..15).for_each(|_| tab.key("ArrowRight"));
+    }
+    tab.drag("#view", [60.0, 0.0]);
+    let text = tab.value(line);
+    let text = text.as_str().unwrap();
+    let points = text.strip_prefix("--set 'girths.points=").unwrap();
+    let points: Vec<[f64; 3]> = serde_json::from_str(points.strip_suffix('\'').unwrap()).unwrap();
+    assert_eq!(points.len(), 4, "a drag turns and picks nothing: {text}");
+    for p in &points {
+        let radius = p[0].hypot(p[1]);
+        assert!((79.0..=80.2).contains(&radius), "on the tube: {p:?}");
+        assert!((p[2] - points[0][2]).abs() < 1.0, "at one height: {text}");
+    }
+    let apart = (points[0][0] - points[2][0]).hypot(points[0][1] - points[2][1]);
+    assert!(apart > 60.0, "from different sides: {text}");
+    tab.click("#unpick");
+    let told = "document.getElementById('picked').textContent";
+    assert_eq!(tab.value(told), "3 points");
+    tab.click("#unpick");
+    assert_eq!(tab.value(told), "2 of at least 3 points");
+    assert_eq!(tab.value(line), "");
+}
+
+#[test]
 fn without_webgl_the_rest_of_the_page_works() {
     let Some(mut tab) = Tab::open(&page().replace("webgl2", "webgl9"), DESK, false, false) else {
         return;

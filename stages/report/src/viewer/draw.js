@@ -9,6 +9,8 @@ const middle = [0, 1, 2].map((k) => (bounds.lo[k] + bounds.hi[k]) / 2);
 const half = [0, 1, 2].map((k) => Math.max(1, (bounds.hi[k] - bounds.lo[k]) / 2));
 const around = Math.hypot(half[0], half[1]), size = 2 * Math.max(...half);
 let draw = () => {};
+// From where the view was drawn last: rows of its turn, distance, focal length, width over height.
+let seen = null;
 // Without WebGL 2, or when a phone takes it away, the rest of the page still works.
 const no3d = () => { element("no3d").hidden = false; canvas.hidden = true; draw = () => {}; };
 canvas.addEventListener("webglcontextlost", no3d);
@@ -75,6 +77,19 @@ const prepare = () => {
     return { name: t.name, vao, count: 2 * n + 2 };
   });
   const multiply = (a, b) => { const o = new Float32Array(16); for (let c = 0; c < 4; c++) for (let r = 0; r < 4; r++) for (let k = 0; k < 4; k++) o[c * 4 + r] += a[k * 4 + r] * b[c * 4 + k]; return o; };
+  // Picked points are small octahedra, drawn over the body.
+  const dots = { vao: gl.createVertexArray(), buffer: gl.createBuffer(), of: null, count: 0 };
+  gl.bindVertexArray(dots.vao); gl.bindBuffer(gl.ARRAY_BUFFER, dots.buffer); gl.enableVertexAttribArray(0); gl.vertexAttribPointer(0, 3, gl.FLOAT, false, 0, 0); gl.vertexAttrib3f(1, 0, 0, 1);
+  const drawDots = () => {
+    if (dots.of !== state.picked) {
+      const at = [], far = 0.006 * size;
+      for (const p of state.picked) for (let i = 0; i < 8; i++) for (let k = 0; k < 3; k++) { const q = [...p]; q[k] += (i >> k & 1 ? 1 : -1) * far; at.push(...q); }
+      gl.bindBuffer(gl.ARRAY_BUFFER, dots.buffer); gl.bufferData(gl.ARRAY_BUFFER, new Float32Array(at), gl.DYNAMIC_DRAW);
+      dots.of = state.picked; dots.count = at.length / 3;
+    }
+    gl.uniform4f(band.uniform.color, 0, 0.45, 1, 1);
+    gl.bindVertexArray(dots.vao); gl.drawArrays(gl.TRIANGLES, 0, dots.count);
+  };
   draw = () => {
     const ratio = Math.min(devicePixelRatio || 1, 2), w = Math.max(1, Math.round(canvas.clientWidth * ratio)), h = Math.max(1, Math.round(canvas.clientHeight * ratio));
     if (canvas.width !== w || canvas.height !== h) { canvas.width = w; canvas.height = h; }
@@ -86,6 +101,7 @@ const prepare = () => {
     const r = [[cy, sy, 0], [-sp * sy, sp * cy, cp], [cp * sy, -cp * cy, sp]];
     // So far away that the body fits into height and width.
     const f = 2.4, d = state.away * (around + 1.06 * f * Math.max(half[2], around * h / w)), near = d * 0.02, far = d + 4 * size;
+    seen = { r, d, f, wide: w / h };
     const move = (row, e) => e - row.reduce((s, x, k) => s + x * middle[k], 0);
     const view = [r[0][0], r[1][0], r[2][0], 0, r[0][1], r[1][1], r[2][1], 0, r[0][2], r[1][2], r[2][2], 0, move(r[0], state.pan[0]), move(r[1], state.pan[1]), move(r[2], -d), 1];
     const lens = [f * h / w, 0, 0, 0, 0, f, 0, 0, 0, 0, (far + near) / (near - far), -1, 0, 0, 2 * far * near / (near - far), 0];
@@ -108,6 +124,7 @@ const prepare = () => {
       }
       gl.disable(gl.BLEND);
     }
+    if (state.picked.length) { use(band); drawDots(); }
     gl.bindVertexArray(null);
   };
 };
