@@ -1,7 +1,7 @@
 //! `tailor score`: results against ground truth.
 
 use super::{Fault, House};
-use crate::score::{paper_tables, score, text};
+use crate::score::{iso_table, paper_tables, score, text};
 use clap::Args;
 use std::path::PathBuf;
 
@@ -35,6 +35,9 @@ pub(crate) fn scoring(args: &Scoring, house: &House) -> Result<(), Fault> {
             .any(|s| s.girths.values().flatten().next().is_some())
         {
             super::out!("\n{}", paper_tables(&scores));
+            if scores.len() > 1 {
+                super::out!("\n{}", iso_table(&scores));
+            }
         }
     }
     let mut bad = Vec::new();

@@ -9,7 +9,7 @@ mod truth;
 pub use girths::GirthScore;
 pub(crate) use girths::iso_mm;
 pub use surface::{Part, Surface};
-pub use table::{paper_tables, text};
+pub use table::{iso_table, paper_tables, text};
 pub use truth::Unreadable;
 
 use align::{Motion, align};

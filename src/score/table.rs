@@ -103,19 +103,65 @@ pub fn paper_tables(scores: &[Score]) -> String {
         String::from("relative error %   ours            paper, Table I   paper, Table II\n");
     for (name, first, second) in PAPER {
         let errors: Vec<f64> = scores.iter().filter_map(|s| error_pct(s, name)).collect();
-        let ours = match errors.as_slice() {
-            [] => "–".into(),
-            [one] => format!("{one:+.2}"),
-            many => {
-                let n = many.len() as f64;
-                let mean = many.iter().sum::<f64>() / n;
-                let spread = many.iter().map(|e| (e - mean).powi(2)).sum::<f64>() / (n - 1.0);
-                format!("{mean:+.2} ± {:.2}", spread.sqrt())
-            }
-        };
+        let ours = spread(&errors);
         let _ = writeln!(text, "{name:<18} {ours:<15} {first:<16} {second}");
     }
     text
+}
+
+/// Tapes over repeated runs: mean ± spread of their error, how often within the limit of ISO
+/// 20685-1, and how often the interval holds the truth.
+pub fn iso_table(scores: &[Score]) -> String {
+    let mut text = String::from(
+        "tape      error %         error mm        ISO 20685-1           interval holds the truth\n",
+    );
+    let names: std::collections::BTreeSet<&String> =
+        scores.iter().flat_map(|s| s.girths.keys()).collect();
+    for name in names {
+        let all: Vec<_> = scores
+            .iter()
+            .filter_map(|s| s.girths.get(name)?.as_ref())
+            .filter(|g| g.tape_error_mm.is_some())
+            .collect();
+        let Some(limit) = all.first().map(|g| g.iso_mm) else {
+            continue;
+        };
+        let of = |value: fn(&crate::score::GirthScore) -> Option<f64>| {
+            spread(&all.iter().filter_map(|g| value(g)).collect::<Vec<_>>())
+        };
+        let count = |holds: fn(&crate::score::GirthScore) -> Option<bool>| {
+            all.iter().filter(|g| holds(g) == Some(true)).count()
+        };
+        let n = all.len();
+        let within = count(|g| g.within_iso());
+        let verdict = match within == n {
+            true => "pass",
+            false => "FAIL",
+        };
+        let _ = writeln!(
+            text,
+            "{name:<9} {:<15} {:<15} {:<21} {} of {n}",
+            of(|g| g.tape_error_pct),
+            of(|g| g.tape_error_mm),
+            format!("{verdict}: {within} of {n} in {limit} mm"),
+            count(|g| g.interval_holds),
+        );
+    }
+    text
+}
+
+/// Mean ± spread of repeated errors; one alone is itself.
+fn spread(errors: &[f64]) -> String {
+    match errors {
+        [] => "–".into(),
+        [one] => format!("{one:+.2}"),
+        many => {
+            let n = many.len() as f64;
+            let mean = many.iter().sum::<f64>() / n;
+            let square = many.iter().map(|e| (e - mean).powi(2)).sum::<f64>() / (n - 1.0);
+            format!("{mean:+.2} ± {:.2}", square.sqrt())
+        }
+    }
 }
 
 /// The relative error of a girth's contour, or of the ratio of waist to hip.
@@ -126,4 +172,51 @@ fn error_pct(score: &Score, name: &str) -> Option<f64> {
         return Some((w.cm? / h.cm? / (w.truth_cm / h.truth_cm) - 1.0) * 100.0);
     }
     girth(name)?.error_pct
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::score::GirthScore;
+
+    fn run(tape_mm: f64, cm: f64) -> Score {
+        let girth = GirthScore {
+            truth_cm: 100.0,
+            cm: Some(cm),
+            error_pct: Some(cm - 100.0),
+            tape_error_pct: Some(tape_mm / 10.0),
+            tape_error_mm: Some(tape_mm),
+            interval_holds: Some(tape_mm.abs() < 8.0),
+            iso_mm: 9.0,
+        };
+        Score {
+            cameras: None,
+            masks: None,
+            mesh: None,
+            girths: [("WC".to_owned(), Some(girth)), ("NC".to_owned(), None)].into(),
+        }
+    }
+
+    #[test]
+    fn repeated_runs_give_mean_and_spread_beside_the_papers() {
+        let runs = [run(1.0, 101.0), run(-3.0, 99.0), run(11.0, 103.0)];
+        let table = paper_tables(&runs);
+        let waist = table.lines().find(|l| l.starts_with("WC")).unwrap();
+        assert!(
+            waist.contains("+1.00 ± 2.00") && waist.contains("+3.17 ± 2.95"),
+            "{waist}"
+        );
+        let neck = table.lines().find(|l| l.starts_with("NC")).unwrap();
+        assert!(
+            neck.contains('–') && neck.contains("+1.17 ± 4.75"),
+            "{neck}"
+        );
+        let table = iso_table(&runs);
+        let waist = table.lines().find(|l| l.starts_with("WC")).unwrap();
+        assert!(waist.contains("+3.00 ± 7.21"), "{waist}");
+        assert!(waist.contains("FAIL: 2 of 3 in 9 mm"), "{waist}");
+        assert!(waist.ends_with("2 of 3"), "{waist}");
+        assert!(!table.contains("NC"), "what no run measured has no row");
+        assert!(iso_table(&runs[..1]).contains("pass: 1 of 1"));
+    }
 }
