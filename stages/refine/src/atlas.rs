@@ -1,24 +1,25 @@
 //! Charts of one photo each, packed onto one picture.
 
-use crate::labels::{NOWHERE, neighbours};
-use shape::Mesh;
+use crate::labels::neighbours;
+use nalgebra::{Point2, Point3, Vector3};
+use shape::{Camera, Mesh, PhotoId};
 
 /// Faces that lie side by side and take their colours from one photo.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Chart {
-    /// The photo; [`NOWHERE`] for faces that none shows.
+    /// The photo; [`NOWHERE`](crate::labels::NOWHERE) for faces that none shows.
     pub photo: u16,
     /// The faces, ascending.
     pub faces: Vec<u32>,
 }
 
-/// Groups faces into charts, in the order of their least face. All that no photo shows is one.
+/// Groups faces into charts, in the order of their least face.
 pub fn charts(mesh: &Mesh, labels: &[u16]) -> Vec<Chart> {
     let beside = neighbours(mesh);
     let mut taken = vec![false; labels.len()];
     let mut charts = Vec::new();
     for first in 0..labels.len() {
-        if taken[first] || labels[first] == NOWHERE {
+        if taken[first] {
             continue;
         }
         let (mut faces, mut at) = (vec![first as u32], 0);
@@ -38,16 +39,51 @@ pub fn charts(mesh: &Mesh, labels: &[u16]) -> Vec<Chart> {
             faces,
         });
     }
-    let rest: Vec<u32> = (0..labels.len() as u32)
-        .filter(|f| labels[*f as usize] == NOWHERE)
-        .collect();
-    if !rest.is_empty() {
-        charts.push(Chart {
-            photo: NOWHERE,
-            faces: rest,
-        });
-    }
     charts
+}
+
+/// What a chart is flattened onto.
+pub enum Sheet<'a> {
+    /// Its photo; in pixels of it.
+    Photo(&'a Camera),
+    /// For what no photo shows: the plane across its mean normal, by two axes; in millimetres.
+    Plane([Vector3<f64>; 2]),
+}
+
+impl<'a> Sheet<'a> {
+    /// Of a chart whose photo is one of `views`.
+    pub fn new(mesh: &Mesh, chart: &Chart, views: &'a [(PhotoId, Camera)]) -> Self {
+        if let Some((_, camera)) = views.get(usize::from(chart.photo)) {
+            return Sheet::Photo(camera);
+        }
+        let areas = chart.faces.iter().map(|f| mesh.area_vector(*f as usize));
+        let normal = areas.sum::<Vector3<f64>>();
+        let normal = normal.try_normalize(0.0).unwrap_or_else(Vector3::z);
+        let aside = if normal.x.abs() < 0.7 {
+            Vector3::x()
+        } else {
+            Vector3::y()
+        };
+        let across = normal.cross(&aside).normalize();
+        Sheet::Plane([across, normal.cross(&across)])
+    }
+
+    /// Where a point lies on it.
+    pub fn at(&self, x: &Point3<f64>) -> Point2<f64> {
+        match self {
+            Sheet::Photo(camera) => camera.project(x).unwrap_or_default(),
+            Sheet::Plane(axes) => Point2::from(axes.map(|a| a.dot(&x.coords))),
+        }
+    }
+
+    /// The box around a chart: least and greatest coordinates.
+    pub fn bounds(&self, mesh: &Mesh, chart: &Chart) -> [Point2<f64>; 2] {
+        let corners = chart.faces.iter().flat_map(|f| mesh.triangle(*f as usize));
+        let start = [f64::MAX, f64::MIN].map(|x| Point2::new(x, x));
+        corners
+            .map(|x| self.at(&x))
+            .fold(start, |[lo, hi], q| [lo.inf(&q), hi.sup(&q)])
+    }
 }
 
 /// Where boxes of these sizes lie on a square, side by side on shelves, and by what they were
@@ -80,6 +116,7 @@ pub fn packed(sizes: &[[f64; 2]], side: usize, margin: usize) -> (Vec<[usize; 2]
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::labels::NOWHERE;
 
     #[test]
     fn boxes_lie_apart_and_within_the_square() {
@@ -125,5 +162,28 @@ mod tests {
                 .iter()
                 .all(|c| c.faces.iter().all(|f| labels[*f as usize] == c.photo))
         );
+    }
+
+    #[test]
+    fn what_no_photo_shows_is_laid_flat() {
+        let mesh = crate::solids::sphere(10.0, 4);
+        let below = |f: usize| mesh.triangle(f).iter().all(|x| x.z < -9.0);
+        let labels: Vec<u16> = (0..mesh.faces.len())
+            .map(|f| if below(f) { NOWHERE } else { 0 })
+            .collect();
+        let charts = charts(&mesh, &labels);
+        let sole = charts.iter().find(|c| c.photo == NOWHERE).unwrap();
+        assert!(sole.faces.len() > 20);
+        let sheet = Sheet::new(&mesh, sole, &[]);
+        let flat = |f: u32| mesh.triangle(f as usize).map(|x| sheet.at(&x));
+        for f in &sole.faces {
+            let [a, b, c] = flat(*f);
+            let area = 0.5 * ((b - a).perp(&(c - a))).abs();
+            let whole = 0.5 * mesh.area_vector(*f as usize).norm();
+            assert!(area > 0.8 * whole, "{area} of {whole}");
+        }
+        let [lo, hi] = sheet.bounds(&mesh, sole);
+        proof::near(hi.x - lo.x, 8.7, 0.8);
+        proof::near(hi.y - lo.y, 8.7, 0.8);
     }
 }

@@ -1,6 +1,6 @@
 //! The stage that paints the surface from the photos (paper, Fig. 4 d, g, h).
 
-use crate::atlas::{Chart, charts, packed};
+use crate::atlas::{Sheet, charts, packed};
 use crate::labels::{NOWHERE, labels};
 use crate::picture::Picture;
 use crate::scene::{check, pictures};
@@ -46,7 +46,7 @@ const MARGIN: usize = 2;
 
 impl Stage for Texture {
     const NAME: &'static str = "refine.texture";
-    const VERSION: u32 = 2;
+    const VERSION: u32 = 3;
     const ABOUT: &'static str = "Paints each face from the photo that shows it best, brightness evened out where photos meet.";
     type Params = TextureParams;
     type Input = TextureInput;
@@ -72,8 +72,15 @@ impl Stage for Texture {
         let labels = labels(&mesh, &small, p.rounds as usize);
         let charts = charts(&mesh, &labels);
         let (own, mean) = vertex_colours(&mesh, &labels, &input.photos, &views, &small)?;
-        let boxes: Vec<[Point2<f64>; 2]> =
-            charts.iter().map(|c| bounds(&mesh, c, &views)).collect();
+        let sheets: Vec<Sheet<'_>> = charts
+            .iter()
+            .map(|c| Sheet::new(&mesh, c, &views))
+            .collect();
+        let boxes: Vec<[Point2<f64>; 2]> = charts
+            .iter()
+            .zip(&sheets)
+            .map(|(c, sheet)| sheet.bounds(&mesh, c))
+            .collect();
         let sizes: Vec<[f64; 2]> = boxes
             .iter()
             .map(|[lo, hi]| [hi.x - lo.x, hi.y - lo.y])
@@ -83,13 +90,8 @@ impl Stage for Texture {
         let mut atlas = Rgb::filled(side, side, [128; 3]);
         let mut corners = vec![[[0.0f32; 2]; 3]; mesh.faces.len()];
         let steps = ctx.steps("photos", views.len() + 1);
-        for (k, (id, camera)) in views
-            .iter()
-            .map(Some)
-            .chain([None])
-            .enumerate()
-            .map(|(k, v)| (k, v.copied().unzip()))
-        {
+        let ids = views.iter().map(|(id, _)| Some(*id)).chain([None]);
+        for (k, id) in ids.enumerate() {
             let photo = match id {
                 Some(id) => Some(
                     input
@@ -104,11 +106,7 @@ impl Stage for Texture {
             for (c, chart) in charts.iter().enumerate().filter(|(_, c)| c.photo == label) {
                 for f in &chart.faces {
                     let face = mesh.faces[*f as usize];
-                    let at_px = face.map(|v| {
-                        camera
-                            .and_then(|c: Camera| c.project(&mesh.point(v)))
-                            .unwrap_or_default()
-                    });
+                    let at_px = face.map(|v| sheets[c].at(&mesh.point(v)));
                     let lo = boxes[c][0];
                     let on = at_px.map(|q| {
                         [
@@ -125,7 +123,7 @@ impl Stage for Texture {
                             Vector3::zeros()
                         }
                     });
-                    let flat = mean[face[0] as usize];
+                    let flat = face.map(|v| mean[v as usize]);
                     paint(&mut atlas, on, |weights| match &photo {
                         Some(photo) => {
                             let q = at_px[0].coords * weights[0]
@@ -136,7 +134,7 @@ impl Stage for Texture {
                                 + shift[1] * weights[1]
                                 + shift[2] * weights[2]
                         }
-                        None => flat,
+                        None => flat[0] * weights[0] + flat[1] * weights[1] + flat[2] * weights[2],
                     });
                 }
             }
@@ -152,23 +150,6 @@ impl Stage for Texture {
             atlas,
         })
     }
-}
-
-/// The box around a chart on its photo. \[px\]
-fn bounds(mesh: &Mesh, chart: &Chart, views: &[(PhotoId, Camera)]) -> [Point2<f64>; 2] {
-    let Some((_, camera)) = views.get(chart.photo as usize) else {
-        return [Point2::origin(), Point2::new(3.0, 3.0)];
-    };
-    let seen = chart
-        .faces
-        .iter()
-        .flat_map(|f| mesh.faces[*f as usize])
-        .filter_map(|v| camera.project(&mesh.point(v)));
-    let start = [
-        Point2::new(f64::MAX, f64::MAX),
-        Point2::new(f64::MIN, f64::MIN),
-    ];
-    seen.fold(start, |[lo, hi], q| [lo.inf(&q), hi.sup(&q)])
 }
 
 /// The colour of each face's corners on the face's own photo, and the mean over all photos of faces
