@@ -39,8 +39,8 @@ pub const RAW: &str = "tailor";
 /// The formats of a kind, the usual one first.
 pub fn formats(kind: &str) -> &'static [&'static str] {
     match kind {
-        "mesh" => &["ply", "glb", "obj"],
-        "textured" => &["glb", "ply", "obj"],
+        "mesh" => &["ply", "glb", "obj", "views"],
+        "textured" => &["glb", "ply", "obj", "views"],
         "cameras" => &["json", "colmap", "svg"],
         "masks" => &["png", "sheet"],
         "girths" => &["json", "csv", "schema"],
@@ -100,6 +100,8 @@ pub fn files(
         ("mesh", "ply") => one(mesh_to_ply(&*take!(Mesh))),
         ("mesh", "glb") => one(shape::mesh_to_glb(&*take!(Mesh))),
         ("mesh", "obj") => Ok(shape::mesh_to_obj(&*take!(Mesh))),
+        ("mesh", "views") => one(views(&*take!(Mesh))),
+        ("textured", "views") => one(views(&take!(Textured).mesh)),
         ("textured", "ply") => one(mesh_to_ply(&take!(Textured).mesh)),
         ("textured", "glb") => one(shape::textured_to_glb(&*take!(Textured))),
         ("textured", "obj") => Ok(shape::textured_to_obj(&*take!(Textured))),
@@ -137,6 +139,11 @@ pub fn files(
         }
         _ => Err(wrong()),
     }
+}
+
+/// A surface from four sides, as JPEG.
+fn views(mesh: &Mesh) -> Vec<u8> {
+    shape::rgb_to_jpeg(&shape::mesh_to_views(mesh), 90)
 }
 
 /// Fields of offsets by photo: the nodes' distance and, row by row, their offsets. \[px\]

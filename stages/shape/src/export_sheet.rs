@@ -1,23 +1,42 @@
 //! All masks of a turn on one picture: at a glance a person sees which one went wrong, and where.
 
+use crate::lettering::{text_size, write_on};
+use crate::odd_masks::odd;
 use crate::{Mask, Masks, PhotoError, Photos, Rgb};
 
 /// Width of a photo on the sheet. \[px\]
 const TILE: usize = 320;
 /// Photos side by side.
 const ACROSS: usize = 6;
+/// Pixels along the side of a letter's dot.
+const DOT: usize = 3;
+/// Width of the frame around a photo with something odd. \[px\]
+const FRAME: usize = 5;
+/// What is odd. \[sRGB\]
+const ODD: [u8; 3] = [255, 70, 70];
 /// The mask's border. \[sRGB\]
 const LINE: [u8; 3] = [255, 64, 32];
 
 /// The photos in turning order, six a row, 320 px wide each: what the mask leaves out is darkened,
-/// its border drawn. A photo without a mask is all dark.
+/// its border drawn. A photo without a mask is all dark. Each bears its name; where a mask is odd
+/// ([`odd`]) it is framed, and says so.
 ///
 /// # Errors
 /// A photo that cannot be decoded.
 pub fn masks_to_sheet(masks: &Masks, photos: &Photos) -> Result<Rgb, PhotoError> {
     let mut tiles = Vec::new();
-    for (id, photo) in photos.iter() {
-        tiles.push(mask_on_photo(&photo.decode()?, masks.views.get(id), TILE));
+    let all: Vec<Option<&Mask>> = photos.iter().map(|(id, _)| masks.views.get(id)).collect();
+    for (((_, photo), mask), odd) in photos.iter().zip(&all).zip(odd(&all)) {
+        let mut tile = mask_on_photo(&photo.decode()?, *mask, TILE);
+        if !odd.is_empty() {
+            framed(&mut tile);
+        }
+        write_on(&mut tile, (0, 0), DOT, [255; 3], &photo.name);
+        for (line, what) in odd.iter().enumerate() {
+            let top = (line + 1) * text_size("", DOT).1;
+            write_on(&mut tile, (0, top), DOT, ODD, what);
+        }
+        tiles.push(tile);
     }
     let tall = tiles.iter().map(|t| t.height).max().unwrap_or(1);
     let rows = tiles.len().div_ceil(ACROSS).max(1);
@@ -30,6 +49,16 @@ pub fn masks_to_sheet(masks: &Masks, photos: &Photos) -> Result<Rgb, PhotoError>
         }
     }
     Ok(sheet)
+}
+
+fn framed(tile: &mut Rgb) {
+    let (w, h) = (tile.width, tile.height);
+    for (i, pixel) in tile.data.iter_mut().enumerate() {
+        let (x, y) = (i % w, i / w);
+        if x.min(w - 1 - x).min(y).min(h - 1 - y) < FRAME {
+            *pixel = ODD;
+        }
+    }
 }
 
 /// A photo, so many pixels wide: what the mask leaves out is darkened, its border drawn.
@@ -90,9 +119,13 @@ mod tests {
         };
         let sheet = masks_to_sheet(&masks, &photos).unwrap();
         assert_eq!((sheet.width, sheet.height), (6 * 320, 2 * 160));
-        assert_eq!(sheet.at(10, 10), [30, 40, 50], "a photo without a mask");
-        assert_eq!(sheet.at(10, 160 + 10), [90, 120, 150], "body");
-        assert_eq!(sheet.at(10, 160 + 79), LINE);
-        assert_eq!(sheet.at(10, 160 + 140), [30, 40, 50], "background");
+        assert_eq!(sheet.at(90, 90), [30, 40, 50], "a photo without a mask");
+        assert_eq!(sheet.at(1, 90), ODD, "framed");
+        assert_eq!(sheet.at(290, 160 + 60), [90, 120, 150], "body");
+        assert_eq!(sheet.at(290, 160 + 79), LINE);
+        assert_eq!(sheet.at(290, 160 + 140), [30, 40, 50], "background");
+        // Names stand in the corner.
+        let lit = (0..20 * 20).filter(|i| sheet.at(i % 20, i / 20) == [255; 3]);
+        assert!(lit.count() > 20);
     }
 }
