@@ -1,5 +1,6 @@
 //! The scene without the subject, for the stage that cuts: a plate, or what all photos say.
 
+use crate::boxed::Rectangle;
 use crate::grabcut::{CutError, GrabCutParams};
 use crate::means::Means;
 use crate::segment::{Settings, reduced};
@@ -66,10 +67,15 @@ pub(crate) fn empty_scene<E: From<CutError> + From<PhotoError> + Send>(
     if stands < STANDS {
         return Err(CutError::Moves(stands).into());
     }
-    let cuts = without_plate(&shots, cameras, settings, p.disk_side_mm);
-    let (width, height) = known
+    let first = known
         .first()
-        .map_or((0, 0), |(_, photo, _)| (photo.width, photo.height));
+        .map(|(_, photo, _)| (photo.width, photo.height));
+    let (wide, tall) = first.unwrap_or((0, 0));
+    let rectangle = Rectangle::read(&p.box_px, wide, tall).map_err(CutError::from)?;
+    let factor = shots.first().map_or(1, |s| wide as usize / s.small.width);
+    let within = rectangle.map(|r| (r, factor));
+    let cuts = without_plate(&shots, cameras, settings, p.disk_side_mm, within);
+    let (width, height) = (wide, tall);
     let radius = cameras.disk_radius_mm.unwrap_or(0.0);
     let all: Vec<Camera> = known.iter().map(|k| k.2).collect();
     let mut means = Means::new(

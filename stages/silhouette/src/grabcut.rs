@@ -2,6 +2,7 @@
 
 use crate::backdrop::Backdrop;
 use crate::background::{expected, plate_turn};
+use crate::boxed::{Rectangle, RectangleError, by_colors};
 use crate::coherence::agreed;
 use crate::empty::{Empty, empty_scene, everything};
 use crate::exposure::{exposure, relit};
@@ -33,6 +34,10 @@ stage::params! {
         disk_side_mm: f64 = 150.0,
         /// Whether what the other photos show decides where one alone is in doubt. Needs cameras.
         coherence: bool = true,
+        /// A rectangle that holds the body on every photo, [left, top, right, bottom]; beyond it
+        /// nothing is body. With it photos are cut by their colours alone where there is neither a
+        /// plate nor anything that stands still. Empty for none.
+        box_px: Vec<f64> = vec![],
     }
 }
 
@@ -51,12 +56,12 @@ stage::inputs! {
 pub enum CutError {
     /// Neither plate nor cameras.
     #[error(
-        "there is no plate, and without cameras the body cannot be told from the room: take one photo of the same scene without the subject and call it plate.jpg, or hand in masks (silhouette.import)"
+        "there is no plate, and without cameras the body cannot be told from the room: take one photo of the same scene without the subject and call it plate.jpg, hand in masks (silhouette.import), or say where the body is (`box_px`)"
     )]
     NoPlate,
     /// No plate, and nothing that stands still.
     #[error(
-        "there is no plate, and only {0:.0} % of the photos' pixels stand still over the turn: did the camera move? take a plate with a fixed camera, or hand in masks (silhouette.import)"
+        "there is no plate, and only {0:.0} % of the photos' pixels stand still over the turn: did the camera move? take a plate with a fixed camera, hand in masks (silhouette.import), or say where the body is (`box_px`)"
     )]
     Moves(f64),
     /// Nothing found.
@@ -69,6 +74,9 @@ pub enum CutError {
         "{0}: nearly all of it differs from the empty scene: was the camera moved, or the light changed, while photos and plate were taken?"
     )]
     Full(String),
+    /// A rectangle that is none.
+    #[error(transparent)]
+    Rectangle(#[from] RectangleError),
 }
 
 /// `silhouette.grabcut`: photos, cameras → masks.
@@ -93,9 +101,20 @@ impl Stage for GrabCut {
             (Some(plate), _) => (Empty::Plate(plate.decode()?), plate.content()),
             (None, Some(cameras)) => {
                 let check = || ctx.check().map_err(Stop::from);
-                let (empty, still) = empty_scene(p, &settings, &input.photos, cameras, check)?;
-                ctx.metric("stands still", still, "%");
-                (empty, everything(&input.photos, cameras))
+                match empty_scene(p, &settings, &input.photos, cameras, check) {
+                    Err(Stop::Failed(why)) if !p.box_px.is_empty() && moves(&*why) => {
+                        ctx.warn(format!("{why}; so photos are cut by colours alone"));
+                        return alone(p, &settings, &input.photos, ctx);
+                    }
+                    Err(stop) => return Err(stop),
+                    Ok((empty, still)) => {
+                        ctx.metric("stands still", still, "%");
+                        (empty, everything(&input.photos, cameras))
+                    }
+                }
+            }
+            (None, None) if !p.box_px.is_empty() => {
+                return alone(p, &settings, &input.photos, ctx);
             }
             (None, None) => return Err(CutError::NoPlate.into()),
         };
@@ -161,6 +180,35 @@ impl Stage for GrabCut {
     }
 }
 
+/// Whether nothing stands still.
+fn moves(why: &(dyn std::error::Error + Send + Sync + 'static)) -> bool {
+    matches!(why.downcast_ref(), Some(CutError::Moves(_)))
+}
+
+/// Each photo by itself, within the user's rectangle, by its colours.
+fn alone(
+    p: &GrabCutParams,
+    settings: &Settings,
+    photos: &Photos,
+    ctx: &Ctx<'_>,
+) -> Result<Masks, Stop> {
+    let all: Vec<(PhotoId, &Photo)> = photos.iter().collect();
+    let steps = ctx.steps("photos", all.len());
+    let cut = |(id, photo): &(PhotoId, &Photo)| {
+        let nothing = || CutError::Empty(photo.name.clone());
+        let rectangle = Rectangle::read(&p.box_px, photo.width, photo.height);
+        let rectangle = rectangle.map_err(CutError::from)?.ok_or_else(nothing)?;
+        let pixels = photo.decode()?;
+        let mask = by_colors(&pixels, &rectangle, settings, p.coarse_px as usize);
+        steps.tick()?;
+        Ok((*id, mask.ok_or_else(nothing)?))
+    };
+    let views = all.par_iter().map(cut).collect::<Result<Vec<_>, Stop>>()?;
+    Ok(Masks {
+        views: views.into_iter().collect(),
+    })
+}
+
 /// One photo with all that its mask depends on.
 struct OnePhoto<'a> {
     id: PhotoId,
@@ -191,7 +239,12 @@ impl OnePhoto<'_> {
             (Empty::Turn(scene, _), None) => scene.room.clone(),
         };
         let (most, side) = (p.coarse_px as usize, p.disk_side_mm);
-        let ready = prepare(&pixels, &without, disk, most, side);
+        let mut ready = prepare(&pixels, &without, disk, most, side);
+        let size = (self.photo.width, self.photo.height);
+        let rectangle = Rectangle::read(&p.box_px, size.0, size.1).map_err(CutError::from)?;
+        if let Some(rectangle) = rectangle {
+            rectangle.close(&mut ready.known, ready.small.width, ready.factor);
+        }
         Ok((pixels, without, ready))
     }
 

@@ -6,6 +6,7 @@
 mod backdrop;
 mod background;
 mod border;
+mod boxed;
 mod coherence;
 mod disk_colors;
 mod disk_top;
@@ -26,6 +27,7 @@ mod unary;
 pub use backdrop::{Backdrop, middle, still, thinned};
 pub use background::{expected, on_disk, plate_turn, sample, turned};
 pub use border::{coverage, soft_border};
+pub use boxed::{Rectangle, RectangleError, by_colors};
 pub use coherence::agreed;
 pub use disk_top::{laid_out, lay_into, point};
 pub use exposure::{Levels, exposure, relit};

@@ -220,7 +220,7 @@ fn ground(disk: &Option<(Camera, f64)>, factor: usize, x: usize, y: usize) -> Gr
 }
 
 /// Coarse pixels within two of the border.
-fn band(sides: &Image<bool>) -> Image<bool> {
+pub(crate) fn band(sides: &Image<bool>) -> Image<bool> {
     let (w, h) = (sides.width as i32, sides.height as i32);
     let mut band = Image {
         width: sides.width,

@@ -2,6 +2,7 @@
 
 use crate::backdrop::{Backdrop, middle, still, thinned};
 use crate::background::on_disk;
+use crate::boxed::Rectangle;
 use crate::coherence::agreed;
 use crate::disk_colors::{body_colors, disk_colors, disk_cost, on_the_disk};
 use crate::disk_top::{laid_out, lay_into, point};
@@ -132,12 +133,14 @@ pub(crate) fn standing(shots: &[Shot]) -> f64 {
     count as f64 / still.data.len().max(1) as f64
 }
 
-/// Masks of reduced photos without a plate. `None` where a photo shows nothing that moves.
+/// Masks of reduced photos without a plate. `None` where a photo shows nothing that moves. `within` is
+/// a rectangle that holds the body, and how many of its pixels became one.
 pub fn without_plate(
     shots: &[Shot],
     cameras: &Cameras,
     settings: &Settings,
     disk_side_mm: f64,
+    within: Option<(Rectangle, usize)>,
 ) -> Vec<Option<Image<bool>>> {
     let radius = cameras.disk_radius_mm.unwrap_or(0.0);
     let smalls: Vec<Rgb> = shots.iter().map(|s| s.small.clone()).collect();
@@ -164,6 +167,9 @@ pub fn without_plate(
             .par_iter()
             .map(|shot| {
                 let mut ready = one(shot, &around, radius, disk_side_mm);
+                if let Some((rectangle, factor)) = &within {
+                    rectangle.close(&mut ready.known, shot.small.width, *factor);
+                }
                 for (i, stands) in stands.iter().enumerate() {
                     if *stands {
                         ready.known[i] = Known::Background;
