@@ -2,6 +2,7 @@
 //!
 //! `files` → [`Load`] → `photos`
 
+mod alike;
 mod exif;
 mod load;
 mod rig;

@@ -1,5 +1,6 @@
 //! The stage that reads the photos of a turn.
 
+use crate::alike::{alike, other_cameras};
 use crate::exif;
 use crate::rig::{RigFile, read_rig};
 use rayon::prelude::*;
@@ -100,7 +101,7 @@ pub struct Load;
 
 impl Stage for Load {
     const NAME: &'static str = "capture.load";
-    const VERSION: u32 = 2;
+    const VERSION: u32 = 3;
     const ABOUT: &'static str =
         "Reads the photos of one turn, their EXIF, capture.toml and the plate.";
     type Params = LoadParams;
@@ -145,6 +146,7 @@ impl Stage for Load {
             .map(|entry| -> Result<Photo, Stop> { Ok(photo(&entry.name, files.read(entry)?)?) })
             .transpose()?;
         alike(&photos, plate.as_ref())?;
+        other_cameras(&photos).iter().for_each(|w| ctx.warn(w));
         let start = photos
             .iter()
             .filter_map(|p| p.time_s)
@@ -267,28 +269,6 @@ fn photo(path: &str, bytes: Vec<u8>) -> Result<Photo, CaptureError> {
         }),
         None => Ok(photo),
     }
-}
-
-/// All of one size, no two equal.
-fn alike(photos: &[Photo], plate: Option<&Photo>) -> Result<(), CaptureError> {
-    let size = |p: &Photo| format!("{}×{} pixels", p.width, p.height);
-    let first = &photos[0];
-    for photo in photos.iter().chain(plate) {
-        if (photo.width, photo.height) != (first.width, first.height) {
-            return Err(CaptureError::Size {
-                name: photo.name.clone(),
-                size: size(photo),
-                first: first.name.clone(),
-                first_size: size(first),
-            });
-        }
-    }
-    for (i, a) in photos.iter().enumerate() {
-        if let Some(b) = photos[i + 1..].iter().find(|b| b.file == a.file) {
-            return Err(CaptureError::Twin(a.name.clone(), b.name.clone()));
-        }
-    }
-    Ok(())
 }
 
 #[cfg(test)]

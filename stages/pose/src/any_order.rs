@@ -99,7 +99,7 @@ fn beliefs(lens: &Intrinsics, photos: &Photos, p: &CalibrateParams) -> Beliefs {
     let prior = lens_prior(lens, knows_focal(&photos.rig), p);
     Beliefs {
         lens: as_given(prior, &photos.rig, p),
-        step: None,
+        steps: None,
     }
 }
 

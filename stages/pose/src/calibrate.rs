@@ -91,7 +91,7 @@ stage::inputs! {
 pub enum CalibrateError {
     /// Neither tags nor tracks.
     #[error(
-        "no marker tags and no features were found, so nothing tells where the camera stood: put a textured or marker mat on the disk"
+        "no marker tags were found, and no features that turn with the disk, so nothing tells where the camera stood: are the photos in turning order, at steps below 30°? A patterned cloth or a marker mat (`tailor mat`) on the disk helps"
     )]
     Nothing,
     /// The mat path failed.
@@ -107,7 +107,7 @@ pub struct Calibrate;
 
 impl Stage for Calibrate {
     const NAME: &'static str = "pose.calibrate";
-    const VERSION: u32 = 7;
+    const VERSION: u32 = 9;
     const ABOUT: &'static str = "Calibrates lens and cameras by bundle adjustment, in the turntable frame where a mat gives it.";
     type Params = CalibrateParams;
     type Input = CalibrateInput;

@@ -20,7 +20,7 @@ pub struct DiskEdge {
 const AROUND: usize = 96;
 
 /// Finds the round edge with the strongest step of one sign, within heights and radii. Of edges
-/// nearly as strong (a disk has a lower one too) the upper is taken.
+/// nearly as strong and as wide (a disk has a lower one too) the upper is taken.
 pub fn disk_edge(
     gray: &Gray,
     camera: &Camera,
@@ -40,10 +40,12 @@ pub fn disk_edge(
     let mut sizes: Vec<f64> = tried.iter().map(|t| t.2).collect();
     sizes.sort_by(f64::total_cmp);
     let usual = sizes[sizes.len() / 2].max(0.1);
-    let strongest = *sizes.last()?;
+    let strongest = tried.iter().copied().max_by(|a, b| a.2.total_cmp(&b.2))?;
+    let alike =
+        |t: &(f64, f64, f64)| t.2 >= 0.75 * strongest.2 && (t.1 / strongest.1 - 1.0).abs() < 0.15;
     let (mut z, mut r, mut contrast) = tried
         .into_iter()
-        .filter(|t| t.2 >= 0.75 * strongest)
+        .filter(alike)
         .max_by(|a, b| a.0.total_cmp(&b.0).then(a.2.total_cmp(&b.2)))?;
     let mut reach = [
         (heights[1] - heights[0]) / steps as f64,

@@ -22,13 +22,18 @@ fn normaliser(points: &[[f64; 2]]) -> Matrix3<f64> {
     Matrix3::new(s, 0.0, -s * mean[0], 0.0, s, -s * mean[1], 0.0, 0.0, 1.0)
 }
 
+/// The normalisers of both sides.
+fn normalisers(pairs: &[Both]) -> (Matrix3<f64>, Matrix3<f64>) {
+    let side = |i: usize| pairs.iter().map(|p| p[i]).collect::<Vec<_>>();
+    (normaliser(&side(0)), normaliser(&side(1)))
+}
+
 /// The fundamental matrix of at least eight pairs: `bᵀ F a = 0`.
 pub fn fundamental(pairs: &[Both]) -> Option<Matrix3<f64>> {
     if pairs.len() < 8 {
         return None;
     }
-    let side = |i: usize| pairs.iter().map(|p| p[i]).collect::<Vec<_>>();
-    let (ta, tb) = (normaliser(&side(0)), normaliser(&side(1)));
+    let (ta, tb) = normalisers(pairs);
     let mut rows = DMatrix::zeros(pairs.len().max(9), 9);
     for (r, [a, b]) in pairs.iter().enumerate() {
         let (a, b) = (

@@ -153,7 +153,7 @@ pub(crate) fn calibrate(
     );
     let beliefs = Beliefs {
         lens: prior,
-        step: None,
+        steps: None,
     };
     let settings = settings(p);
     let mut fit = adjust_tags(&mut scene, &mut sights, &beliefs, &settings, p.bloom_px);

@@ -5,8 +5,9 @@ use crate::any_order::grown;
 use crate::calibrate::{CalibrateParams, Motion, knows_focal};
 use crate::from_mat::{Found, as_given, lens_prior, settings};
 use crate::pairs::{chosen, pairs};
+use crate::places::{out_of_place, placed};
 use crate::ring_start::{Known, starts};
-use crate::scene::{Beliefs, Scene};
+use crate::scene::{Beliefs, Scene, Steps};
 use crate::solved::{Solved, told};
 use crate::tracks_in::triangulated;
 use crate::trust::median_px;
@@ -43,6 +44,20 @@ pub enum TracksError {
         rms: f64,
         /// What is borne. \[px\]
         most: f64,
+    },
+    /// Photos that hold on to nothing.
+    #[error(
+        "{few} of {of} photos hold on to fewer than {least} features ({names}), so nothing tells where their cameras stood: are they in turning order, at steps below 30°? A patterned cloth or a marker mat (`tailor mat`) on the disk helps"
+    )]
+    Adrift {
+        /// How many do.
+        few: usize,
+        /// How many photos there are.
+        of: usize,
+        /// Features that hold a camera.
+        least: u32,
+        /// Some of them.
+        names: String,
     },
     /// No two photos give a beginning.
     #[error(
@@ -88,21 +103,25 @@ pub(crate) fn calibrate(
     };
     let tried = starts(&shared, &known);
     let few = chosen(tracks, 500);
-    let mut best: Option<(f64, Scene)> = None;
+    let mut best: Option<(f64, Scene, Vec<i32>)> = None;
     for start in &tried {
-        let scene = tried_out(lens, start, &ids, &few, p);
-        if best.as_ref().is_none_or(|(score, _)| scene.0 > *score) {
-            best = Some(scene);
+        let (start, places) = match known.step {
+            Some(_) => placed(&shared, start),
+            None => (start.clone(), (0..count as i32).collect()),
+        };
+        let (score, scene) = tried_out(lens, &start, &ids, &few, p);
+        if best.as_ref().is_none_or(|(most, ..)| score > *most) {
+            best = Some((score, scene, places));
         }
     }
-    let Some((_, mut scene)) = best else {
+    let Some((_, mut scene, places)) = best else {
         return Err(TracksError::Apart {
             pairs: neighbours,
             of: count - 1,
         });
     };
     let many = chosen(tracks, p.most_tracks as usize);
-    let mut beliefs = beliefs(lens, photos, &scene, p);
+    let mut beliefs = beliefs(lens, photos, &scene, &places, p);
     let mut sigma_px = p.feature_px;
     let mut sights = vec![];
     let mut fit = None;
@@ -130,7 +149,7 @@ pub(crate) fn calibrate(
         // they would bend the lens (3 % of focal length at 12 mm of sway) and the steps.
         let believed = beliefs.lens.sigma;
         beliefs.lens.sigma = believed.map(|s| s * 1e-3);
-        beliefs.step = beliefs.step.map(|[step, sigma]| [step, sigma * 0.01]);
+        beliefs.steps.iter_mut().for_each(|s| s.sigma *= 0.01);
         // What is held is no better known for that, and nothing tells how far sway moved cameras.
         fit = Some(crate::adjust::Fit {
             lens_sigma: believed,
@@ -166,6 +185,11 @@ pub(crate) fn calibrate(
         },
         p,
     )?;
+    let names: Vec<&str> = photos.photos.iter().map(|p| p.name.as_str()).collect();
+    let step_deg = known.step.unwrap_or(0.0).to_degrees();
+    found
+        .warnings
+        .extend(out_of_place(&names, &places, step_deg));
     if swaying {
         found.warnings.push(
             "the subject moved against the disk (free cameras would follow it): lens and steps were held at what EXIF and capture.toml say, and how sure the cameras are cannot be told".into(),
@@ -183,8 +207,14 @@ pub(crate) fn focals(photos: &Photos, lens: &Intrinsics) -> Vec<f64> {
     [0.8, 1.1, 1.5, 2.1, 3.0].map(|k| k * longer).into()
 }
 
-/// What is believed of lens and ring once the direction of the turn is known.
-fn beliefs(lens: &Intrinsics, photos: &Photos, scene: &Scene, p: &CalibrateParams) -> Beliefs {
+/// What is believed of lens and ring once the direction of the turn and the photos' places are known.
+fn beliefs(
+    lens: &Intrinsics,
+    photos: &Photos,
+    scene: &Scene,
+    places: &[i32],
+    p: &CalibrateParams,
+) -> Beliefs {
     let sign = scene.ring.as_ref().and_then(|r| r.angles.last().copied());
     let sign = sign.unwrap_or(1.0).signum();
     Beliefs {
@@ -193,9 +223,12 @@ fn beliefs(lens: &Intrinsics, photos: &Photos, scene: &Scene, p: &CalibrateParam
             &photos.rig,
             p,
         ),
-        step: photos
-            .rig
-            .step
-            .map(|step| [step.abs() * sign, p.step_sigma_deg.to_radians()]),
+        steps: photos.rig.step.map(|step| Steps {
+            turns: places
+                .windows(2)
+                .map(|w| f64::from(w[1] - w[0]) * step.abs() * sign)
+                .collect(),
+            sigma: p.step_sigma_deg.to_radians(),
+        }),
     }
 }

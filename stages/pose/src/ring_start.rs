@@ -58,7 +58,7 @@ pub(crate) fn on_axis(axis: &Vector3<f64>, beside: f64) -> Vector3<f64> {
 }
 
 /// The essential matrix of a turn.
-fn essential(axis: &Vector3<f64>, beside: f64, turn: f64) -> Matrix3<f64> {
+pub(crate) fn essential(axis: &Vector3<f64>, beside: f64, turn: f64) -> Matrix3<f64> {
     let r = Rotation3::from_axis_angle(&Unit::new_normalize(*axis), turn);
     let c = on_axis(axis, beside);
     (c - r * c).cross_matrix() * r.matrix()
@@ -73,7 +73,8 @@ fn sampson(e: &Matrix3<f64>, focal: f64, seen: &[Vector2<f64>; 2]) -> f64 {
     focal * b.dot(&ea) / slope.sqrt().max(1e-12)
 }
 
-fn robust(e: &Matrix3<f64>, focal: f64, seen: &[[Vector2<f64>; 2]]) -> f64 {
+/// Sum of the errors of all pairs, each at most eight pixels. \[px\]
+pub(crate) fn robust(e: &Matrix3<f64>, focal: f64, seen: &[[Vector2<f64>; 2]]) -> f64 {
     seen.iter()
         .map(|s| sampson(e, focal, s).abs().min(CAP_PX))
         .sum()

@@ -50,8 +50,17 @@ pub struct LensPrior {
 pub struct Beliefs {
     /// Of the lens.
     pub lens: LensPrior,
-    /// Of a ring: the turn between one photo and the next, and its standard deviation. \[rad\]
-    pub step: Option<[f64; 2]>,
+    /// Of a ring: how far it turned from photo to photo.
+    pub steps: Option<Steps>,
+}
+
+/// A belief about the turns of a ring.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Steps {
+    /// Between each photo and the next. \[rad\]
+    pub turns: Vec<f64>,
+    /// Standard deviation of each. \[rad\]
+    pub sigma: f64,
 }
 
 /// How to adjust.
@@ -117,11 +126,12 @@ pub fn cost(scene: &Scene, sights: &[Sight], beliefs: &Beliefs, loss: f64) -> f6
     let lens: f64 = (0..LENS)
         .map(|i| ((values[i] - prior.mean[i]) / prior.sigma[i]).powi(2))
         .sum();
-    let steps: f64 = match (&scene.ring, beliefs.step) {
-        (Some(ring), Some([step, sigma])) => ring
+    let steps: f64 = match (&scene.ring, &beliefs.steps) {
+        (Some(ring), Some(steps)) => ring
             .angles
             .windows(2)
-            .map(|a| ((a[1] - a[0] - step) / sigma).powi(2))
+            .zip(&steps.turns)
+            .map(|(a, turn)| ((a[1] - a[0] - turn) / steps.sigma).powi(2))
             .sum(),
         _ => 0.0,
     };

@@ -22,6 +22,9 @@ pub(crate) struct Solved {
     pub(crate) prior: LensPrior,
 }
 
+/// Fewest features that hold a camera.
+const LEAST: u32 = 12;
+
 /// The cameras, on a ring about the z axis, and what the user should know of them.
 pub(crate) fn told(
     photos: &Photos,
@@ -73,6 +76,20 @@ pub(crate) fn told(
     if off > p.off_ring {
         return Err(TracksError::NoRing { off: off * 100.0 });
     }
+    let adrift: Vec<&str> = cameras
+        .views
+        .values()
+        .filter(|v| v.points < LEAST)
+        .map(|v| v.name.as_str())
+        .collect();
+    if 4 * adrift.len() > cameras.views.values().count() {
+        return Err(TracksError::Adrift {
+            few: adrift.len(),
+            of: cameras.views.values().count(),
+            least: LEAST,
+            names: adrift[..adrift.len().min(5)].join(", "),
+        });
+    }
     let cameras = in_ring_frame(&cameras, RING_MM);
     let mut turned = scene.clone();
     turned.poses = cameras.views.values().map(|v| v.camera.pose).collect();
@@ -83,7 +100,7 @@ pub(crate) fn told(
     warnings.extend(misfits(&cameras));
     for view in cameras.views.values().filter(|v| v.points < 30) {
         warnings.push(format!(
-            "{} holds on to only {} features: its camera follows from those of the others",
+            "{} holds on to only {} features: its camera follows from those of the others; is it in its place in the turning order?",
             view.name, view.points
         ));
     }

@@ -42,11 +42,11 @@ pub(crate) fn system(
         matrix[(i, i)] += weight;
         right[i] -= weight * (values[i] - prior.mean[i]);
     }
-    if let (Some(ring), Some([step, sigma])) = (&scene.ring, beliefs.step) {
-        let weight = 1.0 / (sigma * sigma);
-        for (k, a) in ring.angles.windows(2).enumerate() {
+    if let (Some(ring), Some(steps)) = (&scene.ring, &beliefs.steps) {
+        let weight = 1.0 / (steps.sigma * steps.sigma);
+        for (k, (a, turn)) in ring.angles.windows(2).zip(&steps.turns).enumerate() {
             let (i, j) = (LENS + 6 + k, LENS + 7 + k);
-            let off = weight * (a[1] - a[0] - step);
+            let off = weight * (a[1] - a[0] - turn);
             matrix[(i, i)] += weight;
             matrix[(j, j)] += weight;
             matrix[(i, j)] -= weight;

@@ -168,7 +168,7 @@ mod tests {
         };
         let beliefs = Beliefs {
             lens: lens_prior(&lens, true, &params),
-            step: None,
+            steps: None,
         };
         let settings = crate::from_mat::settings(&params);
         let off = |bloom_px: f64| {

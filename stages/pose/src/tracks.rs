@@ -3,6 +3,7 @@
 use crate::calibrate::{first_lens, knows_focal};
 use crate::epipolar::{Both, agreeing, agreeing_through};
 use crate::matching::{mutual, still};
+use crate::room_shift::room_shift;
 use rayon::prelude::*;
 use shape::{Features, Intrinsics, Keypoints, PhotoId, Photos, Sighting, Tracks};
 use stage::{Ctx, Stage, Stop};
@@ -27,6 +28,10 @@ stage::params! {
         /// How far a match may be off its epipolar line.
         #[range(0.1..=50.0)]
         epipolar_px: f64 = 2.5,
+        /// Photos of which no such share of the matches agrees have nothing in common: by chance, a
+        /// quarter does.
+        #[range(0.0..=1.0)]
+        least_share: f64 = 0.3,
         /// Most samples of a pair's RANSAC.
         #[range(10..=100000)]
         rounds: u32 = 3000,
@@ -50,7 +55,7 @@ pub struct Follow;
 
 impl Stage for Follow {
     const NAME: &'static str = "pose.tracks";
-    const VERSION: u32 = 3;
+    const VERSION: u32 = 5;
     const ABOUT: &'static str = "Follows features over the photos: what stands still and what breaks the epipolar constraint goes.";
     type Params = TracksParams;
     type Input = TracksInput;
@@ -70,30 +75,33 @@ impl Stage for Follow {
             .photos
             .first()
             .map_or(1000.0, |p| p.height as f32);
-        let known = knows_focal(&input.photos.rig) && !input.photos.photos.is_empty();
-        let lens = known.then(|| first_lens(&input.photos));
+        if input.photos.photos.is_empty() {
+            return Ok(Tracks::default());
+        }
+        let first = first_lens(&input.photos);
+        let known = knows_focal(&input.photos.rig).then_some(&first);
         let steps = ctx.steps("pairs", pairs.len());
-        let one = |(i, j): &(usize, usize)| -> Result<(Vec<Match>, usize), Stop> {
+        let one = |(i, j): &(usize, usize)| -> Result<Common, Stop> {
             let found = matched(
                 views[*i].1,
                 views[*j].1,
                 p,
                 p.rise as f32 * height,
-                lens.as_ref(),
+                &first,
+                known,
             );
             steps.tick()?;
-            Ok((
-                found
-                    .0
-                    .into_iter()
-                    .map(|(a, b)| ((*i, a), (*j, b)))
-                    .collect(),
-                found.1,
-            ))
+            Ok(found)
         };
         let all: Vec<_> = pairs.par_iter().map(one).collect::<Result<_, Stop>>()?;
-        let still: usize = all.iter().map(|a| a.1).sum();
-        let matches: Vec<Match> = all.into_iter().flat_map(|a| a.0).collect();
+        let still: usize = all.iter().map(|a| a.still).sum();
+        let name = |i: usize| input.photos.get(views[i].0).map_or("", |p| p.name.as_str());
+        told(&pairs, &all, &name).iter().for_each(|w| ctx.warn(w));
+        let matches: Vec<Match> = pairs
+            .iter()
+            .zip(&all)
+            .flat_map(|((i, j), c)| c.matches.iter().map(|(a, b)| ((*i, *a), (*j, *b))))
+            .collect();
         ctx.metric(
             "matches a pair",
             matches.len() as f64 / pairs.len().max(1) as f64,
@@ -122,14 +130,55 @@ impl Stage for Follow {
 /// Two features, each by photo and place.
 type Match = ((usize, u32), (usize, u32));
 
-/// The matches of a pair, and how many features stood still.
+/// What two photos have in common.
+struct Common {
+    /// What moves as one rigid thing.
+    matches: Vec<(u32, u32)>,
+    /// How many features stood still.
+    still: usize,
+    /// How far the room moved, where it did. \[px\]
+    room_px: Option<f64>,
+}
+
+/// What the user should know of neighbouring photos: a camera that was moved, a photo taken twice.
+fn told<'a>(
+    pairs: &[(usize, usize)],
+    all: &[Common],
+    name: &dyn Fn(usize) -> &'a str,
+) -> Vec<String> {
+    let next = || pairs.iter().zip(all).filter(|((i, j), _)| *j == i + 1);
+    let mut stood: Vec<usize> = next().map(|(_, c)| c.still).collect();
+    stood.sort_unstable();
+    let usual = stood.get(stood.len() / 2).copied().unwrap_or(0);
+    let mut said: Vec<String> = Vec::new();
+    for ((i, j), c) in next() {
+        let (a, b) = (name(*i), name(*j));
+        if let Some(px) = c.room_px {
+            said.push(format!("between {a} and {b} the room moved by {px:.0} px in the photo: the camera was moved; leave out what was taken before or after, or take the turn again"));
+        }
+        if c.matches.is_empty() && c.still > 100 && c.still > usual * 11 / 10 {
+            said.push(format!(
+                "{b} shows the same as {a}, nothing turned between them: remove one of them"
+            ));
+        }
+    }
+    if said.len() > 5 {
+        let more = said.len() - 4;
+        said.truncate(4);
+        said.push(format!("and so on, {more} more photos"));
+    }
+    said
+}
+
+/// The matches of a pair.
 fn matched(
     a: &Features,
     b: &Features,
     p: &TracksParams,
     rise: f32,
-    lens: Option<&Intrinsics>,
-) -> (Vec<(u32, u32)>, usize) {
+    first: &Intrinsics,
+    known: Option<&Intrinsics>,
+) -> Common {
     let left_out = still(a, b, p.still_px as f32);
     let mut moving = mutual(a, b, p.ratio, rise, &left_out);
     let both = |(i, j): &(u32, u32)| -> Both {
@@ -143,9 +192,15 @@ fn matched(
         let [k, l] = both(m);
         (k[0] - l[0]).hypot(k[1] - l[1]) >= p.still_px
     });
-    let pairs: Vec<Both> = moving.iter().map(both).collect();
     let (rounds, seed) = (p.rounds as usize, p.seed as u64);
-    let agree = match lens {
+    let mut pairs: Vec<Both> = moving.iter().map(both).collect();
+    let room = room_shift(first, &pairs, rounds.min(500), seed);
+    if let Some(room) = &room {
+        let mut of = room.of.iter();
+        moving.retain(|_| !of.next().is_some_and(|of| *of));
+        pairs = moving.iter().map(both).collect();
+    }
+    let agree = match known {
         Some(lens) => agreeing_through(lens, &pairs, p.epipolar_px, rounds, seed),
         None => agreeing(&pairs, p.epipolar_px, rounds, seed),
     };
@@ -155,7 +210,12 @@ fn matched(
         .filter(|(_, agree)| **agree)
         .map(|(m, _)| *m)
         .collect();
-    (kept, left_out[0].iter().filter(|still| **still).count())
+    let chance = (kept.len() as f64) < p.least_share * moving.len() as f64;
+    Common {
+        matches: if chance { vec![] } else { kept },
+        still: left_out[0].iter().filter(|still| **still).count(),
+        room_px: room.map(|r| r.by_px),
+    }
 }
 
 /// Matches joined to tracks (union-find); a track with two features on one photo is no point.

@@ -60,7 +60,7 @@ pub(crate) fn tried_out(
     };
     let mut beliefs = Beliefs {
         lens: lens_prior(lens, true, p),
-        step: None,
+        steps: None,
     };
     beliefs.lens.mean[0] = start.focal_px;
     let short = crate::scene::Settings {

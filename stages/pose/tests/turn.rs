@@ -10,11 +10,17 @@ use std::sync::Arc;
 const PHOTOS: usize = 18;
 
 fn truth(sign: f64) -> Vec<Camera> {
+    at(sign, &std::array::from_fn::<i32, PHOTOS, _>(|i| i as i32))
+}
+
+/// Cameras of photos at some places of a turn, in steps of 20°.
+fn at(sign: f64, places: &[i32]) -> Vec<Camera> {
     let ring = Ring {
         turn: Rotation3::from_euler_angles(1.72, 0.01, -0.015),
         offset: Vector3::new(-8.0, 150.0, 2500.0),
-        angles: (0..PHOTOS)
-            .map(|i| sign * i as f64 * 20f64.to_radians())
+        angles: places
+            .iter()
+            .map(|i| sign * f64::from(*i) * 20f64.to_radians())
             .collect(),
     };
     let lens = Intrinsics::simple(1600, 2400, 2670.0);
@@ -27,6 +33,11 @@ fn truth(sign: f64) -> Vec<Camera> {
 /// Features on a trunk that sways slowly by so many millimetres, seen to 0.3 px from the side they
 /// are on; one in twenty is somewhere else.
 fn tracks(cameras: &[Camera], sway_mm: f64) -> Tracks {
+    scattered(cameras, sway_mm, 0.3)
+}
+
+/// The same, seen to so many pixels.
+fn scattered(cameras: &[Camera], sway_mm: f64, noise_px: f64) -> Tracks {
     let mut dice = Dice(7);
     let mut points = Vec::new();
     for _ in 0..1500 {
@@ -46,7 +57,7 @@ fn tracks(cameras: &[Camera], sway_mm: f64) -> Tracks {
                 continue;
             }
             let px = camera.project(&moved).unwrap();
-            let mut at_px = [px.x + 0.3 * dice.normal(), px.y + 0.3 * dice.normal()];
+            let mut at_px = [px.x, px.y].map(|v| v + noise_px * dice.normal());
             if dice.unit() < 0.05 {
                 at_px[0] += dice.within(-60.0, 60.0);
             }
@@ -157,4 +168,32 @@ fn features_of_nothing_in_common_are_refused() {
     few.points.truncate(9);
     let error = calibrated(&truth, few, rig(Some(40.0), Some(20.0))).unwrap_err();
     assert!(error.contains("share too few features"), "{error}");
+}
+
+#[test]
+fn features_that_lie_where_they_should_not_are_refused() {
+    let truth = truth(1.0);
+    let film = 2670.0 / 2400.0 * 36.0 / 1.004;
+    // 0.8 px a coordinate are 1.1 px together; 2.2 px are 3.1, and 2 are borne.
+    let rig = || rig(Some(film), Some(20.0));
+    let fine = calibrated(&truth, scattered(&truth, 0.0, 0.8), rig()).unwrap();
+    assert!(error(&fine, &truth) < 0.005);
+    let why = calibrated(&truth, scattered(&truth, 0.0, 2.2), rig()).unwrap_err();
+    assert!(why.contains("at most 2.0 px is to be trusted"), "{why}");
+}
+
+#[test]
+fn a_photo_that_is_missing_or_swapped_spoils_no_camera() {
+    let gap: Vec<i32> = (0..PHOTOS as i32).map(|i| i + i32::from(i > 6)).collect();
+    let mut swapped: Vec<i32> = (0..PHOTOS as i32).collect();
+    swapped.swap(4, 5);
+    for places in [gap, swapped] {
+        for sway_mm in [0.0, 8.0] {
+            let truth = at(-1.0, &places);
+            let rig = rig(Some(2670.0 / 2400.0 * 36.0), Some(20.0));
+            let found = calibrated(&truth, tracks(&truth, sway_mm), rig).unwrap();
+            let off = error(&found, &truth);
+            assert!(off < 0.006, "{places:?}, sway {sway_mm} mm: {off}");
+        }
+    }
 }
