@@ -112,6 +112,11 @@ pub(crate) fn out_of_place(names: &[&str], places: &[i32], step_deg: f64) -> Vec
                 "between {} and {} the disk turned by {:.0}°, not {step_deg:.0}°: is a photo missing there?",
                 names[i], names[i + 1], f64::from(turn) * step_deg
             ),
+            0 => format!(
+                "between {} and {} the disk did not turn: remove one of them",
+                names[i],
+                names[i + 1]
+            ),
             _ => format!(
                 "{} stands before {} in the turn, not behind it: put the photos into turning order",
                 names[i + 1], names[i]

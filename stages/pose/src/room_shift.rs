@@ -110,7 +110,7 @@ mod tests {
     const LENS: fn() -> Intrinsics = || Intrinsics::simple(1600, 2400, 2600.0);
 
     fn seen(x: Vector3<f64>) -> [f64; 2] {
-        LENS().project(&x.into()).unwrap().into()
+        LENS().project(&x).unwrap().into()
     }
 
     /// Matches of a trunk on a disk that turned by 20°, and of a room if the camera was nudged.
