@@ -21,8 +21,9 @@ const ENOUGH: u32 = 150;
 /// Levels from here on may be cut off: what they are on the photo is as bright as so many of its pixels
 /// there, since what is darker may be in a shadow.
 const CUT_OFF: (u8, usize) = (252, 85);
-/// Levels that differ by less than this on average, or by this share, are the same exposure.
-const SAME: (f32, f32) = (1.5, 0.012);
+/// Ratios that are off one by less than this are the same exposure. What the curve adds to it is a
+/// shadow rather than a camera's.
+const SAME: f32 = 0.012;
 
 /// What each level of the plate is on the photo, by channel.
 pub type Levels = [[u8; 256]; 3];
@@ -43,7 +44,7 @@ pub fn exposure(photo: &Rgb, plate: &Rgb) -> Option<Levels> {
             .collect();
         let gain = ratio(&pairs)?;
         let curve = curve(&pairs, gain);
-        alike &= (gain - 1.0).abs() < SAME.1 && curve.iter().all(|off| off.abs() < SAME.0);
+        alike &= (gain - 1.0).abs() < SAME;
         for (level, to) in levels.iter_mut().enumerate() {
             *to = (gain * level as f32 + between(&curve, level)).round() as u8;
         }
