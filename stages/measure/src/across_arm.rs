@@ -113,6 +113,18 @@ pub(crate) fn freed(
     (outline.len() >= 8).then_some((outline, told as f64 / WAYS as f64))
 }
 
+/// The first of several rings that holds the arm, and what [`freed`] makes of it.
+fn first_freed(
+    all: &[Vec<[f64; 2]>],
+    clear: &[[f64; 2]],
+    outward: [f64; 2],
+) -> Option<(usize, Vec<[f64; 2]>, f64)> {
+    all.iter().enumerate().find_map(|(i, ring)| {
+        let (outline, told) = freed(ring, clear, outward)?;
+        Some((i, outline, told))
+    })
+}
+
 /// Takes the section of an upper arm.
 pub(crate) fn across_arm(
     mesh: &Mesh,
@@ -164,14 +176,13 @@ pub(crate) fn across_arm(
         Some(ring) => vec![ring],
         None => rings(mesh, plane),
     };
-    let (outline, told) = all
+    let flats: Vec<_> = all
         .iter()
-        .filter_map(|ring| freed(&flat(&ring.curve, &about(origin)), &reference, outward))
-        .next()
-        .ok_or(FUSED)?;
+        .map(|ring| flat(&ring.curve, &about(origin)))
+        .collect();
+    let (at, outline, told) = first_freed(&flats, &reference, outward).ok_or(FUSED)?;
     if told == 0.0 {
-        let ring = all.into_iter().next().ok_or(FUSED)?;
-        return plain(mesh, plane, ring);
+        return plain(mesh, plane, all[at].clone());
     }
     let tape_mm = tape(&outline);
     let even: Vec<[f64; 2]> = outline
@@ -235,5 +246,16 @@ mod tests {
         let (free, told) = freed(&here, &clear, [1.0, 0.0]).unwrap();
         assert_eq!(told, 0.0);
         proof::near(tape(&free), tape(&here), 1e-9);
+    }
+
+    #[test]
+    fn of_several_rings_the_arms_own_is_taken_and_not_the_trunk() {
+        let clear = oval(50.0, 44.0);
+        let aside = |p: [f64; 2]| [p[0] - 400.0, p[1]];
+        let trunk: Vec<[f64; 2]> = oval(180.0, 120.0).into_iter().map(aside).collect();
+        let all = [trunk, oval(55.0, 48.0)];
+        let (at, outline, told) = first_freed(&all, &clear, [1.0, 0.0]).unwrap();
+        assert_eq!((at, told), (1, 0.0));
+        proof::near(tape(&outline), tape(&all[1]), 1e-9);
     }
 }
