@@ -102,42 +102,20 @@ fn part(
 
 /// The part with the most volume, and the volumes of the others, largest first. \[mm³\]
 pub fn largest(mesh: &Mesh) -> (Mesh, Vec<f64>) {
-    let mut parent: Vec<u32> = (0..mesh.positions.len() as u32).collect();
-    fn root(parent: &mut [u32], mut v: u32) -> u32 {
-        while parent[v as usize] != v {
-            parent[v as usize] = parent[parent[v as usize] as usize];
-            v = parent[v as usize];
-        }
-        v
-    }
-    for face in &mesh.faces {
-        for pair in [[face[0], face[1]], [face[1], face[2]]] {
-            let [a, b] = pair.map(|v| root(&mut parent, v));
-            parent[a.max(b) as usize] = a.min(b);
-        }
-    }
-    let roots: Vec<u32> = (0..mesh.positions.len() as u32)
-        .map(|v| root(&mut parent, v))
-        .collect();
+    let pieces = mesh.pieces(|_| true);
     let mut volumes = std::collections::BTreeMap::new();
-    for (f, face) in mesh.faces.iter().enumerate() {
+    for (f, piece) in pieces.iter().enumerate() {
         let [a, b, c] = mesh.triangle(f);
         let six = a.coords.dot(&b.coords.cross(&c.coords));
-        *volumes.entry(roots[face[0] as usize]).or_insert(0.0) += six / 6.0;
+        *volumes.entry(*piece).or_insert(0.0) += six / 6.0;
     }
-    let mut order: Vec<(u32, f64)> = volumes.into_iter().collect();
+    let mut order: Vec<(Option<u32>, f64)> = volumes.into_iter().collect();
     order.sort_by(|a, b| b.1.total_cmp(&a.1).then(a.0.cmp(&b.0)));
     let Some((keep, _)) = order.first().copied() else {
         return (mesh.clone(), vec![]);
     };
-    let mut renamed = vec![u32::MAX; mesh.positions.len()];
-    let mut kept = Mesh::default();
-    for (v, root) in roots.iter().enumerate().filter(|(_, root)| **root == keep) {
-        debug_assert_eq!(*root, keep);
-        renamed[v] = kept.positions.len() as u32;
-        kept.positions.push(mesh.positions[v]);
-    }
-    let faces = mesh.faces.iter().filter(|f| roots[f[0] as usize] == keep);
-    kept.faces = faces.map(|f| f.map(|v| renamed[v as usize])).collect();
+    let own = mesh.faces.iter().zip(&pieces).filter(|(_, p)| **p == keep);
+    let faces: Vec<[u32; 3]> = own.map(|(face, _)| *face).collect();
+    let kept = Mesh::packed(&mesh.positions, &faces);
     (kept, order[1..].iter().map(|(_, volume)| *volume).collect())
 }

@@ -41,7 +41,7 @@ pub(crate) fn capped(mesh: &Mesh, mut gone: BTreeSet<u32>) -> Mesh {
     for hole in holes(&kept) {
         cap(&mut positions, &mut kept, &hole, mesh.mean_edge());
     }
-    packed(&positions, &kept)
+    Mesh::packed(&positions, &kept)
 }
 
 /// Faces and all that share a vertex with them.
@@ -82,10 +82,8 @@ fn without_pinches(mesh: &Mesh, around: &Adjacency, gone: &mut BTreeSet<u32>) {
 
 /// The faces that stay, of each part of the mesh only the largest piece.
 fn largest_pieces(mesh: &Mesh, gone: &BTreeSet<u32>) -> Vec<[u32; 3]> {
-    let all = |_: u32| true;
-    let stays = |f: u32| !gone.contains(&f);
-    let parts = pieces(mesh, &all);
-    let left = pieces(mesh, &stays);
+    let parts = mesh.pieces(|_| true);
+    let left = mesh.pieces(|f| !gone.contains(&f));
     let mut size: BTreeMap<u32, usize> = BTreeMap::new();
     for piece in left.iter().flatten() {
         *size.entry(*piece).or_default() += 1;
@@ -107,29 +105,6 @@ fn largest_pieces(mesh: &Mesh, gone: &BTreeSet<u32>) -> Vec<[u32; 3]> {
         .filter(|(_, piece)| piece.is_some_and(|p| kept.contains(&p)))
         .map(|(face, _)| *face)
         .collect()
-}
-
-/// The connected piece of each face, named by its least vertex; [`None`] for faces that are not wanted.
-fn pieces(mesh: &Mesh, wanted: &dyn Fn(u32) -> bool) -> Vec<Option<u32>> {
-    let mut root: Vec<u32> = (0..mesh.positions.len() as u32).collect();
-    fn find(root: &mut [u32], mut v: u32) -> u32 {
-        while root[v as usize] != v {
-            root[v as usize] = root[root[v as usize] as usize];
-            v = root[v as usize];
-        }
-        v
-    }
-    for (f, face) in mesh.faces.iter().enumerate() {
-        if !wanted(f as u32) {
-            continue;
-        }
-        for v in &face[1..] {
-            let (a, b) = (find(&mut root, face[0]), find(&mut root, *v));
-            root[a.max(b) as usize] = a.min(b);
-        }
-    }
-    let one = |(f, face): (usize, &[u32; 3])| wanted(f as u32).then(|| find(&mut root, face[0]));
-    mesh.faces.iter().enumerate().map(one).collect()
 }
 
 /// Loops of vertices around the holes, in the order in which a cap's edges run.
@@ -185,21 +160,6 @@ fn cap(positions: &mut Vec<[f32; 3]>, faces: &mut Vec<[u32; 3]>, hole: &[u32], e
     let top = positions.len() as u32;
     positions.push(middle);
     faces.extend((0..count).map(|i| [outer[i], outer[(i + 1) % count], top]));
-}
-
-/// A mesh of the vertices that the faces use.
-fn packed(positions: &[[f32; 3]], faces: &[[u32; 3]]) -> Mesh {
-    let mut new = vec![u32::MAX; positions.len()];
-    let mut mesh = Mesh::default();
-    for v in faces.iter().flatten() {
-        new[*v as usize] = 0;
-    }
-    for (v, to) in new.iter_mut().enumerate().filter(|(_, to)| **to == 0) {
-        *to = mesh.positions.len() as u32;
-        mesh.positions.push(positions[v]);
-    }
-    mesh.faces = faces.iter().map(|f| f.map(|v| new[v as usize])).collect();
-    mesh
 }
 
 #[cfg(test)]

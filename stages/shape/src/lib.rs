@@ -35,6 +35,7 @@ mod masks;
 mod mesh;
 mod odd_masks;
 mod photos;
+mod pieces;
 mod rig;
 mod solid;
 mod sway;
