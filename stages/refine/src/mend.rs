@@ -6,30 +6,40 @@ use crate::crossing::crossings;
 use shape::{Adjacency, Mesh};
 use std::collections::{BTreeMap, BTreeSet};
 
-/// Tries, each with more of the surroundings.
-const TRIES: usize = 12;
+/// Rings of faces about what crosses that are cut out with it, at most.
+const MOST_RINGS: usize = 6;
 
 /// Cuts crossing faces out with their surroundings and caps the holes, until nothing crosses or more of
 /// it does not help. Returns how many pairs still cross. The mesh stays closed and consistently oriented.
 pub fn mend(mesh: &mut Mesh) -> usize {
     let mut found = crossings(mesh);
-    for rings in 0..TRIES {
-        if found.is_empty() {
-            break;
-        }
-        let faces: BTreeSet<u32> = found.iter().flat_map(|(f, g)| [*f, *g]).collect();
-        let around = Adjacency::new(mesh);
-        let wider = (0..=rings / 2).fold(faces, |faces, _| grown(mesh, &around, &faces));
-        let mended = capped(mesh, wider);
-        if mended.faces.is_empty() || mended.validate_closed().is_err() {
-            continue;
-        }
-        let left = crossings(&mended);
-        if left.len() < found.len() {
+    for rings in 1..=MOST_RINGS {
+        // What a cap made cross may go at the second try.
+        for _ in 0..2 {
+            let Some((mended, left)) = without(mesh, &found, rings) else {
+                break;
+            };
             (*mesh, found) = (mended, left);
         }
     }
     found.len()
+}
+
+/// The mesh without the faces that cross and so many rings about them, and what crosses in it; [`None`]
+/// where that is no less.
+fn without(mesh: &Mesh, found: &[(u32, u32)], rings: usize) -> Option<(Mesh, Vec<(u32, u32)>)> {
+    if found.is_empty() {
+        return None;
+    }
+    let around = Adjacency::new(mesh);
+    let faces: BTreeSet<u32> = found.iter().flat_map(|(f, g)| [*f, *g]).collect();
+    let wider = (0..rings).fold(faces, |faces, _| grown(mesh, &around, &faces));
+    let mended = capped(mesh, wider);
+    if mended.faces.is_empty() || mended.validate_closed().is_err() {
+        return None;
+    }
+    let left = crossings(&mended);
+    (left.len() < found.len()).then_some((mended, left))
 }
 
 /// The mesh without some faces, every hole capped. Of each part of the mesh the largest piece is kept.

@@ -3,7 +3,7 @@
 
 use crate::mend::capped;
 use shape::{Adjacency, Mesh};
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeSet;
 
 /// A lobe is as large, against the square of its neck's girth, as nothing that only bulges: half a ball
 /// has 0.16, a finger 1.3.
@@ -29,12 +29,11 @@ pub fn pinch(mesh: &mut Mesh, edges: usize) -> usize {
 fn once(mesh: &mut Mesh, edges: usize) -> usize {
     let around = Adjacency::new(mesh);
     let narrow = narrow(mesh, &around);
-    let beside = sides(mesh);
     let mut neck = BTreeSet::new();
     for v in (0..mesh.positions.len() as u32).filter(|v| narrow[*v as usize]) {
         if !neck.contains(&v) {
             let mut path = vec![v];
-            search(mesh, &around, &beside, &narrow, edges, &mut path, &mut neck);
+            search(mesh, &around, &narrow, edges, &mut path, &mut neck);
         }
     }
     if neck.is_empty() {
@@ -63,12 +62,13 @@ fn narrow(mesh: &Mesh, around: &Adjacency) -> Vec<bool> {
     (0..mesh.positions.len() as u32).map(one).collect()
 }
 
-/// The face on the left of each directed edge.
-fn sides(mesh: &Mesh) -> BTreeMap<(u32, u32), u32> {
-    let faces = mesh.faces.iter().enumerate();
-    faces
-        .flat_map(|(f, c)| (0..3).map(move |i| ((c[i], c[(i + 1) % 3]), f as u32)))
-        .collect()
+/// The face on the left of a directed edge.
+fn beside(mesh: &Mesh, around: &Adjacency, (a, b): (u32, u32)) -> Option<u32> {
+    let runs = |f: &&u32| {
+        let c = mesh.faces[**f as usize];
+        (0..3).any(|i| c[i] == a && c[(i + 1) % 3] == b)
+    };
+    around.faces(a).iter().find(runs).copied()
 }
 
 /// Goes on from a path over narrow vertices; closed paths without a chord that part two lobes are added
@@ -76,7 +76,6 @@ fn sides(mesh: &Mesh) -> BTreeMap<(u32, u32), u32> {
 fn search(
     mesh: &Mesh,
     around: &Adjacency,
-    beside: &BTreeMap<(u32, u32), u32>,
     narrow: &[bool],
     edges: usize,
     path: &mut Vec<u32>,
@@ -93,12 +92,12 @@ fn search(
         match touched.as_slice() {
             [] if path.len() + 1 < edges => {
                 path.push(next);
-                search(mesh, around, beside, narrow, edges, path, neck);
+                search(mesh, around, narrow, edges, path, neck);
                 path.pop();
             }
             [0] if path.len() >= 2 && path[1] < next => {
                 path.push(next);
-                if parts_two_lobes(mesh, beside, path) {
+                if parts_two_lobes(mesh, around, path) {
                     neck.extend(path.iter().copied());
                 }
                 path.pop();
@@ -112,7 +111,7 @@ fn search(
 }
 
 /// Whether a closed path has a lobe on its left and one on its right, or all the same surface.
-fn parts_two_lobes(mesh: &Mesh, beside: &BTreeMap<(u32, u32), u32>, path: &[u32]) -> bool {
+fn parts_two_lobes(mesh: &Mesh, around: &Adjacency, path: &[u32]) -> bool {
     let count = path.len();
     let steps: Vec<(u32, u32)> = (0..count)
         .map(|i| (path[i], path[(i + 1) % count]))
@@ -126,7 +125,7 @@ fn parts_two_lobes(mesh: &Mesh, beside: &BTreeMap<(u32, u32), u32>, path: &[u32]
         let starts = steps
             .iter()
             .map(|(a, b)| if left { (*a, *b) } else { (*b, *a) });
-        let mut open: Vec<u32> = starts.filter_map(|s| beside.get(&s).copied()).collect();
+        let mut open: Vec<u32> = starts.filter_map(|s| beside(mesh, around, s)).collect();
         let mut seen: BTreeSet<u32> = open.iter().copied().collect();
         let mut area = 0.0;
         while let Some(f) = open.pop() {
@@ -139,7 +138,7 @@ fn parts_two_lobes(mesh: &Mesh, beside: &BTreeMap<(u32, u32), u32>, path: &[u32]
                 if steps.contains(&(a, b)) || steps.contains(&(b, a)) {
                     continue;
                 }
-                let Some(g) = beside.get(&(b, a)).copied() else {
+                let Some(g) = beside(mesh, around, (b, a)) else {
                     continue;
                 };
                 if seen.insert(g) {
