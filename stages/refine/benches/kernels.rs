@@ -154,13 +154,7 @@ fn main() {
         );
     };
     let window = Window::new(4, true);
-    let cosine = [50f64, 3.0].map(|d| d.to_radians().cos() as f32);
-    let rules = Sighting {
-        most_tilt: 65f64.to_radians(),
-        spacing_px: 1.0,
-        pairing: Pairing { cosine },
-        noise_gain: 4.0,
-    };
+    let rules = Sighting::new(65.0, Pairing::between(3.0, 50.0), 4.0);
     let around = Adjacency::new(&mesh);
     let normals = mesh.normals();
     let x: Vec<_> = (0..count as u32).map(|v| mesh.point(v).coords).collect();

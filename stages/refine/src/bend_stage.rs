@@ -96,14 +96,7 @@ impl Stage for Bend {
             rim: p.rim,
         };
         let window = Window::new(p.patch as usize, p.level_patch);
-        let rules = Sighting {
-            most_tilt: p.tilt_deg.to_radians(),
-            spacing_px: 1.0,
-            pairing: Pairing {
-                cosine: [-1.0, 1.0],
-            },
-            noise_gain: p.noise_gain,
-        };
+        let rules = Sighting::new(p.tilt_deg, Pairing::ALL, p.noise_gain);
         let none =
             |p: &crate::picture::Picture, cell| Warp::none(p.gray.width, p.gray.height, cell);
         let mut warps: Vec<Warp> = bent.iter().map(|b| none(b, p.cell_px)).collect();

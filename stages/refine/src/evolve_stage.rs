@@ -174,14 +174,10 @@ fn some_steps(
     count: u32,
 ) -> Told {
     let window = Window::new(p.patch as usize, p.level_patch);
-    let rules = Sighting {
-        most_tilt: p.tilt_deg.to_radians(),
-        spacing_px: 1.0,
-        pairing: Pairing {
-            cosine: [p.pair_to_deg.to_radians().cos() as f32 - 1e-6, 1.0],
-        },
-        noise_gain: 1.0,
+    let pairing = Pairing {
+        cosine: [p.pair_to_deg.to_radians().cos() as f32 - 1e-6, 1.0],
     };
+    let rules = Sighting::new(p.tilt_deg, pairing, 1.0);
     let around = Adjacency::new(mesh);
     let start = mesh.clone();
     let mut sights = Sights::new(mesh, &around, pictures, &window, &rules);

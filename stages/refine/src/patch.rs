@@ -120,6 +120,18 @@ pub struct Pairing {
 }
 
 impl Pairing {
+    /// Every two.
+    pub const ALL: Self = Pairing {
+        cosine: [-1.0, 1.0],
+    };
+
+    /// Those whose lines of sight stand between two angles apart. \[°\]
+    pub fn between(from_deg: f64, to_deg: f64) -> Self {
+        Pairing {
+            cosine: [to_deg, from_deg].map(|d| d.to_radians().cos() as f32),
+        }
+    }
+
     /// Whether two pictures are compared.
     #[inline]
     pub fn takes(&self, a: &Sight, b: &Sight) -> bool {

@@ -41,13 +41,8 @@ pub(crate) fn one_round(
     begin: bool,
 ) -> Result<Told, RefineError> {
     let window = Window::new(p.patch as usize, p.level_patch);
-    let cosine = [p.pair_to_deg, p.pair_from_deg].map(|d| d.to_radians().cos() as f32);
-    let rules = Sighting {
-        most_tilt: p.tilt_deg.to_radians(),
-        spacing_px: 1.0,
-        pairing: Pairing { cosine },
-        noise_gain: p.noise_gain,
-    };
+    let pairing = Pairing::between(p.pair_from_deg, p.pair_to_deg);
+    let rules = Sighting::new(p.tilt_deg, pairing, p.noise_gain);
     let around = Adjacency::new(mesh);
     let start = mesh.positions.clone();
     let mut told = Told::default();

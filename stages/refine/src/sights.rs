@@ -22,6 +22,18 @@ pub struct Sighting {
     pub noise_gain: f64,
 }
 
+impl Sighting {
+    /// A patch's points a pixel apart; the greatest tilt in degrees.
+    pub fn new(tilt_deg: f64, pairing: Pairing, noise_gain: f64) -> Self {
+        Sighting {
+            most_tilt: tilt_deg.to_radians(),
+            spacing_px: 1.0,
+            pairing,
+            noise_gain,
+        }
+    }
+}
+
 /// The frames of all vertices and the pictures that see them.
 pub struct Sights {
     /// One a vertex.

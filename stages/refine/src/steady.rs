@@ -158,14 +158,7 @@ fn one_round(
     motions: &mut [Vector6<f64>],
 ) -> f64 {
     let window = Window::new(p.patch as usize, p.level_patch);
-    let rules = Sighting {
-        most_tilt: p.tilt_deg.to_radians(),
-        spacing_px: 1.0,
-        pairing: Pairing {
-            cosine: [-1.0, 1.0],
-        },
-        noise_gain: p.noise_gain,
-    };
+    let rules = Sighting::new(p.tilt_deg, Pairing::ALL, p.noise_gain);
     let normals = mesh.normals();
     let sights = Sights::new(mesh, around, pictures, &window, &rules);
     let mut tugs = if p.brightness {

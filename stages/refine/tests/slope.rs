@@ -17,14 +17,7 @@ use stage::Stop;
 use turn::{RADIUS, ball, turn};
 
 fn rules() -> Sighting {
-    Sighting {
-        most_tilt: 65f64.to_radians(),
-        spacing_px: 1.0,
-        pairing: Pairing {
-            cosine: [50f64, 3.0].map(|d| d.to_radians().cos() as f32),
-        },
-        noise_gain: 4.0,
-    }
+    Sighting::new(65.0, Pairing::between(3.0, 50.0), 4.0)
 }
 
 /// The ball's photos.
