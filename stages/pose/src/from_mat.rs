@@ -11,7 +11,7 @@ use crate::planar::planar_pose;
 use crate::scene::{Beliefs, LensPrior, Scene, Settings, Sight, lens_values};
 use crate::tag_bloom::adjust_tags;
 use crate::tracks_in::{self, Seen};
-use crate::trust::{median_px, nudged, warnings};
+use crate::trust::{median_px, nudged, view, warnings};
 use nalgebra::Point3;
 use shape::{
     ByPhoto, Camera, Cameras, Intrinsics, Mat, PhotoId, Photos, Pose, Rig, Scale, Tag, Tags,
@@ -193,22 +193,7 @@ pub(crate) fn calibrate(
     let mut warnings = warnings(photos, &ids, &scene, &fit, &prior);
     warnings.extend(nudged(photos, &ids, &scene.poses));
     let view = |(camera, (id, ..)): (usize, &(PhotoId, Pose, &Vec<Tag>))| {
-        let own: Vec<Sight> = sights
-            .iter()
-            .filter(|s| s.camera == camera)
-            .copied()
-            .collect();
-        let view = View {
-            name: photos.get(*id).map_or(String::new(), |p| p.name.clone()),
-            camera: Camera {
-                lens: scene.lens,
-                pose: scene.poses[camera],
-            },
-            sigma_mm: fit.sigma_mm[camera],
-            rms_px: median_px(&scene, &own),
-            points: own.len() as u32,
-        };
-        (*id, view)
+        (*id, view(photos, *id, camera, &scene, &sights, &fit))
     };
     let views: ByPhoto<View> = placed.iter().enumerate().map(view).collect();
     let disk = photos.rig.disk_diameter_mm.map(|d| d / 2.0);

@@ -6,9 +6,9 @@ use crate::from_mat::Found;
 use crate::from_tracks::TracksError;
 use crate::ring_fit::{camera_circle, in_ring_frame};
 use crate::scene::{LensPrior, Scene, Sight};
-use crate::trust::{median_px, misfits, nudged, warnings};
+use crate::trust::{misfits, nudged, view, warnings};
 use crate::turn_trial::RING_MM;
-use shape::{ByPhoto, Camera, Cameras, PhotoId, Photos, Scale, View};
+use shape::{ByPhoto, Cameras, PhotoId, Photos, Scale, View};
 
 /// An adjusted scene without a scale.
 pub(crate) struct Solved {
@@ -41,23 +41,7 @@ pub(crate) fn told(
         });
     }
     let view = |(camera, id): (usize, &PhotoId)| {
-        let own: Vec<Sight> = solved
-            .sights
-            .iter()
-            .filter(|s| s.camera == camera)
-            .copied()
-            .collect();
-        let view = View {
-            name: photos.get(*id).map_or(String::new(), |p| p.name.clone()),
-            camera: Camera {
-                lens: scene.lens,
-                pose: scene.poses[camera],
-            },
-            sigma_mm: fit.sigma_mm[camera],
-            rms_px: median_px(scene, &own),
-            points: own.len() as u32,
-        };
-        (*id, view)
+        (*id, view(photos, *id, camera, scene, &solved.sights, fit))
     };
     let views: ByPhoto<View> = solved.ids.iter().enumerate().map(view).collect();
     let points = scene

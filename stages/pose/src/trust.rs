@@ -21,6 +21,32 @@ pub(crate) fn median_px(scene: &Scene, sights: &[Sight]) -> f64 {
     all.get(all.len() / 2).copied().unwrap_or(0.0)
 }
 
+/// A photo's camera as it was found, with what tells how far to trust it.
+pub(crate) fn view(
+    photos: &Photos,
+    id: PhotoId,
+    camera: usize,
+    scene: &Scene,
+    sights: &[Sight],
+    fit: &Fit,
+) -> View {
+    let own: Vec<Sight> = sights
+        .iter()
+        .filter(|s| s.camera == camera)
+        .copied()
+        .collect();
+    View {
+        name: photos.get(id).map_or(String::new(), |p| p.name.clone()),
+        camera: Camera {
+            lens: scene.lens,
+            pose: scene.poses[camera],
+        },
+        sigma_mm: fit.sigma_mm[camera],
+        rms_px: median_px(scene, &own),
+        points: own.len() as u32,
+    }
+}
+
 /// What the user should know before trusting the cameras.
 pub(crate) fn warnings(
     photos: &Photos,
