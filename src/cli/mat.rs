@@ -24,6 +24,16 @@ pub(crate) struct MatArgs {
     /// The first tag's number
     #[arg(long)]
     first_id: Option<u32>,
+    /// The disk's thickness in millimetres: prints a strip of tags for its rim, too, which tell what
+    /// a mat leaves open of the lens (docs/cameras.md)
+    #[arg(long)]
+    rim_mm: Option<f64>,
+    /// Edge length of a rim tag's black square in millimetres; as tall as the rim allows if not said
+    #[arg(long, requires = "rim_mm")]
+    rim_tag_mm: Option<f64>,
+    /// How many tags go around the rim; as many as fit, at most 48, if not said
+    #[arg(long, requires = "rim_mm")]
+    rim_count: Option<u32>,
     /// The paper of a PDF: a4, a3, letter or whole (one large page)
     #[arg(long, default_value = "a4")]
     paper: String,
@@ -58,10 +68,20 @@ pub(crate) fn mat(args: &MatArgs, house: &House) -> Result<(), Fault> {
         ("print".to_owned(), Value::Text(ending)),
         ("sheet".to_owned(), Value::Text(args.paper.to_lowercase())),
     ]);
-    if let Some(tag) = args.tag_mm {
-        said.insert("tag_mm".into(), Value::Float(tag));
+    for (name, value) in [
+        ("tag_mm", args.tag_mm),
+        ("rim_mm", args.rim_mm),
+        ("rim_tag_mm", args.rim_tag_mm),
+    ] {
+        if let Some(value) = value {
+            said.insert(name.into(), Value::Float(value));
+        }
     }
-    for (name, value) in [("count", args.count), ("first_id", args.first_id)] {
+    for (name, value) in [
+        ("count", args.count),
+        ("first_id", args.first_id),
+        ("rim_count", args.rim_count),
+    ] {
         if let Some(value) = value {
             said.insert(name.into(), Value::Int(i64::from(value)));
         }

@@ -6,6 +6,7 @@ mod alike;
 mod exif;
 mod load;
 mod rig;
+mod rig_tags;
 mod whole;
 
 pub use load::{CaptureError, Load, LoadInput, LoadParams};

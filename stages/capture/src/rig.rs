@@ -1,6 +1,7 @@
 //! `capture.toml`: what the user knows of the capture.
 
-use shape::{Mat, Reference, Rig};
+use crate::rig_tags::{read_mat, read_rim};
+use shape::{Reference, Rig};
 use stage::unknown;
 use toml::{Table, Value};
 
@@ -20,22 +21,26 @@ pub struct RigFile {
 /// A `capture.toml` that does not make sense.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 #[error("capture.toml: {0}")]
-pub struct RigError(String);
+pub struct RigError(pub(crate) String);
 
 /// A table that remembers which of its keys were read.
-struct Keys<'a> {
+pub(crate) struct Keys<'a> {
     name: &'a str,
     table: Table,
     known: Vec<&'static str>,
 }
 
 impl Keys<'_> {
-    fn take(&mut self, key: &'static str) -> Option<Value> {
+    pub(crate) fn name(&self) -> String {
+        self.name.to_owned()
+    }
+
+    pub(crate) fn take(&mut self, key: &'static str) -> Option<Value> {
         self.known.push(key);
         self.table.remove(key)
     }
 
-    fn wrong(&self, key: &str, wants: &str, got: &Value) -> RigError {
+    pub(crate) fn wrong(&self, key: &str, wants: &str, got: &Value) -> RigError {
         let place = if self.name.is_empty() {
             key.into()
         } else {
@@ -44,7 +49,7 @@ impl Keys<'_> {
         RigError(format!("`{place}` wants {wants}, but it is {got}"))
     }
 
-    fn text(&mut self, key: &'static str) -> Result<Option<String>, RigError> {
+    pub(crate) fn text(&mut self, key: &'static str) -> Result<Option<String>, RigError> {
         match self.take(key) {
             None => Ok(None),
             Some(Value::String(text)) => Ok(Some(text)),
@@ -52,7 +57,12 @@ impl Keys<'_> {
         }
     }
 
-    fn number(&mut self, key: &'static str, lo: f64, hi: f64) -> Result<Option<f64>, RigError> {
+    pub(crate) fn number(
+        &mut self,
+        key: &'static str,
+        lo: f64,
+        hi: f64,
+    ) -> Result<Option<f64>, RigError> {
         let Some(value) = self.take(key) else {
             return Ok(None);
         };
@@ -124,6 +134,10 @@ pub fn read_rig(text: &str) -> Result<RigFile, RigError> {
         rig.mat = Some(read_mat(&mut mat)?);
         mat.rest(&mut file.unknown);
     }
+    if let Some(mut rim) = root.inner("rim")? {
+        rig.rim = Some(read_rim(&mut rim, rig.mat.as_ref(), rig.disk_diameter_mm)?);
+        rim.rest(&mut file.unknown);
+    }
     if let Some(mut reference) = root.inner("reference")? {
         let kind = reference.text("kind")?.unwrap_or_default();
         let length = reference.number("length_mm", 0.1, 100_000.0)?;
@@ -153,49 +167,10 @@ fn read_pixel(keys: &mut Keys<'_>, key: &'static str) -> Result<Option<[f64; 2]>
     }
 }
 
-fn read_mat(mat: &mut Keys<'_>) -> Result<Mat, RigError> {
-    let family = mat.text("family")?.unwrap_or_else(|| "tag36h11".into());
-    if family != "tag36h11" {
-        return Err(RigError(format!(
-            "`mat.family` is {family:?}; only tag36h11 is known"
-        )));
-    }
-    let need =
-        |name: &str, x: Option<f64>| x.ok_or_else(|| RigError(format!("`mat` has no `{name}`")));
-    let tag_mm = need("tag_size_mm", mat.number("tag_size_mm", 1.0, 1000.0)?)?;
-    let ring_mm = need(
-        "ring_radius_mm",
-        mat.number("ring_radius_mm", 1.0, 10_000.0)?,
-    )?;
-    let count = need("count", mat.number("count", 1.0, 587.0)?)? as u32;
-    let first_id = match mat.take("ids") {
-        None => 0,
-        Some(ids) => {
-            let list: Vec<i64> = ids
-                .as_array()
-                .into_iter()
-                .flatten()
-                .filter_map(Value::as_integer)
-                .collect();
-            match list.as_slice() {
-                [first, last] if *first >= 0 && last - first + 1 == i64::from(count) => {
-                    *first as u32
-                }
-                _ => return Err(mat.wrong("ids", &format!("[first, last] of {count} ids"), &ids)),
-            }
-        }
-    };
-    Ok(Mat {
-        tag_mm,
-        first_id,
-        count,
-        ring_mm,
-    })
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
+    use shape::Mat;
 
     #[test]
     fn what_is_said_is_read_in_our_units() {

@@ -103,6 +103,11 @@ fn moved(scene: &Scene, system: &System, step: &DVector<f64>) -> Scene {
             step
         }
     };
+    if let Some(rim) = &scene.rim {
+        let rim = rim.moved(&whole.as_slice()[LENS + 6 * scene.poses.len()..]);
+        moved.points[rim.first..scene.known].copy_from_slice(&rim.corners());
+        moved.rim = Some(rim);
+    }
     let steps = system.reduced.point_steps(whole);
     for (point, step) in moved.points[scene.known..].iter_mut().zip(steps) {
         *point += step;

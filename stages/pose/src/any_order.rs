@@ -100,6 +100,7 @@ fn beliefs(lens: &Intrinsics, photos: &Photos, p: &CalibrateParams) -> Beliefs {
     Beliefs {
         lens: as_given(prior, &photos.rig, p),
         steps: None,
+        rim: None,
     }
 }
 
@@ -212,6 +213,7 @@ fn begun(
                 ring: None,
                 points: vec![],
                 known: 0,
+                rim: None,
             },
             score: 0.0,
         };

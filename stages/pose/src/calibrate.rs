@@ -44,6 +44,12 @@ stage::params! {
         /// How far the sides of a tag may look too far out or in: ink that spread, paper that bloomed. 0 for not at all.
         #[range(0.0..=5.0)]
         bloom_px: f64 = 0.2,
+        /// How far radius and middle of the disk's rim may be from what `[rim]` says.
+        #[range(0.001..=50.0)]
+        rim_round_mm: f64 = 1.0,
+        /// How much taller or less tall than wide a printer may make the tags on the rim, as a share.
+        #[range(0.000001..=0.1)]
+        rim_stretch: f64 = 0.001,
         /// Standard deviation of a feature.
         #[range(0.05..=5.0)]
         feature_px: f64 = 0.6,
@@ -107,7 +113,7 @@ pub struct Calibrate;
 
 impl Stage for Calibrate {
     const NAME: &'static str = "pose.calibrate";
-    const VERSION: u32 = 9;
+    const VERSION: u32 = 10;
     const ABOUT: &'static str = "Calibrates lens and cameras by bundle adjustment, in the turntable frame where a mat gives it.";
     type Params = CalibrateParams;
     type Input = CalibrateInput;
@@ -139,6 +145,7 @@ impl Stage for Calibrate {
             fit,
             warnings,
             used_tracks,
+            rim_tags,
         } = found?;
         warnings.iter().for_each(|w| ctx.warn(w));
         ctx.metric("cameras", cameras.views.len() as f64, "");
@@ -151,6 +158,9 @@ impl Stage for Calibrate {
         ctx.metric("focal", lens.focal[0], "px");
         ctx.metric("focal sigma", fit.lens_sigma[0], "px");
         ctx.metric("scale sigma", cameras.scale_sigma * 100.0, "%");
+        if photos.rig.rim.is_some() {
+            ctx.metric("rim tags", rim_tags as f64, "");
+        }
         ctx.metric("feature tracks", used_tracks as f64, "");
         Ok(cameras)
     }

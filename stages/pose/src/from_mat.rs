@@ -3,11 +3,14 @@
 //! All photos see one plane turned about its own normal: up to the turn that is one homography, and
 //! a homography tells two numbers of a lens (Zhang 2000, §2.4), not three. Focal length, the centre's
 //! row and the camera's tilt trade off; what is believed of the centre decides (8 px of 2400 are
-//! 0.1 % of focal length and 0.15 % of distance), and `scale_sigma` says how much is left open.
+//! 0.1 % of focal length and 0.15 % of distance), and `scale_sigma` says how much is left open. Tags
+//! on the disk's rim tell the third.
 
 use crate::adjust::{Fit, adjust};
 use crate::calibrate::{CalibrateParams, knows_focal};
+use crate::from_rim::{GLUE_MM, with_rim};
 use crate::planar::planar_pose;
+use crate::rim::RimBelief;
 use crate::scene::{Beliefs, LensPrior, Scene, Settings, Sight, lens_values};
 use crate::tag_bloom::adjust_tags;
 use crate::tracks_in::{self, Seen};
@@ -47,6 +50,8 @@ pub(crate) struct Found {
     pub(crate) fit: Fit,
     pub(crate) warnings: Vec<String>,
     pub(crate) used_tracks: usize,
+    /// Tags on the disk's rim that were used.
+    pub(crate) rim_tags: usize,
 }
 
 /// A tag's corners on the disk: top left, top right, bottom right, bottom left; top is outward. \[mm\]
@@ -127,6 +132,7 @@ pub(crate) fn calibrate(
         ring: None,
         points: vec![],
         known: 0,
+        rim: None,
     };
     let mut sights = Vec::new();
     for (camera, (_, _, tags)) in placed.iter().enumerate() {
@@ -154,6 +160,11 @@ pub(crate) fn calibrate(
     let beliefs = Beliefs {
         lens: prior,
         steps: None,
+        rim: photos.rig.rim.map(|_| RimBelief {
+            round_mm: p.rim_round_mm,
+            stretch: p.rim_stretch,
+            glue_mm: GLUE_MM,
+        }),
     };
     let settings = settings(p);
     let mut fit = adjust_tags(&mut scene, &mut sights, &beliefs, &settings, p.bloom_px);
@@ -161,6 +172,17 @@ pub(crate) fn calibrate(
         return Err(MatError::Misfit {
             rms: median_px(&scene, &sights),
         });
+    }
+    let (mut rim_tags, mut rim_warning) = (0, None);
+    if let Some(rim) = &photos.rig.rim {
+        let own: Vec<&Vec<Tag>> = placed.iter().map(|(_, _, tags)| *tags).collect();
+        match with_rim(&scene, &sights, rim, &own, &beliefs, &settings, p) {
+            Ok(better) => {
+                rim_tags = better.tags;
+                (scene, sights, fit) = (better.scene, better.sights, better.fit);
+            }
+            Err(why) => rim_warning = Some(why.to_string()),
+        }
     }
     let mut used_tracks = 0;
     let ids: Vec<PhotoId> = placed.iter().map(|(id, ..)| *id).collect();
@@ -192,6 +214,7 @@ pub(crate) fn calibrate(
     }
     let mut warnings = warnings(photos, &ids, &scene, &fit, &prior);
     warnings.extend(nudged(photos, &ids, &scene.poses));
+    warnings.extend(rim_warning);
     let view = |(camera, (id, ..)): (usize, &(PhotoId, Pose, &Vec<Tag>))| {
         (*id, view(photos, *id, camera, &scene, &sights, &fit))
     };
@@ -210,6 +233,7 @@ pub(crate) fn calibrate(
         fit,
         warnings,
         used_tracks,
+        rim_tags,
     })
 }
 

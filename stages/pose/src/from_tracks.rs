@@ -230,5 +230,6 @@ fn beliefs(
                 .collect(),
             sigma: p.step_sigma_deg.to_radians(),
         }),
+        rim: None,
     }
 }

@@ -2,6 +2,7 @@
 
 use crate::mat_layout::{mat_for, mat_marks, mat_toml};
 use crate::mat_print::{Paper, to_pdf, to_svg};
+use crate::rim_layout::{rim_for, rim_pieces, rim_toml};
 use shape::Document;
 use stage::{Ctx, Stage, Stop};
 
@@ -46,6 +47,15 @@ stage::params! {
         first_id: u32 = 0,
         /// Whether dots between the tags give photos more to hold on to.
         dots: bool = true,
+        /// How thick the disk is, where its rim is to have tags, too; 0 for none.
+        #[range(0.0..=1000.0)]
+        rim_mm: f64 = 0.0,
+        /// Edge length of a rim tag's black square; 0 for as tall as the rim allows.
+        #[range(0.0..=500.0)]
+        rim_tag_mm: f64 = 0.0,
+        /// How many tags go around the rim; 0 for as many as fit, at most 48.
+        #[range(0..=500)]
+        rim_count: u32 = 0,
         /// What it is written as.
         print: Print = Print::Pdf,
         /// The paper it is printed on.
@@ -63,9 +73,8 @@ pub struct PrintMat;
 
 impl Stage for PrintMat {
     const NAME: &'static str = "pose.mat";
-    const VERSION: u32 = 1;
-    const ABOUT: &'static str =
-        "Lays out a marker mat (AprilTag 36h11) for a disk, to be printed at true scale.";
+    const VERSION: u32 = 2;
+    const ABOUT: &'static str = "Lays out a marker mat (AprilTag 36h11) for a disk, and a strip for its rim, to be printed at true scale.";
     type Params = MatParams;
     type Input = MatInput;
     type Output = Document;
@@ -73,7 +82,26 @@ impl Stage for PrintMat {
     fn run(p: &MatParams, _: MatInput, ctx: &Ctx<'_>) -> Result<Document, Stop> {
         let mat = mat_for(p.diameter_mm, p.tag_mm, p.count, p.first_id)?;
         let marks = mat_marks(&mat, p.diameter_mm, p.dots);
-        let note = mat_toml(&mat);
+        let mut note = mat_toml(&mat);
+        let rim = match p.rim_mm > 0.0 {
+            true => Some(rim_for(
+                p.diameter_mm,
+                p.rim_mm,
+                p.rim_tag_mm,
+                p.rim_count,
+                mat.first_id + mat.count,
+            )?),
+            false => None,
+        };
+        if let Some(rim) = &rim {
+            note.push_str(&rim_toml(rim));
+            ctx.metric("tags on the rim", f64::from(rim.count), "");
+            ctx.metric("their size", rim.tag_mm, "mm");
+        }
+        let pieces = |widest_mm: f64| {
+            let of = |rim| rim_pieces(rim, p.rim_mm, widest_mm);
+            rim.as_ref().map(of).unwrap_or_default()
+        };
         ctx.metric("tags", f64::from(mat.count), "");
         ctx.metric("tag size", mat.tag_mm, "mm");
         ctx.metric("ring radius", mat.ring_mm, "mm");
@@ -85,7 +113,7 @@ impl Stage for PrintMat {
         let (media, bytes) = match p.print {
             Print::Svg => (
                 "image/svg+xml",
-                to_svg(&marks, p.diameter_mm, &note).into_bytes(),
+                to_svg(&marks, p.diameter_mm, &note, &pieces(p.diameter_mm)).into_bytes(),
             ),
             Print::Pdf => {
                 let paper = match p.sheet {
@@ -96,7 +124,13 @@ impl Stage for PrintMat {
                 };
                 (
                     "application/pdf",
-                    to_pdf(&marks, p.diameter_mm, &paper, &note),
+                    to_pdf(
+                        &marks,
+                        p.diameter_mm,
+                        &paper,
+                        &note,
+                        &pieces(paper.size_mm[0] - 2.0 * paper.margin_mm),
+                    ),
                 )
             }
         };

@@ -14,6 +14,8 @@ pub enum Mark {
     Dot([f64; 2], f64, f64),
     /// A circle's line: radius.
     Circle(f64),
+    /// A thin line through places.
+    Line(Vec<[f64; 2]>),
     /// Words: where they begin, their height, the words.
     Words([f64; 2], f64, String),
 }
@@ -33,6 +35,24 @@ pub enum LayoutError {
         /// On what. \[mm\]
         disk_mm: f64,
         /// How many would fit.
+        most: u32,
+    },
+    /// Tags are too tall for the rim, or too small to be seen.
+    #[error(
+        "tags of {tag_mm} mm do not fit on a rim of {thick_mm} mm: they need a white margin of an eighth of their size all around, at least 5 mm, and may span a third of the disk's radius at most"
+    )]
+    Thin {
+        /// How large. \[mm\]
+        tag_mm: f64,
+        /// On what. \[mm\]
+        thick_mm: f64,
+    },
+    /// Tags do not go around the rim.
+    #[error("{count} tags do not go around the rim: at least 3 and at most {most} do")]
+    CrowdedRim {
+        /// How many.
+        count: u32,
+        /// How many would.
         most: u32,
     },
     /// The family ends.
@@ -101,7 +121,14 @@ fn tag(mat: &Mat, id: u32) -> Option<Vec<Mark>> {
     let corners = mat_corners(mat, id)?.map(|c| Vector2::new(c.x, c.y));
     let [left, right, _, below] = corners;
     let (x, y) = ((right - left) / 8.0, (below - left) / 8.0);
-    let mut marks = Vec::new();
+    let corner = |[c, r]: [usize; 2]| (left + x * c as f64 + y * r as f64).into();
+    let fill = |around: [[usize; 2]; 4]| Mark::Fill(around.map(corner).into(), 0.0);
+    Some(black(id)?.into_iter().map(fill).collect())
+}
+
+/// A tag's black rectangles, one for each run of a row: corners in modules, column and row.
+pub(crate) fn black(id: u32) -> Option<Vec<[[usize; 2]; 4]>> {
+    let mut all = Vec::new();
     for (r, row) in modules(id)?.iter().enumerate() {
         let mut at = 0;
         while at < 8 {
@@ -110,13 +137,11 @@ fn tag(mat: &Mat, id: u32) -> Option<Vec<Mark>> {
                 continue;
             }
             let end = (at..8).find(|c| row[*c]).unwrap_or(8);
-            let corner = |c: usize, r: usize| (left + x * c as f64 + y * r as f64).into();
-            let around = [(at, r), (end, r), (end, r + 1), (at, r + 1)];
-            marks.push(Mark::Fill(around.map(|(c, r)| corner(c, r)).into(), 0.0));
+            all.push([[at, r], [end, r], [end, r + 1], [at, r + 1]]);
             at = end;
         }
     }
-    Some(marks)
+    Some(all)
 }
 
 /// All that is printed. `dots` a tenth of the inner area's worth of features, the same for the same

@@ -1,6 +1,7 @@
 //! What is adjusted, what was seen of it, what is believed of it, and the cost of all that.
 
 use crate::residual::{Derivatives, derivatives};
+use crate::rim::{OnRim, RimBelief};
 use crate::ring::Ring;
 use nalgebra::Point3;
 use shape::{Camera, Intrinsics, Pose};
@@ -34,6 +35,8 @@ pub struct Scene {
     pub points: Vec<Point3<f64>>,
     /// Points before this one are known and stay; those from it on are free.
     pub known: usize,
+    /// Tags on the disk's rim: known points that follow from what is open of them.
+    pub(crate) rim: Option<OnRim>,
 }
 
 /// A belief about the lens: mean and standard deviation of each of its unknowns.
@@ -52,6 +55,8 @@ pub struct Beliefs {
     pub lens: LensPrior,
     /// Of a ring: how far it turned from photo to photo.
     pub steps: Option<Steps>,
+    /// Of tags on the disk's rim.
+    pub(crate) rim: Option<RimBelief>,
 }
 
 /// A belief about the turns of a ring.
@@ -135,5 +140,9 @@ pub fn cost(scene: &Scene, sights: &[Sight], beliefs: &Beliefs, loss: f64) -> f6
             .sum(),
         _ => 0.0,
     };
-    seen + lens + steps
+    let rim: f64 = match (&scene.rim, &beliefs.rim) {
+        (Some(rim), Some(b)) => rim.beliefs(b).map(|(v, s)| (v / s).powi(2)).sum(),
+        _ => 0.0,
+    };
+    seen + lens + steps + rim
 }

@@ -1,8 +1,9 @@
 //! The normal equations of an adjustment with its points eliminated (the Schur complement; Triggs
 //! et al. 1999, §6.1).
 
+use crate::residual::Derivatives;
 use crate::scene::{LENS, Scene, Sight, look};
-use nalgebra::{DMatrix, DVector, Matrix3, SMatrix, Vector3};
+use nalgebra::{DMatrix, DVector, Matrix3, Matrix3xX, SMatrix, Vector3};
 
 type LensBlock = SMatrix<f64, LENS, 3>;
 type CameraBlock = SMatrix<f64, 6, 3>;
@@ -15,7 +16,8 @@ struct Eliminated {
     cameras: Vec<(usize, CameraBlock)>,
 }
 
-/// The reduced system. Unknowns: the lens, then six a camera (rotation, translation).
+/// The reduced system. Unknowns: the lens, then six a camera (rotation, translation), then what is
+/// open of tags on a rim.
 pub(crate) struct Reduced {
     /// Symmetric, both halves filled.
     pub(crate) matrix: DMatrix<f64>,
@@ -26,7 +28,8 @@ pub(crate) struct Reduced {
 /// Builds the reduced system from the sightings of each point; `loss` is Cauchy's c, `damping`
 /// that of the points' own blocks.
 pub(crate) fn reduce(scene: &Scene, by_point: &[Vec<Sight>], loss: f64, damping: f64) -> Reduced {
-    let n = LENS + 6 * scene.poses.len();
+    let poses = LENS + 6 * scene.poses.len();
+    let n = poses + scene.rim.as_ref().map_or(0, |rim| rim.unknowns());
     let mut system = Reduced {
         matrix: DMatrix::zeros(n, n),
         right: DVector::zeros(n),
@@ -37,6 +40,10 @@ pub(crate) fn reduce(scene: &Scene, by_point: &[Vec<Sight>], loss: f64, damping:
         let (mut v, mut right) = (Matrix3::zeros(), Vector3::zeros());
         let mut lens = LensBlock::zeros();
         let mut cameras = Vec::with_capacity(sights.len());
+        let open = scene.rim.as_ref().and_then(|rim| {
+            let corner = p.checked_sub(rim.first).filter(|_| p < scene.known)?;
+            Some(rim.by_open(corner))
+        });
         for sight in sights {
             let Some(d) = look(scene, sight) else {
                 continue;
@@ -62,6 +69,9 @@ pub(crate) fn reduce(scene: &Scene, by_point: &[Vec<Sight>], loss: f64, damping:
             r -= by_lens.transpose() * d.residual * weight;
             let mut r = system.right.fixed_rows_mut::<6>(at);
             r -= by_pose.transpose() * d.residual * weight;
+            if let Some((which, by_open)) = &open {
+                add_open(&mut system, poses, at, which, &d, by_open, weight);
+            }
             if p >= scene.known {
                 v += d.by_point.transpose() * d.by_point * weight;
                 right -= d.by_point.transpose() * d.residual * weight;
@@ -87,6 +97,30 @@ pub(crate) fn reduce(scene: &Scene, by_point: &[Vec<Sight>], loss: f64, damping:
         }
     }
     system
+}
+
+/// Adds what a sighting tells of a rim's open numbers, in the lower half.
+fn add_open(
+    system: &mut Reduced,
+    from: usize,
+    camera: usize,
+    which: &[usize],
+    d: &Derivatives,
+    by_open: &Matrix3xX<f64>,
+    weight: f64,
+) {
+    let by = d.by_point * by_open * weight;
+    for (a, row) in which.iter().enumerate() {
+        let (row, by) = (from + row, by.column(a));
+        system.right[row] -= by.dot(&d.residual);
+        for (i, column) in (0..LENS).chain(camera..camera + 6).enumerate() {
+            system.matrix[(row, column)] += by.dot(&d.by_unknown.column(i));
+        }
+        for (b, column) in which.iter().enumerate().filter(|(_, c)| from + **c <= row) {
+            let other = d.by_point * by_open.column(b);
+            system.matrix[(row, from + column)] += by.dot(&other);
+        }
+    }
 }
 
 impl Eliminated {

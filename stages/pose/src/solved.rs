@@ -100,6 +100,7 @@ pub(crate) fn told(
     Ok(Found {
         cameras,
         used_tracks: scene.points.len(),
+        rim_tags: 0,
         fit: fit.clone(),
         warnings,
     })

@@ -55,6 +55,13 @@ pub(crate) fn system(
             right[j] -= off;
         }
     }
+    if let (Some(rim), Some(belief)) = (&scene.rim, &beliefs.rim) {
+        let from = LENS + 6 * scene.poses.len();
+        for (i, (value, sigma)) in rim.beliefs(belief).enumerate() {
+            matrix[(from + i, from + i)] += 1.0 / (sigma * sigma);
+            right[from + i] -= value / (sigma * sigma);
+        }
+    }
     for (direction, size) in freedoms(scene) {
         let d = DVector::from_vec(direction);
         matrix += &d * d.transpose() * (HELD / (size * size));

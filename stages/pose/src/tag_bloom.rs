@@ -5,6 +5,7 @@
 //! shift bends the lens (k1, k2) and through it the focal length. Here it is an unknown of each tag.
 
 use crate::adjust::{Fit, adjust};
+use crate::rim::straightened;
 use crate::scene::{Beliefs, Scene, Settings, Sight};
 use crate::trust::median_px;
 use nalgebra::{Matrix2, Vector2};
@@ -45,13 +46,15 @@ pub(crate) fn adjust_tags(
     let seen: Vec<[f64; 2]> = sights.iter().map(|s| s.at_px).collect();
     let mut fit = adjust(scene, sights, beliefs, settings);
     let mut last = vec![0.0; seen.len() / 4];
-    for _ in 0..if bloom_px > 0.0 { ROUNDS } else { 0 } {
+    let rounds = bloom_px > 0.0 || scene.rim.is_some();
+    for _ in 0..if rounds { ROUNDS } else { 0 } {
         let mut change = 0.0f64;
         for ((tag, seen), last) in sights
             .chunks_exact_mut(4)
             .zip(seen.chunks_exact(4))
             .zip(&mut last)
         {
+            let seen = &unbent(scene, &tag[0], seen);
             let now = shift(scene, tag, seen, settings.loss, bloom_px);
             change = change.max((now - *last).abs());
             *last = now;
@@ -65,13 +68,42 @@ pub(crate) fn adjust_tags(
             break;
         }
     }
-    // The median of a two-dimensional normal distribution's length is 1.18 standard deviations.
-    let scatter = median_px(scene, sights) / 1.18;
-    if sights.first().is_some_and(|s| s.sigma_px < scatter) {
-        sights.iter_mut().for_each(|s| s.sigma_px = scatter);
+    // On the disk and on its rim, corners scatter by what they scatter.
+    let on_disk = scene.rim.as_ref().map_or(usize::MAX, |rim| rim.first);
+    let split = sights.partition_point(|s| s.point < on_disk);
+    let (mat, rim) = sights.split_at_mut(split);
+    let mut more = false;
+    for part in [mat, rim] {
+        let scatter = scatter_px(scene, part);
+        if part.first().is_some_and(|s| s.sigma_px < scatter) {
+            part.iter_mut().for_each(|s| s.sigma_px = scatter);
+            more = true;
+        }
+    }
+    if more {
         fit = adjust(scene, sights, beliefs, settings);
     }
     fit
+}
+
+/// Standard deviation of sightings: the median of a two-dimensional normal distribution's length is
+/// 1.18 of them. \[px\]
+pub(crate) fn scatter_px(scene: &Scene, sights: &[Sight]) -> f64 {
+    median_px(scene, sights) / 1.18
+}
+
+/// A tag's corners where they would be seen if its sides were straight: those of a tag on the rim
+/// are arcs.
+fn unbent(scene: &Scene, first: &Sight, seen: &[[f64; 2]]) -> [[f64; 2]; 4] {
+    let corners = [seen[0], seen[1], seen[2], seen[3]];
+    let bent = scene.rim.as_ref().and_then(|rim| {
+        let at = first.point.checked_sub(rim.first)?;
+        straightened(scene, rim, first.camera, at / 4)
+    });
+    match bent {
+        None => corners,
+        Some(off) => [0, 1, 2, 3].map(|i| (Vector2::from(corners[i]) - off[i]).into()),
+    }
 }
 
 /// The shift of one tag that fits best where its corners project. \[px\]
@@ -141,6 +173,7 @@ mod tests {
             ring: None,
             points: vec![],
             known: 0,
+            rim: None,
         };
         let mut sights = vec![];
         for (camera, pose) in truth.iter().enumerate() {
@@ -169,6 +202,7 @@ mod tests {
         let beliefs = Beliefs {
             lens: lens_prior(&lens, true, &params),
             steps: None,
+            rim: None,
         };
         let settings = crate::from_mat::settings(&params);
         let off = |bloom_px: f64| {

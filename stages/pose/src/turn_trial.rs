@@ -57,10 +57,12 @@ pub(crate) fn tried_out(
         ring: Some(ring),
         points: vec![],
         known: 0,
+        rim: None,
     };
     let mut beliefs = Beliefs {
         lens: lens_prior(lens, true, p),
         steps: None,
+        rim: None,
     };
     beliefs.lens.mean[0] = start.focal_px;
     let short = crate::scene::Settings {

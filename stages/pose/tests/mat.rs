@@ -1,8 +1,8 @@
 //! A mat that is printed is found again where it was printed.
 
 use pose::{
-    FindTags, LayoutError, Mark, Paper, TagsInput, TagsParams, mat_corners, mat_for, mat_marks,
-    tiles, to_pdf, to_svg,
+    FindTags, LayoutError, Mark, Paper, Piece, TagsInput, TagsParams, mat_corners, mat_for,
+    mat_marks, rim_for, rim_pieces, tiles, to_pdf, to_svg,
 };
 use shape::{Gray, Photo, PhotoId, Photos, gray_to_png};
 use stage::{Ctx, Stage};
@@ -114,7 +114,7 @@ fn pages_cover_the_mat_at_true_scale() {
     }
     let mat = mat_for(700.0, 0.0, 0, 0).unwrap();
     let marks = mat_marks(&mat, 700.0, true);
-    let pdf = String::from_utf8(to_pdf(&marks, 700.0, &paper, "note")).unwrap();
+    let pdf = String::from_utf8(to_pdf(&marks, 700.0, &paper, "note", &[])).unwrap();
     assert!(pdf.starts_with("%PDF-1.4") && pdf.ends_with("%%EOF\n"));
     assert_eq!(pdf.matches("/Type /Page ").count(), corners.len());
     let table: usize = pdf
@@ -127,6 +127,68 @@ fn pages_cover_the_mat_at_true_scale() {
         .parse()
         .unwrap();
     assert!(pdf[table..].starts_with("xref"));
-    let svg = to_svg(&marks, 700.0, "note\n");
+    let svg = to_svg(&marks, 700.0, "note\n", &[]);
     assert!(svg.contains("width=\"704mm\"") && svg.contains("viewBox=\"-352 -352 704 704\""));
+}
+
+#[test]
+fn a_strip_goes_once_around_the_rim_in_pieces_that_fit_a_page() {
+    let rim = rim_for(450.0, 40.0, 0.0, 0, 12).unwrap();
+    assert_eq!((rim.tag_mm, rim.first_id, rim.radius_mm), (32.0, 12, 225.0));
+    let pieces = rim_pieces(&rim, 40.0, 190.0);
+    let (mut around, mut black) = (0.0, 0);
+    for piece in &pieces {
+        assert!(piece.size_mm[0] <= 190.0);
+        let mut right = 0.0f64;
+        for mark in &piece.marks {
+            match mark {
+                Mark::Line(at) if at.len() == 2 => around += at[0][0],
+                Mark::Fill(corners, _) => {
+                    black += 1;
+                    for [x, y] in corners {
+                        right = right.max(*x);
+                        assert!((4.0 - 1e-9..=36.0 + 1e-9).contains(y), "{y}");
+                    }
+                }
+                _ => {}
+            }
+        }
+        // A module and more of white on both sides.
+        assert!(right < piece.size_mm[0] - 8.0 - 4.0);
+    }
+    assert!(
+        (around - 450.0 * std::f64::consts::PI).abs() < 1e-6,
+        "{around}"
+    );
+    assert!(black > 8 * rim.count as usize);
+    let paper = Paper {
+        size_mm: [210.0, 297.0],
+        margin_mm: 10.0,
+    };
+    let mat = mat_for(450.0, 0.0, 12, 0).unwrap();
+    let marks = mat_marks(&mat, 450.0, false);
+    let pages = |pieces: &[Piece]| {
+        let pdf = String::from_utf8(to_pdf(&marks, 450.0, &paper, "note", pieces)).unwrap();
+        pdf.matches("/Type /Page ").count()
+    };
+    let a_page = (297.0f64 - 20.0 - 14.0 + 6.0) / (pieces[0].size_mm[1] + 6.0);
+    assert_eq!(
+        pages(&pieces) - pages(&[]),
+        pieces.len().div_ceil(a_page as usize)
+    );
+}
+
+#[test]
+fn a_strip_that_cannot_be_says_so() {
+    let thin = rim_for(450.0, 20.0, 18.0, 0, 12).unwrap_err();
+    assert!(matches!(thin, LayoutError::Thin { .. }), "{thin}");
+    let many = rim_for(450.0, 40.0, 32.0, 80, 12).unwrap_err();
+    assert!(
+        matches!(many, LayoutError::CrowdedRim { most: 35, .. }),
+        "{many}"
+    );
+    assert_eq!(
+        rim_for(450.0, 40.0, 20.0, 40, 560),
+        Err(LayoutError::Beyond(599))
+    );
 }

@@ -70,7 +70,7 @@ pub use masks::{Mask, Masks};
 pub use mesh::{Adjacency, Mesh, MeshFault};
 pub use odd_masks::odd;
 pub use photos::{Photo, PhotoError, Photos};
-pub use rig::{Mat, Reference, Rig};
+pub use rig::{Mat, Reference, Rig, Rim};
 pub use solid::{Furrow, Level, Part as SolidPart, Solid};
 pub use sway::Sway;
 pub use tags::{Tag, Tags};

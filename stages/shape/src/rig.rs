@@ -23,6 +23,8 @@ pub struct Rig {
     pub disk_diameter_mm: Option<f64>,
     /// The marker mat on the disk.
     pub mat: Option<Mat>,
+    /// Tags on the disk's rim, beside the mat.
+    pub rim: Option<Rim>,
     /// A length that is known.
     pub reference: Option<Reference>,
 }
@@ -39,6 +41,20 @@ pub struct Mat {
     /// Radius of the circle through the tags' centres. \[mm\] Tag i is centred at angle
     /// i · 360° / count, counter-clockwise from above, its top edge outward.
     pub ring_mm: f64,
+}
+
+/// A strip of upright AprilTags (family 36h11) around the disk's rim, all of one size.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub struct Rim {
+    /// Edge length of a tag's black square, measured along the strip. \[mm\]
+    pub tag_mm: f64,
+    /// First id of the strip.
+    pub first_id: u32,
+    /// How many tags.
+    pub count: u32,
+    /// Radius of the printed face. \[mm\] Tags follow each other counter-clockwise seen from above,
+    /// their top edges up; where along the rim and how deep each sits is not asked.
+    pub radius_mm: f64,
 }
 
 /// A length that is known.

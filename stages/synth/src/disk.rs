@@ -3,7 +3,10 @@
 use crate::codes::modules;
 use crate::noise::{chance, octaves};
 use nalgebra::{Point3, Vector3};
-use shape::Mat;
+use shape::{Mat, Rim};
+
+/// How much light paper gives back.
+const PAPER: f32 = 0.8;
 
 /// A disk: its top is z = 0, its axis is z. \[mm\]
 #[derive(Debug, Clone, Copy)]
@@ -14,6 +17,8 @@ pub(crate) struct Disk {
     pub(crate) thick: f64,
     /// What lies on it.
     pub(crate) mat: Option<Mat>,
+    /// What is glued around its rim.
+    pub(crate) rim: Option<Rim>,
     /// Which of all such disks.
     pub(crate) seed: u32,
 }
@@ -25,6 +30,16 @@ pub(crate) fn mat_for(radius: f64) -> Mat {
         first_id: 0,
         count: 16,
         ring_mm: (0.83 * radius).round(),
+    }
+}
+
+/// The strip for a disk's rim.
+pub(crate) fn rim_for(radius: f64, mat: &Mat) -> Rim {
+    Rim {
+        tag_mm: (0.12 * radius).round(),
+        first_id: mat.first_id + mat.count,
+        count: 40,
+        radius_mm: radius,
     }
 }
 
@@ -54,6 +69,11 @@ impl Disk {
         let t = (-b - under.sqrt()) / a;
         let hit = from + along * t;
         (t > 0.0 && (-self.thick..=0.0).contains(&hit.z)).then(|| {
+            // The strip is as tall as a tag with a margin of an eighth at either side.
+            if let Some(rim) = self.rim.filter(|rim| -hit.z < 1.25 * rim.tag_mm) {
+                let ink = in_rim_tag(&rim, hit.y.atan2(hit.x), -hit.z);
+                return [if ink { 0.02 } else { PAPER }; 3];
+            }
             let at = hit.coords.map(|x| x as f32).into();
             let grain = octaves(at, 40.0, 5.0, (t * spread) as f32, self.seed + 21);
             [0.05 * (1.0 + 0.3 * grain); 3]
@@ -66,7 +86,6 @@ impl Disk {
             let grain = octaves([at[0] * 0.15, at[1], 0.0], 60.0, 3.0, pixel, self.seed + 22);
             return [0.42, 0.27, 0.15].map(|c| c * (1.0 + 0.3 * grain));
         };
-        const PAPER: f32 = 0.8;
         let ink = if in_tag(mat, x, y) { 0.02 } else { PAPER };
         let inner = mat.ring_mm - 0.75 * mat.tag_mm;
         let size = (0.035 * self.radius) as f32;
@@ -97,6 +116,21 @@ fn in_tag(mat: &Mat, x: f64, y: f64) -> bool {
     );
     let inside = |k: f64| (0.0..8.0).contains(&k);
     let id = mat.first_id + (i as i64).rem_euclid(i64::from(mat.count)) as u32;
+    inside(column)
+        && inside(row)
+        && modules(id).is_some_and(|white| !white[row as usize][column as usize])
+}
+
+/// Whether a place on a rim's strip is black of a tag: its angle, and how deep it lies. \[rad, mm\]
+fn in_rim_tag(rim: &Rim, angle: f64, deep: f64) -> bool {
+    let step = std::f64::consts::TAU / f64::from(rim.count);
+    let i = (angle / step).round();
+    let module = rim.tag_mm / 8.0;
+    // From outside, further to the right is further counter-clockwise.
+    let column = (((angle - i * step) * rim.radius_mm + rim.tag_mm / 2.0) / module).floor();
+    let row = ((deep - module) / module).floor();
+    let inside = |k: f64| (0.0..8.0).contains(&k);
+    let id = rim.first_id + (i as i64).rem_euclid(i64::from(rim.count)) as u32;
     inside(column)
         && inside(row)
         && modules(id).is_some_and(|white| !white[row as usize][column as usize])

@@ -1,12 +1,13 @@
 //! The stage that takes the photos of a turn.
 
-use crate::disk::{Disk, mat_for};
+use crate::disk::{Disk, mat_for, rim_for};
 use crate::photograph::{Scene, developed, empty_room, fixed_pose, with_body, with_disk};
 use crate::room::Room;
 use crate::skin::Look;
 use rayon::prelude::*;
 use shape::{
-    Camera, Cameras, Mat, Mesh, Photo, PhotoId, Photos, Rgb, Rig, Sway, rgb_to_jpeg, rgb_to_png,
+    Camera, Cameras, Mat, Mesh, Photo, PhotoId, Photos, Rgb, Rig, Rim, Sway, rgb_to_jpeg,
+    rgb_to_png,
 };
 use stage::{Ctx, Stage, Stop};
 use std::path::Path;
@@ -40,6 +41,8 @@ stage::params! {
         jpeg_quality: u32 = 93,
         /// Whether a marker mat lies on the disk; else it is wood.
         mat: bool = true,
+        /// Whether a strip of tags goes around the rim of a disk with a mat.
+        rim: bool = false,
         /// Whether there is a photo of the scene without the body.
         plate: bool = true,
         /// By how much the focal length that EXIF tells is too short, as a share of it.
@@ -73,7 +76,7 @@ pub struct TakePhotos;
 
 impl Stage for TakePhotos {
     const NAME: &'static str = "synth.turn";
-    const VERSION: u32 = 1;
+    const VERSION: u32 = 2;
     const ABOUT: &'static str =
         "Takes the photos of a turn of any mesh: textured, lit, on a disk in a furnished room.";
     type Params = TurnParams;
@@ -85,7 +88,9 @@ impl Stage for TakePhotos {
         let first = cameras.views.values().next().ok_or(NoCamera)?.camera;
         let fixed = fixed_pose(&first.pose);
         let mat = cameras.disk_radius_mm.filter(|_| p.mat).map(mat_for);
-        let scene = scene(p, cameras, &first, mat);
+        let rim = cameras.disk_radius_mm.zip(mat).filter(|_| p.rim);
+        let rim = rim.map(|(radius, mat)| rim_for(radius, &mat));
+        let scene = scene(p, cameras, &first, mat, rim);
         let room = empty_room(&scene, &first, &fixed);
         let normals = mesh.normals();
         let steps = ctx.steps("photos", cameras.views.len());
@@ -120,18 +125,26 @@ impl Stage for TakePhotos {
             stature_mm: mesh.bounds().map(|b| b.1.z - cameras.ground_mm),
             disk_diameter_mm: cameras.disk_radius_mm.map(|r| 2.0 * r),
             mat,
+            rim,
             ..Rig::default()
         };
         Ok(Photos { photos, plate, rig })
     }
 }
 
-fn scene(p: &TurnParams, cameras: &Cameras, first: &Camera, mat: Option<Mat>) -> Scene {
+fn scene(
+    p: &TurnParams,
+    cameras: &Cameras,
+    first: &Camera,
+    mat: Option<Mat>,
+    rim: Option<Rim>,
+) -> Scene {
     let thick = 0.25 * cameras.disk_radius_mm.unwrap_or(400.0);
     let disk = |radius: f64| Disk {
         radius,
         thick,
         mat,
+        rim,
         seed: p.seed,
     };
     Scene {

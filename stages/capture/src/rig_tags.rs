@@ -1,0 +1,117 @@
+//! What `capture.toml` says of marker tags: the mat on the disk, the strip on its rim.
+
+use crate::rig::{Keys, RigError};
+use shape::{Mat, Rim};
+use toml::Value;
+
+/// A number that must be there.
+fn need(keys: &mut Keys<'_>, key: &'static str, lo: f64, hi: f64) -> Result<f64, RigError> {
+    let name = keys.name();
+    let number = keys.number(key, lo, hi)?;
+    number.ok_or_else(|| RigError(format!("`{name}` has no `{key}`")))
+}
+
+/// Family, first id and how many.
+fn read_ids(keys: &mut Keys<'_>) -> Result<(u32, u32), RigError> {
+    let family = keys.text("family")?.unwrap_or_else(|| "tag36h11".into());
+    if family != "tag36h11" {
+        return Err(RigError(format!(
+            "`{}.family` is {family:?}; only tag36h11 is known",
+            keys.name()
+        )));
+    }
+    let count = need(keys, "count", 1.0, 587.0)? as u32;
+    let Some(ids) = keys.take("ids") else {
+        return Ok((0, count));
+    };
+    let list: Vec<i64> = ids
+        .as_array()
+        .into_iter()
+        .flatten()
+        .filter_map(Value::as_integer)
+        .collect();
+    match list.as_slice() {
+        [first, last] if *first >= 0 && last - first + 1 == i64::from(count) => {
+            Ok((*first as u32, count))
+        }
+        _ => Err(keys.wrong("ids", &format!("[first, last] of {count} ids"), &ids)),
+    }
+}
+
+/// `[mat]`.
+pub(crate) fn read_mat(keys: &mut Keys<'_>) -> Result<Mat, RigError> {
+    let (first_id, count) = read_ids(keys)?;
+    Ok(Mat {
+        tag_mm: need(keys, "tag_size_mm", 1.0, 1000.0)?,
+        first_id,
+        count,
+        ring_mm: need(keys, "ring_radius_mm", 1.0, 10_000.0)?,
+    })
+}
+
+/// `[rim]`: its tags have numbers of their own, and stand on a disk with a mat.
+pub(crate) fn read_rim(
+    keys: &mut Keys<'_>,
+    mat: Option<&Mat>,
+    disk_mm: Option<f64>,
+) -> Result<Rim, RigError> {
+    let Some(mat) = mat else {
+        return Err(RigError(
+            "`rim` tells of tags on the disk's rim, but there is no `mat`: these tags serve beside a mat on the disk only".into(),
+        ));
+    };
+    let (first_id, count) = read_ids(keys)?;
+    if first_id < mat.first_id + mat.count && mat.first_id < first_id + count {
+        return Err(RigError(format!(
+            "tags {first_id} to {} of `rim` are among those of `mat`: give `ids` of their own",
+            first_id + count - 1
+        )));
+    }
+    let radius = keys.number("radius_mm", 10.0, 5000.0)?;
+    let radius_mm = radius
+        .or(disk_mm.map(|d| d / 2.0))
+        .ok_or_else(|| RigError("`rim` has no `radius_mm`, nor has `disk` a diameter".into()))?;
+    Ok(Rim {
+        tag_mm: need(keys, "tag_size_mm", 1.0, 1000.0)?,
+        first_id,
+        count,
+        radius_mm,
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::rig::read_rig;
+    use shape::Rim;
+
+    const MAT: &str = "[disk]\ndiameter_cm = 45\n[mat]\ntag_size_mm = 60.0\nids = [0, 11]\n\
+                       count = 12\nring_radius_mm = 187.0\n";
+
+    #[test]
+    fn a_strip_on_the_rim_is_read_beside_a_mat() {
+        let text = format!("{MAT}[rim]\ntag_size_mm = 24.0\nids = [12, 47]\ncount = 36\n");
+        let rim = Rim {
+            tag_mm: 24.0,
+            first_id: 12,
+            count: 36,
+            radius_mm: 225.0,
+        };
+        assert_eq!(read_rig(&text).unwrap().rig.rim, Some(rim));
+    }
+
+    #[test]
+    fn a_strip_that_cannot_serve_is_refused() {
+        let rim = "[rim]\ntag_size_mm = 24.0\ncount = 36\n";
+        for (text, says) in [
+            (rim.to_owned(), "there is no `mat`"),
+            (format!("{MAT}{rim}"), "tags 0 to 35 of `rim` are among"),
+            (
+                format!("{MAT}{rim}ids = [12, 40]"),
+                "`rim.ids` wants [first, last] of 36 ids",
+            ),
+        ] {
+            let error = read_rig(&text).unwrap_err().to_string();
+            assert!(error.contains(says), "{error}");
+        }
+    }
+}
