@@ -21,6 +21,9 @@ pub enum OutError {
     /// A photo that is to be drawn on.
     #[error(transparent)]
     Photo(#[from] shape::PhotoError),
+    /// Cameras that a format cannot say.
+    #[error(transparent)]
+    Lens(#[from] shape::Distorted),
     /// No such format for this kind.
     #[error("{kind} cannot be written as `{format}`; known: {known}")]
     Format {
@@ -41,7 +44,7 @@ pub fn formats(kind: &str) -> &'static [&'static str] {
     match kind {
         "mesh" => &["ply", "glb", "obj", "views"],
         "textured" => &["glb", "ply", "obj", "views"],
-        "cameras" => &["json", "colmap", "svg"],
+        "cameras" => &["json", "colmap", "colmap-binary", "middlebury", "svg"],
         "masks" => &["png", "sheet"],
         "girths" => &["json", "csv", "schema"],
         "photos" => &["capture"],
@@ -109,6 +112,10 @@ pub fn files(
         ("cameras", "svg") => one(shape::cameras_to_svg(&*take!(Cameras)).into_bytes()),
         ("keypoints", _) => Ok(shape::keypoints_to_png(&*take!(Keypoints), names)?),
         ("tracks", _) => Ok(shape::tracks_to_png(&*take!(Tracks), names)?),
+        ("cameras", "colmap-binary") => Ok(shape::cameras_to_colmap_binary(&*take!(Cameras))),
+        ("cameras", "middlebury") => {
+            one(shape::cameras_to_middlebury(&*take!(Cameras))?.into_bytes())
+        }
         ("cameras", "colmap") => Ok(shape::cameras_to_colmap_text(&*take!(Cameras))),
         ("girths", "json") => one(shape::girths_to_json(&*take!(Girths)).into_bytes()),
         ("girths", "csv") => one(shape::girths_to_csv(&*take!(Girths)).into_bytes()),

@@ -118,6 +118,9 @@ impl Stage for Load {
             .unknown
             .iter()
             .for_each(|key| ctx.warn(format!("capture.toml: {key}")));
+        crate::rig_tags::doubts(&known.rig)
+            .iter()
+            .for_each(|w| ctx.warn(w));
         let (turn, plate) = sorted(files, &known)?;
         if let Some(said) = known.views.filter(|said| *said != turn.len()) {
             return Err(CaptureError::Count {

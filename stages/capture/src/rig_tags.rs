@@ -1,7 +1,7 @@
 //! What `capture.toml` says of marker tags: the mat on the disk, the strip on its rim.
 
 use crate::rig::{Keys, RigError};
-use shape::{Mat, Rim};
+use shape::{Mat, Rig, Rim};
 use toml::Value;
 
 /// A number that must be there.
@@ -79,8 +79,34 @@ pub(crate) fn read_rim(
     })
 }
 
+/// What cannot be true at once of disk, mat and rim.
+pub(crate) fn doubts(rig: &Rig) -> Vec<String> {
+    let mut said = Vec::new();
+    let Some(radius) = rig.disk_diameter_mm.map(|d| d / 2.0) else {
+        return said;
+    };
+    if let Some(mat) = &rig.mat {
+        let reach = (mat.ring_mm + mat.tag_mm / 2.0).hypot(mat.tag_mm / 2.0);
+        if reach > 1.005 * radius {
+            said.push(format!(
+                "capture.toml: the tags of `[mat]` reach {reach:.0} mm from the disk's middle, but the disk ends at {radius:.0} mm: measure a printed tag, the ring and the disk, and correct what is wrong"
+            ));
+        }
+    }
+    if let Some(rim) = &rig.rim
+        && (rim.radius_mm / radius - 1.0).abs() > 0.02
+    {
+        said.push(format!(
+            "capture.toml: the strip of `[rim]` has a radius of {:.0} mm, the disk one of {radius:.0} mm: measure the disk, and correct what is wrong",
+            rim.radius_mm
+        ));
+    }
+    said
+}
+
 #[cfg(test)]
 mod tests {
+    use super::doubts;
     use crate::rig::read_rig;
     use shape::Rim;
 
@@ -113,5 +139,16 @@ mod tests {
             let error = read_rig(&text).unwrap_err().to_string();
             assert!(error.contains(says), "{error}");
         }
+    }
+
+    #[test]
+    fn a_mat_wider_than_its_disk_is_told() {
+        let said = |text: &str| doubts(&read_rig(text).unwrap().rig);
+        assert_eq!(said(MAT), Vec::<String>::new());
+        let wide = said(&MAT.replace("187.0", "205.7"));
+        assert!(wide[0].contains("reach 238 mm"), "{wide:?}");
+        let strip =
+            format!("{MAT}[rim]\ntag_size_mm = 24.0\nids = [12, 47]\ncount = 36\nradius_mm = 240");
+        assert!(said(&strip)[0].contains("radius of 240 mm"));
     }
 }

@@ -96,17 +96,20 @@ pub fn features(gray: &Gray, p: &SiftParams) -> Features {
     let mut found: Vec<(f32, Keypoint, [u8; 128])> = Vec::new();
     let fading = fading();
     let fine = reduced.width.max(reduced.height) <= p.fine_px as usize;
-    octaves(&reduced, fine, |unit, octave| {
-        let mut points: Vec<Extremum> = extrema(octave, p.contrast as f32, p.edge as f32);
-        // Those that cannot be among the strongest of all are not described.
-        let mut all: Vec<f32> = found.iter().map(|f| f.0).collect();
-        all.extend(points.iter().map(|e| e.contrast));
-        all.sort_by(|a, b| b.total_cmp(a));
-        let bar = all.get(p.most as usize).copied().unwrap_or(0.0);
-        points.retain(|e| e.contrast >= bar);
-        for e in points {
+    let octaves = octaves(&reduced, fine);
+    let (contrast, edge) = (p.contrast as f32, p.edge as f32);
+    let all: Vec<Vec<Extremum>> = octaves
+        .iter()
+        .map(|(_, octave)| extrema(octave, contrast, edge))
+        .collect();
+    // Those that cannot be among the strongest of all are not described.
+    let mut strong: Vec<f32> = all.iter().flatten().map(|e| e.contrast).collect();
+    strong.sort_by(|a, b| b.total_cmp(a));
+    let bar = strong.get(p.most as usize).copied().unwrap_or(0.0);
+    for ((unit, octave), points) in octaves.iter().zip(&all) {
+        for e in points.iter().filter(|e| e.contrast >= bar) {
             let image = &octave.blurred[e.layer];
-            for angle in orientations(image, &e, &fading) {
+            for angle in orientations(image, e, &fading) {
                 let full = |v: f32| (v * unit + 0.5) * factor as f32 - 0.5;
                 let point = Keypoint {
                     x: full(e.x),
@@ -114,10 +117,10 @@ pub fn features(gray: &Gray, p: &SiftParams) -> Features {
                     scale: e.scale * unit * factor as f32,
                     angle,
                 };
-                found.push((e.contrast, point, describe(image, &e, angle, &fading)));
+                found.push((e.contrast, point, describe(image, e, angle, &fading)));
             }
         }
-    });
+    }
     found.sort_by(|a, b| {
         let place = |k: &Keypoint| (k.y, k.x);
         let (p, q) = (place(&a.1), place(&b.1));

@@ -9,31 +9,47 @@ const BINS: usize = 8;
 /// Width of a cell in scales.
 const CELL_SCALES: f32 = 3.0;
 
+/// Cells with a border of one to each side: what is spread beyond the outer ones falls there.
+const PADDED: usize = CELLS + 2;
+
 /// The descriptor of a point with a direction. \[rad\]
 pub fn describe(image: &Gray, e: &Extremum, angle: f32, fading: &[f32]) -> [u8; 128] {
     let (sin, cos) = angle.sin_cos();
     let cell = CELL_SCALES * e.scale;
     let half = CELLS as f32 / 2.0;
     let radius = (cell * std::f32::consts::SQRT_2 * (half + 0.5)).round() as i32;
-    let mut bins = [0f32; CELLS * CELLS * BINS];
+    let mut padded = [0f32; PADDED * PADDED * BINS];
     let (cx, cy) = (e.x.round() as i32, e.y.round() as i32);
+    let mut row = Row::default();
     for y in (cy - radius).max(1)..=(cy + radius).min(image.height as i32 - 2) {
-        for x in (cx - radius).max(1)..=(cx + radius).min(image.width as i32 - 2) {
-            let (dx, dy) = ((x as f32 - e.x) / cell, (y as f32 - e.y) / cell);
-            let (u, v) = (cos * dx + sin * dy, cos * dy - sin * dx);
-            let (bu, bv) = (u + half - 0.5, v + half - 0.5);
-            if bu <= -1.0 || bv <= -1.0 || bu >= CELLS as f32 || bv >= CELLS as f32 {
-                continue;
+        let dy = (y as f32 - e.y) / cell;
+        let reach = (half + 0.5) * cell;
+        let [from, to] = chord(sin, cos, dy * cell, reach);
+        let least = ((e.x + from) as i32 - 1).max(cx - radius).max(1);
+        let most = ((e.x + to) as i32 + 2)
+            .min(cx + radius)
+            .min(image.width as i32 - 2);
+        for start in (least..=most).step_by(AT_ONCE) {
+            let count = AT_ONCE.min((most - start + 1) as usize);
+            row.look(image, start as usize, y as usize, count);
+            for i in 0..count {
+                let dx = ((start + i as i32) as f32 - e.x) / cell;
+                let (u, v) = (cos * dx + sin * dy, cos * dy - sin * dx);
+                let (bu, bv) = (u + half - 0.5, v + half - 0.5);
+                if bu <= -1.0 || bv <= -1.0 || bu >= CELLS as f32 || bv >= CELLS as f32 {
+                    continue;
+                }
+                let weight = faded(fading, (u * u + v * v) / (2.0 * half * half)) * row.steep[i];
+                let from = row.turn[i] - angle / std::f32::consts::TAU;
+                let bo = (if from < 0.0 { from + 1.0 } else { from }) * BINS as f32;
+                spread(&mut padded, bu, bv, bo, weight);
             }
-            let (px, py) = (x as usize, y as usize);
-            let gx = image.at(px + 1, py) - image.at(px - 1, py);
-            let gy = image.at(px, py + 1) - image.at(px, py - 1);
-            let weight =
-                faded(fading, (u * u + v * v) / (2.0 * half * half)) * (gx * gx + gy * gy).sqrt();
-            let from = turn(gx, gy) - angle / std::f32::consts::TAU;
-            let bo = (if from < 0.0 { from + 1.0 } else { from }) * BINS as f32;
-            spread(&mut bins, bu, bv, bo, weight);
         }
+    }
+    let mut bins = [0f32; CELLS * CELLS * BINS];
+    for (c, bins) in bins.chunks_exact_mut(BINS).enumerate() {
+        let from = ((c / CELLS + 1) * PADDED + c % CELLS + 1) * BINS;
+        bins.copy_from_slice(&padded[from..from + BINS]);
     }
     let norm = |b: &[f32]| b.iter().map(|x| x * x).sum::<f32>().sqrt().max(1e-12);
     let length = norm(&bins);
@@ -72,21 +88,72 @@ pub(crate) fn faded(table: &[f32], x: f32) -> f32 {
     table.get((x * 128.0) as usize).copied().unwrap_or(0.0)
 }
 
+/// Pixels of a row that are looked at together.
+pub(crate) const AT_ONCE: usize = 64;
+
+/// Gradients of neighbours in a row.
+pub(crate) struct Row {
+    /// How steep.
+    pub(crate) steep: [f32; AT_ONCE],
+    /// Which way, in turns.
+    pub(crate) turn: [f32; AT_ONCE],
+}
+
+impl Default for Row {
+    fn default() -> Self {
+        Row {
+            steep: [0.0; AT_ONCE],
+            turn: [0.0; AT_ONCE],
+        }
+    }
+}
+
+impl Row {
+    /// Those of `count` pixels from (x, y) on, which lie inside the image's border.
+    pub(crate) fn look(&mut self, image: &Gray, x: usize, y: usize, count: usize) {
+        let (above, below) = (
+            &image.row(y - 1)[x..][..count],
+            &image.row(y + 1)[x..][..count],
+        );
+        let (left, right) = (
+            &image.row(y)[x - 1..][..count],
+            &image.row(y)[x + 1..][..count],
+        );
+        let (steep, turns) = (&mut self.steep[..count], &mut self.turn[..count]);
+        for i in 0..count {
+            let (gx, gy) = (right[i] - left[i], below[i] - above[i]);
+            steep[i] = (gx * gx + gy * gy).sqrt();
+            turns[i] = turn(gx, gy);
+        }
+    }
+}
+
+/// Where a row `dy` off a square's middle lies in the square turned by an angle; `reach` is half its side.
+fn chord(sin: f32, cos: f32, dy: f32, reach: f32) -> [f32; 2] {
+    let (mut from, mut to) = (-2.0 * reach, 2.0 * reach);
+    // |cos dx + sin dy| < reach, |cos dy - sin dx| < reach.
+    for (by, at) in [(cos, sin * dy), (-sin, cos * dy)] {
+        if by.abs() > 1e-3 {
+            let (a, b) = ((-reach - at) / by, (reach - at) / by);
+            from = from.max(a.min(b));
+            to = to.min(a.max(b));
+        }
+    }
+    [from, to]
+}
+
 /// Adds a gradient to the eight bins around it.
-fn spread(bins: &mut [f32], u: f32, v: f32, o: f32, weight: f32) {
+fn spread(bins: &mut [f32; PADDED * PADDED * BINS], u: f32, v: f32, o: f32, weight: f32) {
     // Truncation of what is at least -1, moved by one, is the floor.
-    let (u0, v0, o0) = ((u + 1.0) as i32 - 1, (v + 1.0) as i32 - 1, o as usize);
-    let (fu, fv, fo) = (u - u0 as f32, v - v0 as f32, o - o0 as f32);
+    let (u1, v1, o0) = ((u + 1.0) as usize, (v + 1.0) as usize, o as usize);
+    let (fu, fv, fo) = (u - (u1 as f32 - 1.0), v - (v1 as f32 - 1.0), o - o0 as f32);
+    let (o0, o1) = (o0 % BINS, (o0 + 1) % BINS);
     for (du, wu) in [(0, 1.0 - fu), (1, fu)] {
         for (dv, wv) in [(0, 1.0 - fv), (1, fv)] {
-            let (cu, cv) = (u0 + du, v0 + dv);
-            if cu < 0 || cv < 0 || cu >= CELLS as i32 || cv >= CELLS as i32 {
-                continue;
-            }
-            for (d, wo) in [(0, 1.0 - fo), (1, fo)] {
-                let bin = (o0 + d) % BINS;
-                bins[(cv as usize * CELLS + cu as usize) * BINS + bin] += weight * wu * wv * wo;
-            }
+            let weight = weight * wu * wv;
+            let cell = ((v1 + dv) * PADDED + u1 + du) * BINS;
+            bins[cell + o0] += weight * (1.0 - fo);
+            bins[cell + o1] += weight * fo;
         }
     }
 }

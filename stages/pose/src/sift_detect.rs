@@ -1,6 +1,6 @@
 //! Extrema of scale space, to a part of a pixel (Lowe 2004, §3.1, §4, §5).
 
-use crate::sift_describe::{faded, turn};
+use crate::sift_describe::{AT_ONCE, Row, faded};
 use crate::sift_pyramid::{INTERVALS, Octave, SIGMA};
 use nalgebra::{Matrix3, Vector3};
 use shape::Gray;
@@ -26,6 +26,10 @@ pub fn extrema(octave: &Octave, contrast: f32, edge: f32) -> Vec<Extremum> {
     let (w, h) = (blurred[0].width, blurred[0].height);
     // Three rows of each difference, row y in place y % 3.
     let mut d = vec![[vec![0.0f32; w], vec![0.0; w], vec![0.0; w]]; INTERVALS + 2];
+    let mut around = Around {
+        high: vec![0.0; w],
+        low: vec![0.0; w],
+    };
     let mut found = Vec::new();
     for y in 4..h - 4 {
         for (layer, rows) in d.iter_mut().enumerate() {
@@ -39,15 +43,62 @@ pub fn extrema(octave: &Octave, contrast: f32, edge: f32) -> Vec<Extremum> {
         }
         let middle = y - 1;
         for layer in 1..=INTERVALS {
+            around.look(&d[layer], middle % 3);
             let row = &d[layer][middle % 3];
-            for (x, v) in row.iter().enumerate().take(w - 5).skip(5) {
-                if v.abs() >= 0.5 * contrast && is_extremum(&d, layer, x, middle, *v) {
+            around.standing_out(row, 0.5 * contrast, |x| {
+                if (5..w - 5).contains(&x) && is_extremum(&d, layer, x, middle, row[x]) {
                     found.extend(refined(blurred, layer, x, middle, contrast, edge));
                 }
-            }
+            });
         }
     }
     found
+}
+
+/// The highest and lowest of the eight neighbours of each pixel of a row in its own layer.
+struct Around {
+    high: Vec<f32>,
+    low: Vec<f32>,
+}
+
+impl Around {
+    fn look(&mut self, rows: &[Vec<f32>; 3], middle: usize) {
+        let max = |a: f32, b: f32| if a > b { a } else { b };
+        let min = |a: f32, b: f32| if a < b { a } else { b };
+        let [a, m, b] = [middle, (middle + 1) % 3, (middle + 2) % 3].map(|i| &rows[i][..]);
+        // The row itself is `a`; the two others lie above and below it.
+        let n = a.len() - 2;
+        let (a0, a2) = (&a[..n], &a[2..]);
+        let (m0, m1, m2) = (&m[..n], &m[1..=n], &m[2..]);
+        let (b0, b1, b2) = (&b[..n], &b[1..=n], &b[2..]);
+        let (high, low) = (&mut self.high[1..=n], &mut self.low[1..=n]);
+        for i in 0..n {
+            let side = max(max(a0[i], a2[i]), max(m1[i], b1[i]));
+            let corner = max(max(m0[i], m2[i]), max(b0[i], b2[i]));
+            high[i] = max(side, corner);
+            let side = min(min(a0[i], a2[i]), min(m1[i], b1[i]));
+            let corner = min(min(m0[i], m2[i]), min(b0[i], b2[i]));
+            low[i] = min(side, corner);
+        }
+    }
+
+    /// Calls `see` with the pixels that stand out of those, by at least so much from 0, left to right.
+    fn standing_out(&self, row: &[f32], least: f32, mut see: impl FnMut(usize)) {
+        const AT_ONCE: usize = 16;
+        let out =
+            |v: f32, high: f32, low: f32| (v >= least) & (v > high) | (v <= -least) & (v < low);
+        let blocks = row.chunks(AT_ONCE).zip(self.high.chunks(AT_ONCE));
+        for (k, ((v, high), low)) in blocks.zip(self.low.chunks(AT_ONCE)).enumerate() {
+            let mut any = false;
+            for i in 0..v.len() {
+                any |= out(v[i], high[i], low[i]);
+            }
+            if any {
+                let some = (0..v.len()).filter(|i| out(v[*i], high[*i], low[*i]));
+                some.for_each(|i| see(k * AT_ONCE + i));
+            }
+        }
+    }
 }
 
 fn is_extremum(d: &[[Vec<f32>; 3]], layer: usize, x: usize, y: usize, v: f32) -> bool {
@@ -132,20 +183,20 @@ pub fn orientations(image: &Gray, e: &Extremum, fading: &[f32]) -> Vec<f32> {
     let sigma = 1.5 * e.scale;
     let radius = (3.0 * sigma).round() as i32;
     let (cx, cy) = (e.x.round() as i32, e.y.round() as i32);
-    for dy in -radius..=radius {
-        for dx in -radius..=radius {
-            let (x, y) = (cx + dx, cy + dy);
-            if x < 1 || y < 1 || x as usize + 1 >= image.width || y as usize + 1 >= image.height {
-                continue;
+    let mut row = Row::default();
+    let (least, most) = (
+        (cx - radius).max(1),
+        (cx + radius).min(image.width as i32 - 2),
+    );
+    for y in (cy - radius).max(1)..=(cy + radius).min(image.height as i32 - 2) {
+        for start in (least..=most).step_by(AT_ONCE) {
+            let count = AT_ONCE.min((most - start + 1) as usize);
+            row.look(image, start as usize, y as usize, count);
+            for i in 0..count {
+                let (dx, dy) = (start + i as i32 - cx, y - cy);
+                let weight = faded(fading, (dx * dx + dy * dy) as f32 / (2.0 * sigma * sigma));
+                bins[(row.turn[i] * BINS as f32 + 0.5) as usize % BINS] += weight * row.steep[i];
             }
-            let (x, y) = (x as usize, y as usize);
-            let (gx, gy) = (
-                image.at(x + 1, y) - image.at(x - 1, y),
-                image.at(x, y + 1) - image.at(x, y - 1),
-            );
-            let weight = faded(fading, (dx * dx + dy * dy) as f32 / (2.0 * sigma * sigma));
-            bins[(turn(gx, gy) * BINS as f32 + 0.5) as usize % BINS] +=
-                weight * (gx * gx + gy * gy).sqrt();
         }
     }
     for _ in 0..2 {

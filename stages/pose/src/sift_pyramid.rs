@@ -17,63 +17,75 @@ pub struct Octave {
 
 /// Blurs by a Gaussian, rows then columns; beyond the border the nearest pixel counts.
 pub fn blur(image: &Gray, sigma: f32) -> Gray {
+    blurred(image.width, image.height, sigma, |y, row| {
+        row.copy_from_slice(image.row(y));
+    })
+}
+
+/// The blur of an image of which `source` gives the rows. Only as many rows as the Gaussian is high
+/// are kept between the passes, so that they stay in the cache.
+fn blurred(w: usize, h: usize, sigma: f32, mut source: impl FnMut(usize, &mut [f32])) -> Gray {
     let radius = (sigma * 3.2).ceil() as usize;
     let mut kernel: Vec<f32> = (0..=radius)
         .map(|i| (-((i * i) as f32) / (2.0 * sigma * sigma)).exp())
         .collect();
     let total = kernel[0] + 2.0 * kernel[1..].iter().sum::<f32>();
     kernel.iter_mut().for_each(|k| *k /= total);
-    let (w, h) = (image.width, image.height);
-    let mut rows = Gray::filled(w, h, 0.0);
+    let kept = 2 * radius + 1;
+    let mut rows = vec![0.0f32; kept * w];
     let mut padded = vec![0.0f32; w + 2 * radius];
-    for y in 0..h {
-        let row = image.row(y);
-        padded[..radius].fill(row[0]);
-        padded[radius..radius + w].copy_from_slice(row);
-        padded[radius + w..].fill(row[w - 1]);
-        let out = &mut rows.data[y * w..(y + 1) * w];
-        weighted(&kernel, out, |i, x, n| {
-            let at = radius + x;
-            (&padded[at - i..at - i + n], &padded[at + i..at + i + n])
-        });
+    let mut next = 0;
+    let mut out = Gray::filled(w, h, 0.0);
+    for (y, out) in out.data.chunks_exact_mut(w).enumerate() {
+        while next <= (y + radius).min(h - 1) {
+            source(next, &mut padded[radius..radius + w]);
+            let (first, last) = (padded[radius], padded[radius + w - 1]);
+            padded[..radius].fill(first);
+            padded[radius + w..].fill(last);
+            let row = &mut rows[(next % kept) * w..][..w];
+            let sides = |i: usize| (&padded[radius - i..][..w], &padded[radius + i..][..w]);
+            weighted(&kernel, row, sides);
+            next += 1;
+        }
+        let row = |y: usize| &rows[(y % kept) * w..][..w];
+        let sides = |i: usize| (row(y.saturating_sub(i)), row((y + i).min(h - 1)));
+        weighted(&kernel, out, sides);
     }
-    let mut columns = Gray::filled(w, h, 0.0);
-    for y in 0..h {
-        let out = &mut columns.data[y * w..(y + 1) * w];
-        weighted(&kernel, out, |i, x, n| {
-            let (above, below) = (rows.row(y.saturating_sub(i)), rows.row((y + i).min(h - 1)));
-            (&above[x..x + n], &below[x..x + n])
-        });
-    }
-    columns
+    out
 }
 
-/// Sums what lies to both sides of each pixel of a row, weighted; `sides(i, x, n)` are the n pixels
-/// from x on, i away. Sixteen at a time, so that sums stay in registers.
-fn weighted<'a>(
-    kernel: &[f32],
-    out: &mut [f32],
-    sides: impl Fn(usize, usize, usize) -> (&'a [f32], &'a [f32]),
-) {
+/// Sums what lies to both sides of each pixel of a row, weighted; `sides(i)` are what lies i away.
+/// Sixteen pixels at a time, so that sums stay in registers.
+fn weighted<'a>(kernel: &[f32], out: &mut [f32], sides: impl Fn(usize) -> (&'a [f32], &'a [f32])) {
     const AT_ONCE: usize = 16;
-    for (block, out) in out.chunks_mut(AT_ONCE).enumerate() {
-        let (x, n) = (block * AT_ONCE, out.len());
-        let mut sums = [0.0f32; AT_ONCE];
-        for (s, v) in sums.iter_mut().zip(sides(0, x, n).0) {
-            *s = v * kernel[0];
-        }
-        for (i, k) in kernel.iter().enumerate().skip(1) {
-            let (a, b) = sides(i, x, n);
-            if let (Ok(a), Ok(b)) = (
-                <&[f32; AT_ONCE]>::try_from(a),
-                <&[f32; AT_ONCE]>::try_from(b),
-            ) {
-                (0..AT_ONCE).for_each(|j| sums[j] += k * (a[j] + b[j]));
-            } else {
-                (0..n).for_each(|j| sums[j] += k * (a[j] + b[j]));
+    type Lanes = [f32; AT_ONCE];
+    let middle = sides(0).0;
+    let all: Vec<(f32, &[Lanes], &[Lanes])> = (1..kernel.len())
+        .map(|i| {
+            let (a, b) = sides(i);
+            (kernel[i], a.as_chunks().0, b.as_chunks().0)
+        })
+        .collect();
+    let (whole, rest) = out.as_chunks_mut::<AT_ONCE>();
+    for (x, (out, at)) in whole.iter_mut().zip(middle.as_chunks().0).enumerate() {
+        let at: &Lanes = at;
+        let mut sums = at.map(|v| v * kernel[0]);
+        for (k, a, b) in &all {
+            let (a, b) = (&a[x], &b[x]);
+            for j in 0..AT_ONCE {
+                sums[j] += k * (a[j] + b[j]);
             }
         }
-        out.copy_from_slice(&sums[..n]);
+        *out = sums;
+    }
+    let from = middle.len() - rest.len();
+    for (x, out) in rest.iter_mut().enumerate() {
+        let x = from + x;
+        *out = middle[x] * kernel[0];
+        for (i, k) in kernel.iter().enumerate().skip(1) {
+            let (a, b) = sides(i);
+            *out += k * (a[x] + b[x]);
+        }
     }
 }
 
@@ -81,47 +93,48 @@ fn weighted<'a>(
 fn halved(image: &Gray) -> Gray {
     let (w, h) = (image.width.div_ceil(2), image.height.div_ceil(2));
     let mut half = Gray::filled(w, h, 0.0);
-    for y in 0..h {
-        for x in 0..w {
-            *half.at_mut(x, y) = image.at(2 * x, 2 * y);
+    for (y, row) in half.data.chunks_exact_mut(w).enumerate() {
+        for (to, from) in row.iter_mut().zip(image.row(2 * y).iter().step_by(2)) {
+            *to = *from;
         }
     }
     half
 }
 
-/// An image of twice the size, linear between pixels. Pixel (x, y) of it lies at (x/2, y/2).
-fn doubled(image: &Gray) -> Gray {
+/// A row of an image of twice the size, linear between pixels. Pixel (x, y) of it lies at (x/2, y/2).
+fn doubled(image: &Gray, y: usize, row: &mut [f32]) {
     let (w, h) = (image.width, image.height);
-    let mut double = Gray::filled(2 * w, 2 * h, 0.0);
-    for y in 0..2 * h {
-        let (above, below) = (image.row(y / 2), image.row(y.div_ceil(2).min(h - 1)));
-        let row = &mut double.data[2 * w * y..2 * w * (y + 1)];
-        let mut last = 0.5 * (above[w - 1] + below[w - 1]);
-        for x in (0..w).rev() {
-            let here = 0.5 * (above[x] + below[x]);
-            row[2 * x] = here;
-            row[2 * x + 1] = 0.5 * (here + last);
-            last = here;
-        }
+    let (above, below) = (image.row(y / 2), image.row(y.div_ceil(2).min(h - 1)));
+    let here = |x: usize| 0.5 * (above[x] + below[x]);
+    let pairs = row.as_chunks_mut::<2>().0;
+    for (x, pair) in pairs.iter_mut().enumerate().take(w - 1) {
+        let (a, b) = (here(x), here(x + 1));
+        *pair = [a, 0.5 * (a + b)];
     }
-    double
+    let last = here(w - 1);
+    pairs[w - 1] = [last, 0.5 * (last + last)];
 }
 
-/// Calls `see` with each octave and the size of its pixels, from the image's own to coarser ones;
-/// with `fine` at last with one of half pixels. Only one is in memory at a time.
-pub fn octaves(image: &Gray, fine: bool, mut see: impl FnMut(f32, &Octave)) {
+/// The octaves and the size of their pixels, from the image's own to coarser ones; with `fine` at
+/// last one of half pixels.
+pub fn octaves(image: &Gray, fine: bool) -> Vec<(f32, Octave)> {
     let to_first = |had: f32| (SIGMA * SIGMA - had * had).sqrt();
+    let mut all = Vec::new();
     let mut first = blur(image, to_first(CAMERA));
     let mut pixel = 1.0;
     while first.width.min(first.height) >= 24 {
         let octave = octave(first);
-        see(pixel, &octave);
         first = halved(&octave.blurred[INTERVALS]);
+        all.push((pixel, octave));
         pixel *= 2.0;
     }
-    if fine && image.width.min(image.height) >= 12 {
-        see(0.5, &octave(blur(&doubled(image), to_first(2.0 * CAMERA))));
+    let (w, h) = (image.width, image.height);
+    if fine && w.min(h) >= 12 {
+        let blur = to_first(2.0 * CAMERA);
+        let first = blurred(2 * w, 2 * h, blur, |y, row| doubled(image, y, row));
+        all.push((0.5, octave(first)));
     }
+    all
 }
 
 fn octave(first: Gray) -> Octave {
@@ -144,10 +157,37 @@ mod tests {
         for (i, v) in image.data.iter_mut().enumerate() {
             *v = 3.0 * (i % 9) as f32 + 5.0 * (i / 9) as f32;
         }
-        let double = doubled(&image);
-        for (x, y) in (0..13).flat_map(|y| (0..17).map(move |x| (x, y))) {
-            let want = 1.5 * x as f32 + 2.5 * y as f32;
-            assert!((double.at(x, y) - want).abs() < 1e-5, "{x} {y}");
+        let mut row = [0.0; 18];
+        for y in 0..13 {
+            doubled(&image, y, &mut row);
+            for (x, v) in row.iter().enumerate().take(17) {
+                let want = 1.5 * x as f32 + 2.5 * y as f32;
+                assert!((v - want).abs() < 1e-5, "{x} {y}");
+            }
+        }
+    }
+
+    /// Sums over all neighbours at once, pixel by pixel.
+    #[test]
+    fn a_blur_is_the_weighted_mean_of_what_lies_around() {
+        let mut dice = proof::Dice(3);
+        let mut image = Gray::filled(37, 23, 0.0);
+        image
+            .data
+            .iter_mut()
+            .for_each(|v| *v = dice.within(0.0, 255.0) as f32);
+        let (sigma, radius) = (1.5f64, 5i32);
+        let weight = |i: i32| (-f64::from(i * i) / (2.0 * sigma * sigma)).exp();
+        let total: f64 = (-radius..=radius).map(weight).sum();
+        let got = blur(&image, sigma as f32);
+        for (x, y) in (0..23).flat_map(|y| (0..37).map(move |x| (x, y))) {
+            let mut want = 0.0;
+            for (i, j) in (-radius..=radius).flat_map(|j| (-radius..=radius).map(move |i| (i, j))) {
+                let (a, b) = ((x + i).clamp(0, 36) as usize, (y + j).clamp(0, 22) as usize);
+                want += weight(i) * weight(j) * f64::from(image.at(a, b));
+            }
+            let off = f64::from(got.at(x as usize, y as usize)) - want / (total * total);
+            assert!(off.abs() < 1e-3, "{x} {y}: {off}");
         }
     }
 }

@@ -6,7 +6,7 @@ use pose::{
 };
 use shape::{
     Camera, Cameras, Intrinsics, PhotoId, Scale, View, cameras_to_colmap_binary,
-    cameras_to_colmap_text, cameras_to_json,
+    cameras_to_colmap_text, cameras_to_json, cameras_to_middlebury,
 };
 
 fn cameras() -> Cameras {
@@ -69,6 +69,17 @@ fn cameras_json_comes_back() {
 }
 
 #[test]
+fn an_uncertainty_that_nobody_knows_is_null() {
+    let mut cameras = cameras();
+    assert!(cameras_to_json(&cameras).contains("\"sigma_mm\": 0.5"));
+    let mut views: Vec<_> = cameras.views.iter().map(|(i, v)| (i, v.clone())).collect();
+    views.iter_mut().for_each(|(_, v)| v.sigma_mm = 0.0);
+    cameras.views = views.into_iter().collect();
+    let json = cameras_to_json(&cameras);
+    assert_eq!(json.matches("\"sigma_mm\": null").count(), 4, "{json}");
+}
+
+#[test]
 fn a_colmap_text_model_comes_back() {
     let want = cameras();
     let files = cameras_to_colmap_text(&want);
@@ -91,6 +102,27 @@ fn a_colmap_binary_model_comes_back_and_half_of_it_is_refused() {
             matches!(broken, Err(ForeignError::Unread { .. })),
             "cut at {cut}"
         );
+    }
+}
+
+#[test]
+fn a_middlebury_file_comes_back_unless_the_lens_bends_lines() {
+    let mut want = cameras();
+    let why = cameras_to_middlebury(&want).unwrap_err().to_string();
+    assert!(why.contains("knows no distortion"), "{why}");
+    let mut views: Vec<_> = want.views.iter().map(|(i, v)| (i, v.clone())).collect();
+    views
+        .iter_mut()
+        .for_each(|(_, v)| v.camera.lens.radial = [0.0; 2]);
+    want.views = views.into_iter().collect();
+    let text = cameras_to_middlebury(&want).unwrap();
+    let model = from_middlebury("x_par.txt", &text).unwrap();
+    assert_eq!(model.cameras.len(), 4);
+    for (found, want) in model.cameras.iter().zip(want.views.values()) {
+        assert_eq!(found.name, want.name.replace(' ', "_"));
+        assert_eq!(found.centre, want.camera.lens.centre);
+        let off = found.pose.translation - want.camera.pose.translation;
+        assert!(off.norm() < 1e-9);
     }
 }
 
