@@ -25,6 +25,18 @@ pub(crate) fn alike(photos: &[Photo], plate: Option<&Photo>) -> Result<(), Captu
     Ok(())
 }
 
+/// The first photo that was taken before the one in front of it; photos that tell no time are
+/// passed over.
+pub(crate) fn out_of_order(photos: &[Photo]) -> Option<String> {
+    let timed = photos.iter().filter_map(|p| Some((&p.name, p.time_s?)));
+    let timed: Vec<_> = timed.collect();
+    let late = timed.windows(2).find(|w| w[0].1 > w[1].1)?;
+    let (a, b) = (late[0].0, late[1].0);
+    Some(format!(
+        "{b} was taken before {a}: names should be in turning order"
+    ))
+}
+
 /// Focal lengths that differ by more than this share are two.
 const ZOOM: f64 = 0.01;
 
@@ -92,5 +104,18 @@ mod tests {
         assert_eq!(said.len(), 2, "{said:?}");
         assert!(said[0].starts_with("a was taken with another camera (Sony 7)"));
         assert!(said[1].starts_with("c was taken at 70.0 mm, most photos at 50"));
+    }
+
+    #[test]
+    fn a_photo_without_a_time_is_not_late() {
+        let at = |name, time_s| Photo {
+            time_s,
+            ..photo(name, "", None)
+        };
+        let photos = [at("a", Some(0.0)), at("b", None), at("c", Some(20.0))];
+        assert_eq!(out_of_order(&photos), None);
+        let photos = [at("a", Some(30.0)), at("b", None), at("c", Some(20.0))];
+        let told = out_of_order(&photos).unwrap();
+        assert!(told.starts_with("c was taken before a"), "{told}");
     }
 }

@@ -1,6 +1,6 @@
 //! The stage that reads the photos of a turn.
 
-use crate::alike::{alike, other_cameras};
+use crate::alike::{alike, other_cameras, out_of_order};
 use crate::exif;
 use crate::rig::{RigFile, read_rig};
 use rayon::prelude::*;
@@ -101,7 +101,7 @@ pub struct Load;
 
 impl Stage for Load {
     const NAME: &'static str = "capture.load";
-    const VERSION: u32 = 4;
+    const VERSION: u32 = 5;
     const ABOUT: &'static str =
         "Reads the photos of one turn, their EXIF, capture.toml and the plate.";
     type Params = LoadParams;
@@ -157,12 +157,7 @@ impl Stage for Load {
         photos
             .iter_mut()
             .for_each(|p| p.time_s = p.time_s.map(|t| t - start));
-        if let Some(late) = photos.windows(2).find(|w| w[0].time_s > w[1].time_s) {
-            let (a, b) = (&late[0].name, &late[1].name);
-            ctx.warn(format!(
-                "{b} was taken before {a}: names should be in turning order"
-            ));
-        }
+        out_of_order(&photos).iter().for_each(|w| ctx.warn(w));
         let mut rig = known.rig;
         // Steps are equal only where one of each so many is left.
         rig.step = rig
