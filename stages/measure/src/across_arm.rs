@@ -17,7 +17,7 @@ use std::f64::consts::{PI, TAU};
 /// How round an arm's own section is at least: its area against a circle's of the same tape.
 const ROUND: f64 = 0.93;
 /// As round as this, nothing hangs on it.
-const CLEAN: f64 = 0.965;
+const CLEAN: f64 = 0.96;
 /// How far beyond the grown section an inner half may reach, as a share of the arm's radius.
 const LOOSE: f64 = 0.03;
 /// Directions of support functions.

@@ -1,7 +1,7 @@
 //! Arms told from the trunk: where they stand clear, their axes, and cuts where they do not.
 
 use crate::body::Body;
-use crate::slices::Ring;
+use crate::slices::{Ring, Slice};
 use nalgebra::{Point3, Vector3};
 
 /// The ring of an arm in a slice, on a side (1 left, -1 right), where it stands clear of the trunk.
@@ -12,6 +12,39 @@ pub fn arm_ring<'a>(body: &Body, rings: &'a [Ring], side: f64) -> Option<&'a Rin
         .iter()
         .filter(|r| out(r) > 0.0 && r.area < 0.35 * trunk.area)
         .max_by(|a, b| out(a).total_cmp(&out(b)))
+}
+
+/// How far a trunk's section jumps outward, as a share of stature, where an arm beside it becomes part
+/// of it; where the arm ends, it does not.
+const JUMP: f64 = 0.012;
+/// How far from a level that is looked for, as a share of stature.
+const NEAR: f64 = 0.12;
+
+/// Whether at a height the arm of a side is part of the trunk's section: it stands clear nearest above
+/// or below, and toward that height the trunk's section jumps outward by it.
+pub(crate) fn merged(body: &Body, z: f64, side: f64) -> bool {
+    let near = NEAR * body.stature;
+    let around: Vec<&Slice> = body.between(z - near, z + near).collect();
+    let stands = |s: &&Slice| arm_ring(body, &s.rings, side).is_some();
+    let out = |s: &Slice| {
+        let points = s.rings.first().map_or(&[][..], |r| &r.curve);
+        let reach = points.iter().map(|p| p.coords.dot(&body.left) * side);
+        reach.fold(f64::MIN, f64::max)
+    };
+    let Some(here) = (0..around.len()).min_by(|a, b| {
+        let off = |i: &usize| (around[*i].z - z).abs();
+        off(a).total_cmp(&off(b))
+    }) else {
+        return false;
+    };
+    if stands(&around[here]) {
+        return false;
+    }
+    let above = (here..around.len()).find(|i| stands(&around[*i]));
+    let below = (0..here).rev().find(|i| stands(&around[*i]));
+    let jumps =
+        |clear: usize, next: usize| out(around[next]) - out(around[clear]) > JUMP * body.stature;
+    above.is_some_and(|i| jumps(i, i - 1)) || below.is_some_and(|i| jumps(i, i + 1))
 }
 
 /// Middles of an arm's level sections above a height, where it stands clear of the trunk. \[mm\]

@@ -6,6 +6,7 @@ use crate::interval::{NINE_IN_TEN, Spread, level_spread, together};
 use crate::outlines::{by_silhouettes, shared_border, surface_by_cameras};
 use crate::picked::picked;
 use crate::silhouette::Support;
+use crate::spline::has_left;
 use crate::taken::{Taken, taken};
 use nalgebra::Point3;
 use shape::{Cameras, Girth, Girths, Landmark, Landmarks, Masks, Mesh, Missing, Photos};
@@ -19,7 +20,7 @@ stage::params! {
         /// Standard deviation of the surface along its normal, even all over a section, beside what
         /// cells, cameras and silhouettes say.
         #[range(0.0..=50.0)]
-        surface_mm: f64 = 0.6,
+        surface_mm: f64 = 0.3,
         /// Points picked around the body, `[[x, y, z], ...]` in millimetres in the turntable frame:
         /// the paper's procedure gives a girth through them, called PICKED.
         points: Vec<Vec<f64>> = vec![],
@@ -52,11 +53,11 @@ const WAIST_FOLDS: f64 = 1.05;
 const SPLIT: &str = "arm and trunk are one there on the surface and were split";
 
 /// Even error of a surface along its normal, as a share of its mean edge: cells bound what it shows.
-const EVEN: f64 = 0.25;
+const EVEN: f64 = 0.1;
 
 impl Stage for Measure {
     const NAME: &'static str = "measure.girths";
-    const VERSION: u32 = 9;
+    const VERSION: u32 = 10;
     const ABOUT: &'static str = "Measures girths at landmarks: along the skin, as a tape, and as the paper's closed spline (eq. 8).";
     type Params = GirthParams;
     type Input = GirthInput;
@@ -123,6 +124,16 @@ impl Stage for Measure {
                 "{}: arm and trunk are one on the surface there and were split: its interval is wider; hold the arms farther away",
                 girth.name
             ));
+        }
+        for girth in &girths.girths {
+            if has_left(girth.spline_mm, girth.tape_mm, girth.contour_mm) {
+                ctx.warn(format!(
+                    "{}: the paper's spline (eq. 8) is {:+.0} % off the exact curve: the surface is too coarse there, so that its \
+                     points leave the ring; take the tape or the exact curve",
+                    girth.name,
+                    100.0 * (girth.spline_mm / girth.contour_mm - 1.0)
+                ));
+            }
         }
         if !p.points.is_empty() {
             let mut girth = picked(mesh, &p.points)?;

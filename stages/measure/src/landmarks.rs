@@ -2,6 +2,7 @@
 
 mod limbs;
 pub(crate) mod neck;
+mod whole;
 
 use crate::body::{Body, body};
 use crate::levels;
@@ -58,7 +59,7 @@ pub struct FindLandmarks;
 
 impl Stage for FindLandmarks {
     const NAME: &'static str = "measure.landmarks";
-    const VERSION: u32 = 7;
+    const VERSION: u32 = 8;
     const ABOUT: &'static str = "Finds neck, chest, waist, hip, arms and legs from marks on the outline: buttocks, hollow of the back, bust, shoulders, ears.";
     type Params = LandmarkParams;
     type Input = LandmarkInput;
@@ -92,6 +93,10 @@ impl Stage for FindLandmarks {
         across_neck(p, mesh, &body, &mut found);
         arms(mesh, &body, marks.as_ref(), &mut found);
         legs(&body, &mut found);
+        if let Some(why) = whole::no_stature(&body) {
+            found.stature_mm = 0.0;
+            found.missing.push(missing("stature", why));
+        }
         found.parts = parts(mesh, &body);
         found
             .missing

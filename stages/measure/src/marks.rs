@@ -1,6 +1,7 @@
 //! Heights that the shape of a body marks, so that a visual hull shows them as well as the body.
 
 use crate::body::Body;
+use crate::reach::{Reach, reach};
 use crate::slices::{Ring, Slice};
 use nalgebra::Vector3;
 
@@ -8,7 +9,7 @@ use nalgebra::Vector3;
 ///
 /// Each is told from an outline seen from the front or from the side: what a visual hull has right
 /// even where it fills the armpits.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct Marks {
     /// Where the buttocks reach farthest back.
     pub hip: f64,
@@ -23,15 +24,14 @@ pub struct Marks {
     pub apex: Option<(f64, f64)>,
     /// Where the outline from the front is amid neck and shoulders.
     pub shoulder: f64,
-    /// Millimetres that the arms' middle lines go outward for each that they go down; 0.6 where
+    /// Millimetres that the arms' middle lines go outward for each that they go down; `None` where
     /// no arm stands clear.
-    pub spread: f64,
+    pub spread: Option<f64>,
     /// Half the trunk's tape where it is least between hip and bust, as a length across. \[mm\]
     pub girth: f64,
+    /// How far the outline reaches between hip and neck.
+    pub reach: Reach,
 }
-
-/// The spread of arms where none stands clear: some thirty degrees.
-const USUAL_SPREAD: f64 = 0.6;
 
 /// Reads the marks. `None` without legs or neck.
 pub fn marks(body: &Body) -> Option<Marks> {
@@ -64,8 +64,9 @@ pub fn marks(body: &Body) -> Option<Marks> {
         bust: bust - ground,
         apex: apex(body, hip, neck, front).map(|(z, sharp)| (z - ground, sharp)),
         shoulder: shoulder(body, hip, neck)? - ground,
-        spread: spread(body, hip).unwrap_or(USUAL_SPREAD),
+        spread: spread(body, hip),
         girth,
+        reach: reach(body, hip, neck)?,
     })
 }
 

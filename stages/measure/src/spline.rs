@@ -1,6 +1,6 @@
 //! The paper's girth, to the letter (§III-E): points, least-squares plane, more points, spline.
 
-use crate::section::{area, axes, flat};
+use crate::section::axes;
 use nalgebra::{DMatrix, DVector, Matrix3, Point3, Vector3};
 use shape::{Mesh, Plane};
 
@@ -22,21 +22,35 @@ pub fn fitted_plane(points: &[Point3<f64>]) -> Option<Plane> {
     })
 }
 
-/// Eq. 8: points of the mesh near a curve's plane and near the curve are added and the plane is
-/// fitted again until it stands still. Returns the plane and the points.
+/// Eq. 8: points of the mesh near a curve's plane are added and the plane is fitted again until it
+/// stands still. Returns the plane and the points.
 pub fn grown(mesh: &Mesh, curve: &[Point3<f64>]) -> Option<(Plane, Vec<Point3<f64>>)> {
+    settled(&beside(mesh, curve), mesh.mean_edge(), curve)
+}
+
+/// Points of the mesh in the box of a curve, three mean edges larger.
+fn beside(mesh: &Mesh, curve: &[Point3<f64>]) -> Vec<Point3<f64>> {
     let threshold = mesh.mean_edge();
-    let mut plane = fitted_plane(curve)?;
     let lo = curve.iter().fold([f64::MAX; 3], |l, p| {
         [0, 1, 2].map(|i| l[i].min(p[i] - 3.0 * threshold))
     });
     let hi = curve.iter().fold([f64::MIN; 3], |h, p| {
         [0, 1, 2].map(|i| h[i].max(p[i] + 3.0 * threshold))
     });
-    let near: Vec<Point3<f64>> = (0..mesh.positions.len() as u32)
+    (0..mesh.positions.len() as u32)
         .map(|v| mesh.point(v))
         .filter(|p| (0..3).all(|i| p[i] >= lo[i] && p[i] <= hi[i]))
-        .collect();
+        .collect()
+}
+
+/// The plane through a curve, fitted again to the points within a threshold of it until it stands
+/// still, and those points.
+fn settled(
+    near: &[Point3<f64>],
+    threshold: f64,
+    curve: &[Point3<f64>],
+) -> Option<(Plane, Vec<Point3<f64>>)> {
+    let mut plane = fitted_plane(curve)?;
     let mut points = Vec::new();
     for _ in 0..20 {
         let (n, p) = (Vector3::from(plane.normal), Point3::from(plane.point_mm));
@@ -59,15 +73,16 @@ pub fn grown(mesh: &Mesh, curve: &[Point3<f64>]) -> Option<(Plane, Vec<Point3<f6
 /// Length of the closed cubic spline through points of a plane, taken in turn around their middle;
 /// points are first gathered in bins of the angle, else the spline would run to and fro. \[mm\]
 pub fn spline_length(points: &[Point3<f64>], plane: &Plane) -> Option<f64> {
-    const BINS: usize = 72;
     let (u, v) = axes(plane);
+    // Fewer than some points a bin leave to and fro in it.
+    let count = (points.len() / 4).clamp(36, 72);
     let n = points.len() as f64;
     let middle = Point3::from(points.iter().map(|p| p.coords).sum::<Vector3<f64>>() / n);
-    let mut bins = vec![(0.0, 0.0, 0.0); BINS];
+    let mut bins = vec![(0.0, 0.0, 0.0); count];
     for p in points {
         let (x, y) = (u.dot(&(p - middle)), v.dot(&(p - middle)));
         let turn = (y.atan2(x) / std::f64::consts::TAU).rem_euclid(1.0);
-        let bin = &mut bins[((turn * BINS as f64) as usize).min(BINS - 1)];
+        let bin = &mut bins[((turn * count as f64) as usize).min(count - 1)];
         *bin = (bin.0 + x, bin.1 + y, bin.2 + 1.0);
     }
     let knots: Vec<[f64; 2]> = bins
@@ -132,15 +147,33 @@ pub fn closed_spline_length(knots: &[[f64; 2]]) -> Option<f64> {
     Some(total)
 }
 
-/// The spline's length for a curve of a mesh: plane grown from the curve, then the spline. \[mm\]
+/// The spline's length for a curve of a mesh: plane grown from the curve, then the spline. Only
+/// points near the curve are added: beside a short neck the plane meets chin and shoulders too. \[mm\]
 pub fn paper_girth(mesh: &Mesh, curve: &[Point3<f64>]) -> Option<f64> {
-    let (plane, points) = grown(mesh, curve)?;
-    // Points of other parts of the body lie in the plane too: keep those near the curve.
-    let own = flat(curve, &plane);
-    let reach = (area(&own).abs() / std::f64::consts::PI).sqrt() * 0.35;
-    let near = |p: &Point3<f64>| curve.iter().any(|c| (c - p).norm() < reach.max(5.0));
-    let points: Vec<_> = points.into_iter().filter(near).collect();
+    let reach = 1.5 * mesh.mean_edge();
+    let close = |p: &Point3<f64>| {
+        let n = curve.len();
+        (0..n).any(|i| from_piece(p, &curve[i], &curve[(i + 1) % n]) < reach)
+    };
+    let mut near = beside(mesh, curve);
+    near.retain(close);
+    let (plane, points) = settled(&near, mesh.mean_edge(), curve)?;
     spline_length(&points, &plane)
+}
+
+/// Distance of a point from a piece of a straight line.
+fn from_piece(p: &Point3<f64>, a: &Point3<f64>, b: &Point3<f64>) -> f64 {
+    let along = b - a;
+    let t = along.dot(&(p - a)) / along.norm_squared().max(1e-12);
+    (p - (a + along * t.clamp(0.0, 1.0))).norm()
+}
+
+/// How far a spline may stay below the tape or go beyond the exact curve, as a share.
+const LEFT: f64 = 0.03;
+
+/// Whether a spline has left the ring that it stands for.
+pub fn has_left(spline_mm: f64, tape_mm: f64, contour_mm: f64) -> bool {
+    spline_mm < (1.0 - LEFT) * tape_mm || spline_mm > (1.0 + LEFT) * contour_mm
 }
 
 #[cfg(test)]

@@ -1,7 +1,7 @@
 //! The section of a landmark on a mesh, with other limbs taken off before anything is measured.
 
 use crate::across_arm::across_arm;
-use crate::arms::{Axis, arm_ring, upper_arm_axis};
+use crate::arms::{Axis, arm_ring, merged, upper_arm_axis};
 use crate::body::Body;
 use crate::carry::{Carried, RAYS, carried, ray, reaches};
 use crate::marks::{extent, hip};
@@ -114,6 +114,12 @@ fn within(ring: &Ring, p: Point3<f64>) -> bool {
     inside
 }
 
+/// Whether the arm of a side has a section of its own at a height.
+fn stands_clear(body: &Body, z: f64, side: f64) -> bool {
+    let slice = body.slice(z);
+    slice.is_some_and(|s| arm_ring(body, &s.rings, side).is_some())
+}
+
 /// An arm beside the trunk: its side, its axis, and half its breadth in a level section. \[mm\]
 struct Beside {
     side: f64,
@@ -150,9 +156,13 @@ fn trunk(mesh: &Mesh, body: &Body, landmark: &Landmark) -> Result<Taken, Why> {
     }
     let fused: Vec<&Beside> = arms
         .iter()
-        .filter(|arm| z > arm.axis.point.z && within(&ring, arm.axis.at(z)))
+        .filter(|arm| z > arm.axis.point.z)
+        .filter(|arm| within(&ring, arm.axis.at(z)) || !stands_clear(body, z, arm.side))
         .collect();
     if fused.is_empty() {
+        if [1.0, -1.0].iter().any(|side| merged(body, z, *side)) {
+            return Err(FUSED);
+        }
         return plain(mesh, plane, ring);
     }
     if let Some(free) = cut_off(body, &fused, &ring) {

@@ -1,6 +1,7 @@
 //! Landmarks on arms and legs, and the part of each vertex.
 
-use super::landmark;
+use super::whole::thighs_are_one;
+use super::{landmark, missing};
 use crate::arms::axis_about;
 use crate::body::{Body, nearest_ring};
 use crate::levels;
@@ -34,10 +35,15 @@ pub(super) fn upper_arm(mesh: &Mesh, body: &Body, side: f64, marks: &Marks) -> O
     })
 }
 
+/// Why there is no thigh.
+const ONE: &str = "the thighs are one on the surface well below the crotch, so where they are fullest does not show: \
+     stand with the feet farther apart";
+
 /// Thigh and calf of both legs.
 pub(super) fn legs(body: &Body, found: &mut Landmarks) {
     let Some(crotch) = body.crotch else { return };
     let inside = crotch - body.ground;
+    let one = thighs_are_one(body);
     for (side, part, suffix, word) in [
         (1.0, Part::LegLeft, "L", "left"),
         (-1.0, Part::LegRight, "R", "right"),
@@ -65,12 +71,16 @@ pub(super) fn legs(body: &Body, found: &mut Landmarks) {
             let (name, label) = (format!("{name}_{suffix}"), format!("{label}, {word}"));
             found.found.push(landmark(&name, &label, text, plane, part));
         };
-        add(
-            "TC",
-            "thigh",
-            "thigh: horizontal, fullest below the crotch (ISO 8559-1 5.3.20)",
-            widest(0.8, 0.99),
-        );
+        if one {
+            found.missing.push(missing(&format!("TC_{suffix}"), ONE));
+        } else {
+            add(
+                "TC",
+                "thigh",
+                "thigh: horizontal, fullest below the crotch (ISO 8559-1 5.3.20)",
+                widest(0.8, 0.99),
+            );
+        }
         add(
             "CFC",
             "calf",
