@@ -151,4 +151,20 @@ mod tests {
             format!("{MAT}[rim]\ntag_size_mm = 24.0\nids = [12, 47]\ncount = 36\nradius_mm = 240");
         assert!(said(&strip)[0].contains("radius of 240 mm"));
     }
+
+    #[test]
+    fn what_photos_are_written_with_is_read_as_it_was() {
+        let strip = "[rim]\ntag_size_mm = 24.5\nids = [12, 47]\ncount = 36\nradius_mm = 224.25\n\
+                     [camera]\ncentre_px = [804.8, 1191.0]";
+        let rig = read_rig(&format!("{MAT}{strip}")).unwrap().rig;
+        let photos = shape::Photos {
+            rig: rig.clone(),
+            ..shape::Photos::default()
+        };
+        let files = shape::photos_to_capture(&photos);
+        let (_, bytes) = files.iter().find(|f| f.0 == "capture.toml").unwrap();
+        let back = read_rig(std::str::from_utf8(bytes).unwrap()).unwrap();
+        assert_eq!(back.rig, rig);
+        assert_eq!(back.unknown, Vec::<String>::new());
+    }
 }

@@ -14,7 +14,7 @@ use crate::rim::RimBelief;
 use crate::scene::{Beliefs, LensPrior, Scene, Settings, Sight, lens_values};
 use crate::tag_bloom::adjust_tags;
 use crate::tracks_in::{self, Seen};
-use crate::trust::{median_px, nudged, view, warnings};
+use crate::trust::{median_px, nudged, uneven, view, warnings};
 use nalgebra::Point3;
 use shape::{
     ByPhoto, Camera, Cameras, Intrinsics, Mat, PhotoId, Photos, Pose, Rig, Scale, Tag, Tags,
@@ -214,6 +214,7 @@ pub(crate) fn calibrate(
     }
     let mut warnings = warnings(photos, &ids, &scene, &fit, &prior);
     warnings.extend(nudged(photos, &ids, &scene.poses));
+    warnings.extend(uneven(photos, &ids, &scene.poses));
     warnings.extend(rim_warning);
     let view = |(camera, (id, ..)): (usize, &(PhotoId, Pose, &Vec<Tag>))| {
         (*id, view(photos, *id, camera, &scene, &sights, &fit))

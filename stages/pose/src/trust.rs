@@ -133,6 +133,51 @@ fn turned(poses: &[Pose]) -> Vec<(usize, f64)> {
         .collect()
 }
 
+/// A disk that turned by less than this did not turn. \[°\]
+const STILL_DEG: f64 = 0.5;
+
+/// Between which photos the disk, seen by its mat, did not turn or turned otherwise than between
+/// most: photos saved twice, missing, or out of their place.
+pub(crate) fn uneven(photos: &Photos, ids: &[PhotoId], poses: &[Pose]) -> Vec<String> {
+    let turns: Vec<f64> = poses
+        .windows(2)
+        .map(|w| {
+            let between = w[0].rotation.inverse() * w[1].rotation;
+            between[(1, 0)].atan2(between[(0, 0)]).to_degrees()
+        })
+        .collect();
+    let mut sorted = turns.clone();
+    sorted.sort_by(f64::total_cmp);
+    let usual = sorted.get(sorted.len() / 2).copied().unwrap_or(0.0);
+    // Who turns by hand turns unevenly, but not back.
+    let even = photos.rig.step.is_some();
+    let odd = |turn: f64| {
+        let off = (turn - usual).abs() > 0.5 * usual.abs() + STILL_DEG;
+        off && (even || turn * usual < 0.0)
+    };
+    if 3 * turns.iter().filter(|t| odd(**t)).count() > turns.len() {
+        return vec![
+            "the disk turned unevenly, now this way, now that: photos should be in turning order"
+                .into(),
+        ];
+    }
+    let name = |i: usize| photos.get(ids[i]).map_or("", |p| p.name.as_str());
+    let say = |(i, turn): (usize, &f64)| {
+        let (a, b) = (name(i), name(i + 1));
+        let followed = ids[i].0 + 1 == ids[i + 1].0;
+        match turn.abs() < STILL_DEG {
+            true => Some(format!(
+                "between {a} and {b} the disk did not turn: remove one of them"
+            )),
+            false if odd(*turn) && followed => Some(format!(
+                "between {a} and {b} the disk turned by {turn:.0}°, by {usual:.0}° between most photos: is a photo missing there, or out of its place?"
+            )),
+            false => None,
+        }
+    };
+    turns.iter().enumerate().filter_map(say).collect()
+}
+
 /// Photos whose features fit far worse than those of most.
 pub(crate) fn misfits(cameras: &Cameras) -> Vec<String> {
     let mut all: Vec<f64> = cameras.views.values().map(|v| v.rms_px).collect();
@@ -168,5 +213,45 @@ mod tests {
         let told = turned(&poses);
         assert!(told.len() == 1 && told[0].0 == 4, "{told:?}");
         proof::near(told[0].1, 0.026f64.to_degrees(), 0.1);
+    }
+
+    #[test]
+    fn photos_that_are_missing_or_twice_are_told_by_the_mat() {
+        let told = |places: &[f64]| {
+            let pose = |place: &f64| Pose {
+                rotation: Rotation3::from_euler_angles(1.8, 0.0, 0.0)
+                    * Rotation3::from_euler_angles(0.0, 0.0, place * -20f64.to_radians()),
+                translation: Vector3::new(3.0, 340.0, 1770.0),
+            };
+            let poses: Vec<Pose> = places.iter().map(pose).collect();
+            let ids: Vec<PhotoId> = (0..poses.len() as u32).map(PhotoId).collect();
+            let mut photos = Photos::default();
+            photos.rig.step = Some(20f64.to_radians());
+            uneven(&photos, &ids, &poses)
+        };
+        let even: Vec<f64> = (0..18).map(f64::from).collect();
+        assert_eq!(told(&even), Vec::<String>::new());
+        let (mut twice, mut missing, mut shuffled) = (even.clone(), even.clone(), even);
+        twice.insert(4, 4.001);
+        let said = told(&twice);
+        assert!(
+            said.len() == 1 && said[0].contains("did not turn"),
+            "{said:?}"
+        );
+        missing.remove(7);
+        let said = told(&missing);
+        assert!(
+            said.len() == 1 && said[0].contains("turned by -40°"),
+            "{said:?}"
+        );
+        (0..18).for_each(|i| shuffled[i] = f64::from((7 * i as u32) % 18));
+        shuffled.swap(2, 9);
+        shuffled.swap(4, 15);
+        shuffled.swap(6, 12);
+        let said = told(&shuffled);
+        assert!(
+            said.len() == 1 && said[0].contains("turning order"),
+            "{said:?}"
+        );
     }
 }

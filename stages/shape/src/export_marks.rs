@@ -163,7 +163,7 @@ pub fn cameras_to_svg(cameras: &Cameras) -> String {
             let rim: Vec<_> = (0..72).map(|i| cylinder.point(angle(i), share)).collect();
             let _ = writeln!(
                 svg,
-                "<polygon points=\"{}\" fill=\"#d432\" stroke=\"#c33\"/>",
+                "<polygon points=\"{}\" fill=\"#d43\" fill-opacity=\"0.13\" stroke=\"#c33\"/>",
                 path(&rim)
             );
         }
@@ -206,7 +206,7 @@ pub fn cameras_to_svg(cameras: &Cameras) -> String {
         ];
         let _ = writeln!(
             svg,
-            "<polygon points=\"{}\" fill=\"#7ac4\" stroke=\"#27a\"/>",
+            "<polygon points=\"{}\" fill=\"#7ac\" fill-opacity=\"0.27\" stroke=\"#27a\"/>",
             path(&frame)
         );
         for c in &frame {

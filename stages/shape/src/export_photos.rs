@@ -43,6 +43,18 @@ fn rig_to_toml(rig: &Rig) -> String {
         let (first, count) = (mat.first_id, mat.count);
         writeln!(text, "mat.count = {count}\nmat.ids = [{first}, {last}]").expect("bug: text");
     }
+    if let Some(rim) = &rig.rim {
+        let (first, count) = (rim.first_id, rim.count);
+        let (tag, radius, last) = (rim.tag_mm, rim.radius_mm, first + count - 1);
+        writeln!(
+            text,
+            "rim.tag_size_mm = {tag}\nrim.radius_mm = {radius}\nrim.count = {count}\nrim.ids = [{first}, {last}]"
+        )
+        .expect("bug: text");
+    }
+    if let Some([x, y]) = rig.centre_px {
+        writeln!(text, "camera.centre_px = [{x:?}, {y:?}]").expect("bug: text");
+    }
     if let Some(known) = &rig.reference {
         let (kind, length) = (&known.kind, known.length_mm);
         writeln!(
