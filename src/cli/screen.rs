@@ -33,33 +33,48 @@ pub(crate) fn screen(
             origin(cameras)
         );
     }
-    text += &format!(
-        "{:<24} {:>8}  {:<16} {:>8}\n",
-        "girth", "tape cm", "interval (90 %)", "contour"
-    );
+    let wide = girths
+        .girths
+        .iter()
+        .map(|g| g.name.len() + 1 + g.label.chars().count());
+    let wide = wide.fold(24, usize::max);
+    if !girths.girths.is_empty() {
+        text += &format!(
+            "{:<wide$} {:>8}  {:<16} {:>8}\n",
+            "girth", "tape cm", "interval (90 %)", "contour"
+        );
+    }
     let cm = |mm: f64| mm / 10.0;
     for g in &girths.girths {
         let [lo, hi] = g.interval_mm.map(cm);
         let interval = format!("{lo:.1} to {hi:.1}");
         let label = format!("{} {}", g.name, g.label);
         let (tape, contour) = (cm(g.tape_mm), cm(g.contour_mm));
-        text += &format!("{label:<24} {tape:>8.1}  {interval:<16} {contour:>8.1}\n");
+        text += &format!("{label:<wide$} {tape:>8.1}  {interval:<16} {contour:>8.1}\n");
     }
     if let Some(mm) = girths.stature_mm {
-        text += &format!("{:<24} {:>8.1}\n", "stature", cm(mm));
+        text += &format!("{:<wide$} {:>8.1}\n", "stature", cm(mm));
     }
     for (name, value, note) in &girths.ratios {
-        text += format!("{name:<24} {value:>8.3}  {note}").trim_end();
+        text += format!("{name:<wide$} {value:>8.3}  {note}").trim_end();
         text.push('\n');
     }
     if let Some(bmi) = girths.bmi {
-        text += &format!("{:<24} {bmi:>8.1}  kg/m²\n", "body mass index");
+        text += &format!("{:<wide$} {bmi:>8.1}  kg/m²\n", "body mass index");
     }
     if !girths.missing.is_empty() {
         text += "\nnot measured\n";
     }
+    // One reason is told once, for all that it is the reason of.
+    let mut told: Vec<(Vec<&str>, &str)> = Vec::new();
     for missing in &girths.missing {
-        text += &broken(&format!("  {:<6} {}", missing.name, missing.why), 9);
+        match told.iter_mut().find(|(_, why)| *why == missing.why) {
+            Some((names, _)) => names.push(&missing.name),
+            None => told.push((vec![&missing.name], &missing.why)),
+        }
+    }
+    for (names, why) in told {
+        text += &broken(&format!("  {:<6} {why}", names.join(", ")), 9);
     }
     text
 }
@@ -133,6 +148,28 @@ mod tests {
         );
         let words = |t: &str| t.split_whitespace().map(str::to_owned).collect::<Vec<_>>();
         assert_eq!(words(&text), words(&format!("CC {why}")));
+    }
+
+    #[test]
+    fn one_reason_is_told_once_for_all_that_it_is_the_reason_of() {
+        let missing = |name: &str, why: &str| shape::Missing {
+            name: name.into(),
+            why: why.into(),
+        };
+        let legs = "no two legs were found";
+        let girths = Girths {
+            missing: vec![
+                missing("HC", legs),
+                missing("NC", "no neck"),
+                missing("WC", legs),
+            ],
+            ..Girths::default()
+        };
+        let told = screen("a", 3, None, &girths);
+        assert_eq!(
+            told,
+            format!("\nnot measured\n  HC, WC {legs}\n  NC     no neck\n")
+        );
     }
 
     #[test]

@@ -59,7 +59,7 @@ pub struct FindLandmarks;
 
 impl Stage for FindLandmarks {
     const NAME: &'static str = "measure.landmarks";
-    const VERSION: u32 = 8;
+    const VERSION: u32 = 9;
     const ABOUT: &'static str = "Finds neck, chest, waist, hip, arms and legs from marks on the outline: buttocks, hollow of the back, bust, shoulders, ears.";
     type Params = LandmarkParams;
     type Input = LandmarkInput;
@@ -152,6 +152,19 @@ fn trunk(p: &LandmarkParams, body: &Body, marks: Option<&Marks>, found: &mut Lan
     if let Some(m) = marks {
         let (z, text) = waist(p.waist, body, m);
         add("WC", "waist", z, text);
+        // The other definitions stand beside the chosen one, each under its own name.
+        for (which, name, label) in [
+            (Waist::Natural, "WC_natural", "waist, natural"),
+            (Waist::Narrowest, "WC_narrowest", "waist, narrowest"),
+            (Waist::Navel, "WC_navel", "waist at the navel"),
+            (Waist::HipBone, "WC_hip_bone", "waist at the hip bone"),
+        ] {
+            let is = which != Waist::Narrowest || narrowest(body, m).is_some();
+            if which != p.waist && is {
+                let (z, text) = waist(which, body, m);
+                add(name, label, z, text);
+            }
+        }
         let z = body.ground + levels::chest(m, body.stature);
         let text = "chest: horizontal at the nipples' height, trunk only (ISO 8559-1 5.3.4)";
         add("CC", "chest", z, text);

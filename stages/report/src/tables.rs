@@ -31,13 +31,14 @@ pub(crate) fn girths(girths: &Girths) -> String {
             .collect();
         let _ = write!(
             html,
-            "<tr data-name=\"{name}\" title=\"{definition}\" tabindex=\"0\"><td><b>{name}</b> {label}</td>\
+            "<tr data-name=\"{name}\" title=\"{definition}\" tabindex=\"0\"><td><b>{name}</b> {label} <span class=\"note\">{iso}</span></td>\
              <td class=\"n big\">{}</td><td class=\"n\">{} – {}</td>{cells}</tr>",
             cm(g.tape_mm),
             cm(g.interval_mm[0]),
             cm(g.interval_mm[1]),
             name = escaped(&g.name),
             label = escaped(&g.label),
+            iso = standard(&g.definition),
             definition = escaped(&g.definition),
         );
     }
@@ -55,6 +56,14 @@ pub(crate) fn girths(girths: &Girths) -> String {
         html += "</ul>";
     }
     html
+}
+
+/// The number that the standard, or the body behind it, gives a girth: what the definition names in brackets.
+fn standard(definition: &str) -> String {
+    let inside = definition
+        .split_once('(')
+        .and_then(|(_, rest)| rest.split_once(')'));
+    escaped(inside.map_or("", |(inside, _)| inside))
 }
 
 /// Ratios and the like, with the thresholds of the WHO beside them as text.
