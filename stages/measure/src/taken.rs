@@ -25,7 +25,7 @@ pub struct Taken {
     pub spline_mm: f64,
     /// Share of the way around that another limb hides: bridged, or carried over from a clear section.
     pub carried: f64,
-    /// Half the span between the shortest and the longest girth that a convex outline allows there. \[mm\]
+    /// Standard deviation of what the hidden part adds. \[mm\]
     pub doubt_mm: f64,
 }
 
@@ -208,7 +208,8 @@ fn cut_off(body: &Body, fused: &[&Beside], ring: &Ring) -> Option<Taken> {
         tape_mm: tape(&free.points),
         spline_mm: closed_spline_length(&knots).unwrap_or(contour_mm),
         carried: free.share,
-        doubt_mm: free.doubt_mm,
+        // Anywhere between the shortest and the longest that a convex outline allows.
+        doubt_mm: free.doubt_mm / 3f64.sqrt(),
     })
 }
 
