@@ -186,7 +186,7 @@ fn unlike(body: &Body) -> &'static str {
             "no two legs were found, and levels are told from where they join: is the body cut off, or does a coat or a skirt hide them?"
         }
         (_, None) => {
-            "no neck was found between head and shoulders, and levels are told from it: does hair or a collar hide it?"
+            "no neck was found between head and shoulders, and levels are told from it: does hair or a collar hide it, or do the photos cut the head off?"
         }
         _ => "trunk and legs are not those of an upright body",
     }
@@ -237,7 +237,7 @@ fn across_neck(p: &LandmarkParams, mesh: &Mesh, body: &Body, found: &mut Landmar
         None if body.crotch.is_none() => found.missing.push(missing("NC", unlike(body))),
         None => found.missing.push(missing(
             "NC",
-            "no neck was found between head and shoulders: does hair or a collar hide it?",
+            "no neck was found between head and shoulders: does hair or a collar hide it, or do the photos cut the head off?",
         )),
     }
 }
