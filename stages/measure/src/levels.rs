@@ -68,13 +68,13 @@ pub(crate) fn upper_arm(m: &Marks, stature: f64) -> f64 {
 
 /// Amid the two joints of the neck: offset along the throat's usual axis. \[mm\]
 pub(crate) fn neck(t: &Throat, stature: f64) -> f64 {
-    0.713 * t.ears + 0.331 * t.shoulders + 0.264 * t.back - 0.017 * stature
+    0.7655 * t.ears + 0.3178 * t.shoulders + 0.2387 * t.back - 0.0137 * stature
 }
 
 /// How far the line between these joints leans forward: farther where the head is carried farther
 /// before the shoulders. \[rad\]
 pub(crate) fn neck_lean(t: &Throat, stature: f64) -> f64 {
-    (652.0 * t.ahead / stature - 1.8).to_radians()
+    (664.1 * t.ahead / stature + 1.22).to_radians()
 }
 
 /// Standard deviation of a girth's level, as a share of stature.

@@ -1,10 +1,13 @@
 //! The neck, between head and shoulders: what tells how high it is and how far it leans.
 //!
 //! A girth of the neck is taken amid the joints of its base and of the head, across the line from one
-//! to the other. Neither joint shows. What does: the level of the ears, where a head seen from the
-//! front is widest (the joint of the head lies between them), the shoulders, where a cut across the
+//! to the other. Neither joint shows. What does: the level of the ears, which make a head seen from the
+//! front widest (the joint of the head lies between them), the shoulders, where a cut across the
 //! neck grows far beyond the head, and how far the head is carried before the shoulders. How thin the
 //! neck itself is tells little: it differs most from body to body.
+//!
+//! An ear is widest over a long flat stretch whose highest point moves by half an ear when a coarse
+//! surface rounds it. Where it begins and where it ends does not: both edges at half height.
 
 use crate::body::Body;
 use crate::marks::extent;
@@ -22,13 +25,13 @@ pub struct Throat {
     pub origin: Point3<f64>,
     /// A usual axis, unit, upward and leaning forward.
     pub axis: Vector3<f64>,
-    /// Offset of the ears, as if they were above the origin.
+    /// Offset of the ears' middle, as if they were above the origin.
     pub ears: f64,
     /// Offset of the cut that is a fifth longer than the head is around: shoulders.
     pub shoulders: f64,
     /// How far the shoulders' middle lies before the origin. \[mm\]
     pub back: f64,
-    /// How far the head's middle lies before that of the shoulders. \[mm\]
+    /// How far the skull's middle, half way from ears to crown, lies before that of the shoulders. \[mm\]
     pub ahead: f64,
 }
 
@@ -90,13 +93,12 @@ pub fn throat(mesh: &Mesh, body: &Body) -> Option<Throat> {
             .collect();
         // Each the mean of three: a hull's facets jump.
         let three = |w: &[(f64, f64)]| (w[1].0, (w[0].1 + w[1].1 + w[2].1) / 3.0);
-        top(&raw.windows(3).map(three).collect::<Vec<_>>())
+        raw.windows(3).map(three).collect::<Vec<_>>()
     };
     let across = |r: &Ring| extent(r, &body.left).map(|e| e.1 - e.0);
-    let ears = profile(&across)?.0;
-    let around = profile(&|r| Some(r.tape))?.1;
-    let forward = profile(&|r| extent(r, &body.front).map(|e| e.1))?.1;
-    let backward = profile(&|r| extent(r, &body.front).map(|e| -e.0))?.1;
+    let ears = ears(&profile(&across), crown)?;
+    let around = top(&profile(&|r| Some(r.tape)))?;
+    let skull = head.iter().find(|s| s.z >= (ears + crown) / 2.0)?;
     let full = |s: &Slice| {
         let all = s.rings.iter().filter_map(|r| extent(r, &body.left));
         all.reduce(|a, b| (a.0.min(b.0), a.1.max(b.1)))
@@ -117,7 +119,7 @@ pub fn throat(mesh: &Mesh, body: &Body) -> Option<Throat> {
         ears: (ears - origin.z) * USUAL.cos(),
         shoulders: 0.0,
         back: middle - origin.coords.dot(&body.front),
-        ahead: (forward - backward) / 2.0 - middle,
+        ahead: skull.rings.first()?.centre.coords.dot(&body.front) - middle,
     };
     // Downward, unbroken, until a cut is as long as shoulders are.
     let step = body.stature / 400.0;
@@ -136,20 +138,34 @@ pub fn throat(mesh: &Mesh, body: &Body) -> Option<Throat> {
     Some(throat)
 }
 
-/// Where a profile is greatest, between its samples, and how great.
-fn top(profile: &[(f64, f64)]) -> Option<(f64, f64)> {
-    let i = (0..profile.len()).max_by(|a, b| profile[*a].1.total_cmp(&profile[*b].1))?;
-    let (z, most) = profile[i];
-    let (Some(below), Some(above)) = (i.checked_sub(1).map(|j| profile[j]), profile.get(i + 1))
-    else {
-        return Some((z, most));
+/// How far from the widest level the head has its own width again, above and below, as a share of the
+/// way to the crown.
+const EAR: (f64, f64) = (0.25, 0.45);
+
+/// The middle of the ears: amid the two levels where they stand out half as far as at their widest.
+/// From widths seen from the front over height. `None` where the head is no narrower above or below.
+fn ears(width: &[(f64, f64)], crown: f64) -> Option<f64> {
+    let i = (0..width.len()).max_by(|a, b| width[*a].1.total_cmp(&width[*b].1))?;
+    let (widest, most) = width[i];
+    let edge = |away: &mut dyn Iterator<Item = &(f64, f64)>, reach: f64| {
+        let reach = reach * (crown - widest);
+        let way: Vec<(f64, f64)> = away
+            .take_while(|w| (w.0 - widest).abs() <= reach)
+            .copied()
+            .collect();
+        let half = (most + way.last()?.1) / 2.0;
+        let k = way.iter().position(|w| w.1 < half).filter(|k| *k > 0)?;
+        let (near, far) = (way[k - 1], way[k]);
+        Some(near.0 + (near.1 - half) / (near.1 - far.1) * (far.0 - near.0))
     };
-    let bend = below.1 - 2.0 * most + above.1;
-    let by = match bend < 0.0 {
-        true => 0.5 * (below.1 - above.1) / bend,
-        false => 0.0,
-    };
-    Some((z + by.clamp(-0.5, 0.5) * (above.0 - z), most))
+    let above = edge(&mut width[i..].iter(), EAR.0)?;
+    let below = edge(&mut width[..=i].iter().rev(), EAR.1)?;
+    Some((above + below) / 2.0)
+}
+
+/// How great a profile is where it is greatest.
+fn top(profile: &[(f64, f64)]) -> Option<f64> {
+    profile.iter().map(|p| p.1).max_by(f64::total_cmp)
 }
 
 /// The ring of the neck in a plane through its middle: the largest that is not far from there.
@@ -164,12 +180,42 @@ pub fn neck_ring(mesh: &Mesh, body: &Body, plane: &Plane) -> Option<Ring> {
 mod tests {
     use super::*;
 
+    /// A head 150 wide with ears from 100 to 145, farthest out near their upper end.
+    fn head(rounding: i32) -> Vec<(f64, f64)> {
+        let sharp = |z: f64| match z {
+            z if z < 100.0 => 120.0,
+            z if z < 145.0 => 160.0 + 20.0 * (z - 100.0) / 45.0,
+            _ => 150.0,
+        };
+        let near = |z: f64| (-rounding..=rounding).map(move |k| sharp(z + f64::from(k)));
+        let mean = |z: f64| near(z).sum::<f64>() / f64::from(2 * rounding + 1);
+        (60..250)
+            .map(|k| (f64::from(k), mean(f64::from(k))))
+            .collect()
+    }
+
     #[test]
-    fn the_top_of_a_parabola_is_found_between_its_samples() {
-        let at = |z: f64| (z, 5.0 - (z - 1.3).powi(2));
-        let (z, _) = top(&[at(0.0), at(1.0), at(2.0), at(3.0)]).unwrap();
-        proof::near(z, 1.3, 1e-12);
-        assert_eq!(top(&[(0.0, 2.0), (1.0, 1.0)]), Some((0.0, 2.0)));
-        assert_eq!(top(&[]), None);
+    fn a_surface_that_rounds_the_ears_moves_their_widest_level_but_not_their_middle() {
+        let widest = |w: &[(f64, f64)]| {
+            let most = w.iter().max_by(|a, b| a.1.total_cmp(&b.1));
+            most.unwrap().0
+        };
+        let (sharp, round) = (head(0), head(8));
+        assert!(widest(&sharp) - widest(&round) > 7.0);
+        proof::near(ears(&sharp, 250.0).unwrap(), 122.0, 1.0);
+        proof::near(
+            ears(&round, 250.0).unwrap(),
+            ears(&sharp, 250.0).unwrap(),
+            2.0,
+        );
+    }
+
+    #[test]
+    fn a_head_without_ears_has_no_middle_of_them() {
+        let cone: Vec<(f64, f64)> = (0..100)
+            .map(|k| (f64::from(k), 200.0 - f64::from(k)))
+            .collect();
+        assert_eq!(ears(&cone, 100.0), None);
+        assert_eq!(ears(&[], 100.0), None);
     }
 }
