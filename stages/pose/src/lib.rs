@@ -71,7 +71,7 @@ pub use mat_print::{Paper, tiles, to_pdf, to_svg};
 
 pub use epipolar::{Both, agreeing, agreeing_through, fundamental, sampson};
 pub use five_point::essentials;
-pub use matching::{Pairs, mutual, still};
+pub use matching::{Pairs, mutual, standing, still};
 pub use planar::planar_pose;
 pub use residual::{Derivatives, derivatives};
 pub use rim_layout::{Piece, rim_for, rim_pieces, rim_toml};

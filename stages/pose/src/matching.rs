@@ -1,5 +1,6 @@
 //! Features of two photos that look alike, each other's nearest, well ahead of the next.
 
+use rayon::prelude::*;
 use shape::{Features, Keypoint};
 
 /// Pairs of features: places in the two lists.
@@ -66,6 +67,41 @@ pub fn still(a: &Features, b: &Features, still_px: f32) -> [Vec<bool>; 2] {
         }
     }
     stands
+}
+
+/// Of the photos that are far away in the turn, the share that shows a feature again before it counts
+/// as standing still, and the least number of them.
+const AGAIN: (usize, usize) = (4, 2);
+
+/// Which features of each photo stand still, as those more than `reach` steps away in the turn tell,
+/// so that what turns cannot look the same there: grain that is long and faint is found at another
+/// place in each photo, so that no single pair tells.
+pub fn standing(views: &[&Features], reach: usize, still_px: f32) -> Vec<Vec<bool>> {
+    let n = views.len();
+    let far = |i: &usize, j: &usize| (j - i).min(n + i - j) > reach;
+    let pairs: Vec<(usize, usize)> = (0..n)
+        .flat_map(|i| (i + 1..n).map(move |j| (i, j)))
+        .filter(|(i, j)| far(i, j))
+        .collect();
+    let stood: Vec<[Vec<bool>; 2]> = pairs
+        .par_iter()
+        .map(|(i, j)| still(views[*i], views[*j], still_px))
+        .collect();
+    let empty = |v: &&Features| vec![0usize; v.points.len()];
+    let mut times: Vec<Vec<usize>> = views.iter().map(empty).collect();
+    for ((i, j), [a, b]) in pairs.iter().zip(&stood) {
+        times[*i]
+            .iter_mut()
+            .zip(a)
+            .for_each(|(t, s)| *t += usize::from(*s));
+        times[*j]
+            .iter_mut()
+            .zip(b)
+            .for_each(|(t, s)| *t += usize::from(*s));
+    }
+    let least = (n.saturating_sub(2 * reach + 1) / AGAIN.0).max(AGAIN.1);
+    let enough = |t: &Vec<usize>| t.iter().map(|t| *t >= least).collect();
+    times.iter().map(enough).collect()
 }
 
 /// Pairs that are each other's nearest, and nearer than `ratio` times the next one of `b` that lies
@@ -171,6 +207,31 @@ mod tests {
         assert!((0..200).all(|i| left_out[0][i] == (i < 100) && left_out[1][i] == (i < 100)));
         let found = mutual(&a, &b, 0.85, 100.0, &left_out);
         assert_eq!(found, (100..200).map(|i| (i, i)).collect::<Vec<_>>());
+    }
+
+    #[test]
+    fn what_is_found_near_its_place_in_many_photos_stands_still_though_no_pair_tells() {
+        let mut dice = proof::Dice(7);
+        let first = features(&mut dice, 200);
+        // The first half jitters by more than a pair bears, the other half turns.
+        let photos: Vec<Features> = (0..18)
+            .map(|k| {
+                let mut photo = first.clone();
+                for (i, p) in photo.points.iter_mut().enumerate() {
+                    p.x += match i < 100 {
+                        true => 2.5 * dice.normal() as f32,
+                        false => 40.0 * k as f32,
+                    };
+                }
+                photo
+            })
+            .collect();
+        let views: Vec<&Features> = photos.iter().collect();
+        let missed = |stands: &[bool]| stands[..100].iter().filter(|s| !**s).count();
+        assert!(missed(&still(views[0], views[1], 3.0)[0]) > 20);
+        let all = standing(&views, 3, 3.0);
+        assert!(all.iter().map(|s| missed(s)).sum::<usize>() < 18 * 5);
+        assert!(all.iter().all(|s| s[100..].iter().all(|s| !s)));
     }
 
     #[test]

@@ -2,7 +2,7 @@
 
 use crate::calibrate::{first_lens, knows_focal};
 use crate::epipolar::{Both, agreeing, agreeing_through};
-use crate::matching::{mutual, still};
+use crate::matching::{mutual, standing, still};
 use crate::room_shift::room_shift;
 use rayon::prelude::*;
 use shape::{Features, Intrinsics, Keypoints, PhotoId, Photos, Sighting, Tracks};
@@ -55,7 +55,7 @@ pub struct Follow;
 
 impl Stage for Follow {
     const NAME: &'static str = "pose.tracks";
-    const VERSION: u32 = 5;
+    const VERSION: u32 = 6;
     const ABOUT: &'static str = "Follows features over the photos: what stands still and what breaks the epipolar constraint goes.";
     type Params = TracksParams;
     type Input = TracksInput;
@@ -80,11 +80,14 @@ impl Stage for Follow {
         }
         let first = first_lens(&input.photos);
         let known = knows_focal(&input.photos.rig).then_some(&first);
+        let of: Vec<&Features> = views.iter().map(|v| v.1).collect();
+        let stands = standing(&of, p.neighbours as usize, p.still_px as f32);
+        ctx.check()?;
         let steps = ctx.steps("pairs", pairs.len());
         let one = |(i, j): &(usize, usize)| -> Result<Common, Stop> {
             let found = matched(
-                views[*i].1,
-                views[*j].1,
+                [of[*i], of[*j]],
+                [&stands[*i], &stands[*j]],
                 p,
                 p.rise as f32 * height,
                 &first,
@@ -172,14 +175,18 @@ fn told<'a>(
 
 /// The matches of a pair.
 fn matched(
-    a: &Features,
-    b: &Features,
+    [a, b]: [&Features; 2],
+    stands: [&Vec<bool>; 2],
     p: &TracksParams,
     rise: f32,
     first: &Intrinsics,
     known: Option<&Intrinsics>,
 ) -> Common {
-    let left_out = still(a, b, p.still_px as f32);
+    let mut left_out = still(a, b, p.still_px as f32);
+    let still = left_out[0].iter().filter(|still| **still).count();
+    for (out, stands) in left_out.iter_mut().zip(stands) {
+        out.iter_mut().zip(stands).for_each(|(o, s)| *o |= s);
+    }
     let mut moving = mutual(a, b, p.ratio, rise, &left_out);
     let both = |(i, j): &(u32, u32)| -> Both {
         let (k, l) = (&a.points[*i as usize], &b.points[*j as usize]);
@@ -213,7 +220,7 @@ fn matched(
     let chance = (kept.len() as f64) < p.least_share * moving.len() as f64;
     Common {
         matches: if chance { vec![] } else { kept },
-        still: left_out[0].iter().filter(|still| **still).count(),
+        still,
         room_px: room.map(|r| r.by_px),
     }
 }
