@@ -61,8 +61,9 @@ impl Ring {
         }
     }
 
-    /// Directions of a step that change nothing that is seen: turning the world, lifting it along
-    /// its axis, growing it. Unit vectors over lens and ring, with the size of a whole unit each.
+    /// Directions of a step that change nothing that is seen: turning the world (by the first angle,
+    /// or by the ring about its own axis: the same twice), lifting it along its axis, growing it.
+    /// Unit vectors over lens and ring, with the size of a whole unit each.
     pub(crate) fn freedoms(&self) -> Vec<(Vec<f64>, f64)> {
         let n = LENS + self.unknowns();
         let size = self.offset.norm();
@@ -75,13 +76,36 @@ impl Ring {
         first[LENS + 6] = 1.0;
         let axis = self.turn * Vector3::z();
         let out = self.offset - axis * axis.dot(&self.offset);
-        vec![(first, 1.0), along(axis), along(out.normalize())]
+        let mut about = vec![0.0; n];
+        (0..3).for_each(|i| about[LENS + i] = axis[i]);
+        let turning = [(first, 1.0), (about, 1.0)];
+        let moving = [along(axis), along(out.normalize())];
+        turning.into_iter().chain(moving).collect()
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn no_way_to_turn_the_world_is_left_free() {
+        let ring = Ring {
+            turn: Rotation3::from_euler_angles(1.7, 0.1, -0.05),
+            offset: Vector3::new(10.0, 700.0, 2500.0),
+            angles: vec![0.0, 0.4, 0.9],
+        };
+        let axis = ring.turn * Vector3::z();
+        let mut ways = nalgebra::DMatrix::zeros(LENS + ring.unknowns(), 2);
+        (0..3).for_each(|i| ways[(LENS + i, 0)] = axis[i]);
+        (0..3).for_each(|c| ways[(LENS + 6 + c, 1)] = 1.0);
+        // Both move cameras alike: held is what neither, nor their difference, escapes.
+        let moved = ring.tangent() * &ways;
+        assert!((moved.column(0) - moved.column(1)).norm() < 1e-12 * moved.norm());
+        let held: Vec<f64> = ring.freedoms().into_iter().flat_map(|f| f.0).collect();
+        let held = nalgebra::DMatrix::from_row_slice(4, LENS + ring.unknowns(), &held);
+        assert_eq!((held * ways).rank(1e-6), 2);
+    }
 
     #[test]
     fn the_tangent_moves_poses_as_the_ring_moves() {
