@@ -66,9 +66,9 @@ pub fn body(mesh: &Mesh, ground: f64) -> Option<Body> {
     };
     body.crotch = crotch(&body);
     body.neck = neck(&body);
-    if let Some(front) = facing(&body) {
+    if let Some((front, sure)) = facing(&body) {
         body.front = front;
-        body.front_is_sure = true;
+        body.front_is_sure = sure;
         body.left = Vector3::z().cross(&front);
     }
     Some(body)
@@ -121,8 +121,39 @@ fn neck(body: &Body) -> Option<f64> {
     None
 }
 
+/// Feet and thighs must agree within this angle for the way a body faces to be sure. \[cos\]
+const AGREE: f64 = 0.5;
+
+/// The way a body faces, and whether that is sure: across the line from thigh to thigh, to the side
+/// the feet point to. Feet alone tell where legs are one; they are small, and where they stand on
+/// something of their colour they may be lost.
+fn facing(body: &Body) -> Option<(Vector3<f64>, bool)> {
+    match (thighs(body), feet(body)) {
+        (Some(beside), Some(feet)) => {
+            let across = Vector3::z().cross(&beside);
+            let along = across.dot(&feet);
+            Some((across * along.signum(), along.abs() >= AGREE))
+        }
+        (Some(beside), None) => Some((Vector3::z().cross(&beside), false)),
+        (None, feet) => Some((feet?, true)),
+    }
+}
+
+/// The horizontal direction from thigh to thigh, unit; which of both is first is not told.
+fn thighs(body: &Body) -> Option<Vector3<f64>> {
+    let high = body.crotch? - body.ground;
+    let pairs = body.between(body.ground + 0.6 * high, body.ground + 0.95 * high);
+    let mut sum = Vector3::<f64>::zeros();
+    for pair in pairs.filter(|s| s.rings.len() >= 2) {
+        let apart = pair.rings[0].centre - pair.rings[1].centre;
+        sum += if apart.dot(&sum) < 0.0 { -apart } else { apart };
+    }
+    sum.z = 0.0;
+    sum.try_normalize(1e-6)
+}
+
 /// Feet point forward of the ankles.
-fn facing(body: &Body) -> Option<Vector3<f64>> {
+fn feet(body: &Body) -> Option<Vector3<f64>> {
     let mean = |low: f64, high: f64| {
         let (mut sum, mut total) = (Vector3::zeros(), 0.0);
         for s in body.between(

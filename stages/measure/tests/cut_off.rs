@@ -115,3 +115,23 @@ fn the_papers_spline_stays_on_a_short_neck_between_chin_and_shoulders() {
     ));
     assert!(has_left(0.9 * neck.tape_mm, neck.tape_mm, neck.contour_mm));
 }
+
+#[test]
+fn a_body_with_half_a_foot_lost_faces_as_before() {
+    let mut mesh = meshed(&built(32.0));
+    let front = |mesh: &Mesh| {
+        let body = measure::body(mesh, 0.0).unwrap();
+        (body.front, body.front_is_sure)
+    };
+    let (whole, sure) = front(&mesh);
+    assert!(sure && whole.dot(&-nalgebra::Vector3::y()) > 0.999);
+    // The toes of one foot are drawn back under its ankle, and so is the foot aside.
+    for p in &mut mesh.positions {
+        if p[2] < 60.0 && p[0] > 0.0 {
+            p[1] = p[1].max(0.0);
+            p[0] += 60.0;
+        }
+    }
+    let (lost, sure) = front(&mesh);
+    assert!(sure && lost.dot(&whole) > 0.999, "{lost}");
+}
