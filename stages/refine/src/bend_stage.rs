@@ -18,7 +18,7 @@ stage::params! {
         level: u32 = 1,
         /// Photos are halved first until they have at most so many million pixels.
         #[range(0.1..=100.0)]
-        most_mpx: f64 = 7.0,
+        most_mpx: f64 = 6.0,
         /// Edge of the mesh that is looked at, in pixels of the level on the surface.
         #[range(1.0..=50.0)]
         edge_px: f64 = 4.0,

@@ -53,7 +53,7 @@ stage::params! {
         level: u32 = 0,
         /// Photos are halved first until they have at most so many million pixels.
         #[range(0.1..=100.0)]
-        most_mpx: f64 = 7.0,
+        most_mpx: f64 = 6.0,
         /// Edge of the mesh, in pixels of the level; 0 keeps the mesh as it is.
         #[range(0.0..=50.0)]
         edge_px: f64 = 4.0,
