@@ -88,13 +88,17 @@ impl Ring {
 mod tests {
     use super::*;
 
-    #[test]
-    fn no_way_to_turn_the_world_is_left_free() {
-        let ring = Ring {
+    fn tilted() -> Ring {
+        Ring {
             turn: Rotation3::from_euler_angles(1.7, 0.1, -0.05),
             offset: Vector3::new(10.0, 700.0, 2500.0),
             angles: vec![0.0, 0.4, 0.9],
-        };
+        }
+    }
+
+    #[test]
+    fn no_way_to_turn_the_world_is_left_free() {
+        let ring = tilted();
         let axis = ring.turn * Vector3::z();
         let mut ways = nalgebra::DMatrix::zeros(LENS + ring.unknowns(), 2);
         (0..3).for_each(|i| ways[(LENS + i, 0)] = axis[i]);
@@ -109,11 +113,7 @@ mod tests {
 
     #[test]
     fn the_tangent_moves_poses_as_the_ring_moves() {
-        let ring = Ring {
-            turn: Rotation3::from_euler_angles(1.7, 0.1, -0.05),
-            offset: Vector3::new(10.0, 700.0, 2500.0),
-            angles: vec![0.0, 0.4, 0.9],
-        };
+        let ring = tilted();
         let j = ring.tangent();
         let h = 1e-6;
         for k in 0..ring.unknowns() {
