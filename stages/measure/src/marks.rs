@@ -78,6 +78,14 @@ pub(crate) fn extent(ring: &Ring, along: &Vector3<f64>) -> Option<(f64, f64)> {
     })
 }
 
+/// From the least to the greatest of all rings of a slice along a direction: what is seen from the front,
+/// arms and all, where that is the body's left. \[mm\]
+pub(crate) fn breadth(slice: &Slice, along: &Vector3<f64>) -> Option<f64> {
+    let all = slice.rings.iter().filter_map(|r| extent(r, along));
+    let (least, most) = all.reduce(|a, b| (a.0.min(b.0), a.1.max(b.1)))?;
+    Some(most - least)
+}
+
 /// Values of slices between two heights, each the mean of five: a hull's facets jump.
 fn smoothed(
     body: &Body,
@@ -152,11 +160,7 @@ fn apex(
 
 /// The highest level at which the outline from the front is as wide as amid neck and shoulders.
 fn shoulder(body: &Body, hip: f64, neck: f64) -> Option<f64> {
-    let full = |s: &Slice| {
-        let all = s.rings.iter().filter_map(|r| extent(r, &body.left));
-        all.reduce(|a, b| (a.0.min(b.0), a.1.max(b.1)))
-            .map(|(lo, hi)| hi - lo)
-    };
+    let full = |s: &Slice| breadth(s, &body.left);
     let at = |z: f64| body.slice(z).and_then(full);
     let (narrow, wide) = (at(neck)?, at(hip + 0.65 * (neck - hip))?);
     let amid = (narrow + wide) / 2.0;

@@ -1,7 +1,7 @@
 //! How far an upright body reaches back, forward and across at shares of the way from hip to neck.
 
 use crate::body::Body;
-use crate::marks::extent;
+use crate::marks::{breadth, extent};
 
 /// Reaches of a body's outline, told at shares of the way from the hip's level (0) to the neck's (1).
 ///
@@ -34,14 +34,12 @@ pub fn reach(body: &Body, hip: f64, neck: f64) -> Option<Reach> {
         };
         let (back, front) = extent(ring, &body.front)?;
         let (low, high) = extent(ring, &body.left)?;
-        let all = slice.rings.iter().filter_map(|r| extent(r, &body.left));
-        let (least, most) = all.reduce(|a, b| (a.0.min(b.0), a.1.max(b.1)))?;
         levels.push(At {
             z: slice.z,
             back,
             front,
             trunk: high - low,
-            full: most - least,
+            full: breadth(slice, &body.left)?,
         });
     }
     let mut reach = Reach { hip, long, levels };

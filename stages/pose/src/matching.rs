@@ -89,15 +89,11 @@ pub fn standing(views: &[&Features], reach: usize, still_px: f32) -> Vec<Vec<boo
         .collect();
     let empty = |v: &&Features| vec![0usize; v.points.len()];
     let mut times: Vec<Vec<usize>> = views.iter().map(empty).collect();
-    for ((i, j), [a, b]) in pairs.iter().zip(&stood) {
-        times[*i]
-            .iter_mut()
-            .zip(a)
-            .for_each(|(t, s)| *t += usize::from(*s));
-        times[*j]
-            .iter_mut()
-            .zip(b)
-            .for_each(|(t, s)| *t += usize::from(*s));
+    for ((i, j), both) in pairs.iter().zip(&stood) {
+        for (k, stood) in [*i, *j].into_iter().zip(both) {
+            let counts = times[k].iter_mut().zip(stood);
+            counts.for_each(|(t, s)| *t += usize::from(*s));
+        }
     }
     let least = (n.saturating_sub(2 * reach + 1) / AGAIN.0).max(AGAIN.1);
     let enough = |t: &Vec<usize>| t.iter().map(|t| *t >= least).collect();

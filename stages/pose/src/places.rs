@@ -123,7 +123,6 @@ pub(crate) fn out_of_place(names: &[&str], places: &[i32], step_deg: f64) -> Vec
             ),
         });
     }
-
     said
 }
 

@@ -10,7 +10,7 @@
 //! surface rounds it. Where it begins and where it ends does not: both edges at half height.
 
 use crate::body::Body;
-use crate::marks::extent;
+use crate::marks::{breadth, extent};
 use crate::slices::{Ring, Slice, rings, slices};
 use nalgebra::{Point3, Vector3};
 use rayon::prelude::*;
@@ -99,10 +99,7 @@ pub fn throat(mesh: &Mesh, body: &Body) -> Option<Throat> {
     let ears = ears(&profile(&across), crown)?;
     let around = top(&profile(&|r| Some(r.tape)))?;
     let skull = head.iter().find(|s| s.z >= (ears + crown) / 2.0)?;
-    let full = |s: &Slice| {
-        let all = s.rings.iter().filter_map(|r| extent(r, &body.left));
-        all.reduce(|a, b| (a.0.min(b.0), a.1.max(b.1)))
-    };
+    let full = |s: &Slice| breadth(s, &body.left);
     let below = slices(mesh, narrowest - 0.15 * body.stature, narrowest, fine);
     let narrow = below.iter().chain(&head).take_while(|s| s.z < ears);
     let narrow = narrow
@@ -111,7 +108,7 @@ pub fn throat(mesh: &Mesh, body: &Body) -> Option<Throat> {
     let shoulders = below
         .iter()
         .rev()
-        .find(|s| full(s).is_some_and(|(lo, hi)| hi - lo >= WIDE * narrow))?;
+        .find(|s| full(s).is_some_and(|wide| wide >= WIDE * narrow))?;
     let middle = shoulders.rings.first()?.centre.coords.dot(&body.front);
     let mut throat = Throat {
         origin,
