@@ -29,7 +29,7 @@ pub(crate) fn svg(girths: &Girths, ground_mm: f64) -> String {
         |girth: f64| left + (girth - narrowest + 0.05 * span) / (1.1 * span) * (w - left - 10.0);
     let y = |height: f64| 8.0 + (high - height) / (high - low) * (h - bottom - 8.0);
     let mut svg = format!(
-        "<svg viewBox=\"0 0 {w} {h}\" role=\"img\" aria-label=\"girth of the trunk over height\">"
+        "<svg class=\"profile\" viewBox=\"0 0 {w} {h}\" role=\"img\" aria-label=\"girth of the trunk over height\">"
     );
     for i in 0..=4 {
         let (g, z) = (

@@ -32,7 +32,7 @@ pub(crate) fn girths(girths: &Girths) -> String {
         let _ = write!(
             html,
             "<tr data-name=\"{name}\" title=\"{definition}\" tabindex=\"0\"><td><b>{name}</b> {label} <span class=\"note\">{iso}</span></td>\
-             <td class=\"n big\">{}</td><td class=\"n\">{} – {}</td>{cells}</tr>",
+             <td class=\"n big\">{}</td><td class=\"n range\">{} – {}</td>{cells}</tr>",
             cm(g.tape_mm),
             cm(g.interval_mm[0]),
             cm(g.interval_mm[1]),
@@ -43,19 +43,26 @@ pub(crate) fn girths(girths: &Girths) -> String {
         );
     }
     html += "</tbody></table>";
-    if !girths.missing.is_empty() {
-        html += "<ul class=\"missing\">";
-        for m in &girths.missing {
-            let _ = write!(
-                html,
-                "<li><b>{}</b>: {}</li>",
-                escaped(&m.name),
-                escaped(&m.why)
-            );
+    html + &missing(girths)
+}
+
+/// What is not measured, and why; the same reason once.
+fn missing(girths: &Girths) -> String {
+    let mut reasons: Vec<(&str, Vec<String>)> = Vec::new();
+    for m in &girths.missing {
+        match reasons.iter_mut().find(|(why, _)| *why == m.why) {
+            Some((_, names)) => names.push(escaped(&m.name)),
+            None => reasons.push((&m.why, vec![escaped(&m.name)])),
         }
-        html += "</ul>";
     }
-    html
+    let line = |(why, names): &(&str, Vec<String>)| {
+        format!("<li><b>{}</b>: {}</li>", names.join(", "), escaped(why))
+    };
+    let lines: String = reasons.iter().map(line).collect();
+    match lines.is_empty() {
+        true => lines,
+        false => format!("<ul class=\"missing\">{lines}</ul>"),
+    }
 }
 
 /// The number that the standard, or the body behind it, gives a girth: what the definition names in brackets.
@@ -105,7 +112,7 @@ pub(crate) fn derived(girths: &Girths) -> String {
         )
     };
     let rows: String = rows.iter().map(row).collect();
-    format!("<table>{rows}</table><p class=\"note\">Numbers, no diagnosis.</p>")
+    format!("<table class=\"facts\">{rows}</table><p class=\"note\">Numbers, no diagnosis.</p>")
 }
 
 /// Where the lengths come from, as a sentence.
@@ -159,7 +166,7 @@ pub(crate) fn scale(cameras: &Cameras, rig: &Rig) -> String {
     if let Some(kg) = rig.weight_kg {
         known.push(("weight", format!("{kg:.1} kg"), None));
     }
-    html += "<table id=\"scale\">";
+    html += "<table id=\"scale\" class=\"facts\">";
     for (what, text, scale) in known {
         let role = match scale {
             Some(scale) if scale == cameras.scale => "<b>sets the scale</b>",

@@ -5,15 +5,20 @@ mod chromium;
 mod tube;
 
 use chromium::Tab;
-use report::{Html, HtmlParams};
+use report::{Html, HtmlInput, HtmlParams};
 use serde_json::Value;
 use stage::{Ctx, Stage};
+use std::sync::Arc;
 
 const DESK: [u32; 2] = [1280, 900];
 const PHONE: [u32; 2] = [390, 844];
 
 fn page() -> String {
-    let document = Html::run(&HtmlParams::default(), tube::input(), &Ctx::alone()).unwrap();
+    page_of(tube::input())
+}
+
+fn page_of(input: HtmlInput) -> String {
+    let document = Html::run(&HtmlParams::default(), input, &Ctx::alone()).unwrap();
     String::from_utf8(document.bytes).unwrap()
 }
 
@@ -170,10 +175,25 @@ fn a_photo_enlarges_and_turns_the_view_to_its_camera() {
 
 #[test]
 fn it_fits_a_phone_and_a_desk_light_and_dark_and_asks_for_nothing() {
-    let Some(mut tab) = Tab::open(&page(), DESK, false, true) else {
+    let mut input = tube::input();
+    let girths = &mut Arc::make_mut(&mut input.girths).girths;
+    let mut long = girths[0].clone();
+    long.name = "WC_hip_bone".into();
+    long.label = "waist at the hip bone".into();
+    long.definition = "at the hip bone (ISO 8559-1 5.3.16)".into();
+    for mm in [&mut long.tape_mm, &mut long.contour_mm, &mut long.spline_mm] {
+        *mm = 1119.0;
+    }
+    (long.silhouette_mm, long.interval_mm) = (Some(1116.6), [1108.2, 1125.2]);
+    girths.push(long);
+    let Some(mut tab) = Tab::open(&page_of(input), DESK, false, true) else {
         return;
     };
     for (name, size, phone, dark) in [
+        ("small-phone", [360, 740], true, false),
+        ("narrow", [900, 900], false, false),
+        ("tablet", [1024, 768], false, false),
+        ("notebook", [1200, 800], false, true),
         ("phone", PHONE, true, false),
         ("phone-dark", PHONE, true, true),
         ("desk", DESK, false, false),
@@ -186,6 +206,11 @@ fn it_fits_a_phone_and_a_desk_light_and_dark_and_asks_for_nothing() {
             "{name} needs no scrolling sideways: {wide}"
         );
         assert_eq!(wide[1], size[0]);
+        let cut = tab.value(
+            "[...document.querySelectorAll('section')].filter((e) => e.scrollWidth > e.clientWidth)
+             .map((e) => e.textContent.slice(0, 20)).join()",
+        );
+        assert_eq!(cut, "", "{name}: no card needs scrolling sideways");
         let shot = tab.screenshot();
         if let Ok(folder) = std::env::var("TAILOR_KEEP_SHOTS") {
             std::fs::write(format!("{folder}/{name}.png.base64"), &shot).unwrap();

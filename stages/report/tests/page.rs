@@ -3,7 +3,7 @@
 mod tube;
 
 use report::{Html, HtmlInput, HtmlParams};
-use shape::{Landmarks, Mask, Mesh, Part, PhotoId, Rgb, Scale, Textured, rgb_to_jpeg};
+use shape::{Landmarks, Mask, Mesh, Missing, Part, PhotoId, Rgb, Scale, Textured, rgb_to_jpeg};
 use stage::{Ctx, Stage};
 use std::sync::Arc;
 use tube::input;
@@ -216,6 +216,18 @@ fn surfaces_that_are_equal_share_a_button_and_optional_ones_get_theirs() {
         assert!(page.contains(&format!("\"label\":\"{label}\"")), "{label}");
     }
     assert!(!page.contains("\"label\":\"rigid\""));
+}
+
+#[test]
+fn what_is_missing_for_one_reason_is_said_once() {
+    let mut input = input();
+    let missing = &mut Arc::make_mut(&mut input.girths).missing;
+    missing.push(Missing {
+        name: "CC".into(),
+        why: missing[0].why.clone(),
+    });
+    let page = page_of(&HtmlParams::default(), input);
+    assert!(page.contains("<li><b>NC, CC</b>: there is no neck</li>"));
 }
 
 #[test]
