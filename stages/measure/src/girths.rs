@@ -57,7 +57,7 @@ const EVEN: f64 = 0.1;
 
 impl Stage for Measure {
     const NAME: &'static str = "measure.girths";
-    const VERSION: u32 = 12;
+    const VERSION: u32 = 13;
     const ABOUT: &'static str = "Measures girths at landmarks: along the skin, as a tape, and as the paper's closed spline (eq. 8).";
     type Params = GirthParams;
     type Input = GirthInput;
@@ -115,14 +115,15 @@ impl Stage for Measure {
                 .push(girth(&sure, landmark, here, support, level));
             steps.tick()?;
         }
-        for girth in girths
+        let split = girths
             .girths
             .iter()
-            .filter(|g| g.definition.contains(SPLIT))
-        {
+            .filter(|g| g.definition.contains(SPLIT));
+        let split: Vec<&str> = split.map(|g| g.name.as_str()).collect();
+        if !split.is_empty() {
             ctx.warn(format!(
-                "{}: arm and trunk are one on the surface there and were split: its interval is wider; hold the arms farther away",
-                girth.name
+                "{}: arm and trunk are one on the surface there and were split: intervals are wider; hold the arms farther away",
+                split.join(", ")
             ));
         }
         for girth in &girths.girths {

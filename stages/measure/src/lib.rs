@@ -12,6 +12,7 @@ mod body;
 mod carry;
 mod derive;
 mod girths;
+mod hands;
 mod interval;
 mod landmarks;
 mod levels;

@@ -4,6 +4,7 @@ use crate::across_arm::across_arm;
 use crate::arms::{Axis, arm_ring, merged, upper_arm_axis};
 use crate::body::Body;
 use crate::carry::{Carried, RAYS, carried, ray, reaches};
+use crate::hands::{holds, holds_hand};
 use crate::marks::{extent, hip};
 use crate::section::{axes, flat, length, tape};
 use crate::slices::{Ring, rings};
@@ -37,6 +38,8 @@ pub(crate) const NO_ARMS: Why = "no arm stands clear of the trunk anywhere, so n
      hold them away from the body";
 pub(crate) const FUSED: Why = "arm and trunk are one on the surface there, and no clear section nearby tells them apart: \
      hold the arms farther away";
+const HAND: Why = "a hand or forearm is one with the body on the surface there, so that the section would go around both: \
+     hold the hands farther away";
 
 /// Takes the section of a landmark.
 pub fn taken(mesh: &Mesh, body: Option<&Body>, landmark: &Landmark) -> Result<Taken, Why> {
@@ -44,6 +47,8 @@ pub fn taken(mesh: &Mesh, body: Option<&Body>, landmark: &Landmark) -> Result<Ta
         (Part::Trunk, Some(body)) => trunk(mesh, body, landmark),
         (Part::ArmLeft, Some(body)) => across_arm(mesh, body, landmark, 1.0),
         (Part::ArmRight, Some(body)) => across_arm(mesh, body, landmark, -1.0),
+        (Part::LegLeft, Some(body)) => leg(mesh, body, landmark, 1.0),
+        (Part::LegRight, Some(body)) => leg(mesh, body, landmark, -1.0),
         _ => plain(
             mesh,
             &landmark.plane,
@@ -102,18 +107,6 @@ fn about(ring: &Ring, origin: Point3<f64>, plane: &Plane) -> Vec<Option<f64>> {
     reaches(&flat(&ring.curve, &plane))
 }
 
-/// Whether a point lies within a level ring.
-fn within(ring: &Ring, p: Point3<f64>) -> bool {
-    let mut inside = false;
-    for (i, a) in ring.curve.iter().enumerate() {
-        let b = ring.curve[(i + 1) % ring.curve.len()];
-        if (a.y > p.y) != (b.y > p.y) && p.x < a.x + (b.x - a.x) * (p.y - a.y) / (b.y - a.y) {
-            inside = !inside;
-        }
-    }
-    inside
-}
-
 /// Whether the arm of a side has a section of its own at a height.
 fn stands_clear(body: &Body, z: f64, side: f64) -> bool {
     let slice = body.slice(z);
@@ -146,6 +139,14 @@ fn beside(body: &Body) -> Vec<Beside> {
     [1.0, -1.0].into_iter().filter_map(one).collect()
 }
 
+fn leg(mesh: &Mesh, body: &Body, landmark: &Landmark, side: f64) -> Result<Taken, Why> {
+    let ring = nearest(mesh, &landmark.plane).ok_or(NOTHING)?;
+    match holds_hand(body, &ring, side) {
+        true => Err(HAND),
+        false => plain(mesh, &landmark.plane, ring),
+    }
+}
+
 fn trunk(mesh: &Mesh, body: &Body, landmark: &Landmark) -> Result<Taken, Why> {
     let plane = &landmark.plane;
     let z = plane.point_mm[2];
@@ -157,12 +158,16 @@ fn trunk(mesh: &Mesh, body: &Body, landmark: &Landmark) -> Result<Taken, Why> {
     let fused: Vec<&Beside> = arms
         .iter()
         .filter(|arm| z > arm.axis.point.z)
-        .filter(|arm| within(&ring, arm.axis.at(z)) || !stands_clear(body, z, arm.side))
+        .filter(|arm| holds(&ring, arm.axis.at(z)) || !stands_clear(body, z, arm.side))
         .collect();
     if fused.is_empty() {
+        let sides = [1.0, -1.0];
+        if sides.iter().any(|side| holds_hand(body, &ring, *side)) {
+            return Err(HAND);
+        }
         // Hands end beside the hip, where it widens: there a jump tells nothing.
         let beside_hands = landmark.name.starts_with("HC");
-        if !beside_hands && [1.0, -1.0].iter().any(|side| merged(body, z, *side)) {
+        if !beside_hands && sides.iter().any(|side| merged(body, z, *side)) {
             return Err(FUSED);
         }
         return plain(mesh, plane, ring);

@@ -1,22 +1,15 @@
 //! Landmarks and girths of whole bodies given by formula: what is measured is the part alone, or
 //! nothing.
 
-use measure::{FindLandmarks, GirthInput, GirthParams, LandmarkInput, Measure};
+mod made;
+
+use made::{built, measured, meshed};
+use measure::{GirthInput, GirthParams, Measure};
 use nalgebra::{Rotation3, Vector3};
-use shape::{Girths, Landmarks, Mesh, Solid, SolidPart};
+use shape::{Girths, Landmarks, Solid, SolidPart};
 use stage::{Ctx, Stage};
 use std::sync::Arc;
-use synth::{Build, body_solid, bounds, contour, length, surface, taut};
-
-fn built(stature: f64, stout: f64, arms_deg: f64) -> Solid {
-    body_solid(&Build {
-        stature,
-        stout,
-        furrow: 6.0,
-        arms: arms_deg.to_radians(),
-        exponent: 2.3,
-    })
-}
+use synth::{bounds, contour, length, taut};
 
 /// The same without limbs that start at the shoulders.
 fn armless(solid: &Solid) -> Solid {
@@ -31,29 +24,6 @@ fn armless(solid: &Solid) -> Solid {
     solid
 }
 
-fn mesh(solid: &Solid, cell_mm: f64) -> Mesh {
-    let (low, high) = bounds(solid);
-    surface(solid, low, high, cell_mm)
-}
-
-fn measured(mesh: Mesh) -> (Landmarks, Girths) {
-    let mesh = Arc::new(mesh);
-    let input = LandmarkInput {
-        mesh: mesh.clone(),
-        cameras: None,
-    };
-    let landmarks = FindLandmarks::run(&Default::default(), input, &Ctx::alone()).unwrap();
-    let input = GirthInput {
-        mesh,
-        landmarks: Arc::new(landmarks.clone()),
-        cameras: None,
-        photos: None,
-        masks: None,
-    };
-    let girths = Measure::run(&Default::default(), input, &Ctx::alone()).unwrap();
-    (landmarks, girths)
-}
-
 /// The formula's tape at the plane of a girth.
 fn formula(solid: &Solid, girths: &Girths, name: &str) -> f64 {
     let plane = girths.get(name).unwrap().plane;
@@ -64,7 +34,7 @@ fn formula(solid: &Solid, girths: &Girths, name: &str) -> f64 {
 #[test]
 fn every_girth_of_a_standing_body_is_found_and_is_its_formulas_at_that_plane() {
     let solid = built(1750.0, 1.0, 32.0);
-    let cut = mesh(&solid, 8.0);
+    let cut = meshed(&solid, 8.0);
     let (landmarks, girths) = measured(cut.clone());
     assert_eq!(landmarks.missing, vec![]);
     for name in ["WC", "HC", "NC", "AC_L", "AC_R", "TC_L", "CFC_R"] {
@@ -115,7 +85,7 @@ fn a_chest_is_the_trunks_alone_or_refused_however_the_arms_hang() {
     let mut taken = 0;
     for (stout, arms_deg) in [(1.0, 32.0), (1.0, 20.0), (1.25, 26.0), (1.0, 12.0)] {
         let solid = built(1700.0, stout, arms_deg);
-        let (_, girths) = measured(mesh(&solid, 10.0));
+        let (_, girths) = measured(meshed(&solid, 10.0));
         let Some(chest) = girths.get("CC") else {
             assert!(girths.missing.iter().any(|m| m.name == "CC"));
             continue;
@@ -133,7 +103,7 @@ fn a_chest_is_the_trunks_alone_or_refused_however_the_arms_hang() {
 
 #[test]
 fn a_body_measures_the_same_whichever_way_it_faces() {
-    let straight = mesh(&built(1200.0, 1.1, 30.0), 8.0);
+    let straight = meshed(&built(1200.0, 1.1, 30.0), 8.0);
     let turn = Rotation3::from_axis_angle(&Vector3::z_axis(), 1.1);
     let mut turned = straight.clone();
     for v in 0..straight.positions.len() as u32 {
@@ -159,7 +129,7 @@ fn what_is_no_body_gives_reasons_and_no_girths() {
         centre: [0.0, 0.0, 500.0],
         half: [200.0, 150.0, 500.0],
     }];
-    let (landmarks, girths) = measured(mesh(&legless, 20.0));
+    let (landmarks, girths) = measured(meshed(&legless, 20.0));
     assert_eq!(girths.girths.len(), 0);
     for name in ["WC", "HC", "CC", "NC", "AC_L", "AC_R"] {
         let missing = landmarks.missing.iter().find(|m| m.name == name);
@@ -169,7 +139,7 @@ fn what_is_no_body_gives_reasons_and_no_girths() {
 
 #[test]
 fn a_body_cut_off_at_the_thighs_or_the_waist_gives_reasons_and_no_numbers() {
-    let whole = mesh(&built(1750.0, 1.0, 30.0), 10.0);
+    let whole = meshed(&built(1750.0, 1.0, 30.0), 10.0);
     for cut in [600.0, 1000.0] {
         let mut rest = whole.clone();
         rest.faces

@@ -1,41 +1,20 @@
 //! Bodies that are not whole, or whose limbs touch: no number without a reason to trust it.
 
-use measure::{FindLandmarks, GirthInput, LandmarkInput, Measure, has_left, paper_girth};
+mod made;
+
+use measure::{has_left, paper_girth};
 use shape::{Girths, Mesh, Solid, SolidPart};
-use stage::{Ctx, Stage};
-use std::sync::Arc;
-use synth::{Build, body_solid, bounds, surface};
 
 fn built(arms_deg: f64) -> Solid {
-    body_solid(&Build {
-        stature: 1700.0,
-        stout: 1.0,
-        furrow: 6.0,
-        arms: f64::to_radians(arms_deg),
-        exponent: 2.3,
-    })
+    made::built(1700.0, 1.0, arms_deg)
 }
 
 fn meshed(solid: &Solid) -> Mesh {
-    let (low, high) = bounds(solid);
-    surface(solid, low, high, 10.0)
+    made::meshed(solid, 10.0)
 }
 
 fn measured(mesh: Mesh) -> Girths {
-    let mesh = Arc::new(mesh);
-    let input = LandmarkInput {
-        mesh: mesh.clone(),
-        cameras: None,
-    };
-    let landmarks = FindLandmarks::run(&Default::default(), input, &Ctx::alone()).unwrap();
-    let input = GirthInput {
-        mesh,
-        landmarks: Arc::new(landmarks),
-        cameras: None,
-        photos: None,
-        masks: None,
-    };
-    Measure::run(&Default::default(), input, &Ctx::alone()).unwrap()
+    made::measured(mesh).1
 }
 
 fn why<'a>(girths: &'a Girths, name: &str) -> &'a str {
@@ -134,4 +113,27 @@ fn a_body_with_half_a_foot_lost_faces_as_before() {
     }
     let (lost, sure) = front(&mesh);
     assert!(sure && lost.dot(&whole) > 0.999, "{lost}");
+}
+
+#[test]
+fn a_hand_that_touches_hip_or_thigh_is_in_no_girth() {
+    let free = measured(meshed(&built(14.0)));
+    for (centre, half, held, left) in [
+        ([215.0, -25.0, 840.0], [62.0, 40.0, 70.0], "HC", "TC_L"),
+        ([215.0, -30.0, 700.0], [70.0, 36.0, 50.0], "TC_L", "HC"),
+    ] {
+        let mut solid = built(14.0);
+        solid.parts.push(SolidPart::Ellipsoid { centre, half });
+        let girths = measured(meshed(&solid));
+        assert!(girths.get(held).is_none(), "{held}");
+        assert!(
+            why(&girths, held).contains("hand"),
+            "{}",
+            why(&girths, held)
+        );
+        for name in [left, "TC_R", "WC"] {
+            let [got, own] = [&girths, &free].map(|g| g.get(name).unwrap().tape_mm);
+            assert!((got / own - 1.0).abs() < 0.01, "{name}: {got} for {own}");
+        }
+    }
 }

@@ -1,0 +1,43 @@
+//! Bodies given by formula, and what is measured on a surface.
+
+use measure::{FindLandmarks, GirthInput, LandmarkInput, Measure};
+use shape::{Girths, Landmarks, Mesh, Solid};
+use stage::{Ctx, Stage};
+use std::sync::Arc;
+use synth::{Build, body_solid, bounds, surface};
+
+/// A standing body whose arms are so far from its sides.
+pub(crate) fn built(stature: f64, stout: f64, arms_deg: f64) -> Solid {
+    body_solid(&Build {
+        stature,
+        stout,
+        furrow: 6.0,
+        arms: arms_deg.to_radians(),
+        exponent: 2.3,
+    })
+}
+
+/// Its surface.
+pub(crate) fn meshed(solid: &Solid, cell_mm: f64) -> Mesh {
+    let (low, high) = bounds(solid);
+    surface(solid, low, high, cell_mm)
+}
+
+/// Landmarks and girths of a surface alone, without cameras and photos.
+pub(crate) fn measured(mesh: Mesh) -> (Landmarks, Girths) {
+    let mesh = Arc::new(mesh);
+    let input = LandmarkInput {
+        mesh: mesh.clone(),
+        cameras: None,
+    };
+    let landmarks = FindLandmarks::run(&Default::default(), input, &Ctx::alone()).unwrap();
+    let input = GirthInput {
+        mesh,
+        landmarks: Arc::new(landmarks.clone()),
+        cameras: None,
+        photos: None,
+        masks: None,
+    };
+    let girths = Measure::run(&Default::default(), input, &Ctx::alone()).unwrap();
+    (landmarks, girths)
+}
