@@ -86,7 +86,7 @@ pub use sift_detect::{Extremum, extrema, orientations};
 pub use sift_pyramid::{INTERVALS, Octave, SIGMA, blur, octaves};
 pub use stature::{Stature, stature};
 pub use tag_bloom::outward;
-pub use tag_corners::refined;
+pub use tag_corners::{Line, fitted_line, meeting, refined};
 pub use tag36h11::{TAGS, modules};
 pub use tags::{FindTags, NoDetector, TagsInput, TagsParams};
 pub use tracks::{Follow, TracksInput, TracksParams};

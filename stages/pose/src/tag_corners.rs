@@ -15,7 +15,7 @@ pub fn refined(gray: &Gray, corners: [[f64; 2]; 4]) -> [[f64; 2]; 4] {
     let at: [Vector2<f64>; 4] = corners.map(Vector2::from);
     let sides: Vec<f64> = (0..4).map(|i| (at[(i + 1) % 4] - at[i]).norm()).collect();
     let shortest = sides.iter().copied().fold(f64::MAX, f64::min);
-    let lines: Vec<Option<(Vector2<f64>, f64)>> = (0..4)
+    let lines: Vec<Option<Line>> = (0..4)
         .map(|i| {
             line(
                 gray,
@@ -27,14 +27,12 @@ pub fn refined(gray: &Gray, corners: [[f64; 2]; 4]) -> [[f64; 2]; 4] {
         .collect();
     let mut refined = corners;
     for i in 0..4 {
-        let (Some((n, c)), Some((m, d))) = (lines[(i + 3) % 4], lines[i]) else {
+        let (Some(before), Some(after)) = (lines[(i + 3) % 4], lines[i]) else {
             return corners;
         };
-        let system = Matrix2::new(n.x, n.y, m.x, m.y);
-        let Some(inverse) = system.try_inverse() else {
+        let Some(corner) = meeting(before, after) else {
             return corners;
         };
-        let corner = inverse * Vector2::new(c, d);
         if (corner - at[i]).norm() > 2.5 {
             return corners;
         }
@@ -44,7 +42,7 @@ pub fn refined(gray: &Gray, corners: [[f64; 2]; 4]) -> [[f64; 2]; 4] {
 }
 
 /// The line `n · x = c` of an edge between two rough corners.
-fn line(gray: &Gray, a: Vector2<f64>, b: Vector2<f64>, reach: f64) -> Option<(Vector2<f64>, f64)> {
+fn line(gray: &Gray, a: Vector2<f64>, b: Vector2<f64>, reach: f64) -> Option<Line> {
     let along = (b - a).try_normalize(1e-9)?;
     let across = Vector2::new(-along.y, along.x);
     let length = (b - a).norm();
@@ -56,14 +54,14 @@ fn line(gray: &Gray, a: Vector2<f64>, b: Vector2<f64>, reach: f64) -> Option<(Ve
             points.push(a + along * t + across * offset);
         }
     }
-    let mut fitted = fit(&points)?;
+    let mut fitted = fitted_line(&points)?;
     for _ in 0..2 {
         let (n, c) = fitted;
         let mut off: Vec<f64> = points.iter().map(|p| (n.dot(p) - c).abs()).collect();
         off.sort_by(f64::total_cmp);
         let most = (off[off.len() / 2] * 3.0).max(0.05);
         points.retain(|p| (n.dot(p) - c).abs() <= most);
-        fitted = fit(&points)?;
+        fitted = fitted_line(&points)?;
     }
     Some(fitted)
 }
@@ -114,8 +112,17 @@ fn light(gray: &Gray, x: f64, y: f64) -> f64 {
     top + fy * (bottom - top)
 }
 
-/// The line through points by total least squares.
-fn fit(points: &[Vector2<f64>]) -> Option<(Vector2<f64>, f64)> {
+/// A line `n · x = c` of the plane: its unit normal, and how far along it the line lies.
+pub type Line = (Vector2<f64>, f64);
+
+/// Where two lines meet. `None` if they are parallel.
+pub fn meeting((n, c): Line, (m, d): Line) -> Option<Vector2<f64>> {
+    let system = Matrix2::new(n.x, n.y, m.x, m.y);
+    Some(system.try_inverse()? * Vector2::new(c, d))
+}
+
+/// The line through points by total least squares. `None` of fewer than four.
+pub fn fitted_line(points: &[Vector2<f64>]) -> Option<Line> {
     if points.len() < 4 {
         return None;
     }

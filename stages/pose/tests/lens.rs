@@ -1,7 +1,9 @@
 //! What one turned mat leaves open of the lens, and that a calibrated lens or tags on the rim close it.
 
-use nalgebra::{Matrix2, Point3, Rotation3, Vector2, Vector3};
-use pose::{Calibrate, CalibrateInput, CalibrateParams, Ring, mat_corners};
+use nalgebra::{Point3, Rotation3, Vector2, Vector3};
+use pose::{
+    Calibrate, CalibrateInput, CalibrateParams, Line, Ring, fitted_line, mat_corners, meeting,
+};
 use proof::Dice;
 use shape::{Camera, Cameras, Intrinsics, Mat, Photo, PhotoId, Photos, Rig, Rim, Tag, Tags};
 use stage::{Ctx, Stage};
@@ -80,9 +82,7 @@ fn with_strip(cameras: &[Camera], mut tags: Tags, printed_mm: f64) -> Tags {
                 line(|t| see(-0.5, t)),
             ];
             let corners = [(3, 0), (0, 1), (1, 2), (2, 3)].map(|(a, b)| {
-                let ((n, c), (m, d)) = (sides[a], sides[b]);
-                let at =
-                    Matrix2::new(n.x, n.y, m.x, m.y).try_inverse().unwrap() * Vector2::new(c, d);
+                let at = meeting(sides[a], sides[b]).unwrap();
                 [at.x + 0.03 * dice.normal(), at.y + 0.03 * dice.normal()]
             });
             tags.views
@@ -94,17 +94,10 @@ fn with_strip(cameras: &[Camera], mut tags: Tags, printed_mm: f64) -> Tags {
     tags
 }
 
-/// The line of least squares through the middle four fifths of a side: normal and distance.
-fn line(see: impl Fn(f64) -> Vector2<f64>) -> (Vector2<f64>, f64) {
+/// The line of least squares through the middle four fifths of a side.
+fn line(see: impl Fn(f64) -> Vector2<f64>) -> Line {
     let points: Vec<Vector2<f64>> = (-40..=40).map(|k| see(f64::from(k) / 100.0)).collect();
-    let mean = points.iter().sum::<Vector2<f64>>() / points.len() as f64;
-    let spread: Matrix2<f64> = points
-        .iter()
-        .map(|p| (p - mean) * (p - mean).transpose())
-        .sum();
-    let eigen = spread.symmetric_eigen();
-    let normal: Vector2<f64> = eigen.eigenvectors.column(eigen.eigenvalues.imin()).into();
-    (normal, normal.dot(&mean))
+    fitted_line(&points).unwrap()
 }
 
 fn calibrated(rig: Rig) -> Cameras {
