@@ -114,7 +114,8 @@ pub(crate) fn measure(measure: &Measure, house: &House) -> Result<(), Fault> {
     Ok(())
 }
 
-fn get<A: stage::Artifact>(
+/// A node's result, if it is of this kind.
+pub(super) fn get<A: stage::Artifact>(
     graph: &Graph,
     outcome: &Outcome,
     name: &str,
@@ -140,11 +141,8 @@ fn write(graph: &Graph, outcome: &Outcome, folder: &std::path::Path) -> Result<(
     }
     let run = serde_json::to_string_pretty(&outcome.json(graph)).expect("bug: JSON");
     if let Some(report) = get::<Document>(graph, outcome, "report") {
-        let page = String::from_utf8_lossy(&report.bytes);
-        let girths = get::<Girths>(graph, outcome, "girths");
-        let warnings = provenance::warnings(outcome, graph, girths.as_deref());
-        let page = provenance::completed(&page, outcome, graph, &warnings);
-        let page = vec![(String::new(), page.into_bytes())];
+        let page = provenance::completed(&report.bytes, outcome, graph);
+        let page = vec![(String::new(), page)];
         out::write(&folder.join("report.html"), &page).map_err(Fault::stage)?;
     }
     let run = vec![(String::new(), run.into_bytes())];

@@ -1,5 +1,6 @@
 //! How a result was made, as HTML for the report.
 
+use super::door::get;
 use super::screen::short;
 use crate::engine::Outcome;
 use crate::graph::Graph;
@@ -12,7 +13,7 @@ fn escaped(text: &str) -> String {
 }
 
 /// What the stages warned of, without what the table says anyway.
-pub(crate) fn warnings(outcome: &Outcome, graph: &Graph, girths: Option<&Girths>) -> Vec<String> {
+fn warnings(outcome: &Outcome, graph: &Graph, girths: Option<&Girths>) -> Vec<String> {
     let said: Vec<String> = girths
         .iter()
         .flat_map(|g| &g.missing)
@@ -30,19 +31,14 @@ pub(crate) fn warnings(outcome: &Outcome, graph: &Graph, girths: Option<&Girths>
 }
 
 /// The report with what only the run knows: its warnings on top, how it was made at the end.
-pub(crate) fn completed(
-    page: &str,
-    outcome: &Outcome,
-    graph: &Graph,
-    warnings: &[String],
-) -> String {
+pub(crate) fn completed(page: &[u8], outcome: &Outcome, graph: &Graph) -> Vec<u8> {
+    let girths = get::<Girths>(graph, outcome, "girths");
+    let warnings = warnings(outcome, graph, girths.as_deref());
     let paragraph = |w: &String| format!("<p class=\"warn\">{}</p>", escaped(w));
     let warnings: String = warnings.iter().map(paragraph).collect();
-    page.replacen("<!--warnings-->", &warnings, 1).replacen(
-        "<!--provenance-->",
-        &table(outcome, graph),
-        1,
-    )
+    let page = String::from_utf8_lossy(page).replacen("<!--warnings-->", &warnings, 1);
+    let made = table(outcome, graph);
+    page.replacen("<!--provenance-->", &made, 1).into_bytes()
 }
 
 /// Every node with its stage, params, time and numbers.

@@ -236,7 +236,12 @@ pub(crate) fn run(run: &Run, house: &House) -> Result<(), Fault> {
         for node in &wanted {
             let (artifact, raw) = there(&graph, &outcome, *node)?;
             let format = out::extension(&artifact);
-            let files = out::files(artifact, || raw, &names, None).map_err(Fault::stage)?;
+            let mut files = out::files(artifact, || raw, &names, None).map_err(Fault::stage)?;
+            if format == "html" {
+                for (_, page) in &mut files {
+                    *page = super::provenance::completed(page, &outcome, &graph);
+                }
+            }
             let single = files.len() == 1 && files[0].0.is_empty();
             let name = &graph.nodes[*node].name;
             let name = if single {

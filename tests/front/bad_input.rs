@@ -26,7 +26,7 @@ fn all_mistakes_of_a_pipeline_come_at_once_each_with_its_place() {
             "port `solid` wants solid, but `ring` makes cameras",
         ),
         ("wrong.toml:9:20", "0.2..=50"),
-        ("wrong.toml:9:26", "there is no param `cel` known: cell_mm"),
+        ("wrong.toml:9:26", "there is no param `cel`; known: cell_mm"),
         ("wrong.toml:12:1", "there is no key `colour`"),
         ("wrong.toml:15:20", "did you mean `ring`?"),
         ("wrong.toml:16:7", "`../up` is no name"),

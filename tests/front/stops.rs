@@ -46,6 +46,18 @@ fn the_first_ctrl_c_drains_and_the_same_command_goes_on() {
 }
 
 #[test]
+fn what_comes_to_its_end_after_ctrl_c_is_kept() {
+    let place = Place::new();
+    place.write("fine.toml", fine("5.0"));
+    let mut child = place.start("run fine.toml --threads 1");
+    place.wait_for("body", "started");
+    signal(&child, "INT");
+    child.wait().unwrap();
+    assert!(place.has("body", "done", "made"));
+    place.sound();
+}
+
+#[test]
 fn the_second_ctrl_c_stops_at_once() {
     let place = Place::new();
     // Minutes of work, so that it cannot have come to its end.

@@ -2,16 +2,15 @@
 
 /// What to say of an unknown name: the nearest known one, and what there is.
 pub fn unknown(what: &str, name: &str, known: &[&str]) -> String {
-    let mut text = format!("there is no {what} `{name}`");
-    if let Some(near) = nearest(name, known) {
-        text += &format!("; did you mean `{near}`?");
-    }
-    if known.is_empty() {
-        text += "; there are none";
-    } else {
-        text += &format!(" known: {}", known.join(", "));
-    }
-    text
+    let asked = match nearest(name, known) {
+        Some(near) => format!("did you mean `{near}`? "),
+        None => String::new(),
+    };
+    let there = match known.is_empty() {
+        true => "there are none".to_owned(),
+        false => format!("known: {}", known.join(", ")),
+    };
+    format!("there is no {what} `{name}`; {asked}{there}")
 }
 
 /// The known name within a third of the letters by edit distance, the first of the nearest.
@@ -51,5 +50,19 @@ mod tests {
             Some("voxel_mm")
         );
         assert_eq!(nearest("colour", &["consensus", "voxel_mm"]), None);
+    }
+
+    #[test]
+    fn what_there_is_is_said_apart() {
+        let said = |name, known: &[&str]| unknown("param", name, known);
+        assert_eq!(
+            said("colour", &["consensus", "voxel_mm"]),
+            "there is no param `colour`; known: consensus, voxel_mm"
+        );
+        assert_eq!(
+            said("voxle_mm", &["voxel_mm"]),
+            "there is no param `voxle_mm`; did you mean `voxel_mm`? known: voxel_mm"
+        );
+        assert_eq!(said("x", &[]), "there is no param `x`; there are none");
     }
 }
