@@ -2,8 +2,8 @@
 
 use crate::body::body;
 use crate::derive::{derive, profile};
-use crate::interval::{NINE_IN_TEN, Spread, level_spread, together};
-use crate::outlines::{by_silhouettes, shared_border, surface_by_cameras};
+use crate::interval::{NINE_IN_TEN, Spread, interval, level_spread, together};
+use crate::outlines::{by_silhouettes, open_mm, shared_border, surface_by_cameras};
 use crate::picked::picked;
 use crate::silhouette::Support;
 use crate::spline::has_left;
@@ -57,7 +57,7 @@ const EVEN: f64 = 0.1;
 
 impl Stage for Measure {
     const NAME: &'static str = "measure.girths";
-    const VERSION: u32 = 13;
+    const VERSION: u32 = 14;
     const ABOUT: &'static str = "Measures girths at landmarks: along the skin, as a tape, and as the paper's closed spline (eq. 8).";
     type Params = GirthParams;
     type Input = GirthInput;
@@ -73,17 +73,18 @@ impl Stage for Measure {
         };
         let steps = ctx.steps("girths", 2 * landmarks.found.len());
         let seen = input.cameras.as_deref().zip(input.masks.as_deref());
-        let mut all: Vec<(&Landmark, Taken, Option<Support>)> = Vec::new();
+        let mut all: Vec<(&Landmark, Taken, Seen)> = Vec::new();
         for landmark in &landmarks.found {
             match taken(mesh, body.as_ref(), landmark) {
                 Ok(here) => {
-                    let support = body
-                        .as_ref()
-                        .zip(seen)
-                        .and_then(|(body, (cameras, masks))| {
-                            by_silhouettes(body, landmark, &here, cameras, masks)
-                        });
-                    all.push((landmark, here, support));
+                    let seen = match body.as_ref().zip(seen) {
+                        Some((body, (cameras, masks))) => Seen {
+                            support: by_silhouettes(body, landmark, &here, cameras, masks),
+                            open_mm: open_mm(body, landmark, &here, cameras),
+                        },
+                        None => Seen::default(),
+                    };
+                    all.push((landmark, here, seen));
                 }
                 Err(why) => {
                     ctx.warn(format!("{}: {why}", landmark.name));
@@ -98,7 +99,7 @@ impl Stage for Measure {
         // How far the surface stands off the silhouettes' girths, as an even error along its normal.
         let off: Vec<f64> = all
             .iter()
-            .filter_map(|(_, here, s)| Some((here.tape_mm - s.as_ref()?.girth) / TAU))
+            .filter_map(|(_, here, s)| Some((here.tape_mm - s.support?.girth) / TAU))
             .collect();
         let square = off.iter().map(|o| o * o).sum::<f64>() / off.len().max(1) as f64;
         let sure = Sure {
@@ -106,13 +107,16 @@ impl Stage for Measure {
             off_mm: square.sqrt(),
             cameras: input.cameras.as_deref(),
         };
-        for (landmark, here, support) in all {
+        if let Some(warning) = unconfirmed(&all) {
+            ctx.warn(warning);
+        }
+        for (landmark, here, seen) in all {
             let level = body
                 .as_ref()
                 .map_or(0.0, |b| level_spread(mesh, b, landmark, &here));
             girths
                 .girths
-                .push(girth(&sure, landmark, here, support, level));
+                .push(girth(&sure, landmark, here, seen, level));
             steps.tick()?;
         }
         let split = girths
@@ -164,6 +168,31 @@ impl Stage for Measure {
     }
 }
 
+/// What outlines tell of a section.
+#[derive(Default)]
+struct Seen {
+    support: Option<Support>,
+    open_mm: f64,
+}
+
+/// From this share of a tape on it is told that no outline confirms it.
+const OPEN: f64 = 0.012;
+
+/// What is said of sections of which no outline confirms enough.
+fn unconfirmed(all: &[(&Landmark, Taken, Seen)]) -> Option<String> {
+    let open = all
+        .iter()
+        .filter(|(_, here, seen)| seen.open_mm > OPEN * here.tape_mm);
+    let names: Vec<&str> = open.clone().map(|(l, ..)| l.name.as_str()).collect();
+    let most = open.map(|(_, _, seen)| seen.open_mm).reduce(f64::max)?;
+    Some(format!(
+        "{}: for a stretch no photo shows the body's outline there, for hands are before it or photos are few, and the surface runs \
+         out to a corner: {:.1} cm or so may not be body; take more photos, or hold the hands farther away",
+        names.join(", "),
+        most / 10.0
+    ))
+}
+
 /// What is known of the surface's error.
 struct Sure<'a> {
     surface_mm: f64,
@@ -189,13 +218,8 @@ impl Sure<'_> {
     }
 }
 
-fn girth(
-    sure: &Sure<'_>,
-    landmark: &Landmark,
-    here: Taken,
-    support: Option<Support>,
-    level: f64,
-) -> Girth {
+fn girth(sure: &Sure<'_>, landmark: &Landmark, here: Taken, seen: Seen, level: f64) -> Girth {
+    let support = seen.support;
     let at = Point3::from(landmark.plane.point_mm);
     // Where silhouettes say nothing of this girth, what they say of others widens it.
     let surface = match support {
@@ -217,6 +241,11 @@ fn girth(
         scale: sure.cameras.map_or(0.0, |c| c.scale_sigma) * here.tape_mm,
     };
     let reach = NINE_IN_TEN * spread.total();
+    // Where outlines tell the girth, they tell of corners, too.
+    let open_mm = match support {
+        Some(_) => 0.0,
+        None => seen.open_mm,
+    };
     let note = match here.carried > 0.0 {
         true => format!(
             "; {SPLIT}: {:.0} % of the way around is told by the outline beside it or by a clear section",
@@ -232,7 +261,7 @@ fn girth(
         tape_mm: here.tape_mm,
         spline_mm: here.spline_mm,
         silhouette_mm: support.map(|s| s.girth),
-        interval_mm: [tape - reach, tape + reach],
+        interval_mm: interval(here.tape_mm, tape, reach, open_mm),
         plane: landmark.plane,
         contour: here
             .contour

@@ -90,3 +90,27 @@ pub(crate) fn together(mesh: (f64, f64), silhouettes: Option<(f64, f64)>) -> (f6
     let apart = (mesh.0 - other.0) / 2.0;
     (mean, (1.0 / sum + apart * apart).sqrt())
 }
+
+/// The interval of a tape of the mesh, of what mesh and outlines give together, and how far that
+/// reaches; a length of corners that no outline confirms may be missing from it. It holds the mesh's
+/// tape. \[mm\]
+pub(crate) fn interval(mesh: f64, mean: f64, reach: f64, open: f64) -> [f64; 2] {
+    let below = reach.hypot(NINE_IN_TEN * open);
+    [(mean - below).min(mesh), (mean + reach).max(mesh)]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn an_interval_holds_its_tape_and_reaches_down_where_no_outline_confirms_it() {
+        let outlines = together((1000.0, 4.0), Some((980.0, 0.5)));
+        assert!(outlines.0 + 5.0 < 1000.0);
+        let [low, high] = interval(1000.0, outlines.0, 5.0, 0.0);
+        assert!(low < 980.0 && high == 1000.0);
+        assert_eq!(interval(1000.0, 1000.0, 5.0, 0.0), [995.0, 1005.0]);
+        let [low, high] = interval(1000.0, 1000.0, 5.0, 20.0);
+        assert!(low < 968.0 && high == 1005.0);
+    }
+}

@@ -14,6 +14,7 @@ mod derive;
 mod girths;
 mod hands;
 mod interval;
+mod keel;
 mod landmarks;
 mod levels;
 mod marks;

@@ -1,7 +1,9 @@
 //! Silhouette girths of level sections, and what photos and cameras say of the surface's error.
 
 use crate::body::Body;
+use crate::keel::{clear_sights, unconfirmed};
 use crate::silhouette::{Support, Tangent, support_girth, tangents};
+use crate::slices::Ring;
 use crate::taken::Taken;
 use nalgebra::Point3;
 use rayon::prelude::*;
@@ -15,23 +17,12 @@ pub(crate) fn by_silhouettes(
     cameras: &Cameras,
     masks: &Masks,
 ) -> Option<Support> {
-    let level = landmark.part == Part::Trunk && landmark.plane.normal[2].abs() > 0.999;
-    if !level || taken.carried > 0.0 {
+    if !is_whole(landmark, taken) {
         return None;
     }
-    let z = landmark.plane.point_mm[2];
     let origin = crate::section::centre(&taken.contour);
-    // Arms and hands: the other rings of the slice. Legs joined in this ring are part of it.
-    let slice = body.slice(z)?;
-    let inside = |p: &Point3<f64>| (p - origin).xy().norm();
-    let reach = taken.contour.iter().map(inside).fold(0.0, f64::max);
-    let others: Vec<&[Point3<f64>]> = slice
-        .rings
-        .iter()
-        .skip(1)
-        .filter(|r| inside(&r.centre) > 0.5 * reach)
-        .map(|r| r.curve.as_slice())
-        .collect();
+    let others = limbs(body, landmark.plane.point_mm[2], &taken.contour, origin);
+    let others: Vec<&[Point3<f64>]> = others.iter().map(|r| r.curve.as_slice()).collect();
     let views: Vec<_> = cameras
         .views
         .iter()
@@ -42,6 +33,56 @@ pub(crate) fn by_silhouettes(
         .map(|(view, mask)| tangents(&taken.contour, &others, origin, &view.camera, mask))
         .collect();
     support_girth(&all.concat())
+}
+
+/// Whether a section is a level one of the trunk alone, of which nothing is hidden.
+fn is_whole(landmark: &Landmark, taken: &Taken) -> bool {
+    let level = landmark.part == Part::Trunk && landmark.plane.normal[2].abs() > 0.999;
+    level && taken.carried == 0.0
+}
+
+/// Arms and hands beside a section at a height: the other rings of the slice. Legs joined in this
+/// ring are part of it.
+fn limbs<'a>(body: &'a Body, z: f64, curve: &[Point3<f64>], origin: Point3<f64>) -> Vec<&'a Ring> {
+    let inside = |p: &Point3<f64>| (p - origin).xy().norm();
+    let reach = curve.iter().map(inside).fold(0.0, f64::max);
+    let rings = body
+        .slice(z)
+        .into_iter()
+        .flat_map(|s| s.rings.iter().skip(1));
+    rings.filter(|r| inside(&r.centre) > 0.5 * reach).collect()
+}
+
+/// How far an arm's middle moves at most between heights at which one line of sight passes it, as a
+/// share of stature.
+const PASSED: f64 = 0.07;
+
+/// How much of a section's tape no photo's outline confirms, see [`unconfirmed`]. \[mm\]
+pub(crate) fn open_mm(body: &Body, landmark: &Landmark, taken: &Taken, cameras: &Cameras) -> f64 {
+    if !is_whole(landmark, taken) {
+        return 0.0;
+    }
+    let z = landmark.plane.point_mm[2];
+    let origin = crate::section::centre(&taken.contour);
+    let level = limbs(body, z, &taken.contour, origin);
+    let sights = |eye: Point3<f64>| {
+        // A line of sight to the section passes an arm before or behind it higher or lower.
+        let away = (origin - eye).xy().norm().max(1.0);
+        let passed = level.iter().flat_map(|limb| {
+            let share = (limb.centre - eye).xy().norm() / away;
+            let there = limbs(body, eye.z + (z - eye.z) * share, &taken.contour, origin);
+            let near = |r: &&Ring| (r.centre - limb.centre).xy().norm() < PASSED * body.stature;
+            there.into_iter().filter(near).collect::<Vec<_>>()
+        });
+        let all: Vec<&[Point3<f64>]> = passed
+            .chain(level.iter().copied())
+            .map(|r| r.curve.as_slice())
+            .collect();
+        clear_sights(&taken.contour, &all, origin, eye)
+    };
+    let eyes = cameras.views.values().map(|v| v.camera.centre());
+    let flat: Vec<[f64; 2]> = taken.contour.iter().map(|p| [p.x, p.y]).collect();
+    unconfirmed(&flat, eyes.flat_map(sights).collect())
 }
 
 /// Standard deviation of a silhouette girth that its tangents do not show because all share it: a
