@@ -47,12 +47,28 @@ pub(crate) fn merged(body: &Body, z: f64, side: f64) -> bool {
     above.is_some_and(|i| jumps(i, i - 1)) || below.is_some_and(|i| jumps(i, i + 1))
 }
 
-/// Middles of an arm's level sections above a height, where it stands clear of the trunk. \[mm\]
+/// Slices that may be missing within one stretch of an arm.
+const GAP: usize = 2;
+
+/// Middles of an arm's level sections above a height, from bottom to top: the longest stretch where it
+/// stands clear of the trunk. Shoulders of raised arms that stand out above the slope of the neck are
+/// rings of their own, too, but not this arm's. \[mm\]
 pub fn clear(body: &Body, side: f64, above: f64) -> Vec<Point3<f64>> {
-    body.between(above, f64::MAX)
-        .take_while(|s| body.neck.is_none_or(|n| s.z < n))
-        .filter_map(|s| arm_ring(body, &s.rings, side).map(|r| r.centre))
-        .collect()
+    let below_neck = |s: &&Slice| body.neck.is_none_or(|n| s.z < n);
+    let slices = body.between(above, f64::MAX).take_while(below_neck);
+    let (mut best, mut run, mut missing) = (Vec::new(), Vec::new(), 0);
+    for slice in slices {
+        match arm_ring(body, &slice.rings, side) {
+            Some(ring) => {
+                run.push(ring.centre);
+                missing = 0;
+            }
+            None if missing < GAP => missing += 1,
+            None if run.len() > best.len() => best = std::mem::take(&mut run),
+            None => run.clear(),
+        }
+    }
+    if run.len() > best.len() { run } else { best }
 }
 
 /// A straight line: a point and a unit direction, here down a limb.
@@ -104,4 +120,54 @@ pub fn upper_arm_axis(body: &Body, side: f64, hip: f64) -> Option<Axis> {
         point: mean.into(),
         down: -(slope / slope.z).normalize(),
     })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn ring(x: f64, z: f64, radius: f64) -> Ring {
+        let area = std::f64::consts::PI * radius * radius;
+        Ring {
+            curve: Vec::new(),
+            area,
+            tape: 2.0 * area / radius,
+            centre: Point3::new(x, 0.0, z),
+        }
+    }
+
+    /// A trunk; an arm of the left up to 1400, but for one slice; a shoulder's top from 1500 on.
+    fn raised() -> Body {
+        let slices = (1000..1550).step_by(5).map(|z| {
+            let z = f64::from(z);
+            let arm = match z {
+                1200.0 => None,
+                ..1400.0 => Some(ring(400.0 - (z - 1000.0) / 2.0, z, 40.0)),
+                ..1500.0 => None,
+                _ => Some(ring(180.0, z, 40.0)),
+            };
+            let rings = [ring(0.0, z, 150.0)].into_iter().chain(arm).collect();
+            Slice { z, rings }
+        });
+        Body {
+            ground: 0.0,
+            stature: 1750.0,
+            front: -Vector3::y(),
+            front_is_sure: true,
+            left: Vector3::x(),
+            crotch: Some(850.0),
+            neck: Some(1550.0),
+            slices: slices.collect(),
+        }
+    }
+
+    #[test]
+    fn the_top_of_a_raised_shoulder_is_no_part_of_the_arm_below_it() {
+        let found = clear(&raised(), 1.0, 1000.0);
+        assert_eq!(found.len(), 79);
+        assert_eq!(found.last().unwrap().z, 1395.0);
+        let axis = upper_arm_axis(&raised(), 1.0, 1000.0).unwrap();
+        proof::near(-axis.down.x / axis.down.z, 0.5, 1e-9);
+        assert!(clear(&raised(), -1.0, 1000.0).is_empty());
+    }
 }
