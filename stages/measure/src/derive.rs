@@ -42,6 +42,21 @@ pub(crate) fn derive(
     girths.volume_l = Some(volume_l);
 }
 
+/// Densities of living bodies, with air in their lungs and what a surface errs. \[kg/l\]
+const DENSITIES: std::ops::RangeInclusive<f64> = 0.8..=1.2;
+
+/// What is said where volume and the weight that was given do not make a living body.
+pub(crate) fn no_density(girths: &Girths) -> Option<String> {
+    let mut ratios = girths.ratios.iter();
+    let (_, density, _) = ratios.find(|(name, ..)| name == "density_kg_l")?;
+    (!DENSITIES.contains(density)).then(|| {
+        format!(
+            "weight and volume make {density:.2} kg/l, a living body has 0.93 to 1.1: unless this is none, the scale, the weight or \
+             the surface is wrong (is the body cut off?); look at the masks"
+        )
+    })
+}
+
 /// The trunk's tape over height above the ground, from the hip to the chest, while the arms are
 /// apart from it (or the chest was measured without them).
 pub(crate) fn profile(body: &Body, girths: &Girths) -> Profile {
@@ -64,4 +79,41 @@ pub(crate) fn profile(body: &Body, girths: &Girths) -> Profile {
         }
     }
     profile
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_weight_that_does_not_fit_the_volume_is_told() {
+        // A cube of half a metre: 125 l.
+        let edge = |i: u32| [0, 1, 2].map(|k| if i >> k & 1 == 1 { 500.0f32 } else { 0.0 });
+        let cube = Mesh {
+            positions: (0..8).map(edge).collect(),
+            faces: vec![
+                [0, 2, 1],
+                [1, 2, 3],
+                [4, 5, 6],
+                [5, 7, 6],
+                [0, 1, 4],
+                [1, 5, 4],
+                [2, 6, 3],
+                [3, 6, 7],
+                [0, 4, 2],
+                [2, 4, 6],
+                [1, 3, 5],
+                [3, 7, 5],
+            ],
+            ..Mesh::default()
+        };
+        let said = |kg: Option<f64>| {
+            let mut girths = Girths::default();
+            derive(&mut girths, &cube, 500.0, None, kg);
+            no_density(&girths)
+        };
+        assert_eq!(said(Some(120.0)), None);
+        assert_eq!(said(None), None);
+        assert!(said(Some(52.0)).unwrap().contains("0.42 kg/l"));
+    }
 }

@@ -1,7 +1,7 @@
 //! The stage that measures: contour, tape and the paper's spline at each landmark.
 
 use crate::body::body;
-use crate::derive::{derive, profile};
+use crate::derive::{derive, no_density, profile};
 use crate::interval::{NINE_IN_TEN, Spread, interval, level_spread, together};
 use crate::outlines::{by_silhouettes, open_mm, shared_border, surface_by_cameras};
 use crate::picked::picked;
@@ -161,6 +161,9 @@ impl Stage for Measure {
             .unwrap_or_default();
         let (stature, kg) = (rig.stature_mm, rig.weight_kg);
         derive(&mut girths, mesh, landmarks.stature_mm, stature, kg);
+        if let Some(warning) = no_density(&girths) {
+            ctx.warn(warning);
+        }
         if let Some(body) = &body {
             girths.profile = profile(body, &girths);
         }
