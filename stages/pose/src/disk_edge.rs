@@ -19,8 +19,20 @@ pub struct DiskEdge {
 /// Points around the edge.
 const AROUND: usize = 96;
 
+/// How far to both sides of an edge to look, and of one that may lie between circles tried. \[px\]
+const NEAR: f64 = 1.5;
+const WIDE: f64 = 4.0;
+/// Circles tried along heights and along radii.
+const STEPS: usize = 70;
+/// So many of the strongest circles are looked at; where one edge is no disk's, many lie along it.
+const PEAKS: usize = 100;
+/// A quarter of a disk's steps may be less than this share of their mean: other edges of a room, a
+/// skirting board's, follow a circle for a part of it.
+const ALL_AROUND: f64 = 0.25;
+
 /// Finds the round edge with the strongest step of one sign, within heights and radii. Of edges
-/// nearly as strong and as wide (a disk has a lower one too) the upper is taken.
+/// nearly as strong and as wide (a disk has a lower one too) the upper is taken. Where that is no
+/// step all around, edges are looked for that lie between the circles tried.
 pub fn disk_edge(
     gray: &Gray,
     camera: &Camera,
@@ -28,29 +40,63 @@ pub fn disk_edge(
     radii: [f64; 2],
 ) -> Option<DiskEdge> {
     let camera = camera.resized(gray.width as u32, gray.height as u32);
-    let steps = 70;
-    let at = |[lo, hi]: [f64; 2], i: usize, of: usize| lo + (hi - lo) * i as f64 / of as f64;
-    let mut tried: Vec<(f64, f64, f64)> = Vec::with_capacity(steps * steps);
-    for i in 0..=steps {
-        for j in 0..=steps {
-            let (z, r) = (at(heights, i, steps), at(radii, j, steps));
-            tried.push((z, r, step(gray, &camera, z, r).unwrap_or(0.0)));
-        }
-    }
+    let cells = [heights, radii].map(|[lo, hi]| (hi - lo) / STEPS as f64);
+    let tried = circles(gray, &camera, heights, radii, NEAR);
+    let strongest = tried.iter().copied().max_by(|a, b| a.2.total_cmp(&b.2))?;
+    let first = climbed(gray, &camera, upper(&tried, strongest)?, cells, NEAR);
+    let found = match is_all_around(gray, &camera, first) {
+        true => first,
+        false => between(gray, &camera, heights, radii).unwrap_or(first),
+    };
     let mut sizes: Vec<f64> = tried.iter().map(|t| t.2).collect();
     sizes.sort_by(f64::total_cmp);
-    let usual = sizes[sizes.len() / 2].max(0.1);
-    let strongest = tried.iter().copied().max_by(|a, b| a.2.total_cmp(&b.2))?;
-    let alike =
-        |t: &(f64, f64, f64)| t.2 >= 0.75 * strongest.2 && (t.1 / strongest.1 - 1.0).abs() < 0.15;
-    let (mut z, mut r, mut contrast) = tried
-        .into_iter()
-        .filter(alike)
-        .max_by(|a, b| a.0.total_cmp(&b.0).then(a.2.total_cmp(&b.2)))?;
-    let mut reach = [
-        (heights[1] - heights[0]) / steps as f64,
-        (radii[1] - radii[0]) / steps as f64,
-    ];
+    Some(DiskEdge {
+        height: found.0,
+        radius: found.1,
+        contrast: found.2,
+        standout: found.2 / sizes[sizes.len() / 2].max(0.1),
+    })
+}
+
+/// A circle: height, radius, and its mean step.
+type Circle = (f64, f64, f64);
+
+/// All circles of a grid, row by row of one height.
+fn circles(
+    gray: &Gray,
+    camera: &Camera,
+    heights: [f64; 2],
+    radii: [f64; 2],
+    beside: f64,
+) -> Vec<Circle> {
+    let at = |[lo, hi]: [f64; 2], i: usize| lo + (hi - lo) * i as f64 / STEPS as f64;
+    let mut tried = Vec::with_capacity((STEPS + 1) * (STEPS + 1));
+    for i in 0..=STEPS {
+        for j in 0..=STEPS {
+            let (z, r) = (at(heights, i), at(radii, j));
+            let step = step(gray, camera, (z, r), beside).unwrap_or(0.0);
+            tried.push((z, r, step));
+        }
+    }
+    tried
+}
+
+/// The upper of the circles alike to one.
+fn upper(tried: &[Circle], strongest: Circle) -> Option<Circle> {
+    let alike = |t: &&Circle| t.2 >= 0.75 * strongest.2 && (t.1 / strongest.1 - 1.0).abs() < 0.15;
+    let upper = tried.iter().filter(alike);
+    let upper = upper.max_by(|a, b| a.0.total_cmp(&b.0).then(a.2.total_cmp(&b.2)));
+    upper.copied()
+}
+
+/// The strongest circle near one.
+fn climbed(
+    gray: &Gray,
+    camera: &Camera,
+    (mut z, mut r, mut contrast): Circle,
+    mut reach: [f64; 2],
+    beside: f64,
+) -> Circle {
     for _ in 0..12 {
         let mut best = (z, r, contrast);
         for (dz, dr) in (-2..=2).flat_map(|a| (-2..=2).map(move |b| (a, b))) {
@@ -58,7 +104,7 @@ pub fn disk_edge(
                 z + f64::from(dz) * reach[0] * 0.5,
                 r + f64::from(dr) * reach[1] * 0.5,
             );
-            if let Some(c) = step(gray, &camera, z, r).filter(|c| *c > best.2) {
+            if let Some(c) = step(gray, camera, (z, r), beside).filter(|c| *c > best.2) {
                 best = (z, r, c);
             }
         }
@@ -67,19 +113,60 @@ pub fn disk_edge(
         }
         (z, r, contrast) = best;
     }
-    Some(DiskEdge {
-        height: z,
-        radius: r,
-        contrast,
-        standout: contrast / usual,
-    })
+    (z, r, contrast)
+}
+
+/// Whether a circle has a step of one sign nearly all around.
+fn is_all_around(gray: &Gray, camera: &Camera, (z, r, contrast): Circle) -> bool {
+    let Some(mut steps) = steps_around(gray, camera, (z, r), NEAR) else {
+        return false;
+    };
+    let way = steps.iter().sum::<f64>().signum();
+    steps.iter_mut().for_each(|s| *s *= way);
+    steps.sort_by(f64::total_cmp);
+    steps[steps.len() / 4] > ALL_AROUND * contrast
+}
+
+/// The strongest edge all around that lies on or between the circles tried.
+fn between(gray: &Gray, camera: &Camera, heights: [f64; 2], radii: [f64; 2]) -> Option<Circle> {
+    let cells = [heights, radii].map(|[lo, hi]| (hi - lo) / STEPS as f64);
+    let tried = circles(gray, camera, heights, radii, WIDE);
+    let cell = |i: usize, j: usize| tried[i * (STEPS + 1) + j];
+    let near = |k: usize| k.saturating_sub(1)..=(k + 1).min(STEPS);
+    let peak = |(i, j): (usize, usize)| {
+        let mut around = near(i).flat_map(|a| near(j).map(move |b| (a, b)));
+        (!around.any(|(a, b)| cell(a, b).2 > cell(i, j).2)).then(|| cell(i, j))
+    };
+    let all = (0..=STEPS).flat_map(|i| (1..STEPS).map(move |j| (i, j)));
+    let mut peaks: Vec<Circle> = all.filter_map(peak).collect();
+    peaks.sort_by(|a, b| b.2.total_cmp(&a.2));
+    peaks.truncate(PEAKS);
+    let sharp = |strongest: &Circle| {
+        let (z, r, _) = climbed(gray, camera, upper(&tried, *strongest)?, cells, WIDE);
+        let here = (z, r, step(gray, camera, (z, r), NEAR)?);
+        let found = climbed(gray, camera, here, cells.map(|c| 0.3 * c), NEAR);
+        is_all_around(gray, camera, found).then_some(found)
+    };
+    peaks.iter().find_map(sharp)
 }
 
 /// Mean step of brightness outwards over the half of the edge that faces the camera, its size.
-fn step(gray: &Gray, camera: &Camera, height: f64, radius: f64) -> Option<f64> {
+fn step(gray: &Gray, camera: &Camera, circle: (f64, f64), beside: f64) -> Option<f64> {
+    let all = steps_around(gray, camera, circle, beside)?;
+    Some((all.iter().sum::<f64>() / all.len() as f64).abs())
+}
+
+/// Steps of brightness outwards along the half of the edge that faces the camera. `None` where most
+/// of it is not on the picture.
+fn steps_around(
+    gray: &Gray,
+    camera: &Camera,
+    (height, radius): (f64, f64),
+    beside: f64,
+) -> Option<Vec<f64>> {
     let centre = camera.centre();
     let towards = centre.y.atan2(centre.x);
-    let (mut sum, mut count) = (0.0, 0usize);
+    let mut steps = Vec::with_capacity(AROUND);
     for k in 0..AROUND {
         // A little more than half of it: beside the subject the far edge shows too.
         let angle = towards + (k as f64 / (AROUND - 1) as f64 - 0.5) * 4.0;
@@ -92,12 +179,11 @@ fn step(gray: &Gray, camera: &Camera, height: f64, radius: f64) -> Option<f64> {
         let along = Vector2::new(ahead.x - at.x, ahead.y - at.y).try_normalize(1e-9)?;
         let across = Vector2::new(along.y, -along.x);
         let value = |s: f64| light(gray, at.x + across.x * s, at.y + across.y * s);
-        if let (Some(out), Some(inside)) = (value(1.5), value(-1.5)) {
-            sum += out - inside;
-            count += 1;
+        if let (Some(out), Some(inside)) = (value(beside), value(-beside)) {
+            steps.push(out - inside);
         }
     }
-    (count > AROUND * 2 / 3).then(|| (sum / count as f64).abs())
+    (steps.len() > AROUND * 2 / 3).then_some(steps)
 }
 
 /// Brightness between pixels.
@@ -119,8 +205,8 @@ mod tests {
     use nalgebra::Rotation3;
     use shape::{Intrinsics, Pose};
 
-    #[test]
-    fn a_bright_disk_on_a_dark_floor_is_found() {
+    /// A camera, and what it sees: on a dark floor a brighter disk of radius 210.
+    fn seen(bright: f32) -> (Camera, Gray) {
         let camera = Camera {
             lens: Intrinsics::simple(400, 300, 500.0),
             pose: Pose {
@@ -135,11 +221,29 @@ mod tests {
                 let c = camera.centre();
                 let at = c + *ray * ((-40.0 - c.z) / ray.z);
                 let lit = at.x.hypot(at.y) < 210.0;
-                *gray.at_mut(x, y) = if lit { 180.0 } else { 60.0 };
+                *gray.at_mut(x, y) = if lit { bright } else { 60.0 };
             }
         }
+        (camera, gray)
+    }
+
+    #[test]
+    fn a_bright_disk_on_a_dark_floor_is_found() {
+        let (camera, gray) = seen(180.0);
         let found = disk_edge(&gray, &camera, [-150.0, 80.0], [100.0, 300.0]).unwrap();
         proof::near(found.radius, 210.0, 2.0);
         proof::near(found.height, -40.0, 3.0);
+    }
+
+    #[test]
+    fn where_a_wall_meets_the_floor_is_no_disk() {
+        let (camera, mut gray) = seen(100.0);
+        let far = (0..300).find(|y| gray.at(200, *y) > 80.0).unwrap();
+        for (y, x) in (0..far - 12).flat_map(|y| (0..400).map(move |x| (y, x))) {
+            *gray.at_mut(x, y) = 220.0;
+        }
+        let found = disk_edge(&gray, &camera, [-150.0, 150.0], [60.0, 300.0]).unwrap();
+        proof::near(found.radius, 210.0, 3.0);
+        proof::near(found.height, -40.0, 4.0);
     }
 }
