@@ -9,7 +9,7 @@ use std::collections::BTreeMap;
 /// Cells along the greatest side of the block that is carved.
 const CELLS: f64 = 160.0;
 /// Photos that may dissent: one is the photo in question, one more may be wrong.
-const DISSENT: usize = 2;
+pub(crate) const DISSENT: usize = 2;
 /// Cells that are peeled off before what is left is certain body.
 const PEEL: usize = 2;
 /// Cells that are laid on before what is not covered is certain background.
@@ -48,6 +48,16 @@ impl Block {
 
 /// What is certain of each pixel of each mask, from all masks and the cameras.
 pub fn agreed(masks: &[(PhotoId, Mask)], cameras: &Cameras) -> BTreeMap<PhotoId, Vec<Known>> {
+    let mut all = together(masks, cameras, &[DISSENT]);
+    all.pop().unwrap_or_default()
+}
+
+/// The same for several numbers of photos that may dissent.
+pub(crate) fn together(
+    masks: &[(PhotoId, Mask)],
+    cameras: &Cameras,
+    dissents: &[usize],
+) -> Vec<BTreeMap<PhotoId, Vec<Known>>> {
     let views: Vec<(PhotoId, &Mask, Camera)> = masks
         .iter()
         .filter_map(|(id, mask)| {
@@ -60,9 +70,11 @@ pub fn agreed(masks: &[(PhotoId, Mask)], cameras: &Cameras) -> BTreeMap<PhotoId,
         })
         .collect();
     if views.len() < 6 {
-        return BTreeMap::new();
+        return vec![];
     }
-    let shows = |x: &Point3<f64>| {
+    let most = dissents.iter().copied().max().unwrap_or(0);
+    // How many dissent, at most one more than may.
+    let against = |x: &Point3<f64>| {
         let (mut seen, mut against) = (0, 0);
         for (_, mask, camera) in &views {
             let Some(px) = camera.project(x).filter(|px| camera.holds(*px)) else {
@@ -70,24 +82,33 @@ pub fn agreed(masks: &[(PhotoId, Mask)], cameras: &Cameras) -> BTreeMap<PhotoId,
             };
             seen += 1;
             against += usize::from(!mask.shows(px));
-            if against > DISSENT {
-                return false;
+            if against > most {
+                return against;
             }
         }
-        seen * 2 >= views.len()
+        if seen * 2 >= views.len() {
+            against
+        } else {
+            most + 1
+        }
     };
+    let shows = |x: &Point3<f64>| against(x) <= most;
     let Some(block) = block(&views, cameras.ground_mm, &shows) else {
-        return BTreeMap::new();
+        return vec![];
     };
-    let solid: Vec<bool> = (0..block.count.iter().product())
-        .map(|i| shows(&block.centre(i)))
+    let counts: Vec<usize> = (0..block.count.iter().product())
+        .map(|i| against(&block.centre(i)))
         .collect();
-    let core = (0..PEEL).fold(solid.clone(), |cells, _| block.spread(&cells, false));
-    let coat = (0..COAT).fold(solid, |cells, _| block.spread(&cells, true));
-    views
-        .iter()
-        .map(|(id, mask, camera)| (*id, told(mask, camera, &block, &core, &coat)))
-        .collect()
+    let of = |dissent: &usize| {
+        let solid: Vec<bool> = counts.iter().map(|c| c <= dissent).collect();
+        let core = (0..PEEL).fold(solid.clone(), |cells, _| block.spread(&cells, false));
+        let coat = (0..COAT).fold(solid, |cells, _| block.spread(&cells, true));
+        let one = |(id, mask, camera): &(PhotoId, &Mask, Camera)| {
+            (*id, told(mask, camera, &block, &core, &coat))
+        };
+        views.iter().map(one).collect()
+    };
+    dissents.iter().map(of).collect()
 }
 
 /// The block around all that is shown.

@@ -32,7 +32,7 @@ pub(crate) fn disk_cost(disk: Option<&Gmm>, color: [u8; 3]) -> f32 {
 }
 
 /// Some colours at most, spread evenly, as a mixture.
-fn mixture(colors: &[[u8; 3]]) -> Option<Gmm> {
+pub(crate) fn mixture(colors: &[[u8; 3]]) -> Option<Gmm> {
     let some: Vec<[u8; 3]> = colors
         .iter()
         .copied()

@@ -1,6 +1,7 @@
 //! The scene without the subject, for the stage that cuts: a plate, or what all photos say.
 
 use crate::boxed::Rectangle;
+use crate::doubt::doubtful;
 use crate::grabcut::{CutError, GrabCutParams};
 use crate::means::Means;
 use crate::segment::{Settings, reduced};
@@ -23,6 +24,9 @@ const AT_ONCE: usize = 4;
 /// Least share of the photos that must stand still. \[%\]
 const STANDS: f64 = 15.0;
 
+/// A patch that nothing vouches for is told when it takes more of its mask than this. \[%\]
+const DOUBTFUL: f64 = 0.5;
+
 /// Hash of all photos and cameras: the empty scene without a plate follows from all of them.
 pub(crate) fn everything(photos: &Photos, cameras: &Cameras) -> Hash {
     let mut bytes = format!("{:?} {:?}", cameras.views, cameras.disk_radius_mm).into_bytes();
@@ -32,15 +36,37 @@ pub(crate) fn everything(photos: &Photos, cameras: &Cameras) -> Hash {
     stage::hash(&bytes)
 }
 
-/// The empty scene out of all photos that have a camera, and the share of the photos that stands
-/// still \[%\]. `check` fails when the user asked to stop.
+/// Of all photos without a plate.
+pub(crate) struct Told {
+    /// The share of the photos that stands still. \[%\]
+    pub stands: f64,
+    /// Photos whose mask holds a patch that nothing vouches for.
+    pub doubtful: Vec<PhotoId>,
+}
+
+impl Told {
+    /// What to look at, photos by name.
+    pub(crate) fn warnings(&self, photos: &Photos) -> Vec<String> {
+        let all = "there is no plate: the empty scene is guessed from what stands still, and may cost parts of the body; look at the masks, or take one photo without the subject and call it plate.jpg";
+        let one = "a patch of a colour that the body has nowhere else counts as body where no photo shows the empty room: is it a bit of wall beside arm or trunk? girths there may be too large; look at these masks";
+        let name = |id: &PhotoId| photos.get(*id).map(|p| p.name.as_str());
+        let names: Vec<&str> = self.doubtful.iter().filter_map(name).collect();
+        let mut warnings = vec![all.to_owned()];
+        if !names.is_empty() {
+            warnings.push(format!("{}: {one}", names.join(", ")));
+        }
+        warnings
+    }
+}
+
+/// The empty scene out of all photos that have a camera. `check` fails when the user asked to stop.
 pub(crate) fn empty_scene<E: From<CutError> + From<PhotoError> + Send>(
     p: &GrabCutParams,
     settings: &Settings,
     photos: &Photos,
     cameras: &Cameras,
     check: impl Fn() -> Result<(), E> + Sync,
-) -> Result<(Empty, f64), E> {
+) -> Result<(Empty, Told), E> {
     let known: Vec<(PhotoId, &Photo, Camera)> = photos
         .iter()
         .filter_map(|(id, photo)| Some((id, photo, cameras.views.get(id)?.camera)))
@@ -77,6 +103,9 @@ pub(crate) fn empty_scene<E: From<CutError> + From<PhotoError> + Send>(
     let cuts = without_plate(&shots, cameras, settings, p.disk_side_mm, within);
     let (width, height) = (wide, tall);
     let radius = cameras.disk_radius_mm.unwrap_or(0.0);
+    let shares = doubtful(&shots, &cuts, radius);
+    let doubtful = shots.iter().zip(shares).filter(|(_, s)| *s > DOUBTFUL);
+    let doubtful = doubtful.map(|(shot, _)| shot.id).collect();
     let all: Vec<Camera> = known.iter().map(|k| k.2).collect();
     let mut means = Means::new(
         width as usize,
@@ -101,5 +130,5 @@ pub(crate) fn empty_scene<E: From<CutError> + From<PhotoError> + Send>(
     let ids = known.iter().map(|k| k.0);
     let cuts = ids.zip(cuts).filter_map(|(id, cut)| Some((id, cut?)));
     let scene = Empty::Turn(means.scene(), cuts.collect());
-    Ok((scene, stands))
+    Ok((scene, Told { stands, doubtful }))
 }

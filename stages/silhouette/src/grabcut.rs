@@ -84,7 +84,7 @@ pub struct GrabCut;
 
 impl Stage for GrabCut {
     const NAME: &'static str = "silhouette.grabcut";
-    const VERSION: u32 = 9;
+    const VERSION: u32 = 11;
     const ABOUT: &'static str = "Cuts the body out of each photo by graph cuts, seeded by the plate, or by what stands still, and the disk.";
     type Params = GrabCutParams;
     type Input = GrabCutInput;
@@ -107,8 +107,11 @@ impl Stage for GrabCut {
                         return alone(p, &settings, &input.photos, ctx);
                     }
                     Err(stop) => return Err(stop),
-                    Ok((empty, still)) => {
-                        ctx.metric("stands still", still, "%");
+                    Ok((empty, told)) => {
+                        ctx.metric("stands still", told.stands, "%");
+                        told.warnings(&input.photos)
+                            .into_iter()
+                            .for_each(|w| ctx.warn(w));
                         (empty, everything(&input.photos, cameras))
                     }
                 }
@@ -135,11 +138,6 @@ impl Stage for GrabCut {
             })
             .filter(|job| job.camera.is_some() || input.photos.plate.is_some())
             .collect();
-        if input.photos.plate.is_none() {
-            ctx.warn(
-                "there is no plate: the empty scene is guessed from what stands still, and may cost parts of the body; look at the masks, or take one photo without the subject and call it plate.jpg",
-            );
-        }
         let steps = ctx.steps("photos", jobs.len() * 2);
         // First a coarse cut of each photo alone, then again with what all of them say together.
         let first: Vec<(PhotoId, Mask)> = jobs
@@ -166,7 +164,7 @@ impl Stage for GrabCut {
                 let said: Vec<u8> = agreed.into_iter().flatten().map(|k| *k as u8).collect();
                 let mask = job.remembered(ctx, "mask", &[stage::hash(&said)], || {
                     let (pixels, without, mut ready) = job.ready(p)?;
-                    ready.agree(agreed.into_iter().flatten());
+                    ready.agree(agreed.into_iter().flatten(), &[]);
                     let (sides, gmm) = job.checked(job.cut(&ready, &settings))?;
                     Ok(fine(&pixels, &without, &ready, &sides, &gmm, &settings))
                 })?;

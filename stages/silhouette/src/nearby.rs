@@ -16,6 +16,16 @@ const UNLIKE: f32 = 4.0;
 /// What it costs that a colour is found beside its place.
 const BESIDE: f32 = 2.0;
 
+/// Odds (ln) by which a colour of the room beside must beat the body's before it is the room's beyond
+/// doubt.
+const APART: f32 = 6.0;
+
+/// What the background costs as far as it may contradict the others: that it shows a colour of the
+/// room beside and one that the body has not. Both are -ln p.
+pub(crate) fn beside(background: f32, body: f32) -> f32 {
+    FLAT + (background + APART - body).max(0.0)
+}
+
 /// The room seen close to each pixel that nobody saw.
 pub struct Nearby<'a> {
     room: &'a Backdrop,

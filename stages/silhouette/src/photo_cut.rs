@@ -17,6 +17,9 @@ pub struct Prepared {
     pub small: Rgb,
     /// -ln p(pixel | background) of the reduced photo.
     pub cost: Vec<f32>,
+    /// The same where the background was seen. Where it was not, and colours are held against those
+    /// beside: by how much less it costs than the body does.
+    pub explained: Vec<f32>,
     /// What is certain before any cut.
     pub known: Vec<Known>,
     /// How far the reduced photo and what was expected of it differ without a reason. \[levels\]
@@ -31,12 +34,25 @@ const CERTAIN: f32 = FLAT + 2.0;
 impl Prepared {
     /// Takes over what all photos say together. Where this one shows the background to the level,
     /// the others may not call it body: a gap between the legs is seen on two photos of eighteen.
-    pub fn agree<'a>(&mut self, agreed: impl Iterator<Item = &'a Known>) {
+    /// Where colours alone speak for the background, they may if all others do (`firm`).
+    pub fn agree<'a>(&mut self, agreed: impl Iterator<Item = &'a Known>, firm: &[Known]) {
+        let (sure, likely) = (self.gaps(&self.cost), self.gaps(&self.explained));
+        for (i, agreed) in agreed.enumerate() {
+            let alone = firm.get(i) == Some(&Known::Body);
+            let against = *agreed == Known::Body && (sure[i] || likely[i] && !alone);
+            if self.known[i] == Known::Unknown && !against {
+                self.known[i] = *agreed;
+            }
+        }
+    }
+
+    /// Pixels in a neighbourhood that shows the background beyond doubt.
+    fn gaps(&self, cost: &[f32]) -> Vec<bool> {
         let (width, height) = (self.small.width, self.small.height);
         // A gap is as wide as three pixels somewhere.
         let window = |x: usize, y: usize| {
             let rows = (y - 1..y + 2).flat_map(|row| (x - 1..x + 2).map(move |c| row * width + c));
-            rows.map(|i| self.cost[i]).sum::<f32>() / 9.0 < CERTAIN
+            rows.map(|i| cost[i]).sum::<f32>() / 9.0 < CERTAIN
         };
         let around = |i: usize| {
             let (x, y) = (i % width, i / width);
@@ -44,13 +60,7 @@ impl Prepared {
             (y.max(1) - 1..y + 2)
                 .any(|y| (x.max(1) - 1..x + 2).any(|x| inside(x, y) && window(x, y)))
         };
-        let gaps: Vec<bool> = (0..self.cost.len()).map(around).collect();
-        for (i, agreed) in agreed.enumerate() {
-            let against = *agreed == Known::Body && gaps[i];
-            if self.known[i] == Known::Unknown && !against {
-                self.known[i] = *agreed;
-            }
-        }
+        (0..cost.len()).map(around).collect()
     }
 }
 
@@ -100,6 +110,7 @@ pub fn prepare(
     Prepared {
         factor,
         small,
+        explained: cost.clone(),
         cost,
         known,
         noise,
@@ -109,7 +120,8 @@ pub fn prepare(
 
 /// The coarse cut. `None` if nothing can be body.
 pub fn coarse(ready: &Prepared, settings: &Settings) -> Option<(Image<bool>, Gmm)> {
-    cut_whole(&ready.small, &ready.cost, &ready.known, settings)
+    let (cost, explained) = (&ready.cost, &ready.explained);
+    cut_whole(&ready.small, cost, explained, &ready.known, settings)
 }
 
 /// The border of a coarse cut again at full size, window by window so that memory stays small.
@@ -193,7 +205,7 @@ pub fn fine(
     }
     let cost = |i: usize| {
         let (x, y) = at(i);
-        ready.cost[y * coarse.width + x]
+        ready.explained[y * coarse.width + x]
     };
     soft_border(pixels, without, &largest(&sides, &cost), noise)
 }

@@ -37,6 +37,10 @@ const OWN: f32 = FLAT + 1.5;
 const NEVER: i32 = 1 << 24;
 /// -ln of an even density over all colours: anything can be body.
 const ANY_COLOR: f64 = 16.6;
+/// A pixel that costs the background more than this is evidently body.
+pub(crate) const EVIDENT: f32 = 22.0;
+/// What the body costs where its mixture tells nothing: a colour that it has not.
+pub(crate) const STRANGE: f64 = ANY_COLOR + 1.2;
 
 /// An image reduced by a whole factor, pixels averaged.
 pub fn reduced(image: &Rgb, factor: usize) -> Rgb {
@@ -57,16 +61,18 @@ pub fn reduced(image: &Rgb, factor: usize) -> Rgb {
     small
 }
 
-/// Which pixels are body: `background` is -ln p(pixel | background), `known` what is certain.
+/// Which pixels are body: `background` is -ln p(pixel | background), `explained` the same as far as
+/// holes may trust it, `known` what is certain.
 /// Returns the sides and the mixture of the body's colours. `None` if nothing can be body.
 pub fn cut_whole(
     photo: &Rgb,
     background: &[f32],
+    explained: &[f32],
     known: &[Known],
     settings: &Settings,
 ) -> Option<(Image<bool>, Gmm)> {
     let certain = |i: usize| match known[i] {
-        Known::Unknown => background[i] > 22.0,
+        Known::Unknown => background[i] > EVIDENT,
         other => other == Known::Body,
     };
     let mut body: Vec<bool> = (0..known.len()).map(certain).collect();
@@ -94,7 +100,12 @@ pub fn cut_whole(
         height: photo.height,
         data: body,
     };
-    Some((largest(&sides, &|i| background[i]), gmm?))
+    Some((largest(&sides, &|i| explained[i]), gmm?))
+}
+
+/// -ln p(colour | body): of its mixture or, one time in three, of any colour.
+pub(crate) fn body_cost(body: &Gmm, color: [u8; 3]) -> f64 {
+    (body.cost(color) + 0.36).min(STRANGE)
 }
 
 /// A rectangle of an image. \[px\]
@@ -131,8 +142,7 @@ pub fn cut(
                 Known::Background => grid.set_terminal(x, y, 0, NEVER),
                 Known::Body => grid.set_terminal(x, y, NEVER, 0),
                 Known::Unknown => {
-                    let fits = body.cost(photo.data[i]) + 0.36;
-                    let cost = fits.min(ANY_COLOR + 1.2);
+                    let cost = body_cost(body, photo.data[i]);
                     let keep = (f64::from(background[here]) * UNIT) as i32;
                     grid.set_terminal(x, y, keep, (cost * UNIT) as i32);
                 }

@@ -3,13 +3,14 @@
 use crate::backdrop::{Backdrop, middle, still, thinned};
 use crate::background::on_disk;
 use crate::boxed::Rectangle;
-use crate::coherence::agreed;
-use crate::disk_colors::{body_colors, disk_colors, disk_cost, on_the_disk};
+use crate::coherence::{DISSENT, together};
+use crate::disk_colors::{body_colors, disk_colors, disk_cost, mixture, on_the_disk};
 use crate::disk_top::{laid_out, lay_into, point};
-use crate::nearby::Nearby;
+use crate::gmm::Gmm;
+use crate::nearby::{Nearby, beside};
 use crate::photo_cut::{Prepared, UNSEEN, coarse, prepare};
 use crate::recur::recurring;
-use crate::segment::{Known, Settings, parts};
+use crate::segment::{EVIDENT, Known, STRANGE, Settings, body_cost, parts};
 use nalgebra::Point2;
 use rayon::prelude::*;
 use shape::{Camera, Cameras, Image, Mask, PhotoId, Rgb};
@@ -153,6 +154,10 @@ pub fn without_plate(
     let stands = |i: usize, room: &Backdrop| still.data[i] == Some(true) && room.seen.data[i];
     let stands: Vec<bool> = (0..still.data.len()).map(|i| stands(i, &room)).collect();
     let body = body_colors(shots, &room, radius);
+    if let Some(body) = &body {
+        glimpsed(&mut room, &smalls, body);
+        without_islands(&mut room.seen);
+    }
     let mut covered = on_the_disk(shots, &room, body.as_ref(), radius);
     let mut cuts: Vec<Option<Image<bool>>> = Vec::new();
     for round in 0..ROUNDS {
@@ -163,27 +168,38 @@ pub fn without_plate(
         let around = scene(shots, room.clone(), radius, &covered);
         let of_disk = disk_colors(&around.disk, 0.0);
         let nearby = Nearby::of(&around.room);
-        let ready: Vec<Prepared> = shots
+        let mut ready: Vec<Prepared> = shots
             .par_iter()
             .map(|shot| {
                 let mut ready = one(shot, &around, radius, disk_side_mm);
                 if let Some((rectangle, factor)) = &within {
                     rectangle.close(&mut ready.known, shot.small.width, *factor);
                 }
-                for (i, stands) in stands.iter().enumerate() {
+                for (known, stands) in ready.known.iter_mut().zip(&stands) {
                     if *stands {
-                        ready.known[i] = Known::Background;
-                    }
-                    if ready.cost[i] == UNSEEN {
-                        ready.cost[i] = ready.cost[i].min(match shot.shows_disk(i, radius) {
-                            true => disk_cost(of_disk.as_ref(), shot.small.data[i]),
-                            false => nearby.cost(&shot.small, i).unwrap_or(UNSEEN),
-                        });
+                        *known = Known::Background;
                     }
                 }
                 ready
             })
             .collect();
+        let evident = evident(shots, &ready, radius);
+        shots.par_iter().zip(&mut ready).for_each(|(shot, ready)| {
+            for i in 0..ready.cost.len() {
+                if ready.cost[i] != UNSEEN {
+                    continue;
+                }
+                let color = shot.small.data[i];
+                if shot.shows_disk(i, radius) {
+                    let as_disk = disk_cost(of_disk.as_ref(), color);
+                    ready.cost[i] = ready.cost[i].min(as_disk);
+                } else if let Some(cost) = nearby.cost(&shot.small, i) {
+                    ready.cost[i] = ready.cost[i].min(cost);
+                    let of_body = evident.as_ref().map_or(0.0, |b| body_cost(b, color));
+                    ready.explained[i] = beside(ready.cost[i], of_body as f32);
+                }
+            }
+        });
         let first: Vec<(PhotoId, Mask)> = shots
             .par_iter()
             .zip(&ready)
@@ -192,12 +208,14 @@ pub fn without_plate(
                 Some((shot.id, sides.map(|b| if *b { 255 } else { 0 })))
             })
             .collect();
-        let together = agreed(&first, cameras);
+        let all = together(&first, cameras, &[DISSENT, 1]);
+        let of = |level: usize, id: PhotoId| all.get(level).and_then(|told| told.get(&id));
         cuts = shots
             .par_iter()
             .zip(ready)
             .map(|(shot, mut ready)| {
-                ready.agree(together.get(&shot.id).into_iter().flatten());
+                let firm = of(1, shot.id).map_or(&[][..], Vec::as_slice);
+                ready.agree(of(0, shot.id).into_iter().flatten(), firm);
                 coarse(&ready, settings).map(|(sides, _)| sides)
             })
             .collect();
@@ -218,6 +236,32 @@ impl Shot {
     pub(crate) fn shows_disk(&self, i: usize, radius: f64) -> bool {
         let at = Point2::new((i % self.small.width) as f64, (i / self.small.width) as f64);
         radius > 0.0 && on_disk(&self.camera, at, radius).is_some()
+    }
+}
+
+/// The colours of what is evidently not the room, on all photos.
+fn evident(shots: &[Shot], ready: &[Prepared], radius: f64) -> Option<Gmm> {
+    let mut colors = Vec::new();
+    for (shot, ready) in shots.iter().zip(ready) {
+        let off = |i: &usize| ready.cost[*i] > EVIDENT && ready.known[*i] == Known::Unknown;
+        let some = (0..ready.cost.len()).filter(off).step_by(7);
+        let above = some.filter(|i| !shot.shows_disk(*i, radius));
+        colors.extend(above.map(|i| shot.small.data[i]));
+    }
+    mixture(&colors)
+}
+
+/// Adds to the room what two photos suffice to tell: that they show the same to the level, in a
+/// colour that the body has not.
+fn glimpsed(room: &mut Backdrop, smalls: &[Rgb], body: &Gmm) {
+    let likely = |c: &[u8; 3]| body_cost(body, *c) < STRANGE;
+    let hidden: Vec<Image<bool>> = smalls.par_iter().map(|s| s.map(likely)).collect();
+    let more = recurring(smalls, Some(&hidden), SOME).backdrop;
+    for i in 0..room.seen.data.len() {
+        if !room.seen.data[i] && more.seen.data[i] {
+            room.seen.data[i] = true;
+            room.image.data[i] = more.image.data[i];
+        }
     }
 }
 
