@@ -2,6 +2,7 @@
 
 mod limbs;
 pub(crate) mod neck;
+mod neck_level;
 mod whole;
 
 use crate::body::{Body, body};
@@ -59,7 +60,7 @@ pub struct FindLandmarks;
 
 impl Stage for FindLandmarks {
     const NAME: &'static str = "measure.landmarks";
-    const VERSION: u32 = 11;
+    const VERSION: u32 = 12;
     const ABOUT: &'static str = "Finds neck, chest, waist, hip, arms and legs from marks on the outline: buttocks, hollow of the back, bust, shoulders, ears.";
     type Params = LandmarkParams;
     type Input = LandmarkInput;
@@ -225,7 +226,7 @@ fn across_neck(p: &LandmarkParams, mesh: &Mesh, body: &Body, found: &mut Landmar
     let plane = whole.and_then(|throat| {
         let told = levels::neck_lean(&throat, body.stature);
         let lean = told.clamp(0.0, 0.8) + p.neck_lean_deg.to_radians();
-        throat.leaning(mesh, body, levels::neck(&throat, body.stature), lean)
+        throat.leaning(mesh, body, throat.level, lean)
     });
     match plane {
         Some(plane) => {

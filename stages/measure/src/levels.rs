@@ -2,7 +2,7 @@
 //!
 //! Ribs, hip bones, nipples and joints lie under the skin, so a surface can only estimate their
 //! levels. Each level here is a straight combination of marks and reaches of the outline, fitted
-//! (robustly) on 460 made bodies (arms, neck: on 260) from infants to the old, thin to heavy, with
+//! (robustly) on 460 made bodies (arms: on 260) from infants to the old, thin to heavy, with
 //! arms 22° to 40° from the body. The scatter is what those bodies left over, as a share of stature;
 //! intervals are made of it.
 
@@ -66,15 +66,10 @@ pub(crate) fn upper_arm(m: &Marks, stature: f64) -> f64 {
     (0.037 * spread - 0.075) * stature + 0.949 * m.shoulder - 0.052 * m.girth
 }
 
-/// Amid the two joints of the neck: offset along the throat's usual axis. \[mm\]
-pub(crate) fn neck(t: &Throat, stature: f64) -> f64 {
-    0.7655 * t.ears + 0.3178 * t.shoulders + 0.2387 * t.back - 0.0137 * stature
-}
-
-/// How far the line between these joints leans forward: farther where the head is carried farther
-/// before the shoulders. \[rad\]
+/// How far the line from the neck's lower joint to its upper leans forward: farther where the head is
+/// carried farther before the shoulders. \[rad\]
 pub(crate) fn neck_lean(t: &Throat, stature: f64) -> f64 {
-    (664.1 * t.ahead / stature + 1.22).to_radians()
+    (797.9 * t.ahead / stature - 25.01 * t.ahead / t.head + 2.99).to_radians()
 }
 
 /// Standard deviation of a girth's level, as a share of stature.
@@ -82,7 +77,7 @@ pub(crate) fn scatter(name: &str) -> f64 {
     match name.split('_').next().unwrap_or(name) {
         "WC" => 0.0040,
         "CC" => 0.0042,
-        "NC" => 0.0024,
+        "NC" => 0.0017,
         "AC" => 0.0072,
         "HC" => 0.0027,
         // Found as extremes: the girth hardly changes with the level.
