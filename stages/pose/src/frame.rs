@@ -20,6 +20,9 @@ stage::params! {
         /// Two lengths that disagree by more than this share are told of.
         #[range(0.001..=0.5)]
         disagreement: f64 = 0.02,
+        /// Without a mat: two lengths that disagree by more than this share are no scale.
+        #[range(0.05..=10.0)]
+        contradiction: f64 = 0.2,
         /// Size to which photos are reduced before the disk is searched.
         #[range(200..=4000)]
         search_px: u32 = 900,
@@ -41,6 +44,19 @@ stage::inputs! {
 /// `pose.frame`: cameras, photos, masks → cameras.
 pub struct Frame;
 
+/// Two known lengths that cannot both be what they are called.
+#[derive(Debug, thiserror::Error)]
+#[error(
+    "{first} and {other} contradict each other by {percent:.0} %, so nothing tells how large the body is: capture.toml is wrong about one of them \
+     (correct it, or leave out the one you are less sure of), or the silhouettes lack legs or head (`tailor show masks --as sheet` shows them), or the \
+     cameras are wrong (take more photos, or put a mat on the disk)"
+)]
+struct Contradiction {
+    first: &'static str,
+    other: &'static str,
+    percent: f64,
+}
+
 /// A length that is known, and what it makes of a unit.
 struct Measure {
     what: &'static str,
@@ -51,7 +67,7 @@ struct Measure {
 
 impl Stage for Frame {
     const NAME: &'static str = "pose.frame";
-    const VERSION: u32 = 4;
+    const VERSION: u32 = 5;
     const ABOUT: &'static str = "Puts the origin on the disk and scales to millimetres: by the mat, a reference length, the disk, or the stature.";
     type Params = FrameParams;
     type Input = FrameInput;
@@ -162,6 +178,14 @@ impl Stage for Frame {
                 off * 100.0,
                 "%",
             );
+            if cameras.scale != Scale::Mat && off.abs() > p.contradiction {
+                return Err(Contradiction {
+                    first: first.what,
+                    other: other.what,
+                    percent: off * 100.0,
+                }
+                .into());
+            }
             if off.abs() > p.disagreement.max(3.0 * first.sigma.hypot(other.sigma)) {
                 ctx.warn(format!(
                     "{} and {} disagree by {:.1} %: {} was taken; check what capture.toml says of both",

@@ -1,0 +1,134 @@
+//! Lengths that the user knows make cameras millimetres; lengths that contradict each other do not.
+
+use nalgebra::{Point3, Rotation3, Vector3};
+use pose::{Frame, FrameInput, FrameParams, Ring};
+use shape::{
+    Camera, Cameras, Intrinsics, Mask, Masks, Photo, PhotoId, Photos, Reference, Rig, Scale, View,
+};
+use stage::{Ctx, Stage, Stop};
+use std::sync::Arc;
+
+/// A turn in units of 2 mm, about an upright post 800 units tall.
+fn turn() -> Vec<Camera> {
+    let ring = Ring {
+        turn: Rotation3::from_euler_angles(1.72, 0.0, 0.0),
+        offset: Vector3::new(0.0, 0.0, 1400.0),
+        angles: (0..12).map(|i| f64::from(i) * 30f64.to_radians()).collect(),
+    };
+    let lens = Intrinsics::simple(320, 480, 420.0);
+    let pose = |pose| Camera { lens, pose };
+    ring.poses().into_iter().map(pose).collect()
+}
+
+/// What of the post a camera sees: filled row by row between its outermost points.
+fn seen(camera: &Camera) -> Mask {
+    let (width, height) = (320, 480);
+    let mut rows = vec![(f64::MAX, f64::MIN); height];
+    for step in 0..=1600 {
+        for side in 0..72 {
+            let angle = f64::from(side) * 5f64.to_radians();
+            let at = Point3::new(
+                90.0 * angle.cos(),
+                90.0 * angle.sin(),
+                -400.0 + f64::from(step) / 2.0,
+            );
+            let Some(px) = camera.project(&at) else {
+                continue;
+            };
+            if let Some(row) = rows.get_mut(px.y.round().max(0.0) as usize) {
+                *row = (row.0.min(px.x), row.1.max(px.x));
+            }
+        }
+    }
+    let mut mask = Mask::filled(width, height, 0);
+    for (y, (low, high)) in rows.into_iter().enumerate() {
+        for x in 0..width {
+            if (low..=high).contains(&(x as f64)) {
+                mask.data[y * width + x] = 255;
+            }
+        }
+    }
+    mask
+}
+
+/// Cameras in millimetres from a stature and a reference length, both of the post. \[mm\]
+fn framed(stature_mm: f64, reference_mm: f64) -> Result<Cameras, String> {
+    let cameras = turn();
+    let gray = shape::gray_to_png(&shape::Image::filled(320, 480, 0));
+    let photo = |i: usize| Photo {
+        name: format!("{i:04}.png"),
+        width: 320,
+        height: 480,
+        orientation: 1,
+        focal_35mm: None,
+        device: String::new(),
+        time_s: None,
+        file: Arc::from(gray.clone()),
+    };
+    let id = |i: usize| PhotoId(i as u32);
+    let view = |(i, camera): (usize, &Camera)| {
+        let view = View {
+            name: format!("{i:04}.png"),
+            camera: *camera,
+            sigma_mm: 0.0,
+            rms_px: 0.0,
+            points: 0,
+        };
+        (id(i), view)
+    };
+    let masks = cameras.iter().enumerate().map(|(i, c)| (id(i), seen(c)));
+    let input = FrameInput {
+        masks: Some(Arc::new(Masks {
+            views: masks.collect(),
+        })),
+        photos: Arc::new(Photos {
+            photos: (0..cameras.len()).map(photo).collect(),
+            plate: None,
+            rig: Rig {
+                stature_mm: Some(stature_mm),
+                reference: Some(Reference {
+                    kind: "subject_height".into(),
+                    length_mm: reference_mm,
+                }),
+                ..Rig::default()
+            },
+        }),
+        cameras: Arc::new(Cameras {
+            views: cameras.iter().enumerate().map(view).collect(),
+            scale: Scale::Nothing,
+            scale_sigma: 0.0,
+            disk_radius_mm: None,
+            ground_mm: 0.0,
+            points: Vec::new(),
+        }),
+    };
+    let params = FrameParams {
+        search_px: 200,
+        ..FrameParams::default()
+    };
+    Frame::run(&params, input, &Ctx::alone()).map_err(|e| match e {
+        Stop::Failed(why) => why.to_string(),
+        Stop::Cancelled => "cancelled".into(),
+    })
+}
+
+#[test]
+fn a_known_length_makes_units_millimetres() {
+    let found = framed(1600.0, 1600.0).unwrap();
+    let far = |camera: &Camera| camera.centre().coords.xy().norm();
+    let (before, after) = (turn()[0], found.views.values().next().unwrap().camera);
+    // A post has no round head, which the stature allows for.
+    proof::near(far(&after) / far(&before), 2.0, 0.05);
+    assert!(
+        framed(1600.0, 1760.0).is_ok(),
+        "a tenth is told, not refused"
+    );
+}
+
+#[test]
+fn lengths_that_contradict_each_other_by_more_than_a_fifth_are_refused_by_name() {
+    let why = framed(2100.0, 1600.0).unwrap_err();
+    assert!(why.contains("the reference length (stature)"), "{why}");
+    assert!(why.contains("contradict each other by 31 %"), "{why}");
+    assert!(why.contains("capture.toml"), "{why}");
+}
