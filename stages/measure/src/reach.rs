@@ -3,6 +3,32 @@
 use crate::body::Body;
 use crate::marks::{breadth, extent};
 
+/// How far a level section reaches, in some directions. \[mm\]
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Row<const N: usize> {
+    /// Height.
+    pub z: f64,
+    /// One for each direction.
+    pub reach: [f64; N],
+}
+
+/// Reaches at a height, straight between those of the rows about it, which rise; beyond them the last.
+/// Noughts without rows.
+pub(crate) fn between<const N: usize>(rows: &[Row<N>], z: f64) -> [f64; N] {
+    let above = rows.partition_point(|r| r.z < z);
+    let (Some(a), Some(b)) = (
+        rows.get(above.saturating_sub(1)),
+        rows.get(above).or(rows.last()),
+    ) else {
+        return [0.0; N];
+    };
+    let t = match b.z > a.z {
+        true => ((z - a.z) / (b.z - a.z)).clamp(0.0, 1.0),
+        false => 0.0,
+    };
+    std::array::from_fn(|k| a.reach[k] + t * (b.reach[k] - a.reach[k]))
+}
+
 /// Reaches of a body's outline, told at shares of the way from the hip's level (0) to the neck's (1).
 ///
 /// Forward and back are from the middle of the hip's own section. \[mm\]
@@ -10,17 +36,8 @@ use crate::marks::{breadth, extent};
 pub struct Reach {
     hip: f64,
     long: f64,
-    levels: Vec<At>,
-}
-
-/// One level.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
-struct At {
-    z: f64,
-    back: f64,
-    front: f64,
-    trunk: f64,
-    full: f64,
+    /// Back, front, the trunk's breadth, the full breadth.
+    levels: Vec<Row<4>>,
 }
 
 /// Reads the reaches between a little below the hip and a little above the neck; heights in the
@@ -34,57 +51,57 @@ pub fn reach(body: &Body, hip: f64, neck: f64) -> Option<Reach> {
         };
         let (back, front) = extent(ring, &body.front)?;
         let (low, high) = extent(ring, &body.left)?;
-        levels.push(At {
+        levels.push(Row {
             z: slice.z,
-            back,
-            front,
-            trunk: high - low,
-            full: breadth(slice, &body.left)?,
+            reach: [back, front, high - low, breadth(slice, &body.left)?],
         });
     }
     let mut reach = Reach { hip, long, levels };
-    let middle = (reach.at(0.0, |l| l.back) + reach.at(0.0, |l| l.front)) / 2.0;
+    let [back, front, ..] = reach.at(0.0);
     for level in &mut reach.levels {
-        level.back -= middle;
-        level.front -= middle;
+        level.reach[0] -= (back + front) / 2.0;
+        level.reach[1] -= (back + front) / 2.0;
     }
     (reach.levels.len() > 20).then_some(reach)
 }
 
 impl Reach {
-    fn at(&self, share: f64, value: impl Fn(&At) -> f64) -> f64 {
-        let z = self.hip + share * self.long;
-        let above = self.levels.partition_point(|l| l.z < z);
-        let (Some(a), Some(b)) = (
-            self.levels.get(above.saturating_sub(1)),
-            self.levels.get(above).or(self.levels.last()),
-        ) else {
-            return 0.0;
-        };
-        let t = match b.z > a.z {
-            true => ((z - a.z) / (b.z - a.z)).clamp(0.0, 1.0),
-            false => 0.0,
-        };
-        value(a) + t * (value(b) - value(a))
+    fn at(&self, share: f64) -> [f64; 4] {
+        between(&self.levels, self.hip + share * self.long)
     }
 
     /// How far the back lies before the middle of the hip: less than nought for all that is behind it.
     pub fn back(&self, share: f64) -> f64 {
-        self.at(share, |l| l.back)
+        self.at(share)[0]
     }
 
     /// How far the front lies before the middle of the hip.
     pub fn front(&self, share: f64) -> f64 {
-        self.at(share, |l| l.front)
+        self.at(share)[1]
     }
 
     /// Breadth of the trunk alone, where arms stand clear of it.
     pub fn trunk(&self, share: f64) -> f64 {
-        self.at(share, |l| l.trunk)
+        self.at(share)[2]
     }
 
     /// Breadth from the outermost of the left to the outermost of the right, arms and all.
     pub fn full(&self, share: f64) -> f64 {
-        self.at(share, |l| l.full)
+        self.at(share)[3]
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn reaches_between_rows_are_straight_and_those_beyond_are_the_last() {
+        let row = |z: f64, v: f64| Row { z, reach: [v; 3] };
+        let rows = [row(10.0, 1.0), row(20.0, 3.0)];
+        assert_eq!(between(&rows, 15.0), [2.0; 3]);
+        assert_eq!(between(&rows, 5.0), [1.0; 3]);
+        assert_eq!(between(&rows, 25.0), [3.0; 3]);
+        assert_eq!(between::<3>(&[], 25.0), [0.0; 3]);
     }
 }

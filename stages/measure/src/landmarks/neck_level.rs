@@ -10,6 +10,7 @@
 use super::neck::Throat;
 use crate::body::Body;
 use crate::marks::extent;
+use crate::reach::{Row, between};
 use crate::slices::Slice;
 
 /// Heights at which the outline is read.
@@ -37,16 +38,11 @@ const WIDE: [f64; HEIGHTS] = [
 const MARKS: [f64; 5] = [0.1550, 0.5980, 0.1997, 0.0247, -0.0745];
 const ALWAYS: f64 = 0.09134;
 
-/// How far a level section reaches, from the middle of the one at the neck's narrowest. \[mm\]
-struct Row {
-    z: f64,
-    reach: [f64; 3],
-}
-
 /// Offset along the throat's usual axis of the plane amid the neck's two joints, from slices of shoulders,
 /// neck and head in rising order; `ears` is the height of their middle. \[mm\]
 pub(super) fn level(body: &Body, throat: &Throat, ears: f64, slices: &[&Slice]) -> f64 {
     let middle = throat.origin.coords.dot(&body.front);
+    // Forward, back, across; from the middle of the section at the neck's narrowest.
     let row = |s: &&Slice| {
         let ring = s.rings.first()?;
         let (back, front) = extent(ring, &body.front)?;
@@ -56,7 +52,7 @@ pub(super) fn level(body: &Body, throat: &Throat, ears: f64, slices: &[&Slice]) 
             reach: [front - middle, back - middle, high - low],
         })
     };
-    let rows: Vec<Row> = slices.iter().filter_map(row).collect();
+    let rows: Vec<Row<3>> = slices.iter().filter_map(row).collect();
     let head = throat.head;
     let chest = body.ground + CHEST * body.stature;
     let mut sum = ALWAYS;
@@ -77,22 +73,6 @@ pub(super) fn level(body: &Body, throat: &Throat, ears: f64, slices: &[&Slice]) 
     ];
     let told = marks.iter().zip(&MARKS).map(|(m, law)| m * law);
     head * (sum + told.sum::<f64>() / head)
-}
-
-/// Reaches at a height, straight between those of the rows about it. Noughts without rows.
-fn between(rows: &[Row], z: f64) -> [f64; 3] {
-    let above = rows.partition_point(|r| r.z < z);
-    let (Some(a), Some(b)) = (
-        rows.get(above.saturating_sub(1)),
-        rows.get(above).or(rows.last()),
-    ) else {
-        return [0.0; 3];
-    };
-    let t = match b.z > a.z {
-        true => ((z - a.z) / (b.z - a.z)).clamp(0.0, 1.0),
-        false => 0.0,
-    };
-    std::array::from_fn(|k| a.reach[k] + t * (b.reach[k] - a.reach[k]))
 }
 
 #[cfg(test)]
@@ -164,15 +144,5 @@ mod tests {
         assert!((-20.0..60.0).contains(&once), "{once}");
         proof::near(told(0.4, 0.0), 0.4 * once, 1e-9);
         proof::near(told(1.0, 300.0), once, 1e-9);
-    }
-
-    #[test]
-    fn reaches_between_rows_are_straight_and_those_beyond_are_the_last() {
-        let row = |z: f64, v: f64| Row { z, reach: [v; 3] };
-        let rows = [row(10.0, 1.0), row(20.0, 3.0)];
-        assert_eq!(between(&rows, 15.0), [2.0; 3]);
-        assert_eq!(between(&rows, 5.0), [1.0; 3]);
-        assert_eq!(between(&rows, 25.0), [3.0; 3]);
-        assert_eq!(between(&[], 25.0), [0.0; 3]);
     }
 }
