@@ -116,6 +116,38 @@ fn a_body_with_half_a_foot_lost_faces_as_before() {
 }
 
 #[test]
+fn where_a_foot_is_lost_the_head_tells_which_side_is_the_front() {
+    let mut mesh = meshed(&built(32.0));
+    let top = mesh.bounds().unwrap().1.z;
+    // A head is carried a fiftieth of the stature before the shoulders; one foot is gone, and of the
+    // other all that lies before its heel.
+    for p in &mut mesh.positions {
+        if f64::from(p[2]) > 0.87 * top {
+            p[1] -= (0.02 * top) as f32;
+        }
+        if p[2] < 60.0 && p[0] > 0.0 {
+            p[2] = 60.0;
+        }
+        if p[2] < 60.0 && p[0] <= 0.0 {
+            p[1] = p[1].max(0.0) + 60.0;
+        }
+    }
+    let body = measure::body(&mesh, 0.0).unwrap();
+    assert!(
+        body.front_is_sure && body.front.y < -0.999,
+        "{}",
+        body.front
+    );
+    // Without the head, the heel is taken for toes.
+    mesh.faces.retain(|f| {
+        f.iter()
+            .all(|v| f64::from(mesh.positions[*v as usize][2]) < 0.8 * top)
+    });
+    let body = measure::body(&mesh, 0.0).unwrap();
+    assert!(body.front.y > 0.999, "{}", body.front);
+}
+
+#[test]
 fn a_hand_that_touches_hip_or_thigh_is_in_no_girth() {
     let free = measured(meshed(&built(14.0)));
     for (centre, half, held, left) in [
