@@ -129,7 +129,7 @@ pub fn by_colors(
         data: body,
     };
     // No hole is filled for its colours: they are all that is known.
-    let sides = largest(&sides, &|_| 0.0);
+    let sides = largest(&sides, &|_| [0.0; 2]);
     if !sides.data.contains(&true) {
         return None;
     }
@@ -159,5 +159,5 @@ pub fn by_colors(
         height: photo.height,
         data: fine,
     };
-    Some(coverage(&largest(&fine, &|_| 0.0)))
+    Some(coverage(&largest(&fine, &|_| [0.0; 2])))
 }

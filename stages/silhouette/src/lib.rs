@@ -3,6 +3,7 @@
 //! `photos`, `cameras` → [`GrabCut`] → `masks`
 //! `files`, `photos` → [`Import`] → `masks`
 
+mod agree;
 mod backdrop;
 mod background;
 mod border;

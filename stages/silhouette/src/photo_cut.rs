@@ -28,42 +28,6 @@ pub struct Prepared {
     pub disk: Option<(Camera, f64)>,
 }
 
-/// A neighbourhood that costs the background no more than this shows it beyond doubt.
-const CERTAIN: f32 = FLAT + 2.0;
-
-impl Prepared {
-    /// Takes over what all photos say together. Where this one shows the background to the level,
-    /// the others may not call it body: a gap between the legs is seen on two photos of eighteen.
-    /// Where colours alone speak for the background, they may if all others do (`firm`).
-    pub fn agree<'a>(&mut self, agreed: impl Iterator<Item = &'a Known>, firm: &[Known]) {
-        let (sure, likely) = (self.gaps(&self.cost), self.gaps(&self.explained));
-        for (i, agreed) in agreed.enumerate() {
-            let alone = firm.get(i) == Some(&Known::Body);
-            let against = *agreed == Known::Body && (sure[i] || likely[i] && !alone);
-            if self.known[i] == Known::Unknown && !against {
-                self.known[i] = *agreed;
-            }
-        }
-    }
-
-    /// Pixels in a neighbourhood that shows the background beyond doubt.
-    fn gaps(&self, cost: &[f32]) -> Vec<bool> {
-        let (width, height) = (self.small.width, self.small.height);
-        // A gap is as wide as three pixels somewhere.
-        let window = |x: usize, y: usize| {
-            let rows = (y - 1..y + 2).flat_map(|row| (x - 1..x + 2).map(move |c| row * width + c));
-            rows.map(|i| cost[i]).sum::<f32>() / 9.0 < CERTAIN
-        };
-        let around = |i: usize| {
-            let (x, y) = (i % width, i / width);
-            let inside = |x: usize, y: usize| x > 0 && y > 0 && x + 1 < width && y + 1 < height;
-            (y.max(1) - 1..y + 2)
-                .any(|y| (x.max(1) - 1..x + 2).any(|x| inside(x, y) && window(x, y)))
-        };
-        (0..cost.len()).map(around).collect()
-    }
-}
-
 /// Where the disk is: the photo's camera and the disk's radius. \[mm\]
 pub type Disk<'a> = Option<(&'a Camera, f64)>;
 
@@ -205,7 +169,8 @@ pub fn fine(
     }
     let cost = |i: usize| {
         let (x, y) = at(i);
-        ready.explained[y * coarse.width + x]
+        let i = y * coarse.width + x;
+        [ready.cost[i], ready.explained[i]]
     };
     soft_border(pixels, without, &largest(&sides, &cost), noise)
 }
