@@ -5,6 +5,9 @@
 //! that ends: there is nothing to unlock. Nothing depends on leases but the saving of work: on a
 //! disk that knows no locks two processes may make the same result, and one is published.
 //!
+//! What is dropped is unlocked by name, not only closed: a process that is being started by another
+//! thread has copies of all open files for some milliseconds, and a lock lives as long as a copy.
+//!
 //! The files stay: to make and remove one a result costs more than all else around a cheap stage.
 //! There are 4096 of them, so that two results in the making seldom wait for each other's lease.
 
@@ -16,7 +19,14 @@ use std::path::Path;
 
 /// Held while a result is made.
 #[derive(Debug)]
-pub struct Lease(#[expect(dead_code, reason = "held, not read")] File);
+pub struct Lease(File);
+
+impl Drop for Lease {
+    fn drop(&mut self) {
+        // Where it fails, closing the file does it.
+        let _ = self.0.unlock();
+    }
+}
 
 /// What came of asking for a lease.
 #[derive(Debug)]
@@ -53,7 +63,13 @@ impl Store {
 
 /// Held while a run uses the store, or while somebody sweeps it. It goes with its process.
 #[derive(Debug)]
-pub struct InUse(#[expect(dead_code, reason = "held, not read")] Option<File>);
+pub struct InUse(Option<File>);
+
+impl Drop for InUse {
+    fn drop(&mut self) {
+        let _ = self.0.as_ref().map(File::unlock);
+    }
+}
 
 impl Store {
     fn in_use(&self) -> Option<File> {
@@ -94,6 +110,28 @@ mod tests {
         drop(two);
         let alone = store.alone();
         assert!(alone.is_some() && store.alone().is_none());
+    }
+
+    #[test]
+    fn what_is_given_back_is_free_while_a_starting_process_has_a_copy_of_its_file() {
+        let folder = tempfile::tempdir().unwrap();
+        let store = Store::open(folder.path()).unwrap();
+        let using = store.using();
+        let _copy_of_using = using.0.as_ref().map(|file| file.try_clone().unwrap());
+        assert!(store.alone().is_none());
+        drop(using);
+        let alone = store.alone().expect("nobody uses it");
+        let _copy_of_alone = alone.0.as_ref().map(|file| file.try_clone().unwrap());
+        assert!(store.alone().is_none());
+        drop(alone);
+        assert!(store.alone().is_some());
+        let key = Hash::from_bytes([1; 32]);
+        let Claim::Mine(Some(lease)) = store.claim(key) else {
+            panic!("nobody has it")
+        };
+        let _copy_of_lease = lease.0.try_clone().unwrap();
+        drop(lease);
+        assert!(matches!(store.claim(key), Claim::Mine(Some(_))));
     }
 
     #[test]
