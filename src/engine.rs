@@ -1,6 +1,6 @@
 //! The engine as a library: hash the inputs, walk, write the run down, read results.
 
-use crate::graph::{Bound, Graph};
+use crate::graph::{Bound, Graph, InputDecl};
 use crate::history::{self, Told};
 use crate::journal::Journal;
 use crate::run_one::{Pool, Surroundings};
@@ -67,6 +67,19 @@ pub fn inputs(
     said: &[(String, PathBuf)],
     store: &Store,
 ) -> Result<Vec<Files>, EngineError> {
+    let found = said_inputs(graph, said, store)?;
+    let whole = |(files, input): (Option<Files>, &InputDecl)| {
+        files.ok_or_else(|| EngineError::Unsaid(input.name.clone(), input.about.clone()))
+    };
+    found.into_iter().zip(&graph.inputs).map(whole).collect()
+}
+
+/// As [`inputs`], `None` for those for which no folder is said.
+pub fn said_inputs(
+    graph: &Graph,
+    said: &[(String, PathBuf)],
+    store: &Store,
+) -> Result<Vec<Option<Files>>, EngineError> {
     let memo_file = store.root().join("files.json");
     let mut memo = Memo::load(&memo_file);
     let folders: HashMap<&str, &PathBuf> =
@@ -79,9 +92,9 @@ pub fn inputs(
     let mut files = Vec::with_capacity(graph.inputs.len());
     for input in &graph.inputs {
         let folder = folders.get(input.name.as_str());
-        let unsaid = || EngineError::Unsaid(input.name.clone(), input.about.clone());
-        let found = source::files(folder.ok_or_else(unsaid)?, input, &mut memo);
+        let found = folder.map(|folder| source::files(folder, input, &mut memo));
         let name = input.name.clone();
+        let found = found.transpose();
         files.push(found.map_err(|why| EngineError::Source { name, why })?);
     }
     if memo.is_fresh() {

@@ -1,8 +1,8 @@
 //! `tailor show`: one artifact out of the cache as a file.
 
-use super::run::open;
-use super::{Change, Fault, House, Wanted};
-use crate::graph::{Bound, Graph};
+use super::run::{folders, opened};
+use super::{Change, Fault, House};
+use crate::graph::{Bound, Graph, Source};
 use crate::key::{self, Story};
 use crate::store::Store;
 use crate::{engine, out, walk};
@@ -17,9 +17,9 @@ use std::path::PathBuf;
 pub(crate) struct Show {
     /// The node
     node: String,
-    /// The pipeline file that it belongs to
-    #[arg(long, default_value = "pipelines/body.toml")]
-    pipeline: PathBuf,
+    /// The pipeline file that it belongs to, if it is not that of `measure`
+    #[arg(long)]
+    pipeline: Option<PathBuf>,
     #[command(flatten)]
     change: Change,
     /// The format; the kind's usual one if not said
@@ -51,33 +51,66 @@ fn fits(run: &Value, graph: &Graph, node: usize) -> bool {
         .all(|(node, _)| same(node))
 }
 
+/// Whether a run read these contents of the inputs that the node needs; `None` is any.
+fn reads(run: &Value, graph: &Graph, node: usize, contents: &[Option<Hash>]) -> bool {
+    let needed = walk::needed(graph, &[node]);
+    let same = |node: &Bound| {
+        let mut ports = node.ports.iter().zip(&node.from);
+        ports.all(|(port, source)| {
+            let Some(Source::Input(input)) = source else {
+                return true;
+            };
+            let told = |hash: Hash| {
+                let line = json!([format!("from {}", port.name), hash.to_hex().as_str()]);
+                let story = entry(run, &node.name).and_then(|n| n["story"].as_array());
+                story.is_some_and(|story| story.contains(&line))
+            };
+            contents[*input].is_none_or(told)
+        })
+    };
+    let nodes = graph.nodes.iter().zip(needed);
+    nodes
+        .filter(|(_, needed)| *needed)
+        .all(|(node, _)| same(node))
+}
+
 /// Does it: the newest run of a node of that name whose result is still there.
 pub(crate) fn show(show: &Show, house: &House) -> Result<(), Fault> {
-    let wanted = Wanted {
-        pipeline: show.pipeline.clone(),
-        nodes: vec![show.node.clone()],
-        change: show.change.clone(),
-    };
-    let (graph, nodes) = open(&wanted)?;
+    let graph = opened(show.pipeline.as_deref(), &show.change)?;
+    let names: Vec<&str> = graph.nodes.iter().map(|n| n.name.as_str()).collect();
+    let unknown = || Fault::input(stage::unknown("node", &show.node, &names));
+    let wanted = graph.node(&show.node).ok_or_else(unknown)?;
     let store = Store::open(&house.cache).map_err(Fault::input)?;
+    let said = folders(&show.change)?;
+    let files = engine::said_inputs(&graph, &said, &store).map_err(Fault::input)?;
+    let contents: Vec<Option<Hash>> = files
+        .iter()
+        .map(|f| f.as_ref().map(stage::content))
+        .collect();
     let (runs, changed) = (engine::runs(store.root()), show.change.changes());
     let read = |name: &str| {
         let at = graph.node(name)?;
         let stage = graph.nodes[at].stage;
         let fitting = runs
             .iter()
-            .filter(|(_, run)| !changed || fits(run, &graph, at));
+            .filter(|(_, run)| !changed || fits(run, &graph, at))
+            .filter(|(_, run)| reads(run, &graph, at, &contents));
         fitting.into_iter().find_map(|(_, run)| {
             let node = entry(run, name).filter(|n| n["stage"] == stage.name())?;
             let blob = store.blob(Hash::from_hex(node["content"].as_str()?).ok()?)?;
             Some((stage.read(&blob).ok()?, blob))
         })
     };
-    let name = &graph.nodes[nodes[0]].name;
+    let name = &graph.nodes[wanted].name;
     let (artifact, blob) = read(name).ok_or_else(|| {
+        let of = if said.is_empty() {
+            ""
+        } else {
+            " of this input"
+        };
         let so = if changed { " with these changes" } else { "" };
         Fault::input(format!(
-            "the cache holds no result of `{name}`{so}; run the pipeline first"
+            "the cache holds no result of `{name}`{of}{so}; run the pipeline first"
         ))
     })?;
     let photos = graph.nodes.iter().find(|n| n.stage.yields() == "photos");

@@ -225,3 +225,48 @@ fn lines_are_plain_where_nobody_looks_and_quiet_is_quiet() {
         .code(0);
     assert_eq!((said.out, said.err), (String::new(), String::new()));
 }
+
+#[test]
+fn what_is_shown_is_of_the_folder_that_is_said() {
+    let place = Place::new();
+    place.write(
+        "two.toml",
+        "goal = [\"tags\"]\n[input.photos]\nfiles = [\"*.jpg\", \"capture.toml\"]\n\
+         [node.photos]\nstage = \"capture.load\"\nfrom = { files = \"@photos\" }\n\
+         [node.tags]\nstage = \"pose.tags\"\nfrom = [\"photos\"]\n",
+    );
+    for (folder, count) in [("three", 3), ("four", 4)] {
+        place.photos(folder, count);
+        let mat = "[mat]\ntag_size_mm = 60.0\nring_radius_mm = 187.0\ncount = 12\nids = [0, 11]\n";
+        place.write(&format!("{folder}/capture.toml"), mat);
+        place
+            .run(&format!("run two.toml --input photos={folder}"))
+            .code(0);
+    }
+    place.photos("five", 5);
+    let shown = |args: &str| {
+        place.run(&format!("show {args} -o shown")).code(0);
+        let photos = std::fs::read_dir(place.path("shown/images"))
+            .unwrap()
+            .count();
+        std::fs::remove_dir_all(place.path("shown")).unwrap();
+        photos
+    };
+    assert_eq!(shown("photos --pipeline two.toml"), 4, "the newest");
+    for (folder, count) in [("three", 3), ("four", 4)] {
+        let of = format!("--input photos={folder}");
+        assert_eq!(shown(&format!("photos --pipeline two.toml {of}")), count);
+        assert_eq!(shown(&format!("photos {of}")), count, "of `measure`");
+        let tags = place.run(&format!("show tags --pipeline two.toml {of} -o tags.json"));
+        tags.code(0);
+        let tags = std::fs::read(place.path("tags.json")).unwrap();
+        let tags: Value = serde_json::from_slice(&tags).unwrap();
+        assert_eq!(tags.as_array().unwrap().len(), count);
+    }
+    let never = place
+        .run("show tags --pipeline two.toml --input photos=five -o x")
+        .code(2);
+    assert!(never.err.contains("`tags` of this input"), "{}", never.err);
+    place.run("show tags --input photo=four -o x").code(2);
+    place.run("show tags --input photos=none -o x").code(2);
+}
