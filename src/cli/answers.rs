@@ -1,6 +1,6 @@
 //! `tailor plan`, `why`, `graph`, `stages`, `check`: answers that run nothing.
 
-use super::run::{ahead, folders, open};
+use super::run::{ahead, folders, node, open};
 use super::{Fault, House, Wanted};
 use crate::graph::{Graph, Source};
 use crate::plan::{self, Planned, State};
@@ -104,10 +104,7 @@ fn short(text: &str) -> &str {
 /// `tailor why NODE`: the last run's story against the one before, back to the root cause.
 pub(crate) fn why(why: &Why, house: &House) -> Result<(), Fault> {
     let (graph, plan, store) = planned(&why.wanted, house)?;
-    let mut at = graph.node(&why.node).ok_or_else(|| {
-        let names: Vec<&str> = graph.nodes.iter().map(|n| n.name.as_str()).collect();
-        Fault::input(stage::unknown("node", &why.node, &names))
-    })?;
+    let mut at = node(&graph, &why.node)?;
     let runs = engine::runs(store.root());
     let mut answer: Vec<Value> = Vec::new();
     loop {

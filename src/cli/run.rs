@@ -41,18 +41,22 @@ pub(crate) fn ahead(wanted: &Wanted, house: &House) -> Ahead {
 /// Opens the pipeline of some arguments and finds the wanted nodes.
 pub(crate) fn open(wanted: &Wanted) -> Result<(Graph, Vec<usize>), Fault> {
     let graph = opened(Some(&wanted.pipeline), &wanted.change)?;
-    let names: Vec<&str> = graph.nodes.iter().map(|n| n.name.as_str()).collect();
-    let mut nodes = Vec::new();
-    for name in &wanted.nodes {
-        let at = graph.node(name);
-        nodes.push(at.ok_or_else(|| Fault::input(stage::unknown("node", name, &names)))?);
-    }
+    let nodes = wanted.nodes.iter().map(|name| node(&graph, name));
+    let nodes = nodes.collect::<Result<Vec<_>, Fault>>()?;
     let goal = if nodes.is_empty() {
         graph.goal.clone()
     } else {
         nodes
     };
     Ok((graph, goal))
+}
+
+/// The node of a name.
+pub(crate) fn node(graph: &Graph, name: &str) -> Result<usize, Fault> {
+    graph.node(name).ok_or_else(|| {
+        let names: Vec<&str> = graph.nodes.iter().map(|n| n.name.as_str()).collect();
+        Fault::input(stage::unknown("node", name, &names))
+    })
 }
 
 /// A pipeline file, the product's if none is said, with what the command line changes.

@@ -1,6 +1,6 @@
 //! `tailor show`: one artifact out of the cache as a file.
 
-use super::run::{folders, opened};
+use super::run::{folders, node, opened};
 use super::{Change, Fault, House};
 use crate::graph::{Bound, Graph, Source};
 use crate::key::{self, Story};
@@ -37,7 +37,6 @@ fn entry<'a>(run: &'a Value, node: &str) -> Option<&'a Value> {
 
 /// Whether the node and all that it needs had these stages and params in a run.
 fn fits(run: &Value, graph: &Graph, node: usize) -> bool {
-    let needed = walk::needed(graph, &[node]);
     let same = |node: &Bound| {
         let mut story = Story::default();
         key::tell_recipe(node, &mut story);
@@ -45,15 +44,12 @@ fn fits(run: &Value, graph: &Graph, node: usize) -> bool {
         let told = serde_json::from_value::<Vec<(String, String)>>(told.unwrap_or_default());
         told.is_ok_and(|told| told.starts_with(&story.0))
     };
-    let nodes = graph.nodes.iter().zip(needed);
-    nodes
-        .filter(|(_, needed)| *needed)
-        .all(|(node, _)| same(node))
+    let needed = walk::all(graph, &[node]);
+    needed.into_iter().all(|i| same(&graph.nodes[i]))
 }
 
 /// Whether a run read these contents of the inputs that the node needs; `None` is any.
 fn reads(run: &Value, graph: &Graph, node: usize, contents: &[Option<Hash>]) -> bool {
-    let needed = walk::needed(graph, &[node]);
     let same = |node: &Bound| {
         let mut ports = node.ports.iter().zip(&node.from);
         ports.all(|(port, source)| {
@@ -68,18 +64,14 @@ fn reads(run: &Value, graph: &Graph, node: usize, contents: &[Option<Hash>]) -> 
             contents[*input].is_none_or(told)
         })
     };
-    let nodes = graph.nodes.iter().zip(needed);
-    nodes
-        .filter(|(_, needed)| *needed)
-        .all(|(node, _)| same(node))
+    let needed = walk::all(graph, &[node]);
+    needed.into_iter().all(|i| same(&graph.nodes[i]))
 }
 
 /// Does it: the newest run of a node of that name whose result is still there.
 pub(crate) fn show(show: &Show, house: &House) -> Result<(), Fault> {
     let graph = opened(show.pipeline.as_deref(), &show.change)?;
-    let names: Vec<&str> = graph.nodes.iter().map(|n| n.name.as_str()).collect();
-    let unknown = || Fault::input(stage::unknown("node", &show.node, &names));
-    let wanted = graph.node(&show.node).ok_or_else(unknown)?;
+    let wanted = node(&graph, &show.node)?;
     let store = Store::open(&house.cache).map_err(Fault::input)?;
     let said = folders(&show.change)?;
     let files = engine::said_inputs(&graph, &said, &store).map_err(Fault::input)?;

@@ -1,6 +1,6 @@
 //! `tailor sweep`: every point of a sweep, one table.
 
-use super::run::{folders, options};
+use super::run::{folders, node, options};
 use super::{CANCEL, Change, Fault, House};
 use crate::engine;
 use crate::graph::Graph;
@@ -169,19 +169,17 @@ fn checked(
     asked: &Asked,
     at: &dyn Fn(&Point) -> Result<Graph, Mistakes>,
 ) -> Result<(), Fault> {
-    let names: Vec<&str> = base.nodes.iter().map(|n| n.name.as_str()).collect();
     for name in &asked.nodes {
-        base.node(name)
-            .ok_or_else(|| Fault::input(stage::unknown("node", name, &names)))?;
+        node(base, name)?;
     }
     for tell in &asked.tell {
-        let (node, _) = tell.split_once('.').unwrap_or((tell, ""));
-        if node == "error" && args.truth.is_none() {
+        let (of, _) = tell.split_once('.').unwrap_or((tell, ""));
+        if of == "error" && args.truth.is_none() {
             let what = "is told against ground truth: say --truth FOLDER";
             return Err(Fault::input(format!("`{tell}` {what}")));
         }
-        if node != "error" && base.node(node).is_none() && asked.points.variants == [None] {
-            return Err(Fault::input(stage::unknown("node", node, &names)));
+        if of != "error" && asked.points.variants == [None] {
+            node(base, of)?;
         }
     }
     // Each row of each axis alone: a param or a value that cannot be is told before anything runs.
