@@ -70,8 +70,8 @@ pub(crate) struct Freed {
     misfit: f64,
 }
 
-/// Frees an arm's outline by a clear section. Both lie about their middles; `outward` points away from the trunk. `None` if the two disagree in size, or in shape where
-/// the inner half is not to be seen.
+/// Frees an arm's outline by a clear section. Both lie about their middles; `outward` points away from
+/// the trunk. `None` if the two disagree in size, or in shape where the inner half is not to be seen.
 pub(crate) fn freed(here: &[[f64; 2]], clear: &[[f64; 2]], outward: [f64; 2]) -> Option<Freed> {
     let radius = tape(clear) / TAU;
     // Of a ring that the trunk is part of, only what is near can be the arm.
@@ -83,29 +83,26 @@ pub(crate) fn freed(here: &[[f64; 2]], clear: &[[f64; 2]], outward: [f64; 2]) ->
     if near.len() < 8 {
         return None;
     }
+    let inner = |n: [f64; 2]| n[0] * outward[0] + n[1] * outward[1] < 0.0;
+    let outer = (0..WAYS).map(way).filter(|n| !inner(*n));
+    let outer: Vec<([f64; 2], f64)> = outer.map(|n| (n, support(&near, n))).collect();
     // Shift and growth of the clear section, by least squares over the outer half.
     let (mut normal, mut right) = (Matrix3::zeros(), Vector3::zeros());
-    for k in 0..WAYS {
-        let n = way(k);
-        if n[0] * outward[0] + n[1] * outward[1] < 0.0 {
-            continue;
-        }
-        let row = Vector3::new(n[0], n[1], support(clear, n));
+    for (n, reach) in &outer {
+        let row = Vector3::new(n[0], n[1], support(clear, *n));
         normal += row * row.transpose();
-        right += row * support(&near, n);
+        right += row * *reach;
     }
     let fit = normal.cholesky()?.solve(&right);
     if !(0.8..=1.3).contains(&fit.z) {
         return None;
     }
     let grown = |n: [f64; 2]| fit.x * n[0] + fit.y * n[1] + fit.z * support(clear, n);
-    let inner = |n: [f64; 2]| n[0] * outward[0] + n[1] * outward[1] < 0.0;
     // The inner half of a ring that is open to the trunk is the clear section's, if the outer half is.
     let open = near.len() < here.len();
-    let outer = (0..WAYS).map(way).filter(|n| !inner(*n));
-    let misfits: Vec<f64> = outer.map(|n| support(&near, n) - grown(n)).collect();
-    let squares = misfits.iter().map(|m| m * m).sum::<f64>() / misfits.len() as f64;
-    let misfit = if open { squares.sqrt() / radius } else { 0.0 };
+    let squares = outer.iter().map(|(n, reach)| (reach - grown(*n)).powi(2));
+    let mean = squares.sum::<f64>() / outer.len() as f64;
+    let misfit = if open { mean.sqrt() / radius } else { 0.0 };
     if misfit > MISFIT {
         return None;
     }
