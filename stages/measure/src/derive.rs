@@ -1,7 +1,7 @@
 //! What follows from girths: ratios, body mass index, volume, and the curve of girth over height.
 
-use crate::arms::arm_ring;
-use crate::body::Body;
+use crate::features::arms::arm_ring;
+use crate::features::body::Body;
 use shape::{Girths, Mesh, Profile};
 
 /// Adds ratios, body mass index and volume. Stature and weight are the user's where he gave them.

@@ -1,13 +1,13 @@
 //! The stage that measures: contour, tape and the paper's spline at each landmark.
 
-use crate::body::body;
 use crate::derive::{derive, no_density, profile};
-use crate::interval::{NINE_IN_TEN, Spread, interval, level_spread, together};
-use crate::outlines::{by_silhouettes, open_mm, shared_border, surface_by_cameras};
-use crate::picked::picked;
-use crate::silhouette::Support;
-use crate::spline::has_left;
-use crate::taken::{Taken, taken};
+use crate::features::body::body;
+use crate::geometry::spline::has_left;
+use crate::sections::picked::picked;
+use crate::sections::taken::{Taken, taken};
+use crate::uncertainty::interval::{NINE_IN_TEN, Spread, interval, level_spread, together};
+use crate::uncertainty::outlines::{by_silhouettes, open_mm, shared_border, surface_by_cameras};
+use crate::uncertainty::silhouette::Support;
 use nalgebra::Point3;
 use shape::{Cameras, Girth, Girths, Landmark, Landmarks, Masks, Mesh, Missing, Photos};
 use stage::{Ctx, Stage, Stop};

@@ -1,15 +1,10 @@
 //! The stage that finds where to measure, without a statistical body model.
 
-mod limbs;
-pub(crate) mod neck;
-mod neck_level;
-mod whole;
-
-use crate::body::{Body, body};
-use crate::levels;
-use crate::marks::{Marks, hip, marks};
-use crate::slices::level;
-use limbs::{legs, parts, upper_arm};
+use crate::features::body::{Body, body};
+use crate::features::marks::{Marks, hip, marks};
+use crate::geometry::slices::level;
+use crate::planes::levels;
+use crate::planes::limbs::{legs, parts, upper_arm};
 use nalgebra::Point3;
 use shape::{Cameras, Landmark, Landmarks, Mesh, Missing, Part, Plane};
 use stage::{Ctx, Stage, Stop};
@@ -60,7 +55,7 @@ pub struct FindLandmarks;
 
 impl Stage for FindLandmarks {
     const NAME: &'static str = "measure.landmarks";
-    const VERSION: u32 = 13;
+    const VERSION: u32 = 14;
     const ABOUT: &'static str = "Finds neck, chest, waist, hip, arms and legs from marks on the outline: buttocks, hollow of the back, bust, shoulders, ears.";
     type Params = LandmarkParams;
     type Input = LandmarkInput;
@@ -94,7 +89,7 @@ impl Stage for FindLandmarks {
         across_neck(p, mesh, &body, &mut found);
         arms(mesh, &body, marks.as_ref(), &mut found);
         legs(&body, &mut found);
-        if let Some(why) = whole::no_stature(&body) {
+        if let Some(why) = crate::features::whole::no_stature(&body) {
             found.stature_mm = 0.0;
             found.missing.push(missing("stature", why));
         }
@@ -107,7 +102,13 @@ impl Stage for FindLandmarks {
     }
 }
 
-fn landmark(name: &str, label: &str, definition: &str, plane: Plane, part: Part) -> Landmark {
+pub(crate) fn landmark(
+    name: &str,
+    label: &str,
+    definition: &str,
+    plane: Plane,
+    part: Part,
+) -> Landmark {
     let (name, label, definition) = (name.into(), label.into(), definition.into());
     Landmark {
         name,
@@ -115,6 +116,7 @@ fn landmark(name: &str, label: &str, definition: &str, plane: Plane, part: Part)
         definition,
         plane,
         part,
+        sigma: shape::PlaneSigma::default(),
     }
 }
 
@@ -127,7 +129,7 @@ fn across(body: &Body, z: f64) -> Plane {
     }
 }
 
-fn missing(name: &str, why: &str) -> Missing {
+pub(crate) fn missing(name: &str, why: &str) -> Missing {
     let (name, why) = (name.into(), why.into());
     Missing { name, why }
 }
@@ -222,7 +224,9 @@ fn waist(which: Waist, body: &Body, m: &Marks) -> (f64, &'static str) {
 /// The neck, across its axis.
 fn across_neck(p: &LandmarkParams, mesh: &Mesh, body: &Body, found: &mut Landmarks) {
     // A body that is cut off has no stature, and levels are shares of it.
-    let whole = body.crotch.and_then(|_| neck::throat(mesh, body));
+    let whole = body
+        .crotch
+        .and_then(|_| crate::features::neck::throat(mesh, body));
     let plane = whole.and_then(|throat| {
         let told = levels::neck_lean(&throat, body.stature);
         let lean = told.clamp(0.0, 0.8) + p.neck_lean_deg.to_radians();

@@ -5,44 +5,35 @@
 //!   └────────────────────────────────┴─ Measure ─ girths
 //!            masks, cameras: girths by silhouettes beside them
 //! ```
+//!
+//! Inside, arrows go one way: `geometry` → `features` → `planes` → `sections` → `uncertainty`.
 
-mod across_arm;
-mod arms;
-mod body;
-mod carry;
 mod derive;
+mod features;
+mod geometry;
 mod girths;
-mod hands;
-mod interval;
-mod keel;
 mod landmarks;
-mod levels;
-mod marks;
-mod outlines;
-mod picked;
-mod reach;
-mod section;
-mod silhouette;
-mod slices;
-mod spline;
-mod split;
-mod taken;
+mod planes;
+mod sections;
+mod uncertainty;
 
-pub use arms::{Axis, arm_ring, clear, upper_arm_axis};
-pub use body::{Body, body, nearest_ring};
-pub use carry::{Carried, RAYS, carried, ray, reaches};
+pub use features::arms::{Axis, arm_ring, clear, upper_arm_axis};
+pub use features::body::{Body, body, nearest_ring};
+pub use features::marks::{Marks, marks};
+pub use features::neck::{Throat, neck_ring, throat};
+pub use features::reach::{Reach, reach};
+pub use geometry::carry::{Carried, RAYS, carried, ray, reaches};
+pub use geometry::section::{Loop, area, axes, centre, flat, hull, length, section, tape};
+pub use geometry::slices::{Ring, Slice, level, rings, slices};
+pub use geometry::spline::{
+    closed_spline_length, fitted_plane, grown, has_left, paper_girth, spline_length,
+};
 pub use girths::{GirthInput, GirthParams, Measure};
-pub use landmarks::neck::{Throat, neck_ring, throat};
 pub use landmarks::{FindLandmarks, LandmarkInput, LandmarkParams, NoBody, Waist};
-pub use marks::{Marks, marks};
-pub use picked::{BadPoints, picked};
-pub use reach::{Reach, reach};
-pub use section::{Loop, area, axes, centre, flat, hull, length, section, tape};
-pub use silhouette::{Support, Tangent, support_girth, tangents};
-pub use slices::{Ring, Slice, level, rings, slices};
-pub use spline::{closed_spline_length, fitted_plane, grown, has_left, paper_girth, spline_length};
-pub use split::{Parted, parted};
-pub use taken::{Taken, Why, taken};
+pub use sections::picked::{BadPoints, picked};
+pub use sections::split::{Parted, parted};
+pub use sections::taken::{Taken, Why, taken};
+pub use uncertainty::silhouette::{Support, Tangent, support_girth, tangents};
 
 /// Every stage of this room, in the order in which data flows through it.
 pub const STAGES: &[&dyn stage::AnyStage] =

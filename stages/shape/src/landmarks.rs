@@ -30,6 +30,17 @@ pub enum Part {
     LegRight,
 }
 
+/// How sure the place of a plane is, as standard deviations; `None` where it is not known.
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
+pub struct PlaneSigma {
+    /// Along the normal, against the definition's own place on this body. \[mm\]
+    pub level_mm: Option<f64>,
+    /// Of the normal's tilt, about the body's left-right axis. \[rad\]
+    pub tilt_rad: Option<f64>,
+    /// Along the normal, when the same person is measured again. \[mm\]
+    pub repeat_mm: Option<f64>,
+}
+
 /// Where one girth is taken.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Landmark {
@@ -43,6 +54,8 @@ pub struct Landmark {
     pub plane: Plane,
     /// Around what.
     pub part: Part,
+    /// How sure the plane's place is.
+    pub sigma: PlaneSigma,
 }
 
 /// Where to measure.
@@ -62,7 +75,7 @@ pub struct Landmarks {
 
 impl Artifact for Landmarks {
     const KIND: &'static str = "landmarks";
-    const FORMAT: u32 = 1;
+    const FORMAT: u32 = 2;
 
     fn pack(&self, to: &mut Packer) {
         to.meta(&(&self.found, &self.missing, &self.points, self.stature_mm));

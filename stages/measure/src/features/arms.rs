@@ -1,7 +1,7 @@
 //! Arms told from the trunk: where they stand clear, their axes, and cuts where they do not.
 
-use crate::body::Body;
-use crate::slices::{Ring, Slice};
+use crate::features::body::Body;
+use crate::geometry::slices::{Ring, Slice};
 use nalgebra::{Point3, Vector3};
 
 /// The ring of an arm in a slice, on a side (1 left, -1 right), where it stands clear of the trunk.

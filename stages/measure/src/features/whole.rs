@@ -1,15 +1,15 @@
 //! Whether a body is whole from crown to soles, so that its height is a stature, and whether its
 //! thighs show.
 
-use crate::body::Body;
-use crate::marks::hip;
+use crate::features::body::Body;
+use crate::features::marks::hip;
 
 /// A head closes round: its section just below the crown is at most so much of the one four steps
 /// lower. A flat top is a stump, or the border of the photos.
 const ROUND: f64 = 0.7;
 
 /// Why the height of what is seen is no stature: a sentence. `None` if it is one.
-pub(super) fn no_stature(body: &Body) -> Option<&'static str> {
+pub(crate) fn no_stature(body: &Body) -> Option<&'static str> {
     if body.crotch.is_none() {
         return Some(
             "no two legs were found, so nothing tells whether the body is whole from crown to soles",
@@ -40,7 +40,7 @@ const DEEP: f64 = 0.21;
 
 /// Whether the thighs are one on the surface below the crotch: it was found too low. Then neither
 /// shows where it is fullest.
-pub(super) fn thighs_are_one(body: &Body) -> bool {
+pub(crate) fn thighs_are_one(body: &Body) -> bool {
     let deep = |crotch: f64| Some((hip(body, crotch)? - crotch) / (crotch - body.ground));
     body.crotch.and_then(deep).is_some_and(|deep| deep > DEEP)
 }

@@ -1,6 +1,6 @@
 //! How a body stands: its height, which way it faces, where legs join, where the neck is narrow.
 
-use crate::slices::{Ring, Slice, rings, slices};
+use crate::geometry::slices::{Ring, Slice, rings, slices};
 use nalgebra::{Point3, Vector3};
 use shape::{Mesh, Plane};
 

@@ -26,7 +26,7 @@ const STRAIGHT: f64 = 5.0 * TAU / 360.0;
 /// Points evenly spread along a closed outline.
 fn even(outline: &[[f64; 2]], count: usize) -> Vec<[f64; 2]> {
     let n = outline.len();
-    let step = crate::section::length(outline) / count as f64;
+    let step = crate::geometry::section::length(outline) / count as f64;
     let (mut out, mut left) = (Vec::with_capacity(count), 0.0);
     for i in 0..n {
         let (a, b) = (outline[i], outline[(i + 1) % n]);
@@ -57,7 +57,9 @@ fn seam(points: &[[f64; 2]], middle: [f64; 2], side: f64, fore: f64) -> Option<S
         [side * (p[0] - middle[0]), fore * (p[1] - middle[1])]
     };
     let start = (0..n)
-        .filter(|i| seen(*i)[0].abs() < 0.03 * crate::section::length(points) && seen(*i)[1] > 0.0)
+        .filter(|i| {
+            seen(*i)[0].abs() < 0.03 * crate::geometry::section::length(points) && seen(*i)[1] > 0.0
+        })
         .min_by(|a, b| seen(*a)[0].abs().total_cmp(&seen(*b)[0].abs()))?;
     let end = (0..n).max_by(|a, b| seen(*a)[0].total_cmp(&seen(*b)[0]))?;
     // A counter-clockwise outline runs to the left at the front.
@@ -86,7 +88,7 @@ fn seam(points: &[[f64; 2]], middle: [f64; 2], side: f64, fore: f64) -> Option<S
         let last = turned.last().copied().unwrap_or(raw);
         turned.push(raw + ((last - raw) / TAU).round() * TAU);
     }
-    let step = crate::section::length(points) / n as f64;
+    let step = crate::geometry::section::length(points) / n as f64;
     let deep = (0..n).map(|i| seen(i)[1]).fold(0.0, f64::max);
     let mut best: Option<(f64, usize)> = None;
     for a in 0..long {
@@ -144,7 +146,7 @@ pub fn parted(outline: &[[f64; 2]], middle: [f64; 2], sides: &[f64]) -> Option<P
         return None;
     }
     let mut points = even(outline, SAMPLES);
-    if crate::section::area(&points) < 0.0 {
+    if crate::geometry::section::area(&points) < 0.0 {
         points.reverse();
     }
     let (mut share, mut doubt_mm) = (0.0, 0.0);
@@ -178,7 +180,7 @@ pub fn parted(outline: &[[f64; 2]], middle: [f64; 2], sides: &[f64]) -> Option<P
             out.extend(arc);
         }
     }
-    let whole = crate::section::length(&out);
+    let whole = crate::geometry::section::length(&out);
     for (from, to, arc) in &cuts {
         let mut path = vec![points[*from]];
         path.extend(arc);
@@ -210,7 +212,7 @@ mod tests {
                 [r * c, r * s]
             })
             .collect();
-        let own = crate::section::tape(&trunk);
+        let own = crate::geometry::section::tape(&trunk);
         // A ray's farthest crossing of trunk, disks and, if filled, quadrangles between them.
         let mut solids = vec![trunk];
         for side in [1.0, -1.0] {
@@ -239,9 +241,13 @@ mod tests {
     fn arms_beside_a_trunk_are_taken_off_whether_the_folds_are_filled_or_open() {
         for filled in [false, true] {
             let (union, own) = with_arms(filled);
-            assert!(crate::section::tape(&union) > 1.1 * own);
+            assert!(crate::geometry::section::tape(&union) > 1.1 * own);
             let free = parted(&union, [0.0, 0.0], &[1.0, -1.0]).unwrap();
-            proof::near(crate::section::tape(&free.points) / own, 1.0, 0.012);
+            proof::near(
+                crate::geometry::section::tape(&free.points) / own,
+                1.0,
+                0.012,
+            );
             assert!(free.share > 0.1 && free.share < 0.45);
         }
     }
@@ -250,8 +256,8 @@ mod tests {
     fn one_arm_may_be_taken_off_alone_and_nothing_is_taken_off_a_trunk_without_arms() {
         let (union, own) = with_arms(true);
         let one = parted(&union, [0.0, 0.0], &[1.0]).unwrap();
-        let tape = crate::section::tape(&one.points);
-        assert!(tape > 1.03 * own && tape < crate::section::tape(&union));
+        let tape = crate::geometry::section::tape(&one.points);
+        assert!(tape > 1.03 * own && tape < crate::geometry::section::tape(&union));
         let bare: Vec<[f64; 2]> = (0..360)
             .map(|k| (TAU * f64::from(k) / 360.0).sin_cos())
             .map(|(s, c)| [180.0 * c, 120.0 * s])

@@ -1,7 +1,7 @@
 //! What of a section no outline confirms: where no photo's border runs beside the body for a while
 //! (hands are before it, or photos are few), a visual hull ends in a corner that need not be body.
 
-use crate::section::{hull, length};
+use crate::geometry::section::{hull, length};
 use nalgebra::{Point2, Point3, Vector2};
 use std::f64::consts::TAU;
 

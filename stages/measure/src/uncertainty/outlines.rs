@@ -1,10 +1,10 @@
 //! Silhouette girths of level sections, and what photos and cameras say of the surface's error.
 
-use crate::body::Body;
-use crate::keel::{clear_sights, unconfirmed};
-use crate::silhouette::{Support, Tangent, support_girth, tangents};
-use crate::slices::Ring;
-use crate::taken::Taken;
+use crate::features::body::Body;
+use crate::geometry::slices::Ring;
+use crate::sections::taken::Taken;
+use crate::uncertainty::keel::{clear_sights, unconfirmed};
+use crate::uncertainty::silhouette::{Support, Tangent, support_girth, tangents};
 use nalgebra::Point3;
 use rayon::prelude::*;
 use shape::{Cameras, Landmark, Masks, Part};
@@ -20,7 +20,7 @@ pub(crate) fn by_silhouettes(
     if !is_whole(landmark, taken) {
         return None;
     }
-    let origin = crate::section::centre(&taken.contour);
+    let origin = crate::geometry::section::centre(&taken.contour);
     let others = limbs(body, landmark.plane.point_mm[2], &taken.contour, origin);
     let others: Vec<&[Point3<f64>]> = others.iter().map(|r| r.curve.as_slice()).collect();
     let views: Vec<_> = cameras
@@ -63,7 +63,7 @@ pub(crate) fn open_mm(body: &Body, landmark: &Landmark, taken: &Taken, cameras: 
         return 0.0;
     }
     let z = landmark.plane.point_mm[2];
-    let origin = crate::section::centre(&taken.contour);
+    let origin = crate::geometry::section::centre(&taken.contour);
     let level = limbs(body, z, &taken.contour, origin);
     let sights = |eye: Point3<f64>| {
         // A line of sight to the section passes an arm before or behind it higher or lower.

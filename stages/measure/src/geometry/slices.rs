@@ -1,6 +1,6 @@
 //! A body cut into horizontal slices: which curve is trunk, which are arms and legs.
 
-use crate::section::{Loop, area, centre, flat, section, tape};
+use crate::geometry::section::{Loop, area, centre, flat, section, tape};
 use nalgebra::Point3;
 use rayon::prelude::*;
 use shape::{Mesh, Plane};

@@ -1,8 +1,8 @@
 //! How sure a girth is, from what it was made of.
 
-use crate::body::Body;
-use crate::levels::scatter;
-use crate::taken::{Taken, taken};
+use crate::features::body::Body;
+use crate::planes::levels::scatter;
+use crate::sections::taken::{Taken, taken};
 use nalgebra::{Point3, Rotation3, Unit, Vector3};
 use shape::{Landmark, Mesh, Plane};
 

@@ -3,13 +3,13 @@
 //! The outer half of an arm always shows. A clear section farther down, grown and shifted so that
 //! its support function agrees with the outer half, tells how far the inner half may reach.
 
-use crate::arms::axis_about;
-use crate::body::Body;
-use crate::marks::hip;
-use crate::section::{axes, flat, hull, length, tape};
-use crate::slices::{Ring, rings};
-use crate::spline::closed_spline_length;
-use crate::taken::{FUSED, NO_ARMS, Taken, Why, nearest, plain};
+use crate::features::arms::axis_about;
+use crate::features::body::Body;
+use crate::features::marks::hip;
+use crate::geometry::section::{axes, flat, hull, length, tape};
+use crate::geometry::slices::{Ring, rings};
+use crate::geometry::spline::closed_spline_length;
+use crate::sections::taken::{FUSED, NO_ARMS, Taken, Why, nearest, plain};
 use nalgebra::{Matrix3, Point3, Vector3};
 use shape::{Landmark, Mesh, Plane};
 use std::f64::consts::{PI, TAU};

@@ -1,8 +1,8 @@
 //! Hands and forearms that touch hip or thigh: whether a section holds one.
 
-use crate::arms::arm_ring;
-use crate::body::Body;
-use crate::slices::{Ring, Slice};
+use crate::features::arms::arm_ring;
+use crate::features::body::Body;
+use crate::geometry::slices::{Ring, Slice};
 use nalgebra::Point3;
 
 /// A hand and a wrist are at most so long, as a share of stature.

@@ -1,12 +1,12 @@
 //! Landmarks on arms and legs, and the part of each vertex.
 
-use super::whole::thighs_are_one;
-use super::{landmark, missing};
-use crate::arms::axis_about;
-use crate::body::{Body, nearest_ring};
-use crate::levels;
-use crate::marks::Marks;
-use crate::slices::{Ring, Slice, level};
+use crate::features::arms::axis_about;
+use crate::features::body::{Body, nearest_ring};
+use crate::features::marks::Marks;
+use crate::features::whole::thighs_are_one;
+use crate::geometry::slices::{Ring, Slice, level};
+use crate::landmarks::{landmark, missing};
+use crate::planes::levels;
 use nalgebra::Point3;
 use shape::{Landmarks, Mesh, Part, Plane};
 
@@ -15,7 +15,7 @@ use shape::{Landmarks, Mesh, Part, Plane};
 const FLESH: f64 = 0.068;
 
 /// The plane across an upper arm amid shoulder and elbow, from the arm's axis below the armpit.
-pub(super) fn upper_arm(mesh: &Mesh, body: &Body, side: f64, marks: &Marks) -> Option<Plane> {
+pub(crate) fn upper_arm(mesh: &Mesh, body: &Body, side: f64, marks: &Marks) -> Option<Plane> {
     let z = body.ground + levels::upper_arm(marks, body.stature);
     let axis = axis_about(body, side, z, body.ground + marks.hip)?;
     let normal = (axis.down - body.front * FLESH).normalize();
@@ -40,7 +40,7 @@ const ONE: &str = "the thighs are one on the surface well below the crotch, so w
      stand with the feet farther apart";
 
 /// Thigh and calf of both legs.
-pub(super) fn legs(body: &Body, found: &mut Landmarks) {
+pub(crate) fn legs(body: &Body, found: &mut Landmarks) {
     let Some(crotch) = body.crotch else { return };
     let inside = crotch - body.ground;
     let one = thighs_are_one(body);
@@ -91,7 +91,7 @@ pub(super) fn legs(body: &Body, found: &mut Landmarks) {
 }
 
 /// The part of each vertex: head above the neck, legs below the crotch, arms beyond the trunk.
-pub(super) fn parts(mesh: &Mesh, body: &Body) -> Vec<u8> {
+pub(crate) fn parts(mesh: &Mesh, body: &Body) -> Vec<u8> {
     let neck = body.neck.unwrap_or(f64::MAX);
     let crotch = body.crotch.unwrap_or(f64::MIN);
     let half = body

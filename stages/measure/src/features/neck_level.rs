@@ -7,11 +7,11 @@
 //! regression on 773 made bodies from infants to the old; trunk, neck and arms of 360 of them were drawn
 //! in or out until their girths were given ones.
 
-use super::neck::Throat;
-use crate::body::Body;
-use crate::marks::extent;
-use crate::reach::{Row, between};
-use crate::slices::Slice;
+use crate::features::body::Body;
+use crate::features::marks::extent;
+use crate::features::neck::Throat;
+use crate::features::reach::{Row, between};
+use crate::geometry::slices::Slice;
 
 /// Heights at which the outline is read.
 const HEIGHTS: usize = 21;
@@ -40,7 +40,7 @@ const ALWAYS: f64 = 0.09134;
 
 /// Offset along the throat's usual axis of the plane amid the neck's two joints, from slices of shoulders,
 /// neck and head in rising order; `ears` is the height of their middle. \[mm\]
-pub(super) fn level(body: &Body, throat: &Throat, ears: f64, slices: &[&Slice]) -> f64 {
+pub(crate) fn level(body: &Body, throat: &Throat, ears: f64, slices: &[&Slice]) -> f64 {
     let middle = throat.origin.coords.dot(&body.front);
     // Forward, back, across; from the middle of the section at the neck's narrowest.
     let row = |s: &&Slice| {
@@ -78,7 +78,7 @@ pub(super) fn level(body: &Body, throat: &Throat, ears: f64, slices: &[&Slice]) 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::slices::Ring;
+    use crate::geometry::slices::Ring;
     use nalgebra::{Point3, Vector3};
 
     /// Head, neck and shoulders of blocks, `scale` times as large, `ahead` further forward. \[mm\]

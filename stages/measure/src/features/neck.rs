@@ -9,10 +9,10 @@
 //! An ear is widest over a long flat stretch whose highest point moves by half an ear when a coarse
 //! surface rounds it. Where it begins and where it ends does not: both edges at half height.
 
-use super::neck_level::level;
-use crate::body::Body;
-use crate::marks::{breadth, extent};
-use crate::slices::{Ring, Slice, rings, slices};
+use crate::features::body::Body;
+use crate::features::marks::{breadth, extent};
+use crate::features::neck_level::level;
+use crate::geometry::slices::{Ring, Slice, rings, slices};
 use nalgebra::{Point3, Vector3};
 use rayon::prelude::*;
 use shape::{Mesh, Plane};

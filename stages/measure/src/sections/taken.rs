@@ -1,15 +1,15 @@
 //! The section of a landmark on a mesh, with other limbs taken off before anything is measured.
 
-use crate::across_arm::across_arm;
-use crate::arms::{Axis, arm_ring, merged, upper_arm_axis};
-use crate::body::Body;
-use crate::carry::{Carried, RAYS, carried, ray, reaches};
-use crate::hands::{holds, holds_hand};
-use crate::marks::{extent, hip};
-use crate::section::{axes, flat, length, tape};
-use crate::slices::{Ring, rings};
-use crate::spline::{closed_spline_length, paper_girth};
-use crate::split::parted;
+use crate::features::arms::{Axis, arm_ring, merged, upper_arm_axis};
+use crate::features::body::Body;
+use crate::features::marks::{extent, hip};
+use crate::geometry::carry::{Carried, RAYS, carried, ray, reaches};
+use crate::geometry::section::{axes, flat, length, tape};
+use crate::geometry::slices::{Ring, rings};
+use crate::geometry::spline::{closed_spline_length, paper_girth};
+use crate::sections::across_arm::across_arm;
+use crate::sections::hands::{holds, holds_hand};
+use crate::sections::split::parted;
 use nalgebra::{Point3, Vector3};
 use shape::{Landmark, Mesh, Part, Plane};
 
@@ -177,7 +177,7 @@ fn trunk(mesh: &Mesh, body: &Body, landmark: &Landmark) -> Result<Taken, Why> {
     }
     // The highest slice below in which these arms stand clear, a little lower: above, the gap is
     // filled already.
-    let clear = |s: &&crate::slices::Slice| {
+    let clear = |s: &&crate::geometry::slices::Slice| {
         fused
             .iter()
             .all(|arm| arm_ring(body, &s.rings, arm.side).is_some())

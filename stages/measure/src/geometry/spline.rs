@@ -1,6 +1,6 @@
 //! The paper's girth, to the letter (§III-E): points, least-squares plane, more points, spline.
 
-use crate::section::axes;
+use crate::geometry::section::axes;
 use nalgebra::{DMatrix, DVector, Matrix3, Point3, Vector3};
 use shape::{Mesh, Plane};
 

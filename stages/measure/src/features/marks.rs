@@ -1,8 +1,8 @@
 //! Heights that the shape of a body marks, so that a visual hull shows them as well as the body.
 
-use crate::body::Body;
-use crate::reach::{Reach, reach};
-use crate::slices::{Ring, Slice};
+use crate::features::body::Body;
+use crate::features::reach::{Reach, reach};
+use crate::geometry::slices::{Ring, Slice};
 use nalgebra::Vector3;
 
 /// Heights above the ground that the outline of an upright body marks, and how its arms hang. \[mm\]
@@ -176,7 +176,7 @@ fn spread(body: &Body, hip: f64) -> Option<f64> {
     let slopes: Vec<f64> = [1.0, -1.0]
         .into_iter()
         .filter_map(|side| {
-            let all = crate::arms::clear(body, side, hip);
+            let all = crate::features::arms::clear(body, side, hip);
             let top = all.iter().map(|c| c.z).reduce(f64::max)?;
             let near =
                 |z: &f64| (top - 0.08 * body.stature..=top - 0.02 * body.stature).contains(z);

@@ -6,8 +6,8 @@
 //! arms 22° to 40° from the body. The scatter is what those bodies left over, as a share of stature;
 //! intervals are made of it.
 
-use crate::landmarks::neck::Throat;
-use crate::marks::Marks;
+use crate::features::marks::Marks;
+use crate::features::neck::Throat;
 
 /// The spread of arms where none stands clear: some thirty degrees.
 const USUAL_SPREAD: f64 = 0.6;

@@ -1,10 +1,10 @@
 //! The paper's girth from points picked by hand (§III-E): plane, more points (eq. 8), spline.
 
-use crate::body::nearest_ring;
-use crate::interval::NINE_IN_TEN;
-use crate::section::{flat, length, tape};
-use crate::slices::rings;
-use crate::spline::{fitted_plane, grown, paper_girth};
+use crate::features::body::nearest_ring;
+use crate::geometry::section::{flat, length, tape};
+use crate::geometry::slices::rings;
+use crate::geometry::spline::{fitted_plane, grown, paper_girth};
+use crate::uncertainty::interval::NINE_IN_TEN;
 use nalgebra::{Point3, Vector3};
 use shape::{Girth, Mesh};
 

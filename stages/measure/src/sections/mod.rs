@@ -1,0 +1,7 @@
+//! The section of a plane that belongs to one part of the body alone.
+
+pub(crate) mod across_arm;
+pub(crate) mod hands;
+pub(crate) mod picked;
+pub(crate) mod split;
+pub(crate) mod taken;
