@@ -3,6 +3,7 @@
 use crate::graph::{Bound, Graph, InputDecl};
 use crate::history::{self, Told};
 use crate::journal::Journal;
+use crate::past;
 use crate::run_one::{Pool, Surroundings};
 use crate::source::{self, Memo, SourceError};
 use crate::store::{InUse, Store, StoreError};
@@ -87,7 +88,8 @@ pub fn said_inputs(
     let known: HashSet<&str> = graph.inputs.iter().map(|i| i.name.as_str()).collect();
     if let Some((name, _)) = said.iter().find(|(name, _)| !known.contains(&**name)) {
         let known: Vec<&str> = graph.inputs.iter().map(|i| i.name.as_str()).collect();
-        return Err(EngineError::Unknown(stage::unknown("input", name, &known)));
+        let what = stage::unknown("input", name, &known);
+        return Err(EngineError::Unknown(format!("`--input {name}`: {what}")));
     }
     let mut files = Vec::with_capacity(graph.inputs.len());
     for input in &graph.inputs {
@@ -131,8 +133,11 @@ pub fn run_in(
     let using = store.using();
     let files = inputs(graph, folders, &store)?;
     let contents: Vec<Hash> = files.iter().map(stage::content).collect();
+    for (content, files) in contents.iter().zip(&files) {
+        store.note_capture(*content, &files.root);
+    }
     let threads = threads(options);
-    let id = format!("{:020}-{}", crate::clock::now_ns(), std::process::id());
+    let id = past::next_id(store.root());
     let journal = Journal::new(watch, store.root().join(format!("runs/{id}.jsonl")));
     let pool = Pool::new(threads);
     let around = Surroundings {
@@ -158,7 +163,7 @@ pub fn run_in(
         inputs: &contents,
         seconds,
     };
-    history::write(&store, &id, &told)?;
+    history::write(&store, &id, &told, &files)?;
     Ok(Outcome {
         inputs: contents,
         nodes,
@@ -168,11 +173,15 @@ pub fn run_in(
     })
 }
 
-/// How many threads the options mean.
+/// How many threads the options mean: at most four a core.
 pub fn threads(options: &Options) -> usize {
     let cores = || std::thread::available_parallelism().map_or(1, |n| n.get());
-    options.threads.unwrap_or_else(cores).max(1)
+    let most = THREADS_A_CORE * cores();
+    options.threads.unwrap_or_else(cores).clamp(1, most)
 }
+
+/// More threads than this cost memory and gain nothing.
+const THREADS_A_CORE: usize = 4;
 
 impl Outcome {
     /// The result of a node, out of the store.

@@ -49,6 +49,17 @@ pub struct Graph {
     pub goal: Vec<usize>,
     /// What the pipeline is for.
     pub about: String,
+    /// Where it comes from; no part of any key.
+    pub origin: Origin,
+}
+
+/// Where a pipeline comes from.
+#[derive(Debug, Clone, Default, PartialEq, Eq)]
+pub struct Origin {
+    /// Its file, or the name of its text.
+    pub pipeline: String,
+    /// Its variants, as they were asked for.
+    pub variant: Option<String>,
 }
 
 impl Graph {

@@ -8,7 +8,7 @@ use crate::walk::{Done, Fate, Watch};
 use serde_json::{Value, json};
 use std::fs::File;
 use std::io::Write;
-use std::os::unix::fs::OpenOptionsExt;
+use std::os::unix::fs::{DirBuilderExt, OpenOptionsExt};
 use std::path::PathBuf;
 use std::sync::Mutex;
 use std::time::Instant;
@@ -45,7 +45,8 @@ impl<'a> Journal<'a> {
         let t = (self.start.elapsed().as_secs_f64() * 1e6).round() / 1e6;
         if log.file.is_none() && !log.given_up {
             if let Some(folder) = self.path.parent() {
-                let _ = std::fs::create_dir_all(folder);
+                let mut make = std::fs::DirBuilder::new();
+                let _ = make.recursive(true).mode(0o700).create(folder);
             }
             let open = File::options()
                 .create(true)

@@ -78,12 +78,17 @@ impl Ledger for Story {
 impl Story {
     /// The key of what has this story.
     pub fn key(&self) -> Hash {
-        let mut digest = Digest::default();
-        self.0
-            .iter()
-            .for_each(|(what, value)| digest.line(what, value));
-        digest.finish()
+        of(&self.0)
     }
+}
+
+/// The key of what has these lines.
+pub fn of(lines: &[(String, String)]) -> Hash {
+    let mut digest = Digest::default();
+    lines
+        .iter()
+        .for_each(|(what, value)| digest.line(what, value));
+    digest.finish()
 }
 
 /// The key of a node's result.

@@ -18,6 +18,15 @@ pub enum OutError {
         /// What the system says.
         why: std::io::Error,
     },
+    /// A folder that is a link.
+    #[error("{} is a link, and nothing is written through a link; remove it, or give another folder", .0.display())]
+    Link(PathBuf),
+    /// Something else where a folder is wanted.
+    #[error("{} is no folder; give another with --out", .0.display())]
+    NoFolder(PathBuf),
+    /// A file that would lie elsewhere.
+    #[error("{} is no name of a file in a folder of results", .0.display())]
+    Name(PathBuf),
     /// A photo that is to be drawn on.
     #[error(transparent)]
     Photo(#[from] shape::PhotoError),
@@ -172,40 +181,4 @@ fn tags_to_json(tags: &Tags) -> String {
         .map(|(id, tags)| serde_json::json!({ "photo": id.0, "tags": tags.iter().map(tag).collect::<Vec<_>>() }))
         .collect();
     serde_json::to_string_pretty(&views).expect("bug: tags JSON cannot hold")
-}
-
-/// Writes files for the owner only: one to `path`, several into the folder `path`.
-pub fn write(path: &Path, files: &[(String, Vec<u8>)]) -> Result<(), OutError> {
-    use std::io::Write;
-    use std::os::unix::fs::{DirBuilderExt, OpenOptionsExt};
-    for (name, bytes) in files {
-        let path = if name.is_empty() {
-            path.to_owned()
-        } else {
-            path.join(name)
-        };
-        let disk = |why| OutError::Disk {
-            path: path.clone(),
-            why,
-        };
-        if let Some(parent) = path.parent() {
-            let mut folder = std::fs::DirBuilder::new();
-            folder
-                .recursive(true)
-                .mode(0o700)
-                .create(parent)
-                .map_err(disk)?;
-        }
-        let tmp = path.with_extension("part");
-        let mut options = std::fs::OpenOptions::new();
-        options.write(true).create(true).truncate(true).mode(0o600);
-        let written = options
-            .open(&tmp)
-            .and_then(|mut file| file.write_all(bytes));
-        let written = written.and_then(|()| std::fs::rename(&tmp, &path));
-        written
-            .inspect_err(|_| _ = std::fs::remove_file(&tmp))
-            .map_err(disk)?;
-    }
-    Ok(())
 }

@@ -1,10 +1,11 @@
 //! Graph → Plan: found, stale because, or waiting; nothing is run.
 
 use crate::graph::{Graph, Source};
+use crate::history::NodeLine;
 use crate::key;
-use crate::past::History;
+use crate::lasttime::History;
+use crate::past::Of;
 use crate::store::Store;
-use serde_json::Value;
 use stage::{Files, Hash};
 use std::collections::BTreeSet;
 
@@ -26,6 +27,8 @@ pub struct Planned {
     pub state: State,
     /// How long it took the last time. \[s\]
     pub seconds: Option<f64>,
+    /// What its result depends on, where all that it reads is known.
+    pub inputs: Option<Vec<Option<Hash>>>,
 }
 
 /// One entry a node; `None` for those that are not needed.
@@ -38,7 +41,7 @@ pub fn plan(
     store.look_around(graph.nodes.len());
     let needed = crate::walk::needed(graph, wanted);
     let file_contents: Vec<Hash> = files.iter().map(stage::content).collect();
-    let history = History::of(store.root());
+    let history = History::of(store.root(), Of::new(graph, files));
     let mut coming = BTreeSet::new();
     let is_wanted: BTreeSet<usize> = wanted.iter().copied().collect();
     let mut absent = vec![false; graph.nodes.len()];
@@ -51,8 +54,9 @@ pub fn plan(
             Some(Source::Node(j)) => contents[*j].map(Some),
         };
         let inputs: Option<Vec<Option<Hash>>> = node.from.iter().map(content).collect();
+        let known = inputs.clone();
         let before = || history.last(&node.name);
-        let took = |before: &Option<Value>| before.as_ref().and_then(|b| b["seconds"].as_f64());
+        let took = |before: &Option<NodeLine>| before.as_ref().map(|b| b.seconds);
         let (state, seconds) = match inputs {
             None => (State::May, took(&before())),
             Some(inputs) => {
@@ -75,7 +79,11 @@ pub fn plan(
                 }
             }
         };
-        plan[i] = Some(Planned { state, seconds });
+        plan[i] = Some(Planned {
+            state,
+            seconds,
+            inputs: known,
+        });
     }
     read_again(graph, &absent, &mut plan);
     store.save_index();
@@ -109,21 +117,10 @@ fn read_again(graph: &Graph, absent: &[bool], plan: &mut [Option<Planned>]) {
 /// What `why` says of a result that is not there any more.
 const GONE: [(&str, &str, &str); 1] = [("result", "was made", "gone from the cache")];
 
-/// The node's entry in the newest run that has one with a result.
-pub fn last(runs: &[(String, Value)], node: &str) -> Option<Value> {
-    runs.iter().find_map(|(_, run)| {
-        let nodes = run["nodes"].as_array()?;
-        nodes
-            .iter()
-            .find(|n| n["node"] == node && !n["content"].is_null())
-            .cloned()
-    })
-}
-
 /// The lines of a story that differ from those of an earlier entry: what, old, new.
 pub fn changes(
     story: &[(String, String)],
-    before: Option<&Value>,
+    before: Option<&NodeLine>,
 ) -> Vec<(String, String, String)> {
     let Some(before) = before else {
         return vec![(
@@ -132,8 +129,7 @@ pub fn changes(
             "never made in this cache".into(),
         )];
     };
-    let old: Vec<(String, String)> =
-        serde_json::from_value(before["story"].clone()).unwrap_or_default();
+    let old = &before.story;
     let find = |lines: &[(String, String)], what: &str| {
         lines
             .iter()
@@ -145,7 +141,7 @@ pub fn changes(
             .filter(|(w, _)| !story.iter().any(|(x, _)| x == w)),
     );
     let changed: Vec<_> = names
-        .map(|(what, _)| (what.clone(), find(&old, what), find(story, what)))
+        .map(|(what, _)| (what.clone(), find(old, what), find(story, what)))
         .filter(|(_, old, new)| old != new)
         .collect();
     match changed.is_empty() {

@@ -2,6 +2,7 @@
 
 use crate::graph::{Bound, Source};
 use crate::key::{self, Digest};
+use crate::memory::Memory;
 use crate::store::{Claim, Record, Store};
 use crate::walk::{Done, Fate, Job, Watch};
 use stage::{AnyArtifact, Ctx, Hash, Host, Metric, Stop};
@@ -22,17 +23,21 @@ pub struct Surroundings<'a> {
     pub pool: &'a Pool,
 }
 
-/// Threads that are there once somebody needs them.
+/// Threads that are there once somebody needs them, and memory.
 pub struct Pool {
     threads: usize,
     pool: OnceLock<rayon::ThreadPool>,
+    memory: Memory,
 }
 
 impl Pool {
     /// So many threads.
     pub fn new(threads: usize) -> Pool {
-        let pool = OnceLock::new();
-        Pool { threads, pool }
+        Pool {
+            threads,
+            pool: OnceLock::new(),
+            memory: Memory::default(),
+        }
     }
 
     fn get(&self) -> &rayon::ThreadPool {
@@ -129,6 +134,8 @@ pub(crate) fn run_one(
         Ok(artifacts) => artifacts,
         Err(gone) => return Step::Gone(gone),
     };
+    let needs = bound.stage.memory(&bound.params, &artifacts);
+    let _share = around.pool.memory.take(needs, &|| around.cancelled());
     around.watch.started(&bound.name);
     let (done, artifact) = make(bound, key, story, artifacts, around);
     drop(lease);

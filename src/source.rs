@@ -5,6 +5,7 @@
 //! of git's index).
 
 use crate::graph::InputDecl;
+use crate::pattern::{fits, natural};
 use serde::{Deserialize, Serialize};
 use stage::{FileEntry, Files, Hash};
 use std::collections::BTreeMap;
@@ -15,15 +16,23 @@ use std::path::{Path, PathBuf};
 #[derive(Debug, thiserror::Error)]
 pub enum SourceError {
     /// It cannot be read.
-    #[error("{}: {why}; give a folder that is there and readable", path.display())]
+    #[error("{}: {why}; give a folder that is there and readable", shown(path))]
     Unreadable {
         /// The file or folder.
         path: PathBuf,
         /// What the system says.
         why: std::io::Error,
     },
+    /// A file that would be left out, or told in a way that misleads.
+    #[error("{} has a name that {why}; give it another name", shown(path))]
+    Name {
+        /// The file or folder.
+        path: PathBuf,
+        /// What is wrong with the name.
+        why: &'static str,
+    },
     /// None of its files fits.
-    #[error("{} has no file that fits {patterns}", path.display())]
+    #[error("{} has no file that fits {patterns}", shown(path))]
     Empty {
         /// The folder.
         path: PathBuf,
@@ -78,22 +87,25 @@ pub fn files(folder: &Path, input: &InputDecl, memo: &mut Memo) -> Result<Files,
         let here = root.join(&inner);
         for entry in std::fs::read_dir(&here).map_err(unreadable(&here))? {
             let entry = entry.map_err(unreadable(&here))?;
-            let Ok(name) = entry.file_name().into_string() else {
-                continue;
-            };
-            let name = if inner.is_empty() {
-                name
-            } else {
-                format!("{inner}/{name}")
+            let raw = entry.file_name();
+            let name = match inner.is_empty() {
+                true => raw.to_string_lossy().into_owned(),
+                false => format!("{inner}/{}", raw.to_string_lossy()),
             };
             let kind = std::fs::metadata(entry.path()).map_err(unreadable(&entry.path()))?;
             let deep = name.matches('/').count();
-            if kind.is_dir() && input.files.iter().any(|p| p.matches('/').count() > deep) {
+            let inner = kind.is_dir() && input.files.iter().any(|p| p.matches('/').count() > deep);
+            let wanted = kind.is_file() && input.files.iter().any(|p| fits(p, &name));
+            if !inner && !wanted {
+                continue;
+            }
+            if let Some(why) = odd(&raw) {
+                let path = entry.path();
+                return Err(SourceError::Name { path, why });
+            }
+            if inner {
                 open.push(name);
-            } else if kind.is_file()
-                && input.files.iter().any(|p| fits(p, &name))
-                && !names.contains(&name)
-            {
+            } else if !names.contains(&name) {
                 names.push(name);
             }
         }
@@ -115,6 +127,24 @@ pub fn files(folder: &Path, input: &InputDecl, memo: &mut Memo) -> Result<Files,
     Ok(Files { root, entries })
 }
 
+/// A path as it may be shown: what would steer a terminal or break the line is escaped.
+fn shown(path: &Path) -> String {
+    let escaped = |c: char| match c.is_control() {
+        true => c.escape_default().to_string(),
+        false => c.to_string(),
+    };
+    path.to_string_lossy().chars().map(escaped).collect()
+}
+
+/// What is wrong with the name of a file.
+fn odd(name: &std::ffi::OsStr) -> Option<&'static str> {
+    match name.to_str() {
+        None => Some("is not UTF-8"),
+        Some(name) if name.contains(char::is_control) => Some("has control characters in it"),
+        Some(_) => None,
+    }
+}
+
 /// Brings names into natural order.
 fn order<T>(all: &mut [T], name: impl Fn(&T) -> &String) {
     if all.len() > 1 {
@@ -123,13 +153,20 @@ fn order<T>(all: &mut [T], name: impl Fn(&T) -> &String) {
 }
 
 impl Memo {
-    /// From a file of the store; a torn one is as good as none.
+    /// From a file of the store: a line with the hash of the rest, and the rest. A torn or changed
+    /// one is as good as none.
     pub fn load(path: &Path) -> Memo {
-        let bytes = std::fs::read(path).unwrap_or_default();
+        let file = std::fs::read(path).unwrap_or_default();
         Memo {
-            files: serde_json::from_slice(&bytes).unwrap_or_default(),
+            files: parse(&file).unwrap_or_default(),
             ..Memo::default()
         }
+    }
+
+    /// Without what lies in a folder or below it.
+    pub fn without(mut self, folder: &Path) -> Memo {
+        self.files.retain(|path, _| !path.starts_with(folder));
+        self
     }
 
     /// Whether there is something new since it was loaded.
@@ -149,7 +186,10 @@ impl Memo {
 
     /// As bytes of a file.
     pub fn bytes(&self) -> Vec<u8> {
-        serde_json::to_vec(&self.files).expect("bug: a memo JSON cannot hold")
+        let body = serde_json::to_vec(&self.files).expect("bug: a memo JSON cannot hold");
+        let mut file = format!("{}\n", blake3::hash(&body).to_hex()).into_bytes();
+        file.extend(body);
+        file
     }
 
     fn entry(
@@ -199,66 +239,10 @@ impl Memo {
     }
 }
 
-/// Whether a name fits a pattern: `*` is any run of characters within a folder, `{a,b}` either;
-/// letters of the extension may be of either case.
-fn fits(pattern: &str, name: &str) -> bool {
-    if let (Some(open), Some(close)) = (pattern.find('{'), pattern.find('}'))
-        && open < close
-    {
-        let (head, tail) = (&pattern[..open], &pattern[close + 1..]);
-        return pattern[open + 1..close]
-            .split(',')
-            .any(|w| fits(&format!("{head}{w}{tail}"), name));
-    }
-    fn glob(p: &[u8], n: &[u8]) -> bool {
-        match (p.first(), n.first()) {
-            (None, None) => true,
-            (Some(b'*'), _) => {
-                glob(&p[1..], n) || n.first().is_some_and(|c| *c != b'/') && glob(p, &n[1..])
-            }
-            (Some(a), Some(b)) => a.eq_ignore_ascii_case(b) && glob(&p[1..], &n[1..]),
-            _ => false,
-        }
-    }
-    glob(pattern.as_bytes(), name.as_bytes())
-}
-
-/// A name as texts and numbers, so that `2.jpg` comes before `10.jpg`.
-fn natural(name: &str) -> Vec<(String, u128)> {
-    let mut parts = Vec::new();
-    let mut rest = name;
-    while !rest.is_empty() {
-        let text = rest
-            .find(|c: char| c.is_ascii_digit())
-            .unwrap_or(rest.len());
-        let tail = &rest[text..];
-        let digits = tail
-            .find(|c: char| !c.is_ascii_digit())
-            .unwrap_or(tail.len());
-        parts.push((
-            rest[..text].to_lowercase(),
-            tail[..digits].parse().unwrap_or(0),
-        ));
-        rest = &tail[digits..];
-    }
-    parts
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn two_comes_before_ten() {
-        let mut names = vec!["image_10.jpg", "image_2.jpg", "image_0.jpg"];
-        names.sort_by_key(|n| natural(n));
-        assert_eq!(names, ["image_0.jpg", "image_2.jpg", "image_10.jpg"]);
-    }
-
-    #[test]
-    fn patterns_fit_what_they_say() {
-        assert!(fits("images/*.{jpg,jpeg,png}", "images/a.b.JPG"));
-        assert!(!fits("*.jpg", "images/a.jpg"));
-        assert!(!fits("*.{jpg,png}", "a.tif"));
-    }
+/// What the file of a memo holds, if it is whole.
+fn parse(file: &[u8]) -> Option<BTreeMap<PathBuf, Stamp>> {
+    let (hash, body) = file.split_at_checked(64)?;
+    let body = body.strip_prefix(b"\n")?;
+    let whole = blake3::hash(body).to_hex().as_bytes() == hash;
+    serde_json::from_slice(body).ok().filter(|_| whole)
 }

@@ -75,7 +75,7 @@ fn watched(
             child.kill().unwrap();
             child.wait().unwrap();
         }
-        written.extend(shelf(cache, "part"));
+        written.extend(shelf(cache, "parts"));
         match status {
             Some(status) => {
                 assert!(status.success());

@@ -2,13 +2,14 @@
 
 use super::run::{ahead, folders, node, open};
 use super::{Fault, House, Wanted};
-use crate::graph::{Graph, Source};
+use crate::graph::Graph;
 use crate::plan::{self, Planned, State};
 use crate::recipe::{self, Overrides};
 use crate::store::Store;
-use crate::{catalog, drawing, engine, key};
+use crate::{catalog, drawing, engine, key, why};
 use clap::Args;
 use serde_json::{Value, json};
+use stage::Files;
 use std::path::Path;
 
 /// Arguments of `tailor why`.
@@ -30,18 +31,31 @@ pub(crate) struct Drawing {
     format: String,
 }
 
-fn planned(wanted: &Wanted, house: &House) -> Result<(Graph, Vec<Option<Planned>>, Store), Fault> {
+/// What would run, and of which files.
+struct Answer {
+    graph: Graph,
+    plan: Vec<Option<Planned>>,
+    files: Vec<Files>,
+    store: Store,
+}
+
+fn planned(wanted: &Wanted, house: &House) -> Result<Answer, Fault> {
     let ahead = ahead(wanted, house);
     let (graph, goal) = open(wanted)?;
     let store = Store::open_after(&house.cache, ahead).map_err(Fault::input)?;
     let files = engine::inputs(&graph, &folders(&wanted.change)?, &store).map_err(Fault::input)?;
     let plan = plan::plan(&graph, &files, &goal, &store);
-    Ok((graph, plan, store))
+    Ok(Answer {
+        graph,
+        plan,
+        files,
+        store,
+    })
 }
 
 /// `tailor plan`.
 pub(crate) fn plan(wanted: &Wanted, house: &House) -> Result<(), Fault> {
-    let (graph, plan, _) = planned(wanted, house)?;
+    let Answer { graph, plan, .. } = planned(wanted, house)?;
     let (mut lines, mut seconds, mut unknown) = (Vec::new(), [0.0; 2], 0);
     for (node, planned) in graph.nodes.iter().zip(&plan) {
         let Some(p) = planned else { continue };
@@ -101,67 +115,32 @@ fn short(text: &str) -> &str {
     if hash { &text[..12] } else { text }
 }
 
-/// `tailor why NODE`: the last run's story against the one before, back to the root cause.
+/// `tailor why NODE`: the node and all that is to blame, back to every root cause.
 pub(crate) fn why(why: &Why, house: &House) -> Result<(), Fault> {
-    let (graph, plan, store) = planned(&why.wanted, house)?;
-    let mut at = node(&graph, &why.node)?;
-    let runs = engine::runs(store.root());
-    let mut answer: Vec<Value> = Vec::new();
-    loop {
-        let node = &graph.nodes[at];
-        let (state, changes) = match plan[at].as_ref().map(|p| &p.state) {
-            Some(State::Stale(lines)) => ("will run", lines.clone()),
-            Some(State::May) => ("may run", vec![]),
-            Some(State::Cached) => ("cached", since_before(&runs, &node.name)),
-            None => ("not wanted", vec![]),
-        };
+    let answer = planned(&why.wanted, house)?;
+    let Answer { graph, plan, .. } = &answer;
+    let at = node(graph, &why.node)?;
+    let causes = why::causes(graph, plan, &answer.files, answer.store.root(), at);
+    let mut chain: Vec<Value> = Vec::new();
+    for cause in &causes {
+        let (name, state) = (&graph.nodes[cause.node].name, cause.state);
+        let changes = &cause.changes;
         if !house.json {
-            super::outln!("{}: {state}", node.name);
+            let so = match changes.is_empty() && state == "cached" {
+                true => ", as in the last run",
+                false => "",
+            };
+            super::outln!("{name}: {state}{so}");
             changes
                 .iter()
                 .for_each(|(w, o, n)| super::outln!("  {w}: {} -> {}", short(o), short(n)));
         }
-        answer.push(json!({ "node": node.name, "state": state, "changes": changes }));
-        let waiting = |source: &&Source| match source {
-            Source::Node(j) => plan[*j].as_ref().is_some_and(|p| p.state != State::Cached),
-            Source::Input(_) => false,
-        };
-        let changed = |port: &str| changes.iter().any(|(w, _, _)| *w == format!("from {port}"));
-        let wired = || {
-            node.ports
-                .iter()
-                .zip(&node.from)
-                .filter_map(|(p, s)| s.as_ref().map(|s| (p, s)))
-        };
-        let next = wired()
-            .find(|(_, s)| waiting(s))
-            .or_else(|| wired().find(|(p, s)| changed(p.name) && matches!(s, Source::Node(_))));
-        match next {
-            Some((_, Source::Node(j))) => at = *j,
-            _ => break,
-        }
+        chain.push(json!({ "node": name, "state": state, "changes": changes }));
     }
     if house.json {
-        super::outln!("{}", json!({ "chain": answer }));
+        super::outln!("{}", json!({ "chain": chain }));
     }
     Ok(())
-}
-
-/// What changed between the newest run that has the node and the one before it with another key.
-fn since_before(runs: &[(String, Value)], node: &str) -> Vec<(String, String, String)> {
-    let Some(now) = plan::last(runs, node) else {
-        return vec![];
-    };
-    let other = runs.iter().find_map(|(_, run)| {
-        let nodes = run["nodes"].as_array()?;
-        let entry = nodes
-            .iter()
-            .find(|n| n["node"] == node && !n["content"].is_null())?;
-        (entry["key"] != now["key"]).then(|| entry.clone())
-    });
-    let story: Vec<(String, String)> =
-        serde_json::from_value(now["story"].clone()).unwrap_or_default();
-    other.map_or_else(Vec::new, |other| plan::changes(&story, Some(&other)))
 }
 
 /// `tailor graph`.
@@ -170,7 +149,7 @@ pub(crate) fn graph(drawing: &Drawing, house: &House) -> Result<(), Fault> {
     // Without its inputs nobody knows what would run.
     let plan = match drawing.wanted.change.input.is_empty() && !graph.inputs.is_empty() {
         true => vec![None; graph.nodes.len()],
-        false => planned(&drawing.wanted, house)?.1,
+        false => planned(&drawing.wanted, house)?.plan,
     };
     let drawn = drawing::draw(&graph, &plan, &drawing.format).map_err(Fault::input)?;
     match house.json {

@@ -1,13 +1,15 @@
-//! `tailor cache ls|du|runs|pin|unpin|pins|gc|verify`.
+//! `tailor cache ls|du|runs|pin|unpin|pins|gc|forget|verify`.
 
+use super::budget::KEPT_RECORDS;
 use super::compare::past;
 use super::{Fault, House};
-use crate::past;
-use crate::store::Store;
+use crate::past::{self, Head};
 use crate::store::keeper::{self, Budget, Kept, Swept};
+use crate::store::{Forgotten, Store, forget};
 use clap::{Args, Subcommand};
 use serde_json::{Value, json};
 use std::collections::BTreeMap;
+use std::path::PathBuf;
 
 /// Arguments of `tailor cache`.
 #[derive(Args)]
@@ -41,44 +43,26 @@ enum Verb {
     Pins,
     /// Remove what is worth least until the store fits a budget
     Gc {
-        /// Greatest size, such as 500M or 20G
-        #[arg(long)]
-        max_size: String,
         /// Runs whose results are kept whatever their size, beside the pinned ones
         #[arg(long, default_value_t = 1)]
         keep_runs: usize,
         /// Runs whose records are kept, beside the pinned ones
-        #[arg(long, default_value_t = 200)]
+        #[arg(long, default_value_t = KEPT_RECORDS)]
         keep_records: usize,
         /// Say what would go, remove nothing
         #[arg(long)]
         dry_run: bool,
     },
+    /// Remove all that came of a folder of photos: results, parts, records of runs
+    Forget {
+        /// The folder; it may be gone
+        folder: PathBuf,
+    },
     /// Read everything; put aside what is corrupt
     Verify,
 }
 
-/// `500M` as bytes.
-fn bytes(text: &str) -> Option<u64> {
-    let digits = text.trim_end_matches(|c: char| c.is_ascii_alphabetic());
-    let factor = match text[digits.len()..]
-        .to_ascii_uppercase()
-        .trim_end_matches('B')
-    {
-        "" => 1u64,
-        "K" => 1 << 10,
-        "M" => 1 << 20,
-        "G" => 1 << 30,
-        _ => return None,
-    };
-    digits
-        .parse::<f64>()
-        .ok()
-        .filter(|x| *x >= 0.0)
-        .map(|x| (x * factor as f64) as u64)
-}
-
-fn mib(bytes: u64) -> f64 {
+pub(super) fn mib(bytes: u64) -> f64 {
     bytes as f64 / f64::from(1 << 20)
 }
 
@@ -129,13 +113,12 @@ pub(crate) fn cache(cache: &Cache, house: &House) -> Result<(), Fault> {
             });
         }
         Verb::Gc {
-            max_size,
             keep_runs,
             keep_records,
             dry_run,
         } => {
-            let most = bytes(max_size)
-                .ok_or_else(|| Fault::input(format!("`{max_size}` is no size: say 500M or 20G")))?;
+            let say = "say how much may stay: --max-size 500M, or 20G";
+            let most = house.max_size.ok_or_else(|| Fault::input(say))?;
             let budget = Budget {
                 most,
                 keep_runs: *keep_runs,
@@ -144,11 +127,17 @@ pub(crate) fn cache(cache: &Cache, house: &House) -> Result<(), Fault> {
             let swept = keeper::gc(&store, &budget, *dry_run).map_err(Fault::input)?;
             told(&swept, *dry_run, house);
         }
+        Verb::Forget { folder } => {
+            let forgotten = forget(&store, folder).map_err(Fault::input)?;
+            told_forgotten(&forgotten, house);
+        }
         Verb::Verify => {
-            let results = keeper::list(&store).len();
             let bad = keeper::verify(&store);
+            let results = keeper::list(&store).len();
             say(house, json!({ "checked": results, "bad": bad }), || {
-                vec![format!("{results} results checked, {bad} put aside")]
+                vec![format!(
+                    "{results} results are whole, {bad} files put aside"
+                )]
             });
         }
     }
@@ -181,25 +170,25 @@ fn du(store: &Store, house: &House) {
 }
 
 fn runs(store: &Store, house: &House) {
-    let runs = past::runs(store.root());
-    let count = |run: &Value, fate: &str| {
-        let nodes = run["nodes"].as_array().into_iter().flatten();
-        nodes.filter(|n| n["fate"] == fate).count()
+    let root = store.root();
+    let head = |id: String| past::head(root, &id).map(|head| (id, head));
+    let all: Vec<(String, Head)> = past::ids(root).into_iter().filter_map(head).collect();
+    let one = |(id, h): &(String, Head)| {
+        json!({ "run": id, "about": h.about, "pipeline": h.of.pipeline, "variant": h.of.variant,
+            "seconds": h.seconds, "found": h.found, "made": h.made, "failed": h.failed })
     };
-    let one = |(id, run): &(String, Value)| {
-        let [found, made, failed] = ["found", "made", "failed"].map(|fate| count(run, fate));
-        json!({ "run": id, "about": run["about"], "seconds": run["seconds"], "found": found, "made": made, "failed": failed })
-    };
-    let all: Vec<Value> = runs.iter().map(one).collect();
-    say(house, json!(all), || {
-        let line = |run: &Value| {
-            let (id, about) = (run["run"].as_str(), run["about"].as_str());
-            let seconds = run["seconds"].as_f64().unwrap_or_default();
-            let (made, found, failed) = (&run["made"], &run["found"], &run["failed"]);
+    say(house, all.iter().map(one).collect(), || {
+        let line = |(id, h): &(String, Head)| {
+            let Head {
+                seconds,
+                made,
+                found,
+                failed,
+                about,
+                ..
+            } = h;
             format!(
-                "{} {seconds:>8.1} s  {made:>3} made {found:>3} found {failed:>3} failed  {}",
-                id.unwrap_or_default(),
-                about.unwrap_or_default()
+                "{id} {seconds:>8.1} s  {made:>3} made {found:>3} found {failed:>3} failed  {about}"
             )
         };
         all.iter().map(line).collect()
@@ -237,5 +226,26 @@ fn told(swept: &Swept, dry_run: bool, house: &House) {
             "{verb} {n} results, {freed:.1} MiB; to rebuild them: {seconds:.1} s; \
              parts {parts:.1} MiB; {records} records of runs"
         )]
+    });
+}
+
+fn told_forgotten(f: &Forgotten, house: &House) {
+    let json = json!({
+        "results": f.results, "bytes": f.bytes, "runs": f.runs, "pins": f.pins, "shared": f.shared,
+    });
+    say(house, json, || {
+        let (results, runs, freed) = (f.results, f.runs, mib(f.bytes));
+        let mut lines = vec![format!(
+            "forgot {results} results, {freed:.1} MiB, all parts and {runs} records of runs"
+        )];
+        if !f.pins.is_empty() {
+            lines.push(format!("pins that went with them: {}", f.pins.join(", ")));
+        }
+        for folder in &f.shared {
+            lines.push(format!(
+                "{folder} shared some of it, which is made again for that"
+            ));
+        }
+        lines
     });
 }

@@ -2,9 +2,9 @@
 
 use super::run::{execute, folders, opened};
 use super::{Change, Fault, House};
-use crate::compare::{Side, compare, json, markdown, page};
+use crate::compare::{NodeRun, Side, compare, json, markdown, page};
 use crate::store::Store;
-use crate::{engine, out, walk};
+use crate::{delivery, walk};
 use clap::Args;
 use std::path::{Path, PathBuf};
 
@@ -38,6 +38,9 @@ pub(crate) fn compare_sides(args: &CompareArgs, house: &House) -> Result<(), Fau
             "give two or more to compare: folders that `tailor measure` wrote, `last` and `last~1`, or a pipeline file and variants of it",
         ));
     }
+    if let Some(out) = &args.out {
+        delivery::check(out).map_err(Fault::input)?;
+    }
     // A pipeline that cannot be is told before any other runs.
     let mut graphs = Vec::new();
     for text in &what {
@@ -66,7 +69,6 @@ pub(crate) fn compare_sides(args: &CompareArgs, house: &House) -> Result<(), Fau
                     &folders,
                     &walk::all(graph, &graph.goal),
                     house,
-                    false,
                     &again,
                 )?;
                 let store = Store::open(&house.cache).map_err(Fault::input)?;
@@ -75,21 +77,20 @@ pub(crate) fn compare_sides(args: &CompareArgs, house: &House) -> Result<(), Fau
         });
     }
     let comparison = compare(sides, args.tolerance_mm);
-    let (words, json) = (markdown(&comparison), json(&comparison));
-    let pretty = serde_json::to_string_pretty(&json).expect("bug: JSON");
+    let pretty = || serde_json::to_string_pretty(&json(&comparison)).expect("bug: JSON");
     if let Some(folder) = &args.out {
         for (file, text) in [
-            ("compare.md", words.clone()),
-            ("compare.json", pretty.clone()),
+            ("compare.md", markdown(&comparison)),
+            ("compare.json", pretty()),
             ("compare.html", page(&comparison, !args.no_photos)),
         ] {
             let file = folder.join(file);
-            out::write(&file, &[(String::new(), text.into_bytes())]).map_err(Fault::stage)?;
+            delivery::write(&file, &[(String::new(), text.into_bytes())]).map_err(Fault::stage)?;
         }
     }
     match house.json {
-        true => super::outln!("{pretty}"),
-        false => super::out!("{words}"),
+        true => super::outln!("{}", pretty()),
+        false => super::out!("{}", markdown(&comparison)),
     }
     Ok(())
 }
@@ -119,20 +120,25 @@ pub(super) fn past(text: &str) -> Option<usize> {
 /// A folder of results, or a run of the cache: how long ago it was, or the name of a pin.
 fn found(text: &str, house: &House) -> Result<Side, Fault> {
     let pinned = std::fs::read_to_string(house.cache.join("pins").join(text));
-    if let Some(pinned) = pinned.ok().filter(|_| !text.contains('/')) {
+    let id = match (pinned.ok().filter(|_| !text.contains('/')), past(text)) {
+        (Some(pinned), _) => Some(pinned.trim().to_owned()),
+        (None, Some(ago)) => {
+            let ids = crate::past::ids(&house.cache);
+            let unknown = || Fault::input(format!("`{text}`: the cache knows {} runs", ids.len()));
+            Some(ids.get(ago).ok_or_else(unknown)?.clone())
+        }
+        (None, None) => None,
+    };
+    if let Some(id) = id {
         let store = Store::open(&house.cache).map_err(Fault::input)?;
-        let runs = engine::runs(&house.cache);
-        let run = runs.iter().find(|(id, _)| id == pinned.trim());
-        let gone = || Fault::input(format!("`{text}`: the record of the pinned run is gone"));
-        return Side::from_run(text, &run.ok_or_else(gone)?.1, &store).map_err(Fault::input);
-    }
-    if let Some(ago) = past(text) {
-        let store = Store::open(&house.cache).map_err(Fault::input)?;
-        let runs = engine::runs(&house.cache);
-        let (_, run) = runs.get(ago).ok_or_else(|| {
-            Fault::input(format!("`{text}`: the cache knows {} runs", runs.len()))
-        })?;
-        return Side::from_run(text, run, &store).map_err(Fault::input);
+        let gone = || Fault::input(format!("`{text}`: the record of that run is gone"));
+        let (found, nodes) =
+            crate::past::nodes_as::<NodeRun>(&house.cache, &id).ok_or_else(gone)?;
+        let mut nodes: Vec<NodeRun> = nodes.collect();
+        if found {
+            nodes.iter_mut().for_each(|node| node.fate = "found".into());
+        }
+        return Side::from_nodes(text, nodes, &store).map_err(Fault::input);
     }
     let folder = Path::new(text);
     if !folder.is_dir() {

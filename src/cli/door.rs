@@ -2,7 +2,8 @@
 
 use super::run::{execute, photos, there};
 use super::screen::screen;
-use super::{Fault, House, provenance};
+use super::{Fault, House, deliver, provenance};
+use crate::delivery::{self, Delivery};
 use crate::engine::Outcome;
 use crate::graph::Graph;
 use crate::out;
@@ -40,9 +41,15 @@ const WRITTEN: [(&[&str], &str, &str); 9] = [
 pub(crate) struct Measure {
     /// The folder with the photos of one turn; masks in its folder `masks` are taken instead of own ones
     folder: PathBuf,
-    /// Where to write; the folder's name with `-out` here if not said
+    /// Where to write; here, the folder's name with `-out`, if not said
     #[arg(long)]
     out: Option<PathBuf>,
+    /// Remove from that folder what an earlier run wrote there and this one does not
+    #[arg(long)]
+    clean: bool,
+    /// Keep nothing in the cache: what is made goes when the results are written
+    #[arg(long)]
+    pub(super) private: bool,
     /// A variant of the pipeline
     #[arg(long)]
     variant: Option<String>,
@@ -78,7 +85,9 @@ pub(crate) fn measure(measure: &Measure, house: &House) -> Result<(), Fault> {
     } else {
         ("pipelines/body.toml", BODY)
     };
+    let (out, shown) = place_of_results(measure)?;
     let graph = open_text(name, text, &overrides, &crate::catalog::find).map_err(Fault::input)?;
+    deliver::check(&out, &graph, &folders)?;
     let again: Vec<String> = std::env::args().collect();
     // What is written must be there, the goal or not.
     let mut wanted = graph.goal.clone();
@@ -89,29 +98,58 @@ pub(crate) fn measure(measure: &Measure, house: &House) -> Result<(), Fault> {
     );
     let store = Store::open(&house.cache).map_err(Fault::input)?;
     let again = again.join(" ");
-    let outcome = execute(store, &graph, &folders, &wanted, house, false, &again)?;
-    let name = measure
-        .folder
-        .file_name()
-        .unwrap_or("turn".as_ref())
-        .to_string_lossy();
-    let folder = measure
-        .out
-        .clone()
-        .unwrap_or_else(|| PathBuf::from(format!("{name}-out")));
-    write(&graph, &outcome, &folder)?;
+    let outcome = execute(store, &graph, &folders, &wanted, house, &again)?;
+    let whose = deliver::whose(&folders[..1]);
+    let mut delivery = Delivery::open(&out, &whose).map_err(Fault::stage)?;
+    delivery.begin().map_err(Fault::stage)?;
+    write(&graph, &outcome, &mut delivery)?;
+    deliver::finish(delivery, &graph, &outcome, measure.clean, house)?;
     let run = outcome.json(&graph);
     if house.json {
         super::outln!("{}", serde_json::to_string_pretty(&run).expect("bug: JSON"));
     } else if let Some(girths) = get::<Girths>(&graph, &outcome, "girths") {
         let cameras = get::<Cameras>(&graph, &outcome, "cameras");
         let count = photos(&graph, &outcome).photos.len();
-        let screen = screen(&name, count, cameras.as_deref(), &girths);
+        let screen = screen(&shown, count, cameras.as_deref(), &girths);
         super::out!("{screen}");
-        super::outln!("\nall files: {}", folder.display());
-        super::outln!("report:    {}", folder.join("report.html").display());
+        super::outln!("\nall files: {}", out.display());
+        super::outln!("report:    {}", out.join("report.html").display());
     }
     Ok(())
+}
+
+/// The folder for the results, and what the capture is called. Results of two captures never get
+/// into one folder unless somebody says so.
+fn place_of_results(measure: &Measure) -> Result<(PathBuf, String), Fault> {
+    let capture = &measure.folder;
+    let whole = capture.canonicalize().unwrap_or_else(|_| capture.clone());
+    let name = whole.file_name().unwrap_or("turn".as_ref());
+    let name = name.to_string_lossy().into_owned();
+    let out = match &measure.out {
+        Some(out) => out.clone(),
+        None => {
+            let mut out = PathBuf::from(format!("{name}-out"));
+            // From within the capture: beside it.
+            if let Some(beside) = whole.parent().filter(|_| deliver::lies_in(&out, capture)) {
+                out = beside.join(out);
+            }
+            let whose = deliver::whose(&[("photos".to_owned(), capture.clone())]);
+            if delivery::is_of_another(&out, &whose) {
+                return Err(Fault::input(format!(
+                    "{} holds something else than the results of {}: nothing was written; \
+                     say where to write with --out (--out {} writes there all the same)",
+                    out.display(),
+                    capture.display(),
+                    out.display()
+                )));
+            }
+            out
+        }
+    };
+    match deliver::lies_in(&out, capture) {
+        true => Err(deliver::inside(&out, capture)),
+        false => Ok((out, name)),
+    }
 }
 
 /// A node's result, if it is of this kind.
@@ -129,7 +167,7 @@ fn place(graph: &Graph, nodes: &[&str]) -> Option<usize> {
 }
 
 /// Writes all that the contract names.
-fn write(graph: &Graph, outcome: &Outcome, folder: &std::path::Path) -> Result<(), Fault> {
+fn write(graph: &Graph, outcome: &Outcome, delivery: &mut Delivery) -> Result<(), Fault> {
     let names = photos(graph, outcome);
     for (nodes, file, format) in WRITTEN {
         let Some(at) = place(graph, nodes) else {
@@ -137,14 +175,12 @@ fn write(graph: &Graph, outcome: &Outcome, folder: &std::path::Path) -> Result<(
         };
         let (artifact, raw) = there(graph, outcome, at)?;
         let files = out::files(artifact, || raw, &names, Some(format)).map_err(Fault::stage)?;
-        out::write(&folder.join(file), &files).map_err(Fault::stage)?;
+        delivery.put(file, &files).map_err(Fault::stage)?;
     }
-    let run = serde_json::to_string_pretty(&outcome.json(graph)).expect("bug: JSON");
     if let Some(report) = get::<Document>(graph, outcome, "report") {
         let page = provenance::completed(&report.bytes, outcome, graph);
         let page = vec![(String::new(), page)];
-        out::write(&folder.join("report.html"), &page).map_err(Fault::stage)?;
+        delivery.put("report.html", &page).map_err(Fault::stage)?;
     }
-    let run = vec![(String::new(), run.into_bytes())];
-    out::write(&folder.join("run.json"), &run).map_err(Fault::stage)
+    Ok(())
 }

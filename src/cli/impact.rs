@@ -4,7 +4,8 @@ use super::run::opened;
 use super::{Change, Fault, House};
 use crate::graph::Graph;
 use crate::impact::{Impact, impacts};
-use crate::{engine, plan};
+use crate::lasttime::History;
+use crate::past::Of;
 use clap::Args;
 use serde_json::{Value, json};
 
@@ -42,8 +43,8 @@ pub(crate) fn impact(args: &ImpactArgs, house: &House) -> Result<(), Fault> {
     if asked.is_empty() {
         shown.extend(&all);
     }
-    let runs = engine::runs(&house.cache);
-    let cost = |i: &Impact| seconds(&graph, i, &runs);
+    let history = History::of(&house.cache, Of::default());
+    let cost = |i: &Impact| seconds(&graph, i, &history);
     if house.json {
         let one = |i: &&Impact| {
             let names: Vec<&str> = i
@@ -85,10 +86,7 @@ pub(crate) fn impact(args: &ImpactArgs, house: &House) -> Result<(), Fault> {
 }
 
 /// How long what it reaches took the last time. \[s\]
-fn seconds(graph: &Graph, impact: &Impact, runs: &[(String, Value)]) -> Option<f64> {
-    let each = impact.reaches.iter().map(|n| {
-        let last = plan::last(runs, &graph.nodes[*n].name)?;
-        last["seconds"].as_f64()
-    });
-    each.sum()
+fn seconds(graph: &Graph, impact: &Impact, history: &History) -> Option<f64> {
+    let last = |n: &usize| Some(history.last(&graph.nodes[*n].name)?.seconds);
+    impact.reaches.iter().map(last).sum()
 }

@@ -114,7 +114,8 @@ pub(crate) fn mat(args: &MatArgs, house: &House) -> Result<(), Fault> {
                 .to_owned()
         })
         .collect();
-    std::fs::write(&args.o, &document.bytes)
+    let file = vec![(String::new(), document.bytes.clone())];
+    crate::delivery::write(&args.o, &file)
         .map_err(|e| Fault::input(format!("cannot write {shown}: {e}")))?;
     if house.json {
         super::outln!(

@@ -4,7 +4,8 @@
 macro_rules! out {
     ($($t:tt)*) => {{
         use std::io::Write;
-        $crate::cli::printed(write!(std::io::stdout(), $($t)*));
+        let text = $crate::cli::screen::plain(format!($($t)*));
+        $crate::cli::printed(write!(std::io::stdout(), "{text}"));
     }};
 }
 
@@ -12,7 +13,8 @@ macro_rules! out {
 macro_rules! outln {
     ($($t:tt)*) => {{
         use std::io::Write;
-        $crate::cli::printed(writeln!(std::io::stdout(), $($t)*));
+        let text = $crate::cli::screen::plain(format!($($t)*));
+        $crate::cli::printed(writeln!(std::io::stdout(), "{text}"));
     }};
 }
 
@@ -20,17 +22,21 @@ macro_rules! outln {
 macro_rules! errln {
     ($($t:tt)*) => {{
         use std::io::Write;
-        let _ = writeln!(std::io::stderr(), $($t)*);
+        let text = $crate::cli::screen::plain(format!($($t)*));
+        let _ = writeln!(std::io::stderr(), "{text}");
     }};
 }
 use {errln, out, outln};
 
 mod answers;
+mod budget;
 mod cache;
 mod compare;
+mod deliver;
 mod door;
 mod impact;
 mod mat;
+mod private;
 mod provenance;
 mod run;
 mod scoring;
@@ -66,9 +72,12 @@ pub(crate) struct House {
     /// Where results are kept
     #[arg(long, global = true, env = "TAILOR_CACHE", default_value = "cache")]
     cache: PathBuf,
-    /// How many threads work; one a core if not said
+    /// How many threads work; one a core if not said, four a core at most
     #[arg(long, global = true)]
     threads: Option<NonZeroUsize>,
+    /// What the cache may hold, such as 500M or 20G: what is worth least goes at the end of a run
+    #[arg(long, global = true, env = "TAILOR_MAX_SIZE", value_parser = budget::bytes)]
+    max_size: Option<u64>,
     /// Say nothing but results and errors
     #[arg(long, global = true)]
     quiet: bool,
@@ -139,7 +148,7 @@ enum Verb {
         /// The pipeline file
         pipeline: PathBuf,
     },
-    /// The store: ls, du, runs, pin, unpin, pins, gc, verify
+    /// The store: ls, du, runs, pin, unpin, pins, gc, forget, verify
     Cache(cache::Cache),
     /// A printable marker mat for the disk: PDF or SVG at true scale
     Mat(mat::MatArgs),
@@ -211,15 +220,35 @@ impl Fault {
 /// Does what the arguments say. Exit codes: 0 done, 1 a stage failed, 2 input or pipeline wrong,
 /// 130 cancelled.
 pub fn main() -> ExitCode {
-    let cli = Cli::parse();
+    let mut cli = Cli::parse();
     let _ = ctrlc::set_handler(|| {
         if CANCEL.swap(true, Ordering::Relaxed) {
+            private::burn();
             std::process::exit(130);
         }
         errln!("stopping; what is done is kept, run again to go on (once more stops at once)");
     });
+    let private = match &cli.verb {
+        Verb::Measure(verb) => verb.private,
+        Verb::Run(verb) => verb.private,
+        _ => false,
+    };
+    let begun = match private {
+        true => private::cache().map(|cache| cli.house.cache = cache),
+        false => Ok(()),
+    };
     let house = &cli.house;
-    let done = match &cli.verb {
+    let done = begun.and_then(|()| done(&cli.verb, house));
+    printed(std::io::Write::flush(&mut std::io::stdout()));
+    if let Verb::Measure(_) | Verb::Run(_) | Verb::Sweep(_) | Verb::Compare(_) = &cli.verb {
+        budget::after_run(house);
+    }
+    private::burn();
+    ended(done, house)
+}
+
+fn done(verb: &Verb, house: &House) -> Result<(), Fault> {
+    match verb {
         Verb::Measure(verb) => door::measure(verb, house),
         Verb::Run(verb) => run::run(verb, house),
         Verb::Plan(wanted) => answers::plan(wanted, house),
@@ -237,8 +266,11 @@ pub fn main() -> ExitCode {
         Verb::Cache(verb) => cache::cache(verb, house),
         Verb::Mat(verb) => mat::mat(verb, house),
         Verb::Score(verb) => scoring::scoring(verb, house),
-    };
-    printed(std::io::Write::flush(&mut std::io::stdout()));
+    }
+}
+
+/// Says what is wrong last of all, and with which code the program ends.
+fn ended(done: Result<(), Fault>, house: &House) -> ExitCode {
     match done {
         Ok(()) if LOST.load(Ordering::Relaxed) => {
             errln!("the answer could not be written to standard output: is the disk full?");

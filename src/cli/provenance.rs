@@ -41,7 +41,8 @@ pub(crate) fn completed(page: &[u8], outcome: &Outcome, graph: &Graph) -> Vec<u8
     page.replacen("<!--provenance-->", &made, 1).into_bytes()
 }
 
-/// Every node with its stage, params, time and numbers.
+/// Every node with its stage, params and numbers; not how long it took, so that equal results give
+/// equal pages (`run.json` has it).
 fn table(outcome: &Outcome, graph: &Graph) -> String {
     let mut rows = String::new();
     for (done, node) in outcome.nodes.iter().zip(&graph.nodes) {
@@ -56,20 +57,19 @@ fn table(outcome: &Outcome, graph: &Graph) -> String {
         let numbers: Vec<String> = done.metrics.iter().map(number).collect();
         let key = done.key.map(|k| k.to_hex()[..12].to_owned());
         rows += &format!(
-            "<tr><td><b>{}</b></td><td>{} v{}</td><td class=\"note\">{}</td><td class=\"n\">{:.1} s</td>\
+            "<tr><td><b>{}</b></td><td>{} v{}</td><td class=\"note\">{}</td>\
              <td class=\"note\">{}</td><td class=\"note\">{}</td></tr>",
             escaped(&node.name),
             node.stage.name(),
             node.stage.version(),
             escaped(&params.join(", ")),
-            done.seconds,
             escaped(&numbers.join(", ")),
             key.unwrap_or_default(),
         );
     }
     format!(
         "<details><summary>tailor {}: {}</summary><table id=\"provenance\"><tr><th>node</th><th>stage</th>\
-         <th>params</th><th>time</th><th>numbers</th><th>key</th></tr>{rows}</table></details>",
+         <th>params</th><th>numbers</th><th>key</th></tr>{rows}</table></details>",
         env!("CARGO_PKG_VERSION"),
         escaped(&graph.about),
     )

@@ -1,10 +1,12 @@
 //! `tailor run`, and what every verb that runs shares.
 
 use super::speak::Speaker;
-use super::{CANCEL, Change, Fault, House, Wanted};
+use super::{CANCEL, Change, Fault, House, Wanted, deliver};
+use crate::delivery::Delivery;
 use crate::engine::{self, Options, Outcome};
 use crate::graph::Graph;
-use crate::past::History;
+use crate::lasttime::History;
+use crate::past::Of;
 use crate::recipe::{self, Overrides};
 use crate::store::{Ahead, Store};
 use crate::{out, verify, walk};
@@ -24,9 +26,15 @@ pub(crate) struct Run {
     /// Write the wanted results into this folder
     #[arg(long)]
     out: Option<PathBuf>,
-    /// Go on with what does not depend on a failed node
+    /// Remove from that folder what an earlier run wrote there and this one does not
+    #[arg(long, requires = "out")]
+    clean: bool,
+    /// Go on with what does not depend on a failed node, and write what there is
     #[arg(long)]
     keep_going: bool,
+    /// Keep nothing in the cache: what is made goes when the results are written
+    #[arg(long)]
+    pub(super) private: bool,
     /// Run every stage once more and compare: a stage must give the same bytes twice
     #[arg(long)]
     verify: bool,
@@ -106,9 +114,24 @@ pub(crate) fn execute(
     folders: &[(String, PathBuf)],
     wanted: &[usize],
     house: &House,
-    keep_going: bool,
     again: &str,
 ) -> Result<Outcome, Fault> {
+    match execute_some(store, graph, folders, wanted, house, false, again)? {
+        (outcome, None) => Ok(outcome),
+        (_, Some(fault)) => Err(fault),
+    }
+}
+
+/// As [`execute`], with what came of the rest beside the fault.
+fn execute_some(
+    store: Store,
+    graph: &Graph,
+    folders: &[(String, PathBuf)],
+    wanted: &[usize],
+    house: &House,
+    keep_going: bool,
+    again: &str,
+) -> Result<(Outcome, Option<Fault>), Fault> {
     let needed = walk::needed(graph, wanted);
     let count = needed.iter().filter(|n| **n).count();
     // Files are called after the photos, which must be there for it.
@@ -117,13 +140,13 @@ pub(crate) fn execute(
     let wanted = wanted.as_slice();
     let speaker = Speaker::new(house.quiet || house.json, count);
     if speaker.asks_for_time() {
-        let history = History::of(&house.cache);
+        let history = History::of(&house.cache, Of::default());
         let names = graph
             .nodes
             .iter()
             .zip(&needed)
             .filter(|(_, needed)| **needed);
-        let seconds = |name: &str| history.last(name)?["seconds"].as_f64();
+        let seconds = |name: &str| Some(history.last(name)?.seconds);
         let expected = names.filter_map(|(n, _)| Some((n.name.clone(), seconds(&n.name)?)));
         speaker.expect(expected.collect());
     }
@@ -141,12 +164,12 @@ pub(crate) fn execute(
         let failures = failures.iter().map(one).collect();
         fault.more.insert("failures".into(), failures);
         fault.more.insert("repeat".into(), again.into());
-        return Err(fault);
+        return Ok((outcome, Some(fault)));
     }
     if outcome.cancelled() {
         return Err(Fault::stopped());
     }
-    Ok(outcome)
+    Ok((outcome, None))
 }
 
 /// A result that must be there, for somebody wants to write it; and the bytes of its own file
@@ -217,46 +240,29 @@ pub(crate) fn run(run: &Run, house: &House) -> Result<(), Fault> {
     let ahead = ahead(&run.wanted, house);
     let (graph, wanted) = open(&run.wanted)?;
     let folders = folders(&run.wanted.change)?;
+    if let Some(out) = &run.out {
+        deliver::check(out, &graph, &folders)?;
+    }
     let store = Store::open_after(&house.cache, ahead).map_err(Fault::input)?;
     let again: Vec<String> = std::env::args().collect();
     let wanted = match run.verify {
         true => walk::all(&graph, &wanted),
         false => wanted,
     };
-    let outcome = execute(
-        store,
-        &graph,
-        &folders,
-        &wanted,
-        house,
-        run.keep_going,
-        &again.join(" "),
-    )?;
-    if run.verify {
+    let (keep_going, again) = (run.keep_going, again.join(" "));
+    let (outcome, fault) =
+        execute_some(store, &graph, &folders, &wanted, house, keep_going, &again)?;
+    if run.verify && fault.is_none() {
         verify(&graph, &folders, &outcome, house)?;
     }
-    if let Some(folder) = &run.out {
-        let names = photos(&graph, &outcome);
-        for node in &wanted {
-            let (artifact, raw) = there(&graph, &outcome, *node)?;
-            let format = out::extension(&artifact);
-            let mut files = out::files(artifact, || raw, &names, None).map_err(Fault::stage)?;
-            if format == "html" {
-                for (_, page) in &mut files {
-                    *page = super::provenance::completed(page, &outcome, &graph);
-                }
-            }
-            let single = files.len() == 1 && files[0].0.is_empty();
-            let name = &graph.nodes[*node].name;
-            let name = if single {
-                format!("{name}.{format}")
-            } else {
-                name.clone()
-            };
-            out::write(&folder.join(name), &files).map_err(Fault::stage)?;
-        }
-        let json = serde_json::to_vec_pretty(&outcome.json(&graph)).expect("bug: JSON");
-        out::write(&folder.join("run.json"), &[(String::new(), json)]).map_err(Fault::stage)?;
+    if let Some(out) = run.out.as_ref().filter(|_| fault.is_none() || keep_going) {
+        let mut delivery = Delivery::open(out, &deliver::whose(&folders)).map_err(Fault::stage)?;
+        delivery.begin().map_err(Fault::stage)?;
+        deliver::write(&mut delivery, &graph, &outcome, &wanted)?;
+        deliver::finish(delivery, &graph, &outcome, run.clean, house)?;
+    }
+    if let Some(fault) = fault {
+        return Err(fault);
     }
     if house.json {
         super::outln!(

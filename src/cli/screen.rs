@@ -5,6 +5,19 @@ use shape::{Cameras, Girths, Scale};
 /// Lines are broken before this column.
 const WIDTH: usize = 100;
 
+/// A text that steers no terminal: whatever a file's or a person's name brings along is escaped.
+pub(crate) fn plain(text: String) -> String {
+    let steers = |c: char| c.is_control() && c != '\n' && c != '\t';
+    if !text.contains(steers) {
+        return text;
+    }
+    let one = |c: char| match steers(c) {
+        true => c.escape_default().to_string(),
+        false => c.to_string(),
+    };
+    text.replace("\r\n", "\n").chars().map(one).collect()
+}
+
 /// A number for people: whole as it is, else with four digits that matter.
 pub(crate) fn short(x: f64) -> String {
     if !x.is_finite() || (x.fract() == 0.0 && x.abs() < 1e9) {

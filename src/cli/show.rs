@@ -5,7 +5,7 @@ use super::{Change, Fault, House};
 use crate::graph::{Bound, Graph, Source};
 use crate::key::{self, Story};
 use crate::store::Store;
-use crate::{engine, out, walk};
+use crate::{delivery, engine, out, walk};
 use clap::Args;
 use serde_json::{Value, json};
 use shape::Photos;
@@ -79,16 +79,16 @@ pub(crate) fn show(show: &Show, house: &House) -> Result<(), Fault> {
         .iter()
         .map(|f| f.as_ref().map(stage::content))
         .collect();
-    let (runs, changed) = (engine::runs(store.root()), show.change.changes());
+    let changed = show.change.changes();
     let read = |name: &str| {
         let at = graph.node(name)?;
         let stage = graph.nodes[at].stage;
-        let fitting = runs
-            .iter()
+        // One after the other: a store may hold many large ones.
+        let mut fitting = engine::runs(store.root())
             .filter(|(_, run)| !changed || fits(run, &graph, at))
             .filter(|(_, run)| reads(run, &graph, at, &contents));
-        fitting.into_iter().find_map(|(_, run)| {
-            let node = entry(run, name).filter(|n| n["stage"] == stage.name())?;
+        fitting.find_map(|(_, run)| {
+            let node = entry(&run, name).filter(|n| n["stage"] == stage.name())?;
             let blob = store.blob(Hash::from_hex(node["content"].as_str()?).ok()?)?;
             Some((stage.read(&blob).ok()?, blob))
         })
@@ -112,7 +112,7 @@ pub(crate) fn show(show: &Show, house: &House) -> Result<(), Fault> {
     let photos = photos.map_or_else(Photos::default, |p| (*p).clone());
     let raw = || blob.to_vec();
     let files = out::files(artifact, raw, &photos, show.format.as_deref()).map_err(Fault::input)?;
-    out::write(&show.o, &files).map_err(Fault::stage)?;
+    delivery::write(&show.o, &files).map_err(Fault::stage)?;
     if house.json {
         let one = |(name, bytes): &(String, Vec<u8>)| {
             let path = match name.is_empty() {

@@ -2,12 +2,13 @@
 
 use super::run::{folders, node, options};
 use super::{CANCEL, Change, Fault, House};
-use crate::engine;
 use crate::graph::Graph;
+use crate::lasttime::History;
+use crate::past::Of;
 use crate::recipe::{self, Mistakes, Overrides, Recipe, Sweep};
 use crate::sweep::{self, Axis, End, Point, Points, Row, Sweeping, axes};
 use crate::walk::Watch;
-use crate::{out, sweep::outlook};
+use crate::{delivery, sweep::outlook};
 use clap::Args;
 use std::path::{Path, PathBuf};
 use std::sync::atomic::Ordering;
@@ -57,6 +58,9 @@ struct Asked {
 /// Does it.
 pub(crate) fn sweep(args: &SweepArgs, house: &House) -> Result<(), Fault> {
     let file = args.pipeline.display().to_string();
+    if let Some(out) = &args.out {
+        delivery::check(out).map_err(Fault::input)?;
+    }
     let all = Overrides {
         variant: args.change.variant.clone(),
         sets: args.change.set.clone(),
@@ -75,7 +79,9 @@ pub(crate) fn sweep(args: &SweepArgs, house: &House) -> Result<(), Fault> {
         true => base.goal.clone(),
         false => asked.nodes.iter().filter_map(|n| base.node(n)).collect(),
     };
-    let outlook = outlook(&asked.points, &base, &wanted, &engine::runs(&house.cache));
+    let history = History::of(&house.cache, Of::default());
+    let last = |node: &str| history.last(node).map(|n| n.seconds);
+    let outlook = outlook(&asked.points, &base, &wanted, &last);
     if asked.points.count() > MANY && !args.yes {
         return Err(Fault::input(format!(
             "this sweep has {outlook}; if you mean it, say --yes"
@@ -219,7 +225,7 @@ fn finish(args: &SweepArgs, house: &House, asked: &Asked, rows: &[Row]) -> Resul
             ("sweep.html", sweep::page(name, about, rows)),
         ] {
             let file = folder.join(file);
-            out::write(&file, &[(String::new(), text.into_bytes())]).map_err(Fault::stage)?;
+            delivery::write(&file, &[(String::new(), text.into_bytes())]).map_err(Fault::stage)?;
         }
     }
     match house.json {

@@ -35,8 +35,9 @@ pub struct Difference {
 /// What is different about `b`.
 pub fn differ(a: &Side, b: &Side) -> Difference {
     let mut d = Difference::default();
+    let (of_a, of_b) = (a.by_name(), b.by_name());
     for node in &a.nodes {
-        let Some(other) = b.node(&node.node) else {
+        let Some(other) = of_b.get(node.node.as_str()) else {
             d.gone.push(node.node.clone());
             continue;
         };
@@ -47,7 +48,10 @@ pub fn differ(a: &Side, b: &Side) -> Difference {
             d.met_again.push(node.node.clone());
         }
     }
-    let only_b = b.nodes.iter().filter(|n| a.node(&n.node).is_none());
+    let only_b = b
+        .nodes
+        .iter()
+        .filter(|n| !of_a.contains_key(n.node.as_str()));
     d.new = only_b.map(|n| n.node.clone()).collect();
     d.first = d.diverged.first().cloned();
     d

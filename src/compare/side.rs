@@ -7,6 +7,7 @@ use serde::Deserialize;
 use serde_json::Value;
 use shape::{Cameras, Girths, Masks, Mesh, Photos, girths_to_json, mesh_from_ply};
 use stage::{AnyArtifact, Hash};
+use std::collections::HashMap;
 use std::path::{Path, PathBuf};
 
 /// A node of a run, as `run.json` has it.
@@ -117,7 +118,11 @@ impl Side {
 
     /// Out of a run whose results lie in a store.
     pub fn from_run(name: &str, run: &Value, store: &Store) -> Result<Side, SideError> {
-        let nodes = nodes(name, run)?;
+        Side::from_nodes(name, nodes(name, run)?, store)
+    }
+
+    /// Out of the nodes of a run whose results lie in a store.
+    pub fn from_nodes(name: &str, nodes: Vec<NodeRun>, store: &Store) -> Result<Side, SideError> {
         let yields = |n: &NodeRun, kind: &str| {
             n.content.is_some()
                 && crate::catalog::find(&n.stage).is_some_and(|s| s.yields() == kind)
@@ -164,6 +169,12 @@ impl Side {
     /// Size of all results. \[bytes\]
     pub fn bytes(&self) -> u64 {
         self.nodes.iter().map(|n| n.bytes).sum()
+    }
+
+    /// All nodes by their names.
+    pub(super) fn by_name(&self) -> HashMap<&str, &NodeRun> {
+        let nodes = self.nodes.iter();
+        nodes.map(|n| (n.node.as_str(), n)).collect()
     }
 
     /// The node of a name.

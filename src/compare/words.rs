@@ -1,8 +1,9 @@
 //! A comparison as Markdown and JSON.
 
-use super::Comparison;
 use super::differ::Difference;
+use super::{Comparison, Side};
 use serde_json::{Value, json};
+use std::collections::HashSet;
 use std::fmt::Write;
 
 /// A table as rows of texts, its head first.
@@ -93,18 +94,19 @@ pub(super) fn cost_table(c: &Comparison) -> Table {
     for side in &c.sides {
         head.extend([format!("{} [s]", side.name), "[MB]".into()]);
     }
-    let mut names: Vec<&str> = Vec::new();
+    let (mut names, mut known) = (Vec::<&str>::new(), HashSet::new());
     for node in c.sides.iter().flat_map(|s| &s.nodes) {
-        if !names.contains(&node.node.as_str()) {
+        if known.insert(node.node.as_str()) {
             names.push(&node.node);
         }
     }
+    let sides: Vec<_> = c.sides.iter().map(Side::by_name).collect();
     let mb = |bytes: u64| format!("{:.2}", bytes as f64 / 1e6);
     let mut table = vec![head];
     for name in names {
         let mut line = vec![name.to_owned()];
-        for side in &c.sides {
-            let node = side.node(name);
+        for side in &sides {
+            let node = side.get(name);
             line.push(number(node.map(|n| n.seconds), 2));
             line.push(node.map_or("-".into(), |n| mb(n.bytes)));
         }

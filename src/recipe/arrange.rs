@@ -2,7 +2,7 @@
 
 use super::bind::Binder;
 use super::{Mistake, Recipe};
-use crate::graph::{Bound, Graph, InputDecl, Source};
+use crate::graph::{Bound, Graph, InputDecl, Origin, Source};
 
 impl Binder<'_> {
     /// Says which nodes and inputs the goal does not need.
@@ -79,5 +79,6 @@ pub(super) fn arranged(
         inputs: recipe.inputs.iter().map(input).collect(),
         goal: goal.iter().map(|g| place[*g]).collect(),
         about: recipe.about.clone(),
+        origin: Origin::default(),
     }
 }

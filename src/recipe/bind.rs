@@ -93,6 +93,7 @@ impl<'a> Binder<'a> {
     fn node(&mut self, node: &'a Node, known: &Known, stages: &[Option<Known>]) -> Option<Bound> {
         let Known { stage, ports } = known;
         let mut from: Vec<Option<Source>> = vec![None; ports.len()];
+        let before = self.mistakes.len();
         for (port, said) in self.wires(node, ports, stages) {
             let Some(source) = self.source(said) else {
                 continue;
@@ -111,8 +112,10 @@ impl<'a> Binder<'a> {
             }
             from[port] = Some(source);
         }
+        // A port that was wired wrong is no open one.
+        let wired = self.mistakes.len() == before && self.known_sources(node);
         for (spec, source) in ports.iter().zip(&from) {
-            if source.is_none() && !spec.optional && self.mistakes.is_empty() {
+            if source.is_none() && !spec.optional && wired {
                 let (port, kind) = (spec.name, spec.kind);
                 let what =
                     format!("port `{port}` wants {kind}; say `from = {{ {port} = \"...\" }}`");
@@ -153,6 +156,12 @@ impl<'a> Binder<'a> {
                 None
             }
         }
+    }
+
+    /// Whether a node's stage is one that there is.
+    pub(super) fn is_known(&self, node: usize) -> bool {
+        let stage = self.recipe.nodes[node].stage.value.as_str();
+        matches!(self.known.get(stage), Some(Some(_)))
     }
 
     fn goal(&mut self) -> Vec<usize> {

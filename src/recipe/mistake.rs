@@ -62,10 +62,25 @@ impl Mistakes {
 
     /// Line and column of a byte, from 1.
     fn place(&self, at: usize) -> (usize, usize) {
-        let before = &self.text[..at.min(self.text.len())];
+        let before = &self.text[..self.letter(at)];
         let line = before.matches('\n').count() + 1;
         let start = before.rfind('\n').map_or(0, |i| i + 1);
         (line, before[start..].chars().count() + 1)
+    }
+
+    /// A place as whole letters, at least one if there is one.
+    fn whole(&self, span: &Range<usize>) -> Range<usize> {
+        let start = self.letter(span.start);
+        let next = (start + 1).max(span.end).min(self.text.len());
+        let end = (next..).find(|at| self.text.is_char_boundary(*at));
+        start..end.unwrap_or(next)
+    }
+
+    /// Where the letter of a byte begins.
+    fn letter(&self, at: usize) -> usize {
+        let back = (0..=at.min(self.text.len())).rev();
+        let mut begins = back.filter(|at| self.text.is_char_boundary(*at));
+        begins.next().unwrap_or(0)
     }
 
     /// For other programs.
@@ -91,12 +106,9 @@ impl fmt::Display for Mistakes {
                 write!(f, "error: {}", mistake.what)?;
                 continue;
             };
-            let end = span
-                .end
-                .clamp(span.start + 1, self.text.len().max(span.start + 1));
             let source = Snippet::source(&self.text)
                 .path(&self.file)
-                .annotation(AnnotationKind::Primary.span(span.start..end));
+                .annotation(AnnotationKind::Primary.span(self.whole(span)));
             let group = Level::ERROR
                 .primary_title(mistake.what.as_str())
                 .element(source);

@@ -18,7 +18,7 @@ pub use mistake::{Mistake, Mistakes};
 pub use read::read;
 pub use variant::{parse_value, vary};
 
-use crate::graph::Graph;
+use crate::graph::{Graph, Origin};
 use read::read_some;
 use stage::{AnyStage, Value};
 use std::borrow::Cow;
@@ -197,9 +197,17 @@ pub fn open_text(
     mistakes.extend(sweeps::check(&recipe, find).err().into_iter().flatten());
     let strict = overrides.variant.is_none() && mistakes.is_empty();
     match bind(&varied, find, strict) {
-        Ok(graph) if mistakes.is_empty() => Ok(graph),
+        Ok(mut graph) if mistakes.is_empty() => {
+            let there = Path::new(name).canonicalize();
+            graph.origin = Origin {
+                pipeline: there.map_or_else(|_| name.to_owned(), |p| p.display().to_string()),
+                variant: overrides.variant.clone(),
+            };
+            Ok(graph)
+        }
         bound => {
             mistakes.extend(bound.err().into_iter().flatten());
+            let mistakes = variant::of_sets(mistakes, &overrides.sets);
             Err(Mistakes::new(name, text, mistakes))
         }
     }

@@ -167,11 +167,13 @@ impl Reader {
             match &*key.name {
                 "about" => input.about = self.text(value, "`about`").value,
                 "files" => {
-                    input.files = self
-                        .texts(value, "a pattern")
-                        .into_iter()
-                        .map(|s| s.value)
-                        .collect();
+                    for Said { value, span } in self.texts(value, "a pattern") {
+                        if !crate::pattern::stays_inside(&value) {
+                            let what = "a pattern stays in the input's folder: no `..`, and no `/` in front";
+                            self.wrong(&span, what);
+                        }
+                        input.files.push(value);
+                    }
                 }
                 _ => self.unknown_key(key, &["about", "files"]),
             }

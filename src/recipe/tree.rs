@@ -50,12 +50,48 @@ pub(super) fn tree(text: &str) -> (Table<'_>, Vec<Mistake>) {
 /// As [`tree`], by the reader of all of TOML.
 pub(super) fn whole(text: &str) -> (Table<'_>, Vec<Mistake>) {
     let (root, errors) = DeTable::parse_recoverable(text);
+    let root = table(root.into_inner());
     let mistake = |error: toml::de::Error| {
         let span = error.span().unwrap_or(0..0);
-        Mistake::at(&span, error.message().to_owned())
+        let mut what = error.message().to_owned();
+        if what.contains("duplicate key")
+            && let Some(first) = first(&root, text, &span)
+        {
+            let line = 1 + text[..first].matches('\n').count();
+            what += &format!("; the first is in line {line}");
+        }
+        Mistake::at(&span, what)
     };
     let mistakes = errors.into_iter().map(mistake).collect();
-    (table(root.into_inner()), mistakes)
+    (root, mistakes)
+}
+
+/// Where a key or a header stands that is written once more at `again`. \[bytes\]
+fn first(root: &Table<'_>, text: &str, again: &Range<usize>) -> Option<usize> {
+    let name = text.get(again.clone())?.trim_matches(['"', '\'']);
+    let start = text[..again.start].rfind('\n').map_or(0, |i| i + 1);
+    let line = text[start..].lines().next().unwrap_or("").trim();
+    if line.starts_with('[') {
+        let mut at = 0;
+        return text[..start].split_inclusive('\n').find_map(|before| {
+            at += before.len();
+            (before.trim() == line).then_some(at - before.len())
+        });
+    }
+    // The nearest one before is in the same table.
+    fn nearest(table: &Table<'_>, name: &str, before: usize, best: &mut Option<usize>) {
+        for (key, value) in table {
+            if key.name == name && key.span.start < before {
+                *best = (*best).max(Some(key.span.start));
+            }
+            if let Item::Table(inner) = &value.item {
+                nearest(inner, name, before, best);
+            }
+        }
+    }
+    let mut best = None;
+    nearest(root, name, again.start, &mut best);
+    best
 }
 
 fn table(table: DeTable<'_>) -> Table<'_> {

@@ -2,6 +2,7 @@
 
 use super::{From, Mistake, Overrides, Recipe, Said, Variant};
 use stage::{Value, unknown};
+use std::ops::Range;
 
 /// The recipe with its variants and sets applied.
 pub fn vary(recipe: &Recipe, overrides: &Overrides) -> Result<Recipe, Vec<Mistake>> {
@@ -24,8 +25,8 @@ pub fn vary(recipe: &Recipe, overrides: &Overrides) -> Result<Recipe, Vec<Mistak
             }
         }
     }
-    for set in &overrides.sets {
-        if let Err(what) = apply_set(&mut varied, set) {
+    for (i, set) in overrides.sets.iter().enumerate() {
+        if let Err(what) = apply_set(&mut varied, set, i) {
             mistakes.push(Mistake::said(format!("`--set {set}`: {what}")));
         }
     }
@@ -120,8 +121,27 @@ fn leave_out(recipe: &mut Recipe, name: &Said<String>, mistakes: &mut Vec<Mistak
     }
 }
 
+/// The place of what the command line says: behind all files.
+fn on_command_line(set: usize) -> Range<usize> {
+    COMMAND_LINE + set..COMMAND_LINE + set + 1
+}
+
+const COMMAND_LINE: usize = usize::MAX / 2;
+
+/// The mistakes with those of `--set`s told as such, and not at a place of the file.
+pub(super) fn of_sets(mistakes: Vec<Mistake>, sets: &[String]) -> Vec<Mistake> {
+    let said = |mistake: Mistake| {
+        let at = mistake.span.as_ref().map_or(0, |span| span.start);
+        match at.checked_sub(COMMAND_LINE).and_then(|i| sets.get(i)) {
+            Some(set) => Mistake::said(format!("`--set {set}`: {}", mistake.what)),
+            None => mistake,
+        }
+    };
+    mistakes.into_iter().map(said).collect()
+}
+
 /// `NODE.PARAM=VALUE`; a bare word is a text.
-fn apply_set(recipe: &mut Recipe, text: &str) -> Result<(), String> {
+fn apply_set(recipe: &mut Recipe, text: &str, i: usize) -> Result<(), String> {
     let shape = || "say NODE.PARAM=VALUE, such as hull.voxel_mm=2".to_owned();
     let (place, value) = text.split_once('=').ok_or_else(shape)?;
     let (node, param) = place.trim().split_once('.').ok_or_else(shape)?;
@@ -129,7 +149,7 @@ fn apply_set(recipe: &mut Recipe, text: &str) -> Result<(), String> {
     let at = names.iter().position(|n| *n == node);
     let at = at.ok_or_else(|| unknown("node", node, &names))?;
     let value = parse_value(value.trim());
-    let here = recipe.nodes[at].stage.span.clone();
+    let here = on_command_line(i);
     let said = Said {
         value: param.to_owned(),
         span: here.clone(),

@@ -70,6 +70,21 @@ impl<'a> Binder<'a> {
         wires
     }
 
+    /// Whether all that a node reads is there, and of a kind that is known.
+    pub(super) fn known_sources(&self, node: &Node) -> bool {
+        let known = |said: &Said<String>| match said.value.strip_prefix('@') {
+            Some(name) => self.inputs.contains_key(name),
+            None => match self.places.get(said.value.as_str()) {
+                Some(Source::Node(i)) => self.is_known(*i),
+                _ => false,
+            },
+        };
+        match &node.from {
+            From::List(list) => list.iter().all(known),
+            From::Table(table) => table.iter().all(|(_, source)| known(source)),
+        }
+    }
+
     pub(super) fn source(&mut self, said: &Said<String>) -> Option<Source> {
         let recipe = self.recipe;
         let input = said.value.strip_prefix('@');

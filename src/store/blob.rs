@@ -1,12 +1,11 @@
-//! Blobs: bytes named by their hash, mapped into memory when read.
+//! Blobs: bytes named by their hash.
 
 use super::files::{self, Care};
 use super::{Store, StoreError};
 use stage::Hash;
-use std::fs::File;
 
 /// The bytes of a blob, whole and verified.
-pub struct Blob(memmap2::Mmap);
+pub struct Blob(Vec<u8>);
 
 impl std::ops::Deref for Blob {
     type Target = [u8];
@@ -34,14 +33,10 @@ impl Store {
     /// The bytes of a hash, verified. What is corrupt goes into quarantine and is a miss.
     pub fn blob(&self, hash: Hash) -> Option<Blob> {
         let path = self.place("cas", hash);
-        let file = File::open(&path).ok()?;
-        // Blobs are only ever renamed into place whole and removed whole, never written to, so the
-        // map cannot change; a file truncated by somebody else is caught by the hash unless it
-        // happens during the read, which the owner-only mode leaves to the owner.
-        #[expect(unsafe_code, reason = "the one audited map: see the comment above")]
-        let map = unsafe { memmap2::Mmap::map(&file) }.ok()?;
-        if blake3::hash(&map) == hash {
-            return Some(Blob(map));
+        // Read, not mapped: a map of a file that somebody cuts short kills the process.
+        let bytes = std::fs::read(&path).ok()?;
+        if blake3::hash(&bytes) == hash {
+            return Some(Blob(bytes));
         }
         self.quarantine(&path);
         None

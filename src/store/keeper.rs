@@ -1,10 +1,13 @@
 //! What the store holds, what may go when it grows, and whether it is sound.
 
-use super::{Store, StoreError};
+use super::{Store, StoreError, own};
 use crate::past;
 use stage::Hash;
 use std::collections::{BTreeMap, BTreeSet};
-use std::path::{Path, PathBuf};
+use std::path::Path;
+
+/// Where parts and checkpoints lie, and lay before they were bound to their keys.
+const PARTS: [&str; 2] = ["parts", "part"];
 
 /// A result in the store.
 #[derive(Debug, Clone)]
@@ -21,27 +24,9 @@ pub struct Kept {
     pub stage: String,
 }
 
-/// All files of a shelf.
-fn shelf(root: &Path, name: &str) -> Vec<PathBuf> {
-    let inner = |folder: PathBuf| {
-        let entries = std::fs::read_dir(folder).into_iter().flatten();
-        entries
-            .filter_map(|e| Some(e.ok()?.path()))
-            .collect::<Vec<_>>()
-    };
-    let mut files: Vec<_> = inner(root.join(name)).into_iter().flat_map(inner).collect();
-    files.sort();
-    files
-}
-
-fn hash_of(path: &Path) -> Option<Hash> {
-    Hash::from_hex(path.file_name()?.to_str()?).ok()
-}
-
 /// The results that are there, by key. Records that are corrupt are put aside and left out.
 pub fn list(store: &Store) -> Vec<Kept> {
-    let kept = |path: PathBuf| {
-        let key = hash_of(&path)?;
+    let kept = |key: Hash| {
         let record = store.record(key)?;
         if !store.place("cas", record.content).is_file() {
             return None;
@@ -58,16 +43,19 @@ pub fn list(store: &Store) -> Vec<Kept> {
             stage,
         })
     };
-    shelf(store.root(), "ac")
-        .into_iter()
-        .filter_map(kept)
-        .collect()
+    let keys = own::shelf(store.root(), "ac").into_iter();
+    keys.filter_map(kept).collect()
 }
 
 /// Size of all parts and checkpoints. \[bytes\]
 pub fn parts_size(store: &Store) -> u64 {
-    let size = |path: &PathBuf| std::fs::metadata(path).map_or(0, |m| m.len());
-    shelf(store.root(), "part").iter().map(size).sum()
+    let sizes = PARTS.map(|shelf| own::size(store.root(), shelf));
+    sizes.iter().sum()
+}
+
+/// Size of all that is kept, without the records. \[bytes\]
+pub fn size(store: &Store) -> u64 {
+    own::size(store.root(), "cas") + parts_size(store)
 }
 
 /// What may stay.
@@ -99,6 +87,9 @@ pub struct Swept {
 /// Records of results stay: the content of what went is still known, so that it is made again only
 /// when somebody reads it. Nothing goes while a run uses the store.
 pub fn gc(store: &Store, budget: &Budget, dry_run: bool) -> Result<Swept, StoreError> {
+    if let Some(link) = own::link(store.root()) {
+        return Err(StoreError::Link(link));
+    }
     let _alone = match dry_run {
         true => None,
         false => Some(
@@ -138,65 +129,58 @@ pub fn gc(store: &Store, budget: &Budget, dry_run: bool) -> Result<Swept, StoreE
     }
     swept.records = past::prune(store.root(), budget.keep_records, &pins, dry_run);
     if !dry_run {
+        let root = store.root();
         if swept.parts_bytes > 0 {
-            for path in shelf(store.root(), "part") {
-                let _ = std::fs::remove_file(path);
-            }
+            remove_parts(root);
         }
         let going: BTreeSet<&str> = swept.results.iter().map(|k| k.content.as_str()).collect();
-        for path in shelf(store.root(), "cas") {
-            let name = path.file_name().and_then(|n| n.to_str()).unwrap_or("");
-            if going.contains(name) || !known.contains(name) {
-                let _ = std::fs::remove_file(path);
+        for hash in own::shelf(root, "cas") {
+            let name = hash.to_hex();
+            if going.contains(name.as_str()) || !known.contains(name.as_str()) {
+                own::remove_from(root, "cas", hash);
             }
         }
-        sweep(store);
+        sweep(root);
     }
     Ok(swept)
 }
 
-/// Removes what killed processes left: files that were being written; files of leases; and what
-/// was put aside.
-fn sweep(store: &Store) {
-    let _ = std::fs::remove_file(store.root().join("index"));
-    let names = |folder: &str| {
-        let entries = std::fs::read_dir(store.root().join(folder))
-            .into_iter()
-            .flatten();
-        entries
-            .filter_map(|e| Some(e.ok()?.path()))
-            .collect::<Vec<_>>()
-    };
-    for path in names("quarantine") {
-        let _ = std::fs::remove_file(path);
-    }
-    for path in names("tmp") {
-        // Files here begin with the number of the process that writes them.
-        let process = path.file_name().and_then(|n| n.to_str()?.split('-').next());
-        let alive = process.is_some_and(|id| Path::new("/proc").join(id).exists());
-        if !alive {
-            let _ = std::fs::remove_file(path);
+/// Removes all parts and checkpoints.
+pub(super) fn remove_parts(root: &Path) {
+    for shelf in PARTS {
+        for key in own::shelf(root, shelf) {
+            own::remove_from(root, shelf, key);
         }
-    }
-    // Nobody runs, so nobody holds one.
-    for path in names("lease") {
-        let _ = std::fs::remove_file(path);
     }
 }
 
-/// Reads every record and every blob; what is corrupt is put aside. Returns how many were.
+/// Removes what killed processes left: files that were being written; files of leases; and what
+/// was put aside.
+pub(super) fn sweep(root: &Path) {
+    own::remove(root, &[], "index");
+    for name in own::files(root, "quarantine", own::is_hash) {
+        own::remove(root, &["quarantine"], &name);
+    }
+    for name in own::files(root, "tmp", own::is_writing) {
+        // Files here begin with the number of the process that writes them.
+        let process = name.split('-').next().unwrap_or("");
+        if !Path::new("/proc").join(process).exists() {
+            own::remove(root, &["tmp"], &name);
+        }
+    }
+    // Nobody runs, so nobody holds one.
+    for name in own::files(root, "lease", own::is_lease) {
+        own::remove(root, &["lease"], &name);
+    }
+}
+
+/// Reads every record, blob and part; what is corrupt is put aside. Returns how many were.
 pub fn verify(store: &Store) -> usize {
-    let records = shelf(store.root(), "ac").into_iter();
-    let bad_records = records
-        .filter(|p| hash_of(p).is_none_or(|h| store.record(h).is_none()))
-        .count();
-    let blobs = shelf(store.root(), "cas").into_iter();
-    let bad_blobs = blobs
-        .filter(|p| hash_of(p).is_none_or(|h| store.blob(h).is_none()))
-        .count();
-    let parts = shelf(store.root(), "part").into_iter();
-    let bad_parts = parts
-        .filter(|p| hash_of(p).is_none_or(|h| store.recall(h).is_none()))
-        .count();
-    bad_records + bad_blobs + bad_parts
+    let bad = |shelf: &str, whole: &dyn Fn(Hash) -> bool| {
+        let all = own::shelf(store.root(), shelf).into_iter();
+        all.filter(|hash| !whole(*hash)).count()
+    };
+    bad("ac", &|key| store.is_sound(key))
+        + bad("cas", &|content| store.blob(content).is_some())
+        + bad("parts", &|key| store.recall(key).is_some())
 }

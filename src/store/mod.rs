@@ -4,12 +4,13 @@
 //! format                one line: the version of this layout
 //! cas/ab/abcdef…        blobs, named by the hash of their bytes; never changed
 //! ac/ab/abcdef…         records by key: what was made, from what, how long it took
-//! part/ab/abcdef…       parts and checkpoints of unfinished work
+//! parts/ab/abcdef…      parts and checkpoints of unfinished work
 //! lease/…               held while a result is made; see `lease.rs`
 //! runs/…                one record a run
 //! pins/…                names of runs whose results stay
 //! in-use                locked by whoever runs, and by who sweeps; see `lease.rs`
 //! index                 what was verified; see `index.rs`; may go at any time
+//! captures/…            which folders had files of this content; see `forget.rs`
 //! quarantine/…          what was found corrupt
 //! tmp/…                 what is being written
 //! ```
@@ -22,14 +23,17 @@
 mod ahead;
 mod blob;
 mod files;
+mod forget;
 mod index;
 pub mod keeper;
 mod lease;
+pub(crate) mod own;
 mod part;
 mod pins;
 mod record;
 
 pub use ahead::Ahead;
+pub use forget::{Forgotten, forget};
 pub use index::Found;
 pub use lease::{Claim, InUse, Lease};
 pub use pins::PinError;
@@ -62,13 +66,27 @@ pub enum StoreError {
         why: std::io::Error,
     },
     /// Written by another version of the program.
-    #[error("the cache at {} has another layout ({found}); give another folder with --cache", root.display())]
+    #[error("the cache at {} has another layout ({found}): another version of tailor made it, use that or give another folder with --cache", root.display())]
     Format {
         /// The store.
         root: PathBuf,
         /// What it says of itself.
         found: String,
     },
+    /// Somebody else's folder.
+    #[error(
+        "{} is not empty and is no cache ({} is not of one): nothing was written; \
+         give another folder, or an empty one, with --cache", root.display(), strange.display()
+    )]
+    Strange {
+        /// The folder.
+        root: PathBuf,
+        /// What no store has.
+        strange: PathBuf,
+    },
+    /// A folder of the store that lies elsewhere.
+    #[error("{} is a link, and nothing is removed through a link: nothing was removed; put the folder itself there", .0.display())]
+    Link(PathBuf),
     /// Not to be swept now.
     #[error("a run is using the cache at {}: nothing was removed; say it again when the run is done", .0.display())]
     Busy(PathBuf),
@@ -95,13 +113,19 @@ impl Store {
         if found == FORMAT.as_bytes() {
             return Ok(store);
         }
-        // A loss of power may leave a file without what was written, whose layout was this one.
-        if found.iter().any(|byte| *byte != 0) {
+        // A loss of power may leave a file without all that was written, whose layout was this one.
+        let zeros = found.iter().rev().take_while(|byte| **byte == 0).count();
+        if !FORMAT.as_bytes().starts_with(&found[..found.len() - zeros]) {
             let found = String::from_utf8_lossy(&found);
             return Err(StoreError::Format {
                 root: root.into(),
                 found: found.trim().chars().take(40).collect(),
             });
+        }
+        // What killed processes and a loss of power leave is of our own form.
+        if let Some(strange) = own::stranger(root) {
+            let root = root.to_owned();
+            return Err(StoreError::Strange { root, strange });
         }
         files::folder(root)?;
         files::publish(&store.fresh(), &mark, FORMAT.as_bytes(), Care::Cheap)?;

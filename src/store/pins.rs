@@ -17,7 +17,7 @@ pub enum PinError {
 }
 
 /// Whether a name may be a file's, and is nobody else's.
-fn fits(name: &str) -> bool {
+pub(super) fn fits(name: &str) -> bool {
     let first = name
         .bytes()
         .next()
@@ -37,7 +37,7 @@ impl Store {
 
     /// Takes a name away; whether there was one.
     pub fn unpin(&self, name: &str) -> bool {
-        fits(name) && std::fs::remove_file(self.root().join("pins").join(name)).is_ok()
+        fits(name) && super::own::remove(self.root(), &["pins"], name)
     }
 
     /// All names with their runs, in the order of the names.

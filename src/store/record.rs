@@ -37,16 +37,37 @@ struct Written {
 
 const VERSION: u32 = 1;
 
+/// What every version of a record says first.
+#[derive(Deserialize)]
+struct Version {
+    version: u32,
+}
+
 impl Store {
-    /// The record of a key. What is torn, corrupt or of another version is a miss.
+    /// The record of a key. What is torn, corrupt, another key's or of another version is a miss.
     pub fn record(&self, key: Hash) -> Option<Record> {
+        self.read_record(key).ok()
+    }
+
+    /// Whether the record of a key is what it says, as far as this version of the program knows.
+    pub(super) fn is_sound(&self, key: Hash) -> bool {
+        !matches!(self.read_record(key), Err(Unread::Corrupt))
+    }
+
+    /// What is corrupt is put aside; what another version of the program wrote is left as it is.
+    fn read_record(&self, key: Hash) -> Result<Record, Unread> {
         let path = self.place("ac", key);
-        let file = std::fs::read(&path).ok()?;
-        let record = parse(&file);
-        if record.is_none() {
+        let file = std::fs::read(&path).map_err(|_| Unread::Absent)?;
+        // The key is the hash of the story, and the story is in what was hashed.
+        let own = |record: Record| match record.key() == key {
+            true => Ok(record),
+            false => Err(Unread::Corrupt),
+        };
+        let read = parse(&file).and_then(own);
+        if let Err(Unread::Corrupt) = read {
             self.quarantine(&path);
         }
-        record
+        read
     }
 
     /// Writes the record of a key: the last step of publishing a result.
@@ -73,21 +94,42 @@ impl Store {
     }
 }
 
-/// A record from the bytes of its file.
-fn parse(file: &[u8]) -> Option<Record> {
-    let end = file.iter().position(|b| *b == b'\n')?;
-    let (hash, body) = (std::str::from_utf8(&file[..end]).ok()?, &file[end + 1..]);
-    if blake3::hash(body).to_hex().as_str() != hash {
-        return None;
+impl Record {
+    /// The key that it is of.
+    fn key(&self) -> Hash {
+        crate::key::of(&self.story)
     }
-    let written: Written = serde_json::from_slice(body).ok()?;
+}
+
+/// Why a file gives no record.
+enum Unread {
+    Absent,
+    Corrupt,
+    OtherVersion,
+}
+
+/// A record from the bytes of its file.
+fn parse(file: &[u8]) -> Result<Record, Unread> {
+    let end = file.iter().position(|b| *b == b'\n');
+    let (hash, body) = file.split_at(end.ok_or(Unread::Corrupt)?);
+    let body = &body[1..];
+    if blake3::hash(body).to_hex().as_bytes() != hash {
+        return Err(Unread::Corrupt);
+    }
+    let Ok(written) = serde_json::from_slice::<Written>(body) else {
+        let version = serde_json::from_slice::<Version>(body).map(|v| v.version);
+        return Err(match version {
+            Ok(version) if version != VERSION => Unread::OtherVersion,
+            _ => Unread::Corrupt,
+        });
+    };
     if written.version != VERSION {
-        return None;
+        return Err(Unread::OtherVersion);
     }
     let metric = |(name, value, unit)| Metric { name, value, unit };
-    Some(Record {
+    Ok(Record {
         story: written.story,
-        content: Hash::from_hex(&written.content).ok()?,
+        content: Hash::from_hex(&written.content).map_err(|_| Unread::Corrupt)?,
         bytes: written.bytes,
         seconds: written.seconds,
         metrics: written.metrics.into_iter().map(metric).collect(),

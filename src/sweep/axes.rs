@@ -33,6 +33,9 @@ pub enum AxisError {
         "`--sweep {0}`: say NODE.PARAM=2,3,4 or NODE.PARAM=2..8/4 (4 values from 2 to 8), with `log` behind it for equal ratios"
     )]
     Said(String),
+    /// A range without the number of its values.
+    #[error("`--sweep {0}`: say how many values: {0}/5 is five, with both ends")]
+    HowMany(String),
     /// A sample of what is no range.
     #[error(
         "a sample takes values from `over`; `zip` and `csv` say which go together, so leave one of them out"
@@ -189,6 +192,10 @@ pub fn said(text: &str) -> Result<Axis, AxisError> {
     };
     if listed.is_empty() || values_said.trim().is_empty() {
         return Err(wrong());
+    }
+    let ends = values_said.split_once("..").map(|(from, to)| [from, to]);
+    if ends.is_some_and(|ends| ends.iter().all(|e| e.trim().parse::<f64>().is_ok())) {
+        return Err(AxisError::HowMany(text.into()));
     }
     Ok(Axis {
         params: vec![(node.into(), param.into())],

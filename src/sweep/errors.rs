@@ -2,7 +2,7 @@
 
 use crate::engine::Outcome;
 use crate::graph::Graph;
-use crate::{out, score};
+use crate::{delivery, out, score};
 use shape::Photos;
 use stage::Metric;
 use std::path::Path;
@@ -24,7 +24,7 @@ pub(super) fn errors(
         };
         let files = out::files(artifact, Vec::new, &Photos::default(), Some(format));
         let files = files.map_err(|e| e.to_string())?;
-        out::write(&folder.path().join(file), &files).map_err(|e| e.to_string())?;
+        delivery::write(&folder.path().join(file), &files).map_err(|e| e.to_string())?;
     }
     let score = score::score(folder.path(), truth).map_err(|e| e.to_string())?;
     Ok(metrics(&score))

@@ -2,8 +2,7 @@
 
 use super::points::Points;
 use crate::graph::Graph;
-use crate::{impact, plan};
-use serde_json::Value;
+use crate::impact;
 
 /// What a sweep would make if nothing of it were in the store.
 #[derive(Debug, Clone, PartialEq)]
@@ -18,12 +17,12 @@ pub struct Outlook {
     pub unknown: Vec<String>,
 }
 
-/// Counts results: a node has as many as the axes that reach it have combinations.
+/// `last` tells how long a node took the last time \[s\]. Counts results: a node has as many as the axes that reach it have combinations.
 pub fn outlook(
     points: &Points,
     graph: &Graph,
     wanted: &[usize],
-    runs: &[(String, Value)],
+    last: &dyn Fn(&str) -> Option<f64>,
 ) -> Outlook {
     let needed = crate::walk::needed(graph, wanted);
     let mut combinations = vec![points.variants.len() as u128; graph.nodes.len()];
@@ -47,7 +46,7 @@ pub fn outlook(
     };
     for (i, node) in graph.nodes.iter().enumerate().filter(|(i, _)| needed[*i]) {
         outlook.results = outlook.results.saturating_add(combinations[i]);
-        match plan::last(runs, &node.name).and_then(|n| n["seconds"].as_f64()) {
+        match last(&node.name) {
             Some(seconds) => outlook.seconds += seconds * combinations[i] as f64,
             None => outlook.unknown.push(node.name.clone()),
         }

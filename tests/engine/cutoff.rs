@@ -174,13 +174,24 @@ fn one_file_more_redoes_one_part_and_a_failed_stage_goes_on_at_its_last_step() {
         (Fate::Made, vec![1.0, 9.0]),
         "one photo of eighteen"
     );
-    for part in place.shelf("part") {
+    for part in place.shelf("parts") {
         let bytes = std::fs::read(&part).unwrap();
         std::fs::write(&part, &bytes[..bytes.len() * 2 / 3]).unwrap();
     }
     std::fs::write(place.src().join("3.txt"), "a third\n").unwrap();
     let torn = (Fate::Made, vec![18.0, 9.0]);
     assert_eq!(parts(0), torn, "torn parts are made again");
+    // Each under the key of another: none is what it says.
+    let all = place.shelf("parts");
+    let bytes: Vec<_> = all
+        .iter()
+        .map(|part| std::fs::read(part).unwrap())
+        .collect();
+    for (i, part) in all.iter().enumerate() {
+        std::fs::write(part, &bytes[(i + 1) % all.len()]).unwrap();
+    }
+    std::fs::write(place.src().join("3.txt"), "a fourth\n").unwrap();
+    assert_eq!(parts(0), torn, "exchanged parts are made again");
     assert!(matches!(parts(6).0, Fate::Failed(_)));
     assert_eq!(
         parts(6),

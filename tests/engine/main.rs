@@ -4,6 +4,7 @@ mod cutoff;
 mod faults;
 mod laws;
 mod place;
+mod power;
 mod processes;
 mod sweeping;
 pub mod toys;

@@ -17,7 +17,7 @@ use tailor::store::{Claim, keeper};
 use tailor::walk::{Done, Fate, Watch};
 
 /// `width` chains of `length` nodes, each of which takes so long; `n` makes them others.
-fn wide(width: usize, length: usize, sleep_ms: u64, n: i64) -> Graph {
+pub(crate) fn wide(width: usize, length: usize, sleep_ms: u64, n: i64) -> Graph {
     let mut nodes =
         String::from("[node.clean]\nstage = \"toy.clean\"\nfrom = { files = \"@src\" }\n");
     let mut goal = Vec::new();
@@ -82,7 +82,7 @@ fn child() {
     assert_eq!(outcome.failure(&graph), None);
 }
 
-fn start(place: &Place, job: &str) -> Child {
+pub(crate) fn start(place: &Place, job: &str) -> Child {
     Command::new(std::env::current_exe().unwrap())
         .args(["--exact", "processes::child", "--ignored", "--quiet"])
         .env("TOY_FOLDER", place.path())
@@ -133,6 +133,39 @@ fn nodes_that_come_to_the_same_are_made_once_in_one_process() {
 }
 
 #[test]
+fn stages_that_need_more_memory_than_there_is_run_one_after_the_other() {
+    let place = Place::new("hello\n");
+    let mut nodes =
+        String::from("[node.clean]\nstage = \"toy.clean\"\nfrom = { files = \"@src\" }\n");
+    for n in 0..4 {
+        let from = "from = { text = \"clean\" }";
+        let _ = write!(
+            nodes,
+            "[node.b{n}]\nstage = \"toy.big\"\n{from}\nwith = {{ n = {n}, sleep_ms = 30 }}\n"
+        );
+    }
+    let graph = graph(&["b0", "b1", "b2", "b3"], &nodes);
+    let outcome = place.outcome(&graph, &place.cache(), 4, &Log::default());
+    for done in outcome
+        .nodes
+        .iter()
+        .flatten()
+        .filter(|d| !d.metrics.is_empty())
+    {
+        assert_eq!(done.metrics[0].value, 0.0, "another ran beside it");
+    }
+    assert_eq!(
+        outcome
+            .nodes
+            .iter()
+            .flatten()
+            .filter(|d| !d.metrics.is_empty())
+            .count(),
+        4
+    );
+}
+
+#[test]
 fn a_process_killed_in_a_stage_leaves_nothing_to_unlock() {
     let place = Place::new("hello\n");
     place.run(1);
@@ -156,7 +189,9 @@ fn two_hundred_kills_at_random_moments_leave_a_clean_store() {
     let place = Place::new("hello\n");
     let mut dice = Dice(1);
     let mut killed = 0;
-    for i in 0..200 {
+    // `TAILOR_KILLS=1000` takes more of them.
+    let kills = std::env::var("TAILOR_KILLS").map_or(200, |n| n.parse().unwrap());
+    for i in 0..kills {
         let job = format!("2 10 1 {}", i / 20);
         let mut child = start(&place, &job);
         std::thread::sleep(Duration::from_micros(dice.within(300.0, 10_000.0) as u64));

@@ -49,7 +49,7 @@ fn gc_removes_what_is_cheap_for_its_size_and_a_rerun_makes_nothing_of_it() {
 fn what_is_pinned_stays_until_it_is_let_go() {
     let place = Place::new("hello\n");
     place.run(1);
-    let (first, _) = engine::runs(&place.cache()).remove(0);
+    let (first, _) = engine::runs(&place.cache()).next().unwrap();
     place.store().pin("first", &first).unwrap();
     place.run(2);
     place.run(3);
@@ -70,10 +70,7 @@ fn records_of_old_runs_go_but_not_those_of_pins_nor_those_that_others_refer_to()
     // Found all: their records refer to the one of the fifth.
     place.run(5);
     place.run(5);
-    let ids: Vec<String> = engine::runs(&place.cache())
-        .into_iter()
-        .map(|r| r.0)
-        .collect();
+    let ids: Vec<String> = engine::runs(&place.cache()).map(|r| r.0).collect();
     assert_eq!(ids.len(), 7);
     place.store().pin("second", &ids[5]).unwrap();
     let few = keeper::Budget {
@@ -82,15 +79,12 @@ fn records_of_old_runs_go_but_not_those_of_pins_nor_those_that_others_refer_to()
     };
     assert_eq!(sweep(&place, &few, true).records, 4);
     assert_eq!(
-        engine::runs(&place.cache()).len(),
+        engine::runs(&place.cache()).count(),
         7,
         "a dry run removes nothing"
     );
     assert_eq!(sweep(&place, &few, false).records, 4);
-    let left: Vec<String> = engine::runs(&place.cache())
-        .into_iter()
-        .map(|r| r.0)
-        .collect();
+    let left: Vec<String> = engine::runs(&place.cache()).map(|r| r.0).collect();
     assert_eq!(left, [&ids[0], &ids[2], &ids[5]].map(String::clone));
     let logs = std::fs::read_dir(place.cache().join("runs")).unwrap();
     assert_eq!(

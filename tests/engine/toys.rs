@@ -99,6 +99,28 @@ impl Stage for Half {
     }
 }
 
+/// Says that it needs more than there is; tells whether another ran beside it.
+struct Big;
+impl Stage for Big {
+    const NAME: &'static str = "toy.big";
+    const VERSION: u32 = 1;
+    const ABOUT: &'static str = "Needs much.";
+    type Params = Number;
+    type Input = FromDocument;
+    type Output = Document;
+    fn memory(_: &Number, _: &FromDocument) -> u64 {
+        u64::MAX
+    }
+    fn run(p: &Number, _: FromDocument, ctx: &Ctx<'_>) -> Result<Document, Stop> {
+        static NOW: AtomicUsize = AtomicUsize::new(0);
+        let beside = NOW.fetch_add(1, Ordering::SeqCst);
+        std::thread::sleep(std::time::Duration::from_millis(p.sleep_ms.into()));
+        NOW.fetch_sub(1, Ordering::SeqCst);
+        ctx.metric("beside", beside as f64, "");
+        Ok(document(p.n.to_string()))
+    }
+}
+
 /// Never the same twice: what no stage may be.
 struct Unsteady;
 impl Stage for Unsteady {
@@ -155,6 +177,7 @@ pub fn find(name: &str) -> Option<&'static dyn AnyStage> {
         &erase::<Clean>(),
         &erase::<Mid>(),
         &erase::<Half>(),
+        &erase::<Big>(),
         &erase::<Unsteady>(),
         &erase::<Parts>(),
     ];

@@ -1,6 +1,12 @@
-//! The program itself, as somebody uses it: stops, bad input, answers.
+//! The program itself, as somebody uses it: stops, bad input, answers, what it keeps its hands off.
 
 mod answers;
 mod bad_input;
+mod causes;
+mod keeping;
+mod limits;
+mod outs;
 mod place;
+mod privacy;
 mod stops;
+mod words;

@@ -91,7 +91,7 @@ impl Place {
         self.bash(&format!("trap '' XFSZ; ulimit -f {kib}; exec {exe} {args}"))
     }
 
-    fn bash(&self, line: &str) -> Said {
+    pub(crate) fn bash(&self, line: &str) -> Said {
         let mut bash = Command::new("bash");
         let out = bash.args(["-c", line]).current_dir(self.0.path());
         let out = out.output().unwrap();

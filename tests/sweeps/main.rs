@@ -75,7 +75,7 @@ impl Place {
                 cancel.store(true, Ordering::Relaxed);
             }
         });
-        let before = outlook(&points, &base, &base.goal, &[]).results;
+        let before = outlook(&points, &base, &base.goal, &|_| None).results;
         let rows = rows.unwrap();
         let made: usize = rows.iter().map(|r| r.made).sum();
         assert!(made as u128 <= before, "no more is made than was foretold");

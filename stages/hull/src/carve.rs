@@ -85,6 +85,13 @@ impl Stage for Carve {
     type Input = CarveInput;
     type Output = Mesh;
 
+    /// The distances of all silhouettes, and the lattice over a standing body with its arms out.
+    fn memory(p: &CarveParams, input: &CarveInput) -> u64 {
+        let pixels = input.masks.views.iter().map(|(_, mask)| mask.data.len());
+        let lattice = need_mb(BODY_BOX_MM2, p.voxel_mm).min(p.memory_mb);
+        pixels.sum::<usize>() as u64 * 4 + (lattice * 1e6) as u64
+    }
+
     fn run(p: &CarveParams, input: CarveInput, ctx: &Ctx<'_>) -> Result<Mesh, Stop> {
         let views: Vec<_> = input.masks.views.join(&input.cameras.views).collect();
         if views.len() < 3 {
@@ -186,6 +193,9 @@ fn framed(mask: &Mask) -> f64 {
     let body = rows.chain(sides).filter(|(x, y)| mask.at(*x, *y) > 127);
     body.count() as f64 / (2 * (w + h)) as f64
 }
+
+/// Surface of a box of 1.0 × 1.8 × 2.0 m. \[mm²\]
+const BODY_BOX_MM2: f64 = 2.0 * (1.0 * 1.8 + 1.8 * 2.0 + 1.0 * 2.0) * 1e6;
 
 /// What carving takes, from the area of the box around the solid. \[MB\]
 fn need_mb(area_mm2: f64, voxel_mm: f64) -> f64 {

@@ -70,6 +70,9 @@ pub trait AnyStage: Sync {
     fn params(&self) -> Vec<ParamSpec>;
     /// Reads params; all mistakes at once.
     fn check(&self, said: &BTreeMap<String, Value>) -> Result<Checked, Vec<Mistake>>;
+    /// See [`Stage::memory`]; nothing where the inputs are wrong, which [`AnyStage::run`] tells.
+    /// \[bytes\]
+    fn memory(&self, params: &Checked, inputs: &[Option<AnyArtifact>]) -> u64;
     /// Runs: one input a port, in order.
     fn run(
         &self,
@@ -118,6 +121,13 @@ impl<S: Stage> AnyStage for Erased<S> {
             values: params.values(),
             typed: Arc::new(params),
         })
+    }
+
+    fn memory(&self, params: &Checked, inputs: &[Option<AnyArtifact>]) -> u64 {
+        match (params.typed.downcast_ref(), S::Input::take(inputs.to_vec())) {
+            (Some(params), Ok(input)) => S::memory(params, &input),
+            _ => 0,
+        }
     }
 
     fn run(

@@ -49,6 +49,13 @@ pub trait Stage: 'static {
     /// What flows out.
     type Output: Artifact;
 
+    /// What a run takes at most beside its input, as far as that can be told before. Stages of one
+    /// process that together say more than is free run one after the other. No part of the key.
+    /// \[bytes\]
+    fn memory(_params: &Self::Params, _input: &Self::Input) -> u64 {
+        0
+    }
+
     /// Does the work. Must be deterministic: the same arguments give the same bytes.
     fn run(params: &Self::Params, input: Self::Input, ctx: &Ctx<'_>) -> Result<Self::Output, Stop>;
 }

@@ -23,20 +23,24 @@ pub fn nearest<'a>(name: &str, known: &[&'a str]) -> Option<&'a str> {
     (near.0 <= most).then_some(near.1)
 }
 
-/// Edits that turn `a` into `b`: insertions, deletions, replacements (Levenshtein 1966).
+/// Edits that turn `a` into `b`: insertions, deletions, replacements, and two neighbours exchanged
+/// (optimal string alignment, after Damerau 1964).
 fn distance(a: &str, b: &str) -> usize {
-    let b: Vec<char> = b.chars().collect();
-    let mut row: Vec<usize> = (0..=b.len()).collect();
-    for (i, ca) in a.chars().enumerate() {
-        let mut corner = row[0];
-        row[0] = i + 1;
-        for (j, cb) in b.iter().enumerate() {
-            let replace = corner + usize::from(ca != *cb);
-            corner = row[j + 1];
-            row[j + 1] = replace.min(corner + 1).min(row[j] + 1);
+    let [a, b] = [a, b].map(|text| text.chars().collect::<Vec<char>>());
+    let mut rows: Vec<Vec<usize>> = vec![(0..=b.len()).collect()];
+    for i in 0..a.len() {
+        let mut row = vec![i + 1];
+        for j in 0..b.len() {
+            let replace = rows[i][j] + usize::from(a[i] != b[j]);
+            let mut least = replace.min(rows[i][j + 1] + 1).min(row[j] + 1);
+            if i > 0 && j > 0 && a[i] == b[j - 1] && a[i - 1] == b[j] {
+                least = least.min(rows[i - 1][j - 1] + 1);
+            }
+            row.push(least);
         }
+        rows.push(row);
     }
-    row[b.len()]
+    rows[a.len()][b.len()]
 }
 
 #[cfg(test)]
@@ -50,6 +54,7 @@ mod tests {
             Some("voxel_mm")
         );
         assert_eq!(nearest("colour", &["consensus", "voxel_mm"]), None);
+        assert_eq!(nearest("veiws", &["views", "with"]), Some("views"));
     }
 
     #[test]

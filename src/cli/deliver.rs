@@ -1,0 +1,128 @@
+//! `--out`: what is asked before a run, and what is told after it.
+
+use super::run::{photos, there};
+use super::{Fault, House, provenance};
+use crate::delivery::{self, Delivery, Left};
+use crate::engine::Outcome;
+use crate::graph::Graph;
+use crate::{out, pattern};
+use std::path::{Path, PathBuf};
+
+/// A path as it is, as far as it is there yet.
+fn real(path: &Path) -> PathBuf {
+    let whole = std::path::absolute(path).unwrap_or_else(|_| path.into());
+    for there in whole.ancestors() {
+        if let Ok(real) = there.canonicalize() {
+            let rest = whole.strip_prefix(there).unwrap_or(Path::new(""));
+            return if rest.as_os_str().is_empty() {
+                real
+            } else {
+                real.join(rest)
+            };
+        }
+    }
+    whole
+}
+
+/// Whether a folder is another, or lies in it.
+pub(super) fn lies_in(inner: &Path, outer: &Path) -> bool {
+    real(inner).starts_with(real(outer))
+}
+
+/// Whose results are those of these inputs: as a hash, so that no folder's name gets out.
+pub(super) fn whose(folders: &[(String, PathBuf)]) -> String {
+    let mut folders: Vec<_> = folders.iter().map(|(n, f)| (n, real(f))).collect();
+    folders.sort();
+    let mut hasher = blake3::Hasher::new();
+    for (name, folder) in folders {
+        hasher.update(format!("{name}={}\n", folder.display()).as_bytes());
+    }
+    hasher.finalize().to_hex()[..16].to_owned()
+}
+
+/// Says what is wrong with a folder for results before anything runs.
+pub(super) fn check(out: &Path, graph: &Graph, folders: &[(String, PathBuf)]) -> Result<(), Fault> {
+    for (name, folder) in folders {
+        let input = graph.inputs.iter().find(|i| i.name == *name);
+        let (real_out, real_folder) = (real(out), real(folder));
+        let Ok(inner) = real_out.strip_prefix(&real_folder) else {
+            continue;
+        };
+        let patterns = input.iter().flat_map(|i| &i.files);
+        if patterns.into_iter().any(|p| pattern::looks_into(p, inner)) {
+            return Err(inside(out, folder));
+        }
+    }
+    delivery::check(out).map_err(Fault::input)
+}
+
+/// Results in the folder of an input would be read as input the next time.
+pub(super) fn inside(out: &Path, folder: &Path) -> Fault {
+    Fault::input(format!(
+        "{} lies in {}, and what is written there would be read as input the next time; give a folder outside of it with --out",
+        out.display(),
+        folder.display()
+    ))
+}
+
+/// Writes the run down, and tells what earlier runs left.
+pub(super) fn finish(
+    delivery: Delivery,
+    graph: &Graph,
+    outcome: &Outcome,
+    clean: bool,
+    house: &House,
+) -> Result<(), Fault> {
+    let Left { left, removed } = delivery
+        .finish(outcome.json(graph), clean)
+        .map_err(Fault::stage)?;
+    if house.json || house.quiet {
+        return Ok(());
+    }
+    if !removed.is_empty() {
+        super::errln!("removed, of an earlier run: {}", removed.join(", "));
+    }
+    if !left.is_empty() {
+        let what = match clean {
+            true => "changed since, so not removed",
+            false => "--clean removes it",
+        };
+        super::errln!("left from an earlier run ({what}): {}", left.join(", "));
+    }
+    Ok(())
+}
+
+/// Writes the results that there are of the wanted nodes.
+pub(super) fn write(
+    delivery: &mut Delivery,
+    graph: &Graph,
+    outcome: &Outcome,
+    wanted: &[usize],
+) -> Result<(), Fault> {
+    let names = photos(graph, outcome);
+    let made = |node: &&usize| {
+        outcome.nodes[**node]
+            .as_ref()
+            .is_some_and(|d| d.content.is_some())
+    };
+    for node in wanted.iter().filter(made) {
+        let (artifact, raw) = there(graph, outcome, *node)?;
+        let format = out::extension(&artifact);
+        let mut files = out::files(artifact, || raw, &names, None).map_err(Fault::stage)?;
+        if format == "html" {
+            for (_, page) in &mut files {
+                *page = provenance::completed(page, outcome, graph);
+            }
+        }
+        let single = files.len() == 1 && files[0].0.is_empty();
+        let name = &graph.nodes[*node].name;
+        let name = match single {
+            // The run's own name is taken.
+            true if format!("{name}.{format}") == delivery::RUN => format!("{name}.node.{format}"),
+            true => format!("{name}.{format}"),
+            false => name.clone(),
+        };
+        delivery.put(&name, &files).map_err(Fault::stage)?;
+    }
+    Ok(())
+}

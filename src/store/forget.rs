@@ -1,0 +1,187 @@
+//! Forgetting a capture: everything that came of a folder of the user's goes.
+//!
+//! `captures/HASH` names the folders whose files had this content, as a list in JSON: where the
+//! search begins, also when the records of the runs are long gone.
+
+use super::{Store, StoreError, keeper, own};
+use crate::past;
+use crate::source::Memo;
+use stage::Hash;
+use std::collections::{BTreeMap, BTreeSet};
+use std::path::Path;
+
+/// What went.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct Forgotten {
+    /// Results.
+    pub results: usize,
+    /// Their size. \[bytes\]
+    pub bytes: u64,
+    /// Records of runs.
+    pub runs: usize,
+    /// Pins of those runs.
+    pub pins: Vec<String>,
+    /// Other folders from which some of it came as well: what went is made again for them.
+    pub shared: Vec<String>,
+}
+
+/// What a result was made of, and where it lies.
+struct Link {
+    key: Hash,
+    content: Hash,
+    bytes: u64,
+    from: Vec<String>,
+}
+
+impl Store {
+    /// Notes that the files of a folder had this content.
+    pub fn note_capture(&self, content: Hash, folder: &Path) {
+        let (mut folders, folder) = (self.folders_of(content), folder.display().to_string());
+        if !folders.contains(&folder) {
+            folders.push(folder);
+            let _ = self.write(&capture(content), &json(&folders));
+        }
+    }
+
+    fn folders_of(&self, content: Hash) -> Vec<String> {
+        let file = std::fs::read(self.root().join(capture(content)));
+        serde_json::from_slice(&file.unwrap_or_default()).unwrap_or_default()
+    }
+
+    /// Every result with what it was made of.
+    fn links(&self) -> Vec<Link> {
+        let link = |key: Hash| {
+            let record = self.record(key)?;
+            let from = record.story.into_iter();
+            let from = from.filter(|(what, _)| what.starts_with("from "));
+            Some(Link {
+                key,
+                content: record.content,
+                bytes: record.bytes,
+                from: from.map(|(_, value)| value).collect(),
+            })
+        };
+        let keys = own::shelf(self.root(), "ac").into_iter();
+        keys.filter_map(link).collect()
+    }
+}
+
+fn capture(content: Hash) -> String {
+    format!("captures/{}", content.to_hex())
+}
+
+fn json(folders: &[String]) -> Vec<u8> {
+    serde_json::to_vec(folders).expect("bug: JSON")
+}
+
+/// The results that came of some contents, directly or not, by their place in the list.
+fn derived(links: &[Link], seeds: &BTreeSet<String>) -> BTreeSet<usize> {
+    let mut readers: BTreeMap<&str, Vec<usize>> = BTreeMap::new();
+    for (i, link) in links.iter().enumerate() {
+        for from in &link.from {
+            readers.entry(from).or_default().push(i);
+        }
+    }
+    let (mut open, mut found): (Vec<String>, _) =
+        (seeds.iter().cloned().collect(), BTreeSet::new());
+    while let Some(content) = open.pop() {
+        for i in readers.get(content.as_str()).into_iter().flatten() {
+            if found.insert(*i) {
+                open.push(links[*i].content.to_hex().to_string());
+            }
+        }
+    }
+    found
+}
+
+/// Removes all that came of the files of a folder or below it: results with their records, parts,
+/// records of runs and their pins, and what is remembered of the files themselves. Not while a run
+/// uses the store.
+pub fn forget(store: &Store, folder: &Path) -> Result<Forgotten, StoreError> {
+    let root = store.root();
+    if let Some(link) = own::link(root) {
+        return Err(StoreError::Link(link));
+    }
+    let busy = || StoreError::Busy(root.into());
+    let _alone = store.alone().ok_or_else(busy)?;
+    let whole = folder.canonicalize();
+    let folder = whole.or_else(|_| std::path::absolute(folder));
+    let folder = folder.unwrap_or_default();
+    let below = |text: &String| Path::new(text).starts_with(&folder);
+    let (mut mine, mut others) = (BTreeSet::new(), BTreeMap::new());
+    for name in own::files(root, "captures", own::is_hash) {
+        let Ok(content) = Hash::from_hex(&name) else {
+            continue;
+        };
+        let (here, there): (Vec<_>, Vec<_>) =
+            store.folders_of(content).into_iter().partition(below);
+        if !here.is_empty() {
+            mine.insert(name.clone());
+            match there.is_empty() {
+                true => _ = own::remove(root, &["captures"], &name),
+                false => store.write(&capture(content), &json(&there))?,
+            }
+        }
+        if !there.is_empty() {
+            others.insert(name, there);
+        }
+    }
+    let links = store.links();
+    let going = derived(&links, &mine);
+    let mut forgotten = Forgotten {
+        results: going.len(),
+        ..Forgotten::default()
+    };
+    let contents: BTreeSet<&[u8; 32]> =
+        going.iter().map(|i| links[*i].content.as_bytes()).collect();
+    for (content, folders) in others {
+        let theirs = derived(&links, &BTreeSet::from([content]));
+        if theirs
+            .iter()
+            .any(|i| contents.contains(links[*i].content.as_bytes()))
+        {
+            forgotten.shared.extend(folders);
+        }
+    }
+    forgotten.shared.sort();
+    forgotten.shared.dedup();
+    for i in &going {
+        let Link {
+            key,
+            content,
+            bytes,
+            ..
+        } = links[*i];
+        own::remove_from(root, "ac", key);
+        if own::remove_from(root, "cas", content) {
+            forgotten.bytes += bytes;
+        }
+    }
+    forget_runs(store, &below, &mut forgotten);
+    keeper::remove_parts(root);
+    keeper::sweep(root);
+    let memo = root.join("files.json");
+    store.write("files.json", &Memo::load(&memo).without(&folder).bytes())?;
+    Ok(forgotten)
+}
+
+/// Removes the records of runs on inputs that fit, and their pins.
+fn forget_runs(store: &Store, fits: &dyn Fn(&String) -> bool, forgotten: &mut Forgotten) {
+    let root = store.root();
+    let going = |id: &String| {
+        let head = past::head(root, id).unwrap_or_default();
+        head.of.inputs.values().any(fits)
+    };
+    let going: Vec<String> = past::ids(root).into_iter().filter(going).collect();
+    for id in &going {
+        own::remove(root, &["runs"], &format!("{id}.json"));
+        own::remove(root, &["runs"], &format!("{id}.jsonl"));
+    }
+    for (pin, run) in store.pins() {
+        if going.contains(&run) && store.unpin(&pin) {
+            forgotten.pins.push(pin);
+        }
+    }
+    own::remove(root, &[], "last-run");
+    forgotten.runs = going.len();
+}

@@ -1,0 +1,153 @@
+//! The store's own files: known by the form of their names, listed and removed without ever going
+//! through a link.
+
+use super::place;
+use crate::nofollow;
+use rustix::fs::FileType;
+use stage::Hash;
+use std::fs;
+use std::path::{Path, PathBuf};
+
+/// The store's folders, and whose names are in them.
+const FOLDERS: [(&str, fn(&str) -> bool); 10] = [
+    ("cas", is_prefix),
+    ("ac", is_prefix),
+    ("part", is_prefix),
+    ("parts", is_prefix),
+    ("lease", is_lease),
+    ("runs", is_run),
+    ("pins", super::pins::fits),
+    ("quarantine", is_hash),
+    ("captures", is_hash),
+    ("tmp", is_writing),
+];
+
+/// The store's files beside its folders.
+const FILES: [&str; 5] = ["format", "in-use", "index", "files.json", "last-run"];
+
+/// What others put into any folder that is empty to people: systems, version control, backups.
+const HARMLESS: [&str; 4] = ["lost+found", ".gitignore", ".gitkeep", "CACHEDIR.TAG"];
+
+fn is_hex(text: &str) -> bool {
+    let lower = |b: u8| b.is_ascii_digit() || (b'a'..=b'f').contains(&b);
+    !text.is_empty() && text.bytes().all(lower)
+}
+
+fn is_number(text: &str) -> bool {
+    !text.is_empty() && text.bytes().all(|b| b.is_ascii_digit())
+}
+
+/// A folder of a shelf: the first two digits of a hash.
+fn is_prefix(name: &str) -> bool {
+    name.len() == 2 && is_hex(name)
+}
+
+/// What is named by a hash.
+pub(super) fn is_hash(name: &str) -> bool {
+    name.len() == 64 && is_hex(name)
+}
+
+/// The file of a lease.
+pub(super) fn is_lease(name: &str) -> bool {
+    name.len() == 3 && is_hex(name)
+}
+
+/// A file that is being written: process, count, time.
+pub(super) fn is_writing(name: &str) -> bool {
+    let words: Vec<&str> = name.split('-').collect();
+    matches!(words[..], [id, count, now] if is_number(id) && is_number(count) && is_hex(now))
+}
+
+/// The record or the event log of a run.
+pub(crate) fn is_run(name: &str) -> bool {
+    let id = name
+        .strip_suffix(".json")
+        .or_else(|| name.strip_suffix(".jsonl"));
+    let words = id.and_then(|id| id.split_once('-'));
+    let counts = |n: &str| is_number(n) && n.parse().is_ok_and(|n: u64| n < u64::MAX / 2);
+    words.is_some_and(|(n, process)| n.len() == 20 && counts(n) && is_number(process))
+}
+
+/// What lies in a folder of the store and fits, sorted.
+fn inside(root: &Path, names: &[&str], kind: FileType, fits: impl Fn(&str) -> bool) -> Vec<String> {
+    let at = nofollow::folder(root, names);
+    at.map_or_else(|_| vec![], |at| nofollow::inside(&at, kind, fits))
+}
+
+/// The plain files of a folder of the store whose names fit.
+pub(crate) fn files(root: &Path, name: &str, fits: impl Fn(&str) -> bool) -> Vec<String> {
+    inside(root, &[name], FileType::RegularFile, fits)
+}
+
+/// All that lies on a shelf under a hash.
+pub(super) fn shelf(root: &Path, name: &str) -> Vec<Hash> {
+    let mut hashes = Vec::new();
+    for prefix in inside(root, &[name], FileType::Directory, is_prefix) {
+        let fits = |file: &str| is_hash(file) && file.starts_with(&prefix);
+        let files = inside(root, &[name, &prefix], FileType::RegularFile, fits);
+        hashes.extend(files.iter().filter_map(|file| Hash::from_hex(file).ok()));
+    }
+    hashes
+}
+
+/// Removes a plain file of the store; whether it was there.
+pub(crate) fn remove(root: &Path, folders: &[&str], name: &str) -> bool {
+    nofollow::folder(root, folders).is_ok_and(|at| nofollow::remove(&at, name))
+}
+
+/// Removes what lies on a shelf under a hash.
+pub(super) fn remove_from(root: &Path, shelf: &str, hash: Hash) -> bool {
+    let hex = hash.to_hex();
+    remove(root, &[shelf, &hex[..2]], &hex)
+}
+
+/// A folder of the store that is a link: nothing is removed through it.
+pub(super) fn link(root: &Path) -> Option<PathBuf> {
+    let linked = |path: &PathBuf| fs::symlink_metadata(path).is_ok_and(|m| m.is_symlink());
+    let mut all = FOLDERS.iter().map(|(name, _)| root.join(name));
+    all.find(linked)
+}
+
+/// Something in a folder that is in no store.
+pub(super) fn stranger(root: &Path) -> Option<PathBuf> {
+    let names = |path: &Path| fs::read_dir(path).into_iter().flatten().flatten();
+    for entry in names(root) {
+        let path = entry.path();
+        let name = entry.file_name();
+        let name = name.to_str().unwrap_or("");
+        if HARMLESS.contains(&name) {
+            continue;
+        }
+        let fits = FOLDERS.iter().find(|(folder, _)| *folder == name);
+        let Some((_, fits)) = fits.filter(|_| path.is_dir()) else {
+            match FILES.contains(&name) && path.is_file() {
+                true => continue,
+                false => return Some(path),
+            }
+        };
+        let strange = |name: std::ffi::OsString| !name.to_str().is_some_and(fits);
+        if let Some(entry) = names(&path).find(|e| strange(e.file_name())) {
+            return Some(entry.path());
+        }
+    }
+    None
+}
+
+/// The size of all that lies on a shelf. \[bytes\]
+pub(super) fn size(root: &Path, shelf_name: &str) -> u64 {
+    let size = |hash: &Hash| fs::metadata(place(root, shelf_name, *hash)).map_or(0, |m| m.len());
+    shelf(root, shelf_name).iter().map(size).sum()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn names_are_ours_or_not() {
+        assert!(is_writing("12-0-17f") && !is_writing("12-0") && !is_writing("a-0-1"));
+        assert!(is_run("00000000000000000007-12.json") && !is_run("notes.json"));
+        assert!(is_lease("0af") && !is_lease("abcd") && !is_lease("0AF"));
+        assert!(is_prefix("0a") && !is_prefix("..") && !is_hash("0a"));
+    }
+}

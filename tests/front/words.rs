@@ -1,0 +1,133 @@
+//! Words for mistakes: all at once, each where it was made.
+
+use crate::place::{Place, SMALL};
+
+#[test]
+fn open_ports_are_told_with_the_other_mistakes() {
+    let place = Place::new();
+    let wrong = "goal = [\"a\", \"b\", \"c\"]\n[node.solid]\nstage = \"synth.solid\"\nwith = { stature = 1 }\n\
+        [node.a]\nstage = \"synth.body\"\n[node.b]\nstage = \"synth.sway\"\nfrom = []\n\
+        [node.c]\nstage = \"synth.body\"\nfrom = { solid = \"nobody\" }\n";
+    place.write("wrong.toml", wrong);
+    let said = place.run("check wrong.toml").code(2).err;
+    for what in [
+        "node `a`: port `solid` wants solid",
+        "node `b`: port `cameras` wants cameras",
+        "there is no node `nobody`",
+        "there is no param `stature`",
+    ] {
+        assert!(said.contains(what), "{what}: {said}");
+    }
+    assert!(!said.contains("node `c`"), "said already: {said}");
+}
+
+#[test]
+fn what_the_command_line_says_is_not_looked_for_in_the_file() {
+    let place = Place::new();
+    for (args, says) in [
+        (
+            "run small.toml --set body.cell_mm=0",
+            "`--set body.cell_mm=0`: ",
+        ),
+        ("run small.toml --set body.cel=1", "`--set body.cel=1`: "),
+        (
+            "run small.toml --set solid.veiws=3 --set body.cell_mm=x",
+            "`--set body.cell_mm=x`: ",
+        ),
+        (
+            "run small.toml --input p=.",
+            "`--input p`: there is no input `p`",
+        ),
+        (
+            "sweep small.toml --sweep body.cell_mm=0,1",
+            "`--sweep body.cell_mm=0`: ",
+        ),
+        (
+            "sweep small.toml --sweep body.cell_mm=10..20",
+            "body.cell_mm=10..20/5 is five",
+        ),
+    ] {
+        let said = place.run(args).code(2).err;
+        assert!(said.contains(says), "{args}: {said}");
+        assert!(!said.contains("--> small.toml"), "{args}: {said}");
+    }
+}
+
+#[test]
+fn both_places_of_a_duplicate_are_told() {
+    let place = Place::new();
+    for (more, line) in [
+        ("with = { cell_mm = 40.0 }\nwith = { cell_mm = 1.0 }\n", 8),
+        ("[node.solid]\nstage = \"synth.solid\"\n", 3),
+    ] {
+        let text = SMALL.replace("with = { cell_mm = 40.0 }\n", more);
+        place.write("twice.toml", text);
+        let said = place.run("check twice.toml").code(2).err;
+        assert!(
+            said.contains(&format!("the first is in line {line}")),
+            "{said}"
+        );
+    }
+}
+
+#[test]
+fn what_is_missing_or_leads_out_is_named() {
+    let place = Place::new();
+    let turn = "goal = \"photos\"\n[input.photos]\nfiles = \"*.jpg\"\n[node.photos]\n\
+        stage = \"capture.load\"\nfrom = { files = \"@photos\" }\n";
+    place.write("turn.toml", turn);
+    for args in ["run turn.toml --input photos=no/where", "measure no/where"] {
+        let said = place.run(args).code(2).err;
+        assert!(said.contains("no/where"), "{said}");
+    }
+    for files in [
+        "../../../etc/passwd",
+        "/etc/passwd",
+        "a/../../b",
+        "{x,..}/y",
+    ] {
+        place.write("out.toml", turn.replace("*.jpg", files));
+        for verb in ["check out.toml", "run out.toml --input photos=."] {
+            let said = place.run(verb).code(2).err;
+            assert!(
+                said.contains("stays in the input's folder"),
+                "{files}: {said}"
+            );
+        }
+    }
+}
+
+#[test]
+fn odd_names_of_files_are_told_and_steer_no_terminal() {
+    use std::ffi::OsStr;
+    use std::os::unix::ffi::OsStrExt;
+    let place = Place::new();
+    // Words of a pipeline's own.
+    place.write("esc.toml", SMALL.replace("a doll", "a \\u001b[31mdoll"));
+    place.run("run esc.toml").code(0);
+    let told = place.run("cache runs").code(0).out;
+    assert!(told.contains("a \\u{1b}[31mdoll"), "{told:?}");
+    let turn = "goal = \"photos\"\n[input.photos]\nfiles = \"*.jpg\"\n[node.photos]\n\
+        stage = \"capture.load\"\nfrom = { files = \"@photos\" }\n";
+    place.write("turn.toml", turn);
+    for (bytes, says) in [
+        (&b"a\x1b[31m.jpg"[..], "control characters"),
+        (b"a\nb.jpg", "control characters"),
+        (b"\xff.jpg", "is not UTF-8"),
+    ] {
+        place.photos("turn", 3);
+        let odd = place.path("turn").join(OsStr::from_bytes(bytes));
+        std::fs::write(&odd, "x").unwrap();
+        let said = place.run("run turn.toml --input photos=turn").code(2).err;
+        assert!(said.contains(says), "{said:?}");
+        assert!(
+            !said.contains('\u{1b}') && said.lines().count() == 1,
+            "{said:?}"
+        );
+        std::fs::remove_file(odd).unwrap();
+        // What does not fit is nobody's business.
+        let other = place.path("turn").join(OsStr::from_bytes(b"\xff.txt"));
+        std::fs::write(other, "x").unwrap();
+        place.run("run turn.toml --input photos=turn").code(0);
+    }
+}
