@@ -2,6 +2,9 @@
 
 use stage::AnyStage;
 
+// Sections of surfaces, for the score.
+pub(crate) use measure::{flat, section, tape};
+
 /// The rooms' stages, in the order in which data flows.
 pub const ROOMS: &[&[&dyn AnyStage]] = &[
     synth::STAGES,

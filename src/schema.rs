@@ -27,7 +27,7 @@ pub fn schema<'a>(stages: impl Iterator<Item = &'a dyn AnyStage>) -> Value {
     let stage = json!({ "type": "string", "enum": names, "description": "What the node does" });
     let of_nodes = |value: Value| json!({ "type": "object", "additionalProperties": value });
     let named = |value: Value| json!({ "type": "object", "additionalProperties": value });
-    json!({
+    let mut schema = json!({
         "$schema": "https://json-schema.org/draft/2020-12/schema",
         "title": "A pipeline of tailor",
         "type": "object",
@@ -63,8 +63,14 @@ pub fn schema<'a>(stages: impl Iterator<Item = &'a dyn AnyStage>) -> Value {
                 },
             })),
         },
-        "$defs": { "value": { "type": ["boolean", "number", "string", "array"] } },
-    })
+        "$defs": { "value": { "type": ["boolean", "number", "string", "array", "object"] } },
+    });
+    for spec in stages.iter().flat_map(|s| s.params()) {
+        if spec.entry.is_some() {
+            schema["properties"][spec.name] = param(&spec);
+        }
+    }
+    schema
 }
 
 /// If a node has this stage, its ports and params are these.
@@ -111,7 +117,18 @@ fn rule(stage: &dyn AnyStage) -> Value {
 
 fn param(spec: &ParamSpec) -> Value {
     let mut rule = json!({ "description": spec.doc, "default": plain(&spec.default) });
-    if !spec.choices.is_empty() {
+    if let Some(fields) = &spec.entry {
+        let properties: Map<String, Value> = fields
+            .iter()
+            .map(|f| (f.name.to_owned(), param(f)))
+            .collect();
+        let required = fields.iter().filter(|f| f.required).map(|f| f.name);
+        rule["type"] = json!("object");
+        rule["additionalProperties"] = json!({
+            "type": "object", "properties": properties,
+            "required": required.collect::<Vec<_>>(), "additionalProperties": false,
+        });
+    } else if !spec.choices.is_empty() {
         rule["enum"] = json!(spec.choices);
     } else {
         rule["type"] = json!(match &spec.default {
@@ -120,6 +137,7 @@ fn param(spec: &ParamSpec) -> Value {
             stage::Value::Float(_) => "number",
             stage::Value::Text(_) => "string",
             stage::Value::List(_) => "array",
+            stage::Value::Table(_) => "object",
         });
     }
     if let Some((least, greatest)) = spec.range {
@@ -136,5 +154,6 @@ fn plain(value: &stage::Value) -> Value {
         stage::Value::Float(x) => json!(x),
         stage::Value::Text(t) => json!(t),
         stage::Value::List(l) => l.iter().map(plain).collect(),
+        stage::Value::Table(t) => t.iter().map(|(k, v)| (k.clone(), plain(v))).collect(),
     }
 }

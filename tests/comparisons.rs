@@ -162,3 +162,70 @@ fn folders_are_compared_from_the_command_line_and_bad_ones_are_told() {
         assert!(text.contains(what), "{args:?}: {text}");
     }
 }
+
+#[test]
+fn every_waist_has_the_limit_of_a_large_girth_and_a_file_may_say_the_part_itself() {
+    let place = tempfile::tempdir().unwrap();
+    let girths = |name: &str, off: f64| {
+        let folder = folder(place.path(), name, "3.0", name, 80.0, 100.0);
+        let girth = |name: &str, part: Value| json!({ "name": name, "label": name, "part": part, "cm": 80.0, "tape_cm": 80.0 + off });
+        let list = [
+            girth("WC_navel", Value::Null),
+            girth("HC_max", Value::Null),
+            girth("TC_L", Value::Null),
+            girth("below_the_bust", "chest".into()),
+            girth("mid_thigh_L", "thigh".into()),
+        ];
+        let file = json!({ "unit": "cm", "girths": list });
+        std::fs::write(folder.join("girths.json"), file.to_string()).unwrap();
+        Side::from_folder(name, &folder).unwrap()
+    };
+    let c = compare(vec![girths("a", 0.0), girths("b", 0.7)], None);
+    let told: Vec<_> = c
+        .girths
+        .iter()
+        .map(|row| (row.tolerance_mm, row.same[0]))
+        .collect();
+    let (large, small) = ((9.0, Some(true)), (4.0, Some(false)));
+    assert_eq!(told, [large, large, small, large, small]);
+}
+
+#[test]
+fn relative_lengths_are_never_held_against_centimetres() {
+    let place = tempfile::tempdir().unwrap();
+    let relative = |name: &str, tape: f64| {
+        let folder = folder(place.path(), name, "3.0", name, 80.0, 100.0);
+        let girth = json!({ "name": "WC", "label": "waist", "part": "waist", "rel": tape, "tape_rel": tape });
+        let file = json!({ "unit": "relative", "girths": [girth] });
+        std::fs::write(folder.join("girths.json"), file.to_string()).unwrap();
+        folder
+    };
+    let a = folder(place.path(), "a", "3.0", "h1", 80.0, 100.0);
+    let (b, c) = (relative("b", 0.31), relative("c", 0.32));
+    let [a, b, c] = [&a, &b, &c].map(|p| p.to_str().unwrap());
+    let (code, text) = tailor(&["compare", a, b]);
+    assert_eq!(code, Some(2), "{text}");
+    assert!(
+        text.contains("lengths of b are relative") && text.contains("those of a"),
+        "{text}"
+    );
+    // Side by side they may stand, without a verdict in millimetres.
+    let (code, text) = tailor(&["compare", b, c]);
+    assert_eq!(code, Some(0), "{text}");
+    assert!(
+        text.contains("b [relative]") && text.contains("0.31000"),
+        "{text}"
+    );
+    assert!(
+        !text.contains("[cm]") && !text.contains("NO, 9 mm"),
+        "{text}"
+    );
+    let truth = place.path().join("truth");
+    std::fs::create_dir(&truth).unwrap();
+    let known =
+        json!({ "WC": { "cm": 80.0, "tape_cm": 80.0, "point": [0, 0, 1], "normal": [0, 0, 1] } });
+    std::fs::write(truth.join("measurements.json"), known.to_string()).unwrap();
+    let (code, text) = tailor(&["score", b, "--truth", truth.to_str().unwrap()]);
+    assert_eq!(code, Some(2), "{text}");
+    assert!(text.contains("its lengths are relative"), "{text}");
+}

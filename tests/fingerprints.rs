@@ -60,11 +60,14 @@ fn no_stage_gives_other_bytes_under_the_same_version() {
     let mut more: Vec<&str> = goal.split_whitespace().collect();
     more.extend(["--out", "out"]);
     let mut now = run(place.path(), "stages.toml", &more);
+    let tables = Path::new(env!("CARGO_MANIFEST_DIR")).join("models/tables");
+    let tables = format!("tables={}", tables.display());
     let inputs = [
         "photos=out/photos",
         "cameras=out",
         "masks=out/masks",
         "surface=out",
+        &tables,
     ];
     let inputs: Vec<&str> = inputs.iter().flat_map(|i| ["--input", *i]).collect();
     now.extend(run(place.path(), "imports.toml", &inputs));

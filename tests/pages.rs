@@ -45,6 +45,7 @@ fn side(name: &str, half: [f32; 3]) -> Side {
     Side {
         name: name.into(),
         nodes: vec![],
+        unit: None,
         girths: vec![],
         mesh: Some(block(half)),
         views: Default::default(),

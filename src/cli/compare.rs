@@ -2,7 +2,7 @@
 
 use super::run::{execute, folders, opened};
 use super::{Change, Fault, House};
-use crate::compare::{NodeRun, Side, compare, json, markdown, page};
+use crate::compare::{NodeRun, Side, compare, json, markdown, mixed, page};
 use crate::store::Store;
 use crate::{delivery, walk};
 use clap::Args;
@@ -75,6 +75,9 @@ pub(crate) fn compare_sides(args: &CompareArgs, house: &House) -> Result<(), Fau
                 Side::from_run(text, &outcome.json(graph), &store).map_err(Fault::stage)?
             }
         });
+    }
+    if let Some(why) = mixed(&sides) {
+        return Err(Fault::input(why));
     }
     let comparison = compare(sides, args.tolerance_mm);
     let pretty = || serde_json::to_string_pretty(&json(&comparison)).expect("bug: JSON");

@@ -17,6 +17,10 @@ pub(crate) struct Scoring {
     /// Fail unless a girth is measured and its tape is within so many percent: NAME=PERCENT
     #[arg(long)]
     require: Vec<String>,
+    /// Fail unless a girth's tape is within so many percent of the true surface's at the plane that was
+    /// told: NAME=PERCENT
+    #[arg(long)]
+    require_surface: Vec<String>,
 }
 
 /// Does it.
@@ -41,30 +45,47 @@ pub(crate) fn scoring(args: &Scoring, house: &House) -> Result<(), Fault> {
         }
     }
     let mut bad = Vec::new();
-    for wanted in &args.require {
-        let shape = || {
-            Fault::input(format!(
-                "`--require {wanted}`: say NAME=PERCENT, such as WC=1"
-            ))
-        };
-        let (name, most) = wanted.split_once('=').ok_or_else(shape)?;
-        let most: f64 = most.parse().map_err(|_| shape())?;
+    for (name, most) in wanted("--require", &args.require)? {
         for score in &scores {
             let girth = score.girths.get(name).and_then(|g| g.as_ref());
-            match girth.and_then(|g| g.tape_error_pct) {
-                None => bad.push(format!(
-                    "{name} was not measured, or its truth is not known"
-                )),
-                Some(e) if e.abs() > most => {
-                    bad.push(format!("{name} is {e:+.2} % off, not within {most} %"))
-                }
-                Some(_) => {}
-            }
+            bad.extend(beyond(name, most, girth.and_then(|g| g.tape_error_pct), ""));
+        }
+    }
+    for (name, most) in wanted("--require-surface", &args.require_surface)? {
+        for score in &scores {
+            let told = score.girths_at_told_planes.get(name);
+            let told = told.and_then(|t| t.as_ref()).map(|t| t.tape_pct);
+            bad.extend(beyond(name, most, told, " at the plane that was told"));
         }
     }
     if bad.is_empty() {
         Ok(())
     } else {
         Err(Fault::stage(bad.join("\n")))
+    }
+}
+
+/// What is asked for: names and percents.
+fn wanted<'a>(flag: &str, all: &'a [String]) -> Result<Vec<(&'a str, f64)>, Fault> {
+    let one = |wanted: &'a String| {
+        let parts = wanted.split_once('=');
+        let parts = parts.and_then(|(name, most)| Some((name, most.parse().ok()?)));
+        parts.ok_or_else(|| {
+            Fault::input(format!("`{flag} {wanted}`: say NAME=PERCENT, such as WC=1"))
+        })
+    };
+    all.iter().map(one).collect()
+}
+
+/// What is wrong with an error in percent that must not be greater. `None` if nothing is.
+fn beyond(name: &str, most: f64, error: Option<f64>, place: &str) -> Option<String> {
+    match error {
+        None => Some(format!(
+            "{name} was not measured, or its truth is not known{place}"
+        )),
+        Some(e) if e.is_nan() || e.abs() > most => Some(format!(
+            "{name} is {e:+.2} % off{place}, not within {most} %"
+        )),
+        Some(_) => None,
     }
 }

@@ -1,6 +1,6 @@
 //! The last screen of `tailor measure`: what was measured, what was not, and where it lies.
 
-use shape::{Cameras, Girths, Scale};
+use shape::{Cameras, Girths, Scale, Unit};
 
 /// Lines are broken before this column.
 const WIDTH: usize = 100;
@@ -51,22 +51,31 @@ pub(crate) fn screen(
         .iter()
         .map(|g| g.name.len() + 1 + g.label.chars().count());
     let wide = wide.fold(24, usize::max);
+    let (head, length): (_, fn(f64) -> String) = match girths.unit {
+        Unit::Metric => ("tape cm", |mm| format!("{:.1}", mm / 10.0)),
+        Unit::Relative => ("relative", |mm| format!("{:.4}", mm / 1000.0)),
+    };
     if !girths.girths.is_empty() {
         text += &format!(
             "{:<wide$} {:>8}  {:<16} {:>8}\n",
-            "girth", "tape cm", "interval (90 %)", "contour"
+            "girth", head, "interval (90 %)", "contour"
         );
     }
-    let cm = |mm: f64| mm / 10.0;
     for g in &girths.girths {
-        let [lo, hi] = g.interval_mm.map(cm);
-        let interval = format!("{lo:.1} to {hi:.1}");
+        let interval = match g.interval_mm {
+            Some([lo, hi]) => format!("{} to {}", length(lo), length(hi)),
+            None => format!("unknown: {}", g.sigmas.unknown().join(", ")),
+        };
         let label = format!("{} {}", g.name, g.label);
-        let (tape, contour) = (cm(g.tape_mm), cm(g.contour_mm));
-        text += &format!("{label:<wide$} {tape:>8.1}  {interval:<16} {contour:>8.1}\n");
+        let (tape, contour) = (length(g.tape_mm), length(g.contour_mm));
+        text += &format!("{label:<wide$} {tape:>8}  {interval:<16} {contour:>8}\n");
     }
     if let Some(mm) = girths.stature_mm {
-        text += &format!("{:<wide$} {:>8.1}\n", "stature", cm(mm));
+        text += &format!("{:<wide$} {:>8}\n", "stature", length(mm));
+    }
+    if girths.compression_pct > 0.0 {
+        let percent = girths.compression_pct;
+        text += &format!("tapes are shortened by {percent} %, as compression_pct declares\n");
     }
     for (name, value, note) in &girths.ratios {
         text += format!("{name:<wide$} {value:>8.3}  {note}").trim_end();
@@ -101,14 +110,15 @@ fn origin(cameras: &Cameras) -> String {
         Scale::Given => "the cameras that were given",
         Scale::Nothing => {
             return "LENGTHS ARE RELATIVE, for nothing of known length was given: \
-                    ratios hold, centimetres do not"
+                    ratios hold, and 1 is the camera ring's radius"
                 .into();
         }
     };
-    format!(
-        "lengths come from {from} (± {:.2} %)",
-        100.0 * cameras.scale_sigma
-    )
+    let sure = match cameras.scale_sigma {
+        Some(sigma) => format!("± {:.2} %", 100.0 * sigma),
+        None => "how sure: unknown".into(),
+    };
+    format!("lengths come from {from} ({sure})")
 }
 
 /// The line in pieces, the later ones set in.
@@ -132,6 +142,7 @@ fn broken(line: &str, indent: usize) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use shape::{GirthId, Refusal};
 
     #[test]
     fn numbers_keep_the_digits_that_matter() {
@@ -165,16 +176,13 @@ mod tests {
 
     #[test]
     fn one_reason_is_told_once_for_all_that_it_is_the_reason_of() {
-        let missing = |name: &str, why: &str| shape::Missing {
-            name: name.into(),
-            why: why.into(),
-        };
+        let missing = shape::Missing::because;
         let legs = "no two legs were found";
         let girths = Girths {
             missing: vec![
-                missing("HC", legs),
-                missing("NC", "no neck"),
-                missing("WC", legs),
+                missing(GirthId::Hip, Refusal::NoLegs, legs),
+                missing(GirthId::Neck, Refusal::NoNeck, "no neck"),
+                missing(GirthId::Waist, Refusal::NoLegs, legs),
             ],
             ..Girths::default()
         };
@@ -190,7 +198,7 @@ mod tests {
         let mut cameras = Cameras {
             views: [].into_iter().collect(),
             scale: Scale::Nothing,
-            scale_sigma: 0.0,
+            scale_sigma: None,
             disk_radius_mm: None,
             ground_mm: 0.0,
             points: vec![],
@@ -200,8 +208,11 @@ mod tests {
         cameras.scale = Scale::Mat;
         let told = screen("a", 3, Some(&cameras), &Girths::default());
         assert!(
-            told.contains("a: 0 of 3 photos") && told.contains("the marker mat"),
+            told.contains("a: 0 of 3 photos")
+                && told.contains("the marker mat (how sure: unknown)"),
             "{told}"
         );
+        cameras.scale_sigma = Some(0.0012);
+        assert!(screen("a", 3, Some(&cameras), &Girths::default()).contains("(± 0.12 %)"));
     }
 }

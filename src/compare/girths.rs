@@ -1,36 +1,74 @@
 //! Girths side by side, and whether they are the same within a tolerance.
 
 use super::side::Side;
-use crate::score::iso_mm;
-use serde::{Deserialize, Serialize};
+use crate::score::{RELATIVE, iso_mm};
+use serde_json::{Map, Value, json};
+use shape::Unit;
 
-/// A girth as `girths.json` has it.
-#[derive(Debug, Clone, PartialEq, Deserialize)]
+/// A girth as `girths.json` has it, lengths in the unit of its file.
+#[derive(Debug, Clone, PartialEq)]
 pub struct Told {
     /// Short name.
     pub name: String,
     /// What people call it.
     pub label: String,
-    /// Along the contour. \[cm\]
-    pub cm: f64,
-    /// By tape. \[cm\]
-    pub tape_cm: f64,
-    /// The tape's interval. \[cm\]
-    pub interval_cm: Option<[f64; 2]>,
+    /// Where on the body, by the table of girths; older files do not say.
+    pub part: Option<String>,
+    /// Along the contour.
+    pub contour: f64,
+    /// By tape.
+    pub tape: f64,
 }
 
-/// One girth of all sides.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+/// The unit and the girths of a `girths.json`, or what is wrong with it.
+pub(super) fn told(text: &str) -> Result<(Unit, Vec<Told>), String> {
+    let file: Value = serde_json::from_str(text).map_err(|e| e.to_string())?;
+    let unit = match file["unit"] == RELATIVE {
+        true => Unit::Relative,
+        false => Unit::Metric,
+    };
+    let suffix = suffix(unit);
+    let tape = format!("tape_{suffix}");
+    let one = |girth: &Value| {
+        let text = |key: &str| girth[key].as_str().map(str::to_owned);
+        Some(Told {
+            name: text("name")?,
+            label: text("label")?,
+            part: text("part"),
+            contour: girth[suffix].as_f64()?,
+            tape: girth[&tape].as_f64()?,
+        })
+    };
+    let list = file["girths"].as_array().ok_or("it has no list `girths`")?;
+    let whole = |girth: &Value| {
+        let why = || format!("a girth has no `name`, `label`, `{suffix}` or `{tape}`");
+        one(girth).ok_or_else(why)
+    };
+    Ok((unit, list.iter().map(whole).collect::<Result<_, _>>()?))
+}
+
+/// What keys end in.
+fn suffix(unit: Unit) -> &'static str {
+    match unit {
+        Unit::Metric => "cm",
+        Unit::Relative => "rel",
+    }
+}
+
+/// One girth of all sides, lengths in their unit.
+#[derive(Debug, Clone, PartialEq)]
 pub struct GirthRow {
     /// Short name.
     pub name: String,
     /// What people call it.
     pub label: String,
-    /// Along the contour, one entry a side. \[cm\]
-    pub cm: Vec<Option<f64>>,
-    /// By tape, one entry a side. \[cm\]
-    pub tape_cm: Vec<Option<f64>>,
-    /// Tape against the first side's, one entry for each other. \[mm\]
+    /// What lengths are in.
+    pub unit: Unit,
+    /// Along the contour, one entry a side.
+    pub contour: Vec<Option<f64>>,
+    /// By tape, one entry a side.
+    pub tape: Vec<Option<f64>>,
+    /// Tape against the first side's, one entry for each other; none where lengths are relative. \[mm\]
     pub off_mm: Vec<Option<f64>>,
     /// How much is no difference. \[mm\]
     pub tolerance_mm: f64,
@@ -38,35 +76,79 @@ pub struct GirthRow {
     pub same: Vec<Option<bool>>,
 }
 
-/// The girths that any side has, in the order in which they are met.
+impl GirthRow {
+    /// For other programs.
+    pub(super) fn json(&self) -> Value {
+        let suffix = suffix(self.unit);
+        let mut row = Map::new();
+        let mut put = |key: &str, value: Value| row.insert(key.to_owned(), value);
+        put("name", json!(self.name));
+        put("label", json!(self.label));
+        put(suffix, json!(self.contour));
+        put(&format!("tape_{suffix}"), json!(self.tape));
+        if self.unit == Unit::Metric {
+            put("off_mm", json!(self.off_mm));
+            put("tolerance_mm", json!(self.tolerance_mm));
+            put("same", json!(self.same));
+        }
+        Value::Object(row)
+    }
+}
+
+/// Why girths of these sides cannot be compared: some have a scale, some have none.
+pub fn mixed(sides: &[Side]) -> Option<String> {
+    let of = |unit: Unit| -> Vec<&str> {
+        let some = sides.iter().filter(|s| s.unit == Some(unit));
+        some.map(|s| s.name.as_str()).collect()
+    };
+    let (metric, relative) = (of(Unit::Metric), of(Unit::Relative));
+    (!metric.is_empty() && !relative.is_empty()).then(|| {
+        format!(
+            "lengths of {} are relative, for nothing of known length was given, those of {} are centimetres: they cannot be compared",
+            relative.join(", "),
+            metric.join(", ")
+        )
+    })
+}
+
+/// The girths that any side has, in the order in which they are met; none where units are [`mixed`].
+/// Relative lengths stand side by side, but no limit in millimetres is held against them.
 pub fn girths(sides: &[Side], tolerance_mm: Option<f64>) -> Vec<GirthRow> {
-    let mut names: Vec<(&str, &str)> = Vec::new();
+    if mixed(sides).is_some() {
+        return vec![];
+    }
+    let unit = sides.iter().find_map(|s| s.unit).unwrap_or_default();
+    let mut firsts: Vec<&Told> = Vec::new();
     for g in sides.iter().flat_map(|s| &s.girths) {
-        if !names.iter().any(|(n, _)| *n == g.name) {
-            names.push((&g.name, &g.label));
+        if !firsts.iter().any(|known| known.name == g.name) {
+            firsts.push(g);
         }
     }
-    let row = |(name, label): (&str, &str)| {
+    let row = |told: &Told| {
         let of = |f: fn(&Told) -> f64| -> Vec<Option<f64>> {
-            let find = |s: &Side| s.girths.iter().find(|g| g.name == name).map(f);
+            let find = |s: &Side| s.girths.iter().find(|g| g.name == told.name).map(f);
             sides.iter().map(find).collect()
         };
-        let tape = of(|g| g.tape_cm);
-        let tolerance = tolerance_mm.unwrap_or_else(|| iso_mm(name));
-        let off = |other: &Option<f64>| Some((((*other)? - tape[0]?) * 100.0).round() / 10.0);
+        let tape = of(|g| g.tape);
+        let tolerance = tolerance_mm.unwrap_or_else(|| iso_mm(&told.name, told.part.as_deref()));
+        let off = |other: &Option<f64>| match unit {
+            Unit::Metric => Some((((*other)? - tape[0]?) * 100.0).round() / 10.0),
+            Unit::Relative => None,
+        };
         let off: Vec<Option<f64>> = tape.iter().skip(1).map(off).collect();
         GirthRow {
-            name: name.into(),
-            label: label.into(),
-            cm: of(|g| g.cm),
+            name: told.name.clone(),
+            label: told.label.clone(),
+            unit,
+            contour: of(|g| g.contour),
             same: off
                 .iter()
                 .map(|o| o.map(|mm| mm.abs() <= tolerance))
                 .collect(),
             off_mm: off,
-            tape_cm: tape.clone(),
+            tape,
             tolerance_mm: tolerance,
         }
     };
-    names.into_iter().map(row).collect()
+    firsts.into_iter().map(row).collect()
 }

@@ -18,7 +18,7 @@ mod views;
 mod words;
 
 pub use differ::{Change, Difference, differ};
-pub use girths::{GirthRow, Told, girths};
+pub use girths::{GirthRow, Told, girths, mixed};
 pub use page::page;
 pub use side::{NodeRun, Side, SideError};
 pub use surfaces::{Apart, apart};

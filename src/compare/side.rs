@@ -1,11 +1,11 @@
 //! One side: what ran, the girths and the surface that came out.
 
-use super::girths::Told;
+use super::girths::{Told, told};
 use super::views::{self, Views};
 use crate::store::Store;
 use serde::Deserialize;
 use serde_json::Value;
-use shape::{Cameras, Girths, Masks, Mesh, Photos, girths_to_json, mesh_from_ply};
+use shape::{Cameras, Girths, Masks, Mesh, Photos, Unit, girths_to_json, mesh_from_ply};
 use stage::{AnyArtifact, Hash};
 use std::collections::HashMap;
 use std::path::{Path, PathBuf};
@@ -40,6 +40,8 @@ pub struct Side {
     pub name: String,
     /// What ran, each after what it reads.
     pub nodes: Vec<NodeRun>,
+    /// What lengths of its girths are in; none where it has no girths.
+    pub unit: Option<Unit>,
     /// The girths.
     pub girths: Vec<Told>,
     /// The surface that was measured.
@@ -72,11 +74,6 @@ fn nodes(name: &str, run: &Value) -> Result<Vec<NodeRun>, SideError> {
     nodes.map_err(|e| SideError::Record(format!("{name} ({e})")))
 }
 
-fn told(json: &str) -> Result<Vec<Told>, serde_json::Error> {
-    let file: Value = serde_json::from_str(json)?;
-    serde_json::from_value(file["girths"].clone())
-}
-
 impl Side {
     /// Out of a folder that `measure` or `run` wrote. Girths and surface may be missing.
     pub fn from_folder(name: &str, folder: &Path) -> Result<Side, SideError> {
@@ -97,10 +94,13 @@ impl Side {
         })?;
         let run: Value = serde_json::from_slice(&run).map_err(|e| wrong(folder, "run.json", e))?;
         let girths = match read("girths.json")? {
-            Some(bytes) => told(&String::from_utf8_lossy(&bytes))
-                .map_err(|e| wrong(folder, "girths.json", e))?,
-            None => vec![],
+            Some(bytes) => Some(
+                told(&String::from_utf8_lossy(&bytes))
+                    .map_err(|e| wrong(folder, "girths.json", e))?,
+            ),
+            None => None,
         };
+        let (unit, girths) = girths.unzip();
         let mut mesh = None;
         for file in ["body.ply", "hull.ply"] {
             if let (None, Some(bytes)) = (&mesh, read(file)?) {
@@ -110,7 +110,8 @@ impl Side {
         Ok(Side {
             name: name.into(),
             nodes: nodes(name, &run)?,
-            girths,
+            unit,
+            girths: girths.unwrap_or_default(),
             mesh,
             views: views::of_folder(folder).map_err(|e| wrong(folder, "", e))?,
         })
@@ -150,8 +151,10 @@ impl Side {
         let cameras = there("cameras").and_then(|a| a.downcast::<Cameras>());
         let views = photos.map(|p| views::of_run(&p, masks.as_deref(), cameras.as_deref()));
         let girths = girths.map(|g| told(&girths_to_json(&g)).expect("bug: girths JSON"));
+        let (unit, girths) = girths.unzip();
         Ok(Side {
             name: name.into(),
+            unit,
             girths: girths.unwrap_or_default(),
             mesh: mesh
                 .and_then(|a| a.downcast::<Mesh>())

@@ -118,14 +118,14 @@ mod tests {
         let view = shape::View {
             name: "0007.jpg".into(),
             camera,
-            sigma_mm: 0.0,
-            rms_px: 0.0,
+            sigma_mm: None,
+            rms_px: None,
             points: 0,
         };
         let cameras = Cameras {
             views: [(PhotoId(7), view)].into_iter().collect::<ByPhoto<_>>(),
             scale: Scale::Mat,
-            scale_sigma: 0.0,
+            scale_sigma: None,
             disk_radius_mm: None,
             ground_mm: 0.0,
             points: vec![],

@@ -3,6 +3,7 @@
 use super::differ::Difference;
 use super::{Comparison, Side};
 use serde_json::{Value, json};
+use shape::Unit;
 use std::collections::HashSet;
 use std::fmt::Write;
 
@@ -20,14 +21,19 @@ fn signed(x: Option<f64>) -> String {
 /// Girths: by tape, and how far from the first.
 pub(super) fn girth_table(c: &Comparison) -> Table {
     let mut head: Vec<String> = vec!["girth".into()];
-    head.extend(c.sides.iter().map(|s| format!("{} [cm]", s.name)));
+    let unit = c.girths.first().map_or(Unit::Metric, |row| row.unit);
+    let (word, digits) = match unit {
+        Unit::Metric => ("cm", 2),
+        Unit::Relative => ("relative", 5),
+    };
+    head.extend(c.sides.iter().map(|s| format!("{} [{word}]", s.name)));
     for side in c.sides.iter().skip(1) {
         head.extend([format!("{} off [mm]", side.name), "within".into()]);
     }
     let mut table = vec![head];
     for row in &c.girths {
         let mut line = vec![format!("{} ({})", row.name, row.label)];
-        line.extend(row.tape_cm.iter().map(|cm| number(*cm, 2)));
+        line.extend(row.tape.iter().map(|length| number(*length, digits)));
         for (off, same) in row.off_mm.iter().zip(&row.same) {
             let word = match same {
                 Some(true) => format!("yes, {} mm", row.tolerance_mm),
@@ -231,6 +237,6 @@ pub fn json(c: &Comparison) -> Value {
         "program": concat!("tailor ", env!("CARGO_PKG_VERSION")),
         "sides": c.sides.iter().map(side).collect::<Vec<_>>(),
         "against_first": others.map(against).collect::<Vec<_>>(),
-        "girths": c.girths,
+        "girths": c.girths.iter().map(super::GirthRow::json).collect::<Vec<_>>(),
     })
 }

@@ -1,6 +1,7 @@
 //! Recipe → Graph: names mean something, or every mistake with its place.
 
 use super::arrange::arranged;
+use super::sections::sections_of;
 use super::{Mistake, Node, Recipe};
 use crate::graph::{Bound, Graph, Source};
 use petgraph::algo::{tarjan_scc, toposort};
@@ -40,6 +41,7 @@ pub fn bind(
         let known = known.as_ref();
         bound.push(known.and_then(|known| binder.node(node, known, &stages)));
     }
+    binder.idle_sections(&stages, &bound, strict);
     let goal = binder.goal();
     let order = binder.order(&bound);
     if strict && binder.mistakes.is_empty() {
@@ -66,6 +68,8 @@ pub(super) struct Binder<'a> {
 pub(super) struct Known {
     pub(super) stage: &'static dyn AnyStage,
     pub(super) ports: Arc<[PortSpec]>,
+    /// The sections that it takes.
+    pub(super) sections: Arc<[&'static str]>,
 }
 
 impl<'a> Binder<'a> {
@@ -77,7 +81,12 @@ impl<'a> Binder<'a> {
         let known = self.known.entry(&node.stage.value).or_insert_with(|| {
             let stage = find(&node.stage.value)?;
             let ports = stage.ports().into();
-            Some(Known { stage, ports })
+            let sections = sections_of(&stage.params()).into();
+            Some(Known {
+                stage,
+                ports,
+                sections,
+            })
         });
         if known.is_none() && !node.stage.value.is_empty() {
             let known: Vec<&str> = crate::catalog::stages().map(|s| s.name()).collect();
@@ -91,7 +100,7 @@ impl<'a> Binder<'a> {
     }
 
     fn node(&mut self, node: &'a Node, known: &Known, stages: &[Option<Known>]) -> Option<Bound> {
-        let Known { stage, ports } = known;
+        let Known { stage, ports, .. } = known;
         let mut from: Vec<Option<Source>> = vec![None; ports.len()];
         let before = self.mistakes.len();
         for (port, said) in self.wires(node, ports, stages) {
@@ -125,12 +134,7 @@ impl<'a> Binder<'a> {
                 ));
             }
         }
-        let said = node
-            .with
-            .iter()
-            .map(|(k, v)| (k.value.clone(), v.value.clone()))
-            .collect();
-        match stage.check(&said) {
+        match stage.check(&self.told(node, known)) {
             Ok(params) => Some(Bound {
                 name: node.name.value.clone(),
                 stage: *stage,
@@ -139,19 +143,10 @@ impl<'a> Binder<'a> {
                 from,
             }),
             Err(wrong) => {
+                let specs = stage.params();
                 for w in wrong {
-                    let pair = node.with.iter().find(|(k, _)| k.value == w.name);
-                    let unknown = !stage.params().iter().any(|p| p.name == w.name);
-                    let span =
-                        pair.map_or(
-                            &node.name.span,
-                            |(k, v)| if unknown { &k.span } else { &v.span },
-                        );
-                    let what = match unknown {
-                        true => format!("{}: {}", stage.name(), w.what),
-                        false => format!("`{}` {}", w.name, w.what),
-                    };
-                    self.mistakes.push(Mistake::at(span, what));
+                    let mistake = self.misread(node, stage.name(), &specs, w);
+                    self.mistakes.push(mistake);
                 }
                 None
             }

@@ -8,6 +8,7 @@ mod bind;
 mod mistake;
 mod plain;
 mod read;
+mod sections;
 mod sweeps;
 mod tree;
 mod variant;
@@ -16,6 +17,7 @@ mod wire;
 pub use bind::bind;
 pub use mistake::{Mistake, Mistakes};
 pub use read::read;
+pub use sections::Section;
 pub use variant::{parse_value, vary};
 
 use crate::graph::{Graph, Origin};
@@ -154,6 +156,8 @@ pub struct Recipe {
     pub inputs: Vec<Input>,
     /// The nodes.
     pub nodes: Vec<Node>,
+    /// Entries of sections.
+    pub sections: Vec<Section>,
     /// The same, otherwise.
     pub variants: Vec<Variant>,
     /// Grids of params.

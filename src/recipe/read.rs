@@ -1,7 +1,7 @@
 //! TOML → [`Recipe`]: knows the grammar, not what names mean.
 
 use super::tree::{Item, Key, Spot, Table, tree};
-use super::{From, Input, Mistake, Node, Recipe, Said, Variant, With};
+use super::{From, Input, Mistake, Node, Recipe, Said, Section, Variant, With};
 use stage::{Value, unknown};
 use std::ops::Range;
 
@@ -102,13 +102,17 @@ impl Reader {
             Item::List(list) => Some(Value::List(
                 list.iter().map(|v| self.value(v).value).collect(),
             )),
-            Item::Other | Item::Table(_) => None,
+            Item::Table(table) => {
+                let entry = |(k, v): &(Key<'_>, _)| (k.said().value, self.value(v).value);
+                Some(Value::Table(table.iter().map(entry).collect()))
+            }
+            Item::Other => None,
         };
         let span = value.span.clone();
         if read.is_none() {
             self.wrong(
                 &span,
-                "a param must be a boolean, a number, a text or a list of them",
+                "a param must be a boolean, a number, a text, or a list or table of them",
             );
         }
         Said {
@@ -149,6 +153,18 @@ impl Reader {
                         self.name(name);
                         let sweep = self.sweep(name.said(), value);
                         recipe.sweeps.push(sweep);
+                    }
+                }
+                // A stage may take it as a section; whether one does, binding tells.
+                _ if matches!(value.item, Item::Table(_)) => {
+                    for (name, value) in self.table(value, "a section") {
+                        self.name(name);
+                        let section = Section {
+                            kind: key.said(),
+                            name: name.said(),
+                            keys: self.with_of(value, "an entry of a section"),
+                        };
+                        recipe.sections.push(section);
                     }
                 }
                 _ => self.unknown_key(key, &["about", "goal", "input", "node", "variant", "sweep"]),
@@ -225,7 +241,11 @@ impl Reader {
     }
 
     fn with(&mut self, value: &Spot<'_>) -> With {
-        let entries = self.table(value, "`with`").iter();
+        self.with_of(value, "`with`")
+    }
+
+    fn with_of(&mut self, value: &Spot<'_>, what: &str) -> With {
+        let entries = self.table(value, what).iter();
         entries.map(|(k, v)| (k.said(), self.value(v))).collect()
     }
 

@@ -1,5 +1,6 @@
 //! Recipe → Recipe: variants, `--set`, and nodes left out.
 
+use super::sections::{merged, nested};
 use super::{From, Mistake, Overrides, Recipe, Said, Variant};
 use stage::{Value, unknown};
 use std::ops::Range;
@@ -140,7 +141,7 @@ pub(super) fn of_sets(mistakes: Vec<Mistake>, sets: &[String]) -> Vec<Mistake> {
     mistakes.into_iter().map(said).collect()
 }
 
-/// `NODE.PARAM=VALUE`; a bare word is a text.
+/// `NODE.PARAM=VALUE`, or `NODE.SECTION.ENTRY.KEY=VALUE`; a bare word is a text.
 fn apply_set(recipe: &mut Recipe, text: &str, i: usize) -> Result<(), String> {
     let shape = || "say NODE.PARAM=VALUE, such as hull.voxel_mm=2".to_owned();
     let (place, value) = text.split_once('=').ok_or_else(shape)?;
@@ -148,10 +149,15 @@ fn apply_set(recipe: &mut Recipe, text: &str, i: usize) -> Result<(), String> {
     let names: Vec<&str> = recipe.nodes.iter().map(|n| n.name.value.as_str()).collect();
     let at = names.iter().position(|n| *n == node);
     let at = at.ok_or_else(|| unknown("node", node, &names))?;
-    let value = parse_value(value.trim());
+    let path: Vec<&str> = param.split('.').collect();
+    let mut value = nested(&path[1..], parse_value(value.trim()));
+    let mut with = recipe.nodes[at].with.iter();
+    if let Some((_, old)) = with.find(|(name, _)| path.len() > 1 && name.value == path[0]) {
+        value = merged(old.value.clone(), value);
+    }
     let here = on_command_line(i);
     let said = Said {
-        value: param.to_owned(),
+        value: path[0].to_owned(),
         span: here.clone(),
     };
     set(recipe, at, said, Said { value, span: here });
@@ -168,6 +174,10 @@ pub fn parse_value(text: &str) -> Value {
             toml::Value::Integer(i) => Value::Int(*i),
             toml::Value::Float(x) => Value::Float(*x),
             toml::Value::String(t) => Value::Text(t.clone()),
+            toml::Value::Table(t) => {
+                let entry = |(k, v): (&String, _)| Some((k.clone(), convert(v)?));
+                Value::Table(t.iter().map(entry).collect::<Option<_>>()?)
+            }
             toml::Value::Array(l) => Value::List(l.iter().map(convert).collect::<Option<_>>()?),
             _ => return None,
         })

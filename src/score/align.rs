@@ -20,6 +20,15 @@ impl Motion {
         }
     }
 
+    /// This motion, and then another.
+    pub(crate) fn then(&self, next: &Motion) -> Self {
+        Motion {
+            scale: self.scale * next.scale,
+            rotation: next.rotation * self.rotation,
+            translation: next.rotation * self.translation * next.scale + next.translation,
+        }
+    }
+
     /// Carries a point.
     pub(crate) fn apply(&self, p: &Point3<f64>) -> Point3<f64> {
         Point3::from(self.rotation * p.coords * self.scale + self.translation)
@@ -84,5 +93,8 @@ mod tests {
                 .iter()
                 .all(|(from, to)| (found.apply(from) - to).norm() < 1e-12)
         );
+        let twice = found.then(&known);
+        let (from, to) = pairs[0];
+        assert!((twice.apply(&from) - known.apply(&to)).norm() < 1e-11);
     }
 }

@@ -1,8 +1,9 @@
 //! Girths against the true ones, and the limits of ISO 20685-1.
 
-use crate::score::truth::{True, Unreadable, json};
+use crate::score::truth::{True, Unreadable, error, json};
 use serde::Serialize;
 use serde_json::Value;
+use shape::{GirthId, Region};
 use std::collections::BTreeMap;
 use std::path::Path;
 
@@ -21,6 +22,10 @@ pub struct GirthScore {
     pub tape_error_mm: Option<f64>,
     /// Whether the tape's interval holds the true tape.
     pub interval_holds: Option<bool>,
+    /// What the surface errs at the plane that was told, where a true surface is known. \[mm\]
+    pub surface_mm: Option<f64>,
+    /// What the plane's place adds to that. \[mm\]
+    pub level_mm: Option<f64>,
     /// Most that ISO 20685-1 allows: 9 mm for large girths, 4 mm for small ones. \[mm\]
     pub iso_mm: f64,
 }
@@ -32,14 +37,16 @@ impl GirthScore {
     }
 }
 
-/// Large girths are those around the trunk.
-pub(crate) fn iso_mm(name: &str) -> f64 {
-    if ["WC", "HC", "CC", "HC_max"].contains(&name) {
-        9.0
-    } else {
-        4.0
-    }
+/// The limit of ISO 20685-1 for a girth of a file: by the part of the body that the file says, else by
+/// the table; small where neither tells. \[mm\]
+pub(crate) fn iso_mm(name: &str, part: Option<&str>) -> f64 {
+    let by_table = || GirthId::named(name).map(|id| id.definition().region);
+    let region = part.and_then(Region::named).or_else(by_table);
+    region.unwrap_or(Region::Anywhere).limit_mm()
 }
+
+/// A file's unit as it calls it; results without a scale cannot be held against centimetres.
+pub(crate) const RELATIVE: &str = "relative";
 
 /// The girths of a `girths.json` against the true ones.
 pub(crate) fn girths(
@@ -47,6 +54,12 @@ pub(crate) fn girths(
     known: &BTreeMap<String, True>,
 ) -> Result<BTreeMap<String, Option<GirthScore>>, Unreadable> {
     let file = json(path)?.unwrap_or(Value::Null);
+    if file.get("unit").is_some_and(|unit| unit == RELATIVE) {
+        return Err(error(
+            path,
+            "its lengths are relative, for nothing of known length was given: they cannot be held against centimetres",
+        ));
+    }
     let list = file
         .get("girths")
         .and_then(Value::as_array)
@@ -76,7 +89,9 @@ pub(crate) fn girths(
                     ([lo, hi], Some(mm)) => Some((lo * 10.0..=hi * 10.0).contains(&mm)),
                     _ => None,
                 },
-                iso_mm: iso_mm(name),
+                surface_mm: None,
+                level_mm: None,
+                iso_mm: iso_mm(name, found.get("part").and_then(Value::as_str)),
             }
         });
         (name.clone(), score)

@@ -4,12 +4,14 @@ mod align;
 mod girths;
 mod surface;
 mod table;
+mod told;
 mod truth;
 
 pub use girths::GirthScore;
-pub(crate) use girths::iso_mm;
+pub(crate) use girths::{RELATIVE, iso_mm};
 pub use surface::{Part, Surface};
 pub use table::{iso_table, paper_tables, text};
+pub use told::ToldScore;
 pub use truth::Unreadable;
 
 use align::{Motion, align};
@@ -58,6 +60,9 @@ pub struct Score {
     pub mesh: Option<Surface>,
     /// Girths by name; `None` where the result has none.
     pub girths: BTreeMap<String, Option<GirthScore>>,
+    /// Every tape with a plane against the true surface at that plane; `None` where
+    /// it misses it, or limbs are one with the trunk there.
+    pub girths_at_told_planes: BTreeMap<String, Option<ToldScore>>,
 }
 
 /// Scores a folder that `measure` wrote against a folder of truth.
@@ -66,16 +71,26 @@ pub fn score(result: &Path, truth: &Path) -> Result<Score, Unreadable> {
     let known = truth::girths(&truth.join("measurements.json"))?;
     let true_mesh = truth::mesh(&truth.join("mesh.ply"), 1000.0)?;
     let found_mesh = truth::mesh(&result.join("body.ply"), 1.0)?;
+    let file = result.join("girths.json");
+    let mut girths = girths::girths(&file, &known)?;
+    let mut at_told = BTreeMap::new();
     let mesh = match (found_mesh, true_mesh) {
-        (Some(found), Some(truth)) => surface::surface(&found, &truth, motion, &known),
+        (Some(found), Some(truth)) => match surface::carried(&found, &truth, motion) {
+            Some(carry) => {
+                at_told = told::told(&file, &found, &truth, &carry)?;
+                told::split(&mut girths, &at_told);
+                surface::surface(&found, &truth, &carry, &known)
+            }
+            None => None,
+        },
         _ => None,
     };
-    let girths = girths::girths(&result.join("girths.json"), &known)?;
     Ok(Score {
         cameras,
         masks: masks(result, truth)?,
         mesh,
         girths,
+        girths_at_told_planes: at_told,
     })
 }
 

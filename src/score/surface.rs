@@ -6,7 +6,7 @@ use crate::score::truth::True;
 use nalgebra::{Point3, Vector3};
 use rayon::prelude::*;
 use serde::Serialize;
-use shape::Mesh;
+use shape::{GirthId, Mesh};
 use std::collections::BTreeMap;
 
 /// Distances of one part. \[mm, shares of 1\]
@@ -38,34 +38,44 @@ pub struct Surface {
 }
 
 const SAMPLES: usize = 60_000;
+/// Points by which surfaces are aligned.
+const ALIGNED: usize = 20_000;
 /// The soles touch the disk: nobody sees them. \[mm\]
 const SOLES_MM: f64 = 20.0;
 
-/// Holds a surface against the true one, after the motion that aligned the cameras and a trimmed
-/// rigid alignment of the surfaces (no scale).
-pub(crate) fn surface(
-    found: &Mesh,
-    truth: &Mesh,
-    start: Motion,
-    girths: &BTreeMap<String, True>,
-) -> Option<Surface> {
-    let mut ours = moved(found, &start);
+/// The motion that carries a surface onto the true one: after the one that aligned the cameras, a
+/// trimmed rigid alignment of the surfaces (no scale).
+pub(crate) fn carried(found: &Mesh, truth: &Mesh, start: Motion) -> Option<Motion> {
     let tree = Closest::new(truth);
-    for _ in 0..20 {
-        let points = samples(&ours, 6000);
+    let points = samples(found, ALIGNED);
+    let mut carry = start;
+    for _ in 0..60 {
         let mut pairs: Vec<_> = points
             .par_iter()
-            .filter_map(|p| tree.to(p).map(|hit| (hit.distance, *p, hit.point)))
+            .map(|p| carry.apply(p))
+            .filter_map(|p| tree.to(&p).map(|hit| (hit.distance, p, hit.point)))
             .collect();
         pairs.sort_by(|a, b| a.0.total_cmp(&b.0));
         pairs.truncate(pairs.len() * 8 / 10);
         let pairs: Vec<_> = pairs.into_iter().map(|(_, p, q)| (p, q)).collect();
         let step = align(&pairs, false)?;
-        ours = moved(&ours, &step);
+        carry = carry.then(&step);
         if step.translation.norm() < 1e-3 && step.rotation.angle() < 1e-6 {
             break;
         }
     }
+    Some(carry)
+}
+
+/// Holds a surface against the true one after the motion that carries it there.
+pub(crate) fn surface(
+    found: &Mesh,
+    truth: &Mesh,
+    carry: &Motion,
+    girths: &BTreeMap<String, True>,
+) -> Option<Surface> {
+    let ours = moved(found, carry);
+    let tree = Closest::new(truth);
     let soles = truth.bounds()?.0.z + SOLES_MM;
     let above = |points: Vec<Point3<f64>>| -> Vec<_> {
         points.into_iter().filter(|p| p.z > soles).collect()
@@ -119,13 +129,14 @@ fn distances(signed: &[f64], back: &[f64]) -> Option<Part> {
 
 /// The trunk: between the planes of hip and chest, near the axis through the waist.
 fn trunk(girths: &BTreeMap<String, True>) -> Option<impl Fn(&Point3<f64>) -> bool + use<>> {
-    let plane = |name: &str| girths.get(name).and_then(|g| g.plane);
-    let (hip, chest) = (plane("HC")?.0.z, plane("CC")?.0.z);
-    let widest = ["WC", "HC", "CC"]
-        .iter()
-        .filter_map(|n| Some(girths.get(*n)?.contour_mm));
+    let known = |id: GirthId| girths.get(&id.name());
+    let plane = |id: GirthId| known(id).and_then(|g| g.plane);
+    let (hip, chest) = (plane(GirthId::Hip)?.0.z, plane(GirthId::Chest)?.0.z);
+    let widest = [GirthId::Waist, GirthId::Hip, GirthId::Chest]
+        .into_iter()
+        .filter_map(|id| Some(known(id)?.contour_mm));
     let radius = widest.fold(0.0, f64::max) / std::f64::consts::TAU * 1.35;
-    let axis = plane("WC")?.0;
+    let axis = plane(GirthId::Waist)?.0;
     Some(move |p: &Point3<f64>| {
         p.z > hip.min(chest) && p.z < hip.max(chest) && (p.x - axis.x).hypot(p.y - axis.y) < radius
     })

@@ -1,6 +1,7 @@
 //! Scores as text: one result, and the paper's Tables I and II with ours beside.
 
 use crate::score::{Part, Score};
+use shape::GirthId;
 use std::fmt::Write;
 
 fn or_dash(value: Option<f64>, digits: usize) -> String {
@@ -52,7 +53,7 @@ pub fn text(score: &Score) -> String {
     if !score.girths.is_empty() {
         let _ = writeln!(
             text,
-            "girth      truth cm      cm   error %   tape %  tape mm  ISO 20685-1"
+            "girth      truth cm      cm   error %   tape %  tape mm = surface + level  ISO 20685-1"
         );
         for (name, girth) in &score.girths {
             let Some(g) = girth else {
@@ -71,15 +72,18 @@ pub fn text(score: &Score) -> String {
             };
             let _ = writeln!(
                 text,
-                "{name:<8} {:>10.2} {:>7} {:>9} {:>8} {:>8}  {iso}{held}",
+                "{name:<8} {:>10.2} {:>7} {:>9} {:>8} {:>8} {:>9} {:>7}  {iso}{held}",
                 g.truth_cm,
                 g.cm.map_or("–".into(), |cm| format!("{cm:.2}")),
                 or_dash(g.error_pct, 2),
                 or_dash(g.tape_error_pct, 2),
                 or_dash(g.tape_error_mm, 1),
+                or_dash(g.surface_mm, 1),
+                or_dash(g.level_mm, 1),
             );
         }
     }
+    text += &at_told_planes(score);
     if text.is_empty() {
         text +=
             "nothing to compare: neither cameras, masks, a surface nor girths are on both sides\n";
@@ -87,23 +91,77 @@ pub fn text(score: &Score) -> String {
     text
 }
 
+/// Tapes against the true surface at the planes that were told: what the surface errs.
+fn at_told_planes(score: &Score) -> String {
+    let mut text = String::new();
+    if !score.girths_at_told_planes.is_empty() {
+        text += "tape at the told plane   truth there cm  tape cm  surface %  surface mm\n";
+    }
+    for (name, told) in &score.girths_at_told_planes {
+        let _ = match told {
+            Some(t) => writeln!(
+                text,
+                "{name:<24} {:>14.2} {:>8.2} {:>+10.2} {:>+11.1}",
+                t.truth_there_cm, t.tape_cm, t.tape_pct, t.tape_mm
+            ),
+            None => writeln!(
+                text,
+                "{name:<24} the true surface has no such section there: limb and trunk are one, or the plane misses it"
+            ),
+        };
+    }
+    text
+}
+
+/// What a row of the paper's tables is of.
+#[derive(Clone, Copy)]
+enum PaperRow {
+    Girth(GirthId),
+    WaistToHip,
+}
+
+impl PaperRow {
+    fn name(self) -> String {
+        match self {
+            PaperRow::Girth(id) => id.name(),
+            PaperRow::WaistToHip => "WHR".into(),
+        }
+    }
+}
+
 /// The paper's relative errors, mean ± spread: Table I (mannequin) and Table II (human).
-const PAPER: [(&str, &str, &str); 6] = [
-    ("WC", "+3.17 ± 2.95", "-1.91 ± 2.99"),
-    ("HC", "-0.95 ± 1.51", "+1.42 ± 3.17"),
-    ("WHR", "+4.14 ± 1.14", "-3.26 ± 2.76"),
-    ("NC", "+1.17 ± 4.75", "+4.56 ± 3.04"),
-    ("CC", "+4.57 ± 1.47", "-3.24 ± 1.20"),
-    ("AC", "–", "-4.31 ± 2.16"),
+const PAPER: [(PaperRow, &str, &str); 6] = [
+    (
+        PaperRow::Girth(GirthId::Waist),
+        "+3.17 ± 2.95",
+        "-1.91 ± 2.99",
+    ),
+    (
+        PaperRow::Girth(GirthId::Hip),
+        "-0.95 ± 1.51",
+        "+1.42 ± 3.17",
+    ),
+    (PaperRow::WaistToHip, "+4.14 ± 1.14", "-3.26 ± 2.76"),
+    (
+        PaperRow::Girth(GirthId::Neck),
+        "+1.17 ± 4.75",
+        "+4.56 ± 3.04",
+    ),
+    (
+        PaperRow::Girth(GirthId::Chest),
+        "+4.57 ± 1.47",
+        "-3.24 ± 1.20",
+    ),
+    (PaperRow::Girth(GirthId::UpperArmMean), "–", "-4.31 ± 2.16"),
 ];
 
 /// Relative errors over repeated runs, mean ± spread, beside those of the paper.
 pub fn paper_tables(scores: &[Score]) -> String {
     let mut text =
         String::from("relative error %   ours            paper, Table I   paper, Table II\n");
-    for (name, first, second) in PAPER {
-        let errors: Vec<f64> = scores.iter().filter_map(|s| error_pct(s, name)).collect();
-        let ours = spread(&errors);
+    for (row, first, second) in PAPER {
+        let errors: Vec<f64> = scores.iter().filter_map(|s| error_pct(s, row)).collect();
+        let (name, ours) = (row.name(), spread(&errors));
         let _ = writeln!(text, "{name:<18} {ours:<15} {first:<16} {second}");
     }
     text
@@ -165,13 +223,15 @@ fn spread(errors: &[f64]) -> String {
 }
 
 /// The relative error of a girth's contour, or of the ratio of waist to hip.
-fn error_pct(score: &Score, name: &str) -> Option<f64> {
-    let girth = |name: &str| score.girths.get(name)?.as_ref();
-    if name == "WHR" {
-        let (w, h) = (girth("WC")?, girth("HC")?);
-        return Some((w.cm? / h.cm? / (w.truth_cm / h.truth_cm) - 1.0) * 100.0);
+fn error_pct(score: &Score, row: PaperRow) -> Option<f64> {
+    let girth = |id: GirthId| score.girths.get(&id.name())?.as_ref();
+    match row {
+        PaperRow::Girth(id) => girth(id)?.error_pct,
+        PaperRow::WaistToHip => {
+            let (w, h) = (girth(GirthId::Waist)?, girth(GirthId::Hip)?);
+            Some((w.cm? / h.cm? / (w.truth_cm / h.truth_cm) - 1.0) * 100.0)
+        }
     }
-    girth(name)?.error_pct
 }
 
 #[cfg(test)]
@@ -188,12 +248,15 @@ mod tests {
             tape_error_mm: Some(tape_mm),
             interval_holds: Some(tape_mm.abs() < 8.0),
             iso_mm: 9.0,
+            surface_mm: None,
+            level_mm: None,
         };
         Score {
             cameras: None,
             masks: None,
             mesh: None,
             girths: [("WC".to_owned(), Some(girth)), ("NC".to_owned(), None)].into(),
+            girths_at_told_planes: Default::default(),
         }
     }
 

@@ -2,7 +2,7 @@
 
 use nalgebra::{Matrix3, Point3, Rotation3, Vector3};
 use serde_json::Value;
-use shape::{Mesh, mesh_from_ply};
+use shape::{GirthId, Mesh, mesh_from_ply};
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
@@ -28,7 +28,7 @@ pub(crate) struct True {
     pub(crate) plane: Option<(Point3<f64>, Vector3<f64>)>,
 }
 
-fn error(path: &Path, why: impl ToString) -> Unreadable {
+pub(crate) fn error(path: &Path, why: impl ToString) -> Unreadable {
     Unreadable {
         path: path.into(),
         why: why.to_string(),
@@ -115,7 +115,7 @@ pub(crate) fn girths(path: &Path) -> Result<BTreeMap<String, True>, Unreadable> 
             let point = Point3::from(Vector3::from_column_slice(&point) * 1000.0);
             (point, Vector3::from_column_slice(&normal))
         });
-        if plane.is_some() || name == "AC" {
+        if plane.is_some() || GirthId::named(name) == Some(GirthId::UpperArmMean) {
             let tape_mm = number("tape_cm").map(|cm| cm * 10.0);
             known.insert(
                 name.clone(),

@@ -1,6 +1,6 @@
 //! Numbers that an artifact tells of itself, beside the metrics that its stage gave.
 
-use shape::{Girths, Mesh, Textured};
+use shape::{Girths, Mesh, Textured, Unit};
 use stage::{AnyArtifact, Metric};
 
 /// What there is to tell: girths along the contour and by tape, a surface's volume, area and size.
@@ -24,18 +24,20 @@ fn metric(name: &str, value: f64, unit: &str) -> Metric {
 }
 
 fn girths(girths: &Girths) -> Vec<Metric> {
+    // Without a scale, 1 is the radius of the camera ring.
+    let length = |name: &str, mm: f64| match girths.unit {
+        Unit::Metric => metric(name, mm / 10.0, "cm"),
+        Unit::Relative => metric(name, mm / 1000.0, "relative"),
+    };
     let mut all = Vec::new();
     for g in &girths.girths {
-        all.push(metric(&g.name, g.contour_mm / 10.0, "cm"));
-        all.push(metric(&format!("{}.tape", g.name), g.tape_mm / 10.0, "cm"));
-        let [lo, hi] = g.interval_mm;
-        all.push(metric(&format!("{}.width", g.name), (hi - lo) / 10.0, "cm"));
+        all.push(length(&g.name, g.contour_mm));
+        all.push(length(&format!("{}.tape", g.name), g.tape_mm));
+        if let Some([lo, hi]) = g.interval_mm {
+            all.push(length(&format!("{}.width", g.name), hi - lo));
+        }
     }
-    all.extend(
-        girths
-            .stature_mm
-            .map(|mm| metric("stature", mm / 10.0, "cm")),
-    );
+    all.extend(girths.stature_mm.map(|mm| length("stature", mm)));
     all.extend(girths.volume_l.map(|l| metric("volume", l, "l")));
     all.extend(
         girths

@@ -61,7 +61,7 @@ fn main() {
     let mut cameras = Cameras {
         views: Default::default(),
         scale: Scale::Given,
-        scale_sigma: 0.0,
+        scale_sigma: None,
         disk_radius_mm: None,
         ground_mm: 0.0,
         points: vec![],
@@ -70,8 +70,8 @@ fn main() {
     let view = |c: &Camera| View {
         name: String::new(),
         camera: *c,
-        sigma_mm: 0.0,
-        rms_px: 0.0,
+        sigma_mm: None,
+        rms_px: None,
         points: 0,
     };
     cameras.views = all

@@ -30,8 +30,8 @@ fn turn(away: bool) -> (Masks, Cameras) {
             View {
                 name,
                 camera,
-                sigma_mm: 0.0,
-                rms_px: 0.0,
+                sigma_mm: None,
+                rms_px: None,
                 points: 0,
             },
         )
@@ -39,7 +39,7 @@ fn turn(away: bool) -> (Masks, Cameras) {
     let cameras = Cameras {
         views: (0..8).map(one).collect(),
         scale: Scale::Given,
-        scale_sigma: 0.0,
+        scale_sigma: None,
         disk_radius_mm: None,
         ground_mm: 0.0,
         points: vec![],

@@ -53,8 +53,8 @@ fn carved(views: usize, consensus: f64, edit: impl Fn(usize, &mut Mask)) -> shap
     let view = |camera: &Camera| View {
         name: String::new(),
         camera: *camera,
-        sigma_mm: 0.0,
-        rms_px: 0.0,
+        sigma_mm: None,
+        rms_px: None,
         points: 0,
     };
     let cameras = Cameras {
@@ -64,7 +64,7 @@ fn carved(views: usize, consensus: f64, edit: impl Fn(usize, &mut Mask)) -> shap
             .map(|(k, c)| (id(k), view(c)))
             .collect(),
         scale: Scale::Given,
-        scale_sigma: 0.0,
+        scale_sigma: None,
         disk_radius_mm: None,
         ground_mm: 0.0,
         points: vec![],

@@ -2,20 +2,22 @@
 
 use crate::features::arms::arm_ring;
 use crate::features::body::Body;
-use shape::{Girths, Mesh, Profile};
+use shape::{GirthId, Girths, Mesh, Profile, Unit};
 
-/// Adds ratios, body mass index and volume. Stature and weight are the user's where he gave them.
+/// Adds ratios, body mass index and volume. Stature and weight are the user's where he gave them; where
+/// lengths are relative, nothing is said that needs centimetres.
 pub(crate) fn derive(
     girths: &mut Girths,
     mesh: &Mesh,
-    measured_mm: f64,
+    measured_mm: Option<f64>,
     said_mm: Option<f64>,
     kg: Option<f64>,
 ) {
-    let tape = |name: &str| girths.get(name).map(|g| g.tape_mm);
-    let skin = |name: &str| girths.get(name).map(|g| g.contour_mm);
-    let measured = (measured_mm > 0.0).then_some(measured_mm);
-    let stature = said_mm.or(measured);
+    let metric = girths.unit == Unit::Metric;
+    let (waist, hip) = (girths.of(GirthId::Waist), girths.of(GirthId::Hip));
+    let [waist_tape, hip_tape] = [waist, hip].map(|g| g.map(|g| g.tape_mm));
+    let [waist_skin, hip_skin] = [waist, hip].map(|g| g.map(|g| g.contour_mm));
+    let stature = said_mm.filter(|_| metric).or(measured_mm);
     let mut ratios = Vec::new();
     let mut add = |name: &str, value: Option<f64>, note: &str| {
         if let Some(value) = value.filter(|v| v.is_finite()) {
@@ -24,22 +26,36 @@ pub(crate) fn derive(
     };
     let over = |a: Option<f64>, b: Option<f64>| a.zip(b).map(|(a, b)| a / b);
     let who = "WHO 2008: raised risk from 0.90 (men), 0.85 (women); no diagnosis";
-    add("WHR", over(skin("WC"), skin("HC")), who);
-    add("WHR_tape", over(tape("WC"), tape("HC")), who);
+    add("WHR", over(waist_skin, hip_skin), who);
+    add("WHR_tape", over(waist_tape, hip_tape), who);
     let half = "waist to height: NICE 2022 names 0.5 as a boundary to keep below; no diagnosis";
-    add("WHtR", over(tape("WC"), stature), half);
-    let volume_l = mesh.volume() * 1e-6;
-    let density = kg.map(|kg| kg / volume_l);
+    add("WHtR", over(waist_tape, stature), half);
+    let volume_l = Some(mesh.volume() * 1e-6).filter(|_| metric);
+    let density = kg.zip(volume_l).map(|(kg, litres)| kg / litres);
     add(
         "density_kg_l",
-        density.filter(|_| volume_l > 0.0),
+        density.filter(|d| *d > 0.0),
         "experimental: 1 % of volume is 1 % of density, and the air in the lungs is in it",
     );
     girths.ratios = ratios;
-    girths.stature_mm = measured;
+    girths.stature_mm = measured_mm;
     girths.weight_kg = kg;
-    girths.bmi = kg.zip(stature).map(|(kg, mm)| kg / (mm / 1000.0).powi(2));
-    girths.volume_l = Some(volume_l);
+    let metres = stature.filter(|_| metric).map(|mm| mm / 1000.0);
+    girths.bmi = kg.zip(metres).map(|(kg, m)| kg / m.powi(2));
+    girths.volume_l = volume_l;
+}
+
+/// Shortens tapes, their intervals and what these are made of by a share: what a tape presses in.
+pub(crate) fn compress(girths: &mut Girths, percent: f64) {
+    let by = 1.0 - percent / 100.0;
+    girths.compression_pct = percent;
+    for girth in &mut girths.girths {
+        girth.tape_mm *= by;
+        girth.interval_mm = girth.interval_mm.map(|ends| ends.map(|mm| mm * by));
+        girth.sigmas = girth.sigmas.scaled(by);
+        girth.repeat_mm = girth.repeat_mm.map(|mm| mm * by);
+    }
+    girths.profile.tape_mm.iter_mut().for_each(|mm| *mm *= by);
 }
 
 /// Densities of living bodies, with air in their lungs and what a surface errs. \[kg/l\]
@@ -60,14 +76,15 @@ pub(crate) fn no_density(girths: &Girths) -> Option<String> {
 /// The trunk's tape over height above the ground, from the hip to the chest, while the arms are
 /// apart from it (or the chest was measured without them).
 pub(crate) fn profile(body: &Body, girths: &Girths) -> Profile {
-    let level = |name: &str| {
+    let level = |id: GirthId| {
         girths
-            .get(name)
+            .of(id)
             .filter(|g| g.plane.normal[2] > 0.99)
             .map(|g| g.plane.point_mm[2])
     };
-    let low = level("HC").or(body.crotch).unwrap_or(body.ground) - 0.03 * body.stature;
-    let high = level("CC").unwrap_or(body.ground + 0.7 * body.stature) + 0.01 * body.stature;
+    let low = level(GirthId::Hip).or(body.crotch).unwrap_or(body.ground) - 0.03 * body.stature;
+    let high =
+        level(GirthId::Chest).unwrap_or(body.ground + 0.7 * body.stature) + 0.01 * body.stature;
     let mut profile = Profile::default();
     for slice in body.between(low, high) {
         let apart = [1.0, -1.0]
@@ -109,11 +126,21 @@ mod tests {
         };
         let said = |kg: Option<f64>| {
             let mut girths = Girths::default();
-            derive(&mut girths, &cube, 500.0, None, kg);
+            derive(&mut girths, &cube, Some(500.0), None, kg);
             no_density(&girths)
         };
         assert_eq!(said(Some(120.0)), None);
         assert_eq!(said(None), None);
         assert!(said(Some(52.0)).unwrap().contains("0.42 kg/l"));
+        let mut relative = Girths {
+            unit: Unit::Relative,
+            ..Girths::default()
+        };
+        derive(&mut relative, &cube, Some(500.0), Some(1700.0), Some(52.0));
+        assert_eq!((relative.bmi, relative.volume_l), (None, None));
+        assert_eq!(
+            (relative.ratios, relative.stature_mm),
+            (vec![], Some(500.0))
+        );
     }
 }

@@ -6,22 +6,28 @@
 //!            masks, cameras: girths by silhouettes beside them
 //! ```
 //!
-//! Inside, arrows go one way: `geometry` → `features` → `planes` → `sections` → `uncertainty`.
+//! Inside, arrows go one way: `geometry` → `features` → `model` → `planes` → `sections` → `uncertainty`.
 
 mod derive;
 mod features;
 mod geometry;
 mod girths;
 mod landmarks;
+mod model;
 mod planes;
 mod sections;
 mod uncertainty;
 
-pub use features::arms::{Axis, arm_ring, clear, upper_arm_axis};
+pub use features::arms::{Axis, arm_ring, clear, merged, upper_arm_axis};
 pub use features::body::{Body, body, nearest_ring};
+pub use features::ground::{GivenGround, Ground, ground};
+pub use features::limb::bend::Line;
+pub use features::limb::follow::Knot;
+pub use features::limb::{Joint, Kind, Limb, Limbs, Segment, limbs};
 pub use features::marks::{Marks, marks};
-pub use features::neck::{Throat, neck_ring, throat};
+pub use features::neck::{NeckFeatures, neck_features};
 pub use features::reach::{Reach, reach};
+pub use features::readings::{READINGS_VERSION, Reading, Readings, readings};
 pub use geometry::carry::{Carried, RAYS, carried, ray, reaches};
 pub use geometry::section::{Loop, area, axes, centre, flat, hull, length, section, tape};
 pub use geometry::slices::{Ring, Slice, level, rings, slices};
@@ -29,12 +35,25 @@ pub use geometry::spline::{
     closed_spline_length, fitted_plane, grown, has_left, paper_girth, spline_length,
 };
 pub use girths::{GirthInput, GirthParams, Measure};
-pub use landmarks::{FindLandmarks, LandmarkInput, LandmarkParams, NoBody, Waist};
+pub use landmarks::{FindLandmarks, LandmarkInput, LandmarkParams, NoBody};
+pub use model::file::{Level, LevelModel, ModelError};
+pub use model::fit::FitError;
+pub use model::fit_stage::{FitInput, FitLevels, NoModel};
+pub use model::predict::{Cover, LevelEstimate};
+pub use model::table::TableError;
+pub use planes::custom::{BadName, OwnGirth, OwnPart};
+pub use planes::limbs::share;
+pub use planes::neck::{NeckPlane, plane_at};
+pub use planes::neck_level::{NeckLevel, neck_level};
+pub use planes::wanted::{Waist, Wanted};
 pub use sections::picked::{BadPoints, picked};
 pub use sections::split::{Parted, parted};
 pub use sections::taken::{Taken, Why, taken};
 pub use uncertainty::silhouette::{Support, Tangent, support_girth, tangents};
 
 /// Every stage of this room, in the order in which data flows through it.
-pub const STAGES: &[&dyn stage::AnyStage] =
-    &[&stage::erase::<FindLandmarks>(), &stage::erase::<Measure>()];
+pub const STAGES: &[&dyn stage::AnyStage] = &[
+    &stage::erase::<FindLandmarks>(),
+    &stage::erase::<Measure>(),
+    &stage::erase::<FitLevels>(),
+];

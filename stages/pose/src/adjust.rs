@@ -17,7 +17,7 @@ pub struct Fit {
     /// The cost before and after each accepted step; never rises.
     pub costs: Vec<f64>,
     /// Standard deviation of each camera's centre. \[mm\]
-    pub sigma_mm: Vec<f64>,
+    pub sigma_mm: Vec<Option<f64>>,
     /// Standard deviation of the lens' unknowns.
     pub lens_sigma: [f64; LENS],
     /// Standard deviation of the ring's size, as a share of it; next to nothing where nothing is
@@ -64,7 +64,7 @@ pub fn adjust(scene: &mut Scene, sights: &[Sight], beliefs: &Beliefs, settings: 
     Fit {
         rms_px: rms(scene, sights, settings.loss),
         costs,
-        sigma_mm: spread.centres_mm,
+        sigma_mm: spread.centres_mm.into_iter().map(Some).collect(),
         lens_sigma: spread.lens,
         size_sigma: spread.size,
     }

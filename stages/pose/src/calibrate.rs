@@ -2,7 +2,7 @@
 
 use crate::from_mat::{self, MatError};
 use crate::from_tracks::{self, TracksError};
-use shape::{Cameras, Intrinsics, Photos, Rig, Scale, Tags, Tracks};
+use shape::{Cameras, Intrinsics, Photos, Rig, Tags, Tracks};
 use stage::{Ctx, Stage, Stop};
 use std::sync::Arc;
 
@@ -157,8 +157,8 @@ impl Stage for Calibrate {
             .map_or(lens, |v| v.camera.lens);
         ctx.metric("focal", lens.focal[0], "px");
         ctx.metric("focal sigma", fit.lens_sigma[0], "px");
-        if cameras.scale == Scale::Mat {
-            ctx.metric("scale sigma", cameras.scale_sigma * 100.0, "%");
+        if let Some(sigma) = cameras.scale_sigma {
+            ctx.metric("scale sigma", sigma * 100.0, "%");
         }
         if photos.rig.rim.is_some() {
             ctx.metric("rim tags", rim_tags as f64, "");

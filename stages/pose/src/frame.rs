@@ -62,7 +62,7 @@ struct Measure {
     what: &'static str,
     scale: Scale,
     mm_per_unit: f64,
-    sigma: f64,
+    sigma: Option<f64>,
 }
 
 impl Stage for Frame {
@@ -115,7 +115,7 @@ impl Stage for Frame {
                 what,
                 scale,
                 mm_per_unit: mm / height,
-                sigma: (spread / height).hypot(0.003),
+                sigma: Some((spread / height).hypot(0.003)),
             })
         };
         let round = |mm: f64, what, scale| {
@@ -124,7 +124,7 @@ impl Stage for Frame {
                 what,
                 scale,
                 mm_per_unit: mm / 2.0 / edge.radius,
-                sigma: 0.004,
+                sigma: Some(0.004),
             })
         };
         if let Some(reference) = &rig.reference {
@@ -186,7 +186,7 @@ impl Stage for Frame {
                 }
                 .into());
             }
-            if off.abs() > p.disagreement.max(3.0 * first.sigma.hypot(other.sigma)) {
+            if off.abs() > p.disagreement.max(3.0 * both(first.sigma, other.sigma)) {
                 ctx.warn(format!(
                     "{} and {} disagree by {:.1} %: {} was taken; check what capture.toml says of both",
                     first.what,
@@ -196,7 +196,9 @@ impl Stage for Frame {
                 ));
             }
         }
-        ctx.metric("scale sigma", first.sigma * 100.0, "%");
+        if let Some(sigma) = first.sigma {
+            ctx.metric("scale sigma", sigma * 100.0, "%");
+        }
         if cameras.scale == Scale::Mat {
             return Ok(cameras.clone());
         }
@@ -219,6 +221,11 @@ impl Stage for Frame {
             ..there
         })
     }
+}
+
+/// Standard deviation of the difference of two, as far as it is known.
+fn both(a: Option<f64>, b: Option<f64>) -> f64 {
+    [a, b].into_iter().flatten().fold(0.0, f64::hypot)
 }
 
 /// What stands still, reduced.

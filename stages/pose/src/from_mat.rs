@@ -224,7 +224,7 @@ pub(crate) fn calibrate(
     let cameras = Cameras {
         views,
         scale: Scale::Mat,
-        scale_sigma: fit.size_sigma,
+        scale_sigma: Some(fit.size_sigma),
         disk_radius_mm: disk,
         ground_mm: 0.0,
         points,

@@ -153,7 +153,7 @@ pub(crate) fn calibrate(
         // What is held is no better known for that, and nothing tells how far sway moved cameras.
         fit = Some(crate::adjust::Fit {
             lens_sigma: believed,
-            sigma_mm: vec![0.0; count],
+            sigma_mm: vec![None; count],
             ..adjust(&mut scene, &sights, &beliefs, &settings(p))
         });
     }

@@ -184,8 +184,8 @@ fn placed(model: &Model, photos: &Photos, unit: Option<f64>) -> Result<Cameras, 
         let view = View {
             name: photo.name.clone(),
             camera,
-            sigma_mm: 0.0,
-            rms_px: 0.0,
+            sigma_mm: None,
+            rms_px: None,
             points: 0,
         };
         views.push((id, view));
@@ -204,7 +204,7 @@ fn placed(model: &Model, photos: &Photos, unit: Option<f64>) -> Result<Cameras, 
         } else {
             Scale::Nothing
         },
-        scale_sigma: 0.0,
+        scale_sigma: None,
         disk_radius_mm: None,
         ground_mm: model.ground.unwrap_or(0.0) * size,
         points: model

@@ -94,7 +94,7 @@ pub fn moved(cameras: &Cameras, turn: &Rotation3<f64>, origin: &Point3<f64>, siz
                 translation: pose.apply(origin) * size,
             },
         };
-        view.sigma_mm *= size;
+        view.sigma_mm = view.sigma_mm.map(|mm| mm * size);
         view
     });
     for point in &mut moved.points {

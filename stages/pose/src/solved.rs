@@ -51,7 +51,7 @@ pub(crate) fn told(
     let cameras = Cameras {
         views,
         scale: Scale::Nothing,
-        scale_sigma: 0.0,
+        scale_sigma: None,
         disk_radius_mm: None,
         ground_mm: 0.0,
         points: points.collect(),

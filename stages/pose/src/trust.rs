@@ -41,8 +41,8 @@ pub(crate) fn view(
             lens: scene.lens,
             pose: scene.poses[camera],
         },
-        sigma_mm: fit.sigma_mm[camera],
-        rms_px: median_px(scene, &own),
+        sigma_mm: fit.sigma_mm[camera].filter(|mm| mm.is_finite()),
+        rms_px: (!own.is_empty()).then(|| median_px(scene, &own)),
         points: own.len() as u32,
     }
 }
@@ -96,7 +96,7 @@ pub(crate) fn warnings(
             ));
         }
     }
-    if fit.sigma_mm.iter().any(|s| !s.is_finite()) {
+    if fit.sigma_mm.iter().flatten().any(|s| !s.is_finite()) {
         warnings.push("the adjustment is degenerate: do not trust its uncertainties".into());
     }
     warnings
@@ -180,17 +180,21 @@ pub(crate) fn uneven(photos: &Photos, ids: &[PhotoId], poses: &[Pose]) -> Vec<St
 
 /// Photos whose features fit far worse than those of most.
 pub(crate) fn misfits(cameras: &Cameras) -> Vec<String> {
-    let mut all: Vec<f64> = cameras.views.values().map(|v| v.rms_px).collect();
+    let known: Vec<(&str, f64)> = cameras
+        .views
+        .values()
+        .filter_map(|v| Some((v.name.as_str(), v.rms_px?)))
+        .collect();
+    let mut all: Vec<f64> = known.iter().map(|(_, px)| *px).collect();
     all.sort_by(f64::total_cmp);
     let usual = all.get(all.len() / 2).copied().unwrap_or(0.0);
-    let worse = |v: &&View| v.rms_px > 4.0 * usual && v.rms_px > 2.0;
-    let say = |v: &View| {
+    let worse = |(_, px): &&(&str, f64)| *px > 4.0 * usual && *px > 2.0;
+    let say = |(name, px): &(&str, f64)| {
         format!(
-            "{}: its features lie {:.1} px from where they should, {usual:.1} on most photos: did camera or subject move?",
-            v.name, v.rms_px
+            "{name}: its features lie {px:.1} px from where they should, {usual:.1} on most photos: did camera or subject move?"
         )
     };
-    cameras.views.values().filter(worse).map(say).collect()
+    known.iter().filter(worse).map(say).collect()
 }
 
 #[cfg(test)]

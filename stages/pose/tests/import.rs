@@ -26,8 +26,8 @@ fn cameras() -> Cameras {
             View {
                 name,
                 camera,
-                sigma_mm: 0.5,
-                rms_px: 0.2,
+                sigma_mm: Some(0.5),
+                rms_px: Some(0.2),
                 points: 9,
             },
         )
@@ -35,7 +35,7 @@ fn cameras() -> Cameras {
     Cameras {
         views: (0..).zip(ring.poses()).map(view).collect(),
         scale: Scale::Mat,
-        scale_sigma: 0.001,
+        scale_sigma: Some(0.001),
         disk_radius_mm: Some(350.0),
         ground_mm: 3.5,
         points: vec![[1.0, 2.0, 3.5], [-4.0, 0.25, 900.0]],
@@ -73,7 +73,7 @@ fn an_uncertainty_that_nobody_knows_is_null() {
     let mut cameras = cameras();
     assert!(cameras_to_json(&cameras).contains("\"sigma_mm\": 0.5"));
     let mut views: Vec<_> = cameras.views.iter().map(|(i, v)| (i, v.clone())).collect();
-    views.iter_mut().for_each(|(_, v)| v.sigma_mm = 0.0);
+    views.iter_mut().for_each(|(_, v)| v.sigma_mm = None);
     cameras.views = views.into_iter().collect();
     let json = cameras_to_json(&cameras);
     assert_eq!(json.matches("\"sigma_mm\": null").count(), 4, "{json}");

@@ -70,8 +70,8 @@ fn framed(stature_mm: f64, reference_mm: f64) -> Result<Cameras, String> {
         let view = View {
             name: format!("{i:04}.png"),
             camera: *camera,
-            sigma_mm: 0.0,
-            rms_px: 0.0,
+            sigma_mm: None,
+            rms_px: None,
             points: 0,
         };
         (id(i), view)
@@ -96,7 +96,7 @@ fn framed(stature_mm: f64, reference_mm: f64) -> Result<Cameras, String> {
         cameras: Arc::new(Cameras {
             views: cameras.iter().enumerate().map(view).collect(),
             scale: Scale::Nothing,
-            scale_sigma: 0.0,
+            scale_sigma: None,
             disk_radius_mm: None,
             ground_mm: 0.0,
             points: Vec::new(),

@@ -176,20 +176,14 @@ mod tests {
         for turn in [1.0f32, -1.0] {
             let at = |i: i32| (turn * i as f32 * std::f32::consts::TAU / 100.0).sin_cos();
             let contour = (0..100).map(at).map(|(s, c)| [50.0 * c, 50.0 * s, 0.0]);
+            let plane = shape::Plane {
+                point_mm: [0.0; 3],
+                normal: [0.0, 0.0, 1.0],
+            };
+            let mark = shape::Landmark::new(shape::GirthId::Waist, plane, shape::Part::Trunk);
             let girth = Girth {
-                name: "WC".into(),
-                label: String::new(),
-                definition: String::new(),
-                contour_mm: 314.0,
-                tape_mm: 314.0,
-                spline_mm: 314.0,
-                silhouette_mm: None,
-                interval_mm: [313.0, 315.0],
-                plane: shape::Plane {
-                    point_mm: [0.0; 3],
-                    normal: [0.0, 0.0, 1.0],
-                },
                 contour: contour.collect(),
+                ..Girth::at(&mark, 314.0)
             };
             let [far, near] = section(&girth, &camera, 1);
             let lines = |d: &str| d.matches('L').count() as i32;

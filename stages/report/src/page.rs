@@ -61,6 +61,9 @@ pub(crate) fn page(content: &Content<'_>) -> String {
         .landmarks
         .and_then(|l| l.points.iter().find(|(name, _)| name == "front"))
         .map_or([0.0, -1.0, 0.0], |(_, front)| *front);
+    // The soles', where landmarks have found them.
+    let ground = content.landmarks.and_then(|l| l.ground_mm);
+    let ground = ground.unwrap_or(cameras.ground_mm);
     let scene = serde_json::json!({
         "meshes": meshes, "tapes": scene::tapes(girths), "front": front,
         "views": scene::views(of_photos),
@@ -78,9 +81,10 @@ pub(crate) fn page(content: &Content<'_>) -> String {
             ("style", include_str!("page.css").into()),
             ("warnings", warnings(photos, cameras)),
             ("girths", tables::girths(girths)),
+            ("unit", tables::unit(girths)),
             ("derived", tables::derived(girths)),
             ("scale", tables::scale(cameras, &photos.rig)),
-            ("profile", profile::svg(girths, cameras.ground_mm)),
+            ("profile", profile::svg(girths, ground)),
             ("ring", ring::svg(cameras)),
             (
                 "photos",
@@ -122,8 +126,8 @@ fn about(photos: &Photos, cameras: &Cameras) -> String {
 fn warnings(photos: &Photos, cameras: &Cameras) -> String {
     let mut html = String::new();
     if cameras.scale == Scale::Nothing {
-        html += "<p class=\"warn\"><b>Lengths are relative.</b> Nothing of known length was given, so the centimetres \
-                 here mean nothing; ratios hold. Give a marker mat, a reference length, the disk's diameter or the stature in capture.toml.</p>";
+        html += "<p class=\"warn\"><b>Lengths are relative.</b> Nothing of known length was given, so lengths \
+                 here are shares of the camera ring's radius; ratios hold. Give a marker mat, a reference length, the disk's diameter or the stature in capture.toml.</p>";
     }
     let missing: Vec<_> = photos
         .iter()

@@ -1,7 +1,7 @@
 //! Girth of the trunk over height, as a drawing.
 
-use crate::tables::escaped;
-use shape::Girths;
+use crate::tables::{escaped, word};
+use shape::{Girths, Unit};
 use std::fmt::Write;
 
 /// A girth that changes by more than this from one height to the next jumps.
@@ -28,6 +28,10 @@ pub(crate) fn svg(girths: &Girths, ground_mm: f64) -> String {
     let x =
         |girth: f64| left + (girth - narrowest + 0.05 * span) / (1.1 * span) * (w - left - 10.0);
     let y = |height: f64| 8.0 + (high - height) / (high - low) * (h - bottom - 8.0);
+    let tick = |mm: f64| match girths.unit {
+        Unit::Metric => format!("{:.0}", mm / 10.0),
+        Unit::Relative => format!("{:.2}", mm / 1000.0),
+    };
     let mut svg = format!(
         "<svg class=\"profile\" viewBox=\"0 0 {w} {h}\" role=\"img\" aria-label=\"girth of the trunk over height\">"
     );
@@ -39,15 +43,15 @@ pub(crate) fn svg(girths: &Girths, ground_mm: f64) -> String {
         let _ = write!(
             svg,
             "<line class=\"grid\" x1=\"{gx:.1}\" x2=\"{gx:.1}\" y1=\"8\" y2=\"{b}\"/>\
-             <text x=\"{gx:.1}\" y=\"{ty}\" text-anchor=\"middle\">{cm:.0}</text>\
-             <text x=\"{lx}\" y=\"{zy:.1}\" text-anchor=\"end\">{zcm:.0}</text>",
+             <text x=\"{gx:.1}\" y=\"{ty}\" text-anchor=\"middle\">{cm}</text>\
+             <text x=\"{lx}\" y=\"{zy:.1}\" text-anchor=\"end\">{zcm}</text>",
             gx = x(g),
             b = h - bottom,
             ty = h - bottom + 14.0,
-            cm = g / 10.0,
+            cm = tick(g),
             lx = left - 6.0,
             zy = y(z) + 4.0,
-            zcm = z / 10.0,
+            zcm = tick(z),
         );
     }
     for girth in girths
@@ -86,11 +90,12 @@ pub(crate) fn svg(girths: &Girths, ground_mm: f64) -> String {
     }
     let _ = write!(
         svg,
-        "<text x=\"{:.0}\" y=\"{}\" text-anchor=\"middle\">girth of the trunk [cm]</text>\
-         <text transform=\"translate(11 {:.0}) rotate(-90)\" text-anchor=\"middle\">height [cm]</text></svg>",
+        "<text x=\"{:.0}\" y=\"{}\" text-anchor=\"middle\">girth of the trunk [{unit}]</text>\
+         <text transform=\"translate(11 {:.0}) rotate(-90)\" text-anchor=\"middle\">height [{unit}]</text></svg>",
         (w + left) / 2.0,
         h - 2.0,
-        (h - bottom) / 2.0
+        (h - bottom) / 2.0,
+        unit = word(girths.unit),
     );
     svg
 }

@@ -1,6 +1,7 @@
 //! What the viewer draws, as JSON: meshes, an atlas, tapes, where the cameras stood.
 
 use crate::packing::{corners, steps};
+use crate::tables::{length, word};
 use crate::tape;
 use serde_json::{Value, json};
 use shape::{Camera, Girths, Mesh, Rgb, Textured, base64, rgb_to_jpeg};
@@ -83,7 +84,7 @@ pub(crate) fn tapes(girths: &Girths) -> Value {
     let tape = |g: &shape::Girth| {
         json!({
             "name": g.name, "label": g.label, "normal": g.plane.normal,
-            "definition": g.definition, "text": format!("{:.1} cm", g.tape_mm / 10.0),
+            "definition": g.definition, "text": format!("{} {}", length(girths.unit, g.tape_mm), word(girths.unit)),
             "tape": flat(&tape::around(&g.contour, g.plane.normal)), "contour": flat(&g.contour),
         })
     };

@@ -1,6 +1,6 @@
 //! The tables of the page: girths with intervals, what is missing, ratios, scale.
 
-use shape::{Cameras, Girths, Rig, Scale};
+use shape::{Cameras, Girth, Girths, Rig, Scale, Unit};
 use std::fmt::Write;
 
 /// Text that may stand in HTML.
@@ -12,14 +12,73 @@ pub(crate) fn escaped(text: &str) -> String {
         .replace('"', "&quot;")
 }
 
-/// The girths, one a row.
+/// A length for people, without its unit.
+pub(crate) fn length(unit: Unit, mm: f64) -> String {
+    match unit {
+        Unit::Metric => format!("{:.1}", mm / 10.0),
+        Unit::Relative => format!("{:.4}", mm / 1000.0),
+    }
+}
+
+/// What lengths are in.
+pub(crate) fn word(unit: Unit) -> &'static str {
+    match unit {
+        Unit::Metric => "cm",
+        Unit::Relative => "relative",
+    }
+}
+
+/// What stands below the table: what all its lengths are.
+pub(crate) fn unit(girths: &Girths) -> String {
+    let unit = match girths.unit {
+        Unit::Metric => "All in centimetres.",
+        Unit::Relative => "All relative: 1 is the radius of the camera ring.",
+    };
+    match girths.compression_pct {
+        percent if percent > 0.0 => format!(
+            "{unit} Tapes and their intervals are shortened by {percent} %, as was declared."
+        ),
+        _ => unit.into(),
+    }
+}
+
+/// What an interval is made of, as a sentence: standard deviations, and what is not known.
+pub(crate) fn sureness(g: &Girth, unit: Unit) -> String {
+    let fine = |mm: f64| match unit {
+        Unit::Metric => format!("{:.2}", mm / 10.0),
+        Unit::Relative => length(unit, mm),
+    };
+    let part = |(name, mm): (&str, Option<f64>)| match mm {
+        Some(mm) => format!("{name} {}", fine(mm)),
+        None => format!("{name} unknown"),
+    };
+    let parts = g.sigmas.named().map(part).join(", ");
+    let again = match g.repeat_mm {
+        Some(mm) => format!("measured again within ± {} (90 %)", fine(mm)),
+        None => "how near it comes when measured again is unknown".into(),
+    };
+    let mut text = format!("standard deviations [{}]: {parts}; {again}", word(unit));
+    for remark in g.remarks() {
+        let _ = write!(text, "; {remark}");
+    }
+    text
+}
+
+/// The girths, one a row. What an interval is made of shows on hover, and when a row is reached by
+/// keyboard or finger.
 pub(crate) fn girths(girths: &Girths) -> String {
-    let mut html = String::from(
-        "<table id=\"girths\"><thead><tr><th>girth</th><th class=\"n\">tape [cm]</th><th class=\"n\">interval</th>\
-         <th class=\"n\">contour</th><th class=\"n\">spline</th><th class=\"n\">silhouette</th></tr></thead><tbody>",
+    let unit = girths.unit;
+    let mut html = format!(
+        "<table id=\"girths\" data-head=\"tape [{0}], interval below it\"><thead><tr><th>girth</th><th class=\"n\">tape [{0}]</th>\
+         <th class=\"n\">interval</th><th class=\"n\">contour</th><th class=\"n\">spline</th><th class=\"n\">silhouette</th></tr></thead><tbody>",
+        word(unit)
     );
-    let cm = |mm: f64| format!("{:.1}", mm / 10.0);
+    let cm = |mm: f64| length(unit, mm);
     for g in &girths.girths {
+        let interval = match g.interval_mm {
+            Some([low, high]) => format!("{} – {}", cm(low), cm(high)),
+            None => format!("unknown: {}", g.sigmas.unknown().join(", ")),
+        };
         let cells = [
             (cm(g.contour_mm), "contour"),
             (cm(g.spline_mm), "spline"),
@@ -31,18 +90,17 @@ pub(crate) fn girths(girths: &Girths) -> String {
             .collect();
         let _ = write!(
             html,
-            "<tr data-name=\"{name}\" title=\"{definition}\" tabindex=\"0\"><td><b>{name}</b> {label} <span class=\"note\">{iso}</span></td>\
-             <td class=\"n big\">{}</td><td class=\"n range\">{} – {}</td>{cells}</tr>",
+            "<tr data-name=\"{name}\" title=\"{definition}\" data-sure=\"{sure}\" aria-describedby=\"sure\" tabindex=\"0\"><td><b>{name}</b> {label} \
+             <span class=\"note\">{iso}</span></td><td class=\"n big\">{}</td><td class=\"n range\" title=\"{sure}\">{interval}</td>{cells}</tr>",
             cm(g.tape_mm),
-            cm(g.interval_mm[0]),
-            cm(g.interval_mm[1]),
+            sure = escaped(&sureness(g, unit)),
             name = escaped(&g.name),
             label = escaped(&g.label),
-            iso = standard(&g.definition),
+            iso = escaped(&g.by.definition().standards()),
             definition = escaped(&g.definition),
         );
     }
-    html += "</tbody></table>";
+    html += "</tbody></table><p id=\"sure\" class=\"note\" aria-live=\"polite\"></p>";
     html + &missing(girths)
 }
 
@@ -65,21 +123,13 @@ fn missing(girths: &Girths) -> String {
     }
 }
 
-/// The number that the standard, or the body behind it, gives a girth: what the definition names in brackets.
-fn standard(definition: &str) -> String {
-    let inside = definition
-        .split_once('(')
-        .and_then(|(_, rest)| rest.split_once(')'));
-    escaped(inside.map_or("", |(inside, _)| inside))
-}
-
 /// Ratios and the like, with the thresholds of the WHO beside them as text.
 pub(crate) fn derived(girths: &Girths) -> String {
     let mut rows: Vec<(String, String, String)> = Vec::new();
     if let Some(mm) = girths.stature_mm {
         rows.push((
             "stature".into(),
-            format!("{:.1} cm", mm / 10.0),
+            format!("{} {}", length(girths.unit, mm), word(girths.unit)),
             String::new(),
         ));
     }
@@ -123,25 +173,34 @@ pub(crate) fn origin(scale: Scale) -> &'static str {
         Scale::Disk => "lengths come from the disk's diameter",
         Scale::Stature => "lengths come from the subject's stature",
         Scale::Given => "lengths come from the cameras that were given, taken at their word",
-        Scale::Nothing => "lengths are relative: the camera ring's radius is called 1000 mm",
+        Scale::Nothing => "lengths are relative: 1 is the camera ring's radius",
     }
 }
 
 /// Where the millimetres come from, what else was known, and how sure the cameras are.
 pub(crate) fn scale(cameras: &Cameras, rig: &Rig) -> String {
-    let count = cameras.views.len().max(1) as f64;
-    let mean = |f: fn(&shape::View) -> f64| cameras.views.values().map(f).sum::<f64>() / count;
-    // Zero is unknown: cameras that were given, and those of a subject that sways.
+    let mean = |f: fn(&shape::View) -> Option<f64>| {
+        let known: Vec<f64> = cameras.views.values().filter_map(f).collect();
+        (!known.is_empty()).then(|| known.iter().sum::<f64>() / known.len() as f64)
+    };
+    // Unknown of cameras that were given, and of those of a subject that sways.
     let centres = match mean(|v| v.sigma_mm) {
-        mm if mm > 0.0 && mm < 100.0 => format!("camera centres ± {mm:.1} mm"),
-        _ => "how sure the camera centres are cannot be told".into(),
+        Some(mm) if mm < 100.0 => format!("camera centres ± {mm:.1} mm"),
+        _ => "how sure the camera centres are: unknown".into(),
+    };
+    let pixels = match mean(|v| v.rms_px) {
+        Some(px) => format!("mean reprojection error {px:.2} px"),
+        None => "reprojection error unknown".into(),
+    };
+    let sure = match cameras.scale_sigma {
+        Some(sigma) => format!(", ± {:.2} %", 100.0 * sigma),
+        None if cameras.scale == Scale::Nothing => String::new(),
+        None => "; how sure they are: unknown".into(),
     };
     let mut html = format!(
-        "<p>The {}, ± {:.2} %. {} cameras; mean reprojection error {:.2} px; {centres}.</p>",
+        "<p>The {}{sure}. {} cameras; {pixels}; {centres}.</p>",
         origin(cameras.scale),
-        cameras.scale_sigma * 100.0,
         cameras.views.len(),
-        mean(|v| v.rms_px),
     );
     let cm = |mm: f64| format!("{:.1} cm", mm / 10.0);
     let mut known: Vec<(&str, String, Option<Scale>)> = Vec::new();

@@ -184,7 +184,7 @@ fn it_fits_a_phone_and_a_desk_light_and_dark_and_asks_for_nothing() {
     for mm in [&mut long.tape_mm, &mut long.contour_mm, &mut long.spline_mm] {
         *mm = 1119.0;
     }
-    (long.silhouette_mm, long.interval_mm) = (Some(1116.6), [1108.2, 1125.2]);
+    (long.silhouette_mm, long.interval_mm) = (Some(1116.6), Some([1108.2, 1125.2]));
     girths.push(long);
     let Some(mut tab) = Tab::open(&page_of(input), DESK, false, true) else {
         return;

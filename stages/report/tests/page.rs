@@ -3,7 +3,9 @@
 mod tube;
 
 use report::{Html, HtmlInput, HtmlParams};
-use shape::{Landmarks, Mask, Mesh, Missing, Part, PhotoId, Rgb, Scale, Textured, rgb_to_jpeg};
+use shape::{
+    GirthId, Landmarks, Mask, Mesh, Missing, Part, PhotoId, Refusal, Rgb, Textured, rgb_to_jpeg,
+};
 use stage::{Ctx, Stage};
 use std::sync::Arc;
 use tube::input;
@@ -222,23 +224,10 @@ fn surfaces_that_are_equal_share_a_button_and_optional_ones_get_theirs() {
 fn what_is_missing_for_one_reason_is_said_once() {
     let mut input = input();
     let missing = &mut Arc::make_mut(&mut input.girths).missing;
-    missing.push(Missing {
-        name: "CC".into(),
-        why: missing[0].why.clone(),
-    });
+    let why = missing[0].why.clone();
+    missing.push(Missing::because(GirthId::Chest, Refusal::NoNeck, &why));
     let page = page_of(&HtmlParams::default(), input);
     assert!(page.contains("<li><b>NC, CC</b>: there is no neck</li>"));
-}
-
-#[test]
-fn lengths_of_unknown_scale_are_called_relative() {
-    let mut input = input();
-    let mut cameras = (*input.cameras).clone();
-    cameras.scale = Scale::Nothing;
-    input.cameras = Arc::new(cameras);
-    let wanted = "Lengths are relative";
-    assert!(page_of(&HtmlParams::default(), input).contains(wanted));
-    assert!(!page(&HtmlParams::default()).contains(wanted));
 }
 
 #[test]

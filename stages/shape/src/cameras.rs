@@ -28,10 +28,10 @@ pub struct View {
     pub name: String,
     /// The camera, world = turntable frame.
     pub camera: Camera,
-    /// Standard deviation of the camera's centre, by bundle adjustment. \[mm\] 0 where unknown.
-    pub sigma_mm: f64,
-    /// Root mean square of its reprojection errors. \[px\] 0 where unknown.
-    pub rms_px: f64,
+    /// Standard deviation of the camera's centre, by bundle adjustment; `None` where unknown. \[mm\]
+    pub sigma_mm: Option<f64>,
+    /// Root mean square of its reprojection errors; `None` where unknown. \[px\]
+    pub rms_px: Option<f64>,
     /// How many points hold it.
     pub points: u32,
 }
@@ -43,8 +43,8 @@ pub struct Cameras {
     pub views: ByPhoto<View>,
     /// Where the millimetres come from.
     pub scale: Scale,
-    /// Relative standard deviation of the scale. 0 where unknown.
-    pub scale_sigma: f64,
+    /// Relative standard deviation of the scale; `None` where unknown.
+    pub scale_sigma: Option<f64>,
     /// The disk's radius, where it is known. \[mm\]
     pub disk_radius_mm: Option<f64>,
     /// Height of the ground that the subject stands on, in the turntable frame. \[mm\]
@@ -55,7 +55,7 @@ pub struct Cameras {
 
 impl Artifact for Cameras {
     const KIND: &'static str = "cameras";
-    const FORMAT: u32 = 1;
+    const FORMAT: u32 = 2;
 
     fn pack(&self, to: &mut Packer) {
         let Cameras {

@@ -180,8 +180,8 @@ mod tests {
             let view = View {
                 name: String::new(),
                 camera: Camera { lens, pose },
-                sigma_mm: 0.0,
-                rms_px: 0.0,
+                sigma_mm: None,
+                rms_px: None,
                 points: 0,
             };
             (PhotoId(k), view)
@@ -189,7 +189,7 @@ mod tests {
         Cameras {
             views: (0..count).map(view).collect(),
             scale: Scale::Given,
-            scale_sigma: 0.0,
+            scale_sigma: None,
             disk_radius_mm: None,
             ground_mm: 0.0,
             points: vec![],

@@ -8,7 +8,6 @@ use std::fmt::Write;
 /// `cameras.json`: unit mm, world = turntable frame, `x_in_camera = R x_in_world + t`. An uncertainty
 /// that nobody knows is null.
 pub fn cameras_to_json(cameras: &Cameras) -> String {
-    let known = |x: f64| (x > 0.0).then_some(x);
     let view = |v: &View| {
         let (lens, pose) = (&v.camera.lens, &v.camera.pose);
         let rows = |m: nalgebra::Matrix3<f64>| -> Vec<[f64; 3]> {
@@ -18,14 +17,14 @@ pub fn cameras_to_json(cameras: &Cameras) -> String {
             "image": v.name, "width": lens.width, "height": lens.height,
             "K": rows(lens.matrix()), "distortion": lens.radial,
             "R": rows(*pose.rotation.matrix()), "t": pose.translation.as_slice(),
-            "sigma_mm": known(v.sigma_mm), "rms_px": known(v.rms_px), "points": v.points,
+            "sigma_mm": v.sigma_mm, "rms_px": v.rms_px, "points": v.points,
         })
     };
     let views: Vec<_> = cameras.views.values().map(view).collect();
     let file = json!({
         "unit": "mm", "frame": "turntable: origin on the axis at the disk's top, z up",
         "scale": format!("{:?}", cameras.scale).to_lowercase(),
-        "scale_sigma": known(cameras.scale_sigma), "disk_radius_mm": cameras.disk_radius_mm,
+        "scale_sigma": cameras.scale_sigma, "disk_radius_mm": cameras.disk_radius_mm,
         "ground_mm": cameras.ground_mm, "views": views,
     });
     serde_json::to_string_pretty(&file).expect("bug: cameras JSON cannot hold")

@@ -1,50 +1,203 @@
 //! Girths and landmarks as JSON and CSV.
 
-use crate::{Girth, Girths, Landmarks};
-use serde_json::{Value, json};
+use crate::{Girth, GirthId, Girths, Landmarks, Missing, Plane, Region, Side, Sigmas, Unit};
+use serde_json::{Map, Value, json};
 use std::fmt::Write;
 
-/// Millimetres as centimetres with two digits behind the point.
-fn cm(mm: f64) -> f64 {
-    (mm * 10.0).round() / 100.0
+/// How lengths are written: their unit in names of keys and columns, and the numbers themselves.
+#[derive(Clone, Copy)]
+struct Written {
+    unit: &'static str,
+    suffix: &'static str,
+    per_mm: f64,
+    digits: i32,
 }
 
-/// `girths.json`: `cm` along the contour, `tape_cm` convex in the plane, `spline_cm` the paper's.
-pub fn girths_to_json(girths: &Girths) -> String {
-    let one = |g: &Girth| {
-        json!({
-            "name": g.name, "label": g.label, "definition": g.definition,
-            "cm": cm(g.contour_mm), "tape_cm": cm(g.tape_mm), "spline_cm": cm(g.spline_mm),
-            "silhouette_cm": g.silhouette_mm.map(cm),
-            "interval_cm": g.interval_mm.map(cm),
-            "plane": { "point_mm": g.plane.point_mm, "normal": g.plane.normal },
-        })
-    };
-    let mut list: Vec<Value> = girths.girths.iter().map(one).collect();
-    if let (Some(l), Some(r)) = (girths.get("AC_L"), girths.get("AC_R")) {
-        let mean = |f: fn(&Girth) -> f64| cm((f(l) + f(r)) / 2.0);
-        list.push(json!({
-            "name": "AC", "label": "upper arm", "definition": "mean of AC_L and AC_R",
-            "cm": mean(|g| g.contour_mm), "tape_cm": mean(|g| g.tape_mm),
-            "spline_cm": mean(|g| g.spline_mm),
-            "interval_cm": [mean(|g| g.interval_mm[0]), mean(|g| g.interval_mm[1])],
-        }));
+impl Written {
+    fn of(unit: Unit) -> Self {
+        match unit {
+            Unit::Metric => Written {
+                unit: "cm",
+                suffix: "cm",
+                per_mm: 0.1,
+                digits: 2,
+            },
+            // 1 is the radius of the camera ring.
+            Unit::Relative => Written {
+                unit: "relative",
+                suffix: "rel",
+                per_mm: 0.001,
+                digits: 5,
+            },
+        }
     }
-    let ratios: serde_json::Map<String, Value> = girths
+
+    /// A length as a number.
+    fn length(&self, mm: f64) -> f64 {
+        let tens = 10f64.powi(self.digits);
+        (mm * self.per_mm * tens).round() / tens
+    }
+
+    /// `tape` as `tape_cm`.
+    fn key(&self, what: &str) -> String {
+        format!("{what}_{}", self.suffix)
+    }
+
+    /// A cell of a table.
+    fn cell(&self, mm: Option<f64>) -> String {
+        let digits = self.digits as usize;
+        mm.map_or(String::new(), |mm| format!("{:.digits$}", self.length(mm)))
+    }
+}
+
+/// A girth as files have it; the mean of both upper arms is one, too.
+struct Row {
+    id: GirthId,
+    by: GirthId,
+    name: String,
+    label: String,
+    definition: String,
+    region: Region,
+    contour_mm: f64,
+    tape_mm: f64,
+    spline_mm: f64,
+    silhouette_mm: Option<f64>,
+    interval_mm: Option<[f64; 2]>,
+    sigmas: Sigmas,
+    repeat_mm: Option<f64>,
+    split: Option<f64>,
+    remarks: Vec<String>,
+    plane: Option<Plane>,
+}
+
+fn row(g: &Girth) -> Row {
+    Row {
+        id: g.id,
+        by: g.by,
+        name: g.name.clone(),
+        label: g.label.clone(),
+        definition: g.definition.clone(),
+        region: g.region,
+        contour_mm: g.contour_mm,
+        tape_mm: g.tape_mm,
+        spline_mm: g.spline_mm,
+        silhouette_mm: g.silhouette_mm,
+        interval_mm: g.interval_mm,
+        sigmas: g.sigmas,
+        repeat_mm: g.repeat_mm,
+        split: g.split.map(|s| s.share),
+        remarks: g.remarks(),
+        plane: Some(g.plane),
+    }
+}
+
+/// The mean of both upper arms; its parts are means as well, as if both erred alike.
+fn mean_of_arms(girths: &Girths) -> Option<Row> {
+    let [l, r] = Side::BOTH.map(|side| girths.of(GirthId::UpperArm(side)));
+    let (l, r) = (l?, r?);
+    let mean = |a: f64, b: f64| (a + b) / 2.0;
+    let both = |a: Option<f64>, b: Option<f64>| Some(mean(a?, b?));
+    let (s, t) = (l.sigmas, r.sigmas);
+    let id = GirthId::UpperArmMean;
+    let intervals = l.interval_mm.zip(r.interval_mm);
+    Some(Row {
+        id,
+        by: id,
+        name: id.name(),
+        label: id.label(),
+        definition: id.definition().sentence.into(),
+        region: id.definition().region,
+        contour_mm: mean(l.contour_mm, r.contour_mm),
+        tape_mm: mean(l.tape_mm, r.tape_mm),
+        spline_mm: mean(l.spline_mm, r.spline_mm),
+        silhouette_mm: None,
+        interval_mm: intervals.map(|(a, b)| [mean(a[0], b[0]), mean(a[1], b[1])]),
+        sigmas: Sigmas {
+            level_mm: both(s.level_mm, t.level_mm),
+            surface_mm: both(s.surface_mm, t.surface_mm),
+            scale_mm: both(s.scale_mm, t.scale_mm),
+            split_mm: both(s.split_mm, t.split_mm),
+            cover_mm: both(s.cover_mm, t.cover_mm),
+        },
+        repeat_mm: both(l.repeat_mm, r.repeat_mm),
+        split: None,
+        remarks: vec![],
+        plane: None,
+    })
+}
+
+fn missed(m: &Missing) -> Value {
+    json!({ "name": m.name, "reason": m.reason.code(), "why": m.why })
+}
+
+/// One girth of `girths.json`.
+fn girth_json(row: &Row, to: Written) -> Value {
+    let length = |mm: Option<f64>| json!(mm.map(|mm| to.length(mm)));
+    let sigmas: Map<String, Value> = row
+        .sigmas
+        .named()
+        .into_iter()
+        .map(|(name, mm)| (name.to_owned(), length(mm)))
+        .collect();
+    let definition = row.by.definition();
+    let mut one = Map::new();
+    let mut put = |key: &str, value: Value| one.insert(key.to_owned(), value);
+    put("name", json!(row.name));
+    put("label", json!(row.label));
+    put("definition", json!(row.definition));
+    put("iso8559", json!(definition.iso));
+    put("part", json!(row.region.word()));
+    put(to.suffix, length(Some(row.contour_mm)));
+    put(&to.key("tape"), length(Some(row.tape_mm)));
+    put(&to.key("spline"), length(Some(row.spline_mm)));
+    put(&to.key("silhouette"), length(row.silhouette_mm));
+    let interval = row.interval_mm.map(|ends| ends.map(|mm| to.length(mm)));
+    put(&to.key("interval"), json!(interval));
+    put(&to.key("sigma"), Value::Object(sigmas));
+    put(&to.key("repeat"), length(row.repeat_mm));
+    put("split_share", json!(row.split));
+    put("notes", json!(row.remarks));
+    if let Some(plane) = row.plane {
+        let point = match to.unit {
+            "cm" => json!({ "point_mm": plane.point_mm, "normal": plane.normal }),
+            _ => {
+                json!({ "point_rel": plane.point_mm.map(|mm| to.length(mm)), "normal": plane.normal })
+            }
+        };
+        put("plane", point);
+    }
+    Value::Object(one)
+}
+
+/// Every girth, the mean of the arms behind them.
+fn rows(girths: &Girths) -> Vec<Row> {
+    let own = girths.girths.iter().map(row);
+    own.chain(mean_of_arms(girths)).collect()
+}
+
+/// `girths.json`: `cm` along the contour, `tape_cm` convex in the plane, `spline_cm` the paper's;
+/// where nothing of known length was given, `rel` stands for `cm`, and 1 is the camera ring's radius.
+pub fn girths_to_json(girths: &Girths) -> String {
+    let to = Written::of(girths.unit);
+    let list: Vec<Value> = rows(girths).iter().map(|r| girth_json(r, to)).collect();
+    let ratios: Map<String, Value> = girths
         .ratios
         .iter()
         .map(|(name, value, _)| (name.clone(), json!(value)))
         .collect();
-    let missing: Vec<_> = girths
-        .missing
-        .iter()
-        .map(|m| json!({ "name": m.name, "why": m.why }))
-        .collect();
-    let file = json!({
-        "unit": "cm", "girths": list, "ratios": ratios, "missing": missing,
-        "stature_cm": girths.stature_mm.map(cm), "weight_kg": girths.weight_kg,
-        "bmi": girths.bmi, "volume_l": girths.volume_l,
-    });
+    let missing: Vec<_> = girths.missing.iter().map(missed).collect();
+    let mut file = Map::new();
+    let mut put = |key: &str, value: Value| file.insert(key.to_owned(), value);
+    put("unit", json!(to.unit));
+    put("compression_pct", json!(girths.compression_pct));
+    put("girths", json!(list));
+    put("ratios", json!(ratios));
+    put("missing", json!(missing));
+    let stature = girths.stature_mm.map(|mm| to.length(mm));
+    put(&to.key("stature"), json!(stature));
+    put("weight_kg", json!(girths.weight_kg));
+    put("bmi", json!(girths.bmi));
+    put("volume_l", json!(girths.volume_l));
     serde_json::to_string_pretty(&file).expect("bug: girths JSON cannot hold")
 }
 
@@ -53,53 +206,63 @@ pub fn girths_schema() -> &'static str {
     include_str!("girths.schema.json")
 }
 
-/// A table for a spreadsheet (RFC 4180): one girth a row, centimetres; what is missing has a row
-/// with a note and no number.
+/// A table for a spreadsheet (RFC 4180): one girth a row, lengths as in [`girths_to_json`]; what is
+/// missing has a row with a note and no number.
 pub fn girths_to_csv(girths: &Girths) -> String {
-    let mut csv = String::from(
-        "name,label,tape_cm,interval_low_cm,interval_high_cm,cm,spline_cm,height_cm,silhouette_cm,note\n",
-    );
-    let quoted = |text: &str| format!("\"{}\"", text.replace('"', "\"\""));
-    let number = |mm: Option<f64>| mm.map_or(String::new(), |mm| format!("{:.2}", cm(mm)));
-    let mut row = |name: &str, label: &str, lengths: [Option<f64>; 7], note: &str| {
-        let lengths = lengths.map(number).join(",");
-        let note = if note.is_empty() {
-            String::new()
-        } else {
-            quoted(note)
-        };
-        let _ = writeln!(csv, "{name},{},{lengths},{note}", quoted(label));
+    let to = Written::of(girths.unit);
+    let sigmas = Sigmas::default()
+        .named()
+        .map(|(name, _)| format!("sigma_{name}"));
+    let lengths = [
+        "tape",
+        "interval_low",
+        "interval_high",
+        "",
+        "spline",
+        "height",
+        "silhouette",
+    ];
+    let lengths = lengths.iter().map(|l| (*l).to_owned());
+    let columns: Vec<String> = lengths
+        .chain(sigmas)
+        .chain(["repeat".to_owned()])
+        .map(|l| match l.as_str() {
+            "" => to.suffix.to_owned(),
+            named => to.key(named),
+        })
+        .collect();
+    let mut csv = format!("name,label,{},note\n", columns.join(","));
+    let quoted = |text: &str| match text.is_empty() {
+        true => String::new(),
+        false => format!("\"{}\"", text.replace('"', "\"\"")),
     };
-    for g in &girths.girths {
-        let [lo, hi] = g.interval_mm.map(Some);
-        let (tape, contour, spline) = (g.tape_mm, g.contour_mm, g.spline_mm);
-        let height = Some(g.plane.point_mm[2]);
-        let lengths = [
-            Some(tape),
-            lo,
-            hi,
-            Some(contour),
-            Some(spline),
-            height,
-            g.silhouette_mm,
+    for r in rows(girths) {
+        let [low, high] = match r.interval_mm {
+            Some(ends) => ends.map(Some),
+            None => [None; 2],
+        };
+        let mut cells = vec![
+            Some(r.tape_mm),
+            low,
+            high,
+            Some(r.contour_mm),
+            Some(r.spline_mm),
+            r.plane.map(|p| p.point_mm[2]),
+            r.silhouette_mm,
         ];
-        row(&g.name, &g.label, lengths, "");
-    }
-    if let (Some(l), Some(r)) = (girths.get("AC_L"), girths.get("AC_R")) {
-        let mean = |f: fn(&Girth) -> f64| Some((f(l) + f(r)) / 2.0);
-        let lengths = [
-            mean(|g| g.tape_mm),
-            mean(|g| g.interval_mm[0]),
-            mean(|g| g.interval_mm[1]),
-            mean(|g| g.contour_mm),
-            mean(|g| g.spline_mm),
-            None,
-            None,
-        ];
-        row("AC", "upper arm", lengths, "mean of AC_L and AC_R");
+        cells.extend(r.sigmas.named().map(|(_, mm)| mm));
+        cells.push(r.repeat_mm);
+        let cells: Vec<String> = cells.into_iter().map(|mm| to.cell(mm)).collect();
+        let note = match r.id {
+            GirthId::UpperArmMean => r.definition,
+            _ => r.remarks.join("; "),
+        };
+        let (name, label) = (r.name, quoted(&r.label));
+        let _ = writeln!(csv, "{name},{label},{},{}", cells.join(","), quoted(&note));
     }
     for missing in &girths.missing {
-        row(&missing.name, "", [None; 7], &missing.why);
+        let empty = ",".repeat(columns.len());
+        let _ = writeln!(csv, "{},{empty},{}", missing.name, quoted(&missing.why));
     }
     csv
 }
@@ -114,14 +277,14 @@ pub fn landmarks_to_json(landmarks: &Landmarks) -> String {
                 "name": l.name, "label": l.label, "definition": l.definition,
                 "part": format!("{:?}", l.part),
                 "plane": { "point_mm": l.plane.point_mm, "normal": l.plane.normal },
+                "sigma": {
+                    "level_mm": l.sigma.level_mm, "tilt_deg": l.sigma.tilt_rad.map(f64::to_degrees),
+                    "repeat_mm": l.sigma.repeat_mm,
+                },
             })
         })
         .collect();
-    let missing: Vec<_> = landmarks
-        .missing
-        .iter()
-        .map(|m| json!({ "name": m.name, "why": m.why }))
-        .collect();
+    let missing: Vec<_> = landmarks.missing.iter().map(missed).collect();
     let points: serde_json::Map<String, Value> = landmarks
         .points
         .iter()
@@ -129,7 +292,8 @@ pub fn landmarks_to_json(landmarks: &Landmarks) -> String {
         .collect();
     let file = json!({
         "unit": "mm", "landmarks": found, "missing": missing, "points": points,
-        "stature_mm": landmarks.stature_mm,
+        "stature_mm": landmarks.stature_mm, "stature_sigma_mm": landmarks.stature_sigma_mm,
+        "ground_mm": landmarks.ground_mm,
     });
     serde_json::to_string_pretty(&file).expect("bug: landmarks JSON cannot hold")
 }

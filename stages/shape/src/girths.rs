@@ -1,41 +1,130 @@
-//! What was measured, with intervals and curves.
+//! What was measured, with intervals, what they are made of, and curves.
 
-use crate::Plane;
+use crate::{GirthId, Landmark, Note, Plane, Refusal, Region, Sigmas, Split};
 use serde::{Deserialize, Serialize};
 use stage::{Artifact, Corrupt, Packer, Unpacker};
 
 /// One girth.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Girth {
-    /// Short name: WC, HC, CC, NC, AC_L, AC_R, …
+    /// Which girth.
+    pub id: GirthId,
+    /// Whose definition it follows: `id`'s own, or that of the waist which the user chose.
+    pub by: GirthId,
+    /// Where on the body.
+    pub region: Region,
+    /// Short name: WC, HC, CC, NC, AC_L, AC_R, …, or the user's.
     pub name: String,
     /// What people call it: `waist`.
     pub label: String,
-    /// Its definition, with the standard's number.
+    /// Its definition, with the standards behind it.
     pub definition: String,
     /// Length of the section's contour. \[mm\]
     pub contour_mm: f64,
-    /// Length of a tape around it: of the convex hull in the plane. \[mm\]
+    /// Length of a tape around it: of the convex hull in the plane, less the declared compression. \[mm\]
     pub tape_mm: f64,
     /// Length of the paper's closed cubic spline. \[mm\]
     pub spline_mm: f64,
     /// From the silhouettes alone, where limbs stand clear. \[mm\]
     pub silhouette_mm: Option<f64>,
-    /// The tape's interval that holds the truth nine times in ten. \[mm\]
-    pub interval_mm: [f64; 2],
+    /// The tape's interval that holds the truth nine times in ten; `None` where a part of it that
+    /// matters is unknown. \[mm\]
+    pub interval_mm: Option<[f64; 2]>,
+    /// What the interval is made of.
+    pub sigmas: Sigmas,
+    /// Nine in ten measurements of the same person lie within this of their mean. \[mm\]
+    pub repeat_mm: Option<f64>,
+    /// What was parted from the section.
+    pub split: Option<Split>,
+    /// What the user should know.
+    pub notes: Vec<Note>,
     /// Where it was taken.
     pub plane: Plane,
     /// The contour, closed, without repeating the first point. \[mm\]
     pub contour: Vec<[f32; 3]>,
 }
 
-/// A girth that could not be measured.
+impl Girth {
+    /// A tape at a landmark, its contour told to be as long; nothing is known of how sure it is.
+    pub fn at(mark: &Landmark, tape_mm: f64) -> Self {
+        Girth {
+            id: mark.id,
+            by: mark.by,
+            region: mark.region,
+            name: mark.name.clone(),
+            label: mark.label.clone(),
+            definition: mark.definition.clone(),
+            contour_mm: tape_mm,
+            tape_mm,
+            spline_mm: tape_mm,
+            silhouette_mm: None,
+            interval_mm: None,
+            sigmas: Sigmas::default(),
+            repeat_mm: None,
+            split: None,
+            notes: vec![],
+            plane: mark.plane,
+            contour: vec![],
+        }
+    }
+
+    /// All that is to be said of it: what was split, what is unknown, what is odd.
+    pub fn remarks(&self) -> Vec<String> {
+        let split = self.split.map(|split| {
+            format!(
+                "arm and trunk are one there on the surface and were split: {:.0} % of the way around is told by the outline \
+                 beside it or by a clear section",
+                100.0 * split.share
+            )
+        });
+        let unknown = self.sigmas.unknown();
+        let unknown = (!unknown.is_empty()).then(|| {
+            let parts = unknown.join(" and ");
+            format!("no interval: how sure the {parts} is cannot be told")
+        });
+        let notes = self.notes.iter().map(Note::sentence);
+        split.into_iter().chain(unknown).chain(notes).collect()
+    }
+}
+
+/// A girth, or a height, that could not be measured.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Missing {
+    /// Which girth; `None` for what is none: the stature.
+    pub id: Option<GirthId>,
     /// Short name.
     pub name: String,
-    /// Why, and what would help.
+    /// Why, for programs.
+    pub reason: Refusal,
+    /// Why on this body, and what would help: a sentence.
     pub why: String,
+}
+
+impl Missing {
+    /// A girth of the table, with the sentence that goes with the reason.
+    pub fn new(id: GirthId, reason: Refusal) -> Self {
+        Missing::because(id, reason, reason.why())
+    }
+
+    /// With a sentence of its own.
+    pub fn because(id: GirthId, reason: Refusal, why: &str) -> Self {
+        Missing {
+            id: Some(id),
+            name: id.name(),
+            reason,
+            why: why.into(),
+        }
+    }
+}
+
+/// What the numbers mean.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
+pub enum Unit {
+    /// Millimetres are millimetres.
+    #[default]
+    Metric,
+    /// Nothing of known length was given: 1000 "mm" are the radius of the camera ring.
+    Relative,
 }
 
 /// Girth of the trunk over height.
@@ -50,6 +139,10 @@ pub struct Profile {
 /// All that was measured.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 pub struct Girths {
+    /// What the numbers mean.
+    pub unit: Unit,
+    /// By how much tapes were shortened for the flesh that a tape presses in, as the user declared. \[%\]
+    pub compression_pct: f64,
     /// The girths.
     pub girths: Vec<Girth>,
     /// What could not be measured.
@@ -73,11 +166,16 @@ impl Girths {
     pub fn get(&self, name: &str) -> Option<&Girth> {
         self.girths.iter().find(|g| g.name == name)
     }
+
+    /// The girth of the table.
+    pub fn of(&self, id: GirthId) -> Option<&Girth> {
+        self.girths.iter().find(|g| g.id == id)
+    }
 }
 
 impl Artifact for Girths {
     const KIND: &'static str = "girths";
-    const FORMAT: u32 = 1;
+    const FORMAT: u32 = 2;
 
     fn pack(&self, to: &mut Packer) {
         to.meta(self);

@@ -1,6 +1,6 @@
 //! Where on a body to measure: planes found on the surface, or why they were not found.
 
-use crate::Missing;
+use crate::{GirthId, Missing, Region, Side};
 use serde::{Deserialize, Serialize};
 use stage::{Artifact, Corrupt, Packer, Unpacker};
 
@@ -30,6 +30,24 @@ pub enum Part {
     LegRight,
 }
 
+impl Part {
+    /// The arm of a side.
+    pub fn arm(side: Side) -> Part {
+        match side {
+            Side::Left => Part::ArmLeft,
+            Side::Right => Part::ArmRight,
+        }
+    }
+
+    /// The leg of a side.
+    pub fn leg(side: Side) -> Part {
+        match side {
+            Side::Left => Part::LegLeft,
+            Side::Right => Part::LegRight,
+        }
+    }
+}
+
 /// How sure the place of a plane is, as standard deviations; `None` where it is not known.
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
 pub struct PlaneSigma {
@@ -44,11 +62,17 @@ pub struct PlaneSigma {
 /// Where one girth is taken.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Landmark {
-    /// Short name: WC, HC, CC, NC, AC_L, AC_R, …
+    /// Which girth.
+    pub id: GirthId,
+    /// Whose definition it follows: `id`'s own, or that of the waist which the user chose.
+    pub by: GirthId,
+    /// Where on the body.
+    pub region: Region,
+    /// Short name: WC, HC, CC, NC, AC_L, AC_R, …, or the user's.
     pub name: String,
     /// What people call it: `waist`.
     pub label: String,
-    /// Its definition, with the standard's number.
+    /// Its definition, with the standards behind it.
     pub definition: String,
     /// Where.
     pub plane: Plane,
@@ -56,6 +80,34 @@ pub struct Landmark {
     pub part: Part,
     /// How sure the plane's place is.
     pub sigma: PlaneSigma,
+}
+
+impl Landmark {
+    /// Of a girth of the table, how sure its plane is not known yet.
+    pub fn new(id: GirthId, plane: Plane, part: Part) -> Self {
+        let row = id.definition();
+        Landmark {
+            id,
+            by: id,
+            region: row.region,
+            name: id.name(),
+            label: id.label(),
+            definition: row.line(),
+            plane,
+            part,
+            sigma: PlaneSigma::default(),
+        }
+    }
+
+    /// The same, by another girth's definition.
+    #[must_use]
+    pub fn by(self, other: GirthId) -> Self {
+        Landmark {
+            by: other,
+            definition: other.definition().line(),
+            ..self
+        }
+    }
 }
 
 /// Where to measure.
@@ -69,27 +121,35 @@ pub struct Landmarks {
     pub points: Vec<(String, [f64; 3])>,
     /// The part of each vertex of the mesh, as `Part as u8`.
     pub parts: Vec<u8>,
-    /// Crown above the ground. \[mm\] 0 where unknown.
-    pub stature_mm: f64,
+    /// Crown above the ground; `None` where that is no stature. \[mm\]
+    pub stature_mm: Option<f64>,
+    /// Standard deviation of the stature: ground, crown and scale. \[mm\]
+    pub stature_sigma_mm: Option<f64>,
+    /// Height of the ground that the body stands on; `None` where it stands on none. \[mm\]
+    pub ground_mm: Option<f64>,
 }
 
 impl Artifact for Landmarks {
     const KIND: &'static str = "landmarks";
-    const FORMAT: u32 = 2;
+    const FORMAT: u32 = 3;
 
     fn pack(&self, to: &mut Packer) {
-        to.meta(&(&self.found, &self.missing, &self.points, self.stature_mm));
+        let heights = (self.stature_mm, self.stature_sigma_mm, self.ground_mm);
+        to.meta(&(&self.found, &self.missing, &self.points, heights));
         to.section("parts", &self.parts);
     }
 
     fn unpack(from: &Unpacker<'_>) -> Result<Self, Corrupt> {
-        let (found, missing, points, stature_mm) = from.meta()?;
+        let (found, missing, points, heights) = from.meta()?;
+        let (stature_mm, stature_sigma_mm, ground_mm) = heights;
         Ok(Landmarks {
             found,
             missing,
             points,
             parts: from.section("parts")?,
             stature_mm,
+            stature_sigma_mm,
+            ground_mm,
         })
     }
 }

@@ -11,16 +11,30 @@ pub enum Refusal {
     NoLegs,
     /// No neck between head and shoulders.
     NoNeck,
+    /// The neck is a groove between head and shoulders, not a tube.
+    NeckGroove,
+    /// The top of the surface is no crown, so that its height is no stature.
+    NoHead,
     /// Trunk and legs are not those of an upright body.
     NotUpright,
+    /// No feet that stand on anything, and no ground that the cameras tell.
+    NoGround,
     /// The limb could not be followed from its tip to the trunk.
     NoLimb,
     /// The limb is one with the trunk, or with another limb, where the girth is taken.
     Fused,
+    /// No arm stands clear of the trunk, so nothing tells whether arms are in the section.
+    NoArms,
     /// A hand or forearm is part of the section.
     Hand,
+    /// Thighs are one on the surface far below the crotch.
+    ThighsOne,
+    /// No greatest girth of its own between the joints: a hem or bandage hides it.
+    NoPeak,
     /// The plane has no closed section there.
     NoSection,
+    /// The extreme that the definition asks for is not on this body.
+    NoExtreme,
     /// The body lies outside of what the level model was fitted on.
     OutOfRange,
     /// The interval is wider than ± 25 %, or reaches zero.
@@ -37,23 +51,71 @@ impl Refusal {
             Refusal::NoNeck => {
                 "no neck was found between head and shoulders: does hair or a collar hide it, or do the photos cut the head off?"
             }
-            Refusal::NotUpright => "trunk and legs are not those of an upright body",
+            Refusal::NeckGroove => {
+                "the neck is a groove between head and shoulders on the surface, too short for a tape to lie around it: lift the chin"
+            }
+            Refusal::NoHead => {
+                "the top of the surface is flat, not a crown: the head is missing or cut off by the photos' border"
+            }
+            Refusal::NotUpright => {
+                "trunk and legs are not those of an upright body: does it lie, sit, bend over, or stand on its head?"
+            }
+            Refusal::NoGround => {
+                "no feet end on the ground, so nothing tells heights: is the body cut off, do trousers or a coat hide the feet, \
+                 or is the ground of the cameras wrong?"
+            }
             Refusal::NoLimb => {
                 "this limb could not be followed from its end to the trunk: hold it away from the body"
             }
             Refusal::Fused => {
                 "limb and trunk are one on the surface there: hold the limb farther away"
             }
+            Refusal::NoArms => {
+                "no arm stands clear of the trunk anywhere, so nothing tells whether arms are in this section: hold them away from the body"
+            }
             Refusal::Hand => {
                 "a hand or forearm is one with the body on the surface there: hold the hands farther away"
             }
+            Refusal::ThighsOne => {
+                "the thighs are one on the surface well below the crotch, so where they are fullest does not show: stand with the feet farther apart"
+            }
+            Refusal::NoPeak => {
+                "nothing between the joints is fullest there: does a hem, a boot or a bandage hide it?"
+            }
             Refusal::NoSection => "the surface has no closed section there",
+            Refusal::NoExtreme => {
+                "this body is nowhere narrowest or fullest between the marks of this definition: choose another"
+            }
             Refusal::OutOfRange => {
                 "the body lies outside of what the level model was fitted on, so the level is not known well enough"
             }
             Refusal::TooUncertain => {
                 "the interval would be wider than 25 % to either side, so no number is given"
             }
+        }
+    }
+}
+
+impl Refusal {
+    /// Its word in files: `no_legs`.
+    pub fn code(self) -> &'static str {
+        match self {
+            Refusal::NoLegs => "no_legs",
+            Refusal::NoNeck => "no_neck",
+            Refusal::NeckGroove => "neck_groove",
+            Refusal::NoHead => "no_head",
+            Refusal::NoGround => "no_ground",
+            Refusal::NotUpright => "not_upright",
+            Refusal::NoLimb => "no_limb",
+            Refusal::ThighsOne => "thighs_one",
+            Refusal::NoPeak => "no_peak",
+            Refusal::Fused => "fused",
+            Refusal::NoArms => "no_arms",
+            Refusal::Hand => "hand",
+            Refusal::NoSection => "no_section",
+            Refusal::NoExtreme => "no_extreme",
+            Refusal::OutOfRange => "out_of_range",
+            Refusal::TooUncertain => "too_uncertain",
         }
     }
 }

@@ -66,14 +66,14 @@ fn through(shots: &[Shot]) -> BTreeMap<usize, (u32, u32)> {
     let view = |shot: &Shot| PhotoView {
         name: String::new(),
         camera: shot.camera,
-        sigma_mm: 0.0,
-        rms_px: 0.0,
+        sigma_mm: None,
+        rms_px: None,
         points: 0,
     };
     let cameras = Cameras {
         views: shots.iter().map(|s| (s.id, view(s))).collect(),
         scale: Scale::Given,
-        scale_sigma: 0.0,
+        scale_sigma: None,
         disk_radius_mm: None,
         ground_mm: 0.0,
         points: vec![],

@@ -12,11 +12,13 @@
 //! What is in the right column comes through [`Ctx`], which cannot enter a key.
 
 mod artifact;
+mod choice;
 mod codec;
 mod ctx;
 mod erase;
 mod files;
 mod input;
+mod named;
 mod nearest;
 mod params;
 mod value;
@@ -24,14 +26,16 @@ mod value;
 pub use artifact::{
     Artifact, Corrupt, Hash, Packer, Unpacker, content, from_bytes, hash, to_bytes,
 };
+pub use choice::Choice;
 pub use ctx::{Ctx, Host, Metric, Steps};
 pub use erase::{AnyArtifact, AnyStage, Checked, Erased, Made, erase};
 pub use files::{FileEntry, Files, FilesError};
 pub use input::{Input, Port, PortSpec, Wrong};
+pub use named::Named;
 pub use nearest::{nearest, unknown};
 #[doc(hidden)]
 pub use params::read_one;
-pub use params::{Choice, Mistake, ParamSpec, ParamType, Params};
+pub use params::{Mistake, ParamSpec, ParamType, Params};
 pub use value::Value;
 
 /// One step of a pipeline: a pure function from artifacts and params to an artifact.

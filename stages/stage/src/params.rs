@@ -18,12 +18,16 @@ pub struct ParamSpec {
     pub default: Value,
     /// Least and greatest value.
     pub range: Option<(f64, f64)>,
+    /// Whether it must be said.
+    pub required: bool,
+    /// What each entry holds, where it is a section of named entries: see [`Named`](crate::Named).
+    pub entry: Option<Vec<ParamSpec>>,
 }
 
 /// What is wrong with one param.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Mistake {
-    /// The param as it was written.
+    /// The param as it was written; within a section `section.entry.key`.
     pub name: String,
     /// What is wrong, and what would fit.
     pub what: String,
@@ -45,6 +49,23 @@ pub trait ParamType: Sized + Clone {
     const NAME: &'static str;
     /// The words it may be, where it is a choice.
     const CHOICES: &'static [&'static str] = &[];
+    /// What each entry holds, where it is a section of named entries.
+    fn entry() -> Option<Vec<ParamSpec>> {
+        None
+    }
+    /// From what was written, with all that is wrong within it.
+    fn read_within(name: &str, value: &Value, mistakes: &mut Vec<Mistake>) -> Option<Self> {
+        let read = Self::read(value);
+        if read.is_none() {
+            let what = match Self::CHOICES {
+                [] => format!("wants {}, but {value} is {}", Self::NAME, value.type_name()),
+                words => format!("{value} is none of {}", words.join(", ")),
+            };
+            let name = name.to_owned();
+            mistakes.push(Mistake { name, what });
+        }
+        read
+    }
     /// From what was written. [`None`] when it does not fit.
     fn read(value: &Value) -> Option<Self>;
     /// To be written.
@@ -132,68 +153,51 @@ impl<T: ParamType> ParamType for Vec<T> {
     }
 }
 
-/// An enum whose variants are words. Made by [`choice!`](crate::choice!).
-pub trait Choice: Sized + Copy + PartialEq + 'static {
-    /// The words, in the order of the variants.
-    const WORDS: &'static [&'static str];
-    /// The variants.
-    const ALL: &'static [Self];
-}
-
-impl<C: Choice> ParamType for C {
-    const NAME: &'static str = "a word";
-    const CHOICES: &'static [&'static str] = C::WORDS;
-    fn read(value: &Value) -> Option<Self> {
-        let Value::Text(t) = value else { return None };
-        C::WORDS.iter().position(|w| w == t).map(|i| C::ALL[i])
-    }
-    fn value(&self) -> Value {
-        let i = C::ALL
-            .iter()
-            .position(|c| c == self)
-            .expect("bug: a variant outside ALL");
-        Value::Text(C::WORDS[i].into())
-    }
-}
-
 /// Reads one param: for [`params!`](crate::params!).
 #[doc(hidden)]
 pub fn read_one<T: ParamType>(
     name: &'static str,
     range: Option<(f64, f64)>,
+    required: bool,
     said: &BTreeMap<String, Value>,
     default: T,
     mistakes: &mut Vec<Mistake>,
 ) -> T {
     let Some(value) = said.get(name) else {
+        if required {
+            mistakes.push(Mistake {
+                name: name.into(),
+                what: format!("must be said: {name} is {}", wanted::<T>(range)),
+            });
+        }
         return default;
     };
-    let mut wrong = |what: String| {
-        mistakes.push(Mistake {
-            name: name.into(),
-            what,
-        })
-    };
-    let Some(read) = T::read(value) else {
-        wrong(if T::CHOICES.is_empty() {
-            format!("wants {}, but {value} is {}", T::NAME, value.type_name())
-        } else {
-            format!("{value} is none of {}", T::CHOICES.join(", "))
-        });
+    let Some(read) = T::read_within(name, value, mistakes) else {
         return default;
     };
     if let (Some((lo, hi)), Some(x)) = (range, read.number())
         && !(lo..=hi).contains(&x)
     {
-        wrong(format!(
-            "{value} is out of range: it must lie in {lo}..={hi}"
-        ));
+        mistakes.push(Mistake {
+            name: name.into(),
+            what: format!("{value} is out of range: it must lie in {lo}..={hi}"),
+        });
         return default;
     }
     read
 }
 
-/// Declares a stage's params: doc, optional `#[range(lo..=hi)]`, name, type, default.
+/// What would fit, in words.
+fn wanted<T: ParamType>(range: Option<(f64, f64)>) -> String {
+    match (T::CHOICES, range) {
+        ([], None) => T::NAME.to_owned(),
+        ([], Some((lo, hi))) => format!("{} in {lo}..={hi}", T::NAME),
+        (words, _) => format!("one of {}", words.join(", ")),
+    }
+}
+
+/// Declares a stage's params: doc, optional `#[range(lo..=hi)]`, optional `#[must(say)]` where there is
+/// no sense in a default, name, type, default.
 #[macro_export]
 macro_rules! params {
     (
@@ -201,6 +205,7 @@ macro_rules! params {
         pub struct $struct:ident { $(
             $(#[doc = $doc:literal])*
             $(#[range($range:expr)])?
+            $(#[must($must:ident)])?
             $name:ident : $ty:ty = $default:expr
         ),* $(,)? }
     ) => {
@@ -224,6 +229,8 @@ macro_rules! params {
                     choices: <$ty as $crate::ParamType>::CHOICES,
                     default: $crate::ParamType::value(&_default.$name),
                     range: $crate::params!(@range $($range)?),
+                    required: $crate::params!(@must $($must)?),
+                    entry: <$ty as $crate::ParamType>::entry(),
                 }, )* ]
             }
 
@@ -240,7 +247,7 @@ macro_rules! params {
                 }
                 let _default = Self::default();
                 let read = Self { $( $name: $crate::read_one(
-                    stringify!($name), $crate::params!(@range $($range)?), _said, _default.$name, &mut mistakes,
+                    stringify!($name), $crate::params!(@range $($range)?), $crate::params!(@must $($must)?), _said, _default.$name, &mut mistakes,
                 ), )* };
                 if mistakes.is_empty() { Ok(read) } else { Err(mistakes) }
             }
@@ -250,27 +257,11 @@ macro_rules! params {
             }
         }
     };
+    (@must) => { false };
+    (@must say) => { true };
     (@range) => { None };
     (@range $range:expr) => {{
         let range = $range;
         Some((*range.start() as f64, *range.end() as f64))
     }};
-}
-
-/// Declares an enum whose variants a pipeline file calls by a word.
-#[macro_export]
-macro_rules! choice {
-    (
-        $(#[doc = $about:literal])*
-        pub enum $enum:ident { $( $(#[doc = $doc:literal])* $variant:ident = $word:literal ),* $(,)? }
-    ) => {
-        $(#[doc = $about])*
-        #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-        pub enum $enum { $( $(#[doc = $doc])* $variant, )* }
-
-        impl $crate::Choice for $enum {
-            const WORDS: &'static [&'static str] = &[$($word),*];
-            const ALL: &'static [Self] = &[$( $enum::$variant ),*];
-        }
-    };
 }

@@ -1,5 +1,6 @@
 //! A param's value as a pipeline file may write it, and its one canonical text.
 
+use std::collections::BTreeMap;
 use std::fmt;
 
 /// A param's value.
@@ -15,6 +16,8 @@ pub enum Value {
     Text(String),
     /// A list of values.
     List(Vec<Value>),
+    /// Values by name.
+    Table(BTreeMap<String, Value>),
 }
 
 impl Value {
@@ -26,6 +29,7 @@ impl Value {
             Value::Float(_) => "a number",
             Value::Text(_) => "a text",
             Value::List(_) => "a list",
+            Value::Table(_) => "a table",
         }
     }
 }
@@ -49,6 +53,14 @@ impl fmt::Display for Value {
                     write!(f, "{v}")?;
                 }
                 write!(f, "]")
+            }
+            Value::Table(t) => {
+                write!(f, "{{")?;
+                for (i, (name, v)) in t.iter().enumerate() {
+                    let comma = if i > 0 { "," } else { "" };
+                    write!(f, "{comma} {name:?} = {v}")?;
+                }
+                write!(f, "{}}}", if t.is_empty() { "" } else { " " })
             }
         }
     }
@@ -74,7 +86,14 @@ mod tests {
     }
 
     #[test]
-    fn a_text_cannot_pass_for_a_list() {
+    fn a_text_cannot_pass_for_a_list_nor_one_table_for_another() {
+        let table = |name: &str, value| Value::Table([(name.to_owned(), value)].into());
+        let (plain, tricky) = (
+            table("a", Value::Int(1)),
+            table("a\" = 1, \"b", Value::Int(1)),
+        );
+        assert_eq!(plain.to_string(), "{ \"a\" = 1 }");
+        assert!(!tricky.to_string().contains("{ \"a\" = 1"));
         let text = Value::List(vec![Value::Text("a\", \"b".into())]);
         let list = Value::List(vec![Value::Text("a".into()), Value::Text("b".into())]);
         assert_ne!(text.to_string(), list.to_string());

@@ -3,7 +3,10 @@
 use crate::contour::{contour, length, taut};
 use crate::frame::turn_between;
 use nalgebra::{Point3, Rotation3, Vector3};
-use shape::{Cameras, Girth, Girths, Landmarks, Missing, Plane, Solid};
+use shape::{
+    Cameras, Girth, GirthId, Girths, Landmark, Landmarks, Missing, Part, Plane, Refusal, Sigmas,
+    Solid,
+};
 use stage::{Ctx, Stage, Stop};
 use std::sync::Arc;
 
@@ -26,7 +29,7 @@ pub struct FormulaGirths;
 
 impl Stage for FormulaGirths {
     const NAME: &'static str = "synth.girths";
-    const VERSION: u32 = 1;
+    const VERSION: u32 = 2;
     const ABOUT: &'static str =
         "Tells a solid's girths by its formula, at landmarks or at its own planes.";
     type Params = ();
@@ -43,27 +46,31 @@ impl Stage for FormulaGirths {
                 point_mm: *point_mm,
                 normal: *normal,
             };
-            (name.clone(), name.clone(), plane)
+            let id = GirthId::named(name).unwrap_or(GirthId::Own);
+            Landmark {
+                name: name.clone(),
+                label: name.clone(),
+                ..Landmark::new(id, plane, Part::Trunk)
+            }
         };
-        let wanted: Vec<(String, String, Plane)> = match &input.landmarks {
-            Some(marks) => marks
-                .found
-                .iter()
-                .map(|l| (l.name.clone(), l.label.clone(), l.plane))
-                .collect(),
+        let wanted: Vec<Landmark> = match &input.landmarks {
+            Some(marks) => marks.found.clone(),
             None => input.solid.planes.iter().map(own).collect(),
         };
         let mut girths = Girths::default();
-        for (name, label, plane) in wanted {
+        for mark in wanted {
             ctx.check()?;
+            let plane = mark.plane;
             let there = Plane {
                 point_mm: (turn * Point3::from(plane.point_mm)).into(),
                 normal: (turn * Vector3::from(plane.normal)).into(),
             };
             match contour(&input.solid, &there) {
-                Some(curve) => girths.girths.push(girth(name, label, &there, &curve)),
+                Some(curve) => girths.girths.push(girth(&mark, &there, &curve)),
                 None => girths.missing.push(Missing {
-                    name,
+                    id: Some(mark.id),
+                    name: mark.name,
+                    reason: Refusal::NoSection,
                     why: "the plane's point does not lie within the solid".into(),
                 }),
             }
@@ -75,19 +82,18 @@ impl Stage for FormulaGirths {
     }
 }
 
-fn girth(name: String, label: String, plane: &Plane, curve: &[Point3<f64>]) -> Girth {
+fn girth(mark: &Landmark, plane: &Plane, curve: &[Point3<f64>]) -> Girth {
     let (contour_mm, tape_mm) = (length(curve), length(&taut(curve, plane)));
     let single = |p: &Point3<f64>| p.coords.map(|x| x as f32).into();
     Girth {
-        name,
-        label,
         definition: "by formula".into(),
         contour_mm,
-        tape_mm,
         spline_mm: contour_mm,
-        silhouette_mm: None,
-        interval_mm: [tape_mm; 2],
+        interval_mm: Some([tape_mm; 2]),
+        sigmas: Sigmas::EXACT,
+        repeat_mm: Some(0.0),
         plane: *plane,
         contour: curve.iter().step_by(16).map(single).collect(),
+        ..Girth::at(mark, tape_mm)
     }
 }

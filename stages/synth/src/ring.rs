@@ -93,8 +93,8 @@ impl Stage for MakeRing {
             let view = View {
                 name: photo_name(i),
                 camera: Camera { lens, pose },
-                sigma_mm: 0.0,
-                rms_px: 0.0,
+                sigma_mm: None,
+                rms_px: None,
                 points: 0,
             };
             (PhotoId(i), view)
@@ -102,7 +102,7 @@ impl Stage for MakeRing {
         Ok(Cameras {
             views: (0..p.views).map(view).collect(),
             scale: Scale::Given,
-            scale_sigma: 0.0,
+            scale_sigma: None,
             disk_radius_mm: (p.disk_mm > 0.0).then_some(p.disk_mm),
             ground_mm: 0.0,
             points: vec![],

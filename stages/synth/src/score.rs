@@ -118,21 +118,21 @@ struct Row {
     name: String,
     measured_mm: f64,
     formula_mm: f64,
-    interval_mm: [f64; 2],
+    interval_mm: Option<[f64; 2]>,
     error_percent: f64,
 }
 
 impl Row {
     fn json(&self) -> Value {
         let round = |x: f64| (x * 100.0).round() / 100.0;
-        let [low, high] = self.interval_mm;
+        let holds = |[low, high]: [f64; 2]| (low..=high).contains(&self.formula_mm);
         json!({
             "name": self.name,
             "measured_mm": round(self.measured_mm),
             "formula_mm": round(self.formula_mm),
             "error_percent": (self.error_percent * 1e3).round() / 1e3,
-            "interval_mm": [round(low), round(high)],
-            "interval_holds": (low..=high).contains(&self.formula_mm),
+            "interval_mm": self.interval_mm.map(|ends| ends.map(round)),
+            "interval_holds": self.interval_mm.map(holds),
         })
     }
 }

@@ -22,7 +22,7 @@ const NEAR: f64 = 0.12;
 
 /// Whether at a height the arm of a side is part of the trunk's section: it stands clear nearest above
 /// or below, and toward that height the trunk's section jumps outward by it.
-pub(crate) fn merged(body: &Body, z: f64, side: f64) -> bool {
+pub fn merged(body: &Body, z: f64, side: f64) -> bool {
     let near = NEAR * body.stature;
     let around: Vec<&Slice> = body.between(z - near, z + near).collect();
     let stands = |s: &&Slice| arm_ring(body, &s.rings, side).is_some();
@@ -85,17 +85,6 @@ impl Axis {
     pub fn at(&self, z: f64) -> Point3<f64> {
         self.point + self.down * ((z - self.point.z) / self.down.z)
     }
-}
-
-/// How far above the elbow's usual height an upper arm still tells its own axis, below its middle, as
-/// a share of stature.
-const STRAIGHT: f64 = 0.05;
-
-/// The axis of an upper arm whose middle is at a height: from what is above its elbow, where enough
-/// of that stands clear, else as [`upper_arm_axis`].
-pub(crate) fn axis_about(body: &Body, side: f64, middle: f64, hip: f64) -> Option<Axis> {
-    let elbow = middle - STRAIGHT * body.stature;
-    upper_arm_axis(body, side, elbow.max(hip)).or_else(|| upper_arm_axis(body, side, hip))
 }
 
 /// The axis of an upper arm from where it stands clear of the trunk; `hip` is a height below which

@@ -42,8 +42,8 @@ pub fn marks(body: &Body) -> Option<Marks> {
     if long < 0.15 * body.stature {
         return None;
     }
-    let front = |s: &Slice| extent(s.rings.first()?, &body.front).map(|e| e.1);
-    let back = |s: &Slice| extent(s.rings.first()?, &-body.front).map(|e| e.1);
+    let front = |s: &Slice| depth(body, s.rings.first()?).map(|e| e.1);
+    let back = |s: &Slice| depth(body, s.rings.first()?).map(|e| -e.0);
     let hollow = off_chord(body, hip, hip + 0.6 * long, back, -1.0)?;
     let bust = off_chord(
         body,
@@ -78,6 +78,21 @@ pub(crate) fn extent(ring: &Ring, along: &Vector3<f64>) -> Option<(f64, f64)> {
     })
 }
 
+/// How far to either side of its middle a trunk's depth is read, as a share of stature: nipples and
+/// buttocks lie within, raised arms and the forearms before them do not.
+const MIDDLE: f64 = 0.08;
+
+/// Backmost and foremost of the middle of a trunk's section, along the body's front. \[mm\]
+pub(crate) fn depth(body: &Body, ring: &Ring) -> Option<(f64, f64)> {
+    let (low, high) = extent(ring, &body.left)?;
+    let middle = (low + high) / 2.0;
+    let near = |x: f64| (x - middle).abs() <= MIDDLE * body.stature;
+    let own = ring.curve.iter().filter(|p| near(p.coords.dot(&body.left)));
+    own.map(|p| p.coords.dot(&body.front)).fold(None, |e, x| {
+        Some(e.map_or((x, x), |(lo, hi): (f64, f64)| (lo.min(x), hi.max(x))))
+    })
+}
+
 /// From the least to the greatest of all rings of a slice along a direction: what is seen from the front,
 /// arms and all, where that is the body's left. \[mm\]
 pub(crate) fn breadth(slice: &Slice, along: &Vector3<f64>) -> Option<f64> {
@@ -106,7 +121,7 @@ fn smoothed(
 
 /// The height of the greatest prominence of the buttocks, above the crotch. \[mm\]
 pub(crate) fn hip(body: &Body, crotch: f64) -> Option<f64> {
-    let back = |s: &Slice| extent(s.rings.first()?, &-body.front).map(|e| e.1);
+    let back = |s: &Slice| depth(body, s.rings.first()?).map(|e| -e.0);
     let reach = smoothed(
         body,
         crotch - 0.01 * body.stature,

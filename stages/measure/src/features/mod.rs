@@ -1,9 +1,16 @@
-//! What a surface shows: how the body stands, marks on its outline, arms, neck.
+//! What a surface shows: where and how the body stands, marks on its outline, arms, neck.
 
 pub(crate) mod arms;
 pub(crate) mod body;
+pub(crate) mod ground;
+pub(crate) mod limb;
 pub(crate) mod marks;
 pub(crate) mod neck;
-pub(crate) mod neck_level;
+pub(crate) mod neck_tube;
 pub(crate) mod reach;
+pub(crate) mod readings;
+pub(crate) mod soles;
+pub(crate) mod standing;
+pub(crate) mod throat;
+pub(crate) mod upright;
 pub(crate) mod whole;

@@ -1,7 +1,7 @@
 //! How far an upright body reaches back, forward and across at shares of the way from hip to neck.
 
 use crate::features::body::Body;
-use crate::features::marks::{breadth, extent};
+use crate::features::marks::{breadth, depth, extent};
 
 /// How far a level section reaches, in some directions. \[mm\]
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -49,7 +49,7 @@ pub fn reach(body: &Body, hip: f64, neck: f64) -> Option<Reach> {
         let Some(ring) = slice.rings.first() else {
             continue;
         };
-        let (back, front) = extent(ring, &body.front)?;
+        let (back, front) = depth(body, ring)?;
         let (low, high) = extent(ring, &body.left)?;
         levels.push(Row {
             z: slice.z,

@@ -1,6 +1,7 @@
 //! Sections of a mesh as closed curves, and lengths around them.
 
 pub(crate) mod carry;
+pub(crate) mod crop;
 pub(crate) mod section;
 pub(crate) mod slices;
 pub(crate) mod spline;

@@ -29,10 +29,30 @@ pub fn section(mesh: &Mesh, plane: &Plane) -> Vec<Loop> {
     let height: Vec<f64> = (0..mesh.positions.len() as u32)
         .map(|v| n.dot(&(mesh.point(v) - p)))
         .collect();
+    loops(mesh, mesh.faces.iter(), |v| height[v as usize])
+}
+
+/// The closed curves in which a plane cuts some faces of a mesh; curves that end where those faces
+/// do are left out.
+pub(crate) fn section_of(mesh: &Mesh, faces: &[u32], plane: &Plane) -> Vec<Loop> {
+    let (n, p) = (
+        Vector3::from(plane.normal).normalize(),
+        Point3::from(plane.point_mm),
+    );
+    let faces = faces.iter().map(|f| &mesh.faces[*f as usize]);
+    loops(mesh, faces, |v| n.dot(&(mesh.point(v) - p)))
+}
+
+/// Closed curves of faces where a height over vertices is nought.
+fn loops<'a>(
+    mesh: &Mesh,
+    faces: impl Iterator<Item = &'a [u32; 3]>,
+    height: impl Fn(u32) -> f64,
+) -> Vec<Loop> {
     // Each cut face gives a piece from one cut edge to another; edges are named by their ends.
     let mut next: BTreeMap<(u32, u32), (u32, u32)> = BTreeMap::new();
-    for face in &mesh.faces {
-        let above = face.map(|v| height[v as usize] >= 0.0);
+    for face in faces {
+        let above = face.map(|v| height(v) >= 0.0);
         if above[0] == above[1] && above[1] == above[2] {
             continue;
         }
@@ -51,7 +71,7 @@ pub fn section(mesh: &Mesh, plane: &Plane) -> Vec<Loop> {
         }
     }
     let place = |(a, b): (u32, u32)| {
-        let (ha, hb) = (height[a as usize], height[b as usize]);
+        let (ha, hb) = (height(a), height(b));
         let (pa, pb) = (mesh.point(a), mesh.point(b));
         pa + (pb - pa) * (ha / (ha - hb))
     };
@@ -120,6 +140,24 @@ pub fn hull(points: &[[f64; 2]]) -> Vec<[f64; 2]> {
     let mut hull = chain(&mut sorted.iter().copied());
     hull.extend(chain(&mut sorted.iter().rev().copied()));
     hull
+}
+
+/// A convex polygon without what lies beyond a line (Sutherland and Hodgman 1974).
+pub(crate) fn clipped(points: &[[f64; 2]], n: [f64; 2], reach: f64) -> Vec<[f64; 2]> {
+    let off = |p: &[f64; 2]| n[0] * p[0] + n[1] * p[1] - reach;
+    let mut out = Vec::with_capacity(points.len() + 2);
+    for (i, a) in points.iter().enumerate() {
+        let b = &points[(i + 1) % points.len()];
+        let (da, db) = (off(a), off(b));
+        if da <= 0.0 {
+            out.push(*a);
+        }
+        if (da < 0.0 && db > 0.0) || (da > 0.0 && db < 0.0) {
+            let t = da / (da - db);
+            out.push([a[0] + t * (b[0] - a[0]), a[1] + t * (b[1] - a[1])]);
+        }
+    }
+    out
 }
 
 /// Length of a tape around points of a plane: of their convex hull. \[mm\]

@@ -1,120 +1,219 @@
-//! Landmarks on arms and legs, and the part of each vertex.
+//! Planes across arms and legs, from their own lines and joints.
 
-use crate::features::arms::axis_about;
-use crate::features::body::{Body, nearest_ring};
-use crate::features::marks::Marks;
-use crate::features::whole::thighs_are_one;
-use crate::geometry::slices::{Ring, Slice, level};
-use crate::landmarks::{landmark, missing};
-use crate::planes::levels;
-use nalgebra::Point3;
-use shape::{Landmarks, Mesh, Part, Plane};
+use crate::features::body::Body;
+use crate::features::limb::follow::Knot;
+use crate::features::limb::{Limb, Limbs, Segment};
+use crate::features::marks::extent;
+use crate::geometry::section::{flat, length, tape};
+use crate::geometry::slices::{Ring, level};
+use nalgebra::{Point3, Vector3};
+use shape::{Mesh, Part, Plane, PlaneSigma, Refusal};
 
-/// How much the middle line of an upper arm's flesh leans forward, going down, against the line from
-/// joint to joint that the standard means: the median of the bodies that levels were fitted on.
-const FLESH: f64 = 0.068;
+/// A plane and how sure it is.
+pub(crate) type Placed = (Plane, PlaneSigma);
 
-/// The plane across an upper arm amid shoulder and elbow, from the arm's axis below the armpit.
-pub(crate) fn upper_arm(mesh: &Mesh, body: &Body, side: f64, marks: &Marks) -> Option<Plane> {
-    let z = body.ground + levels::upper_arm(marks, body.stature);
-    let axis = axis_about(body, side, z, body.ground + marks.hip)?;
-    let normal = (axis.down - body.front * FLESH).normalize();
-    let plane = Plane {
-        point_mm: axis.at(z).into(),
-        normal: normal.into(),
-    };
-    // Centred on the ring itself, where that is the arm's alone.
-    let ring = nearest_ring(mesh, &plane)?;
-    let off = (ring.centre - axis.at(z)).norm();
-    if off > 0.02 * body.stature {
-        return Some(plane);
+/// How sure the line of a segment is. \[rad\]
+const TILT: f64 = 2.5 * std::f64::consts::PI / 180.0;
+/// A leg that leans less is taken level, as the standard has it. \[cos\]
+const UPRIGHT: f64 = 0.966;
+/// A crotch lower than this share of stature is none: the thighs are one on the surface below it, by
+/// nearly 0.1 of stature under the crotch that people have (0.481 ± 0.015 of 6068, ANSUR II).
+const ONE: f64 = 0.385;
+/// The thigh is looked for above this share of the crotch's height.
+const THIGH: f64 = 0.8;
+/// So far below where the legs join, as a share of stature, the fold between them is no part of a thigh.
+const BELOW: f64 = 0.012;
+/// An upper arm shows at least so much of itself above the elbow, as a share of stature.
+const CLEAR: f64 = 0.025;
+/// A girth that grows by no more than this over 15 thousandths of stature has stopped growing.
+const FLAT: f64 = 1.01;
+/// Where crotches that show are lower than this share of stature, the thigh's fullest is above them.
+const EXPECTED: f64 = 0.46;
+/// How sure the level of a greatest girth is, as a share of stature.
+const EXTREME: f64 = 0.006;
+
+fn sure(level: f64) -> PlaneSigma {
+    PlaneSigma {
+        level_mm: Some(level),
+        tilt_rad: Some(TILT),
+        repeat_mm: None,
     }
-    Some(Plane {
-        point_mm: ring.centre.into(),
-        ..plane
-    })
 }
 
-/// Why there is no thigh.
-const ONE: &str = "the thighs are one on the surface well below the crotch, so where they are fullest does not show: \
-     stand with the feet farther apart";
+/// Square to a segment's line at a share of the way from its joint near the trunk (0) to the other (1),
+/// and how sure its place is.
+///
+/// # Errors
+///
+/// If the limb has no such segment, or its line is not known.
+pub fn share(limb: &Limb, segment: Segment, share: f64) -> Result<Placed, Refusal> {
+    let (plane, sigma) = limb.at_share(segment, share).ok_or(Refusal::NoLimb)?;
+    Ok((plane, sure(sigma)))
+}
 
-/// Thigh and calf of both legs.
-pub(crate) fn legs(body: &Body, found: &mut Landmarks) {
-    let Some(crotch) = body.crotch else { return };
-    let inside = crotch - body.ground;
-    let one = thighs_are_one(body);
-    for (side, part, suffix, word) in [
-        (1.0, Part::LegLeft, "L", "left"),
-        (-1.0, Part::LegRight, "R", "right"),
-    ] {
-        let leg = |s: &Slice| {
-            let two = s.rings.get(..2)?;
-            let out = |r: &Ring| r.centre.coords.dot(&body.left) * side;
-            let ring = if out(&two[0]) > out(&two[1]) {
-                &two[0]
-            } else {
-                &two[1]
-            };
-            Some((s.z, ring.tape, ring.centre))
-        };
-        let widest = |low: f64, high: f64| {
-            let range = body.between(body.ground + low * inside, body.ground + high * inside);
-            range.filter_map(leg).max_by(|a, b| a.1.total_cmp(&b.1))
-        };
-        let mut add = |name: &str, label: &str, text: &str, at: Option<(f64, f64, Point3<f64>)>| {
-            let Some((z, _, c)) = at else { return };
-            let plane = Plane {
-                point_mm: [c.x, c.y, z],
-                ..level(z)
-            };
-            let (name, label) = (format!("{name}_{suffix}"), format!("{label}, {word}"));
-            found.found.push(landmark(&name, &label, text, plane, part));
-        };
-        if one {
-            found.missing.push(missing(&format!("TC_{suffix}"), ONE));
-        } else {
-            add(
-                "TC",
-                "thigh",
-                "thigh: horizontal, fullest below the crotch (ISO 8559-1 5.3.20)",
-                widest(0.8, 0.99),
-            );
+/// Across an upper arm amid acromion and elbow (ISO 8559-1 5.3.16), centred on the arm's own ring where
+/// the surface shows one.
+pub(crate) fn upper_arm(limbs: &Limbs<'_>, stature: f64, side: f64) -> Result<Placed, Refusal> {
+    let arm = limbs.arm(side)?;
+    if arm.clear_to() < arm.middle.s + CLEAR * stature {
+        return Err(Refusal::Fused);
+    }
+    let (plane, sigma) = arm.amid_upper_arm(stature).ok_or(Refusal::NoLimb)?;
+    Ok((plane, sure(sigma)))
+}
+
+/// A ring of one leg, level or square to its line, and the plane it lies in.
+struct Across<'a> {
+    limbs: &'a Limbs<'a>,
+    leg: &'a Limb,
+    /// Normal of the planes, downward.
+    down: Vector3<f64>,
+    within: f64,
+}
+
+impl<'a> Across<'a> {
+    fn new(limbs: &'a Limbs<'a>, leg: &'a Limb, down: Vector3<f64>, stature: f64) -> Self {
+        Across {
+            limbs,
+            leg,
+            down,
+            within: 0.2 * stature,
         }
-        add(
-            "CFC",
-            "calf",
-            "calf: horizontal, greatest (ISO 8559-1 5.3.24)",
-            widest(0.3, 0.58),
-        );
+    }
+
+    /// At a place of the leg's line.
+    fn at(&self, s: f64) -> Option<(Plane, Ring)> {
+        let plane = Plane {
+            point_mm: self.leg.point(s).into(),
+            normal: self.down.into(),
+        };
+        let ring = self.limbs.cuts.ring(&plane, self.within, 0.0)?;
+        let mut plane = plane;
+        plane.point_mm = ring.centre.into();
+        Some((plane, ring))
     }
 }
 
-/// The part of each vertex: head above the neck, legs below the crotch, arms beyond the trunk.
-pub(crate) fn parts(mesh: &Mesh, body: &Body) -> Vec<u8> {
+/// A web begins a little lower than it shows, as a share of stature.
+const CLEAR_OF_WEB: f64 = 0.0025;
+/// The skin of a thigh's inner half is longer than a tape around that half by at most so much of the
+/// whole tape: more is a web between the thighs, which no photo looks into, and hangs on one of them.
+const WEB: f64 = 0.02;
+/// Whether a thigh's section of a side (1 left, -1 right) holds part of a web between the thighs.
+pub(crate) fn webbed(body: &Body, ring: &Ring, side: f64) -> bool {
+    let inner = |p: &&Point3<f64>| (*p - ring.centre).dot(&body.left) * side < 0.0;
+    let inner: Vec<Point3<f64>> = ring.curve.iter().filter(inner).copied().collect();
+    let half = flat(&inner, &level(ring.centre.z));
+    length(&half) - tape(&half) > WEB * ring.tape
+}
+
+/// A thigh where it is fullest below the crotch (ISO 8559-1 5.3.20): level, or square to a leg that
+/// leans.
+pub(crate) fn thigh(limbs: &Limbs<'_>, body: &Body, side: f64) -> Result<Placed, Refusal> {
+    let leg = limbs.leg(side)?;
+    let down = -leg.axis(Segment::Thigh).ok_or(Refusal::NoLimb)?.along;
+    let upright = -down.z > UPRIGHT;
+    let down = if upright { -Vector3::z() } else { down };
+    let across = Across::new(limbs, leg, down, body.stature);
+    let (knee, end) = (leg.middle.s, leg.clear_to());
+    let low = knee + 0.45 * (leg.crotch - knee);
+    let step = 0.0025 * body.stature;
+    // Upward, as long as the ring is one leg's: what takes in the other one jumps.
+    let mut found: Vec<(Plane, f64)> = Vec::new();
+    // Beside a web between the thighs a tape would go around it: below it only.
+    let mut web = f64::MAX;
+    let mut s = low;
+    while s < end + 0.06 * body.stature {
+        let Some((plane, ring)) = across.at(s) else {
+            break;
+        };
+        let before = found.len().checked_sub(4).map(|i| found[i].1);
+        if before.is_some_and(|t| ring.tape > JUMP * t) {
+            if !holds_other(limbs, body, side, &ring) {
+                return Err(Refusal::Hand);
+            }
+            break;
+        }
+        if upright && webbed(body, &ring, side) {
+            web = web.min(plane.point_mm[2]);
+        }
+        found.push((plane, ring.tape));
+        s += step;
+    }
+    let top = found.last().ok_or(Refusal::NoSection)?.0.point_mm[2] - body.ground;
+    if top < ONE * body.stature && leg.bent == 0.0 {
+        return Err(Refusal::ThighsOne);
+    }
+    let fullest = found
+        .iter()
+        .filter(|f| {
+            let z = f.0.point_mm[2];
+            (THIGH * top..top - BELOW * body.stature).contains(&(z - body.ground))
+                && z < web - CLEAR_OF_WEB * body.stature
+        })
+        .max_by(|a, b| a.1.total_cmp(&b.1))
+        .ok_or(Refusal::NoSection)?;
+    // The lower the legs part, the farther above may be what they hide.
+    let hidden = (EXPECTED * body.stature - top).max(0.0) / 2.0;
+    Ok((fullest.0, sure((EXTREME * body.stature).hypot(hidden))))
+}
+
+/// Whether a ring reaches the line of the other leg; if that is not known, it may.
+fn holds_other(limbs: &Limbs<'_>, body: &Body, side: f64, ring: &Ring) -> bool {
+    let left = body.left * side;
+    let (Ok(other), Some((inner, _))) = (limbs.leg(-side), extent(ring, &left)) else {
+        return true;
+    };
+    let off = |k: &&Knot| (k.centre.z - ring.centre.z).abs();
+    let near = other.knots.iter().min_by(|a, b| off(a).total_cmp(&off(b)));
+    near.is_none_or(|k| inner < k.centre.coords.dot(&left))
+}
+
+/// A ring that is so many times as long as the one a hundredth of stature lower is two legs'.
+const JUMP: f64 = 1.15;
+
+/// A calf where it is greatest between ankle and knee (ISO 8559-1 5.3.24), square to the shank: a greatest of its own, not
+/// the end of what is looked at, so that neither the knee nor a hem above it is taken.
+pub(crate) fn calf(limbs: &Limbs<'_>, body: &Body, side: f64) -> Result<Placed, Refusal> {
+    let leg = limbs.leg(side)?;
+    let down = -leg.axis(Segment::Shank).ok_or(Refusal::NoLimb)?.along;
+    let across = Across::new(limbs, leg, down, body.stature);
+    /// Steps to either side that are near.
+    const NEAR: usize = 6;
+    let (ankle, knee) = (leg.end.s, leg.middle.s);
+    let step = 0.0025 * body.stature;
+    let (low, high) = (
+        ankle + 0.3 * (knee - ankle),
+        (knee - 0.02 * body.stature).min(leg.clear_to()),
+    );
+    let count = ((high - low) / step).max(0.0) as usize;
+    let found: Vec<(Plane, f64)> = (0..count + NEAR)
+        .filter_map(|i| across.at(low + step * i as f64))
+        .map(|(plane, ring)| (plane, ring.tape))
+        .collect();
+    let most = |i: usize| found[i..=i + NEAR].iter().map(|f| f.1).fold(0.0, f64::max);
+    let inner = NEAR..found.len().saturating_sub(NEAR);
+    // Greatest of those that nothing near exceeds, to either side.
+    let peak = inner
+        .clone()
+        .filter(|i| most(*i - NEAR).max(most(*i)) <= found[*i].1)
+        .max_by(|a, b| found[*a].1.total_cmp(&found[*b].1));
+    if let Some(peak) = peak {
+        return Ok((found[peak].0, sure(EXTREME * body.stature)));
+    }
+    // A leg that hardly narrows below its knee: where it stops growing.
+    let flat = inner.into_iter().find(|i| most(*i) <= FLAT * found[*i].1);
+    let at = flat.ok_or(Refusal::NoPeak)?;
+    Ok((found[at].0, sure(2.0 * EXTREME * body.stature)))
+}
+
+/// The part of each vertex: limbs by their own land, head above the neck; the rest is trunk.
+pub(crate) fn parts(mesh: &Mesh, body: &Body, limbs: &Limbs<'_>) -> Vec<u8> {
     let neck = body.neck.unwrap_or(f64::MAX);
-    let crotch = body.crotch.unwrap_or(f64::MIN);
-    let half = body
-        .trunk(crotch.max(body.ground) + 0.05 * body.stature)
-        .map_or(f64::MAX, |r| {
-            let reach = r.curve.iter().map(|p| (p - r.centre).dot(&body.left).abs());
-            reach.fold(0.0, f64::max)
-        });
-    let part = |v: u32| {
-        let p = mesh.point(v);
-        let out = p.coords.dot(&body.left);
-        let (arm, leg) = match out > 0.0 {
-            true => (Part::ArmLeft, Part::LegLeft),
-            false => (Part::ArmRight, Part::LegRight),
-        };
-        match p.z {
-            z if z > neck => Part::Head,
-            _ if out.abs() > 1.15 * half => arm,
-            z if z < crotch => leg,
-            _ => Part::Trunk,
-        }
+    let part = |v: usize| match limbs.parts[v] {
+        Some(part) => part,
+        None if f64::from(mesh.positions[v][2]) > neck => Part::Head,
+        None => Part::Trunk,
     };
-    (0..mesh.positions.len() as u32)
-        .map(|v| part(v) as u8)
-        .collect()
+    (0..mesh.positions.len()).map(|v| part(v) as u8).collect()
 }

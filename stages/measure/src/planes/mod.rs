@@ -1,4 +1,9 @@
 //! Where each girth is taken: levels from features, and planes across limbs.
 
-pub(crate) mod levels;
+pub(crate) mod custom;
 pub(crate) mod limbs;
+pub(crate) mod neck;
+pub(crate) mod neck_level;
+pub(crate) mod place;
+pub(crate) mod trunk;
+pub(crate) mod wanted;

@@ -3,13 +3,13 @@
 //! The outer half of an arm always shows. A clear section farther down, grown and shifted so that
 //! its support function agrees with the outer half, tells how far the inner half may reach.
 
-use crate::features::arms::axis_about;
 use crate::features::body::Body;
-use crate::features::marks::hip;
-use crate::geometry::section::{axes, flat, hull, length, tape};
+use crate::features::limb::away;
+use crate::geometry::crop::slab;
+use crate::geometry::section::{axes, clipped, flat, hull, tape};
 use crate::geometry::slices::{Ring, rings};
-use crate::geometry::spline::closed_spline_length;
-use crate::sections::taken::{FUSED, NO_ARMS, Taken, Why, nearest, plain};
+use crate::sections::arm_told::{Told, completed, held, onward};
+use crate::sections::taken::{FUSED, Taken, Why, nearest, plain};
 use nalgebra::{Matrix3, Point3, Vector3};
 use shape::{Landmark, Mesh, Plane};
 use std::f64::consts::{PI, TAU};
@@ -24,6 +24,9 @@ const LOOSE: f64 = 0.03;
 /// of the arm's radius, root of the mean square. Arms keep within 0.035; a web that a hull of few
 /// photos leaves between arm and trunk is off by 0.065 and more.
 const MISFIT: f64 = 0.05;
+/// How far inward of its middle an arm that is open to the trunk still shows itself, as a share of its
+/// radius.
+const INNER: f64 = 0.25;
 /// Directions of support functions.
 const WAYS: usize = 180;
 /// Doubt of a girth whose inner half is told by another section, as a share of what is told.
@@ -42,24 +45,6 @@ fn support(points: &[[f64; 2]], n: [f64; 2]) -> f64 {
     reach.fold(f64::MIN, f64::max)
 }
 
-/// A convex polygon without what lies beyond a line (Sutherland and Hodgman 1974).
-fn clipped(points: &[[f64; 2]], n: [f64; 2], reach: f64) -> Vec<[f64; 2]> {
-    let off = |p: &[f64; 2]| n[0] * p[0] + n[1] * p[1] - reach;
-    let mut out = Vec::with_capacity(points.len() + 2);
-    for (i, a) in points.iter().enumerate() {
-        let b = &points[(i + 1) % points.len()];
-        let (da, db) = (off(a), off(b));
-        if da <= 0.0 {
-            out.push(*a);
-        }
-        if (da < 0.0 && db > 0.0) || (da > 0.0 && db < 0.0) {
-            let t = da / (da - db);
-            out.push([a[0] + t * (b[0] - a[0]), a[1] + t * (b[1] - a[1])]);
-        }
-    }
-    out
-}
-
 /// An arm's outline freed of what hangs on its inner half.
 pub(crate) struct Freed {
     outline: Vec<[f64; 2]>,
@@ -75,9 +60,14 @@ pub(crate) struct Freed {
 pub(crate) fn freed(here: &[[f64; 2]], clear: &[[f64; 2]], outward: [f64; 2]) -> Option<Freed> {
     let radius = tape(clear) / TAU;
     // Of a ring that the trunk is part of, only what is near can be the arm.
+    let close = |p: &&[f64; 2]| p[0].hypot(p[1]) < 1.6 * radius;
+    let open = here.iter().filter(close).count() < here.len();
+    // Its inner side is the trunk's by then.
+    let out = |p: &[f64; 2]| p[0] * outward[0] + p[1] * outward[1];
     let near: Vec<[f64; 2]> = here
         .iter()
-        .filter(|p| p[0].hypot(p[1]) < 1.6 * radius)
+        .filter(close)
+        .filter(|p| !open || out(p) > -INNER * radius)
         .copied()
         .collect();
     if near.len() < 8 {
@@ -99,7 +89,6 @@ pub(crate) fn freed(here: &[[f64; 2]], clear: &[[f64; 2]], outward: [f64; 2]) ->
     }
     let grown = |n: [f64; 2]| fit.x * n[0] + fit.y * n[1] + fit.z * support(clear, n);
     // The inner half of a ring that is open to the trunk is the clear section's, if the outer half is.
-    let open = near.len() < here.len();
     let squares = outer.iter().map(|(n, reach)| (reach - grown(*n)).powi(2));
     let mean = squares.sum::<f64>() / outer.len() as f64;
     let misfit = if open { mean.sqrt() / radius } else { 0.0 };
@@ -143,7 +132,11 @@ fn first_freed(
     tried.find_map(|(i, ring)| Some((i, freed(ring, clear, outward)?)))
 }
 
-/// Takes the section of an upper arm.
+/// How far down the arm a clear section is looked for, as a share of stature: above the elbow, which is
+/// a tenth of it from the middle of the upper arm.
+const DOWN: f64 = 0.078;
+
+/// Takes the section of an upper arm; the plane's normal points down the arm.
 pub(crate) fn across_arm(
     mesh: &Mesh,
     body: &Body,
@@ -151,21 +144,25 @@ pub(crate) fn across_arm(
     side: f64,
 ) -> Result<Taken, Why> {
     let plane = &landmark.plane;
-    let low = body.crotch.and_then(|c| hip(body, c)).ok_or(NO_ARMS)?;
-    let axis = axis_about(body, side, plane.point_mm[2], low).ok_or(NO_ARMS)?;
     let down = Vector3::from(plane.normal).normalize();
     let step = 0.004 * body.stature;
+    let last = (DOWN / 0.004) as i32;
+    let part = slab(mesh, plane, -step, f64::from(last + 1) * step);
     let middle = Point3::from(plane.point_mm);
-    let trunk = body.trunk(low).map_or(f64::MAX, |r| r.area);
+    let level = body.crotch.unwrap_or(body.ground + 0.5 * body.stature) + 0.08 * body.stature;
+    let trunk = body.trunk(level).map_or(f64::MAX, |r| r.area);
     let round = |ring: &Ring| 4.0 * PI * ring.area / (ring.tape * ring.tape);
     // Sections down the arm that are the arm's alone: small, round, about the axis.
     let alone = |k: i32| {
-        let point = axis.at((middle + down * (f64::from(k) * step)).z);
+        if k > last {
+            return None;
+        }
+        let point = middle + down * (f64::from(k) * step);
         let there = Plane {
             point_mm: point.into(),
             ..*plane
         };
-        let ring = nearest(mesh, &there)?;
+        let ring = nearest(&part, &there)?;
         let near = (ring.centre - point).norm() < 0.02 * body.stature;
         (ring.area < 0.25 * trunk && near && round(&ring) > ROUND).then_some((k, ring))
     };
@@ -174,7 +171,7 @@ pub(crate) fn across_arm(
         return plain(mesh, plane, ring.clone());
     }
     // The roundest of the first that are.
-    let first = (1..=24).find_map(alone).ok_or(FUSED)?.0;
+    let first = (1..=last).find_map(alone).ok_or(FUSED)?.0;
     let (steps, clear) = (first..first + 10)
         .filter_map(alone)
         .max_by(|a, b| round(&a.1).total_cmp(&round(&b.1)))
@@ -189,38 +186,36 @@ pub(crate) fn across_arm(
     };
     let reference = hull(&flat(&clear.curve, &about(clear.centre)));
     let (u, v) = axes(plane);
-    let outward = [u.dot(&body.left) * side, v.dot(&body.left) * side];
+    let out = away(down, body.left, side).ok_or(FUSED)?;
+    let outward = [u.dot(&out), v.dot(&out)];
     let all = match own {
         Some(ring) => vec![ring],
-        None => rings(mesh, plane),
+        None => rings(&part, plane),
     };
     let flats: Vec<_> = all
         .iter()
         .map(|ring| flat(&ring.curve, &about(origin)))
         .collect();
-    let (at, free) = first_freed(&flats, &reference, outward).ok_or(FUSED)?;
-    if free.told == 0.0 {
-        return plain(mesh, plane, all[at].clone());
-    }
-    let outline = free.outline;
-    let tape_mm = tape(&outline);
-    let even: Vec<[f64; 2]> = outline
-        .iter()
-        .step_by((outline.len() / 48).max(1))
-        .copied()
-        .collect();
-    let contour_mm = length(&outline);
-    Ok(Taken {
-        contour: outline
-            .iter()
-            .map(|p| origin + u * p[0] + v * p[1])
-            .collect(),
-        contour_mm,
-        tape_mm,
-        spline_mm: closed_spline_length(&even).unwrap_or(contour_mm),
-        carried: free.told,
-        doubt_mm: (DOUBT * free.told).hypot(MISFIT_DOUBT * free.misfit) * tape_mm,
-    })
+    let tapes = (first..=last)
+        .filter_map(alone)
+        .map(|(k, r)| (f64::from(k), r.tape));
+    let beyond = || onward(&tapes.collect::<Vec<_>>(), f64::from(steps), &reference);
+    let told = match first_freed(&flats, &reference, outward) {
+        Some((at, free)) if free.told == 0.0 => return plain(mesh, plane, all[at].clone()),
+        Some((_, free)) => {
+            let told = Told {
+                doubt: (DOUBT * free.told).hypot(MISFIT_DOUBT * free.misfit),
+                share: free.told,
+                outline: free.outline,
+            };
+            match alone(0) {
+                Some(_) => told,
+                None => held(told, beyond()),
+            }
+        }
+        None => beyond().ok_or(FUSED)?,
+    };
+    Ok(completed(told, origin, plane))
 }
 
 #[cfg(test)]

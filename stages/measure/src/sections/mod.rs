@@ -1,6 +1,8 @@
 //! The section of a plane that belongs to one part of the body alone.
 
 pub(crate) mod across_arm;
+pub(crate) mod across_leg;
+pub(crate) mod arm_told;
 pub(crate) mod hands;
 pub(crate) mod picked;
 pub(crate) mod split;

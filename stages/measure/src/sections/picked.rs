@@ -4,9 +4,8 @@ use crate::features::body::nearest_ring;
 use crate::geometry::section::{flat, length, tape};
 use crate::geometry::slices::rings;
 use crate::geometry::spline::{fitted_plane, grown, paper_girth};
-use crate::uncertainty::interval::NINE_IN_TEN;
 use nalgebra::{Point3, Vector3};
-use shape::{Girth, Mesh};
+use shape::{Girth, GirthId, Landmark, Mesh, Part, Sigmas};
 
 /// Points that give no girth.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
@@ -30,8 +29,8 @@ pub enum BadPoints {
 /// How far from where it was meant a hand picks, along the limb: one standard deviation. \[mm\]
 const HAND_MM: f64 = 3.0;
 
-/// The girth through points picked around a limb or the trunk, by the paper's procedure. Its
-/// interval tells of the hand alone: how the tape changes where it is taken a little beside.
+/// The girth through points picked around a limb or the trunk, by the paper's procedure. How sure it is
+/// tells of the hand alone: how the tape changes where it is taken a little beside.
 pub fn picked(mesh: &Mesh, points: &[Vec<f64>]) -> Result<Girth, BadPoints> {
     let points: Vec<Point3<f64>> = points
         .iter()
@@ -83,24 +82,21 @@ pub fn picked(mesh: &Mesh, points: &[Vec<f64>]) -> Result<Girth, BadPoints> {
         Some(nearest_ring(mesh, &moved)?.tape - tape_mm)
     };
     let changes: Vec<f64> = [-HAND_MM, HAND_MM].into_iter().filter_map(beside).collect();
-    let square = changes.iter().map(|c| c * c).sum::<f64>() / changes.len().max(1) as f64;
-    let reach = NINE_IN_TEN * square.sqrt();
+    let square = changes.iter().map(|c| c * c).sum::<f64>() / changes.len() as f64;
+    let mark = Landmark::new(GirthId::Picked, plane, Part::Trunk);
     Ok(Girth {
-        name: "PICKED".into(),
-        label: "through picked points".into(),
-        definition: "through points picked by hand: least-squares plane, points within the mean edge length added until \
-             it stands still, one closed cubic spline (the paper's §III-E, eq. 8)"
-            .into(),
         contour_mm: length(&flat),
-        tape_mm,
         spline_mm,
-        silhouette_mm: None,
-        interval_mm: [tape_mm - reach, tape_mm + reach],
-        plane,
+        sigmas: Sigmas {
+            level_mm: (!changes.is_empty()).then(|| square.sqrt()),
+            split_mm: Some(0.0),
+            ..Sigmas::default()
+        },
         contour: ring
             .curve
             .iter()
             .map(|p| [p.x as f32, p.y as f32, p.z as f32])
             .collect(),
+        ..Girth::at(&mark, tape_mm)
     })
 }

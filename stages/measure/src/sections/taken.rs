@@ -8,10 +8,11 @@ use crate::geometry::section::{axes, flat, length, tape};
 use crate::geometry::slices::{Ring, rings};
 use crate::geometry::spline::{closed_spline_length, paper_girth};
 use crate::sections::across_arm::across_arm;
+use crate::sections::across_leg::across_leg;
 use crate::sections::hands::{holds, holds_hand};
 use crate::sections::split::parted;
 use nalgebra::{Point3, Vector3};
-use shape::{Landmark, Mesh, Part, Plane};
+use shape::{Landmark, Mesh, Part, Plane, Refusal, Region};
 
 /// What one section gives.
 #[derive(Debug, Clone)]
@@ -30,25 +31,28 @@ pub struct Taken {
     pub doubt_mm: f64,
 }
 
-/// Why a section gives no girth: a sentence.
-pub type Why = &'static str;
+/// Why a section gives no girth.
+pub type Why = Refusal;
 
-pub(crate) const NOTHING: Why = "the surface has no closed section there";
-pub(crate) const NO_ARMS: Why = "no arm stands clear of the trunk anywhere, so nothing tells whether arms are in this section: \
-     hold them away from the body";
-pub(crate) const FUSED: Why = "arm and trunk are one on the surface there, and no clear section nearby tells them apart: \
-     hold the arms farther away";
-const HAND: Why = "a hand or forearm is one with the body on the surface there, so that the section would go around both: \
-     hold the hands farther away";
+pub(crate) const NOTHING: Why = Refusal::NoSection;
+pub(crate) const NO_ARMS: Why = Refusal::NoArms;
+pub(crate) const FUSED: Why = Refusal::Fused;
+pub(crate) const HAND: Why = Refusal::Hand;
 
 /// Takes the section of a landmark.
 pub fn taken(mesh: &Mesh, body: Option<&Body>, landmark: &Landmark) -> Result<Taken, Why> {
     match (landmark.part, body) {
+        // A forearm stands clear of the trunk, or its limb was not followed.
+        (Part::ArmLeft | Part::ArmRight, Some(_)) if landmark.region == Region::Forearm => plain(
+            mesh,
+            &landmark.plane,
+            nearest(mesh, &landmark.plane).ok_or(NOTHING)?,
+        ),
         (Part::Trunk, Some(body)) => trunk(mesh, body, landmark),
         (Part::ArmLeft, Some(body)) => across_arm(mesh, body, landmark, 1.0),
         (Part::ArmRight, Some(body)) => across_arm(mesh, body, landmark, -1.0),
-        (Part::LegLeft, Some(body)) => leg(mesh, body, landmark, 1.0),
-        (Part::LegRight, Some(body)) => leg(mesh, body, landmark, -1.0),
+        (Part::LegLeft, Some(body)) => across_leg(mesh, body, landmark, 1.0),
+        (Part::LegRight, Some(body)) => across_leg(mesh, body, landmark, -1.0),
         _ => plain(
             mesh,
             &landmark.plane,
@@ -139,20 +143,12 @@ fn beside(body: &Body) -> Vec<Beside> {
     [1.0, -1.0].into_iter().filter_map(one).collect()
 }
 
-fn leg(mesh: &Mesh, body: &Body, landmark: &Landmark, side: f64) -> Result<Taken, Why> {
-    let ring = nearest(mesh, &landmark.plane).ok_or(NOTHING)?;
-    match holds_hand(body, &ring, side) {
-        true => Err(HAND),
-        false => plain(mesh, &landmark.plane, ring),
-    }
-}
-
 fn trunk(mesh: &Mesh, body: &Body, landmark: &Landmark) -> Result<Taken, Why> {
     let plane = &landmark.plane;
     let z = plane.point_mm[2];
     let ring = rings(mesh, plane).into_iter().next().ok_or(NOTHING)?;
     let arms = beside(body);
-    if landmark.name == "CC" && arms.len() < 2 {
+    if landmark.region == Region::Chest && arms.len() < 2 {
         return Err(NO_ARMS);
     }
     let fused: Vec<&Beside> = arms
@@ -166,7 +162,7 @@ fn trunk(mesh: &Mesh, body: &Body, landmark: &Landmark) -> Result<Taken, Why> {
             return Err(HAND);
         }
         // Hands end beside the hip, where it widens: there a jump tells nothing.
-        let beside_hands = landmark.name.starts_with("HC");
+        let beside_hands = landmark.region == Region::Hip;
         if !beside_hands && sides.iter().any(|side| merged(body, z, *side)) {
             return Err(FUSED);
         }

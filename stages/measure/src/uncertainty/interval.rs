@@ -1,81 +1,107 @@
 //! How sure a girth is, from what it was made of.
 
 use crate::features::body::Body;
-use crate::planes::levels::scatter;
 use crate::sections::taken::{Taken, taken};
 use nalgebra::{Point3, Rotation3, Unit, Vector3};
-use shape::{Landmark, Mesh, Plane};
+use shape::{Landmark, Mesh, Plane, PlaneRule};
 
 /// Nine times in ten, in standard deviations.
 pub(crate) const NINE_IN_TEN: f64 = 1.645;
-/// Scatter of the lean of necks about what head and shoulders tell. \[rad\]
-const LEAN: f64 = 2.6 * std::f64::consts::PI / 180.0;
+/// How far an interval may reach to either side, as a share of the tape: wider ones tell nothing.
+const WIDEST: f64 = 0.25;
 
-/// Standard deviations of a tape. \[mm\]
+/// How much a tape changes by where it is taken. \[mm\]
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub(crate) struct Spread {
-    /// Where the girth is taken: the level's scatter, and the neck's lean.
-    pub(crate) level: f64,
-    /// The surface: its even error along the normal is 2π as much of girth.
-    pub(crate) surface: f64,
-    /// What another limb hides or was parted from.
-    pub(crate) carried: f64,
-    /// The unit of length.
-    pub(crate) scale: f64,
-}
-
-impl Spread {
-    /// All together.
-    pub(crate) fn total(&self) -> f64 {
-        [self.level, self.surface, self.carried, self.scale]
-            .iter()
-            .map(|s| s * s)
-            .sum::<f64>()
-            .sqrt()
-    }
+pub(crate) struct Level {
+    /// One standard deviation of the plane's place against its definition; `None` where that is
+    /// unknown, or no section beside tells.
+    pub(crate) against_definition: Option<f64>,
+    /// The same, when the same person is measured again.
+    pub(crate) again: Option<f64>,
 }
 
 /// How much a tape changes by where it is taken: root mean square of a standard deviation's step to
-/// either side along the normal, and for a neck of its lean. A step to where limbs are parted
-/// otherwise than here tells of the parting, not of the level. \[mm\]
-pub(crate) fn level_spread(mesh: &Mesh, body: &Body, landmark: &Landmark, here: &Taken) -> f64 {
-    let tape_mm = here.tape_mm;
-    let far = scatter(&landmark.name) * body.stature;
-    let n = Vector3::from(landmark.plane.normal);
-    let at = |plane: Plane| {
+/// either side along the normal, and of its tilt. Of a neck the tilt must be known; that of other
+/// planes, where nobody tells it, is in their levels' scatter.
+pub(crate) fn level_spread(mesh: &Mesh, body: &Body, landmark: &Landmark, here: &Taken) -> Level {
+    let beside = Beside {
+        mesh,
+        body,
+        landmark,
+        here,
+    };
+    let sigma = landmark.sigma;
+    let level = sigma.level_mm.and_then(|mm| beside.moved(mm));
+    let tilt = match sigma.tilt_rad {
+        Some(rad) => beside.leaning(rad),
+        None if landmark.by.definition().plane == PlaneRule::AcrossNeck => None,
+        None => Some(0.0),
+    };
+    Level {
+        against_definition: level.zip(tilt).map(|(l, t)| l.hypot(t)),
+        again: sigma.repeat_mm.and_then(|mm| beside.moved(mm)),
+    }
+}
+
+/// Sections beside the one that was taken.
+struct Beside<'a> {
+    mesh: &'a Mesh,
+    body: &'a Body,
+    landmark: &'a Landmark,
+    here: &'a Taken,
+}
+
+impl Beside<'_> {
+    /// How much longer the tape is in another plane. One where limbs are parted otherwise than here
+    /// tells of the parting, not of the level.
+    fn change(&self, plane: Plane) -> Option<f64> {
         let moved = Landmark {
             plane,
-            ..landmark.clone()
+            ..self.landmark.clone()
         };
-        let there = taken(mesh, Some(body), &moved).ok()?;
+        let tape_mm = self.here.tape_mm;
+        let there = taken(self.mesh, Some(self.body), &moved).ok()?;
         let change = there.tape_mm - tape_mm;
-        let alike = (there.carried > 0.0) == (here.carried > 0.0);
+        let alike = (there.carried > 0.0) == (self.here.carried > 0.0);
         (alike || change.abs() < 0.05 * tape_mm).then_some(change)
-    };
-    let moved = |by: f64| {
-        let point = Point3::from(landmark.plane.point_mm) + n * by;
-        at(Plane {
-            point_mm: point.into(),
-            ..landmark.plane
-        })
-    };
-    let leaning = |by: f64| {
-        let turn = Rotation3::from_axis_angle(&Unit::new_normalize(body.left), by);
-        at(Plane {
-            normal: (turn * n).into(),
-            ..landmark.plane
-        })
-    };
-    let pair = |changes: [Option<f64>; 2]| {
-        let known: Vec<f64> = changes.into_iter().flatten().collect();
-        let square = known.iter().map(|c| c * c).sum::<f64>() / known.len().max(1) as f64;
-        square.sqrt().min(0.2 * tape_mm)
-    };
-    let level = pair([moved(-far), moved(far)]);
-    match landmark.name == "NC" {
-        true => level.hypot(pair([leaning(-LEAN), leaning(LEAN)])),
-        false => level,
     }
+
+    /// Root mean square of two changes; of one where the other is none.
+    fn pair(&self, planes: [Plane; 2]) -> Option<f64> {
+        let known: Vec<f64> = planes.into_iter().filter_map(|p| self.change(p)).collect();
+        let square = known.iter().map(|c| c * c).sum::<f64>() / known.len() as f64;
+        (!known.is_empty()).then(|| square.sqrt().min(0.2 * self.here.tape_mm))
+    }
+
+    /// Along the normal, to either side.
+    fn moved(&self, mm: f64) -> Option<f64> {
+        let plane = self.landmark.plane;
+        let n = Vector3::from(plane.normal);
+        let by = |mm: f64| Plane {
+            point_mm: (Point3::from(plane.point_mm) + n * mm).into(),
+            ..plane
+        };
+        self.pair([by(-mm), by(mm)])
+    }
+
+    /// About the body's left, either way.
+    fn leaning(&self, rad: f64) -> Option<f64> {
+        let plane = self.landmark.plane;
+        let n = Vector3::from(plane.normal);
+        let by = |rad: f64| {
+            let turn = Rotation3::from_axis_angle(&Unit::new_normalize(self.body.left), rad);
+            Plane {
+                normal: (turn * n).into(),
+                ..plane
+            }
+        };
+        self.pair([by(-rad), by(rad)])
+    }
+}
+
+/// Whether an interval is too wide to tell anything of its tape, or reaches zero.
+pub(crate) fn too_wide(tape: f64, [low, high]: [f64; 2]) -> bool {
+    !(low > 0.0 && tape - low <= WIDEST * tape && high - tape <= WIDEST * tape)
 }
 
 /// A tape and its standard deviation, by the mesh and by silhouettes, as one: weighted by their
@@ -112,5 +138,14 @@ mod tests {
         assert_eq!(interval(1000.0, 1000.0, 5.0, 0.0), [995.0, 1005.0]);
         let [low, high] = interval(1000.0, 1000.0, 5.0, 20.0);
         assert!(low < 968.0 && high == 1005.0);
+    }
+
+    #[test]
+    fn an_interval_that_tells_nothing_is_too_wide() {
+        assert!(!too_wide(1000.0, [750.0, 1250.0]));
+        for wide in [[749.0, 1100.0], [900.0, 1251.0], [f64::NAN, 1100.0]] {
+            assert!(too_wide(1000.0, wide), "{wide:?}");
+        }
+        assert!(too_wide(0.0, [0.0, 0.0]));
     }
 }

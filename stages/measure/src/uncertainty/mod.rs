@@ -4,3 +4,4 @@ pub(crate) mod interval;
 pub(crate) mod keel;
 pub(crate) mod outlines;
 pub(crate) mod silhouette;
+pub(crate) mod told;

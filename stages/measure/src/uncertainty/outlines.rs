@@ -100,17 +100,23 @@ pub(crate) fn shared_border(cameras: &Cameras, at: Point3<f64>) -> f64 {
 }
 
 /// Standard deviation of the surface along its normal from the cameras: centres and residuals of
-/// their adjustment, one half as many independent as there are photos, since few see one place. \[mm\]
+/// their adjustment, one half as many independent as there are photos, since few see one place.
+/// `None` where nobody knows how sure the cameras are; of a subject that sways only residuals are
+/// known. \[mm\]
 pub(crate) fn surface_by_cameras(cameras: &Cameras, at: Point3<f64>) -> Option<f64> {
-    let squares: Vec<f64> = cameras
-        .views
-        .iter()
-        .filter(|(_, v)| v.sigma_mm > 0.0 || v.rms_px > 0.0)
-        .map(|(_, v)| {
-            let pixel = v.camera.pose.apply(&at).z / v.camera.lens.focal[0];
-            v.sigma_mm.powi(2) + (v.rms_px * pixel).powi(2)
-        })
-        .collect();
-    let n = squares.len() as f64;
-    (n >= 2.0).then(|| (squares.iter().sum::<f64>() / n / (n / 2.0)).sqrt())
+    let mean = |squares: Vec<f64>| {
+        let n = squares.len() as f64;
+        (n >= 2.0).then(|| squares.iter().sum::<f64>() / n)
+    };
+    let views = || cameras.views.values();
+    let centres = mean(views().filter_map(|v| Some(v.sigma_mm?.powi(2))).collect());
+    let residuals = views().filter_map(|v| {
+        let pixel = v.camera.pose.apply(&at).z / v.camera.lens.focal[0];
+        Some((v.rms_px? * pixel).powi(2))
+    });
+    let residuals = mean(residuals.collect());
+    let known = [centres, residuals];
+    let sum: f64 = known.iter().flatten().sum();
+    let seen = cameras.views.len() as f64;
+    (known != [None; 2]).then(|| (sum / (seen / 2.0)).sqrt())
 }

@@ -29,6 +29,7 @@ pub(crate) fn measured(mesh: Mesh) -> (Landmarks, Girths) {
     let input = LandmarkInput {
         mesh: mesh.clone(),
         cameras: None,
+        levels: None,
     };
     let landmarks = FindLandmarks::run(&Default::default(), input, &Ctx::alone()).unwrap();
     let input = GirthInput {

@@ -28,7 +28,10 @@ element("tapes").addEventListener("change", changed);
 // The table: a click marks the tape, here, in the 3D view and on the photos.
 const lines = [...document.querySelectorAll("#girths tbody tr")];
 const mark = (name) => { state.marked = state.marked === name ? null : name; changed(); };
+const tell = (row) => { element("sure").textContent = row ? `${row.dataset.name}: ${row.dataset.sure}` : ""; };
 lines.forEach((row) => {
+  row.addEventListener("mouseenter", () => tell(row));
+  row.addEventListener("focus", () => tell(row));
   row.addEventListener("click", () => mark(row.dataset.name));
   row.addEventListener("keydown", (e) => { if (e.key === "Enter" || e.key === " ") { e.preventDefault(); mark(row.dataset.name); } });
 });

@@ -3,8 +3,9 @@
 use nalgebra::{Rotation3, Vector3};
 use report::HtmlInput;
 use shape::{
-    Camera, Cameras, Girth, Girths, Intrinsics, Mask, Masks, Mesh, Missing, Photo, PhotoId, Photos,
-    Plane, Pose, Profile, Rgb, Scale, View, rgb_to_jpeg,
+    Camera, Cameras, Girth, GirthId, Girths, Intrinsics, Landmark, Mask, Masks, Mesh, Missing,
+    Part, Photo, PhotoId, Photos, Plane, Pose, Profile, Refusal, Rgb, Scale, Sigmas, View,
+    rgb_to_jpeg,
 };
 use std::f64::consts::TAU;
 use std::sync::Arc;
@@ -72,28 +73,35 @@ pub(crate) fn input() -> HtmlInput {
     let view = |id: PhotoId| View {
         name: format!("{:04}.jpg", id.0),
         camera: camera(f64::from(id.0) * TAU / 3.0),
-        sigma_mm: 0.2,
-        rms_px: 0.3,
+        sigma_mm: Some(0.2),
+        rms_px: Some(0.3),
         points: 90,
     };
     let contour = (0..60).map(|i| {
         let (s, c) = (i as f32 / 60.0 * std::f32::consts::TAU).sin_cos();
         [80.0 * c, 80.0 * s, 200.0]
     });
+    let plane = Plane {
+        point_mm: [0.0, 0.0, 200.0],
+        normal: [0.0, 0.0, 1.0],
+    };
+    let mark = Landmark::new(GirthId::Waist, plane, Part::Trunk);
     let girth = Girth {
-        name: "WC".into(),
         label: "waist <natural>".into(),
         definition: "horizontal, at the \"natural\" waist".into(),
         contour_mm: 502.6,
-        tape_mm: 502.5,
         spline_mm: 502.7,
         silhouette_mm: Some(501.9),
-        interval_mm: [500.0, 505.0],
-        plane: Plane {
-            point_mm: [0.0, 0.0, 200.0],
-            normal: [0.0, 0.0, 1.0],
+        interval_mm: Some([500.0, 505.0]),
+        sigmas: Sigmas {
+            level_mm: Some(1.2),
+            surface_mm: Some(0.8),
+            scale_mm: None,
+            split_mm: Some(0.0),
+            cover_mm: Some(0.0),
         },
         contour: contour.collect(),
+        ..Girth::at(&mark, 502.5)
     };
     let profile = Profile {
         height_mm: (0..40).map(|i| f64::from(i) * 10.0).collect(),
@@ -101,10 +109,11 @@ pub(crate) fn input() -> HtmlInput {
             .map(|i| 500.0 + 20.0 * (f64::from(i) / 6.0).sin())
             .collect(),
     };
-    let missing = vec![Missing {
-        name: "NC".into(),
-        why: "there is no neck".into(),
-    }];
+    let missing = vec![Missing::because(
+        GirthId::Neck,
+        Refusal::NoNeck,
+        "there is no neck",
+    )];
     HtmlInput {
         photos: Arc::new(photos),
         masks: Arc::new(Masks {
@@ -113,7 +122,7 @@ pub(crate) fn input() -> HtmlInput {
         cameras: Arc::new(Cameras {
             views: ids().map(|id| (id, view(id))).collect(),
             scale: Scale::Mat,
-            scale_sigma: 0.001,
+            scale_sigma: Some(0.001),
             disk_radius_mm: Some(225.0),
             ground_mm: 0.0,
             points: vec![],

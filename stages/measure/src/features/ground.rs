@@ -1,0 +1,90 @@
+//! The ground that a body stands on: its soles, held against the ground that cameras tell.
+
+use crate::features::soles::{Soles, soles};
+use shape::{Mesh, Refusal};
+
+/// A ground that cameras tell.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct GivenGround {
+    /// Its height. \[mm\]
+    pub height_mm: f64,
+    /// Whether it is the mat or the disk that the body was photographed on; else it was only said.
+    pub firm: bool,
+    /// Its standard deviation, as far as it is known. \[mm\]
+    pub sigma_mm: f64,
+}
+
+/// Where a body stands.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Ground {
+    /// Height of the ground. \[mm\]
+    pub height_mm: f64,
+    /// Its standard deviation. \[mm\]
+    pub sigma_mm: f64,
+    /// What the user should know: a sentence.
+    pub word: Option<String>,
+}
+
+/// Soles and a ground that is only said agree within this, as a share of the body's height.
+const AGREE: f64 = 0.012;
+/// A surface of feet that stand on a mat or a disk ends within this of it, as a share of the body's
+/// height: nobody sees soles, and shadows beside them are cut off or taken in.
+const NEAR: f64 = 0.03;
+/// From a mat or a disk up to here feet may be lost, as a share of the body's height: ankles are seen.
+const LOST: f64 = 0.08;
+/// Standard deviation of a ground where the feet are lost, as a share of the body's height.
+const UNSEEN: f64 = 0.004;
+
+/// The ground of an upright body. Soles that the surface shows and a ground that cameras tell are held
+/// against each other; where they disagree and neither can be trusted, there is none.
+pub fn ground(mesh: &Mesh, told: Option<&GivenGround>) -> Result<Ground, Refusal> {
+    let (low, high) = mesh.bounds().ok_or(Refusal::NoGround)?;
+    let (tall, found) = (high.z - low.z, soles(mesh));
+    let by_soles = |s: &Soles, word: Option<String>| Ground {
+        height_mm: s.height,
+        sigma_mm: s.sigma,
+        word,
+    };
+    let Some(told) = told else {
+        let sure = found.filter(|s| s.sure).ok_or(Refusal::NoGround)?;
+        return Ok(by_soles(&sure, None));
+    };
+    let as_told = |more: f64, word: Option<String>| Ground {
+        height_mm: told.height_mm,
+        sigma_mm: told.sigma_mm.hypot(more),
+        word,
+    };
+    let Some(found) = found else {
+        return match told.firm {
+            true => Ok(as_told(UNSEEN * tall, None)),
+            false => Err(Refusal::NoGround),
+        };
+    };
+    let off = found.height - told.height_mm;
+    match (told.firm, found.sure) {
+        (true, _) if off.abs() <= NEAR * tall => Ok(as_told(0.0, None)),
+        (_, true) => {
+            let word = (off.abs() > AGREE * tall).then(|| apart(off));
+            Ok(by_soles(&found, word))
+        }
+        (false, false) if off.abs() <= AGREE * tall => Ok(as_told(found.sigma, None)),
+        (true, false) if (0.0..=LOST * tall).contains(&off) => Ok(as_told(
+            UNSEEN * tall,
+            Some(format!(
+                "the surface ends {:.0} mm above the ground without feet: they are lost, and heights are told from the ground",
+                off
+            )),
+        )),
+        _ => Err(Refusal::NoGround),
+    }
+}
+
+/// What is said of a ground that the body does not touch.
+fn apart(off: f64) -> String {
+    let side = if off > 0.0 { "below" } else { "above" };
+    format!(
+        "the ground that the cameras tell lies {:.0} mm {side} the soles on the surface: the body does not stand on it; heights \
+         and stature are told from the soles",
+        off.abs()
+    )
+}

@@ -1,0 +1,209 @@
+//! The centre line of a limb: from bands of equal way from its tip, then from sections square to it.
+
+use crate::features::limb::cuts::Cuts;
+use crate::features::limb::graph::Graph;
+use crate::geometry::slices::Ring;
+use nalgebra::{Point3, Vector3};
+use shape::Plane;
+use std::f64::consts::PI;
+
+/// A section square to a limb's line.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Knot {
+    /// Way along the line from the tip. \[mm\]
+    pub s: f64,
+    /// Its middle. \[mm\]
+    pub centre: Point3<f64>,
+    /// The line's direction there, unit, toward the trunk.
+    pub along: Vector3<f64>,
+    /// Length of a tape around it. \[mm\]
+    pub tape: f64,
+    /// How round it is: its area against a circle's of the same tape.
+    pub round: f64,
+}
+
+/// Lengths of a limb's search, as shares of stature: step along the line, what a limb may reach about
+/// it, how far a ring's middle may lie from where it is looked for.
+const STEP: f64 = 0.005;
+const WITHIN: f64 = 0.13;
+const OFF: f64 = 0.03;
+/// Steps over which the line's direction is told, to either side.
+const REACH: usize = 5;
+/// Over so many steps of a bend, up to where rings that jump are no knots, what counts as a jump grows to
+/// that factor: an upper arm is wider than its forearm, a trunk much wider.
+const BEND: u32 = 10;
+const TRUNK: f64 = 1.9;
+/// Straight on from where a limb's land ends, a ring's middle moves aside by at most this share of a
+/// step, and it grows by at most this factor.
+const ASIDE: f64 = 0.5;
+const WIDER: f64 = 1.25;
+/// A ring that is so many times as long as the one [`REACH`] steps before holds more than the limb.
+const JUMP: f64 = 1.4;
+
+/// The middles of bands of equal way from the tip, from there on to where the limb's skin meets that
+/// of the trunk, at a way: up to there each band is one ring around the limb. \[mm\]
+pub(crate) fn bands(graph: &Graph, way: &[f64], fold: f64, step: f64) -> Vec<Point3<f64>> {
+    let count = (fold / step).floor().max(0.0) as usize;
+    let mut sums: Vec<(Vector3<f64>, f64)> = vec![(Vector3::zeros(), 0.0); count];
+    for a in (0..way.len()).filter(|a| way[*a] < fold) {
+        for b in graph.links(a as u32).iter().map(|b| *b as usize) {
+            if way[b] <= way[a] {
+                continue;
+            }
+            // The levels that this link crosses upward.
+            let first = (way[a] / step).floor() as usize + 1;
+            let last = ((way[b] / step).floor() as usize).min(count.saturating_sub(1));
+            for k in first..=last {
+                let t = (k as f64 * step - way[a]) / (way[b] - way[a]);
+                let p = graph.at[a].coords.lerp(&graph.at[b].coords, t);
+                sums[k] = (sums[k].0 + p, sums[k].1 + 1.0);
+            }
+        }
+    }
+    let middles = sums.iter().filter(|s| s.1 >= 3.0);
+    middles.map(|(p, n)| Point3::from(p / *n)).collect()
+}
+
+/// Points of a line at even steps along it, after a moving mean over some to either side. \[mm\]
+fn even(line: &[Point3<f64>], wide: usize, step: f64) -> Vec<Point3<f64>> {
+    let n = line.len();
+    let mean = |i: usize| {
+        // The same to either side, so that ends stay where they are.
+        let w = wide.min(i).min(n - 1 - i);
+        let near = &line[i - w..=i + w];
+        near.iter().map(|p| p.coords).sum::<Vector3<f64>>() / near.len() as f64
+    };
+    let smooth: Vec<Vector3<f64>> = (0..n).map(mean).collect();
+    let (mut out, mut left) = (Vec::new(), 0.0);
+    for pair in smooth.windows(2) {
+        let long = (pair[1] - pair[0]).norm();
+        while left < long {
+            out.push(Point3::from(pair[0].lerp(&pair[1], left / long)));
+            left += step;
+        }
+        left -= long;
+    }
+    out
+}
+
+/// The line's direction at a point of it.
+fn direction(line: &[Point3<f64>], i: usize) -> Option<Vector3<f64>> {
+    let (a, b) = (i.saturating_sub(REACH), (i + REACH).min(line.len() - 1));
+    (line[b] - line[a]).try_normalize(1e-6)
+}
+
+/// The ring square to a direction at a point.
+fn across(cuts: &Cuts<'_>, at: Point3<f64>, along: Vector3<f64>, stature: f64) -> Option<Ring> {
+    let plane = Plane {
+        point_mm: at.into(),
+        normal: along.into(),
+    };
+    cuts.ring(&plane, WITHIN * stature, OFF * stature)
+}
+
+pub(crate) fn roundness(ring: &Ring) -> f64 {
+    4.0 * PI * ring.area / (ring.tape * ring.tape).max(1e-9)
+}
+
+/// The sections along a limb, from its tip to where another part of the body joins it.
+pub(crate) fn followed(cuts: &Cuts<'_>, bands: &[Point3<f64>], stature: f64) -> Vec<Knot> {
+    let step = STEP * stature;
+    if bands.len() < 4 * REACH {
+        return Vec::new();
+    }
+    let mut line = even(bands, REACH, step);
+    let mut knots = Vec::new();
+    for _ in 0..2 {
+        let found: Vec<Option<Ring>> = (0..line.len())
+            .map(|i| across(cuts, line[i], direction(&line, i)?, stature))
+            .collect();
+        knots = joined(&line, &found);
+        let more = onward(cuts, &knots, stature);
+        knots.extend(more);
+        let centres: Vec<Point3<f64>> = knots.iter().map(|k: &Knot| k.centre).collect();
+        if centres.len() < 4 * REACH {
+            return Vec::new();
+        }
+        line = even(&centres, REACH / 2, step);
+    }
+    let mut s = 0.0;
+    for i in 0..knots.len() {
+        if i > 0 {
+            s += (knots[i].centre - knots[i - 1].centre).norm();
+        }
+        knots[i].s = s;
+    }
+    knots
+}
+
+/// Rings as knots; those that jump hold more than the limb, and are none. Hands and heels jump as they
+/// like, so the first third is not looked at; a bent elbow is cut askew and jumps for a while.
+fn joined(line: &[Point3<f64>], found: &[Option<Ring>]) -> Vec<Knot> {
+    let mut knots: Vec<Knot> = Vec::new();
+    let mut out = 0u32;
+    for (i, ring) in found.iter().enumerate() {
+        let (Some(ring), Some(along)) = (ring, direction(line, i)) else {
+            continue;
+        };
+        let share = (f64::from(out) / f64::from(BEND)).min(1.0);
+        let bound = JUMP + (TRUNK - JUMP) * share;
+        if i > found.len() / 3 && jumps(&knots, ring.tape, bound) {
+            out += 1;
+            continue;
+        }
+        out = 0;
+        knots.push(knot(ring, along));
+    }
+    knots
+}
+
+fn knot(ring: &Ring, along: Vector3<f64>) -> Knot {
+    Knot {
+        s: 0.0,
+        centre: ring.centre,
+        along,
+        tape: ring.tape,
+        round: roundness(ring),
+    }
+}
+
+fn jumps(knots: &[Knot], tape: f64, bound: f64) -> bool {
+    let before = knots.len().checked_sub(REACH).map(|i| knots[i].tape);
+    before.is_some_and(|t| tape > bound * t)
+}
+
+/// Knots straight on from the last, as long as the rings are the limb's alone.
+fn onward(cuts: &Cuts<'_>, knots: &[Knot], stature: f64) -> Vec<Knot> {
+    let step = STEP * stature;
+    let count = knots.len();
+    if count < 3 * REACH {
+        return Vec::new();
+    }
+    let (from, last) = (knots[count - 2 * REACH].centre, knots[count - 1].centre);
+    let Some(along) = (last - from).try_normalize(1e-6) else {
+        return Vec::new();
+    };
+    let mut all = knots.to_vec();
+    while all.len() < count + 60 {
+        let at = all[all.len() - 1].centre + along * step;
+        let Some(ring) = across(cuts, at, along, stature) else {
+            break;
+        };
+        let aside = (ring.centre - at).norm();
+        if jumps(&all, ring.tape, JUMP)
+            || aside > ASIDE * step
+            || ring.tape > WIDER * knots[count - 1].tape
+        {
+            break;
+        }
+        all.push(knot(&ring, along));
+    }
+    all.split_off(count)
+}
+
+/// A direction away from the trunk across a limb, unit: outward for what hangs, upward for what is
+/// raised.
+pub(crate) fn away(along: Vector3<f64>, left: Vector3<f64>, side: f64) -> Option<Vector3<f64>> {
+    let out = left * side + Vector3::z();
+    (out - along * along.dot(&out)).try_normalize(1e-6)
+}

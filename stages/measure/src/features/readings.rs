@@ -1,0 +1,128 @@
+//! What a surface tells a level model: heights and lengths by name, as shares of stature.
+//!
+//! The crotch is no reading: thighs that touch, and underwear, join legs on a surface centimetres below
+//! where a survey's measurers find it.
+
+use super::body::Body;
+use super::marks::Marks;
+use super::whole::no_stature;
+
+/// Raise it whenever a reading may come out otherwise on the same surface: model files name it.
+pub const READINGS_VERSION: u32 = 1;
+
+/// One thing that is read off a surface. Heights are above the ground; all are shares of stature
+/// unless they say otherwise.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Reading {
+    /// Logarithm of stature against 1700 mm; unknown where lengths are relative.
+    LnStature,
+    /// Where the buttocks reach farthest back.
+    Buttock,
+    /// The narrowest level section of the neck.
+    Neck,
+    /// Tape around the narrowest level section of the neck.
+    NeckTape,
+    /// Tape around the hip at the buttocks.
+    HipTape,
+    /// Tape around the trunk a quarter of the way from buttocks to neck.
+    BellyTape,
+    /// Tape around the trunk at two fifths of the way.
+    WaistTape,
+    /// Depth of the trunk from front to back at two thirds of the way.
+    ChestDepth,
+    /// Bust or pectorals: farthest before the line from belly to throat.
+    Bust,
+    /// Where the outline from the side comes to a point at the bust, if it does.
+    Apex,
+}
+
+impl Reading {
+    /// All of them, in the order of a model file.
+    pub const ALL: [Reading; 10] = [
+        Reading::LnStature,
+        Reading::Buttock,
+        Reading::Neck,
+        Reading::NeckTape,
+        Reading::HipTape,
+        Reading::BellyTape,
+        Reading::WaistTape,
+        Reading::ChestDepth,
+        Reading::Bust,
+        Reading::Apex,
+    ];
+
+    /// What a model file calls it.
+    pub fn name(self) -> &'static str {
+        match self {
+            Reading::LnStature => "ln_stature",
+            Reading::Buttock => "buttock",
+            Reading::Neck => "neck",
+            Reading::NeckTape => "neck_tape",
+            Reading::HipTape => "hip_tape",
+            Reading::BellyTape => "belly_tape",
+            Reading::WaistTape => "waist_tape",
+            Reading::ChestDepth => "chest_depth",
+            Reading::Bust => "bust",
+            Reading::Apex => "apex",
+        }
+    }
+}
+
+/// A body's readings; what does not show is not there.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Readings([Option<f64>; Reading::ALL.len()]);
+
+impl Readings {
+    /// One of them.
+    pub fn get(&self, reading: Reading) -> Option<f64> {
+        self.0[reading as usize]
+    }
+
+    /// With one of them set, or taken away.
+    #[must_use]
+    pub fn with(mut self, reading: Reading, value: Option<f64>) -> Self {
+        self.0[reading as usize] = value.filter(|v| v.is_finite());
+        self
+    }
+}
+
+/// The stature that [`Reading::LnStature`] is against. \[mm\]
+const USUAL_MM: f64 = 1700.0;
+/// A bust's apex counts from this sharpness on.
+const SHARP: f64 = 0.25;
+
+/// Reads a body whose marks were found. `absolute` says that its lengths are millimetres, not
+/// relative. `None` where its height is no stature.
+pub fn readings(body: &Body, marks: &Marks, absolute: bool) -> Option<Readings> {
+    if no_stature(body).is_some() {
+        return None;
+    }
+    let s = body.stature;
+    let long = marks.neck - marks.hip;
+    let at = |share: f64| body.ground + marks.hip + share * long;
+    // Where no arm stands clear, arms may lie before the trunk or on it.
+    let clear = marks.spread.is_some();
+    let tape = |share: f64| Some(trunk_tape(body, at(share)).filter(|_| clear)? / s);
+    let apex = marks.apex.filter(|(_, sharp)| clear && *sharp >= SHARP);
+    let depth = marks.reach.front(0.6667) - marks.reach.back(0.6667);
+    let neck = body.trunk(body.ground + marks.neck);
+    let read = Readings::default()
+        .with(Reading::LnStature, absolute.then(|| (s / USUAL_MM).ln()))
+        .with(Reading::Buttock, Some(marks.hip / s))
+        .with(Reading::Neck, Some(marks.neck / s))
+        .with(Reading::NeckTape, neck.map(|r| r.tape / s))
+        .with(Reading::HipTape, tape(0.0))
+        .with(Reading::BellyTape, tape(0.25))
+        .with(Reading::WaistTape, tape(0.4))
+        .with(Reading::ChestDepth, clear.then_some(depth / s))
+        .with(Reading::Bust, clear.then_some(marks.bust / s))
+        .with(Reading::Apex, apex.map(|(z, _)| z / s));
+    Some(read)
+}
+
+/// Tape around the trunk at a height, where no arm is part of it. \[mm\]
+fn trunk_tape(body: &Body, z: f64) -> Option<f64> {
+    let ring = body.trunk(z)?;
+    let free = |side: f64| !super::arms::merged(body, z, side);
+    (free(1.0) && free(-1.0)).then_some(ring.tape)
+}

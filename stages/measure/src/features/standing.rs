@@ -1,0 +1,53 @@
+//! A body on its ground: what every level hangs on, or why there is none.
+
+use crate::features::body::{Body, body};
+use crate::features::ground::{GivenGround, Ground, ground};
+use crate::features::upright::unfit;
+use shape::{Cameras, Mesh, Refusal, Scale};
+
+/// A body, and where it stands.
+pub(crate) struct Standing {
+    /// The body, above its ground; without one above its lowest point.
+    pub(crate) body: Body,
+    /// Its ground.
+    pub(crate) ground: Option<Ground>,
+    /// Standard deviation of its stature: ground, crown and scale; `None` where that of the scale is not
+    /// known. \[mm\]
+    pub(crate) stature_sigma: Option<f64>,
+    /// Why nothing can be told of it.
+    pub(crate) refused: Option<Refusal>,
+}
+
+/// The ground that cameras tell: of a mat or a disk, or taken at its word.
+fn told(cameras: &Cameras) -> GivenGround {
+    let (firm, sigma_mm) = match cameras.scale {
+        Scale::Given => (false, 0.0),
+        Scale::Mat => (true, 2.0),
+        _ => (true, 5.0),
+    };
+    GivenGround {
+        height_mm: cameras.ground_mm,
+        firm,
+        sigma_mm,
+    }
+}
+
+/// Puts a body on its ground. `None` if the surface is empty or lies below it.
+pub(crate) fn standing(mesh: &Mesh, cameras: Option<&Cameras>) -> Option<Standing> {
+    let found = ground(mesh, cameras.map(told).as_ref());
+    let lowest = mesh.bounds()?.0.z;
+    let body = body(mesh, found.as_ref().map_or(lowest, |g| g.height_mm))?;
+    // Without legs that is said, not that there are no feet.
+    let nowhere = found.as_ref().err().filter(|_| body.crotch.is_some());
+    let refused = unfit(mesh, &body).or(nowhere.copied());
+    // A surface from elsewhere is taken at its word.
+    let scale = cameras.map_or(Some(0.0), |c| c.scale_sigma);
+    let crown = 0.5 * mesh.mean_edge();
+    let below = found.as_ref().map_or(0.0, |g| g.sigma_mm);
+    Some(Standing {
+        ground: found.ok(),
+        stature_sigma: scale.map(|s| below.hypot(crown).hypot(s * body.stature)),
+        refused,
+        body,
+    })
+}

@@ -1,0 +1,151 @@
+//! The neck's outline from the side, in its own middle plane: throat, chin, nape.
+
+use crate::features::neck_tube::Tube;
+
+/// The outline and its marks; offsets are along the neck's axis from its tightest section. \[mm\]
+#[derive(Debug, Clone, PartialEq, Default)]
+pub(crate) struct Throat {
+    /// Where it is read, rising.
+    pub(crate) at: Vec<f64>,
+    /// How far it reaches before the axis there.
+    pub(crate) front: Vec<f64>,
+    /// How far behind.
+    pub(crate) back: Vec<f64>,
+    /// The deepest of the throat within the line from chin to chest, and how deep that is.
+    pub(crate) hollow: (f64, f64),
+    /// Where the throat turns forward to the floor of the mouth (the cervicomental angle), and how far
+    /// that is within the line from the hollow to the chin.
+    pub(crate) angle: (f64, f64),
+    /// The deepest of the nape within the line from the back of the head to the back.
+    pub(crate) nape: f64,
+}
+
+/// Rows up and down; a row as a share of the diameter.
+const ROWS: usize = 75;
+const ROW: f64 = 0.02;
+/// At least so many rows are unbroken above and below.
+const LEAST: usize = 20;
+
+/// Reads the outline. `None` where it has gaps.
+pub(crate) fn throat(tube: &Tube) -> Option<Throat> {
+    let row = ROW * tube.diameter();
+    let reach = reaches(tube, row);
+    // From the tightest section, unbroken.
+    let whole = |r: &&(f64, f64)| r.0 < 0.0 && r.1 > 0.0;
+    let up = reach[ROWS..].iter().take_while(whole).count();
+    let low = reach[..ROWS].iter().rev().take_while(whole).count();
+    if up < LEAST || low < LEAST {
+        return None;
+    }
+    let range = ROWS - low..ROWS + up;
+    // Each the mean of five: a hull's facets jump.
+    let smooth = |pick: &dyn Fn(&(f64, f64)) -> f64| -> Vec<f64> {
+        let raw: Vec<f64> = reach[range.clone()].iter().map(pick).collect();
+        let near = |i: usize| &raw[i.saturating_sub(2)..(i + 3).min(raw.len())];
+        (0..raw.len())
+            .map(|i| near(i).iter().sum::<f64>() / near(i).len() as f64)
+            .collect()
+    };
+    let at = range.clone().map(|k| (k as f64 - ROWS as f64) * row);
+    let mut throat = Throat {
+        at: at.collect(),
+        front: smooth(&|r| r.1),
+        back: smooth(&|r| r.0),
+        ..Throat::default()
+    };
+    marks(&mut throat, low);
+    Some(throat)
+}
+
+/// How far the surface reaches behind and before the axis in its middle plane, row by row. \[mm\]
+fn reaches(tube: &Tube, row: f64) -> Vec<(f64, f64)> {
+    let (axis, ahead) = (tube.axis(), tube.ahead());
+    let left = axis.cross(&ahead);
+    let place = |v: u32| {
+        let way = tube.part.point(v) - tube.origin;
+        let rows = way.dot(&axis) / row + ROWS as f64;
+        [rows, way.dot(&ahead), way.dot(&left)]
+    };
+    let places: Vec<[f64; 3]> = (0..tube.part.positions.len() as u32).map(place).collect();
+    let mut reach = vec![(f64::MAX, f64::MIN); 2 * ROWS + 1];
+    for face in &tube.part.faces {
+        let p = face.map(|v| places[v as usize]);
+        let mut ends = (0..3).filter_map(|i| {
+            let (a, b) = (p[i], p[(i + 1) % 3]);
+            let t = a[2] / (a[2] - b[2]);
+            let cut = (a[2] >= 0.0) != (b[2] >= 0.0);
+            cut.then(|| (a[0] + t * (b[0] - a[0]), a[1] + t * (b[1] - a[1])))
+        });
+        let (Some(a), Some(b)) = (ends.next(), ends.next()) else {
+            continue;
+        };
+        let (a, b) = if a.0 <= b.0 { (a, b) } else { (b, a) };
+        let mut k = a.0.ceil().max(0.0);
+        while k <= b.0 && k < reach.len() as f64 {
+            let t = if b.0 > a.0 {
+                (k - a.0) / (b.0 - a.0)
+            } else {
+                0.0
+            };
+            let v = a.1 + t * (b.1 - a.1);
+            let old = &mut reach[k as usize];
+            *old = (old.0.min(v), old.1.max(v));
+            k += 1.0;
+        }
+    }
+    reach
+}
+
+/// Finds the marks; `amid` is the row of the tightest section.
+fn marks(t: &mut Throat, amid: usize) {
+    let last = t.at.len() - 1;
+    let farthest = |reach: &[f64]| {
+        let far = (amid..=last).max_by(|a, b| reach[*a].total_cmp(&reach[*b]));
+        far.unwrap_or(last)
+    };
+    let chin = farthest(&t.front);
+    let (k, deep) = deepest(&t.at, &t.front, 0, chin);
+    t.hollow = (t.at[k], deep);
+    let (k, deep) = deepest(&t.at, &t.front, k, chin);
+    t.angle = (t.at[k], deep);
+    let behind: Vec<f64> = t.back.iter().map(|b| -b).collect();
+    let (k, _) = deepest(&t.at, &behind, 0, farthest(&behind));
+    t.nape = t.at[k];
+}
+
+/// The place farthest within the line between two places, and how far.
+fn deepest(at: &[f64], reach: &[f64], from: usize, to: usize) -> (usize, f64) {
+    let (up, out) = (at[to] - at[from], reach[to] - reach[from]);
+    let long = up.hypot(out).max(1e-9);
+    let within = |k: usize| (out * (at[k] - at[from]) - up * (reach[k] - reach[from])) / long;
+    (from..=to)
+        .map(|k| (k, within(k)))
+        .max_by(|a, b| a.1.total_cmp(&b.1))
+        .unwrap_or((from, 0.0))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn hollow_and_angle_are_the_outlines_corners() {
+        // Chest falling away to the pit at -50, throat to 40, floor of the mouth to the chin at 60.
+        let front = |u: f64| match u {
+            u if u < -50.0 => 40.0 - (u + 50.0),
+            u if u < 40.0 => 40.0 + 0.2 * (u + 50.0),
+            u if u < 60.0 => 58.0 + 3.0 * (u - 40.0),
+            u => 118.0 - 0.3 * (u - 60.0),
+        };
+        let at: Vec<f64> = (-75..=75).map(|k| 2.0 * f64::from(k)).collect();
+        let mut t = Throat {
+            front: at.iter().map(|u| front(*u)).collect(),
+            back: at.iter().map(|u| -60.0 - 0.3 * (u - 10.0).abs()).collect(),
+            at,
+            ..Throat::default()
+        };
+        marks(&mut t, 75);
+        assert_eq!((t.hollow.0, t.angle.0, t.nape), (-50.0, 40.0, 10.0));
+        assert!(t.hollow.1 > 20.0 && t.angle.1 > 10.0);
+    }
+}

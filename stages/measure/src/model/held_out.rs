@@ -1,0 +1,218 @@
+//! What a fit does on bodies that it has not seen: each family left out in turn, with a tenth of the rest.
+
+use super::file::{Level, LevelModel};
+use super::fit::{FitError, fit};
+use super::line_up::rounded;
+use super::predict::LevelEstimate;
+use super::samples::{Made, Person};
+
+/// Errors of one level on what one fit left out.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct HeldOut {
+    /// The family.
+    pub family: String,
+    /// The level.
+    pub level: Level,
+    /// How many bodies.
+    pub bodies: usize,
+    /// Mean error of the height, told less true. \[mm\]
+    pub bias_mm: f64,
+    /// Median of the height's absolute error. \[mm\]
+    pub middle_mm: f64,
+    /// Nine in ten lie within. \[mm\]
+    pub nine_mm: f64,
+    /// Median of the tape's absolute error by the level alone. \[%\]
+    pub tape_middle: f64,
+    /// Nine in ten lie within. \[%\]
+    pub tape_nine: f64,
+    /// Share of true heights within the 90 % interval.
+    pub coverage: f64,
+}
+
+impl HeldOut {
+    /// As lines of TOML.
+    pub(crate) fn lines(&self) -> String {
+        let HeldOut {
+            family,
+            bodies,
+            bias_mm,
+            middle_mm,
+            nine_mm,
+            tape_middle,
+            tape_nine,
+            coverage,
+            ..
+        } = self;
+        let level = self.level.name();
+        format!(
+            "family = \"{family}\"\nlevel = \"{level}\"\nbodies = {bodies}\nbias_mm = {bias_mm:.1}\nmiddle_mm = {middle_mm:.1}\n\
+             nine_in_ten_mm = {nine_mm:.1}\ntape_middle_percent = {tape_middle:.2}\ntape_nine_in_ten_percent = {tape_nine:.2}\n\
+             coverage_of_90 = {coverage:.3}"
+        )
+    }
+}
+
+/// One body's error.
+struct Miss {
+    mm: f64,
+    inside: bool,
+    tape: Option<f64>,
+}
+
+/// The `q` quantile of absolute values.
+fn quantile(values: impl Iterator<Item = f64>, q: f64) -> f64 {
+    let mut all: Vec<f64> = values.map(f64::abs).collect();
+    all.sort_by(f64::total_cmp);
+    match all.len() {
+        0 => f64::NAN,
+        n => all[(((n - 1) as f64) * q).round() as usize],
+    }
+}
+
+fn summary(family: &str, level: Level, all: &[Miss]) -> HeldOut {
+    let n = all.len().max(1) as f64;
+    HeldOut {
+        family: family.into(),
+        level,
+        bodies: all.len(),
+        bias_mm: rounded(all.iter().map(|m| m.mm).sum::<f64>() / n),
+        middle_mm: quantile(all.iter().map(|m| m.mm), 0.5),
+        nine_mm: quantile(all.iter().map(|m| m.mm), 0.9),
+        tape_middle: 100.0 * quantile(all.iter().filter_map(|m| m.tape), 0.5),
+        tape_nine: 100.0 * quantile(all.iter().filter_map(|m| m.tape), 0.9),
+        coverage: all.iter().filter(|m| m.inside).count() as f64 / n,
+    }
+}
+
+/// Nine times in ten, in standard deviations.
+const NINE_IN_TEN: f64 = 1.645;
+
+fn miss(told: &LevelEstimate, body: &Made, truth: f64) -> Miss {
+    let mm = told.height_mm - truth * body.stature;
+    let tapes = body
+        .tape(told.height_mm / body.stature)
+        .zip(body.tape(truth));
+    Miss {
+        mm,
+        inside: mm.abs() <= NINE_IN_TEN * told.sigma_mm,
+        tape: tapes.map(|(got, want)| got / want - 1.0),
+    }
+}
+
+/// Whether a row belongs to the tenth that is left out beside a family: by its number alone.
+fn tenth(row: usize) -> bool {
+    row % 10 == 3
+}
+
+/// Fits without each family in turn and tells it. A family that was driven to single people is told by
+/// a fit without them, too.
+pub(crate) fn held_out(people: &[Person], made: &[Made]) -> Result<Vec<HeldOut>, FitError> {
+    // What repeats a body is no family of its own.
+    let first = made.iter().filter(|m| m.repeats.is_none());
+    let mut families: Vec<&str> = first.map(|m| m.family.as_str()).collect();
+    families.sort_unstable();
+    families.dedup();
+    let mut found = Vec::new();
+    for family in families {
+        let (out, rest): (Vec<_>, Vec<_>) = made
+            .iter()
+            .enumerate()
+            .partition(|(_, m)| m.family == family);
+        let kept = rest.iter().filter(|(i, _)| !tenth(*i)).map(|(_, m)| *m);
+        let persons: Vec<usize> = out.iter().filter_map(|(_, m)| m.person).collect();
+        let others = people
+            .iter()
+            .filter(|p| !tenth(p.row) && !persons.contains(&p.row));
+        let model = fit(&others.collect::<Vec<_>>(), &kept.collect::<Vec<_>>())?;
+        for level in Level::ALL {
+            let all: Vec<Miss> = out
+                .iter()
+                .filter_map(|(_, m)| one(&model, m, level))
+                .collect();
+            if !all.is_empty() {
+                found.push(summary(family, level, &all));
+            }
+        }
+    }
+    Ok(found)
+}
+
+/// How a model tells a level of a body whose true level is known.
+fn one(model: &LevelModel, body: &Made, level: Level) -> Option<Miss> {
+    let truth = body.levels[level as usize]?;
+    let told = model.estimate(&body.readings, body.stature, level)?;
+    Some(miss(&told, body, truth))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::line_up::{like, line_up, picked_bias};
+    use super::super::samples::{made as read_made, people as read_people};
+    use super::super::table::Table;
+    use super::*;
+    use crate::features::readings::{Reading, Readings};
+
+    fn table(name: &str) -> Table {
+        let root = concat!(env!("CARGO_MANIFEST_DIR"), "/../../models/tables/");
+        Table::read(name, &std::fs::read(format!("{root}{name}")).unwrap()).unwrap()
+    }
+
+    /// Numbers of mean 0 and variance 1, near enough to normal: twelve even ones each (a fixed sequence).
+    fn normal(state: &mut u64) -> f64 {
+        let mut even = || {
+            *state = state
+                .wrapping_mul(6364136223846793005)
+                .wrapping_add(1442695040888963407);
+            (*state >> 11) as f64 / (1u64 << 53) as f64
+        };
+        (0..12).map(|_| even()).sum::<f64>() - 6.0
+    }
+
+    /// People of the survey whom no fit has seen: bias, standard deviation \[mm\] and coverage of one
+    /// level, men and women, with readings that err as those of made surfaces.
+    fn on_people(level: Level) -> [(f64, f64, f64); 2] {
+        let people = read_people(&table("ansur2.csv")).unwrap();
+        let made = read_made(&table("made-bodies.csv")).unwrap();
+        let (fitted, others): (Vec<&Person>, Vec<&Person>) =
+            people.iter().partition(|p| p.row % 2 == 0);
+        let made: Vec<&Made> = made.iter().collect();
+        let model = fit(&fitted, &made).unwrap();
+        let grown = like(&fitted, &made);
+        let lined_up = line_up(&grown, &picked_bias(&fitted, &grown).unwrap()).unwrap();
+        let (scatter, mut state) = (lined_up.scatter(), 7);
+        [false, true].map(|woman| {
+            let mut off = Vec::new();
+            for person in others.iter().filter(|p| p.woman == woman) {
+                let error =
+                    nalgebra::DVector::from_fn(Reading::ALL.len(), |_, _| normal(&mut state));
+                let read = lined_up.mean(&person.anatomy) + &scatter * error;
+                let read = Reading::ALL.into_iter().zip(read.iter());
+                let read = read.fold(Readings::default(), |all, (r, v)| all.with(r, Some(*v)));
+                let stature = 1700.0 * person.anatomy[0].exp();
+                let told = model.estimate(&read, stature, level).unwrap();
+                let miss = told.height_mm - person.levels[level as usize] * stature;
+                off.push((miss, miss.abs() <= NINE_IN_TEN * told.sigma_mm));
+            }
+            let n = off.len() as f64;
+            let mean = off.iter().map(|o| o.0).sum::<f64>() / n;
+            let square = off.iter().map(|o| (o.0 - mean).powi(2)).sum::<f64>() / n;
+            (
+                mean,
+                square.sqrt(),
+                off.iter().filter(|o| o.1).count() as f64 / n,
+            )
+        })
+    }
+
+    #[test]
+    fn levels_of_people_that_no_fit_has_seen_have_no_bias_and_intervals_that_hold() {
+        for (level, most) in [(Level::Waist, [14.5, 13.0]), (Level::Chest, [17.0, 21.0])] {
+            for ((bias, sd, coverage), most) in on_people(level).into_iter().zip(most) {
+                eprintln!("{level:?}: {bias:+.1} ± {sd:.1} mm, {coverage:.3}");
+                assert!(bias.abs() < 2.0, "{level:?}: {bias}");
+                assert!(sd < most, "{level:?}: {sd}");
+                assert!((0.87..=0.94).contains(&coverage), "{level:?}: {coverage}");
+            }
+        }
+    }
+}

@@ -1,0 +1,13 @@
+//! Levels as a model in a file: joint normal distributions over what a surface shows and the levels
+//! that it does not show.
+
+pub(crate) mod file;
+pub(crate) mod fit;
+pub(crate) mod fit_stage;
+pub(crate) mod held_out;
+pub(crate) mod line_up;
+pub(crate) mod normal;
+pub(crate) mod predict;
+pub(crate) mod samples;
+pub(crate) mod table;
+pub(crate) mod write;

@@ -1,0 +1,142 @@
+//! A level from what a surface shows: the mixture of the populations that fit it.
+
+use super::file::{Level, LevelModel, Population, Scope};
+use super::normal::Conditional;
+use crate::features::readings::{Reading, Readings};
+
+/// A level as the model tells it.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct LevelEstimate {
+    /// Height above the ground. \[mm\]
+    pub height_mm: f64,
+    /// Standard deviation of the predictive distribution. \[mm\]
+    pub sigma_mm: f64,
+    /// Standard deviation when the same person is measured again: what readings alone scatter. \[mm\]
+    pub repeat_mm: Option<f64>,
+    /// How well the body is covered by what the model was fitted on.
+    pub cover: Cover,
+}
+
+/// How well a body is covered by what a model was fitted on.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Cover {
+    /// Like the measured people.
+    People,
+    /// Outside of the measured people, like the made bodies: levels come from these.
+    Made,
+    /// Outside of both.
+    Outside,
+}
+
+/// People's statures lie within so many standard deviations: all but one in two thousand.
+const SIZES: f64 = 3.5;
+
+/// A population's own answer.
+struct Answer<'a> {
+    population: &'a Population,
+    given: Conditional,
+}
+
+impl LevelModel {
+    /// A level from readings of a body of some stature \[mm\]. `None` where the readings say nothing,
+    /// or the model does not know the level.
+    pub fn estimate(
+        &self,
+        readings: &Readings,
+        stature_mm: f64,
+        level: Level,
+    ) -> Option<LevelEstimate> {
+        let observed: Vec<(usize, f64)> = self
+            .readings
+            .iter()
+            .enumerate()
+            .filter_map(|(i, r)| Some((i, readings.get(*r)?)))
+            .collect();
+        let limit = *self.limit.get(observed.len().checked_sub(1)?)?;
+        let target = self.readings.len() + self.levels.iter().position(|l| *l == level)?;
+        let answers = |scope: Scope| -> Vec<Answer<'_>> {
+            self.populations
+                .iter()
+                .filter(|p| p.scope == scope)
+                .filter_map(|population| {
+                    let given = population.normal.given(&observed, target)?;
+                    Some(Answer { population, given })
+                })
+                .collect()
+        };
+        let near = |all: &[Answer<'_>]| all.iter().any(|a| a.given.distance <= limit);
+        let (people, made) = (answers(Scope::People), answers(Scope::Made));
+        // Made bodies stand in where people are of another size altogether: their ribs are nobody's.
+        let (from, cover) = match (near(&people), self.of_their_size(readings)) {
+            (true, _) => (people, Cover::People),
+            (false, true) => (people, Cover::Outside),
+            (false, false) if near(&made) => (made, Cover::Made),
+            (false, false) if made.is_empty() => (people, Cover::Outside),
+            (false, false) => (made, Cover::Outside),
+        };
+        let (mean, variance) = mixture(&from)?;
+        let repeat = self.repeat_variance(&observed, &from);
+        // Where nobody knows the body, errors grow as it lies farther away.
+        let nearest = from.iter().map(|a| a.given.distance).reduce(f64::min)?;
+        let wider = (nearest / limit).max(1.0).sqrt();
+        Some(LevelEstimate {
+            height_mm: mean * stature_mm,
+            sigma_mm: variance.sqrt() * wider * stature_mm,
+            repeat_mm: repeat.map(|v| v.sqrt() * stature_mm),
+            cover,
+        })
+    }
+
+    /// Whether a stature is one that the measured people have; unknown ones may be.
+    fn of_their_size(&self, readings: &Readings) -> bool {
+        let at = self.readings.iter().position(|r| *r == Reading::LnStature);
+        let Some((k, value)) = at.and_then(|k| Some((k, readings.get(Reading::LnStature)?))) else {
+            return true;
+        };
+        let people = self.populations.iter().filter(|p| p.scope == Scope::People);
+        people.into_iter().any(|p| {
+            let off = value - p.normal.mean[k];
+            off * off <= SIZES * SIZES * p.normal.covariance[(k, k)]
+        })
+    }
+
+    /// How sure a reading itself is against its definition, and when the same person is measured again:
+    /// standard deviations for a body of some stature. \[mm\]
+    pub fn reading(&self, reading: Reading, stature_mm: f64) -> Option<(f64, Option<f64>)> {
+        let k = self.readings.iter().position(|r| *r == reading)?;
+        let again = self.repeat.as_ref().map(|r| r[(k, k)].sqrt() * stature_mm);
+        Some((self.reading_sigma[k] * stature_mm, again))
+    }
+
+    /// The variance of the level that the scatter of readings alone makes, by the population that fits
+    /// best.
+    fn repeat_variance(&self, observed: &[(usize, f64)], answers: &[Answer<'_>]) -> Option<f64> {
+        let repeat = self.repeat.as_ref()?;
+        let best = answers
+            .iter()
+            .max_by(|a, b| a.given.log_density.total_cmp(&b.given.log_density))?;
+        let weights = &best.given.weights;
+        let mut sum = 0.0;
+        for (i, (a, _)) in observed.iter().enumerate() {
+            for (j, (b, _)) in observed.iter().enumerate() {
+                sum += weights[i] * repeat[(*a, *b)] * weights[j];
+            }
+        }
+        Some(sum.max(0.0))
+    }
+}
+
+/// Mean and variance of a mixture whose weights are how likely each population makes the readings.
+fn mixture(answers: &[Answer<'_>]) -> Option<(f64, f64)> {
+    let best = answers
+        .iter()
+        .map(|a| a.given.log_density)
+        .reduce(f64::max)?;
+    let weight = |a: &Answer<'_>| a.population.weight * (a.given.log_density - best).exp();
+    let total: f64 = answers.iter().map(weight).sum();
+    let share = |a: &Answer<'_>| weight(a) / total;
+    let mean: f64 = answers.iter().map(|a| share(a) * a.given.mean).sum();
+    let second = |a: &Answer<'_>| share(a) * (a.given.variance + (a.given.mean - mean).powi(2));
+    let variance: f64 = answers.iter().map(second).sum();
+    Some((mean, variance))
+}

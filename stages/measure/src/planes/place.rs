@@ -1,0 +1,127 @@
+//! Landmarks of one body, part by part: a plane with how sure it is, or a typed reason.
+
+use crate::features::body::Body;
+use crate::features::limb::Limbs;
+use crate::features::neck::neck_features;
+use crate::model::file::Level;
+use crate::planes::limbs::{calf, thigh, upper_arm};
+use crate::planes::neck::{plane_at, tilted};
+use crate::planes::neck_level::neck_level;
+use crate::planes::trunk::{Placed, Trunk, hip_plane, longest_hip_plane, unlike};
+use crate::planes::wanted::Waist;
+use shape::{GirthId, Landmark, Landmarks, Mesh, Missing, Part, Plane, PlaneSigma, Refusal, Side};
+
+/// Hip, waists and chest; the waist of the user's choice is called WC, the other definitions stand
+/// beside it under their own names.
+pub(crate) fn trunk(chosen: Waist, body: &Body, told: Option<&Trunk<'_>>, found: &mut Landmarks) {
+    let at = |id: GirthId, placed: Placed| Landmark {
+        sigma: placed.sigma,
+        ..Landmark::new(id, placed.plane, Part::Trunk)
+    };
+    // The hip shows on its own, without head and neck.
+    let sigma = told.and_then(Trunk::hip_sigma).unwrap_or_default();
+    let shown = |plane| Placed { plane, sigma };
+    let hip = hip_plane(body).map(|plane| at(GirthId::Hip, shown(plane)));
+    let longest = longest_hip_plane(body).map(|plane| at(GirthId::HipGreatest, shown(plane)));
+    let placed = |which: Waist| match which {
+        Waist::Natural => told?.at(Level::Waist),
+        Waist::Narrowest => told?.narrowest(),
+        Waist::Navel => told?.at(Level::Navel),
+        Waist::HipBone => told?.at(Level::HipBone),
+    };
+    let waist = placed(chosen).map(|p| at(GirthId::Waist, p).by(chosen.id()));
+    let others = [
+        Waist::Natural,
+        Waist::Narrowest,
+        Waist::Navel,
+        Waist::HipBone,
+    ];
+    let others = others.into_iter().filter(|which| *which != chosen);
+    let others = others.filter_map(|which| Some(at(which.id(), placed(which)?)));
+    let chest = told.and_then(|t| t.at(Level::Chest));
+    let chest = chest.map(|p| at(GirthId::Chest, p));
+    for (id, there) in [
+        (GirthId::Hip, hip.is_some()),
+        (GirthId::Waist, waist.is_some()),
+        (GirthId::Chest, chest.is_some()),
+    ] {
+        let nowhere = chosen == Waist::Narrowest && told.is_some() && id == GirthId::Waist;
+        let reason = match nowhere {
+            true => Refusal::NoExtreme,
+            false => unlike(body),
+        };
+        found
+            .missing
+            .extend((!there).then(|| Missing::new(id, reason)));
+    }
+    found.found.extend(hip.into_iter().chain(longest));
+    found
+        .found
+        .extend(waist.into_iter().chain(others).chain(chest));
+}
+
+/// The neck, square to its axis.
+pub(crate) fn across_neck(lean_deg: f64, mesh: &Mesh, body: &Body, found: &mut Landmarks) {
+    if body.crotch.is_none() {
+        // A body that is cut off: nothing tells that this is its neck.
+        let missing = Missing::new(GirthId::Neck, unlike(body));
+        return found.missing.push(missing);
+    }
+    let neck = neck_features(mesh, body).ok_or(Refusal::NoNeck);
+    let placed = neck.and_then(|f| {
+        let level = neck_level(&f);
+        let at = plane_at(&f, level.share)?;
+        let at = tilted(&f, at, lean_deg.to_radians())?;
+        // A plane that had to slide is as unsure as it slid far.
+        let off = level.sigma.hypot(at.share - level.share) * f.diameter_mm();
+        let sigma = PlaneSigma {
+            level_mm: Some(off),
+            tilt_rad: Some(level.tilt),
+            repeat_mm: None,
+        };
+        let neck = Landmark::new(GirthId::Neck, at.plane, Part::Head);
+        Ok(Landmark { sigma, ..neck })
+    });
+    match placed {
+        Ok(neck) => found.found.push(neck),
+        Err(reason) => found.missing.push(Missing::new(GirthId::Neck, reason)),
+    }
+}
+
+/// Adds a girth of a limb, or why it is not there.
+fn limb(
+    found: &mut Landmarks,
+    id: GirthId,
+    part: Part,
+    placed: Result<(Plane, PlaneSigma), Refusal>,
+) {
+    match placed {
+        Ok((plane, sigma)) => found.found.push(Landmark {
+            sigma,
+            ..Landmark::new(id, plane, part)
+        }),
+        Err(reason) => found.missing.push(Missing::new(id, reason)),
+    }
+}
+
+/// Both upper arms.
+pub(crate) fn arms(limbs: &Limbs<'_>, body: &Body, found: &mut Landmarks) {
+    for side in Side::BOTH {
+        let id = GirthId::UpperArm(side);
+        // Shares of a stature that is none tell nothing.
+        let placed = match body.crotch {
+            None => Err(unlike(body)),
+            Some(_) => upper_arm(limbs, body.stature, side.sign()),
+        };
+        limb(found, id, Part::arm(side), placed);
+    }
+}
+
+/// Thigh and calf of both legs.
+pub(crate) fn legs(limbs: &Limbs<'_>, body: &Body, found: &mut Landmarks) {
+    for side in Side::BOTH {
+        let (part, sign) = (Part::leg(side), side.sign());
+        limb(found, GirthId::Thigh(side), part, thigh(limbs, body, sign));
+        limb(found, GirthId::Calf(side), part, calf(limbs, body, sign));
+    }
+}

@@ -1,0 +1,195 @@
+//! A girth with all that is known of how sure it is, or a refusal where that is too little.
+
+use crate::geometry::spline::has_left;
+use crate::sections::taken::Taken;
+use crate::uncertainty::interval::{Level, NINE_IN_TEN, interval, together, too_wide};
+use crate::uncertainty::outlines::{shared_border, surface_by_cameras};
+use crate::uncertainty::silhouette::Support;
+use nalgebra::Point3;
+use shape::{Cameras, Girth, GirthId, Landmark, Note, Refusal, Sigmas, Split};
+use std::f64::consts::TAU;
+
+/// From this share of a tape on it is told that no outline confirms it.
+const OPEN: f64 = 0.012;
+/// How much longer than its tape the skin around a waist may be: more points to a hole.
+const WAIST_FOLDS: f64 = 1.05;
+
+/// What outlines tell of a section.
+pub(crate) struct Seen {
+    /// Its girth by silhouettes.
+    pub(crate) support: Option<Support>,
+    /// How much of its tape no outline confirms; `None` where nobody looked. \[mm\]
+    pub(crate) open_mm: Option<f64>,
+}
+
+/// What is known of the surface's error.
+pub(crate) struct Sure<'a> {
+    /// Even error along the normal, as declared and by the cells. \[mm\]
+    pub(crate) surface_mm: f64,
+    /// How far the surface stands off the girths of silhouettes, along its normal. \[mm\]
+    pub(crate) off_mm: f64,
+    /// How sure cameras and scale are.
+    pub(crate) cameras: Option<&'a Cameras>,
+}
+
+impl Sure<'_> {
+    /// The surface along its normal around a place, by itself and by cameras. \[mm\]
+    fn surface(&self, at: Point3<f64>) -> f64 {
+        let by_cameras = self.cameras.and_then(|c| surface_by_cameras(c, at));
+        self.surface_mm.hypot(by_cameras.unwrap_or(0.0))
+    }
+
+    /// The same where no silhouette tells the girth: what they say of others widens it. \[mm\]
+    fn unseen(&self, at: Point3<f64>) -> f64 {
+        self.surface(at).hypot(self.off_mm)
+    }
+
+    /// What the scale leaves open of a length; nobody vouches for the unit of a surface or of cameras
+    /// from elsewhere. \[mm\]
+    fn scale(&self, tape_mm: f64) -> Option<f64> {
+        let sigma = self.cameras.and_then(|c| c.scale_sigma);
+        sigma.map(|sigma| sigma * tape_mm)
+    }
+
+    /// A girth through picked points, with what surface and scale leave open.
+    pub(crate) fn picked(&self, girth: Girth) -> Result<Girth, Refusal> {
+        let tape = girth.tape_mm;
+        let sigmas = Sigmas {
+            surface_mm: Some(TAU * self.unseen(Point3::from(girth.plane.point_mm))),
+            scale_mm: self.scale(tape),
+            ..girth.sigmas
+        };
+        let interval_mm = told(tape, tape, &sigmas)?;
+        Ok(Girth {
+            sigmas,
+            interval_mm,
+            ..girth
+        })
+    }
+
+    /// What was taken at a landmark, with how sure it is.
+    pub(crate) fn girth(
+        &self,
+        landmark: &Landmark,
+        here: Taken,
+        seen: &Seen,
+        level: Level,
+    ) -> Result<Girth, Refusal> {
+        let at = Point3::from(landmark.plane.point_mm);
+        let surface = match seen.support {
+            Some(_) => self.surface(at),
+            None => self.unseen(at),
+        };
+        let outline = seen.support.as_ref().map(|s| {
+            let shared = self.cameras.map_or(0.0, |c| shared_border(c, at));
+            (s.girth, s.sigma.hypot(shared))
+        });
+        let (mean, width) = together((here.tape_mm, TAU * surface), outline);
+        let sigmas = Sigmas {
+            level_mm: level.against_definition,
+            surface_mm: Some(width),
+            scale_mm: self.scale(here.tape_mm),
+            split_mm: Some(here.doubt_mm),
+            // Where outlines tell the girth, they tell of corners, too.
+            cover_mm: match seen.support {
+                Some(_) => Some(0.0),
+                None => seen.open_mm,
+            },
+        };
+        let interval_mm = told(here.tape_mm, mean, &sigmas)?;
+        let again = level.again.map(|mm| mm.hypot(width).hypot(here.doubt_mm));
+        Ok(Girth {
+            contour_mm: here.contour_mm,
+            spline_mm: here.spline_mm,
+            silhouette_mm: seen.support.as_ref().map(|s| s.girth),
+            interval_mm,
+            sigmas,
+            repeat_mm: again.map(|mm| NINE_IN_TEN * mm),
+            split: (here.carried > 0.0).then_some(Split {
+                share: here.carried,
+            }),
+            notes: notes(landmark, &here, seen),
+            contour: here
+                .contour
+                .iter()
+                .map(|p| [p.x as f32, p.y as f32, p.z as f32])
+                .collect(),
+            ..Girth::at(landmark, here.tape_mm)
+        })
+    }
+}
+
+/// The interval of a tape: none where a part of it is unknown, a refusal where it is too wide. `mean`
+/// is what mesh and outlines tell together. \[mm\]
+fn told(tape: f64, mean: f64, sigmas: &Sigmas) -> Result<Option<[f64; 2]>, Refusal> {
+    if !sigmas.unknown().is_empty() {
+        return Ok(None);
+    }
+    let both = [
+        sigmas.level_mm,
+        sigmas.surface_mm,
+        sigmas.scale_mm,
+        sigmas.split_mm,
+    ];
+    let square: f64 = both.iter().flatten().map(|mm| mm * mm).sum();
+    let reach = NINE_IN_TEN * square.sqrt();
+    let ends = interval(tape, mean, reach, sigmas.cover_mm.unwrap_or(0.0));
+    match too_wide(tape, ends) {
+        true => Err(Refusal::TooUncertain),
+        false => Ok(Some(ends)),
+    }
+}
+
+/// What the user should know of a section.
+fn notes(landmark: &Landmark, here: &Taken, seen: &Seen) -> Vec<Note> {
+    let mut notes = Vec::new();
+    let open = seen.open_mm.unwrap_or(0.0) / here.tape_mm;
+    if open > OPEN {
+        notes.push(Note::Open { share: open });
+    }
+    if has_left(here.spline_mm, here.tape_mm, here.contour_mm) {
+        let share = here.spline_mm / here.contour_mm - 1.0;
+        notes.push(Note::SplineLeft { share });
+    }
+    if landmark.id == GirthId::Waist && here.contour_mm > WAIST_FOLDS * here.tape_mm {
+        let share = here.contour_mm / here.tape_mm - 1.0;
+        notes.push(Note::Folds { share });
+    }
+    notes
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn an_unknown_part_gives_no_interval_an_unknown_scale_one_in_the_given_unit() {
+        let known = Sigmas {
+            scale_mm: None,
+            ..Sigmas::EXACT
+        };
+        assert_eq!(told(900.0, 900.0, &known), Ok(Some([900.0, 900.0])));
+        let level = Sigmas {
+            level_mm: None,
+            ..Sigmas::EXACT
+        };
+        assert_eq!(told(900.0, 900.0, &level), Ok(None));
+        let wide = Sigmas {
+            level_mm: Some(150.0),
+            ..Sigmas::EXACT
+        };
+        assert_eq!(told(900.0, 900.0, &wide), Err(Refusal::TooUncertain));
+        let [low, high] = told(
+            900.0,
+            900.0,
+            &Sigmas {
+                split_mm: Some(3.0),
+                surface_mm: Some(4.0),
+                ..Sigmas::EXACT
+            },
+        )
+        .unwrap()
+        .unwrap();
+        assert!((high - low - 10.0 * NINE_IN_TEN).abs() < 1e-9);
+    }
+}

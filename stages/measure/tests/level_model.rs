@@ -1,0 +1,104 @@
+//! The level model as a file: what it tells, what it says of strangers, and which files are refused.
+
+use measure::{Cover, Level, LevelModel, Reading, Readings};
+
+/// A model of two populations over stature and buttock: waist = 0.3 + 0.68 buttock ± 0.006.
+fn text() -> String {
+    let population = |name: &str, scope: &str, shift: f64| {
+        let buttock = 0.48 + shift;
+        format!(
+            "[[population]]\nname = \"{name}\"\nscope = \"{scope}\"\nweight = 1.0\nmean = [0.0, {buttock}, {waist}]\n\
+             covariance = [[0.0016], [0.0, 0.0001], [0.0, 0.000068, {var}]]\n",
+            waist = 0.3 + 0.68 * buttock,
+            var = 0.68f64.powi(2) * 0.0001 + 0.006f64.powi(2),
+        )
+    };
+    format!(
+        "format = 1\nreadings_version = {version}\nabout = \"test\"\nreadings = [\"ln_stature\", \"buttock\"]\nlevels = [\"waist\"]\n\
+         limit = [6.6, 9.2]\nreading_sigma = [0.001, 0.002]\nrepeat = [[0.0], [0.0, 0.000004]]\n{people}{made}\n[[table]]\nname = \"t\"\n[[held_out]]\nlevel = \"waist\"\n",
+        version = measure::READINGS_VERSION,
+        people = population("people", "people", 0.0),
+        made = population("made", "made", -0.1),
+    )
+}
+
+fn read(text: &str) -> Result<LevelModel, String> {
+    LevelModel::read("own.toml", text).map_err(|e| e.to_string())
+}
+
+fn readings(stature_mm: f64, buttock: f64) -> Readings {
+    Readings::default()
+        .with(Reading::LnStature, Some((stature_mm / 1700.0).ln()))
+        .with(Reading::Buttock, Some(buttock))
+}
+
+#[test]
+fn a_level_is_told_with_its_scatter_and_what_repeats() {
+    let model = read(&text()).unwrap();
+    let told = model
+        .estimate(&readings(1700.0, 0.49), 1700.0, Level::Waist)
+        .unwrap();
+    proof::near(told.height_mm, 1700.0 * (0.3 + 0.68 * 0.49), 0.01);
+    proof::near(told.sigma_mm, 1700.0 * 0.006, 0.01);
+    proof::near(told.repeat_mm.unwrap(), 1700.0 * 0.68 * 0.002, 0.01);
+    assert_eq!(told.cover, Cover::People);
+    // Without the buttock the level scatters as the buttock does, too.
+    let blind = Readings::default().with(Reading::LnStature, Some(0.0));
+    let told = model.estimate(&blind, 1700.0, Level::Waist).unwrap();
+    proof::near(told.sigma_mm, 1700.0 * 0.0068f64.hypot(0.006), 0.01);
+    assert!(
+        model
+            .estimate(&Readings::default(), 1700.0, Level::Waist)
+            .is_none()
+    );
+    assert!(
+        model.estimate(&blind, 1700.0, Level::Chest).is_none(),
+        "a level that the file has not"
+    );
+}
+
+#[test]
+fn a_body_beyond_the_people_is_told_by_made_ones_and_beyond_both_with_growing_intervals() {
+    let model = read(&text()).unwrap();
+    let tell = |stature: f64, buttock| {
+        let read = readings(stature, buttock);
+        model.estimate(&read, stature, Level::Waist).unwrap()
+    };
+    // People's size but another build: theirs still, with intervals that grow.
+    let near = tell(1700.0, 0.48);
+    let far = [0.38, 0.30].map(|buttock| tell(1700.0, buttock));
+    assert!(far.iter().all(|t| t.cover == Cover::Outside));
+    assert!(far[0].sigma_mm > 1.5 * near.sigma_mm && far[1].sigma_mm > 1.5 * far[0].sigma_mm);
+    // Another size altogether.
+    let small = LevelModel::built_in();
+    let child = Readings::default()
+        .with(Reading::LnStature, Some((900.0f64 / 1700.0).ln()))
+        .with(Reading::Buttock, Some(0.50));
+    let told = small.estimate(&child, 900.0, Level::Waist).unwrap();
+    assert_ne!(told.cover, Cover::People);
+}
+
+#[test]
+fn files_that_are_no_model_are_refused_with_what_would_fit() {
+    let good = text();
+    let bad = |from: &str, to: &str| {
+        assert!(good.contains(from), "{from}");
+        read(&good.replace(from, to)).unwrap_err()
+    };
+    assert!(bad("format = 1", "format = 9").contains("has format 9, but this program knows 1"));
+    let newer = bad("readings_version = ", "readings_version = 9");
+    assert!(
+        newer.contains("readings_version") && newer.contains("fit-levels.toml"),
+        "{newer}"
+    );
+    assert!(bad("\"buttock\"", "\"girdle\"").contains("`girdle` is neither a reading nor a level"));
+    assert!(bad("weight = 1.0", "weight = nan").contains("weight"));
+    let said = bad("[0.0, 0.0001]", "[0.0, nan]");
+    assert!(said.contains("finite covariances"), "{said}");
+    assert!(bad("[0.0, 0.0001]", "[0.0, -0.0001]").contains("not positive definite"));
+    assert!(bad("limit = [6.6, 9.2]", "limit = [6.6]").contains("limit"));
+    // Cut short anywhere: never taken for a whole one.
+    for cut in (0..good.len()).step_by(37) {
+        assert!(read(&good[..cut]).is_err(), "cut at {cut}");
+    }
+}

@@ -1,0 +1,54 @@
+//! The model that ships is what its tables give: a refit writes the same bytes.
+
+use measure::{FitInput, FitLevels};
+use stage::{Ctx, FileEntry, Files, Stage, hash};
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+
+fn models() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("../../models")
+}
+
+fn tables(names: &[&str]) -> Files {
+    let root = models().join("tables");
+    let entry = |name: &&str| {
+        let bytes = std::fs::read(root.join(name)).unwrap();
+        FileEntry {
+            name: (*name).into(),
+            content: hash(&bytes),
+            size: bytes.len() as u64,
+        }
+    };
+    let entries = names.iter().map(entry).collect();
+    Files { root, entries }
+}
+
+fn fitted(names: &[&str]) -> Result<Vec<u8>, String> {
+    let input = FitInput {
+        tables: Arc::new(tables(names)),
+    };
+    match FitLevels::run(&(), input, &Ctx::alone()) {
+        Ok(document) => Ok(document.bytes),
+        Err(stage::Stop::Failed(e)) => Err(e.to_string()),
+        Err(stage::Stop::Cancelled) => Err("cancelled".into()),
+    }
+}
+
+#[test]
+fn a_refit_writes_the_model_that_ships() {
+    let refit = fitted(&["ansur2.csv", "made-bodies.csv"]).unwrap();
+    let shipped = std::fs::read(models().join("levels-1.toml")).unwrap();
+    let path = Path::new(env!("CARGO_TARGET_TMPDIR")).join("levels-1.toml");
+    std::fs::write(&path, &refit).unwrap();
+    assert!(
+        refit == shipped,
+        "models/levels-1.toml is not what its tables give; the refit lies in {}",
+        path.display()
+    );
+}
+
+#[test]
+fn a_fit_without_one_of_its_tables_says_which() {
+    let said = fitted(&["ansur2.csv"]).unwrap_err();
+    assert_eq!(said, "there is no made-bodies.csv among the files");
+}

@@ -1,0 +1,117 @@
+//! How sure a girth is, part by part, and what is odd about it.
+
+use serde::{Deserialize, Serialize};
+
+/// What a girth's uncertainty is made of: standard deviations of the tape; `None` is unknown,
+/// 0 is "none". \[mm\]
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
+pub struct Sigmas {
+    /// Where the tape lies: how sure the plane is, by how the tape changes beside it.
+    pub level_mm: Option<f64>,
+    /// The surface's error along its normal.
+    pub surface_mm: Option<f64>,
+    /// The unit of length.
+    pub scale_mm: Option<f64>,
+    /// What another limb hides and was parted from it.
+    pub split_mm: Option<f64>,
+    /// Corners that no photo's outline confirms; shortens, never lengthens.
+    pub cover_mm: Option<f64>,
+}
+
+impl Sigmas {
+    /// Nothing is uncertain: of a formula.
+    pub const EXACT: Sigmas = Sigmas {
+        level_mm: Some(0.0),
+        surface_mm: Some(0.0),
+        scale_mm: Some(0.0),
+        split_mm: Some(0.0),
+        cover_mm: Some(0.0),
+    };
+
+    /// The parts with their names, in order.
+    pub fn named(&self) -> [(&'static str, Option<f64>); 5] {
+        [
+            ("level", self.level_mm),
+            ("surface", self.surface_mm),
+            ("scale", self.scale_mm),
+            ("split", self.split_mm),
+            ("cover", self.cover_mm),
+        ]
+    }
+
+    /// The same parts times a number.
+    #[must_use]
+    pub fn scaled(&self, by: f64) -> Sigmas {
+        let times = |mm: Option<f64>| mm.map(|mm| mm * by);
+        Sigmas {
+            level_mm: times(self.level_mm),
+            surface_mm: times(self.surface_mm),
+            scale_mm: times(self.scale_mm),
+            split_mm: times(self.split_mm),
+            cover_mm: times(self.cover_mm),
+        }
+    }
+
+    /// The parts without which no interval is given, and that nobody knows. A scale that nobody
+    /// vouches for is not among them: lengths are then in the unit that was given. Nor are corners
+    /// that nobody looked for.
+    pub fn unknown(&self) -> Vec<&'static str> {
+        let needed = [
+            ("level", self.level_mm),
+            ("surface", self.surface_mm),
+            ("split", self.split_mm),
+        ];
+        let open = needed.into_iter().filter(|(_, mm)| mm.is_none());
+        open.map(|(name, _)| name).collect()
+    }
+}
+
+/// A section of which a limb was parted.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub struct Split {
+    /// Share of the way around that is told by the outline beside it or by a clear section.
+    pub share: f64,
+}
+
+/// What the user should know of one girth.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub enum Note {
+    /// A stretch that no photo's outline confirms, as a share of the tape.
+    Open {
+        /// Share of the tape that may not be body.
+        share: f64,
+    },
+    /// The paper's spline left the ring of the section.
+    SplineLeft {
+        /// How much longer it is than the contour, as a share.
+        share: f64,
+    },
+    /// The skin is much longer than a tape.
+    Folds {
+        /// How much, as a share.
+        share: f64,
+    },
+}
+
+impl Note {
+    /// A sentence.
+    pub fn sentence(&self) -> String {
+        match self {
+            Note::Open { share } => format!(
+                "for a stretch no photo shows the body's outline there, for hands are before it or photos are few: {:.1} % of the \
+                 tape may not be body; take more photos, or hold the hands farther away",
+                100.0 * share
+            ),
+            Note::SplineLeft { share } => format!(
+                "the paper's spline (eq. 8) is {:+.0} % off the exact curve: the surface is too coarse there, so that its points \
+                 leave the ring; take the tape or the exact curve",
+                100.0 * share
+            ),
+            Note::Folds { share } => format!(
+                "the skin is {:.0} % longer than a tape, which points to a hole in the surface or to an arm that touches it: look \
+                 at the section",
+                100.0 * share
+            ),
+        }
+    }
+}
