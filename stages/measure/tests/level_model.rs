@@ -97,6 +97,13 @@ fn files_that_are_no_model_are_refused_with_what_would_fit() {
     assert!(said.contains("finite covariances"), "{said}");
     assert!(bad("[0.0, 0.0001]", "[0.0, -0.0001]").contains("not positive definite"));
     assert!(bad("limit = [6.6, 9.2]", "limit = [6.6]").contains("limit"));
+    for short in ["[0.001]", "[0.001, nan]"] {
+        let said = bad(
+            "reading_sigma = [0.001, 0.002]",
+            &format!("reading_sigma = {short}"),
+        );
+        assert!(said.contains("reading_sigma"), "{said}");
+    }
     // Cut short anywhere: never taken for a whole one.
     for cut in (0..good.len()).step_by(37) {
         assert!(read(&good[..cut]).is_err(), "cut at {cut}");

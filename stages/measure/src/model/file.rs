@@ -228,11 +228,13 @@ impl LevelModel {
         if self.populations.is_empty() {
             return Err(wrong("is missing: no [[population]]"));
         }
-        let finite = self.limit.iter().all(|l| l.is_finite() && *l > 0.0);
-        if self.limit.len() != self.readings.len() || !finite {
-            return Err(wrong(
-                "needs a positive `limit` for each number of readings",
-            ));
+        let whole = |list: &[f64]| {
+            let positive = list.iter().all(|x| x.is_finite() && *x > 0.0);
+            positive && list.len() == self.readings.len()
+        };
+        if !whole(&self.limit) || !whole(&self.reading_sigma) {
+            let why = "needs a positive `limit` and `reading_sigma` for each reading";
+            return Err(wrong(why));
         }
         Ok(())
     }
