@@ -4,15 +4,15 @@
 //! cargo run --release -p measure --example feature_table -- MADE > models/tables/made-bodies.csv
 //! ```
 //!
-//! `MADE` is the folder that `models/made/make_bodies.py` wrote: a folder a family, in it `NNNN.ply` and
-//! `NNNN.json` (truth) for each body.
+//! `MADE` is the folder that `models/made/make_bodies.py` wrote.
 
+mod made_bodies;
+
+use made_bodies::{Fault, folder, read, truths};
 use measure::{Reading, body, ground, marks, readings};
 use nalgebra::Point3;
 use rayon::prelude::*;
-use serde_json::Value;
-use std::error::Error;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 /// Heights of the tape's profile: from 0.45 of stature on, 71 steps of 0.005.
 const PROFILE: (f64, f64, usize) = (0.45, 0.005, 71);
@@ -25,12 +25,7 @@ const MARKS: [(&str, &str); 5] = [
     ("a.chest", "nipple_l"),
 ];
 
-fn main() -> Result<(), Box<dyn Error>> {
-    let root = PathBuf::from(
-        std::env::args()
-            .nth(1)
-            .ok_or("name the folder of made bodies")?,
-    );
+fn main() -> Result<(), Fault> {
     let mut out = csv::Writer::from_writer(std::io::stdout());
     let mut header: Vec<String> = ["family", "id", "repeats", "person", "grown", "stature"]
         .map(str::to_owned)
@@ -51,9 +46,12 @@ fn main() -> Result<(), Box<dyn Error>> {
     let (_, _, steps) = PROFILE;
     header.extend((0..steps).map(|k| format!("t{k:02}")));
     out.write_record(&header)?;
-    let rows: Vec<_> = truths(&root)?.par_iter().map(|truth| row(truth)).collect();
+    let rows: Vec<_> = truths(&folder()?)?
+        .par_iter()
+        .map(|truth| row(truth))
+        .collect();
     for row in rows {
-        if let Some(row) = row.map_err(|e| e.to_string())? {
+        if let Some(row) = row? {
             out.write_record(&row)?;
         }
     }
@@ -61,38 +59,13 @@ fn main() -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-/// All truth files, by family and number.
-fn truths(root: &Path) -> Result<Vec<PathBuf>, Box<dyn Error>> {
-    let mut found = Vec::new();
-    for family in std::fs::read_dir(root)? {
-        let family = family?.path();
-        if !family.is_dir() {
-            continue;
-        }
-        for file in std::fs::read_dir(family)? {
-            let file = file?.path();
-            if file.extension().is_some_and(|e| e == "json") && file.with_extension("ply").exists()
-            {
-                found.push(file);
-            }
-        }
-    }
-    found.sort();
-    Ok(found)
-}
-
 /// One body's row; `None` where the program finds no marks on it, which is said.
-fn row(path: &Path) -> Result<Option<Vec<String>>, Box<dyn Error + Send + Sync>> {
-    let truth: Value = serde_json::from_slice(&std::fs::read(path)?)?;
-    let mesh = shape::mesh_from_ply(&std::fs::read(path.with_extension("ply"))?)?;
-    let family = truth["family"].as_str().ok_or("a truth without family")?;
-    let id = format!(
-        "{family}/{}",
-        path.file_stem().unwrap_or_default().to_string_lossy()
-    );
+fn row(path: &Path) -> Result<Option<Vec<String>>, Fault> {
+    let made = read(path)?;
+    let (truth, mesh, id) = (&made.truth, &made.mesh, made.id.clone());
     let lowest = mesh.bounds().map_or(0.0, |b| b.0.z);
-    let ground = ground(&mesh, None).map_or(lowest, |g| g.height_mm);
-    let Some(body) = body(&mesh, ground) else {
+    let ground = ground(mesh, None).map_or(lowest, |g| g.height_mm);
+    let Some(body) = body(mesh, ground) else {
         eprintln!("{id}: no body");
         return Ok(None);
     };
@@ -104,14 +77,13 @@ fn row(path: &Path) -> Result<Option<Vec<String>>, Box<dyn Error + Send + Sync>>
     let share = |v: Option<f64>| v.map_or(String::new(), |v| format!("{:.5}", v / s));
     let height = |mark: &str| truth["marks"][mark][2].as_f64();
     let tape = |plane: &str| truth["planes"][plane]["tape_clean"].as_f64();
-    let text = |key: &str| truth[key].as_str().unwrap_or_default().to_owned();
     let grown = truth["phenotype"]["age"]
         .as_f64()
         .is_none_or(|age| age >= GROWN_UP);
     let person = truth["person"]
         .as_u64()
         .map_or(String::new(), |p| p.to_string());
-    let mut row = vec![family.to_owned(), id, text("repeats"), person];
+    let mut row = vec![made.text("family"), id, made.text("repeats"), person];
     row.push(u8::from(grown).to_string());
     row.push(format!("{s:.1}"));
     let number = |v: Option<f64>| v.map_or(String::new(), |v| format!("{v:.5}"));
@@ -134,7 +106,7 @@ fn row(path: &Path) -> Result<Option<Vec<String>>, Box<dyn Error + Send + Sync>>
         let plane = measure::level(z);
         let middle = body.trunk(z)?.centre;
         let far = |p: &Point3<f64>| (p - middle).norm();
-        let rings = measure::rings(&mesh, &plane);
+        let rings = measure::rings(mesh, &plane);
         let ring = rings
             .iter()
             .min_by(|a, b| far(&a.centre).total_cmp(&far(&b.centre)))?;

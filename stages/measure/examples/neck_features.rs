@@ -1,69 +1,87 @@
-//! Features of necks as a table: `neck_features LIST`, a file with one `NAME PATH` a line, each path a
-//! closed surface as raw numbers (counts of vertices and faces as u32, then f32 and u32 triples, millimetres,
-//! upright, little-endian). `models/fit_neck.py` writes such files and reads this table.
+//! What the program reads on the necks of made bodies, as a table that `pipelines/fit-levels.toml` fits on.
+//!
+//! ```sh
+//! cargo run --release -p measure --example neck_features -- MADE > models/tables/neck.csv
+//! ```
+//!
+//! `MADE` is the folder that `models/made/make_bodies.py` wrote. Offsets are along the neck's axis from its
+//! tightest section, as shares of its diameter `unit_mm`; `larynx` is a carried template vertex, `rig_lean`
+//! \[rad\] the forward lean of the line of the rig's joints; `t00`… are tapes square to the axis, as shares of
+//! the tightest; `refused` is 1 where the program takes no girth, for the neck is a groove.
 
-use measure::{NeckFeatures, body, neck_features, neck_level, plane_at};
-use shape::Mesh;
-use std::time::Instant;
+mod made_bodies;
 
-fn main() {
-    let list = std::env::args().nth(1).expect("a list of surfaces");
-    let list = std::fs::read_to_string(list).expect("the list can be read");
-    for line in list.lines() {
-        let (name, path) = line.split_once(' ').expect("a name and a path");
-        let mesh = read(&std::fs::read(path).expect("a surface can be read"));
-        let ground = mesh.bounds().map_or(0.0, |b| b.0.z);
-        let body = body(&mesh, ground);
-        let start = Instant::now();
-        let neck = body.as_ref().and_then(|b| neck_features(&mesh, b));
-        let took = start.elapsed().as_secs_f64();
-        eprintln!("{name}: {} faces, {took:.3} s", mesh.faces.len());
-        println!("{name} {}", neck.map_or("refused".into(), |f| row(&f)));
+use made_bodies::{Fault, folder, read, truths};
+use measure::{NeckFeatures, body, ground, neck_features, plane_at};
+use nalgebra::{Point3, Vector3};
+use rayon::prelude::*;
+use serde_json::Value;
+use std::path::Path;
+
+/// Offsets of tapes: from, step, how many; shares of the diameter.
+const PROFILE: (f64, f64, usize) = (-0.6, 0.05, 25);
+
+fn main() -> Result<(), Fault> {
+    let mut out = csv::Writer::from_writer(std::io::stdout());
+    let mut header: Vec<String> = [
+        "family", "id", "repeats", "stature", "unit_mm", "refused", "larynx", "rig_lean",
+    ]
+    .map(str::to_owned)
+    .to_vec();
+    header.extend(NeckFeatures::NAMES.map(|n| format!("f.{n}")));
+    header.extend((0..PROFILE.2).map(|k| format!("t{k:02}")));
+    out.write_record(&header)?;
+    let rows: Vec<_> = truths(&folder()?)?.par_iter().map(|t| row(t)).collect();
+    for row in rows {
+        if let Some(row) = row? {
+            out.write_record(&row)?;
+        }
     }
+    out.flush()?;
+    Ok(())
 }
 
-fn row(f: &NeckFeatures) -> String {
-    let told = neck_level(f);
-    let placed = plane_at(f, told.share);
-    let mut row: Vec<(&str, f64)> = f.list().to_vec();
-    let [x, y, z] = f.origin_mm();
-    row.extend([("d", f.diameter_mm()), ("x", x), ("y", y), ("z", z)]);
-    row.extend([("told", told.share), ("sigma", told.sigma)]);
-    if let Ok(p) = placed {
-        let ([x, y, z], [i, j, k]) = (p.plane.point_mm, p.plane.normal);
-        row.extend([("placed", p.share), ("tape", p.tape_mm)]);
-        row.extend([
-            ("px", x),
-            ("py", y),
-            ("pz", z),
-            ("nx", i),
-            ("ny", j),
-            ("nz", k),
-        ]);
-    }
-    let cells = row.iter().map(|(name, value)| format!("{name}={value:.6}"));
-    cells.collect::<Vec<_>>().join(" ")
-}
-
-fn read(bytes: &[u8]) -> Mesh {
-    let words: Vec<[u8; 4]> = bytes
-        .chunks_exact(4)
-        .map(|c| [c[0], c[1], c[2], c[3]])
-        .collect();
-    let [vertices, faces] = [0, 1].map(|k| u32::from_le_bytes(words[k]) as usize);
-    let (places, corners) = words[2..].split_at(3 * vertices);
-    let triples = |w: &[[u8; 4]]| -> Vec<[[u8; 4]; 3]> {
-        w.chunks_exact(3).map(|c| [c[0], c[1], c[2]]).collect()
+/// One body's row; `None` where the program finds no neck on it, which is said.
+fn row(path: &Path) -> Result<Option<Vec<String>>, Fault> {
+    let made = read(path)?;
+    let lowest = made.mesh.bounds().map_or(0.0, |b| b.0.z);
+    let ground = ground(&made.mesh, None).map_or(lowest, |g| g.height_mm);
+    let neck = body(&made.mesh, ground).and_then(|b| neck_features(&made.mesh, &b));
+    let Some(neck) = neck else {
+        eprintln!("{}: no neck", made.id);
+        return Ok(None);
     };
-    let positions = triples(places)
-        .into_iter()
-        .map(|p| p.map(f32::from_le_bytes));
-    let corners = triples(corners)
-        .into_iter()
-        .map(|p| p.map(u32::from_le_bytes));
-    Mesh {
-        positions: positions.collect(),
-        faces: corners.take(faces).collect(),
-        colors: Vec::new(),
-    }
+    let d = neck.diameter_mm();
+    let offset = |mark: &str| {
+        let place: [f64; 3] =
+            std::array::from_fn(|k| made.truth["marks"][mark][k].as_f64().unwrap_or(f64::NAN));
+        let way = Point3::from(place) - Point3::from(neck.origin_mm());
+        way.dot(&Vector3::from(neck.axis())) / d
+    };
+    let (low, step, steps) = PROFILE;
+    let tape = |k: usize| neck.tape_mm((low + step * k as f64) * d);
+    let mut row = vec![made.text("family"), made.id.clone(), made.text("repeats")];
+    let number = |v: Option<f64>| {
+        v.filter(|v| v.is_finite())
+            .map_or(String::new(), |v| format!("{v:.4}"))
+    };
+    let stature = made.truth["stature"]
+        .as_f64()
+        .ok_or("a truth without stature")?;
+    row.extend([format!("{stature:.0}"), format!("{d:.2}")]);
+    row.push(u8::from(plane_at(&neck, 0.0).is_err()).to_string());
+    row.push(number(Some(offset("larynx"))));
+    row.push(number(rig_lean(&made.truth, &neck)));
+    row.extend(neck.values().map(|v| format!("{v:.4}")));
+    row.extend((0..steps).map(|k| number(tape(k).map(|t| t / neck.girth_mm()))));
+    Ok(Some(row))
+}
+
+/// How far forward the line of the rig's joints leans. \[rad\]
+fn rig_lean(truth: &Value, neck: &NeckFeatures) -> Option<f64> {
+    let normal = truth["planes"]["neck"]["normal"].as_array()?;
+    let n: Vec<f64> = normal.iter().filter_map(Value::as_f64).collect();
+    let [x, y, z] = n.as_slice() else { return None };
+    let ahead = neck.front();
+    Some((x * ahead[0] + y * ahead[1]).atan2(*z))
 }

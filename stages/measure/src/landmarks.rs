@@ -3,7 +3,9 @@
 use crate::features::limb::limbs;
 use crate::features::marks::marks;
 use crate::features::standing::standing;
-use crate::model::file::{LevelModel, ModelError};
+use crate::model::error::ModelError;
+use crate::model::file::LevelModel;
+use crate::model::law::Place;
 use crate::model::predict::Cover;
 use crate::planes::custom::{OwnGirth, own};
 use crate::planes::limbs::parts;
@@ -51,7 +53,7 @@ pub struct FindLandmarks;
 
 impl Stage for FindLandmarks {
     const NAME: &'static str = "measure.landmarks";
-    const VERSION: u32 = 17;
+    const VERSION: u32 = 18;
     const ABOUT: &'static str = "Finds neck, chest, waist, hip, arms and legs from marks on the outline: buttocks, hollow of the back, bust, shoulders, ears.";
     type Params = LandmarkParams;
     type Input = LandmarkInput;
@@ -100,7 +102,9 @@ impl Stage for FindLandmarks {
             ctx.warn(word);
         }
         trunk(p.waist, &body, told.as_ref(), &mut found);
-        across_neck(p.neck_lean_deg, mesh, &body, &mut found);
+        let larynx = model.law(Place::Larynx);
+        let word = across_neck(p.neck_lean_deg, mesh, &body, larynx, &mut found);
+        word.iter().for_each(|word| ctx.warn(*word));
         let limbs = limbs(mesh, &body);
         arms(&limbs, &body, &mut found);
         legs(&limbs, &body, &mut found);

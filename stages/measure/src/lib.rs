@@ -36,9 +36,12 @@ pub use geometry::spline::{
 };
 pub use girths::{GirthInput, GirthParams, Measure};
 pub use landmarks::{FindLandmarks, LandmarkInput, LandmarkParams, NoBody};
-pub use model::file::{Level, LevelModel, ModelError};
+pub use model::error::ModelError;
+pub use model::file::LevelModel;
 pub use model::fit::FitError;
 pub use model::fit_stage::{FitInput, FitLevels, NoModel};
+pub use model::law::{Law, LawEstimate, Place};
+pub use model::level::Level;
 pub use model::predict::{Cover, LevelEstimate};
 pub use model::table::TableError;
 pub use planes::custom::{BadName, OwnGirth, OwnPart};

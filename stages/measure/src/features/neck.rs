@@ -38,7 +38,23 @@ impl NeckFeatures {
         self.tube.origin.into()
     }
 
-    /// Name and value of each feature, in a fixed order.
+    /// The neck's axis: unit, upward.
+    pub fn axis(&self) -> [f64; 3] {
+        self.tube.axis().into()
+    }
+
+    /// The way the body faces: horizontal, unit.
+    pub fn front(&self) -> [f64; 3] {
+        self.tube.front.into()
+    }
+
+    /// The tape across the axis at an offset along it. \[mm\] `None` where no section goes around the
+    /// axis.
+    pub fn tape_mm(&self, offset_mm: f64) -> Option<f64> {
+        self.tube.ring(offset_mm).map(|ring| ring.tape)
+    }
+
+    /// Names of [`NeckFeatures::values`].
     ///
     /// - `up`, `low`: offsets at which the tape is a tenth longer than the tightest; shares of the diameter.
     /// - `hollow`, `hollow_depth`: the deepest of the throat within the line from chin to chest, and how
@@ -48,24 +64,32 @@ impl NeckFeatures {
     /// - `nape`: the deepest of the nape; share of the diameter.
     /// - `lean`: how far forward the axis leans, radians.
     /// - `head`: crown above the tightest section; share of the diameter.
-    pub fn list(&self) -> [(&'static str, f64); 9] {
+    pub const NAMES: [&'static str; 9] = [
+        "up",
+        "low",
+        "hollow",
+        "hollow_depth",
+        "angle",
+        "angle_depth",
+        "nape",
+        "lean",
+        "head",
+    ];
+
+    /// What the neck shows, in the order of [`NeckFeatures::NAMES`].
+    pub fn values(&self) -> [f64; 9] {
         let d = self.tube.diameter();
         [
-            ("up", self.tube.ends.0 / d),
-            ("low", self.tube.ends.1 / d),
-            ("hollow", self.throat.hollow.0 / d),
-            ("hollow_depth", self.throat.hollow.1 / d),
-            ("angle", self.throat.angle.0 / d),
-            ("angle_depth", self.throat.angle.1 / d),
-            ("nape", self.throat.nape / d),
-            ("lean", self.tube.lean),
-            ("head", self.head / d),
+            self.tube.ends.0 / d,
+            self.tube.ends.1 / d,
+            self.throat.hollow.0 / d,
+            self.throat.hollow.1 / d,
+            self.throat.angle.0 / d,
+            self.throat.angle.1 / d,
+            self.throat.nape / d,
+            self.tube.lean,
+            self.head / d,
         ]
-    }
-
-    /// One feature by its name. `None` for a name that there is not.
-    pub fn get(&self, name: &str) -> Option<f64> {
-        self.list().iter().find(|f| f.0 == name).map(|f| f.1)
     }
 }
 

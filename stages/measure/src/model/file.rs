@@ -1,90 +1,15 @@
 //! The file of a level model (TOML): read, and refused with what is wrong and what would fit.
 
-use super::normal::Normal;
+use super::error::ModelError;
+use super::law::{Law, Place, RawLaw};
+use super::level::Level;
+use super::normal::{Normal, symmetric};
 use crate::features::readings::{READINGS_VERSION, Reading};
 use nalgebra::{DMatrix, DVector};
 use serde::Deserialize;
 
 /// The format that this program reads and writes.
 pub(crate) const FORMAT: u32 = 1;
-
-/// What is wrong with a model file.
-#[derive(Debug, thiserror::Error)]
-pub enum ModelError {
-    /// Not TOML, cut short, or of another layout.
-    #[error("{name} is no level model: {why}")]
-    Syntax {
-        /// The file.
-        name: String,
-        /// What the reader says, with the line.
-        why: String,
-    },
-    /// Another format or other readings.
-    #[error(
-        "{name} has {what} {got}, but this program knows {want}: refit it with pipelines/fit-levels.toml"
-    )]
-    Version {
-        /// The file.
-        name: String,
-        /// `format` or `readings_version`.
-        what: &'static str,
-        /// What the file says.
-        got: u32,
-        /// What would fit.
-        want: u32,
-    },
-    /// A variable that nobody knows.
-    #[error("{name}: `{variable}` is neither a reading nor a level; known: {known}")]
-    Variable {
-        /// The file.
-        name: String,
-        /// The variable.
-        variable: String,
-        /// What there is.
-        known: String,
-    },
-    /// A distribution that is none.
-    #[error("{name}: the distribution of `{population}` {why}")]
-    Distribution {
-        /// The file.
-        name: String,
-        /// The population.
-        population: String,
-        /// What is wrong.
-        why: &'static str,
-    },
-    /// Not one file.
-    #[error("one model file is wanted, but {0} are there")]
-    Count(usize),
-}
-
-/// A level that the model tells.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
-pub enum Level {
-    /// Midway between lowest rib and iliac crest (ISO 8559-1 5.3.10).
-    Waist,
-    /// The navel (omphalion).
-    Navel,
-    /// The side of the iliac crest (NIH).
-    HipBone,
-    /// The nipples, or the bust point (ISO 8559-1 5.3.4).
-    Chest,
-}
-
-impl Level {
-    /// All of them, in the order of a model file.
-    pub const ALL: [Level; 4] = [Level::Waist, Level::Navel, Level::HipBone, Level::Chest];
-
-    /// What a model file calls it.
-    pub fn name(self) -> &'static str {
-        match self {
-            Level::Waist => "waist",
-            Level::Navel => "navel",
-            Level::HipBone => "hip_bone",
-            Level::Chest => "chest",
-        }
-    }
-}
 
 /// What a population is for.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize)]
@@ -132,6 +57,8 @@ pub struct LevelModel {
     pub(crate) reading_sigma: Vec<f64>,
     /// Covariance of readings of one body between two captures of it; unknown without such pairs.
     pub(crate) repeat: Option<DMatrix<f64>>,
+    /// What single features tell of one place each.
+    pub(crate) laws: Vec<Law>,
 }
 
 #[derive(Deserialize)]
@@ -147,6 +74,7 @@ struct Raw {
     reading_sigma: Vec<f64>,
     repeat: Option<Vec<Vec<f64>>>,
     population: Vec<RawPopulation>,
+    law: Vec<RawLaw>,
     #[serde(rename = "table")]
     _table: toml::Value,
     #[serde(rename = "held_out")]
@@ -199,6 +127,7 @@ impl LevelModel {
             .into_iter()
             .map(|p| population(name, p, width));
         let populations: Vec<Population> = populations.collect::<Result<_, _>>()?;
+        let laws: Result<_, _> = raw.law.into_iter().map(|law| law.sound(name)).collect();
         let repeat = raw.repeat.map(|rows| {
             symmetric(&rows, readings.len()).ok_or_else(|| ModelError::Distribution {
                 name: name.into(),
@@ -213,6 +142,7 @@ impl LevelModel {
             limit: raw.limit,
             reading_sigma: raw.reading_sigma,
             repeat: repeat.transpose()?,
+            laws: laws?,
         };
         model.sound(name)?;
         Ok(model)
@@ -236,7 +166,22 @@ impl LevelModel {
             let why = "needs a positive `limit` and `reading_sigma` for each reading";
             return Err(wrong(why));
         }
+        for place in Place::ALL {
+            if self.laws.iter().filter(|l| l.place == place).count() != 1 {
+                return Err(ModelError::Law {
+                    name: name.into(),
+                    why: format!("not one law of `{}`", place.name()),
+                    known: Place::ALL.map(Place::name).join(", "),
+                });
+            }
+        }
         Ok(())
+    }
+
+    /// The law of a place.
+    pub fn law(&self, place: Place) -> &Law {
+        let own = self.laws.iter().find(|l| l.place == place);
+        own.expect("bug: a model without a law, which reading and fitting refuse")
     }
 }
 
@@ -289,12 +234,4 @@ fn population(file: &str, raw: RawPopulation, width: usize) -> Result<Population
         scope: raw.scope,
         weight: raw.weight,
     })
-}
-
-/// A symmetric matrix from the rows of its lower triangle.
-fn symmetric(rows: &[Vec<f64>], width: usize) -> Option<DMatrix<f64>> {
-    let triangle = rows.iter().enumerate().all(|(i, row)| row.len() == i + 1);
-    let finite = rows.iter().flatten().all(|x| x.is_finite());
-    let at = |i: usize, j: usize| rows[i.max(j)][i.min(j)];
-    (rows.len() == width && triangle && finite).then(|| DMatrix::from_fn(width, width, at))
 }

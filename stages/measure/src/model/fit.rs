@@ -13,7 +13,9 @@
 //! line up readings with the survey's definitions (c, A) and say how well they are read (E), and
 //! nothing of where ribs are.
 
-use super::file::{Level, LevelModel, Population, Scope};
+use super::file::{LevelModel, Population, Scope};
+use super::law::Law;
+use super::level::Level;
 use super::line_up::{
     GRAIN, LEAST, LineUp, READINGS, chi_square_99, like, line_up, pairwise, picked_bias, repeat,
     rounded,
@@ -134,8 +136,12 @@ fn of_made(made: &[&Made], people: &[&Person]) -> Normal {
     Normal { mean, covariance }
 }
 
-/// Fits a model on people and made bodies.
-pub(crate) fn fit(people: &[&Person], made: &[&Made]) -> Result<LevelModel, FitError> {
+/// Fits a model on people and made bodies; laws are fitted by themselves.
+pub(crate) fn fit(
+    people: &[&Person],
+    made: &[&Made],
+    laws: Vec<Law>,
+) -> Result<LevelModel, FitError> {
     let grown = like(people, made);
     let bias = picked_bias(people, &grown).ok_or(FitError::Singular("people"))?;
     let lined_up = line_up(&grown, &bias)?;
@@ -173,6 +179,7 @@ pub(crate) fn fit(people: &[&Person], made: &[&Made]) -> Result<LevelModel, FitE
             .map(|v| rounded(v.sqrt()))
             .collect(),
         repeat: repeat(made),
+        laws,
     })
 }
 

@@ -2,6 +2,8 @@
 
 use super::fit::{FitError, fit};
 use super::held_out::held_out;
+use super::law::Place;
+use super::law_fit::{LawSample, fit_law, law_held_out, samples};
 use super::samples::{Made, Person, made, people};
 use super::table::{Table, TableError};
 use super::write::model_to_toml;
@@ -12,7 +14,8 @@ use std::sync::Arc;
 stage::inputs! {
     /// Tables to fit on.
     pub struct FitInput {
-        /// `ansur2.csv` (measured people) and `made-bodies.csv` (what our program reads on made bodies).
+        /// `ansur2.csv` (measured people), `made-bodies.csv` and `neck.csv` (what our program reads on made
+        /// bodies).
         tables: Arc<Files>,
     }
 }
@@ -39,22 +42,35 @@ const MADE: &str = "made-bodies.csv";
 
 impl Stage for FitLevels {
     const NAME: &'static str = "measure.fit_levels";
-    const VERSION: u32 = 1;
+    const VERSION: u32 = 2;
     const ABOUT: &'static str = "Fits the model of levels on measured people and made bodies, and says how it does on those left out.";
     type Params = ();
     type Input = FitInput;
     type Output = Document;
 
     fn run(_: &(), input: FitInput, ctx: &Ctx<'_>) -> Result<Document, Stop> {
-        let (people, made, hashes) = read(&input.tables)?;
+        let Samples {
+            people,
+            made,
+            laws,
+            hashes,
+        } = read(&input.tables)?;
         ctx.check()?;
+        let fitted = laws
+            .iter()
+            .map(|(law, rows)| fit_law(*law, &rows.iter().collect::<Vec<_>>()));
+        let fitted = fitted.collect::<Result<_, _>>().map_err(NoModel::from)?;
         let all = fit(
             &people.iter().collect::<Vec<_>>(),
             &made.iter().collect::<Vec<_>>(),
+            fitted,
         )
         .map_err(NoModel::from)?;
         ctx.check()?;
-        let held_out = held_out(&people, &made).map_err(NoModel::from)?;
+        let mut held_out = held_out(&people, &made).map_err(NoModel::from)?;
+        for (law, rows) in &laws {
+            held_out.extend(law_held_out(*law, rows).map_err(NoModel::from)?);
+        }
         Ok(Document {
             media: "application/toml".into(),
             bytes: model_to_toml(&all, &hashes, &held_out).into_bytes(),
@@ -62,19 +78,36 @@ impl Stage for FitLevels {
     }
 }
 
-/// People, made bodies, and the hashes of both tables.
-type Samples = (Vec<Person>, Vec<Made>, Vec<(String, String)>);
+/// What the tables hold.
+struct Samples {
+    people: Vec<Person>,
+    made: Vec<Made>,
+    laws: Vec<(Place, Vec<LawSample>)>,
+    /// Names and hashes of the tables.
+    hashes: Vec<(String, String)>,
+}
 
 fn read(files: &Files) -> Result<Samples, NoModel> {
-    let table = |name: &str| -> Result<(Table, String), NoModel> {
+    let mut hashes: Vec<(String, String)> = Vec::new();
+    let mut table = |name: &str| -> Result<Table, NoModel> {
         let entry = files.entries.iter().find(|e| e.name.ends_with(name));
         let entry = entry.ok_or_else(|| TableError::Missing(name.into()))?;
         let bytes = files.read(entry)?;
-        let hash = blake3::hash(&bytes).to_hex().to_string();
-        Ok((Table::read(name, &bytes)?, hash))
+        if !hashes.iter().any(|h| h.0 == name) {
+            hashes.push((name.into(), blake3::hash(&bytes).to_hex().to_string()));
+        }
+        Ok(Table::read(name, &bytes)?)
     };
-    let (survey, survey_hash) = table(PEOPLE)?;
-    let (bodies, bodies_hash) = table(MADE)?;
-    let hashes = vec![(PEOPLE.into(), survey_hash), (MADE.into(), bodies_hash)];
-    Ok((people(&survey)?, made(&bodies)?, hashes))
+    let people = people(&table(PEOPLE)?)?;
+    let made = made(&table(MADE)?)?;
+    let mut laws = Vec::new();
+    for law in Place::ALL {
+        laws.push((law, samples(law, &table(law.table())?)?));
+    }
+    Ok(Samples {
+        people,
+        made,
+        laws,
+        hashes,
+    })
 }

@@ -63,6 +63,14 @@ impl Normal {
     }
 }
 
+/// A symmetric matrix from the rows of its lower triangle.
+pub(crate) fn symmetric(rows: &[Vec<f64>], width: usize) -> Option<DMatrix<f64>> {
+    let triangle = rows.iter().enumerate().all(|(i, row)| row.len() == i + 1);
+    let finite = rows.iter().flatten().all(|x| x.is_finite());
+    let at = |i: usize, j: usize| rows[i.max(j)][i.min(j)];
+    (rows.len() == width && triangle && finite).then(|| DMatrix::from_fn(width, width, at))
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -1,6 +1,7 @@
 //! A level from what a surface shows: the mixture of the populations that fit it.
 
-use super::file::{Level, LevelModel, Population, Scope};
+use super::file::{LevelModel, Population, Scope};
+use super::level::Level;
 use super::normal::Conditional;
 use crate::features::readings::{Reading, Readings};
 

@@ -1,6 +1,6 @@
 //! What models are fitted on: measured people and made bodies, as numbers by name.
 
-use super::file::Level;
+use super::level::Level;
 use super::table::{Table, TableError};
 use crate::features::readings::{Reading, Readings};
 
@@ -128,10 +128,15 @@ impl Made {
 /// Families that show one body in many poses: to test on, not to fit on.
 const TESTED: [&str; 1] = ["poses"];
 
+/// Whether a fit may use a family.
+pub(crate) fn fitted(family: &str) -> bool {
+    !TESTED.contains(&family)
+}
+
 impl Made {
     /// Whether a fit may use it.
     pub(crate) fn fitted(&self) -> bool {
-        self.repeats.is_none() && !TESTED.contains(&self.family.as_str())
+        self.repeats.is_none() && fitted(&self.family)
     }
 }
 

@@ -116,6 +116,17 @@ impl Table {
             .collect()
     }
 
+    /// Columns of numbers whose names are a word and digits, in the order of their names; an empty cell is
+    /// `None`.
+    pub(crate) fn starting_with(&self, word: &str) -> Result<Vec<Vec<Option<f64>>>, TableError> {
+        let digits = |c: &&String| {
+            let rest = c.strip_prefix(word);
+            rest.is_some_and(|r| !r.is_empty() && r.bytes().all(|b| b.is_ascii_digit()))
+        };
+        let columns = self.columns.keys().filter(digits);
+        columns.map(|c| self.optional(c)).collect()
+    }
+
     /// A column of numbers, each of them there.
     pub(crate) fn numbers(&self, column: &str) -> Result<Vec<f64>, TableError> {
         let all = self.optional(column)?.into_iter().enumerate();

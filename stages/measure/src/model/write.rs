@@ -7,7 +7,7 @@ use nalgebra::DMatrix;
 use std::fmt::Write;
 
 const ABOUT: &str = "Levels of girths from what a surface shows. All values are shares of stature, but ln_stature: the \
-logarithm of stature against 1700 mm. Covariances are the rows of a lower triangle, readings first, then levels. \
+logarithm of stature against 1700 mm. Covariances are the rows of a lower triangle, readings first, then levels; of a law features first, then its place. \
 Written by pipelines/fit-levels.toml: do not edit, refit.";
 
 /// The file of a model, with the tables it was fitted on and what it does on bodies left out.
@@ -55,6 +55,20 @@ pub(crate) fn model_to_toml(
         );
         let _ = writeln!(text, "mean = {}", numbers(p.normal.mean.as_slice()));
         triangle(&mut text, "covariance", &p.normal.covariance);
+    }
+    for law in &model.laws {
+        let features = names(law.place.features().to_vec());
+        let place = law.place.name();
+        let _ = writeln!(
+            text,
+            "\n[[law]]\nplace = \"{place}\"\nfeatures = {features}"
+        );
+        let _ = writeln!(text, "mean = {}", numbers(law.normal.mean.as_slice()));
+        triangle(&mut text, "covariance", &law.normal.covariance);
+        let _ = writeln!(text, "sigma = {:e}\nlimit = {:e}", law.sigma, law.limit);
+        if let Some(repeat) = &law.repeat {
+            triangle(&mut text, "repeat", repeat);
+        }
     }
     for (name, hash) in tables {
         let _ = writeln!(text, "\n[[table]]\nname = \"{name}\"\nblake3 = \"{hash}\"");

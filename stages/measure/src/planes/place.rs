@@ -3,7 +3,8 @@
 use crate::features::body::Body;
 use crate::features::limb::Limbs;
 use crate::features::neck::neck_features;
-use crate::model::file::Level;
+use crate::model::law::Law;
+use crate::model::level::Level;
 use crate::planes::limbs::{calf, thigh, upper_arm};
 use crate::planes::neck::{plane_at, tilted};
 use crate::planes::neck_level::neck_level;
@@ -60,16 +61,23 @@ pub(crate) fn trunk(chosen: Waist, body: &Body, told: Option<&Trunk<'_>>, found:
         .extend(waist.into_iter().chain(others).chain(chest));
 }
 
-/// The neck, square to its axis.
-pub(crate) fn across_neck(lean_deg: f64, mesh: &Mesh, body: &Body, found: &mut Landmarks) {
+/// The neck, square to its axis; says so if it is a stranger to the law.
+pub(crate) fn across_neck(
+    lean_deg: f64,
+    mesh: &Mesh,
+    body: &Body,
+    law: &Law,
+    found: &mut Landmarks,
+) -> Option<&'static str> {
     if body.crotch.is_none() {
         // A body that is cut off: nothing tells that this is its neck.
         let missing = Missing::new(GirthId::Neck, unlike(body));
-        return found.missing.push(missing);
+        found.missing.push(missing);
+        return None;
     }
     let neck = neck_features(mesh, body).ok_or(Refusal::NoNeck);
     let placed = neck.and_then(|f| {
-        let level = neck_level(&f);
+        let level = neck_level(&f, law).ok_or(Refusal::NoNeck)?;
         let at = plane_at(&f, level.share)?;
         let at = tilted(&f, at, lean_deg.to_radians())?;
         // A plane that had to slide is as unsure as it slid far.
@@ -77,14 +85,23 @@ pub(crate) fn across_neck(lean_deg: f64, mesh: &Mesh, body: &Body, found: &mut L
         let sigma = PlaneSigma {
             level_mm: Some(off),
             tilt_rad: Some(level.tilt),
-            repeat_mm: None,
+            repeat_mm: level.repeat.map(|r| r * f.diameter_mm()),
         };
         let neck = Landmark::new(GirthId::Neck, at.plane, Part::Head);
-        Ok(Landmark { sigma, ..neck })
+        Ok((Landmark { sigma, ..neck }, level.inside))
     });
     match placed {
-        Ok(neck) => found.found.push(neck),
-        Err(reason) => found.missing.push(Missing::new(GirthId::Neck, reason)),
+        Ok((neck, inside)) => {
+            found.found.push(neck);
+            (!inside).then_some(
+                "this neck is unlike those that its level was fitted on, so its interval is wider: is the head held straight, and the \
+                 neck bare?",
+            )
+        }
+        Err(reason) => {
+            found.missing.push(Missing::new(GirthId::Neck, reason));
+            None
+        }
     }
 }
 

@@ -1,0 +1,67 @@
+//! The folder that `models/made/make_bodies.py` wrote: a folder a family, in it `NNNN.ply` and `NNNN.json` (truth)
+//! for each body.
+
+use serde_json::Value;
+use shape::Mesh;
+use std::error::Error;
+use std::path::{Path, PathBuf};
+
+/// What goes wrong, from any thread.
+pub(crate) type Fault = Box<dyn Error + Send + Sync>;
+
+/// A made body.
+pub(crate) struct MadeBody {
+    /// `FAMILY/NNNN`.
+    pub(crate) id: String,
+    /// What is true of it.
+    pub(crate) truth: Value,
+    /// Its surface. \[mm\]
+    pub(crate) mesh: Mesh,
+}
+
+/// The folder named on the command line.
+pub(crate) fn folder() -> Result<PathBuf, Fault> {
+    let named = std::env::args().nth(1);
+    Ok(PathBuf::from(
+        named.ok_or("name the folder of made bodies")?,
+    ))
+}
+
+/// All truth files, by family and number.
+pub(crate) fn truths(root: &Path) -> Result<Vec<PathBuf>, Fault> {
+    let mut found = Vec::new();
+    for family in std::fs::read_dir(root)? {
+        let family = family?.path();
+        if !family.is_dir() {
+            continue;
+        }
+        for file in std::fs::read_dir(family)? {
+            let file = file?.path();
+            if file.extension().is_some_and(|e| e == "json") && file.with_extension("ply").exists()
+            {
+                found.push(file);
+            }
+        }
+    }
+    found.sort();
+    Ok(found)
+}
+
+/// Reads a body by its truth file.
+pub(crate) fn read(path: &Path) -> Result<MadeBody, Fault> {
+    let truth: Value = serde_json::from_slice(&std::fs::read(path)?)?;
+    let family = truth["family"].as_str().ok_or("a truth without family")?;
+    let number = path.file_stem().unwrap_or_default().to_string_lossy();
+    Ok(MadeBody {
+        id: format!("{family}/{number}"),
+        mesh: shape::mesh_from_ply(&std::fs::read(path.with_extension("ply"))?)?,
+        truth,
+    })
+}
+
+impl MadeBody {
+    /// A text of the truth; empty where there is none.
+    pub(crate) fn text(&self, key: &str) -> String {
+        self.truth[key].as_str().unwrap_or_default().to_owned()
+    }
+}
