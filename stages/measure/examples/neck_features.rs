@@ -5,7 +5,7 @@
 //! ```
 //!
 //! `MADE` is the folder that `models/made/make_bodies.py` wrote. Offsets are along the neck's axis from its
-//! tightest section, as shares of its diameter `unit_mm`; `larynx` is a carried template vertex, `rig_lean`
+//! tightest section, as shares of its diameter `unit_mm`; `notch` and `larynx` are carried template vertices, `rig_lean`
 //! \[rad\] the forward lean of the line of the rig's joints; `t00`… are tapes square to the axis, as shares of
 //! the tightest; `refused` is 1 where the program takes no girth, for the neck is a groove.
 
@@ -24,7 +24,7 @@ const PROFILE: (f64, f64, usize) = (-0.6, 0.05, 25);
 fn main() -> Result<(), Fault> {
     let mut out = csv::Writer::from_writer(std::io::stdout());
     let mut header: Vec<String> = [
-        "family", "id", "repeats", "stature", "unit_mm", "refused", "larynx", "rig_lean",
+        "family", "id", "repeats", "stature", "unit_mm", "refused", "notch", "larynx", "rig_lean",
     ]
     .map(str::to_owned)
     .to_vec();
@@ -70,7 +70,7 @@ fn row(path: &Path) -> Result<Option<Vec<String>>, Fault> {
         .ok_or("a truth without stature")?;
     row.extend([format!("{stature:.0}"), format!("{d:.2}")]);
     row.push(u8::from(plane_at(&neck, 0.0).is_err()).to_string());
-    row.push(number(Some(offset("larynx"))));
+    row.extend(["suprasternale", "larynx"].map(|mark| number(Some(offset(mark)))));
     row.push(number(rig_lean(&made.truth, &neck)));
     row.extend(neck.values().map(|v| format!("{v:.4}")));
     row.extend((0..steps).map(|k| number(tape(k).map(|t| t / neck.girth_mm()))));

@@ -53,7 +53,7 @@ pub struct FindLandmarks;
 
 impl Stage for FindLandmarks {
     const NAME: &'static str = "measure.landmarks";
-    const VERSION: u32 = 18;
+    const VERSION: u32 = 20;
     const ABOUT: &'static str = "Finds neck, chest, waist, hip, arms and legs from marks on the outline: buttocks, hollow of the back, bust, shoulders, ears.";
     type Params = LandmarkParams;
     type Input = LandmarkInput;
@@ -102,8 +102,8 @@ impl Stage for FindLandmarks {
             ctx.warn(word);
         }
         trunk(p.waist, &body, told.as_ref(), &mut found);
-        let larynx = model.law(Place::Larynx);
-        let word = across_neck(p.neck_lean_deg, mesh, &body, larynx, &mut found);
+        let notch = model.law(Place::Notch);
+        let word = across_neck(p.neck_lean_deg, mesh, &body, notch, &mut found);
         word.iter().for_each(|word| ctx.warn(*word));
         let limbs = limbs(mesh, &body);
         arms(&limbs, &body, &mut found);

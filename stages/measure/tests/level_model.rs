@@ -15,29 +15,29 @@ fn text() -> String {
     };
     format!(
         "format = 1\nreadings_version = {version}\nabout = \"test\"\nreadings = [\"ln_stature\", \"buttock\"]\nlevels = [\"waist\"]\n\
-         limit = [6.6, 9.2]\nreading_sigma = [0.001, 0.002]\nrepeat = [[0.0], [0.0, 0.000004]]\n{people}{made}\n{larynx}\n[[table]]\nname = \"t\"\n[[held_out]]\nlevel = \"waist\"\n",
+         limit = [6.6, 9.2]\nreading_sigma = [0.001, 0.002]\nrepeat = [[0.0], [0.0, 0.000004]]\n{people}{made}\n{notch}\n[[table]]\nname = \"t\"\n[[held_out]]\nlevel = \"waist\"\n[end]\nheld_out = 1\n",
         version = measure::READINGS_VERSION,
         people = population("people", "people", 0.0),
         made = population("made", "made", -0.1),
-        larynx = larynx(),
+        notch = notch(),
     )
 }
 
-/// A law of the larynx: 0.1 for each unit of `angle`.
-fn larynx() -> String {
+/// A law of the notch: 0.1 for each unit of `head`.
+fn notch() -> String {
     let row = |i: usize| {
         let mut row = vec![0.0; i + 1];
-        row[i] = if i < 9 { 0.01 } else { 0.0002 };
-        if i == 9 {
-            row[4] = 0.001;
+        row[i] = if i < 4 { 0.01 } else { 0.0002 };
+        if i == 4 {
+            row[3] = 0.001;
         }
         format!("{row:?}")
     };
-    let covariance: Vec<String> = (0..10).map(row).collect();
+    let covariance: Vec<String> = (0..5).map(row).collect();
     format!(
-        "[[law]]\nplace = \"larynx\"\nfeatures = {features:?}\nmean = {mean:?}\ncovariance = [{rows}]\nsigma = 0.06\nlimit = 21.7\n",
-        features = measure::Place::Larynx.features(),
-        mean = [0.0; 10],
+        "[[law]]\nplace = \"notch\"\nfeatures = {features:?}\nmean = {mean:?}\ncovariance = [{rows}]\nsigma = 0.06\nlimit = 21.7\n",
+        features = measure::Place::Notch.features(),
+        mean = [0.0; 5],
         rows = covariance.join(", "),
     )
 }
@@ -101,17 +101,17 @@ fn a_body_beyond_the_people_is_told_by_made_ones_and_beyond_both_with_growing_in
 #[test]
 fn a_place_is_told_by_its_law_and_repeats_only_where_the_file_says_how() {
     let model = read(&text()).unwrap();
-    let mut features = [0.0; 9];
-    features[4] = 0.3;
+    let mut features = [0.0; 4];
+    features[3] = 0.3;
     let told = model
-        .law(measure::Place::Larynx)
+        .law(measure::Place::Notch)
         .estimate(&features)
         .unwrap();
     proof::near(told.value, 0.03, 1e-9);
     assert_eq!((told.sigma, told.repeat, told.inside), (0.06, None, true));
     let shipped = LevelModel::built_in();
     let told = shipped
-        .law(measure::Place::Larynx)
+        .law(measure::Place::Notch)
         .estimate(&features)
         .unwrap();
     assert!(told.repeat.unwrap() < told.sigma);
@@ -143,19 +143,24 @@ fn files_that_are_no_model_are_refused_with_what_would_fit() {
         );
         assert!(said.contains("reading_sigma"), "{said}");
     }
-    let said = bad("place = \"larynx\"", "place = \"chin\"");
+    let said = bad("place = \"notch\"", "place = \"chin\"");
     assert!(
-        said.contains("no law of `chin`") && said.contains("larynx"),
+        said.contains("no law of `chin`; known laws: notch"),
         "{said}"
     );
-    let said = bad("\"angle\"", "\"corner\"");
-    assert!(said.contains("needs the features up, low"), "{said}");
+    let said = bad("\"lean\"", "\"tilt\"");
+    assert!(
+        said.contains("needs the features up, low, lean, head"),
+        "{said}"
+    );
     assert!(bad("sigma = 0.06", "sigma = nan").contains("positive `sigma`"));
-    let twice = larynx() + &larynx();
-    assert!(bad(&larynx(), &twice).contains("not one law of `larynx`"));
-    assert!(bad(&larynx(), "").contains("missing field `law`"));
+    let twice = notch() + &notch();
+    assert!(bad(&notch(), &twice).contains("not one law of `notch`"));
+    assert!(bad(&notch(), "").contains("missing field `law`"));
     // Cut short anywhere: never taken for a whole one.
-    for cut in (0..good.len()).step_by(37) {
+    let more = good.replace("held_out = 1", "held_out = 12");
+    assert!(read(&more).unwrap_err().contains("cut short: 1 of 12"));
+    for cut in (0..good.len() - 1).step_by(7) {
         assert!(read(&good[..cut]).is_err(), "cut at {cut}");
     }
 }

@@ -91,6 +91,12 @@ impl NeckFeatures {
             self.head / d,
         ]
     }
+
+    /// One of [`NeckFeatures::NAMES`]. `None` for a name that there is not.
+    pub fn get(&self, name: &str) -> Option<f64> {
+        let at = NeckFeatures::NAMES.iter().position(|n| *n == name)?;
+        Some(self.values()[at])
+    }
 }
 
 /// A throat less deep than this, as a share of the diameter, is none: hair, a hood or a collar fills it. Of

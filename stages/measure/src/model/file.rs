@@ -77,8 +77,15 @@ struct Raw {
     law: Vec<RawLaw>,
     #[serde(rename = "table")]
     _table: toml::Value,
-    #[serde(rename = "held_out")]
-    _held_out: toml::Value,
+    held_out: Vec<toml::Table>,
+    end: End,
+}
+
+/// The last of a file: without it, or with another count, the file was cut short.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct End {
+    held_out: usize,
 }
 
 #[derive(Deserialize)]
@@ -118,6 +125,16 @@ impl LevelModel {
                     want,
                 });
             }
+        }
+        if raw.held_out.len() != raw.end.held_out {
+            return Err(ModelError::Syntax {
+                name: name.into(),
+                why: format!(
+                    "it was cut short: {} of {} entries of [[held_out]] are there",
+                    raw.held_out.len(),
+                    raw.end.held_out
+                ),
+            });
         }
         let readings = named(name, &raw.readings, &Reading::ALL, Reading::name)?;
         let levels = named(name, &raw.levels, &Level::ALL, Level::name)?;

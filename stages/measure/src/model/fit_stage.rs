@@ -3,7 +3,8 @@
 use super::fit::{FitError, fit};
 use super::held_out::held_out;
 use super::law::Place;
-use super::law_fit::{LawSample, fit_law, law_held_out, samples};
+use super::law_fit::{LawSample, fit_law, folds, law_held_out, samples};
+use super::necks::{Neck, larynx_held_out, necks};
 use super::samples::{Made, Person, made, people};
 use super::table::{Table, TableError};
 use super::write::model_to_toml;
@@ -42,7 +43,7 @@ const MADE: &str = "made-bodies.csv";
 
 impl Stage for FitLevels {
     const NAME: &'static str = "measure.fit_levels";
-    const VERSION: u32 = 2;
+    const VERSION: u32 = 3;
     const ABOUT: &'static str = "Fits the model of levels on measured people and made bodies, and says how it does on those left out.";
     type Params = ();
     type Input = FitInput;
@@ -53,6 +54,7 @@ impl Stage for FitLevels {
             people,
             made,
             laws,
+            necks,
             hashes,
         } = read(&input.tables)?;
         ctx.check()?;
@@ -69,7 +71,11 @@ impl Stage for FitLevels {
         ctx.check()?;
         let mut held_out = held_out(&people, &made).map_err(NoModel::from)?;
         for (law, rows) in &laws {
-            held_out.extend(law_held_out(*law, rows).map_err(NoModel::from)?);
+            let folds = folds(*law, rows).map_err(NoModel::from)?;
+            held_out.extend(law_held_out(&folds));
+            match law {
+                Place::Notch => held_out.extend(larynx_held_out(&folds, &necks)),
+            }
         }
         Ok(Document {
             media: "application/toml".into(),
@@ -83,6 +89,7 @@ struct Samples {
     people: Vec<Person>,
     made: Vec<Made>,
     laws: Vec<(Place, Vec<LawSample>)>,
+    necks: Vec<Neck>,
     /// Names and hashes of the tables.
     hashes: Vec<(String, String)>,
 }
@@ -100,6 +107,7 @@ fn read(files: &Files) -> Result<Samples, NoModel> {
     };
     let people = people(&table(PEOPLE)?)?;
     let made = made(&table(MADE)?)?;
+    let necks = necks(&table(Place::Notch.table())?)?;
     let mut laws = Vec::new();
     for law in Place::ALL {
         laws.push((law, samples(law, &table(law.table())?)?));
@@ -108,6 +116,7 @@ fn read(files: &Files) -> Result<Samples, NoModel> {
         people,
         made,
         laws,
+        necks,
         hashes,
     })
 }

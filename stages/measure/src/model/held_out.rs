@@ -6,6 +6,7 @@ use super::level::Level;
 use super::line_up::rounded;
 use super::predict::LevelEstimate;
 use super::samples::{Made, Person};
+use std::fmt::Write;
 
 /// Errors of one level on what one fit left out.
 #[derive(Debug, Clone, PartialEq)]
@@ -22,7 +23,7 @@ pub(crate) struct HeldOut {
     pub middle_mm: f64,
     /// Nine in ten lie within. \[mm\]
     pub nine_mm: f64,
-    /// Median of the tape's absolute error by the level alone. \[%\]
+    /// Median of the tape's absolute error by the level alone; NaN where no tape hangs on it. \[%\]
     pub tape_middle: f64,
     /// Nine in ten lie within. \[%\]
     pub tape_nine: f64,
@@ -44,11 +45,18 @@ impl HeldOut {
             tape_nine,
             coverage,
         } = self;
-        format!(
+        let mut text = format!(
             "family = \"{family}\"\nlevel = \"{level}\"\nbodies = {bodies}\nbias_mm = {bias_mm:.1}\nmiddle_mm = {middle_mm:.1}\n\
-             nine_in_ten_mm = {nine_mm:.1}\ntape_middle_percent = {tape_middle:.2}\ntape_nine_in_ten_percent = {tape_nine:.2}\n\
-             coverage_of_90 = {coverage:.3}"
-        )
+             nine_in_ten_mm = {nine_mm:.1}\n"
+        );
+        if tape_middle.is_finite() {
+            let _ = write!(
+                text,
+                "tape_middle_percent = {tape_middle:.2}\ntape_nine_in_ten_percent = {tape_nine:.2}\n"
+            );
+        }
+        let _ = write!(text, "coverage_of_90 = {coverage:.3}");
+        text
     }
 }
 

@@ -3,46 +3,39 @@
 
 use super::error::ModelError;
 use super::normal::{Normal, symmetric};
-use crate::features::neck::NeckFeatures;
 use nalgebra::{DMatrix, DVector};
 use serde::Deserialize;
 
 /// What a law tells.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Place {
-    /// How high the larynx is: along the neck's axis from its tightest section, in diameters of the neck.
-    Larynx,
+    /// Where the notch of the breastbone (suprasternale) is: along the neck's axis from its tightest section,
+    /// upward, in diameters of the neck.
+    Notch,
 }
 
 impl Place {
     /// All of them, in the order of a model file.
-    pub const ALL: [Place; 1] = [Place::Larynx];
+    pub const ALL: [Place; 1] = [Place::Notch];
 
     /// What a model file and its table call it.
     pub fn name(self) -> &'static str {
         match self {
-            Place::Larynx => "larynx",
+            Place::Notch => "notch",
         }
     }
 
     /// The features that tell it, in the order in which [`Law::estimate`] takes them.
     pub fn features(self) -> &'static [&'static str] {
         match self {
-            Place::Larynx => &NeckFeatures::NAMES,
+            Place::Notch => &["up", "low", "lean", "head"],
         }
     }
 
     /// The table that it is fitted on.
     pub(crate) fn table(self) -> &'static str {
         match self {
-            Place::Larynx => "neck.csv",
-        }
-    }
-
-    /// Where the table's profile of tapes begins, and its step, in the law's unit.
-    pub(crate) fn profile(self) -> (f64, f64) {
-        match self {
-            Place::Larynx => (-0.6, 0.05),
+            Place::Notch => "neck.csv",
         }
     }
 }
@@ -75,17 +68,19 @@ pub struct LawEstimate {
 }
 
 impl Law {
-    /// The place that features, in the order of [`Place::features`], tell. `None` if one is not finite.
+    /// The place that features, in the order of [`Place::features`], tell. `None` if one is not finite. Features
+    /// beyond the limit are drawn back to it, toward the mean: no law is followed to where nobody was.
     pub fn estimate(&self, features: &[f64]) -> Option<LawEstimate> {
         let observed: Vec<(usize, f64)> = features.iter().copied().enumerate().collect();
         let given = self.normal.given(&observed, features.len())?;
         let wider = (given.distance / self.limit).max(1.0).sqrt();
+        let mean = self.normal.mean[features.len()];
         let again = self.repeat.as_ref().map(|repeat| {
             let w = DVector::from_column_slice(&given.weights);
             (w.transpose() * repeat * &w)[(0, 0)].max(0.0).sqrt()
         });
         Some(LawEstimate {
-            value: given.mean,
+            value: mean + (given.mean - mean) / wider,
             sigma: self.sigma * wider,
             repeat: again,
             inside: given.distance <= self.limit,
@@ -162,7 +157,7 @@ mod tests {
         // y = 1 + 2 x, give or take 0.1, of x ~ N(0, 1).
         let covariance = DMatrix::from_row_slice(2, 2, &[1.0, 2.0, 2.0, 4.01]);
         let law = Law {
-            place: Place::Larynx,
+            place: Place::Notch,
             normal: Normal {
                 mean: DVector::from_vec(vec![0.0, 1.0]),
                 covariance,
@@ -176,7 +171,7 @@ mod tests {
         proof::near(near.sigma, 0.2, 1e-9);
         proof::near(near.repeat.unwrap(), 0.1, 1e-9);
         let far = law.estimate(&[6.0]).unwrap();
-        proof::near(far.value, 13.0, 1e-9);
+        proof::near(far.value, 5.0, 1e-9);
         proof::near(far.sigma, 0.6, 1e-9);
         assert!(near.inside && !far.inside);
         assert_eq!(law.estimate(&[f64::NAN]), None);

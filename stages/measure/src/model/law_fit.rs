@@ -9,39 +9,21 @@ use super::samples::fitted;
 use super::table::{Table, TableError};
 use nalgebra::DMatrix;
 
-/// One body: features of a law and the true place.
+/// One body: features of a law and, where known, the true place.
 #[derive(Debug, Clone)]
 pub(crate) struct LawSample {
+    /// Its row in the table.
+    pub row: usize,
     /// Its own name in the table.
     id: String,
     family: String,
     /// The body that this is another capture of.
     repeats: Option<String>,
-    features: Vec<f64>,
-    place: f64,
+    /// In the order of [`Place::features`].
+    pub features: Vec<f64>,
+    place: Option<f64>,
     /// The law's unit on this body. \[mm\]
     unit_mm: f64,
-    /// Tapes over places, from [`Place::profile`] on; any unit.
-    tapes: Vec<Option<f64>>,
-}
-
-impl LawSample {
-    /// Its features, numbered.
-    fn observed(&self) -> Vec<(usize, f64)> {
-        self.features.iter().copied().enumerate().collect()
-    }
-
-    /// Tape at a place.
-    fn tape(&self, law: Place, at: f64) -> Option<f64> {
-        let (low, step) = law.profile();
-        let k = (at - low) / step;
-        let (below, t) = (k.floor(), k - k.floor());
-        if below < 0.0 {
-            return None;
-        }
-        let tape = |k: usize| self.tapes.get(k).copied().flatten();
-        Some(tape(below as usize)? * (1.0 - t) + tape(below as usize + 1)? * t)
-    }
 }
 
 /// Rows of a law's table that have all its features and are not refused.
@@ -50,26 +32,22 @@ pub(crate) fn samples(law: Place, table: &Table) -> Result<Vec<LawSample>, Table
     let features: Vec<Vec<Option<f64>>> = features
         .map(|column| table.optional(&column))
         .collect::<Result<_, _>>()?;
-    let (id, family, repeats) = (
-        table.text("id")?,
-        table.text("family")?,
-        table.text("repeats")?,
-    );
+    let (id, family) = (table.text("id")?, table.text("family")?);
+    let repeats = table.text("repeats")?;
     let place = table.optional(law.name())?;
     let (unit, refused) = (table.numbers("unit_mm")?, table.numbers("refused")?);
-    let tapes = table.starting_with("t")?;
-    let one = |i: usize| -> Option<LawSample> {
-        let whole: Option<Vec<f64>> = features.iter().map(|f| f[i]).collect();
-        (refused[i] == 0.0).then_some(LawSample {
-            id: id[i].into(),
-            family: family[i].into(),
-            repeats: Some(repeats[i])
+    let one = |row: usize| -> Option<LawSample> {
+        let whole: Option<Vec<f64>> = features.iter().map(|f| f[row]).collect();
+        (refused[row] == 0.0).then_some(LawSample {
+            row,
+            id: id[row].into(),
+            family: family[row].into(),
+            repeats: Some(repeats[row])
                 .filter(|r| !r.is_empty())
                 .map(str::to_owned),
             features: whole?,
-            place: place[i]?,
-            unit_mm: unit[i],
-            tapes: tapes.iter().map(|t| t[i]).collect(),
+            place: place[row],
+            unit_mm: unit[row],
         })
     };
     Ok((0..table.len()).filter_map(one).collect())
@@ -81,38 +59,34 @@ pub(crate) fn fit_law(law: Place, samples: &[&LawSample]) -> Result<Law, FitErro
     let own: Vec<&LawSample> = samples
         .iter()
         .copied()
-        .filter(|s| s.repeats.is_none() && fitted(&s.family))
+        .filter(|s| s.repeats.is_none() && s.place.is_some() && fitted(&s.family))
         .collect();
-    let singular = || FitError::Singular(law.name());
-    let normal = regression(law, &own)?;
-    let n = law.features().len();
+    let all = of_one_family(law, &own)?;
     let mut squares = Vec::new();
     for family in families(&own) {
         let (out, rest): (Vec<_>, Vec<_>) = own.iter().partition(|s| s.family == family);
         if rest.len() >= LEAST {
-            let without = regression(law, &rest)?;
-            let told = |s: &&LawSample| Some(without.given(&s.observed(), n)?.mean - s.place);
-            let off: Option<Vec<f64>> = out.iter().map(told).collect();
-            let off = off.ok_or_else(singular)?;
-            let nine = quantile(off.into_iter(), 0.9) / NINE_IN_TEN;
+            let without = of_one_family(law, &rest)?;
+            let off = out.iter().filter_map(|s| off(&without, s));
+            let nine = quantile(off, 0.9) / NINE_IN_TEN;
             squares.push(nine * nine);
         }
     }
-    let within = |s: &&LawSample| normal.given(&s.observed(), n);
-    let given: Option<Vec<_>> = own.iter().map(within).collect();
-    let given = given.ok_or_else(singular)?;
-    // One family says nothing of others: its own residual.
-    squares.extend(squares.is_empty().then_some(given[0].variance));
-    let sigma = (squares.iter().sum::<f64>() / squares.len() as f64).sqrt();
-    let mut distances: Vec<f64> = given.iter().map(|g| g.distance).collect();
-    distances.sort_by(f64::total_cmp);
+    // One family says nothing of others.
+    let sigma = match squares.len() {
+        0 => all.sigma,
+        n => (squares.iter().sum::<f64>() / n as f64).sqrt(),
+    };
     Ok(Law {
-        place: law,
         sigma: rounded(sigma),
-        limit: rounded(distances[(distances.len() - 1) * 99 / 100]),
         repeat: repeat(law, samples),
-        normal,
+        ..all
     })
+}
+
+/// What a law tells less the truth, in its unit.
+fn off(law: &Law, s: &LawSample) -> Option<f64> {
+    Some(law.estimate(&s.features)?.value - s.place?)
 }
 
 /// The families of samples, in order.
@@ -123,8 +97,8 @@ fn families<'a>(samples: &[&'a LawSample]) -> Vec<&'a str> {
     all
 }
 
-/// The distribution of features and place over samples.
-fn regression(law: Place, own: &[&LawSample]) -> Result<Normal, FitError> {
+/// The law of samples as if all others were like them: sigma is what they scatter by.
+fn of_one_family(law: Place, own: &[&LawSample]) -> Result<Law, FitError> {
     if own.len() < LEAST {
         return Err(FitError::Few {
             reading: law.name(),
@@ -135,12 +109,28 @@ fn regression(law: Place, own: &[&LawSample]) -> Result<Normal, FitError> {
     let n = law.features().len();
     let rows = DMatrix::from_fn(own.len(), n + 1, |i, j| match j < n {
         true => own[i].features[j],
-        false => own[i].place,
+        false => own[i].place.unwrap_or(f64::NAN),
     });
-    let normal = Normal::of(&rows).ok_or(FitError::Singular(law.name()))?;
-    Ok(Normal {
+    let singular = || FitError::Singular(law.name());
+    let normal = Normal::of(&rows).ok_or_else(singular)?;
+    let normal = Normal {
         mean: normal.mean.map(rounded),
         covariance: normal.covariance.map(rounded),
+    };
+    let given = |s: &&LawSample| {
+        let observed: Vec<(usize, f64)> = s.features.iter().copied().enumerate().collect();
+        normal.given(&observed, n)
+    };
+    let given: Option<Vec<_>> = own.iter().map(given).collect();
+    let given = given.ok_or_else(singular)?;
+    let mut distances: Vec<f64> = given.iter().map(|g| g.distance).collect();
+    distances.sort_by(f64::total_cmp);
+    Ok(Law {
+        place: law,
+        sigma: rounded(given[0].variance.max(0.0).sqrt()),
+        limit: rounded(distances[(distances.len() - 1) * 99 / 100]),
+        repeat: None,
+        normal,
     })
 }
 
@@ -165,33 +155,48 @@ fn repeat(law: Place, samples: &[&LawSample]) -> Option<DMatrix<f64>> {
     Some(pairwise(&columns).map(rounded))
 }
 
-/// Fits a law without each family in turn and a tenth of the rest, and tells that family by it.
-pub(crate) fn law_held_out(law: Place, samples: &[LawSample]) -> Result<Vec<HeldOut>, FitError> {
-    let first: Vec<&LawSample> = samples.iter().filter(|s| s.repeats.is_none()).collect();
-    let mut found = Vec::new();
-    for family in families(&first) {
-        let (out, rest): (Vec<_>, Vec<_>) = samples
-            .iter()
-            .enumerate()
-            .partition(|(_, s)| s.family == family);
-        let kept = rest.iter().filter(|(i, _)| !tenth(*i)).map(|(_, s)| *s);
-        let fitted = fit_law(law, &kept.collect::<Vec<_>>())?;
-        let all: Vec<Miss> = out.iter().filter_map(|(_, s)| miss(&fitted, s)).collect();
-        found.push(summary(family, law.name(), &all));
-    }
-    Ok(found)
+/// A family and the law that was fitted without it.
+pub(crate) struct Fold<'a> {
+    /// The family.
+    pub family: String,
+    /// Fitted without it and a tenth of the rest.
+    pub law: Law,
+    /// The family's bodies.
+    pub out: Vec<&'a LawSample>,
 }
 
-/// How a law tells a body whose true place is known.
-fn miss(law: &Law, s: &LawSample) -> Option<Miss> {
-    let told = law.estimate(&s.features)?;
-    let off = told.value - s.place;
-    let tapes = s
-        .tape(law.place, told.value)
-        .zip(s.tape(law.place, s.place));
-    Some(Miss {
-        mm: off * s.unit_mm,
-        inside: off.abs() <= NINE_IN_TEN * told.sigma,
-        tape: tapes.map(|(got, want)| got / want - 1.0),
-    })
+/// Fits a law without each family in turn and a tenth of the rest.
+pub(crate) fn folds(law: Place, samples: &[LawSample]) -> Result<Vec<Fold<'_>>, FitError> {
+    let first: Vec<&LawSample> = samples
+        .iter()
+        .filter(|s| s.repeats.is_none() && s.place.is_some())
+        .collect();
+    let fold = |family: &str| -> Result<Fold<'_>, FitError> {
+        let (out, rest): (Vec<_>, Vec<_>) = first.iter().partition(|s| s.family == family);
+        let kept = rest.into_iter().filter(|s: &&LawSample| !tenth(s.row));
+        Ok(Fold {
+            family: family.into(),
+            law: fit_law(law, &kept.collect::<Vec<_>>())?,
+            out,
+        })
+    };
+    families(&first).into_iter().map(fold).collect()
+}
+
+/// How a law does on the families that were left out.
+pub(crate) fn law_held_out(folds: &[Fold<'_>]) -> Vec<HeldOut> {
+    let miss = |fold: &Fold<'_>, s: &LawSample| -> Option<Miss> {
+        let told = fold.law.estimate(&s.features)?;
+        let off = off(&fold.law, s)?;
+        Some(Miss {
+            mm: off * s.unit_mm,
+            inside: off.abs() <= NINE_IN_TEN * told.sigma,
+            tape: None,
+        })
+    };
+    let of = |fold: &Fold<'_>| {
+        let all: Vec<Miss> = fold.out.iter().filter_map(|s| miss(fold, s)).collect();
+        summary(&fold.family, fold.law.place.name(), &all)
+    };
+    folds.iter().map(of).collect()
 }

@@ -76,5 +76,6 @@ pub(crate) fn model_to_toml(
     for h in held_out {
         let _ = writeln!(text, "\n[[held_out]]\n{}", h.lines());
     }
+    let _ = writeln!(text, "\n[end]\nheld_out = {}", held_out.len());
     text
 }

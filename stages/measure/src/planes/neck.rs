@@ -93,7 +93,9 @@ pub(crate) fn tilted(f: &NeckFeatures, at: NeckPlane, more: f64) -> Result<NeckP
 mod tests {
     use super::*;
     use crate::model::file::LevelModel;
+    use crate::model::larynx::larynx;
     use crate::model::law::Place;
+    use crate::model::necks::necks;
     use crate::model::table::Table;
 
     /// Median of the tape's error by the told level alone, of necks with a tube of some lengths.
@@ -105,21 +107,21 @@ mod tests {
         let features: Vec<_> = NeckFeatures::NAMES
             .map(|f| column(&format!("f.{f}")))
             .into();
-        let (truth, tapes) = (column("larynx"), table.starting_with("t").unwrap());
-        let (low, step) = Place::Larynx.profile();
-        let tape = |row: usize, at: f64| {
-            let k = ((at - low) / step).floor();
-            let t = (at - low) / step - k;
-            let tape = |k: usize| tapes.get(k)?[row];
-            Some(tape(k as usize)? * (1.0 - t) + tape(k as usize + 1)? * t)
+        let necks = necks(&table).unwrap();
+        let of = |row: usize, name: &str| {
+            let at = NeckFeatures::NAMES.iter().position(|n| *n == name)?;
+            features[at][row]
         };
         let error = |row: usize| {
-            let read: Option<Vec<f64>> = features.iter().map(|f| f[row]).collect();
-            let told = model.law(Place::Larynx).estimate(&read?)?.value;
-            Some((tape(row, told)? / tape(row, truth[row]?)? - 1.0).abs())
+            let read = Place::Notch.features().iter().map(|f| of(row, f));
+            let read: Option<Vec<f64>> = read.collect();
+            let told = model.law(Place::Notch).estimate(&read?)?;
+            let told = larynx(told, of(row, "angle")?).value;
+            let tape = |at: f64| necks[row].tape(at);
+            Some((tape(told)? / tape(necks[row].larynx?)? - 1.0).abs())
         };
         let long = |row: &usize| {
-            let tube = features[0][*row].unwrap() - features[1][*row].unwrap();
+            let tube = of(*row, "up").unwrap() - of(*row, "low").unwrap();
             (from..to).contains(&tube)
         };
         let mut all: Vec<f64> = (0..table.len()).filter(long).filter_map(error).collect();

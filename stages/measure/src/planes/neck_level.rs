@@ -1,7 +1,8 @@
 //! How high the girth of a neck is taken: at the larynx, as head, throat and shoulders tell it.
 
 use crate::features::neck::NeckFeatures;
-use crate::model::law::Law;
+use crate::model::larynx::larynx;
+use crate::model::law::{Law, Place};
 
 /// Standard deviation of the tilt about the body's left-right line, against the line of made bodies'
 /// joints: that of `rig_lean` in `models/tables/neck.csv`. \[rad\]
@@ -22,10 +23,10 @@ pub struct NeckLevel {
     pub inside: bool,
 }
 
-/// The level by the law of [`Place::Larynx`](crate::model::law::Place::Larynx). `None` where a feature is
-/// not finite.
-pub fn neck_level(f: &NeckFeatures, law: &Law) -> Option<NeckLevel> {
-    let told = law.estimate(&f.values())?;
+/// The level by the law of [`Place::Notch`] and the throat's angle. `None` where a feature is not finite.
+pub fn neck_level(f: &NeckFeatures, notch: &Law) -> Option<NeckLevel> {
+    let features: Option<Vec<f64>> = Place::Notch.features().iter().map(|n| f.get(n)).collect();
+    let told = larynx(notch.estimate(&features?)?, f.get("angle")?);
     Some(NeckLevel {
         share: told.value,
         sigma: told.sigma,

@@ -1,0 +1,70 @@
+//! Necks of made bodies, and how the neck's level does on those that no fit has seen.
+
+use super::held_out::{HeldOut, Miss, NINE_IN_TEN, summary};
+use super::larynx::larynx;
+use super::law_fit::Fold;
+use super::table::{Table, TableError};
+
+/// One row of `models/tables/neck.csv`; lengths are shares of the neck's diameter.
+#[derive(Debug, Clone)]
+pub(crate) struct Neck {
+    /// The true larynx above the tightest section, along the neck's axis.
+    pub larynx: Option<f64>,
+    /// The angle of the throat that shows, in the same way.
+    angle: Option<f64>,
+    /// The neck's diameter. \[mm\]
+    unit_mm: f64,
+    /// Tapes square to the axis, from [`PROFILE`] on.
+    tapes: Vec<Option<f64>>,
+}
+
+/// Where the tapes begin, and their step.
+const PROFILE: (f64, f64) = (-0.6, 0.05);
+
+impl Neck {
+    /// Tape at an offset.
+    pub(crate) fn tape(&self, at: f64) -> Option<f64> {
+        let k = (at - PROFILE.0) / PROFILE.1;
+        let (below, t) = (k.floor(), k - k.floor());
+        if below < 0.0 {
+            return None;
+        }
+        let tape = |k: usize| self.tapes.get(k).copied().flatten();
+        Some(tape(below as usize)? * (1.0 - t) + tape(below as usize + 1)? * t)
+    }
+}
+
+/// All rows.
+pub(crate) fn necks(table: &Table) -> Result<Vec<Neck>, TableError> {
+    let (truth, angle) = (table.optional("larynx")?, table.optional("f.angle")?);
+    let unit = table.numbers("unit_mm")?;
+    let tapes = table.starting_with("t")?;
+    let one = |i: usize| Neck {
+        larynx: truth[i],
+        angle: angle[i],
+        unit_mm: unit[i],
+        tapes: tapes.iter().map(|t| t[i]).collect(),
+    };
+    Ok((0..table.len()).map(one).collect())
+}
+
+/// Each family by a notch that was fitted without it.
+pub(crate) fn larynx_held_out(folds: &[Fold<'_>], necks: &[Neck]) -> Vec<HeldOut> {
+    let miss = |fold: &Fold<'_>, row: usize| -> Option<Miss> {
+        let (neck, sample) = (&necks[row], fold.out.iter().find(|s| s.row == row)?);
+        let told = larynx(fold.law.estimate(&sample.features)?, neck.angle?);
+        let off = told.value - neck.larynx?;
+        let tapes = neck.tape(told.value).zip(neck.tape(neck.larynx?));
+        Some(Miss {
+            mm: off * neck.unit_mm,
+            inside: off.abs() <= NINE_IN_TEN * told.sigma,
+            tape: tapes.map(|(got, want)| got / want - 1.0),
+        })
+    };
+    let of = |fold: &Fold<'_>| {
+        let rows = fold.out.iter().map(|s| s.row);
+        let all: Vec<Miss> = rows.filter_map(|row| miss(fold, row)).collect();
+        summary(&fold.family, "larynx", &all)
+    };
+    folds.iter().map(of).collect()
+}
