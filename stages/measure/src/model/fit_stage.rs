@@ -14,8 +14,8 @@ use std::sync::Arc;
 stage::inputs! {
     /// Tables to fit on.
     pub struct FitInput {
-        /// `ansur2.csv` (measured people), `made-bodies.csv` and `neck.csv` (what our program reads on made
-        /// bodies).
+        /// `ansur2.csv` (measured people), `made-bodies.csv`, `neck.csv` and `arms.csv` (what our program reads
+        /// on made bodies).
         tables: Arc<Files>,
     }
 }
@@ -42,7 +42,7 @@ const MADE: &str = "made-bodies.csv";
 
 impl Stage for FitLevels {
     const NAME: &'static str = "measure.fit_levels";
-    const VERSION: u32 = 2;
+    const VERSION: u32 = 3;
     const ABOUT: &'static str = "Fits the model of levels on measured people and made bodies, and says how it does on those left out.";
     type Params = ();
     type Input = FitInput;

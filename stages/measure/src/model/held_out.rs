@@ -44,10 +44,16 @@ impl HeldOut {
             tape_nine,
             coverage,
         } = self;
+        // Where no tape is taken there is no error of one.
+        let tapes = match tape_middle.is_finite() {
+            true => format!(
+                "tape_middle_percent = {tape_middle:.2}\ntape_nine_in_ten_percent = {tape_nine:.2}\n"
+            ),
+            false => String::new(),
+        };
         format!(
             "family = \"{family}\"\nlevel = \"{level}\"\nbodies = {bodies}\nbias_mm = {bias_mm:.1}\nmiddle_mm = {middle_mm:.1}\n\
-             nine_in_ten_mm = {nine_mm:.1}\ntape_middle_percent = {tape_middle:.2}\ntape_nine_in_ten_percent = {tape_nine:.2}\n\
-             coverage_of_90 = {coverage:.3}"
+             nine_in_ten_mm = {nine_mm:.1}\n{tapes}coverage_of_90 = {coverage:.3}"
         )
     }
 }

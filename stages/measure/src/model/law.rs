@@ -3,25 +3,62 @@
 
 use super::error::ModelError;
 use super::normal::{Normal, symmetric};
+use crate::features::limb::ArmSeen;
 use crate::features::neck::NeckFeatures;
 use nalgebra::{DMatrix, DVector};
 use serde::Deserialize;
 
-/// What a law tells.
+/// What a law tells, and by what. Places of an arm are ways along it from the wrist, shares of stature:
+/// `ByShoulder` where the line of a hanging arm shows the shoulder's outline, `Bent` where the elbow shows
+/// as a bend.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Place {
     /// How high the larynx is: along the neck's axis from its tightest section, in diameters of the neck.
     Larynx,
+    /// The acromion.
+    Acromion,
+    /// The acromion.
+    AcromionByShoulder,
+    /// The elbow's joint.
+    Elbow,
+    /// The elbow's joint.
+    ElbowBent,
+    /// Midway between acromion and the tip of the elbow.
+    UpperArm,
+    /// Midway between acromion and the tip of the elbow.
+    UpperArmByShoulder,
+    /// Midway between acromion and the tip of the elbow.
+    UpperArmBent,
+    /// Midway between acromion and the tip of the elbow.
+    UpperArmBentByShoulder,
 }
 
 impl Place {
     /// All of them, in the order of a model file.
-    pub const ALL: [Place; 1] = [Place::Larynx];
+    pub const ALL: [Place; 9] = [
+        Place::Larynx,
+        Place::Acromion,
+        Place::AcromionByShoulder,
+        Place::Elbow,
+        Place::ElbowBent,
+        Place::UpperArm,
+        Place::UpperArmByShoulder,
+        Place::UpperArmBent,
+        Place::UpperArmBentByShoulder,
+    ];
 
-    /// What a model file and its table call it.
+    /// What a model file calls it.
     pub fn name(self) -> &'static str {
         match self {
             Place::Larynx => "larynx",
+            Place::Acromion => "acromion",
+            Place::AcromionByShoulder => "acromion_by_shoulder",
+            Place::Elbow => "elbow",
+            Place::ElbowBent => "elbow_bent",
+            Place::UpperArm => "upper_arm",
+            Place::UpperArmByShoulder => "upper_arm_by_shoulder",
+            Place::UpperArmBent => "upper_arm_bent",
+            Place::UpperArmBentByShoulder => "upper_arm_bent_by_shoulder",
         }
     }
 
@@ -29,6 +66,12 @@ impl Place {
     pub fn features(self) -> &'static [&'static str] {
         match self {
             Place::Larynx => &NeckFeatures::NAMES,
+            Place::Acromion => ArmSeen::LINE,
+            Place::AcromionByShoulder => ArmSeen::LINE_SHOULDER,
+            Place::Elbow | Place::UpperArm => ArmSeen::LINE_TAPES,
+            Place::ElbowBent | Place::UpperArmBent => ArmSeen::LINE_BEND,
+            Place::UpperArmByShoulder => ArmSeen::LINE_TAPES_SHOULDER,
+            Place::UpperArmBentByShoulder => ArmSeen::LINE_BEND_SHOULDER,
         }
     }
 
@@ -36,13 +79,30 @@ impl Place {
     pub(crate) fn table(self) -> &'static str {
         match self {
             Place::Larynx => "neck.csv",
+            _ => "arms.csv",
         }
     }
 
-    /// Where the table's profile of tapes begins, and its step, in the law's unit.
-    pub(crate) fn profile(self) -> (f64, f64) {
+    /// The table's column of the true place.
+    pub(crate) fn column(self) -> &'static str {
         match self {
-            Place::Larynx => (-0.6, 0.05),
+            Place::Larynx => "larynx",
+            Place::Acromion | Place::AcromionByShoulder => "acromion",
+            Place::Elbow | Place::ElbowBent => "elbow",
+            Place::UpperArm
+            | Place::UpperArmByShoulder
+            | Place::UpperArmBent
+            | Place::UpperArmBentByShoulder => "upper_arm",
+        }
+    }
+
+    /// Where the table's profile of tapes begins, and its step, in the law's unit; `None` of a place where
+    /// no tape is taken.
+    pub(crate) fn profile(self) -> Option<(f64, f64)> {
+        match self.column() {
+            "larynx" => Some((-0.6, 0.05)),
+            "upper_arm" => Some((0.17, 0.01)),
+            _ => None,
         }
     }
 }

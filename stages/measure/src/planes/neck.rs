@@ -106,7 +106,7 @@ mod tests {
             .map(|f| column(&format!("f.{f}")))
             .into();
         let (truth, tapes) = (column("larynx"), table.starting_with("t").unwrap());
-        let (low, step) = Place::Larynx.profile();
+        let (low, step) = Place::Larynx.profile().unwrap();
         let tape = |row: usize, at: f64| {
             let k = ((at - low) / step).floor();
             let t = (at - low) / step - k;
