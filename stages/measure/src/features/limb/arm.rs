@@ -111,7 +111,6 @@ pub(crate) fn seen(cuts: &Cuts<'_>, limb: &mut Limb, body: &Body) -> Option<()> 
         over,
         over.map(|o| o * rise),
         bend.map(|b| share(b.s - w)),
-        bend.map(|b| b.angle.sin()),
     ];
     limb.bent = bend.map_or(0.0, |b| b.angle);
     limb.root_line = Some(Line {

@@ -25,8 +25,8 @@ impl ArmSeen {
     /// - `tape_1` to `tape_5`: girths 0.04, 0.08, 0.12, 0.16, 0.18 above the wrist.
     /// - `armpit`: way of the armpit's fold; `shoulder`: from there to where the line leaves the surface;
     ///   `shoulder_rise`: that times `rise`. All three for hanging arms only.
-    /// - `bend`, `bend_sine`: way of the bend, and the sine of its angle; for bent arms only.
-    pub const NAMES: [&'static str; 15] = [
+    /// - `bend`: way of the bend; for bent arms only.
+    pub const NAMES: [&'static str; 14] = [
         "clear",
         "rise",
         "inward",
@@ -41,7 +41,6 @@ impl ArmSeen {
         "shoulder",
         "shoulder_rise",
         "bend",
-        "bend_sine",
     ];
 
     /// The features of laws of arms: the upper arm's line, and what else is shown.
@@ -79,15 +78,8 @@ impl ArmSeen {
         "shoulder_rise",
     ];
     /// With the elbow's bend.
-    pub const LINE_BEND: &'static [&'static str] = &[
-        "clear",
-        "rise",
-        "inward",
-        "neck_up",
-        "neck_in",
-        "bend",
-        "bend_sine",
-    ];
+    pub const LINE_BEND: &'static [&'static str] =
+        &["clear", "rise", "inward", "neck_up", "neck_in", "bend"];
     /// With both.
     pub const LINE_BEND_SHOULDER: &'static [&'static str] = &[
         "clear",
@@ -96,7 +88,6 @@ impl ArmSeen {
         "neck_up",
         "neck_in",
         "bend",
-        "bend_sine",
         "armpit",
         "shoulder",
         "shoulder_rise",
