@@ -49,8 +49,8 @@ fn main() -> Result<(), Fault> {
 
 /// The rows of one body.
 fn body(path: &Path) -> Result<Vec<Vec<String>>, Fault> {
-    let made = read(path)?;
-    let mesh = Arc::new(made.mesh);
+    let mut made = read(path)?;
+    let mesh = Arc::new(std::mem::take(&mut made.mesh));
     let input = LandmarkInput {
         mesh: mesh.clone(),
         cameras: None,

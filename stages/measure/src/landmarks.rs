@@ -8,6 +8,7 @@ use crate::model::file::LevelModel;
 use crate::model::law::Place;
 use crate::model::predict::Cover;
 use crate::planes::custom::{OwnGirth, own};
+use crate::planes::joints::arm_joints;
 use crate::planes::limbs::parts;
 use crate::planes::place::{across_neck, arms, legs, trunk};
 use crate::planes::trunk::Trunk;
@@ -53,7 +54,7 @@ pub struct FindLandmarks;
 
 impl Stage for FindLandmarks {
     const NAME: &'static str = "measure.landmarks";
-    const VERSION: u32 = 20;
+    const VERSION: u32 = 21;
     const ABOUT: &'static str = "Finds neck, chest, waist, hip, arms and legs from marks on the outline: buttocks, hollow of the back, bust, shoulders, ears.";
     type Params = LandmarkParams;
     type Input = LandmarkInput;
@@ -105,7 +106,9 @@ impl Stage for FindLandmarks {
         let notch = model.law(Place::Notch);
         let word = across_neck(p.neck_lean_deg, mesh, &body, notch, &mut found);
         word.iter().for_each(|word| ctx.warn(*word));
-        let limbs = limbs(mesh, &body);
+        let mut limbs = limbs(mesh, &body);
+        let word = arm_joints(&mut limbs, &model);
+        word.iter().for_each(|word| ctx.warn(*word));
         arms(&limbs, &body, &mut found);
         legs(&limbs, &body, &mut found);
         own(&body, told.as_ref(), &limbs, &p.girth.0, &mut found)?;

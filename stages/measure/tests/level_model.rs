@@ -1,6 +1,6 @@
 //! The level model as a file: what it tells, what it says of strangers, and which files are refused.
 
-use measure::{Cover, Level, LevelModel, Reading, Readings};
+use measure::{Cover, Level, LevelModel, Place, Reading, Readings};
 
 /// A model of two populations over stature and buttock: waist = 0.3 + 0.68 buttock ± 0.006.
 fn text() -> String {
@@ -15,31 +15,45 @@ fn text() -> String {
     };
     format!(
         "format = 1\nreadings_version = {version}\nabout = \"test\"\nreadings = [\"ln_stature\", \"buttock\"]\nlevels = [\"waist\"]\n\
-         limit = [6.6, 9.2]\nreading_sigma = [0.001, 0.002]\nrepeat = [[0.0], [0.0, 0.000004]]\n{people}{made}\n{notch}\n[[table]]\nname = \"t\"\n[[held_out]]\nlevel = \"waist\"\n[end]\nheld_out = 1\n",
+         limit = [6.6, 9.2]\nreading_sigma = [0.001, 0.002]\nrepeat = [[0.0], [0.0, 0.000004]]\n{people}{made}\n{notch}{others}\n[[table]]\nname = \"t\"\n[[held_out]]\nlevel = \"waist\"\n[end]\nheld_out = 1\n",
         version = measure::READINGS_VERSION,
         people = population("people", "people", 0.0),
         made = population("made", "made", -0.1),
         notch = notch(),
+        others = others(),
     )
 }
 
-/// A law of the notch: 0.1 for each unit of `head`.
-fn notch() -> String {
+/// A law of a place: 0.1 for each unit of one feature.
+fn law(place: Place, told_by: usize) -> String {
+    let n = place.features().len();
     let row = |i: usize| {
         let mut row = vec![0.0; i + 1];
-        row[i] = if i < 4 { 0.01 } else { 0.0002 };
-        if i == 4 {
-            row[3] = 0.001;
+        row[i] = if i < n { 0.01 } else { 0.0002 };
+        if i == n {
+            row[told_by] = 0.001;
         }
         format!("{row:?}")
     };
-    let covariance: Vec<String> = (0..5).map(row).collect();
+    let covariance: Vec<String> = (0..=n).map(row).collect();
     format!(
-        "[[law]]\nplace = \"notch\"\nfeatures = {features:?}\nmean = {mean:?}\ncovariance = [{rows}]\nsigma = 0.06\nlimit = 21.7\n",
-        features = measure::Place::Notch.features(),
-        mean = [0.0; 5],
+        "[[law]]\nplace = \"{place}\"\nfeatures = {features:?}\nmean = {mean:?}\ncovariance = [{rows}]\nsigma = 0.06\nlimit = 21.7\n",
+        place = place.name(),
+        features = place.features(),
+        mean = vec![0.0; n + 1],
         rows = covariance.join(", "),
     )
+}
+
+/// A law of the notch, told by `head`.
+fn notch() -> String {
+    law(Place::Notch, 3)
+}
+
+/// Laws of all other places.
+fn others() -> String {
+    let all = Place::ALL.into_iter().filter(|p| *p != Place::Notch);
+    all.map(|place| law(place, 0)).collect()
 }
 
 fn read(text: &str) -> Result<LevelModel, String> {
@@ -103,17 +117,11 @@ fn a_place_is_told_by_its_law_and_repeats_only_where_the_file_says_how() {
     let model = read(&text()).unwrap();
     let mut features = [0.0; 4];
     features[3] = 0.3;
-    let told = model
-        .law(measure::Place::Notch)
-        .estimate(&features)
-        .unwrap();
+    let told = model.law(Place::Notch).estimate(&features).unwrap();
     proof::near(told.value, 0.03, 1e-9);
     assert_eq!((told.sigma, told.repeat, told.inside), (0.06, None, true));
     let shipped = LevelModel::built_in();
-    let told = shipped
-        .law(measure::Place::Notch)
-        .estimate(&features)
-        .unwrap();
+    let told = shipped.law(Place::Notch).estimate(&features).unwrap();
     assert!(told.repeat.unwrap() < told.sigma);
 }
 
@@ -145,7 +153,7 @@ fn files_that_are_no_model_are_refused_with_what_would_fit() {
     }
     let said = bad("place = \"notch\"", "place = \"chin\"");
     assert!(
-        said.contains("no law of `chin`; known laws: notch"),
+        said.contains("no law of `chin`; known laws: notch, acromion"),
         "{said}"
     );
     let said = bad("\"lean\"", "\"tilt\"");
@@ -156,7 +164,7 @@ fn files_that_are_no_model_are_refused_with_what_would_fit() {
     assert!(bad("sigma = 0.06", "sigma = nan").contains("positive `sigma`"));
     let twice = notch() + &notch();
     assert!(bad(&notch(), &twice).contains("not one law of `notch`"));
-    assert!(bad(&notch(), "").contains("missing field `law`"));
+    assert!(bad(&notch(), "").contains("not one law of `notch`"));
     // Cut short anywhere: never taken for a whole one.
     let more = good.replace("held_out = 1", "held_out = 12");
     assert!(read(&more).unwrap_err().contains("cut short: 1 of 12"));

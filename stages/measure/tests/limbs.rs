@@ -3,7 +3,7 @@
 mod made;
 
 use made::{built, measured};
-use measure::{Segment, body, limbs, share};
+use measure::{LevelModel, Segment, arm_joints, body, limbs, share};
 use nalgebra::{Point3, Vector3};
 use shape::{Girths, Mesh, Refusal, Solid, SolidPart};
 use synth::{contour, length, taut};
@@ -222,7 +222,8 @@ fn shares_of_a_bent_limb_lie_on_its_own_pieces() {
     let pose = POSES[4];
     let (mesh, low) = standing(&posed(pose), 12.0);
     let body = body(&mesh, 0.0).unwrap();
-    let limbs = limbs(&mesh, &body);
+    let mut limbs = limbs(&mesh, &body);
+    arm_joints(&mut limbs, &LevelModel::built_in());
     for side in [1.0, -1.0] {
         let to = |p: Vector3<f64>| Point3::new(side * p.x, p.y, p.z - low);
         let (arm, leg) = (arm_line(pose).map(to), leg_line(pose).map(to));

@@ -15,8 +15,8 @@ use std::sync::Arc;
 stage::inputs! {
     /// Tables to fit on.
     pub struct FitInput {
-        /// `ansur2.csv` (measured people), `made-bodies.csv` and `neck.csv` (what our program reads on made
-        /// bodies).
+        /// `ansur2.csv` (measured people), `made-bodies.csv`, `neck.csv` and `arms.csv` (what our program reads
+        /// on made bodies).
         tables: Arc<Files>,
     }
 }
@@ -43,7 +43,7 @@ const MADE: &str = "made-bodies.csv";
 
 impl Stage for FitLevels {
     const NAME: &'static str = "measure.fit_levels";
-    const VERSION: u32 = 3;
+    const VERSION: u32 = 4;
     const ABOUT: &'static str = "Fits the model of levels on measured people and made bodies, and says how it does on those left out.";
     type Params = ();
     type Input = FitInput;
@@ -73,8 +73,8 @@ impl Stage for FitLevels {
         for (law, rows) in &laws {
             let folds = folds(*law, rows).map_err(NoModel::from)?;
             held_out.extend(law_held_out(&folds));
-            match law {
-                Place::Notch => held_out.extend(larynx_held_out(&folds, &necks)),
+            if *law == Place::Notch {
+                held_out.extend(larynx_held_out(&folds, &necks));
             }
         }
         Ok(Document {

@@ -3,25 +3,62 @@
 
 use super::error::ModelError;
 use super::normal::{Normal, symmetric};
+use crate::features::limb::ArmSeen;
 use nalgebra::{DMatrix, DVector};
 use serde::Deserialize;
 
-/// What a law tells.
+/// What a law tells, and by what. Places of an arm are ways along it from the wrist, shares of stature:
+/// `ByShoulder` where the line of a hanging arm shows the shoulder's outline, `Bent` where the elbow shows
+/// as a bend.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Place {
     /// Where the notch of the breastbone (suprasternale) is: along the neck's axis from its tightest section,
     /// upward, in diameters of the neck.
     Notch,
+    /// The acromion.
+    Acromion,
+    /// The acromion.
+    AcromionByShoulder,
+    /// The elbow's joint.
+    Elbow,
+    /// The elbow's joint.
+    ElbowBent,
+    /// Midway between acromion and the tip of the elbow.
+    UpperArm,
+    /// Midway between acromion and the tip of the elbow.
+    UpperArmByShoulder,
+    /// Midway between acromion and the tip of the elbow.
+    UpperArmBent,
+    /// Midway between acromion and the tip of the elbow.
+    UpperArmBentByShoulder,
 }
 
 impl Place {
     /// All of them, in the order of a model file.
-    pub const ALL: [Place; 1] = [Place::Notch];
+    pub const ALL: [Place; 9] = [
+        Place::Notch,
+        Place::Acromion,
+        Place::AcromionByShoulder,
+        Place::Elbow,
+        Place::ElbowBent,
+        Place::UpperArm,
+        Place::UpperArmByShoulder,
+        Place::UpperArmBent,
+        Place::UpperArmBentByShoulder,
+    ];
 
-    /// What a model file and its table call it.
+    /// What a model file calls it.
     pub fn name(self) -> &'static str {
         match self {
             Place::Notch => "notch",
+            Place::Acromion => "acromion",
+            Place::AcromionByShoulder => "acromion_by_shoulder",
+            Place::Elbow => "elbow",
+            Place::ElbowBent => "elbow_bent",
+            Place::UpperArm => "upper_arm",
+            Place::UpperArmByShoulder => "upper_arm_by_shoulder",
+            Place::UpperArmBent => "upper_arm_bent",
+            Place::UpperArmBentByShoulder => "upper_arm_bent_by_shoulder",
         }
     }
 
@@ -29,6 +66,12 @@ impl Place {
     pub fn features(self) -> &'static [&'static str] {
         match self {
             Place::Notch => &["up", "low", "lean", "head"],
+            Place::Acromion => ArmSeen::LINE,
+            Place::AcromionByShoulder => ArmSeen::LINE_SHOULDER,
+            Place::Elbow | Place::UpperArm => ArmSeen::LINE_TAPES,
+            Place::ElbowBent | Place::UpperArmBent => ArmSeen::LINE_BEND,
+            Place::UpperArmByShoulder => ArmSeen::LINE_TAPES_SHOULDER,
+            Place::UpperArmBentByShoulder => ArmSeen::LINE_BEND_SHOULDER,
         }
     }
 
@@ -36,7 +79,27 @@ impl Place {
     pub(crate) fn table(self) -> &'static str {
         match self {
             Place::Notch => "neck.csv",
+            _ => "arms.csv",
         }
+    }
+
+    /// The table's column of the true place.
+    pub(crate) fn column(self) -> &'static str {
+        match self {
+            Place::Notch => "notch",
+            Place::Acromion | Place::AcromionByShoulder => "acromion",
+            Place::Elbow | Place::ElbowBent => "elbow",
+            Place::UpperArm
+            | Place::UpperArmByShoulder
+            | Place::UpperArmBent
+            | Place::UpperArmBentByShoulder => "upper_arm",
+        }
+    }
+
+    /// Where the table's tapes begin, and their step, in the law's unit; `None` of a place where no tape is
+    /// taken.
+    pub(crate) fn tapes(self) -> Option<(f64, f64)> {
+        (self.column() == "upper_arm").then_some((0.17, 0.01))
     }
 }
 
@@ -68,19 +131,17 @@ pub struct LawEstimate {
 }
 
 impl Law {
-    /// The place that features, in the order of [`Place::features`], tell. `None` if one is not finite. Features
-    /// beyond the limit are drawn back to it, toward the mean: no law is followed to where nobody was.
+    /// The place that features, in the order of [`Place::features`], tell. `None` if one is not finite.
     pub fn estimate(&self, features: &[f64]) -> Option<LawEstimate> {
         let observed: Vec<(usize, f64)> = features.iter().copied().enumerate().collect();
         let given = self.normal.given(&observed, features.len())?;
         let wider = (given.distance / self.limit).max(1.0).sqrt();
-        let mean = self.normal.mean[features.len()];
         let again = self.repeat.as_ref().map(|repeat| {
             let w = DVector::from_column_slice(&given.weights);
             (w.transpose() * repeat * &w)[(0, 0)].max(0.0).sqrt()
         });
         Some(LawEstimate {
-            value: mean + (given.mean - mean) / wider,
+            value: given.mean,
             sigma: self.sigma * wider,
             repeat: again,
             inside: given.distance <= self.limit,
@@ -171,7 +232,7 @@ mod tests {
         proof::near(near.sigma, 0.2, 1e-9);
         proof::near(near.repeat.unwrap(), 0.1, 1e-9);
         let far = law.estimate(&[6.0]).unwrap();
-        proof::near(far.value, 5.0, 1e-9);
+        proof::near(far.value, 13.0, 1e-9);
         proof::near(far.sigma, 0.6, 1e-9);
         assert!(near.inside && !far.inside);
         assert_eq!(law.estimate(&[f64::NAN]), None);

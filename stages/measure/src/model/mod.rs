@@ -16,4 +16,5 @@ pub(crate) mod normal;
 pub(crate) mod predict;
 pub(crate) mod samples;
 pub(crate) mod table;
+pub(crate) mod tapes;
 pub(crate) mod write;

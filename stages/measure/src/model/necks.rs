@@ -4,6 +4,7 @@ use super::held_out::{HeldOut, Miss, NINE_IN_TEN, summary};
 use super::larynx::larynx;
 use super::law_fit::Fold;
 use super::table::{Table, TableError};
+use super::tapes::Tapes;
 
 /// One row of `models/tables/neck.csv`; lengths are shares of the neck's diameter.
 #[derive(Debug, Clone)]
@@ -14,25 +15,12 @@ pub(crate) struct Neck {
     angle: Option<f64>,
     /// The neck's diameter. \[mm\]
     unit_mm: f64,
-    /// Tapes square to the axis, from [`PROFILE`] on.
-    tapes: Vec<Option<f64>>,
+    /// Tapes square to the axis.
+    pub tapes: Tapes,
 }
 
 /// Where the tapes begin, and their step.
-const PROFILE: (f64, f64) = (-0.6, 0.05);
-
-impl Neck {
-    /// Tape at an offset.
-    pub(crate) fn tape(&self, at: f64) -> Option<f64> {
-        let k = (at - PROFILE.0) / PROFILE.1;
-        let (below, t) = (k.floor(), k - k.floor());
-        if below < 0.0 {
-            return None;
-        }
-        let tape = |k: usize| self.tapes.get(k).copied().flatten();
-        Some(tape(below as usize)? * (1.0 - t) + tape(below as usize + 1)? * t)
-    }
-}
+const TAPES: (f64, f64) = (-0.6, 0.05);
 
 /// All rows.
 pub(crate) fn necks(table: &Table) -> Result<Vec<Neck>, TableError> {
@@ -43,7 +31,11 @@ pub(crate) fn necks(table: &Table) -> Result<Vec<Neck>, TableError> {
         larynx: truth[i],
         angle: angle[i],
         unit_mm: unit[i],
-        tapes: tapes.iter().map(|t| t[i]).collect(),
+        tapes: Tapes {
+            from: TAPES.0,
+            step: TAPES.1,
+            all: tapes.iter().map(|t| t[i]).collect(),
+        },
     };
     Ok((0..table.len()).map(one).collect())
 }
@@ -54,7 +46,7 @@ pub(crate) fn larynx_held_out(folds: &[Fold<'_>], necks: &[Neck]) -> Vec<HeldOut
         let (neck, sample) = (&necks[row], fold.out.iter().find(|s| s.row == row)?);
         let told = larynx(fold.law.estimate(&sample.features)?, neck.angle?);
         let off = told.value - neck.larynx?;
-        let tapes = neck.tape(told.value).zip(neck.tape(neck.larynx?));
+        let tapes = neck.tapes.at(told.value).zip(neck.tapes.at(neck.larynx?));
         Some(Miss {
             mm: off * neck.unit_mm,
             inside: off.abs() <= NINE_IN_TEN * told.sigma,

@@ -2,6 +2,7 @@
 
 use super::level::Level;
 use super::table::{Table, TableError};
+use super::tapes::Tapes;
 use crate::features::readings::{Reading, Readings};
 
 /// Measures of a body that tie what a surface shows to the levels of measured people: heights and
@@ -99,7 +100,7 @@ pub(crate) struct Made {
     pub levels: [Option<f64>; Level::ALL.len()],
     /// Tape around the trunk over height, both as shares of stature, from [`LOWEST`] on in steps of
     /// [`STEP`].
-    pub tapes: Vec<Option<f64>>,
+    pub tapes: Tapes,
 }
 
 /// Height of the first tape of a profile, as a share of stature.
@@ -112,16 +113,7 @@ pub(crate) const TAPES: usize = 71;
 impl Made {
     /// Tape around the trunk at a height, both as shares of stature.
     pub(crate) fn tape(&self, share: f64) -> Option<f64> {
-        let at = (share - LOWEST) / STEP;
-        let (low, t) = (at.floor(), at - at.floor());
-        if low < 0.0 {
-            return None;
-        }
-        let (a, b) = (
-            self.tapes.get(low as usize)?,
-            self.tapes.get(low as usize + 1)?,
-        );
-        Some((*a)? * (1.0 - t) + (*b)? * t)
+        self.tapes.at(share)
     }
 }
 
@@ -176,7 +168,11 @@ pub(crate) fn made(table: &Table) -> Result<Vec<Made>, TableError> {
             }),
             anatomy: std::array::from_fn(|k| anatomy[k][i]),
             levels: std::array::from_fn(|k| levels[k][i]),
-            tapes: tapes.iter().map(|t| t[i]).collect(),
+            tapes: Tapes {
+                from: LOWEST,
+                step: STEP,
+                all: tapes.iter().map(|t| t[i]).collect(),
+            },
         }
     };
     Ok((0..table.len()).map(one).collect())

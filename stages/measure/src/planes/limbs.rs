@@ -58,8 +58,12 @@ pub(crate) fn upper_arm(limbs: &Limbs<'_>, stature: f64, side: f64) -> Result<Pl
     if arm.clear_to() < arm.middle.s + CLEAR * stature {
         return Err(Refusal::Fused);
     }
-    let (plane, sigma) = arm.amid_upper_arm(stature).ok_or(Refusal::NoLimb)?;
-    Ok((plane, sure(sigma)))
+    let (plane, amid) = arm.amid_upper_arm().ok_or(Refusal::NoLimb)?;
+    let sigma = PlaneSigma {
+        repeat_mm: amid.again,
+        ..sure(amid.sigma)
+    };
+    Ok((plane, sigma))
 }
 
 /// A ring of one leg, level or square to its line, and the plane it lies in.

@@ -117,7 +117,7 @@ mod tests {
             let read: Option<Vec<f64>> = read.collect();
             let told = model.law(Place::Notch).estimate(&read?)?;
             let told = larynx(told, of(row, "angle")?).value;
-            let tape = |at: f64| necks[row].tape(at);
+            let tape = |at: f64| necks[row].tapes.at(at);
             Some((tape(told)? / tape(necks[row].larynx?)? - 1.0).abs())
         };
         let long = |row: &usize| {

@@ -81,6 +81,34 @@ pub(crate) fn bend(knots: &[Knot], least: f64, round: f64) -> Option<Bend> {
     Some(Bend { s, angle })
 }
 
+/// The bend of a line that is straight but for one place in a range, at least `least` from its ends, by
+/// least squares; `None` where no such place is. \[mm\]
+pub(crate) fn hinge(knots: &[Knot], range: std::ops::Range<f64>, least: f64) -> Option<Bend> {
+    let (low, high) = (knots.first()?.s + least, knots.last()?.s - least);
+    let fit = |at: f64| {
+        let row = |k: &Knot| Vector3::new(1.0, k.s - at, (k.s - at).max(0.0));
+        let (mut normal, mut right) = (Matrix3::zeros(), Matrix3::zeros());
+        for k in knots {
+            normal += row(k) * row(k).transpose();
+            right += row(k) * k.centre.coords.transpose();
+        }
+        let solved = normal.cholesky()?.solve(&right);
+        let off =
+            |k: &Knot| (row(k).transpose() * solved - k.centre.coords.transpose()).norm_squared();
+        let below: Vector3<f64> = solved.row(1).transpose();
+        let above: Vector3<f64> = below + solved.row(2).transpose();
+        let bend = Bend {
+            s: at,
+            angle: below.angle(&above),
+        };
+        Some((knots.iter().map(off).sum::<f64>(), bend))
+    };
+    let places = knots.iter().map(|k| k.s);
+    let places = places.filter(|s| range.contains(s) && (low..=high).contains(s));
+    let best = places.filter_map(fit).min_by(|a, b| a.0.total_cmp(&b.0))?;
+    Some(best.1)
+}
+
 /// Amid the points of two lines that are nearest to each other. `None` for all but parallel ones.
 fn meeting(a: &Line, b: &Line) -> Option<Point3<f64>> {
     let (off, cos) = (b.point - a.point, a.along.dot(&b.along));
@@ -156,6 +184,18 @@ mod tests {
             proof::near(found.angle.to_degrees(), degrees, 0.1);
         }
         assert!(bend(&bent(0.0), 60.0, 15.0).is_none());
+    }
+
+    #[test]
+    fn a_hinge_is_found_in_its_range_alone() {
+        for degrees in [5.0f64, 20.0, 80.0] {
+            let found = hinge(&bent(degrees.to_radians()), 150.0..350.0, 40.0).unwrap();
+            proof::near(found.s, 250.0, 8.0);
+            proof::near(found.angle.to_degrees(), degrees, 1.0);
+        }
+        let found = hinge(&bent(0.5), 50.0..200.0, 40.0).unwrap();
+        assert!((50.0..200.0).contains(&found.s));
+        assert!(hinge(&bent(0.5), 440.0..500.0, 40.0).is_none());
     }
 
     #[test]

@@ -2,7 +2,7 @@
 
 use crate::features::limb::arm::narrowest;
 use crate::features::limb::bend::{Told, bend, line, places};
-use crate::features::limb::{Joint, Limb};
+use crate::features::limb::one::{Joint, Limb};
 
 /// Height of the middle of the kneecap against the crotch's, of 6068 men and women (ANSUR II, 2012).
 const KNEE: (f64, f64) = (0.576, 0.014);
@@ -86,15 +86,18 @@ pub(crate) fn joints(limb: &mut Limb, ground: f64, stature: f64) -> Option<()> {
     limb.end = Joint {
         s: a - UNDER * stature,
         sigma: 0.008 * stature,
+        again: None,
     };
     limb.middle = Joint {
         s: knee,
         sigma: cov[0].sqrt(),
+        again: None,
     };
     let c = crotch - sole;
     limb.root = Joint {
         s: sole + HIP.0 * c,
         sigma: (HIP.0 * cov[2].sqrt()).hypot(HIP.1 * c),
+        again: None,
     };
     limb.shared = HIP.0 * cov[1];
     limb.crotch = crotch;
