@@ -31,6 +31,9 @@ pub fn text(stage: &dyn AnyStage) -> String {
             let _ = writeln!(text, "    in [{}.NAME] {}", param.name, line(field));
         }
     }
+    if !stage.metrics().is_empty() {
+        let _ = writeln!(text, "  tells {}", stage.metrics().join(", "));
+    }
     text + "\n"
 }
 
@@ -58,6 +61,7 @@ pub fn json(stage: &dyn AnyStage) -> Value {
         "name": stage.name(), "version": stage.version(), "about": stage.about(),
         "makes": stage.yields(),
         "ports": stage.ports().iter().map(port).collect::<Vec<_>>(),
+        "metrics": stage.metrics(),
         "params": stage.params().iter().map(param).collect::<Vec<_>>(),
     })
 }

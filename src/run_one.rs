@@ -5,7 +5,7 @@ use crate::key::{self, Digest};
 use crate::memory::Memory;
 use crate::store::{Claim, Record, Store};
 use crate::walk::{Done, Fate, Job, Watch};
-use stage::{AnyArtifact, Ctx, Hash, Host, Metric, Stop};
+use stage::{AnyArtifact, AnyStage, Ctx, Hash, Host, Metric, Stop};
 use std::panic::AssertUnwindSafe;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Mutex, OnceLock};
@@ -58,6 +58,7 @@ impl Surroundings<'_> {
 struct Hosting<'a> {
     around: &'a Surroundings<'a>,
     node: &'a str,
+    stage: &'static dyn AnyStage,
     metrics: Mutex<Vec<Metric>>,
     warnings: Mutex<Vec<String>>,
 }
@@ -70,6 +71,12 @@ impl Host for Hosting<'_> {
         self.around.watch.progress(self.node, label, done, of);
     }
     fn metric(&self, metric: Metric) {
+        debug_assert!(
+            stage::tells(self.stage.metrics(), &metric.name),
+            "{} tells `{}`, which its METRICS do not name",
+            self.stage.name(),
+            metric.name
+        );
         self.metrics.lock().expect("bug: poisoned").push(metric);
     }
     fn warn(&self, text: &str) {
@@ -162,6 +169,7 @@ fn make(
     let host = Hosting {
         around,
         node: &bound.name,
+        stage: bound.stage,
         metrics,
         warnings,
     };

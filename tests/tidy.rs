@@ -137,7 +137,7 @@ fn every_case_of_the_engine_has_a_test_that_is_there() {
     let root = Path::new(env!("CARGO_MANIFEST_DIR"));
     let table = std::fs::read_to_string(root.join("docs/engine.md")).unwrap();
     let rows: Vec<&str> = table.lines().filter(|l| l.starts_with("| T")).collect();
-    assert_eq!(rows.len(), 39, "T1 to T18 and T21 to T41");
+    assert_eq!(rows.len(), 40, "T1 to T18 and T21 to T42");
     let sources = sources();
     for row in rows {
         let mut tests = row.split('`').skip(1).step_by(2).peekable();
@@ -150,4 +150,34 @@ fn every_case_of_the_engine_has_a_test_that_is_there() {
             );
         }
     }
+}
+
+/// The names of metrics that a file of a room tells, as they stand there.
+fn metrics_told(text: &str) -> Vec<&str> {
+    let calls = text.split(".metric(").skip(1);
+    let first = calls.map(|call| call.trim_start().trim_start_matches("&format!("));
+    let literal = first.filter_map(|call| call.strip_prefix('"')?.split('"').next());
+    literal.collect()
+}
+
+#[test]
+fn every_metric_that_a_stage_tells_is_declared() {
+    let mut count = 0;
+    let sources = sources();
+    let rooms = sources
+        .iter()
+        .filter(|(path, _)| path.starts_with("stages") && !path.starts_with("stages/stage"));
+    for (path, text) in rooms {
+        let declared = text.split("const METRICS").nth(1).unwrap_or_default();
+        let declared: Vec<&str> = declared.split(';').next().unwrap().split('"').collect();
+        for name in metrics_told(text) {
+            let fits = match name.contains('{') {
+                true => declared.iter().any(|d| d.contains('*')),
+                false => declared.contains(&name),
+            };
+            assert!(fits, "{}: METRICS do not name `{name}`", path.display());
+            count += 1;
+        }
+    }
+    assert!(count > 40, "only {count} metrics were found");
 }

@@ -188,6 +188,7 @@ fn checked(
             node(base, of)?;
         }
     }
+    tellable(args, asked, at)?;
     // Each row of each axis alone: a param or a value that cannot be is told before anything runs.
     let mut told = Vec::new();
     for axis in &asked.points.axes {
@@ -211,6 +212,34 @@ fn checked(
         true => Ok(()),
         false => Err(Fault::input(told.join("\n"))),
     }
+}
+
+/// Whether what `--tell` asks for can be told at all; what the file asks for was looked at with it.
+fn tellable(
+    args: &SweepArgs,
+    asked: &Asked,
+    at: &dyn Fn(&Point) -> Result<Graph, Mistakes>,
+) -> Result<(), Fault> {
+    let point = |variant: &Option<String>| Point {
+        variant: variant.clone(),
+        values: vec![],
+    };
+    let graphs = asked.points.variants.iter().map(|v| at(&point(v)));
+    let graphs: Vec<Graph> = graphs.collect::<Result<_, _>>().map_err(Fault::mistakes)?;
+    for tell in &args.tell {
+        let (node, metric) = tell.split_once('.').unwrap_or((tell, ""));
+        let what = graphs.iter().map(|graph| {
+            let bound = &graph.nodes[graph.node(node)?];
+            let params = graph.nodes.iter().flat_map(|n| &n.params.values);
+            let declared = sweep::entries(params.map(|(_, value)| value));
+            sweep::untellable(node, bound.stage, metric, &declared)
+        });
+        // It is enough that one variant tells it, or leaves the node out.
+        if let Some(what) = what.collect::<Option<Vec<String>>>() {
+            return Err(Fault::input(format!("`--tell {tell}`: {}", what[0])));
+        }
+    }
+    Ok(())
 }
 
 /// Prints and writes what came out; a point without a result is a failure, a stop is a stop.

@@ -9,6 +9,7 @@ mod mistake;
 mod plain;
 mod read;
 mod sections;
+mod sweep_check;
 mod sweeps;
 mod tree;
 mod variant;
@@ -198,7 +199,12 @@ pub fn open_text(
         mistakes.extend(wrong);
         Cow::Borrowed(&recipe)
     });
-    mistakes.extend(sweeps::check(&recipe, find).err().into_iter().flatten());
+    mistakes.extend(
+        sweep_check::check(&recipe, find)
+            .err()
+            .into_iter()
+            .flatten(),
+    );
     let strict = overrides.variant.is_none() && mistakes.is_empty();
     match bind(&varied, find, strict) {
         Ok(mut graph) if mistakes.is_empty() => {

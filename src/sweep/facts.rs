@@ -1,6 +1,6 @@
 //! Numbers that an artifact tells of itself, beside the metrics that its stage gave.
 
-use shape::{Girths, Mesh, Textured, Unit};
+use shape::{GirthId, Girths, Mesh, Side, Textured, Unit};
 use stage::{AnyArtifact, Metric};
 
 /// What there is to tell: girths along the contour and by tape, a surface's volume, area and size.
@@ -11,6 +11,27 @@ pub fn facts(artifact: AnyArtifact) -> Vec<Metric> {
         "textured" => artifact
             .downcast::<Textured>()
             .map_or(vec![], |t| mesh(&t.mesh)),
+        _ => vec![],
+    }
+}
+
+/// The names of all that [`facts`] may tell of a kind; `declared` are the entries of the pipeline's
+/// sections, among which are the girths of the user's own.
+pub(super) fn names(kind: &str, declared: &[String]) -> Vec<String> {
+    match kind {
+        "girths" => {
+            let own = declared.iter().flat_map(|name| {
+                let sides = Side::BOTH.map(|side| format!("{name}{}", side.suffix()));
+                std::iter::once(name.clone()).chain(sides)
+            });
+            let girths = GirthId::all().map(GirthId::name).chain(own);
+            let all = girths.flat_map(|n| [n.clone(), format!("{n}.tape"), format!("{n}.width")]);
+            let beside = ["stature", "volume"].into_iter().chain(Girths::RATIOS);
+            all.chain(beside.map(String::from)).collect()
+        }
+        "mesh" | "textured" => ["volume", "area", "faces", "vertices"]
+            .map(String::from)
+            .to_vec(),
         _ => vec![],
     }
 }

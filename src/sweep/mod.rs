@@ -21,6 +21,7 @@ mod page;
 mod points;
 mod run;
 mod table;
+mod tells;
 
 pub use axes::{Axis, AxisError};
 pub use facts::facts;
@@ -29,3 +30,5 @@ pub use page::page;
 pub use points::{Point, Points};
 pub use run::{End, Row, Sweeping, run};
 pub use table::{csv, json, text};
+pub(crate) use tells::entries;
+pub use tells::untellable;

@@ -2,6 +2,7 @@
 
 use super::busy::Busy;
 use super::points::Point;
+use super::tells::BESIDE;
 use super::{errors::errors, facts::facts};
 use crate::engine::{self, EngineError, Options, Outcome};
 use crate::graph::{Graph, Source};
@@ -204,11 +205,8 @@ fn told(
         let Some(done) = &outcome.nodes[node] else {
             return vec![];
         };
-        let beside = [
-            ("seconds", done.seconds, "s"),
-            ("bytes", done.bytes as f64, "B"),
-        ];
-        let beside = beside.map(|(name, value, unit)| Metric {
+        let beside = BESIDE.into_iter().zip([done.seconds, done.bytes as f64]);
+        let beside = beside.map(|((name, unit), value)| Metric {
             name: name.into(),
             value,
             unit: unit.into(),

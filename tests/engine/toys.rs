@@ -108,6 +108,7 @@ impl Stage for Big {
     type Params = Number;
     type Input = FromDocument;
     type Output = Document;
+    const METRICS: &'static [&'static str] = &["beside"];
     fn memory(_: &Number, _: &FromDocument) -> u64 {
         u64::MAX
     }
@@ -147,6 +148,7 @@ impl Stage for Parts {
     type Params = Number;
     type Input = FromFiles;
     type Output = Document;
+    const METRICS: &'static [&'static str] = &["files", "steps"];
     fn run(p: &Number, input: FromFiles, ctx: &Ctx<'_>) -> Result<Document, Stop> {
         let (mut files, mut text) = (0, String::new());
         for entry in &input.files.entries {

@@ -70,6 +70,16 @@ fn mistakes_of_a_sweep_are_told_with_their_places() {
             3,
             "there is no node `fin`",
         ),
+        (
+            "over.mid = { n = [1] }\ntell = [\"mid.seconds\",\n\"mid.tenfolt\"]",
+            4,
+            "`mid` (toy.add) tells no `tenfolt`; did you mean `tenfold`? it tells: tenfold, seconds, bytes",
+        ),
+        (
+            "with = [\"double\", \"triple\"]\ntell = \"src.tenfold\"",
+            3,
+            "`src` (toy.read) tells no `tenfold`; it tells: seconds, bytes",
+        ),
         ("over.mid = { n = [1] }\nzip = [\"mid.m\"]", 3, "`mid.m`"),
         ("about = \"?\"", 1, "needs `over`"),
         ("over.mid = { n = [] }", 2, "takes no value"),
@@ -145,6 +155,21 @@ fn a_sweep_that_cannot_be_is_refused_before_anything_runs() {
                 "error.WC",
             ],
             "say --truth",
+        ),
+        (
+            &[
+                "sweep",
+                body,
+                "--sweep",
+                "hull.voxel_mm=2",
+                "--tell",
+                "hull.volum",
+            ],
+            "`--tell hull.volum`: `hull` (hull.carve) tells no `volum`; did you mean `volume`?",
+        ),
+        (
+            &["sweep", body, "cells", "--tell", "girths.WC.tapes"],
+            "`--tell girths.WC.tapes`: `girths` (measure.girths) tells no `WC.tapes`; did you mean `WC.tape`?",
         ),
         (&huge, "998000 points"),
         (&huge, "say --yes"),

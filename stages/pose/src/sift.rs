@@ -51,6 +51,7 @@ impl Stage for Sift {
     type Params = SiftParams;
     type Input = SiftInput;
     type Output = Keypoints;
+    const METRICS: &'static [&'static str] = &["features a photo"];
 
     fn run(p: &SiftParams, input: SiftInput, ctx: &Ctx<'_>) -> Result<Keypoints, Stop> {
         if input.photos.rig.mat.is_some() && !p.beside_mat {

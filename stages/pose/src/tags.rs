@@ -43,6 +43,7 @@ impl Stage for FindTags {
     type Params = TagsParams;
     type Input = TagsInput;
     type Output = Tags;
+    const METRICS: &'static [&'static str] = &["tags a photo"];
 
     fn run(p: &TagsParams, input: TagsInput, ctx: &Ctx<'_>) -> Result<Tags, Stop> {
         if input.photos.rig.mat.is_none() {

@@ -60,6 +60,8 @@ impl Stage for Follow {
     type Params = TracksParams;
     type Input = TracksInput;
     type Output = Tracks;
+    const METRICS: &'static [&'static str] =
+        &["matches a pair", "left out as standing still", "tracks"];
 
     fn run(p: &TracksParams, input: TracksInput, ctx: &Ctx<'_>) -> Result<Tracks, Stop> {
         let views: Vec<(PhotoId, &Features)> = input.keypoints.views.iter().collect();

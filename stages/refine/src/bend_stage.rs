@@ -75,6 +75,7 @@ impl Stage for Bend {
     type Params = BendParams;
     type Input = BendInput;
     type Output = Warps;
+    const METRICS: &'static [&'static str] = &["bending"];
 
     fn run(p: &BendParams, input: BendInput, ctx: &Ctx<'_>) -> Result<Warps, Stop> {
         check(&input.mesh)?;

@@ -95,6 +95,8 @@ impl Stage for Evolve {
     type Params = EvolveParams;
     type Input = EvolveInput;
     type Output = Mesh;
+    const METRICS: &'static [&'static str] =
+        &["consistency before", "consistency", "seen twice", "faces"];
 
     fn run(p: &EvolveParams, input: EvolveInput, ctx: &Ctx<'_>) -> Result<Mesh, Stop> {
         check(&input.mesh)?;

@@ -107,6 +107,13 @@ impl Stage for Settle {
     type Params = SettleParams;
     type Input = SettleInput;
     type Output = Mesh;
+    const METRICS: &'static [&'static str] = &[
+        "consistency",
+        "seen twice",
+        "rim gap",
+        "crossing faces",
+        "faces",
+    ];
 
     fn run(p: &SettleParams, input: SettleInput, ctx: &Ctx<'_>) -> Result<Mesh, Stop> {
         check(&input.mesh)?;

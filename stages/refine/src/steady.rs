@@ -76,6 +76,7 @@ impl Stage for Steady {
     type Params = SteadyParams;
     type Input = SteadyInput;
     type Output = Cameras;
+    const METRICS: &'static [&'static str] = &["sway at the chest", "greatest sway", "last change"];
 
     fn run(p: &SteadyParams, input: SteadyInput, ctx: &Ctx<'_>) -> Result<Cameras, Stop> {
         check(&input.mesh)?;

@@ -51,6 +51,8 @@ impl Stage for Texture {
     type Params = TextureParams;
     type Input = TextureInput;
     type Output = Textured;
+    const METRICS: &'static [&'static str] =
+        &["charts", "faces that no photo shows", "atlas against photo"];
 
     fn run(p: &TextureParams, input: TextureInput, ctx: &Ctx<'_>) -> Result<Textured, Stop> {
         let mesh = Mesh {
