@@ -59,29 +59,17 @@ pub fn differ(a: &Side, b: &Side) -> Difference {
 
 /// Lines of the story that differ, without the contents of ports: those follow from others.
 fn changes(a: &NodeRun, b: &NodeRun) -> Vec<Change> {
-    let own = |n: &NodeRun| -> Vec<(String, String)> {
-        let line = |(what, value): &(String, String)| {
-            let port = what.starts_with("from ");
-            // Whether a port is wired is said; what flows through it is not.
-            match port {
-                true => (
-                    what.clone(),
-                    if value == "nothing" {
-                        "nothing"
-                    } else {
-                        "something"
-                    }
-                    .into(),
-                ),
-                false => (what.clone(), value.clone()),
-            }
-        };
-        n.story.iter().map(line).collect()
-    };
-    let (old, new) = (own(a), own(b));
-    let find = |lines: &[(String, String)], what: &str| {
-        let line = lines.iter().find(|(w, _)| w == what);
-        line.map_or("nothing".to_owned(), |(_, v)| v.clone())
+    // Whether a port is wired is said; what flows through it is not.
+    fn line<'a>((what, value): (&'a str, &'a str)) -> (&'a str, &'a str) {
+        match what.starts_with("from ") && value != "nothing" {
+            true => (what, "something"),
+            false => (what, value),
+        }
+    }
+    let [old, new] = [a, b].map(|node| node.story.lines().map(line).collect::<Vec<_>>());
+    let find = |lines: &[(&str, &str)], what: &str| {
+        let line = lines.iter().find(|(w, _)| *w == what);
+        line.map_or("nothing", |(_, v)| v).to_owned()
     };
     let names = old
         .iter()

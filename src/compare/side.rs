@@ -1,6 +1,7 @@
 //! One side: what ran, the girths and the surface that came out.
 
 use super::girths::{Told, told};
+use super::story::Story;
 use super::views::{self, Views};
 use crate::store::Store;
 use serde::Deserialize;
@@ -23,7 +24,7 @@ pub struct NodeRun {
     pub content: Option<String>,
     /// What its result depends on, line by line.
     #[serde(default)]
-    pub story: Vec<(String, String)>,
+    pub story: Story,
     /// How long it took: now, or when it was made. \[s\]
     pub seconds: f64,
     /// Size of its result. \[bytes\]
@@ -131,7 +132,11 @@ impl Side {
         let last = |kind: &str| nodes.iter().rev().find(|n| yields(n, kind));
         let measured = last("girths");
         let mesh = measured.and_then(|g| {
-            let reads = |n: &&NodeRun| g.story.iter().any(|(_, v)| Some(v) == n.content.as_ref());
+            let reads = |n: &&NodeRun| {
+                g.story
+                    .lines()
+                    .any(|(_, v)| Some(v) == n.content.as_deref())
+            };
             nodes.iter().rev().filter(|n| yields(n, "mesh")).find(reads)
         });
         let read = |node: Option<&NodeRun>, what| -> Result<Option<AnyArtifact>, SideError> {

@@ -62,7 +62,7 @@ impl Store {
     /// Looks at the blobs of all entries on several threads, ahead of a walk of so many nodes
     /// that is going to ask for most of them.
     pub(crate) fn look_around(&self, nodes: usize) {
-        let mut index = self.index.lock().expect("bug: poisoned");
+        let mut index = self.index();
         index.look_around(&self.root, nodes);
     }
 }

@@ -191,7 +191,7 @@ impl Store {
     /// that is there but corrupt is a miss.
     pub fn found(&self, key: Hash) -> Option<Found> {
         let known = {
-            let mut index = self.index.lock().expect("bug: poisoned");
+            let mut index = self.index();
             let entry = index.entries.get_mut(key.as_bytes());
             entry.map(|e| (e.seen.take(), e.clone()))
         };
@@ -227,7 +227,7 @@ impl Store {
             notes: notes(record),
             seen: None,
         };
-        let mut index = self.index.lock().expect("bug: poisoned");
+        let mut index = self.index();
         index.entries.insert(*key.as_bytes(), entry);
         index.fresh = true;
     }
@@ -243,7 +243,7 @@ impl Store {
     /// Best effort: without an index the next run reads more.
     pub fn save_index(&self) {
         let path = self.root().join("index");
-        let mut index = self.index.lock().expect("bug: poisoned");
+        let mut index = self.index();
         if !std::mem::replace(&mut index.fresh, false) {
             return;
         }

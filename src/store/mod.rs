@@ -44,14 +44,15 @@ use index::Index;
 
 use stage::Hash;
 use std::path::{Path, PathBuf};
-use std::sync::Mutex;
+use std::sync::{Mutex, MutexGuard, OnceLock};
 
 const FORMAT: &str = "tailor store 1\n";
 
 /// A store on disk.
 pub struct Store {
     root: PathBuf,
-    index: Mutex<Index>,
+    /// Read when somebody asks it first.
+    index: OnceLock<Mutex<Index>>,
 }
 
 /// A store that cannot be used.
@@ -95,18 +96,18 @@ pub enum StoreError {
 impl Store {
     /// Opens a store; makes it if there is none.
     pub fn open(root: &Path) -> Result<Store, StoreError> {
-        Store::with(root, Index::load(&root.join("index")))
+        Store::with(root, OnceLock::new())
     }
 
     /// As [`Store::open`], with what was read ahead of it.
     pub fn open_after(root: &Path, ahead: Ahead) -> Result<Store, StoreError> {
-        Store::with(root, ahead.index())
+        Store::with(root, Mutex::new(ahead.index()).into())
     }
 
-    fn with(root: &Path, index: Index) -> Result<Store, StoreError> {
+    fn with(root: &Path, index: OnceLock<Mutex<Index>>) -> Result<Store, StoreError> {
         let store = Store {
             root: root.to_owned(),
-            index: Mutex::new(index),
+            index,
         };
         let mark = root.join("format");
         let found = std::fs::read(&mark).unwrap_or_default();
@@ -130,6 +131,11 @@ impl Store {
         files::folder(root)?;
         files::publish(&store.fresh(), &mark, FORMAT.as_bytes(), Care::Cheap)?;
         Ok(store)
+    }
+
+    fn index(&self) -> MutexGuard<'_, Index> {
+        let load = || Mutex::new(Index::load(&self.root.join("index")));
+        self.index.get_or_init(load).lock().expect("bug: poisoned")
     }
 
     /// Where it lies.
