@@ -141,7 +141,10 @@ pub(crate) fn run_one(
         Ok(artifacts) => artifacts,
         Err(gone) => return Step::Gone(gone),
     };
-    let needs = bound.stage.memory(&bound.params, &artifacts);
+    let needs = around
+        .pool
+        .get()
+        .install(|| bound.stage.memory(&bound.params, &artifacts));
     let _share = around.pool.memory.take(needs, &|| around.cancelled());
     around.watch.started(&bound.name);
     let (done, artifact) = make(bound, key, story, artifacts, around);

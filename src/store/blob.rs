@@ -19,13 +19,12 @@ impl Store {
     /// are not written again. \[s\]
     pub fn keep(&self, bytes: &[u8], seconds: f64) -> Result<Hash, StoreError> {
         let hash = blake3::hash(bytes);
-        if self.blob(hash).is_none() {
-            files::publish(
-                &self.fresh(),
-                &self.place("cas", hash),
-                bytes,
-                Care::worth(seconds),
-            )?;
+        let (path, care) = (self.place("cas", hash), Care::worth(seconds));
+        match (self.blob(hash).is_some(), care) {
+            (false, care) => files::publish(self.disk(), &self.fresh(), &path, bytes, care)?,
+            // Somebody who took less time may have made it, and left it to the system.
+            (true, Care::Durable) => files::secure(self.disk(), &path)?,
+            (true, Care::Cheap) => {}
         }
         Ok(hash)
     }

@@ -1,9 +1,9 @@
 //! Files that are whole or not there, for the owner only.
 
 use super::StoreError;
-use std::fs::{self, File, OpenOptions};
-use std::io::{ErrorKind, Write};
-use std::os::unix::fs::{DirBuilderExt, OpenOptionsExt};
+use super::disk::Disk;
+use std::fs::File;
+use std::io::{ErrorKind, Result};
 use std::path::Path;
 
 /// Whether a file must outlive a loss of power. A file that need not is found torn or missing
@@ -11,7 +11,7 @@ use std::path::Path;
 /// it for what took a hundred times as long, so that the engine stays below a hundredth.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Care {
-    /// Synced before it gets its name.
+    /// Synced before it gets its name, and the names down to it after.
     Durable,
     /// Left to the system.
     Cheap,
@@ -28,7 +28,7 @@ impl Care {
     }
 }
 
-fn disk(path: &Path) -> impl FnOnce(std::io::Error) -> StoreError + '_ {
+fn told(path: &Path) -> impl FnOnce(std::io::Error) -> StoreError + '_ {
     move |why| StoreError::Disk {
         path: path.into(),
         why,
@@ -36,59 +36,85 @@ fn disk(path: &Path) -> impl FnOnce(std::io::Error) -> StoreError + '_ {
 }
 
 /// Makes a folder with all above it, mode 0700.
-pub(super) fn folder(path: &Path) -> Result<(), StoreError> {
-    if path.is_dir() {
+pub(super) fn folder(disk: &dyn Disk, path: &Path) -> std::result::Result<(), StoreError> {
+    made(disk, path).map_err(told(path))
+}
+
+fn made(disk: &dyn Disk, path: &Path) -> Result<()> {
+    if path.is_dir() || path.as_os_str().is_empty() {
         return Ok(());
     }
-    fs::DirBuilder::new()
-        .recursive(true)
-        .mode(0o700)
-        .create(path)
-        .map_err(disk(path))
+    path.parent().map_or(Ok(()), |above| made(disk, above))?;
+    disk.folder(path)
 }
 
-/// Makes the folder that a file is to lie in, mode 0700.
-fn above(path: &Path) -> std::io::Result<()> {
-    let mut make = fs::DirBuilder::new();
-    let make = make.recursive(true).mode(0o700);
-    path.parent().map_or(Ok(()), |folder| make.create(folder))
+fn above(disk: &dyn Disk, path: &Path) -> Result<()> {
+    path.parent().map_or(Ok(()), |folder| made(disk, folder))
 }
 
-/// Writes a file under another name and renames it: whole or not at all. Mode 0600.
-pub(super) fn publish(tmp: &Path, path: &Path, bytes: &[u8], care: Care) -> Result<(), StoreError> {
+/// A file to be written; the folder that it is to lie in is made when it is missed, which is rare.
+fn create(disk: &dyn Disk, path: &Path) -> Result<File> {
+    match disk.create(path) {
+        Err(error) if error.kind() == ErrorKind::NotFound => {
+            above(disk, path)?;
+            disk.create(path)
+        }
+        created => created,
+    }
+}
+
+fn rename(disk: &dyn Disk, from: &Path, to: &Path) -> Result<()> {
+    match disk.rename(from, to) {
+        Err(error) if error.kind() == ErrorKind::NotFound => {
+            above(disk, to)?;
+            disk.rename(from, to)
+        }
+        renamed => renamed,
+    }
+}
+
+/// The names that lead from a folder down to a file outlive a loss of power. Each of them may be new,
+/// made by somebody who did not care.
+fn sync_way(disk: &dyn Disk, root: &Path, path: &Path) -> Result<()> {
+    let folders = path.ancestors().skip(1);
+    let mut below = folders.take_while(|folder| folder.starts_with(root));
+    below.try_for_each(|folder| disk.sync_names(folder))
+}
+
+/// Writes a file of the store at `root` under another name and renames it: whole or not at all. Mode
+/// 0600.
+pub(super) fn publish(
+    (disk, root): (&dyn Disk, &Path),
+    tmp: &Path,
+    path: &Path,
+    bytes: &[u8],
+    care: Care,
+) -> std::result::Result<(), StoreError> {
     let written = (|| {
-        let mut open = OpenOptions::new();
-        let open = open.write(true).create_new(true).mode(0o600);
-        let mut file = match open.open(tmp) {
-            Err(error) if error.kind() == ErrorKind::NotFound => {
-                above(tmp)?;
-                open.open(tmp)?
-            }
-            opened => opened?,
-        };
-        file.write_all(bytes)?;
+        let mut file = create(disk, tmp)?;
+        disk.write(&mut file, tmp, bytes)?;
         if care == Care::Durable {
-            file.sync_data()?;
+            disk.sync(&file, tmp)?;
         }
         drop(file);
-        if let Err(error) = fs::rename(tmp, path) {
-            // The folder of a new prefix is made when it is missed, which is rare.
-            if error.kind() != ErrorKind::NotFound {
-                return Err(error);
-            }
-            above(path)?;
-            fs::rename(tmp, path)?;
-        }
-        match (care, path.parent()) {
-            (Care::Durable, Some(parent)) => File::open(parent)?.sync_all(),
-            _ => Ok(()),
+        rename(disk, tmp, path)?;
+        match care {
+            Care::Durable => sync_way(disk, root, path),
+            Care::Cheap => Ok(()),
         }
     })();
     written.map_err(|why| {
-        let _ = fs::remove_file(tmp);
-        StoreError::Disk {
-            path: path.into(),
-            why,
-        }
+        let _ = disk.remove(tmp);
+        told(path)(why)
     })
+}
+
+/// Makes a whole file of the store that was published without care as safe as one with it.
+pub(super) fn secure(
+    (disk, root): (&dyn Disk, &Path),
+    path: &Path,
+) -> std::result::Result<(), StoreError> {
+    let synced = File::open(path).and_then(|file| disk.sync(&file, path));
+    let synced = synced.and_then(|()| sync_way(disk, root, path));
+    synced.map_err(told(path))
 }

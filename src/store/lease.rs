@@ -49,7 +49,8 @@ impl Store {
     pub fn claim(&self, key: Hash) -> Claim {
         let folder = self.root().join("lease");
         let path = folder.join(&key.to_hex()[..3]);
-        let make = || files::folder(&folder).ok().and_then(|()| lock_file(&path));
+        let made = || files::folder(&*self.disk, &folder).ok();
+        let make = || made().and_then(|()| lock_file(&path));
         let Some(file) = lock_file(&path).or_else(make) else {
             return Claim::Mine(None);
         };

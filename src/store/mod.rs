@@ -22,15 +22,20 @@
 
 mod ahead;
 mod blob;
+mod disk;
 mod files;
 mod forget;
 mod index;
 pub mod keeper;
 mod lease;
+#[cfg(test)]
+mod losses;
 pub(crate) mod own;
 mod part;
 mod pins;
 mod record;
+#[cfg(test)]
+mod simulated;
 
 pub use ahead::Ahead;
 pub use forget::{Forgotten, forget};
@@ -39,6 +44,7 @@ pub use lease::{Claim, InUse, Lease};
 pub use pins::PinError;
 pub use record::Record;
 
+use disk::{Disk, Real};
 use files::Care;
 use index::Index;
 
@@ -51,6 +57,7 @@ const FORMAT: &str = "tailor store 1\n";
 /// A store on disk.
 pub struct Store {
     root: PathBuf,
+    disk: Box<dyn Disk>,
     /// Read when somebody asks it first.
     index: OnceLock<Mutex<Index>>,
 }
@@ -96,17 +103,22 @@ pub enum StoreError {
 impl Store {
     /// Opens a store; makes it if there is none.
     pub fn open(root: &Path) -> Result<Store, StoreError> {
-        Store::with(root, OnceLock::new())
+        Store::with(root, Box::new(Real), OnceLock::new())
     }
 
     /// As [`Store::open`], with what was read ahead of it.
     pub fn open_after(root: &Path, ahead: Ahead) -> Result<Store, StoreError> {
-        Store::with(root, Mutex::new(ahead.index()).into())
+        Store::with(root, Box::new(Real), Mutex::new(ahead.index()).into())
     }
 
-    fn with(root: &Path, index: OnceLock<Mutex<Index>>) -> Result<Store, StoreError> {
+    fn with(
+        root: &Path,
+        disk: Box<dyn Disk>,
+        index: OnceLock<Mutex<Index>>,
+    ) -> Result<Store, StoreError> {
         let store = Store {
             root: root.to_owned(),
+            disk,
             index,
         };
         let mark = root.join("format");
@@ -128,9 +140,15 @@ impl Store {
             let root = root.to_owned();
             return Err(StoreError::Strange { root, strange });
         }
-        files::folder(root)?;
-        files::publish(&store.fresh(), &mark, FORMAT.as_bytes(), Care::Cheap)?;
+        files::folder(&*store.disk, root)?;
+        // Whole or not there: what it says decides over all else.
+        let (tmp, care) = (store.fresh(), Care::Durable);
+        files::publish(store.disk(), &tmp, &mark, FORMAT.as_bytes(), care)?;
         Ok(store)
+    }
+
+    fn disk(&self) -> (&dyn Disk, &Path) {
+        (&*self.disk, &self.root)
     }
 
     fn index(&self) -> MutexGuard<'_, Index> {
@@ -146,7 +164,13 @@ impl Store {
     /// Writes a file of the store by its name, over what was there. It is not synced: what lies
     /// outside of the shelves is of use, but nothing depends on it.
     pub fn write(&self, name: &str, bytes: &[u8]) -> Result<(), StoreError> {
-        files::publish(&self.fresh(), &self.root.join(name), bytes, Care::Cheap)
+        files::publish(
+            self.disk(),
+            &self.fresh(),
+            &self.root.join(name),
+            bytes,
+            Care::Cheap,
+        )
     }
 
     /// The file of a hash under a shelf: `cas/ab/abcdef…`.
@@ -167,8 +191,9 @@ impl Store {
     fn quarantine(&self, path: &Path) {
         let folder = self.root.join("quarantine");
         let name = path.file_name().unwrap_or_default();
-        if files::folder(&folder).is_err() || std::fs::rename(path, folder.join(name)).is_err() {
-            let _ = std::fs::remove_file(path);
+        let made = files::folder(&*self.disk, &folder).is_ok();
+        if !made || self.disk.rename(path, &folder.join(name)).is_err() {
+            let _ = self.disk.remove(path);
         }
     }
 }

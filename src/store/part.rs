@@ -10,7 +10,8 @@ impl Store {
     pub fn remember(&self, key: Hash, bytes: &[u8]) -> Result<(), StoreError> {
         let mut file = bound(key, bytes).as_bytes().to_vec();
         file.extend_from_slice(bytes);
-        files::publish(&self.fresh(), &self.place("parts", key), &file, Care::Cheap)
+        let path = self.place("parts", key);
+        files::publish(self.disk(), &self.fresh(), &path, &file, Care::Cheap)
     }
 
     /// What was remembered, if it is whole.

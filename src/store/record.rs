@@ -88,7 +88,8 @@ impl Store {
             blake3::hash(format!("{body}\n").as_bytes()).to_hex()
         );
         let (tmp, path) = (self.fresh(), self.place("ac", key));
-        files::publish(&tmp, &path, file.as_bytes(), Care::worth(record.seconds))?;
+        let care = Care::worth(record.seconds);
+        files::publish(self.disk(), &tmp, &path, file.as_bytes(), care)?;
         self.note_made(key, record);
         Ok(())
     }
