@@ -10,7 +10,7 @@ use proof::Dice;
 use stage::{AnyArtifact, AnyStage, Ctx, FileEntry, Files, Hash, Host};
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::{Path, PathBuf};
-use tailor::store::Store;
+use tailor::store::{Store, keeper};
 
 /// The files of a folder of the corpus, by their names.
 fn corpus(folder: &str) -> Vec<(String, Vec<u8>)> {
@@ -203,6 +203,13 @@ fn cameras_and_masks_of_others() {
     });
 }
 
+/// All results, the last few runs.
+const FEW: keeper::Budget = keeper::Budget {
+    most: u64::MAX,
+    keep_runs: 1,
+    keep_records: 2,
+};
+
 /// Everything that a store reads: made by a run, then almost right.
 #[test]
 fn files_of_a_store() {
@@ -240,9 +247,15 @@ fn files_of_a_store() {
     assert!(files.len() >= 6, "{files:?}");
     for path in files {
         let seed = [(String::from("file"), std::fs::read(&path).unwrap())];
+        let rounds = std::cell::Cell::new(0);
         hold(&path.display().to_string(), &seed, 60, |_, bytes| {
             std::fs::write(&path, bytes).unwrap();
             let store = Store::open(&cache).unwrap();
+            // Each round leaves the record of a run, and the next ones read them all.
+            rounds.set(rounds.get() + 1);
+            if rounds.get() % 50 == 0 {
+                keeper::gc(&store, &FEW, false).unwrap();
+            }
             let _ = (store.found(key), store.record(key), store.recall(key));
             drop(store);
             tailor::engine::runs(&cache).for_each(drop);
