@@ -245,8 +245,10 @@ fn files_of_a_store() {
     files.extend(runs.map(|e| e.unwrap().path()));
     files.retain(|path| path.exists());
     assert!(files.len() >= 6, "{files:?}");
-    for path in files {
-        let seed = [(String::from("file"), std::fs::read(&path).unwrap())];
+    let read = |path: PathBuf| (std::fs::read(&path).unwrap(), path);
+    let files: Vec<(Vec<u8>, PathBuf)> = files.into_iter().map(read).collect();
+    for (bytes, path) in files {
+        let seed = [(String::from("file"), bytes)];
         let rounds = std::cell::Cell::new(0);
         hold(&path.display().to_string(), &seed, 60, |_, bytes| {
             std::fs::write(&path, bytes).unwrap();
