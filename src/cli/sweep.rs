@@ -3,10 +3,12 @@
 use super::run::{folders, options};
 use super::sweep_asked::{Asked, SweepArgs, asked, checked};
 use super::{CANCEL, Fault, House};
+use crate::engine::Outcome;
+use crate::graph::Graph;
 use crate::lasttime::History;
 use crate::past::Of;
 use crate::recipe::{self, Mistakes, Overrides};
-use crate::sweep::{self, End, Point, Row, Sweeping};
+use crate::sweep::{self, End, Errors, Point, Row, Sweeping};
 use crate::walk::Watch;
 use crate::{delivery, sweep::outlook};
 use std::sync::atomic::Ordering;
@@ -24,14 +26,15 @@ pub(crate) fn sweep(args: &SweepArgs, house: &House) -> Result<(), Fault> {
         variant: args.change.variant.clone(),
         sets: args.change.set.clone(),
     };
-    let base = recipe::open(&args.pipeline, &all).map_err(Fault::mistakes)?;
+    let base =
+        recipe::open(&args.pipeline, &all, &crate::catalog::CATALOG).map_err(Fault::mistakes)?;
     let text = std::fs::read_to_string(&args.pipeline).map_err(Fault::input)?;
     let recipe =
         recipe::read(&text).map_err(|m| Fault::mistakes(Mistakes::new(&file, &text, m)))?;
     let asked = asked(args, &recipe, &base)?;
     let at = |point: &Point| {
         let overrides = point.overrides(&all);
-        recipe::open_text(&file, &text, &overrides, &crate::catalog::find)
+        recipe::open_text(&file, &text, &overrides, &crate::catalog::CATALOG)
     };
     checked(args, &base, &asked, &at)?;
     let wanted: Vec<usize> = match asked.nodes.is_empty() {
@@ -49,13 +52,16 @@ pub(crate) fn sweep(args: &SweepArgs, house: &House) -> Result<(), Fault> {
     let voice = Voice(!house.quiet && !house.json);
     voice.say(&outlook.to_string());
     let options = options(house, true);
+    let against = args.truth.as_deref().map(|truth| {
+        move |graph: &Graph, outcome: &Outcome| crate::errors::errors(graph, outcome, truth)
+    });
     let sweeping = Sweeping {
         open: &|point| at(point).map_err(|m| m.to_string()),
         nodes: &asked.nodes,
         folders: &folders(&args.change)?,
         options: &options,
         tell: &asked.tell,
-        truth: args.truth.as_deref(),
+        errors: against.as_ref().map(|errors| errors as &Errors<'_>),
         watch: &voice,
         cancel: &CANCEL,
     };
@@ -80,7 +86,7 @@ pub(crate) fn sweep(args: &SweepArgs, house: &House) -> Result<(), Fault> {
 /// Prints and writes what came out; a point without a result is a failure, a stop is a stop.
 fn finish(args: &SweepArgs, house: &House, asked: &Asked, rows: &[Row]) -> Result<(), Fault> {
     let (name, about) = (&asked.name, &asked.about);
-    let json = sweep::json(name, about, rows);
+    let json = sweep::json(crate::catalog::CATALOG.program, name, about, rows);
     if let Some(folder) = &args.out {
         let pretty = serde_json::to_string_pretty(&json).expect("bug: JSON");
         for (file, text) in [

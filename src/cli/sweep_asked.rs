@@ -161,7 +161,7 @@ fn tellable(
             let bound = &graph.nodes[graph.node(node)?];
             let params = graph.nodes.iter().flat_map(|n| &n.params.values);
             let declared = sweep::entries(params.map(|(_, value)| value));
-            sweep::untellable(node, bound.stage, metric, &declared)
+            sweep::untellable(node, bound.stage, metric, &declared, graph.catalog)
         });
         // It is enough that one variant tells it, or leaves the node out.
         if let Some(what) = what.collect::<Option<Vec<String>>>() {

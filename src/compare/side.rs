@@ -1,38 +1,13 @@
 //! One side: what ran, the girths and the surface that came out.
 
 use super::girths::{Told, told};
-use super::story::Story;
 use super::views::{self, Views};
+use crate::differ::NodeRun;
 use crate::store::Store;
-use serde::Deserialize;
 use serde_json::Value;
 use shape::{Cameras, Girths, Masks, Mesh, Photos, Unit, girths_to_json, mesh_from_ply};
 use stage::{AnyArtifact, Hash};
-use std::collections::HashMap;
 use std::path::{Path, PathBuf};
-
-/// A node of a run, as `run.json` has it.
-#[derive(Debug, Clone, PartialEq, Deserialize)]
-pub struct NodeRun {
-    /// Its name in the pipeline.
-    pub node: String,
-    /// Its stage.
-    pub stage: String,
-    /// What became of it: found, made, failed, skipped, cancelled.
-    pub fate: String,
-    /// The content of its result.
-    pub content: Option<String>,
-    /// What its result depends on, line by line.
-    #[serde(default)]
-    pub story: Story,
-    /// How long it took: now, or when it was made. \[s\]
-    pub seconds: f64,
-    /// Size of its result. \[bytes\]
-    pub bytes: u64,
-    /// What the user should know.
-    #[serde(default)]
-    pub warnings: Vec<String>,
-}
 
 /// What is compared.
 #[derive(Debug, Clone, PartialEq)]
@@ -177,12 +152,6 @@ impl Side {
     /// Size of all results. \[bytes\]
     pub fn bytes(&self) -> u64 {
         self.nodes.iter().map(|n| n.bytes).sum()
-    }
-
-    /// All nodes by their names.
-    pub(super) fn by_name(&self) -> HashMap<&str, &NodeRun> {
-        let nodes = self.nodes.iter();
-        nodes.map(|n| (n.node.as_str(), n)).collect()
     }
 
     /// The node of a name.

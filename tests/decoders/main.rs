@@ -107,7 +107,7 @@ fn pipelines() {
         let text = String::from_utf8_lossy(bytes);
         let overrides = tailor::recipe::Overrides::default();
         if let Err(mistakes) =
-            tailor::recipe::open_text(name, &text, &overrides, &tailor::catalog::find)
+            tailor::recipe::open_text(name, &text, &overrides, &tailor::catalog::CATALOG)
         {
             let _ = (mistakes.to_string(), mistakes.json());
         }
@@ -216,9 +216,13 @@ fn files_of_a_store() {
     let place = tempfile::tempdir().unwrap();
     let (cache, turn) = (place.path().join("cache"), photos());
     let pipeline = "goal = \"photos\"\n[input.f]\nfiles = \"*.jpg\"\n[node.photos]\nstage = \"capture.load\"\nfrom = { files = \"@f\" }\n";
-    let graph =
-        tailor::recipe::open_text("p", pipeline, &Default::default(), &tailor::catalog::find)
-            .unwrap();
+    let graph = tailor::recipe::open_text(
+        "p",
+        pipeline,
+        &Default::default(),
+        &tailor::catalog::CATALOG,
+    )
+    .unwrap();
     let options = tailor::engine::Options {
         cache: cache.clone(),
         threads: Some(1),
