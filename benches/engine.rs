@@ -4,14 +4,14 @@
 //! least of several, since others use the machine too. `ninja` or `make` is left out where absent.
 
 use shape::Document;
-use stage::{AnyStage, Ctx, Files, Stage, Stop, erase};
+use stage::{Ctx, Files, Stage, Stop, erase};
 use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
 use std::time::Instant;
-use tailor::engine::{self, Options};
+use tailor::engine::{self, Catalog, Options};
 use tailor::recipe::{Overrides, open_text};
 use tailor::store::{Ahead, Store};
 use tailor::walk::{Fate, Watch};
@@ -67,10 +67,11 @@ impl Stage for Copy {
     }
 }
 
-fn find(name: &str) -> Option<&'static dyn AnyStage> {
-    const STAGES: &[&dyn AnyStage] = &[&erase::<Load>(), &erase::<Copy>()];
-    STAGES.iter().copied().find(|s| s.name() == name)
-}
+static CATALOG: Catalog = Catalog {
+    program: "bench",
+    rooms: &[&[&erase::<Load>(), &erase::<Copy>()]],
+    kinds: &[],
+};
 
 const LENGTH: usize = 10;
 
@@ -121,7 +122,7 @@ fn child(verb: &str, folder: &Path) {
     let path = folder.join("tailor.toml");
     let ahead = Ahead::of(&cache, std::fs::metadata(&path).unwrap().len());
     let text = std::fs::read_to_string(path).unwrap();
-    let graph = open_text("tailor.toml", &text, &Overrides::default(), &find);
+    let graph = open_text("tailor.toml", &text, &Overrides::default(), &CATALOG);
     let graph = graph.unwrap_or_else(|mistakes| panic!("{mistakes}"));
     drop(text);
     let inputs = graph.inputs.iter();

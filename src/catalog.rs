@@ -1,5 +1,7 @@
 //! Every room. A new room adds one word here, a new stage nothing.
 
+use crate::facts::KINDS;
+use engine::Catalog;
 use stage::AnyStage;
 
 // Sections of surfaces, for the score.
@@ -16,6 +18,13 @@ pub const ROOMS: &[&[&dyn AnyStage]] = &[
     measure::STAGES,
     report::STAGES,
 ];
+
+/// The product: its stages, and what is to be known of what flows.
+pub static CATALOG: Catalog = Catalog {
+    program: concat!("tailor ", env!("CARGO_PKG_VERSION")),
+    rooms: ROOMS,
+    kinds: KINDS,
+};
 
 /// Every stage.
 pub fn stages() -> impl Iterator<Item = &'static dyn AnyStage> {

@@ -1,32 +1,19 @@
 //! Artifacts as files for people and other programs.
 
+use crate::delivery::DeliveryError;
 use shape::{
     Cameras, Document, Girths, Keypoints, Landmarks, Masks, Mesh, Photos, Tags, Textured, Tracks,
     gray_to_png, mesh_to_ply,
 };
 use stage::AnyArtifact;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 /// What cannot be written.
 #[derive(Debug, thiserror::Error)]
 pub enum OutError {
-    /// The disk says no.
-    #[error("{}: {why}", path.display())]
-    Disk {
-        /// The file.
-        path: PathBuf,
-        /// What the system says.
-        why: std::io::Error,
-    },
-    /// A folder that is a link.
-    #[error("{} is a link, and nothing is written through a link; remove it, or give another folder", .0.display())]
-    Link(PathBuf),
-    /// Something else where a folder is wanted.
-    #[error("{} is no folder; give another with --out", .0.display())]
-    NoFolder(PathBuf),
-    /// A file that would lie elsewhere.
-    #[error("{} is no name of a file in a folder of results", .0.display())]
-    Name(PathBuf),
+    /// A folder of results.
+    #[error(transparent)]
+    Delivery(#[from] DeliveryError),
     /// A photo that is to be drawn on.
     #[error(transparent)]
     Photo(#[from] shape::PhotoError),

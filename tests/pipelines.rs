@@ -1,6 +1,7 @@
 //! The pipelines that ship, and what a pipeline file with mistakes is told.
 
 use std::path::Path;
+use tailor::catalog::CATALOG;
 use tailor::recipe::{Overrides, open, open_text};
 
 fn shipped() -> Vec<std::path::PathBuf> {
@@ -17,7 +18,7 @@ fn shipped() -> Vec<std::path::PathBuf> {
 #[test]
 fn every_shipped_pipeline_has_no_mistake() {
     for path in shipped() {
-        if let Err(mistakes) = open(&path, &Overrides::default()) {
+        if let Err(mistakes) = open(&path, &Overrides::default(), &CATALOG) {
             panic!("{mistakes}");
         }
     }
@@ -26,7 +27,7 @@ fn every_shipped_pipeline_has_no_mistake() {
 #[test]
 fn the_product_has_the_nodes_that_its_files_come_from() {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("pipelines/body.toml");
-    let graph = open(&path, &Overrides::default()).unwrap();
+    let graph = open(&path, &Overrides::default(), &CATALOG).unwrap();
     for node in ["girths", "landmarks", "cameras", "masks", "hull", "report"] {
         assert!(graph.node(node).is_some(), "{node}");
     }
@@ -35,12 +36,7 @@ fn the_product_has_the_nodes_that_its_files_come_from() {
 /// The mistakes of a text, as `line:column what`.
 #[track_caller]
 fn mistakes(text: &str) -> Vec<String> {
-    let found = open_text(
-        "p.toml",
-        text,
-        &Overrides::default(),
-        &tailor::catalog::find,
-    );
+    let found = open_text("p.toml", text, &Overrides::default(), &CATALOG);
     let Err(mistakes) = found else {
         panic!("no mistake was found")
     };
@@ -136,6 +132,7 @@ fn a_set_must_name_a_node_and_a_param() {
                 variant: None,
                 sets: vec![set.into()],
             },
+            &CATALOG,
         )
     };
     assert!(with("hull.voxel_mm=4").is_ok());
@@ -197,7 +194,7 @@ fn the_schema_for_editors_knows_every_key_of_the_shipped_pipelines() {
 #[test]
 fn a_drawing_has_a_box_for_every_node_and_input_and_arrows_point_down() {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("pipelines/body.toml");
-    let graph = open(&path, &Overrides::default()).unwrap();
+    let graph = open(&path, &Overrides::default(), &CATALOG).unwrap();
     let plan = vec![None; graph.nodes.len()];
     let svg = tailor::drawing::draw(&graph, &plan, "svg").unwrap();
     assert_eq!(
@@ -238,6 +235,7 @@ fn every_shipped_pipeline_and_each_of_its_variants_is_without_mistake() {
                     variant: variant.clone(),
                     sets: vec![],
                 },
+                &CATALOG,
             );
             assert!(opened.is_ok(), "{} {variant:?}", path.display());
             count += 1;
@@ -277,7 +275,12 @@ fn with_own_masks_nothing_but_the_masks_is_made_otherwise() {
         new.len() == 5 && new.iter().any(|l| l == "stage = \"silhouette.import\""),
         "{new:?}"
     );
-    let graph = open(&folder.join("own-masks.toml"), &Overrides::default()).unwrap();
+    let graph = open(
+        &folder.join("own-masks.toml"),
+        &Overrides::default(),
+        &CATALOG,
+    )
+    .unwrap();
     assert_eq!(
         graph.nodes[graph.node("masks").unwrap()].stage.name(),
         "silhouette.import"

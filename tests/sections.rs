@@ -14,7 +14,7 @@ fn opened(more: &str, sets: &[&str]) -> Result<Graph, Mistakes> {
         sets: sets.iter().map(|s| (*s).to_owned()).collect(),
     };
     let text = format!("{SURFACE}{more}");
-    open_text("p.toml", &text, &overrides, &tailor::catalog::find)
+    open_text("p.toml", &text, &overrides, &tailor::catalog::CATALOG)
 }
 
 /// The declared girths as the node's key has them.
@@ -113,8 +113,8 @@ fn a_section_that_no_node_takes_is_told() {
     let text = format!(
         "goal = \"body\"\n[input.surface]\nfiles = \"*.ply\"\n[node.body]\nstage = \"capture.surface\"\nfrom = {{ files = \"@surface\" }}\n{THIGH}"
     );
-    let find = &tailor::catalog::find;
-    let Err(wrong) = open_text("p.toml", &text, &Overrides::default(), find) else {
+    let catalog = &tailor::catalog::CATALOG;
+    let Err(wrong) = open_text("p.toml", &text, &Overrides::default(), catalog) else {
         panic!("nobody takes it")
     };
     let told = wrong.json().to_string();

@@ -31,7 +31,8 @@ fn small(more: &[&str]) -> Graph {
         variant: None,
         sets,
     };
-    open(&path, &overrides).unwrap_or_else(|mistakes| panic!("{mistakes}"))
+    open(&path, &overrides, &tailor::catalog::CATALOG)
+        .unwrap_or_else(|mistakes| panic!("{mistakes}"))
 }
 
 /// Which nodes were made.
@@ -211,7 +212,7 @@ fn a_synthetic_turn_leaves_as_a_capture_that_is_read_back() {
     tailor::delivery::write(&folder, &files).unwrap();
 
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("pipelines/body.toml");
-    let body = open(&path, &Overrides::default()).unwrap();
+    let body = open(&path, &Overrides::default(), &tailor::catalog::CATALOG).unwrap();
     let node = body.node("photos").unwrap();
     let (log, cancel) = (Log::default(), AtomicBool::new(false));
     let options = Options {

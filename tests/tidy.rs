@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 /// Every Rust file that we wrote.
 fn sources() -> Vec<(PathBuf, String)> {
     let root = Path::new(env!("CARGO_MANIFEST_DIR"));
-    let mut open = ["src", "stages", "tests", "benches"]
+    let mut open = ["src", "engine", "stages", "tests", "benches"]
         .map(|d| root.join(d))
         .to_vec();
     let mut found = Vec::new();
@@ -95,6 +95,42 @@ fn no_room_knows_another_room() {
 }
 
 #[test]
+fn the_engine_knows_the_contract_and_no_trade() {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let manifest = std::fs::read_to_string(root.join("engine/Cargo.toml")).unwrap();
+    let product = manifest.split("[dev-dependencies]").next().unwrap();
+    assert!(product.contains("\nstage.workspace"));
+    for room in std::fs::read_dir(root.join("stages")).unwrap() {
+        let room = room.unwrap().file_name().into_string().unwrap();
+        let arrow = format!("\n{room}.workspace");
+        assert!(
+            room == "stage" || !product.contains(&arrow),
+            "the engine must not know {room}"
+        );
+    }
+    // Words of the product as the engine would have to spell them to act on them.
+    let words = [
+        "\"photos\"",
+        "\"girths\"",
+        "\"mesh\"",
+        "\"masks\"",
+        "\"cameras\"",
+        "\"pose.mat\"",
+    ];
+    let spells = |path: &Path, text: &str| {
+        let product = text.split("#[cfg(test)]").next().unwrap();
+        let code = product
+            .lines()
+            .filter(|l| !l.trim_start().starts_with("//"));
+        path.starts_with("engine/src")
+            && code
+                .into_iter()
+                .any(|l| words.iter().any(|w| l.contains(w)))
+    };
+    assert_eq!(breakers(spells), Vec::<PathBuf>::new());
+}
+
+#[test]
 fn a_kernel_knows_no_stage() {
     let kernel = |path: &Path, text: &str| {
         let room = path.starts_with("stages")
@@ -137,7 +173,7 @@ fn every_case_of_the_engine_has_a_test_that_is_there() {
     let root = Path::new(env!("CARGO_MANIFEST_DIR"));
     let table = std::fs::read_to_string(root.join("docs/engine.md")).unwrap();
     let rows: Vec<&str> = table.lines().filter(|l| l.starts_with("| T")).collect();
-    assert_eq!(rows.len(), 39, "T1 to T18 and T21 to T41");
+    assert_eq!(rows.len(), 42, "T1 to T18 and T21 to T44");
     let sources = sources();
     for row in rows {
         let mut tests = row.split('`').skip(1).step_by(2).peekable();
@@ -150,4 +186,34 @@ fn every_case_of_the_engine_has_a_test_that_is_there() {
             );
         }
     }
+}
+
+/// The names of metrics that a file of a room tells, as they stand there.
+fn metrics_told(text: &str) -> Vec<&str> {
+    let calls = text.split(".metric(").skip(1);
+    let first = calls.map(|call| call.trim_start().trim_start_matches("&format!("));
+    let literal = first.filter_map(|call| call.strip_prefix('"')?.split('"').next());
+    literal.collect()
+}
+
+#[test]
+fn every_metric_that_a_stage_tells_is_declared() {
+    let mut count = 0;
+    let sources = sources();
+    let rooms = sources
+        .iter()
+        .filter(|(path, _)| path.starts_with("stages") && !path.starts_with("stages/stage"));
+    for (path, text) in rooms {
+        let declared = text.split("const METRICS").nth(1).unwrap_or_default();
+        let declared: Vec<&str> = declared.split(';').next().unwrap().split('"').collect();
+        for name in metrics_told(text) {
+            let fits = match name.contains('{') {
+                true => declared.iter().any(|d| d.contains('*')),
+                false => declared.contains(&name),
+            };
+            assert!(fits, "{}: METRICS do not name `{name}`", path.display());
+            count += 1;
+        }
+    }
+    assert!(count > 40, "only {count} metrics were found");
 }

@@ -199,7 +199,7 @@ pub(crate) fn stages(name: Option<&str>, house: &House) -> Result<(), Fault> {
 
 /// `tailor check`.
 pub(crate) fn check(pipeline: &Path, house: &House) -> Result<(), Fault> {
-    match recipe::open(pipeline, &Overrides::default()) {
+    match recipe::open(pipeline, &Overrides::default(), &catalog::CATALOG) {
         Ok(graph) => {
             let recipes: Vec<String> = graph
                 .nodes

@@ -86,7 +86,8 @@ pub(crate) fn measure(measure: &Measure, house: &House) -> Result<(), Fault> {
         ("pipelines/body.toml", BODY)
     };
     let (out, shown) = place_of_results(measure)?;
-    let graph = open_text(name, text, &overrides, &crate::catalog::find).map_err(Fault::input)?;
+    let graph =
+        open_text(name, text, &overrides, &crate::catalog::CATALOG).map_err(Fault::input)?;
     deliver::check(&out, &graph, &folders)?;
     let again: Vec<String> = std::env::args().collect();
     // What is written must be there, the goal or not.

@@ -44,6 +44,7 @@ mod screen;
 mod show;
 mod speak;
 mod sweep;
+mod sweep_asked;
 
 use crate::recipe::Mistakes;
 use clap::{Args, Parser, Subcommand};
@@ -126,7 +127,7 @@ enum Verb {
     /// Which line of what a node depends on changed: old, new, back to the root cause
     Why(answers::Why),
     /// Every point of a sweep, what they share made once: a table, plots
-    Sweep(sweep::SweepArgs),
+    Sweep(sweep_asked::SweepArgs),
     /// Variants, runs or folders of results side by side: params, girths, surfaces, time
     Compare(compare::CompareArgs),
     /// Which nodes a param reaches, and what it would cost to change it

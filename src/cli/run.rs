@@ -74,12 +74,12 @@ pub(crate) fn opened(file: Option<&std::path::Path>, change: &Change) -> Result<
         sets: change.set.clone(),
     };
     let graph = match file {
-        Some(file) => recipe::open(file, &overrides),
+        Some(file) => recipe::open(file, &overrides, &crate::catalog::CATALOG),
         None => recipe::open_text(
             "pipelines/body.toml",
             super::door::BODY,
             &overrides,
-            &crate::catalog::find,
+            &crate::catalog::CATALOG,
         ),
     };
     graph.map_err(Fault::mistakes)

@@ -7,7 +7,6 @@
 //!                                   └─ pictures: silhouettes and surfaces as each camera saw them
 //! ```
 
-mod differ;
 mod girths;
 mod page;
 mod pictures;
@@ -17,10 +16,11 @@ mod surfaces;
 mod views;
 mod words;
 
-pub use differ::{Change, Difference, differ};
+pub use crate::differ::{Change, Difference, NodeRun, differ};
+pub use crate::story::Story;
 pub use girths::{GirthRow, Told, girths, mixed};
 pub use page::page;
-pub use side::{NodeRun, Side, SideError};
+pub use side::{Side, SideError};
 pub use surfaces::{Apart, apart};
 pub use views::{View, Views};
 pub use words::{json, markdown};
@@ -43,7 +43,10 @@ pub fn compare(sides: Vec<Side>, tolerance_mm: Option<f64>) -> Comparison {
     let (first, others) = sides.split_first().expect("bug: nothing to compare");
     let surface = |side: &Side| Some(apart(first.mesh.as_ref()?, side.mesh.as_ref()?));
     Comparison {
-        differences: others.iter().map(|side| differ(first, side)).collect(),
+        differences: others
+            .iter()
+            .map(|side| differ(&first.nodes, &side.nodes))
+            .collect(),
         girths: girths(&sides, tolerance_mm),
         apart: others.iter().map(surface).collect(),
         sides,

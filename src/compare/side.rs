@@ -2,36 +2,12 @@
 
 use super::girths::{Told, told};
 use super::views::{self, Views};
+use crate::differ::NodeRun;
 use crate::store::Store;
-use serde::Deserialize;
 use serde_json::Value;
 use shape::{Cameras, Girths, Masks, Mesh, Photos, Unit, girths_to_json, mesh_from_ply};
 use stage::{AnyArtifact, Hash};
-use std::collections::HashMap;
 use std::path::{Path, PathBuf};
-
-/// A node of a run, as `run.json` has it.
-#[derive(Debug, Clone, PartialEq, Deserialize)]
-pub struct NodeRun {
-    /// Its name in the pipeline.
-    pub node: String,
-    /// Its stage.
-    pub stage: String,
-    /// What became of it: found, made, failed, skipped, cancelled.
-    pub fate: String,
-    /// The content of its result.
-    pub content: Option<String>,
-    /// What its result depends on, line by line.
-    #[serde(default)]
-    pub story: Vec<(String, String)>,
-    /// How long it took: now, or when it was made. \[s\]
-    pub seconds: f64,
-    /// Size of its result. \[bytes\]
-    pub bytes: u64,
-    /// What the user should know.
-    #[serde(default)]
-    pub warnings: Vec<String>,
-}
 
 /// What is compared.
 #[derive(Debug, Clone, PartialEq)]
@@ -131,7 +107,11 @@ impl Side {
         let last = |kind: &str| nodes.iter().rev().find(|n| yields(n, kind));
         let measured = last("girths");
         let mesh = measured.and_then(|g| {
-            let reads = |n: &&NodeRun| g.story.iter().any(|(_, v)| Some(v) == n.content.as_ref());
+            let reads = |n: &&NodeRun| {
+                g.story
+                    .lines()
+                    .any(|(_, v)| Some(v) == n.content.as_deref())
+            };
             nodes.iter().rev().filter(|n| yields(n, "mesh")).find(reads)
         });
         let read = |node: Option<&NodeRun>, what| -> Result<Option<AnyArtifact>, SideError> {
@@ -172,12 +152,6 @@ impl Side {
     /// Size of all results. \[bytes\]
     pub fn bytes(&self) -> u64 {
         self.nodes.iter().map(|n| n.bytes).sum()
-    }
-
-    /// All nodes by their names.
-    pub(super) fn by_name(&self) -> HashMap<&str, &NodeRun> {
-        let nodes = self.nodes.iter();
-        nodes.map(|n| (n.node.as_str(), n)).collect()
     }
 
     /// The node of a name.

@@ -1,7 +1,7 @@
 //! A comparison as Markdown and JSON.
 
-use super::differ::Difference;
-use super::{Comparison, Side};
+use super::Comparison;
+use crate::differ::{Difference, by_name};
 use serde_json::{Value, json};
 use shape::Unit;
 use std::collections::HashSet;
@@ -106,7 +106,7 @@ pub(super) fn cost_table(c: &Comparison) -> Table {
             names.push(&node.node);
         }
     }
-    let sides: Vec<_> = c.sides.iter().map(Side::by_name).collect();
+    let sides: Vec<_> = c.sides.iter().map(|s| by_name(&s.nodes)).collect();
     let mb = |bytes: u64| format!("{:.2}", bytes as f64 / 1e6);
     let mut table = vec![head];
     for name in names {

@@ -10,7 +10,7 @@ use proof::Dice;
 use stage::{AnyArtifact, AnyStage, Ctx, FileEntry, Files, Hash, Host};
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::{Path, PathBuf};
-use tailor::store::Store;
+use tailor::store::{Store, keeper};
 
 /// The files of a folder of the corpus, by their names.
 fn corpus(folder: &str) -> Vec<(String, Vec<u8>)> {
@@ -107,7 +107,7 @@ fn pipelines() {
         let text = String::from_utf8_lossy(bytes);
         let overrides = tailor::recipe::Overrides::default();
         if let Err(mistakes) =
-            tailor::recipe::open_text(name, &text, &overrides, &tailor::catalog::find)
+            tailor::recipe::open_text(name, &text, &overrides, &tailor::catalog::CATALOG)
         {
             let _ = (mistakes.to_string(), mistakes.json());
         }
@@ -203,15 +203,26 @@ fn cameras_and_masks_of_others() {
     });
 }
 
+/// All results, the last few runs.
+const FEW: keeper::Budget = keeper::Budget {
+    most: u64::MAX,
+    keep_runs: 1,
+    keep_records: 2,
+};
+
 /// Everything that a store reads: made by a run, then almost right.
 #[test]
 fn files_of_a_store() {
     let place = tempfile::tempdir().unwrap();
     let (cache, turn) = (place.path().join("cache"), photos());
     let pipeline = "goal = \"photos\"\n[input.f]\nfiles = \"*.jpg\"\n[node.photos]\nstage = \"capture.load\"\nfrom = { files = \"@f\" }\n";
-    let graph =
-        tailor::recipe::open_text("p", pipeline, &Default::default(), &tailor::catalog::find)
-            .unwrap();
+    let graph = tailor::recipe::open_text(
+        "p",
+        pipeline,
+        &Default::default(),
+        &tailor::catalog::CATALOG,
+    )
+    .unwrap();
     let options = tailor::engine::Options {
         cache: cache.clone(),
         threads: Some(1),
@@ -238,11 +249,19 @@ fn files_of_a_store() {
     files.extend(runs.map(|e| e.unwrap().path()));
     files.retain(|path| path.exists());
     assert!(files.len() >= 6, "{files:?}");
-    for path in files {
-        let seed = [(String::from("file"), std::fs::read(&path).unwrap())];
+    let read = |path: PathBuf| (std::fs::read(&path).unwrap(), path);
+    let files: Vec<(Vec<u8>, PathBuf)> = files.into_iter().map(read).collect();
+    for (bytes, path) in files {
+        let seed = [(String::from("file"), bytes)];
+        let rounds = std::cell::Cell::new(0);
         hold(&path.display().to_string(), &seed, 60, |_, bytes| {
             std::fs::write(&path, bytes).unwrap();
             let store = Store::open(&cache).unwrap();
+            // Each round leaves the record of a run, and the next ones read them all.
+            rounds.set(rounds.get() + 1);
+            if rounds.get() % 50 == 0 {
+                keeper::gc(&store, &FEW, false).unwrap();
+            }
             let _ = (store.found(key), store.record(key), store.recall(key));
             drop(store);
             tailor::engine::runs(&cache).for_each(drop);

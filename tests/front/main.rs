@@ -8,5 +8,6 @@ mod limits;
 mod outs;
 mod place;
 mod privacy;
+mod reports;
 mod stops;
 mod words;

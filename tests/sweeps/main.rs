@@ -12,7 +12,7 @@ use tailor::graph::Graph;
 use tailor::recipe::{Overrides, open_text, read};
 use tailor::sweep::{self, End, Points, Row, Sweeping, axes, outlook};
 use tailor::walk::{Done, Fate, Watch};
-use toy::{PIPELINE, find};
+use toy::{CATALOG, PIPELINE};
 
 /// What ran, in order: node and whether it was made, failed, ….
 #[derive(Default)]
@@ -64,7 +64,7 @@ impl Place {
             folders: &[("src".to_owned(), self.0.path().join("src"))],
             options: &options,
             tell: &tell,
-            truth: None,
+            errors: None,
             watch: &log,
             cancel: &cancel,
         };
@@ -83,7 +83,7 @@ impl Place {
     }
 
     fn open(&self, text: &str, overrides: &Overrides) -> Graph {
-        open_text("toy.toml", text, overrides, &find).unwrap()
+        open_text("toy.toml", text, overrides, &CATALOG).unwrap()
     }
 }
 

@@ -1,8 +1,9 @@
 //! Toy stages: one that reads, one that adds a number and fails at thirteen.
 
 use shape::Document;
-use stage::{AnyStage, Ctx, Files, Stage, Stop, erase};
+use stage::{Ctx, Files, Stage, Stop, erase};
 use std::sync::Arc;
+use tailor::engine::Catalog;
 
 stage::inputs! {
     /// Files.
@@ -58,6 +59,7 @@ impl Stage for Add {
     type Params = Number;
     type Input = FromDocument;
     type Output = Document;
+    const METRICS: &'static [&'static str] = &["tenfold"];
     fn run(p: &Number, input: FromDocument, ctx: &Ctx<'_>) -> Result<Document, Stop> {
         if p.n == 13 {
             return Err(std::io::Error::other("thirteen is not taken").into());
@@ -69,10 +71,11 @@ impl Stage for Add {
 }
 
 /// Their catalog.
-pub(crate) fn find(name: &str) -> Option<&'static dyn AnyStage> {
-    const STAGES: &[&dyn AnyStage] = &[&erase::<Read>(), &erase::<Add>()];
-    STAGES.iter().copied().find(|s| s.name() == name)
-}
+pub(crate) static CATALOG: Catalog = Catalog {
+    program: "toys 1",
+    rooms: &[&[&erase::<Read>(), &erase::<Add>()]],
+    kinds: &[],
+};
 
 /// src → mid → final.
 pub(crate) const PIPELINE: &str = r#"goal = "final"

@@ -1,6 +1,6 @@
 //! What a sweep that cannot be is told, and how much one is before it runs.
 
-use crate::toy::{PIPELINE, find};
+use crate::toy::{CATALOG, PIPELINE};
 use std::path::{Path, PathBuf};
 use tailor::engine;
 use tailor::recipe::{Overrides, open_text, read};
@@ -13,7 +13,7 @@ fn a_million_points_are_counted_and_not_written_out() {
         "{PIPELINE}[sweep.s]\nover.mid = {{ n = {hundred} }}\nover.final = {{ n = {{ from = 0, to = 999, steps = 1000 }} }}\nwith = [\"double\", \"triple\"]\n"
     );
     let recipe = read(&text).unwrap();
-    let base = open_text("toy.toml", &text, &Overrides::default(), &find).unwrap();
+    let base = open_text("toy.toml", &text, &Overrides::default(), &CATALOG).unwrap();
     let axes = axes::axes(&recipe.sweeps[0], Path::new(".")).unwrap();
     let points = Points::new(
         &base,
@@ -70,12 +70,22 @@ fn mistakes_of_a_sweep_are_told_with_their_places() {
             3,
             "there is no node `fin`",
         ),
+        (
+            "over.mid = { n = [1] }\ntell = [\"mid.seconds\",\n\"mid.tenfolt\"]",
+            4,
+            "`mid` (toy.add) tells no `tenfolt`; did you mean `tenfold`? it tells: tenfold, seconds, bytes",
+        ),
+        (
+            "with = [\"double\", \"triple\"]\ntell = \"src.tenfold\"",
+            3,
+            "`src` (toy.read) tells no `tenfold`; it tells: seconds, bytes",
+        ),
         ("over.mid = { n = [1] }\nzip = [\"mid.m\"]", 3, "`mid.m`"),
         ("about = \"?\"", 1, "needs `over`"),
         ("over.mid = { n = [] }", 2, "takes no value"),
     ] {
         let text = format!("{PIPELINE}[sweep.s]\n{declared}\n");
-        let Err(told) = open_text("toy.toml", &text, &Overrides::default(), &find) else {
+        let Err(told) = open_text("toy.toml", &text, &Overrides::default(), &CATALOG) else {
             panic!("{declared}: no mistake was found");
         };
         let told = told.json()["mistakes"][0].clone();
@@ -145,6 +155,21 @@ fn a_sweep_that_cannot_be_is_refused_before_anything_runs() {
                 "error.WC",
             ],
             "say --truth",
+        ),
+        (
+            &[
+                "sweep",
+                body,
+                "--sweep",
+                "hull.voxel_mm=2",
+                "--tell",
+                "hull.volum",
+            ],
+            "`--tell hull.volum`: `hull` (hull.carve) tells no `volum`; did you mean `volume`?",
+        ),
+        (
+            &["sweep", body, "cells", "--tell", "girths.WC.tapes"],
+            "`--tell girths.WC.tapes`: `girths` (measure.girths) tells no `WC.tapes`; did you mean `WC.tape`?",
         ),
         (&huge, "998000 points"),
         (&huge, "say --yes"),

@@ -107,6 +107,7 @@ impl Stage for Load {
     type Params = LoadParams;
     type Input = LoadInput;
     type Output = Photos;
+    const METRICS: &'static [&'static str] = &["photos", "width", "height"];
 
     fn run(p: &LoadParams, input: LoadInput, ctx: &Ctx<'_>) -> Result<Photos, Stop> {
         let files = &input.files;

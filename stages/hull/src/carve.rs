@@ -84,6 +84,7 @@ impl Stage for Carve {
     type Params = CarveParams;
     type Input = CarveInput;
     type Output = Mesh;
+    const METRICS: &'static [&'static str] = &["volume", "cells looked into"];
 
     /// The distances of all silhouettes, and the lattice over a standing body with its arms out.
     fn memory(p: &CarveParams, input: &CarveInput) -> u64 {

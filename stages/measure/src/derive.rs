@@ -127,6 +127,10 @@ mod tests {
         let said = |kg: Option<f64>| {
             let mut girths = Girths::default();
             derive(&mut girths, &cube, Some(500.0), None, kg);
+            let known =
+                |(name, ..): &(String, f64, String)| Girths::RATIOS.contains(&name.as_str());
+            assert!(girths.ratios.iter().all(known));
+            assert_eq!(girths.ratios.is_empty(), kg.is_none());
             no_density(&girths)
         };
         assert_eq!(said(Some(120.0)), None);

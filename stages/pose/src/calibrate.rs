@@ -118,6 +118,15 @@ impl Stage for Calibrate {
     type Params = CalibrateParams;
     type Input = CalibrateInput;
     type Output = Cameras;
+    const METRICS: &'static [&'static str] = &[
+        "cameras",
+        "reprojection",
+        "focal",
+        "focal sigma",
+        "scale sigma",
+        "rim tags",
+        "feature tracks",
+    ];
 
     fn run(p: &CalibrateParams, input: CalibrateInput, ctx: &Ctx<'_>) -> Result<Cameras, Stop> {
         let photos = &input.photos;

@@ -72,6 +72,7 @@ impl Stage for Frame {
     type Params = FrameParams;
     type Input = FrameInput;
     type Output = Cameras;
+    const METRICS: &'static [&'static str] = &["* against *", "scale sigma"];
 
     fn run(p: &FrameParams, input: FrameInput, ctx: &Ctx<'_>) -> Result<Cameras, Stop> {
         let (cameras, rig) = (&*input.cameras, &input.photos.rig);

@@ -79,6 +79,7 @@ impl Stage for Import {
     type Params = ImportParams;
     type Input = ImportInput;
     type Output = Cameras;
+    const METRICS: &'static [&'static str] = &["off the circle", "cameras"];
 
     fn run(p: &ImportParams, input: ImportInput, ctx: &Ctx<'_>) -> Result<Cameras, Stop> {
         let model = read(&input.files)?;

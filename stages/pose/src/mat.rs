@@ -78,6 +78,13 @@ impl Stage for PrintMat {
     type Params = MatParams;
     type Input = MatInput;
     type Output = Document;
+    const METRICS: &'static [&'static str] = &[
+        "tags",
+        "tag size",
+        "ring radius",
+        "tags on the rim",
+        "their size",
+    ];
 
     fn run(p: &MatParams, _: MatInput, ctx: &Ctx<'_>) -> Result<Document, Stop> {
         let mat = mat_for(p.diameter_mm, p.tag_mm, p.count, p.first_id)?;

@@ -40,6 +40,22 @@ stage::inputs! {
     }
 }
 
+/// Of a pixel of the photo: its colours and its brightness. \[bytes\]
+const PHOTO_PIXEL: u64 = 8;
+
+/// Of a pixel at the finest scale: its octave's scales and their differences, and those of the octaves
+/// above. \[bytes\]
+const SCALES_PIXEL: u64 = 40;
+
+/// What the search in one photo takes. \[bytes\]
+fn scales_bytes(width: u32, height: u32, p: &SiftParams) -> u64 {
+    let factor = u64::from(width.max(height).div_ceil(p.longest_px).max(1));
+    let pixels = u64::from(width) * u64::from(height);
+    let twice = u64::from(width.max(height)) / factor <= u64::from(p.fine_px);
+    let finest = pixels / (factor * factor) * if twice { 4 } else { 1 };
+    pixels * PHOTO_PIXEL + finest * SCALES_PIXEL
+}
+
 /// `pose.sift`: photos → keypoints.
 pub struct Sift;
 
@@ -51,6 +67,17 @@ impl Stage for Sift {
     type Params = SiftParams;
     type Input = SiftInput;
     type Output = Keypoints;
+    const METRICS: &'static [&'static str] = &["features a photo"];
+
+    /// A photo a thread: its scales, at twice its size where that is searched, too.
+    fn memory(p: &SiftParams, input: &SiftInput) -> u64 {
+        if input.photos.rig.mat.is_some() && !p.beside_mat {
+            return 0;
+        }
+        let photos = input.photos.iter();
+        let each = photos.map(|(_, photo)| scales_bytes(photo.width, photo.height, p));
+        each.max().unwrap_or(0) * rayon::current_num_threads() as u64
+    }
 
     fn run(p: &SiftParams, input: SiftInput, ctx: &Ctx<'_>) -> Result<Keypoints, Stop> {
         if input.photos.rig.mat.is_some() && !p.beside_mat {

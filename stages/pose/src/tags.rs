@@ -32,6 +32,9 @@ stage::inputs! {
 #[error("the tag detector cannot be set up: {0}")]
 pub struct NoDetector(String);
 
+/// Of a pixel: its colours, its brightness, what the detector makes of it. \[bytes\]
+const TAGS_PIXEL: u64 = 48;
+
 /// `pose.tags`: photos → tags.
 pub struct FindTags;
 
@@ -43,6 +46,18 @@ impl Stage for FindTags {
     type Params = TagsParams;
     type Input = TagsInput;
     type Output = Tags;
+    const METRICS: &'static [&'static str] = &["tags a photo"];
+
+    /// A photo a thread: its colours, its brightness, and what the detector makes of it.
+    fn memory(_: &TagsParams, input: &TagsInput) -> u64 {
+        let tagged = input.photos.rig.mat.is_some();
+        let pixels = |photo: &Photo| u64::from(photo.width) * u64::from(photo.height);
+        let most = input.photos.iter().map(|(_, photo)| pixels(photo)).max();
+        match tagged {
+            true => most.unwrap_or(0) * TAGS_PIXEL * rayon::current_num_threads() as u64,
+            false => 0,
+        }
+    }
 
     fn run(p: &TagsParams, input: TagsInput, ctx: &Ctx<'_>) -> Result<Tags, Stop> {
         if input.photos.rig.mat.is_none() {

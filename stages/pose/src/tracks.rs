@@ -50,6 +50,9 @@ stage::inputs! {
     }
 }
 
+/// Of a feature: its description as numbers, and its matches. \[bytes\]
+const FEATURE: u64 = 768;
+
 /// `pose.tracks`: keypoints, photos → tracks.
 pub struct Follow;
 
@@ -60,6 +63,14 @@ impl Stage for Follow {
     type Params = TracksParams;
     type Input = TracksInput;
     type Output = Tracks;
+    const METRICS: &'static [&'static str] =
+        &["matches a pair", "left out as standing still", "tracks"];
+
+    /// Descriptions as they are compared, and what they match.
+    fn memory(_: &TracksParams, input: &TracksInput) -> u64 {
+        let features = input.keypoints.views.values().map(|f| f.points.len());
+        features.sum::<usize>() as u64 * FEATURE
+    }
 
     fn run(p: &TracksParams, input: TracksInput, ctx: &Ctx<'_>) -> Result<Tracks, Stop> {
         let views: Vec<(PhotoId, &Features)> = input.keypoints.views.iter().collect();

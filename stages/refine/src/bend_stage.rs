@@ -1,6 +1,7 @@
 //! The stage that finds how the body bent between photos.
 
 use crate::bend::{Stiff, Ties, seen_off};
+use crate::need::Need;
 use crate::patch::{Pairing, Window};
 use crate::remesh::remesh;
 use crate::rims::pulls;
@@ -75,6 +76,15 @@ impl Stage for Bend {
     type Params = BendParams;
     type Input = BendInput;
     type Output = Warps;
+    const METRICS: &'static [&'static str] = &["bending"];
+
+    /// The pictures, and what hangs on the vertices.
+    fn memory(p: &BendParams, input: &BendInput) -> u64 {
+        let (photos, cameras) = (&input.photos, &input.cameras);
+        let masks = input.masks.as_deref();
+        let need = Need::new(photos, cameras, masks, p.level, p.most_mpx);
+        (need.pictures(2) + need.surface(p.edge_px, &input.mesh)) as u64
+    }
 
     fn run(p: &BendParams, input: BendInput, ctx: &Ctx<'_>) -> Result<Warps, Stop> {
         check(&input.mesh)?;

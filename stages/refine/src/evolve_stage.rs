@@ -1,6 +1,7 @@
 //! The paper's evolution: rigid (eq. 3) or by the weighted median (eq. 5–7), step by explicit step.
 
 use crate::curvature::Laplacian;
+use crate::need::Need;
 use crate::patch::{Agreement, Pairing, Window, agreement};
 use crate::picture::Picture;
 use crate::remesh::{relax, remesh};
@@ -95,6 +96,16 @@ impl Stage for Evolve {
     type Params = EvolveParams;
     type Input = EvolveInput;
     type Output = Mesh;
+    const METRICS: &'static [&'static str] =
+        &["consistency before", "consistency", "seen twice", "faces"];
+
+    /// The pictures, and what hangs on the vertices.
+    fn memory(p: &EvolveParams, input: &EvolveInput) -> u64 {
+        let (photos, cameras) = (&input.photos, &input.cameras);
+        let masks = input.masks.as_deref();
+        let need = Need::new(photos, cameras, masks, p.level, p.most_mpx);
+        (need.pictures(1) + need.surface(p.edge_px, &input.mesh)) as u64
+    }
 
     fn run(p: &EvolveParams, input: EvolveInput, ctx: &Ctx<'_>) -> Result<Mesh, Stop> {
         check(&input.mesh)?;

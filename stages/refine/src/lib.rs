@@ -20,6 +20,7 @@ pub mod labels;
 pub mod look;
 pub mod median;
 pub mod mend;
+mod need;
 pub mod outside;
 pub mod patch;
 pub mod picture;

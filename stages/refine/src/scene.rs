@@ -45,7 +45,7 @@ const LEAST_PX: u32 = 500;
 
 /// How often a photo is halved: until it has at most `most_mpx` million pixels, then `level` times
 /// more, but not below [`LEAST_PX`].
-fn halvings([width, height]: [u32; 2], level: u32, most_mpx: f64) -> u32 {
+pub(crate) fn halvings([width, height]: [u32; 2], level: u32, most_mpx: f64) -> u32 {
     let mpx = |k: u32| f64::from(width >> k) * f64::from(height >> k) / 1e6;
     let first = (0..8).find(|k| mpx(*k) <= most_mpx).unwrap_or(8);
     let fits = |k: &u32| width.max(height) >> k >= LEAST_PX;

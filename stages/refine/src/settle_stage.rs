@@ -3,6 +3,7 @@
 use crate::crossing::unfold;
 use crate::evolve_stage::Flow;
 use crate::mend::mend;
+use crate::need::Need;
 use crate::pinch::pinch;
 use crate::remesh::remesh;
 use crate::round::{Told, one_round};
@@ -107,6 +108,21 @@ impl Stage for Settle {
     type Params = SettleParams;
     type Input = SettleInput;
     type Output = Mesh;
+    const METRICS: &'static [&'static str] = &[
+        "consistency",
+        "seen twice",
+        "rim gap",
+        "crossing faces",
+        "faces",
+    ];
+
+    /// The pictures, and what hangs on the vertices.
+    fn memory(p: &SettleParams, input: &SettleInput) -> u64 {
+        let (photos, cameras) = (&input.photos, &input.cameras);
+        let masks = input.masks.as_deref();
+        let need = Need::new(photos, cameras, masks, p.level, p.most_mpx);
+        (need.pictures(1) + need.surface(p.edge_px, &input.mesh)) as u64
+    }
 
     fn run(p: &SettleParams, input: SettleInput, ctx: &Ctx<'_>) -> Result<Mesh, Stop> {
         check(&input.mesh)?;

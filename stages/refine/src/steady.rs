@@ -1,5 +1,6 @@
 //! The stage that holds a swaying body still: cameras as seen from the body instead of the disk.
 
+use crate::need::Need;
 use crate::patch::{Pairing, Window};
 use crate::picture::Picture;
 use crate::remesh::remesh;
@@ -76,6 +77,15 @@ impl Stage for Steady {
     type Params = SteadyParams;
     type Input = SteadyInput;
     type Output = Cameras;
+    const METRICS: &'static [&'static str] = &["sway at the chest", "greatest sway", "last change"];
+
+    /// The pictures, and what hangs on the vertices.
+    fn memory(p: &SteadyParams, input: &SteadyInput) -> u64 {
+        let (photos, cameras) = (&input.photos, &input.cameras);
+        let masks = input.masks.as_deref();
+        let need = Need::new(photos, cameras, masks, p.level, p.most_mpx);
+        (need.pictures(1) + need.surface(p.edge_px, &input.mesh)) as u64
+    }
 
     fn run(p: &SteadyParams, input: SteadyInput, ctx: &Ctx<'_>) -> Result<Cameras, Stop> {
         check(&input.mesh)?;

@@ -2,6 +2,7 @@
 
 use crate::atlas::{Sheet, charts, packed};
 use crate::labels::{NOWHERE, labels};
+use crate::need::Need;
 use crate::picture::Picture;
 use crate::scene::{check, pictures};
 use nalgebra::{Point2, Vector3};
@@ -44,6 +45,9 @@ pub struct Texture;
 /// Margin around a chart. \[px\]
 const MARGIN: usize = 2;
 
+/// Of the photos by which faces are given to photos, at most so many pixels. \[million\]
+const SMALL_MPX: f64 = 2.0;
+
 impl Stage for Texture {
     const NAME: &'static str = "refine.texture";
     const VERSION: u32 = 3;
@@ -51,6 +55,18 @@ impl Stage for Texture {
     type Params = TextureParams;
     type Input = TextureInput;
     type Output = Textured;
+    const METRICS: &'static [&'static str] =
+        &["charts", "faces that no photo shows", "atlas against photo"];
+
+    /// The pictures, and what hangs on the vertices.
+    fn memory(p: &TextureParams, input: &TextureInput) -> u64 {
+        let (photos, cameras) = (&input.photos, &input.cameras);
+        let masks = input.masks.as_deref();
+        let need = Need::new(photos, cameras, masks, 0, SMALL_MPX);
+        // The atlas as it is painted, grown, encoded and packed.
+        let atlas = 12.0 * f64::from(p.atlas_px).powi(2);
+        (need.pictures(1) + need.surface(0.0, &input.mesh) + atlas) as u64
+    }
 
     fn run(p: &TextureParams, input: TextureInput, ctx: &Ctx<'_>) -> Result<Textured, Stop> {
         let mesh = Mesh {
@@ -66,7 +82,7 @@ impl Stage for Texture {
             .map(|(id, view)| (id, view.camera))
             .collect();
         let masks = input.masks.as_deref();
-        let small = pictures(&input.photos, &input.cameras, masks, 0, 2.0, || {
+        let small = pictures(&input.photos, &input.cameras, masks, 0, SMALL_MPX, || {
             ctx.check().map_err(Stop::from)
         })?;
         let labels = labels(&mesh, &small, p.rounds as usize);

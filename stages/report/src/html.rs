@@ -73,6 +73,7 @@ impl Stage for Html {
     type Params = HtmlParams;
     type Input = HtmlInput;
     type Output = Document;
+    const METRICS: &'static [&'static str] = &["size"];
 
     fn run(p: &HtmlParams, input: HtmlInput, ctx: &Ctx<'_>) -> Result<Document, Stop> {
         let head = face::head(&input.body, input.landmarks.as_deref());

@@ -162,6 +162,9 @@ pub struct Girths {
 }
 
 impl Girths {
+    /// The names of [`ratios`](Girths::ratios) that are told where they can be.
+    pub const RATIOS: [&'static str; 4] = ["WHR", "WHR_tape", "WHtR", "density_kg_l"];
+
     /// The girth of a name.
     pub fn get(&self, name: &str) -> Option<&Girth> {
         self.girths.iter().find(|g| g.name == name)

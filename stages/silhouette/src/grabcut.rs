@@ -89,6 +89,7 @@ impl Stage for GrabCut {
     type Params = GrabCutParams;
     type Input = GrabCutInput;
     type Output = Masks;
+    const METRICS: &'static [&'static str] = &["stands still"];
 
     fn run(p: &GrabCutParams, input: GrabCutInput, ctx: &Ctx<'_>) -> Result<Masks, Stop> {
         let radius = input.cameras.as_ref().and_then(|c| c.disk_radius_mm);

@@ -66,6 +66,8 @@ pub trait AnyStage: Sync {
     fn format(&self) -> u32;
     /// What flows in.
     fn ports(&self) -> Vec<PortSpec>;
+    /// See [`Stage::METRICS`].
+    fn metrics(&self) -> &'static [&'static str];
     /// What may be tuned.
     fn params(&self) -> Vec<ParamSpec>;
     /// Reads params; all mistakes at once.
@@ -110,6 +112,9 @@ impl<S: Stage> AnyStage for Erased<S> {
     }
     fn ports(&self) -> Vec<PortSpec> {
         S::Input::ports()
+    }
+    fn metrics(&self) -> &'static [&'static str] {
+        S::METRICS
     }
     fn params(&self) -> Vec<ParamSpec> {
         S::Params::specs()

@@ -18,6 +18,7 @@ mod ctx;
 mod erase;
 mod files;
 mod input;
+mod metrics;
 mod named;
 mod nearest;
 mod params;
@@ -31,6 +32,7 @@ pub use ctx::{Ctx, Host, Metric, Steps};
 pub use erase::{AnyArtifact, AnyStage, Checked, Erased, Made, erase};
 pub use files::{FileEntry, Files, FilesError};
 pub use input::{Input, Port, PortSpec, Wrong};
+pub use metrics::tells;
 pub use named::Named;
 pub use nearest::{nearest, unknown};
 #[doc(hidden)]
@@ -52,6 +54,9 @@ pub trait Stage: 'static {
     type Input: Input;
     /// What flows out.
     type Output: Artifact;
+    /// The names of all metrics that `run` may tell; `*` stands for a part that follows from the
+    /// input. What is not here can be asked for by nobody.
+    const METRICS: &'static [&'static str] = &[];
 
     /// What a run takes at most beside its input, as far as that can be told before. Stages of one
     /// process that together say more than is free run one after the other. No part of the key.

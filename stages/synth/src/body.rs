@@ -41,6 +41,7 @@ impl Stage for MakeBody {
     type Params = BodyParams;
     type Input = BodyInput;
     type Output = Mesh;
+    const METRICS: &'static [&'static str] = &["faces", "volume"];
 
     fn run(p: &BodyParams, input: BodyInput, ctx: &Ctx<'_>) -> Result<Mesh, Stop> {
         let (low, high) = bounds(&input.solid);

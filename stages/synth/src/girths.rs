@@ -35,6 +35,7 @@ impl Stage for FormulaGirths {
     type Params = ();
     type Input = FormulaInput;
     type Output = Girths;
+    const METRICS: &'static [&'static str] = &["*"];
 
     fn run(_: &(), input: FormulaInput, ctx: &Ctx<'_>) -> Result<Girths, Stop> {
         let turn = match (&input.cameras, &input.truth) {

@@ -40,6 +40,22 @@ impl Stage for Score {
     type Params = ();
     type Input = ScoreInput;
     type Output = Document;
+    const METRICS: &'static [&'static str] = &[
+        "girths mean error",
+        "girths worst error",
+        "girths measured",
+        "girths * error",
+        "cameras found",
+        "cameras median centre error",
+        "cameras worst centre error",
+        "cameras scale error",
+        "cameras focal error",
+        "masks mean IoU",
+        "masks worst IoU",
+        "surface mean distance",
+        "surface mean outward",
+        "surface 95 of 100 within",
+    ];
 
     fn run(_: &(), input: ScoreInput, ctx: &Ctx<'_>) -> Result<Document, Stop> {
         let mut told = Map::new();

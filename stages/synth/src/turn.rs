@@ -82,6 +82,7 @@ impl Stage for TakePhotos {
     type Params = TurnParams;
     type Input = TurnInput;
     type Output = Photos;
+    const METRICS: &'static [&'static str] = &["photos"];
 
     fn run(p: &TurnParams, input: TurnInput, ctx: &Ctx<'_>) -> Result<Photos, Stop> {
         let (mesh, cameras) = (&input.mesh, &input.cameras);

@@ -1,0 +1,113 @@
+//! Where two runs part ways: what was said otherwise, and the first result that came out otherwise.
+
+use crate::story::Story;
+use serde::Deserialize;
+use std::collections::HashMap;
+
+/// A node of a run, as `run.json` has it.
+#[derive(Debug, Clone, PartialEq, Deserialize)]
+pub struct NodeRun {
+    /// Its name in the pipeline.
+    pub node: String,
+    /// Its stage.
+    pub stage: String,
+    /// What became of it: found, made, failed, skipped, cancelled.
+    pub fate: String,
+    /// The content of its result.
+    pub content: Option<String>,
+    /// What its result depends on, line by line.
+    #[serde(default)]
+    pub story: Story,
+    /// How long it took: now, or when it was made. \[s\]
+    pub seconds: f64,
+    /// Size of its result. \[bytes\]
+    pub bytes: u64,
+    /// What the user should know.
+    #[serde(default)]
+    pub warnings: Vec<String>,
+}
+
+/// All nodes by their names.
+pub fn by_name(nodes: &[NodeRun]) -> HashMap<&str, &NodeRun> {
+    nodes.iter().map(|n| (n.node.as_str(), n)).collect()
+}
+
+/// Something that a node was told otherwise.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Change {
+    /// The node.
+    pub node: String,
+    /// What: `voxel_mm`, `stage`, ….
+    pub what: String,
+    /// In the first run.
+    pub old: String,
+    /// In the other.
+    pub new: String,
+}
+
+/// What is different about a run, held against the first.
+#[derive(Debug, Clone, PartialEq, Eq, Default)]
+pub struct Difference {
+    /// Stages and params, in the order of the walk.
+    pub changes: Vec<Change>,
+    /// Nodes that only the first has.
+    pub gone: Vec<String>,
+    /// Nodes that only the other has.
+    pub new: Vec<String>,
+    /// The first node, in the order of the walk, whose result is another.
+    pub first: Option<String>,
+    /// All nodes whose result is another.
+    pub diverged: Vec<String>,
+    /// Nodes that read or were told something else, and yet made the same bytes.
+    pub met_again: Vec<String>,
+}
+
+/// What is different about `b`.
+pub fn differ(a: &[NodeRun], b: &[NodeRun]) -> Difference {
+    let mut d = Difference::default();
+    let (of_a, of_b) = (by_name(a), by_name(b));
+    for node in a {
+        let Some(other) = of_b.get(node.node.as_str()) else {
+            d.gone.push(node.node.clone());
+            continue;
+        };
+        d.changes.extend(changes(node, other));
+        if node.content != other.content {
+            d.diverged.push(node.node.clone());
+        } else if node.story != other.story {
+            d.met_again.push(node.node.clone());
+        }
+    }
+    let only_b = b.iter().filter(|n| !of_a.contains_key(n.node.as_str()));
+    d.new = only_b.map(|n| n.node.clone()).collect();
+    d.first = d.diverged.first().cloned();
+    d
+}
+
+/// Lines of the story that differ, without the contents of ports: those follow from others.
+fn changes(a: &NodeRun, b: &NodeRun) -> Vec<Change> {
+    // Whether a port is wired is said; what flows through it is not.
+    fn line<'a>((what, value): (&'a str, &'a str)) -> (&'a str, &'a str) {
+        match what.starts_with("from ") && value != "nothing" {
+            true => (what, "something"),
+            false => (what, value),
+        }
+    }
+    let [old, new] = [a, b].map(|node| node.story.lines().map(line).collect::<Vec<_>>());
+    let find = |lines: &[(&str, &str)], what: &str| {
+        let line = lines.iter().find(|(w, _)| *w == what);
+        line.map_or("nothing", |(_, v)| v).to_owned()
+    };
+    let names = old
+        .iter()
+        .chain(new.iter().filter(|(w, _)| !old.iter().any(|(x, _)| x == w)));
+    names
+        .map(|(what, _)| Change {
+            node: a.node.clone(),
+            what: what.strip_prefix("with ").unwrap_or(what).to_owned(),
+            old: find(&old, what),
+            new: find(&new, what),
+        })
+        .filter(|c| c.old != c.new)
+        .collect()
+}

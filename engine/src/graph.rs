@@ -1,0 +1,73 @@
+//! A pipeline whose every name means something: what the walk runs.
+
+use crate::kind::Catalog;
+use stage::{AnyStage, Checked, PortSpec};
+use std::sync::Arc;
+
+/// Where a port gets its artifact from.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Source {
+    /// From a node, by its place in [`Graph::nodes`].
+    Node(usize),
+    /// From the user, by its place in [`Graph::inputs`].
+    Input(usize),
+}
+
+/// A node whose stage, ports and params were found good.
+#[derive(Clone)]
+pub struct Bound {
+    /// Its name in the pipeline.
+    pub name: String,
+    /// What it does.
+    pub stage: &'static dyn AnyStage,
+    /// The stage's ports.
+    pub ports: Arc<[PortSpec]>,
+    /// With what params.
+    pub params: Checked,
+    /// From where: one entry a port, in the stage's order; `None` where an optional port is open.
+    pub from: Vec<Option<Source>>,
+}
+
+/// Files that the user hands over.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct InputDecl {
+    /// Its name, without the `@`.
+    pub name: String,
+    /// What it is.
+    pub about: String,
+    /// Patterns of the files that belong to it, relative to its folder: `images/*.jpg`.
+    pub files: Vec<String>,
+}
+
+/// A pipeline that can run. Made by binding a recipe; nodes stand in topological order.
+#[derive(Clone)]
+pub struct Graph {
+    /// The nodes, each after all that it reads.
+    pub nodes: Vec<Bound>,
+    /// The user's files.
+    pub inputs: Vec<InputDecl>,
+    /// The nodes that are wanted when nobody says otherwise.
+    pub goal: Vec<usize>,
+    /// What the pipeline is for.
+    pub about: String,
+    /// Where it comes from; no part of any key.
+    pub origin: Origin,
+    /// The stages that it is made of, and the kinds that flow.
+    pub catalog: &'static Catalog,
+}
+
+/// Where a pipeline comes from.
+#[derive(Debug, Clone, Default, PartialEq, Eq)]
+pub struct Origin {
+    /// Its file, or the name of its text.
+    pub pipeline: String,
+    /// Its variants, as they were asked for.
+    pub variant: Option<String>,
+}
+
+impl Graph {
+    /// The place of the node of a name.
+    pub fn node(&self, name: &str) -> Option<usize> {
+        self.nodes.iter().position(|node| node.name == name)
+    }
+}

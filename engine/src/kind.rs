@@ -1,0 +1,53 @@
+//! A trade's stages and kinds of artifacts: all that the engine knows of what flows.
+
+use stage::{AnyArtifact, AnyStage, Metric};
+
+/// What a program is made of: its name, its stages, its kinds.
+pub struct Catalog {
+    /// The program with its version, for records of runs: `tailor 0.1.0`.
+    pub program: &'static str,
+    /// The stages, room by room.
+    pub rooms: &'static [&'static [&'static dyn AnyStage]],
+    /// The kinds of which there is something to be known; others may flow as well.
+    pub kinds: &'static [Kind],
+}
+
+/// What is to be known of a kind of artifact.
+pub struct Kind {
+    /// As [`stage::Artifact::KIND`].
+    pub name: &'static str,
+    /// Numbers that an artifact tells of itself, beside the metrics that its stage gave.
+    pub facts: fn(AnyArtifact) -> Vec<Metric>,
+    /// The names of all that `facts` may tell, `*` for any text; given the entries of the pipeline's
+    /// sections, which may be among them.
+    pub names: fn(&[String]) -> Vec<String>,
+}
+
+impl Catalog {
+    /// Every stage.
+    pub fn stages(&self) -> impl Iterator<Item = &'static dyn AnyStage> + use<> {
+        self.rooms.iter().copied().flatten().copied()
+    }
+
+    /// The stage of a name.
+    pub fn find(&self, name: &str) -> Option<&'static dyn AnyStage> {
+        self.stages().find(|stage| stage.name() == name)
+    }
+
+    /// The kind of a name, if there is something to be known of it.
+    pub fn kind(&self, name: &str) -> Option<&Kind> {
+        self.kinds.iter().find(|kind| kind.name == name)
+    }
+
+    /// What an artifact tells of itself.
+    pub(crate) fn facts(&self, artifact: AnyArtifact) -> Vec<Metric> {
+        let kind = self.kind(artifact.kind());
+        kind.map_or(vec![], |kind| (kind.facts)(artifact))
+    }
+
+    /// The names of all that artifacts of a kind may tell of themselves.
+    pub(crate) fn names(&self, kind: &str, declared: &[String]) -> Vec<String> {
+        self.kind(kind)
+            .map_or(vec![], |kind| (kind.names)(declared))
+    }
+}

@@ -1,0 +1,275 @@
+//! One node: found in the store, or its stage is run and the result published.
+
+use crate::graph::{Bound, Source};
+use crate::key::{self, Digest};
+use crate::memory::Memory;
+use crate::store::{Claim, Record, Store};
+use crate::walk::{Done, Fate, Job, Watch};
+use stage::{AnyArtifact, AnyStage, Ctx, Hash, Host, Metric, Stop};
+use std::panic::AssertUnwindSafe;
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::{Mutex, OnceLock};
+use std::time::Instant;
+
+/// What a walk happens in.
+pub struct Surroundings<'a> {
+    /// Where results are kept.
+    pub store: &'a Store,
+    /// Who is told.
+    pub watch: &'a dyn Watch,
+    /// Set when the user asks to stop.
+    pub cancel: &'a AtomicBool,
+    /// The threads that stages share.
+    pub pool: &'a Pool,
+}
+
+/// Threads that are there once somebody needs them, and memory.
+pub struct Pool {
+    threads: usize,
+    pool: OnceLock<rayon::ThreadPool>,
+    memory: Memory,
+}
+
+impl Pool {
+    /// So many threads.
+    pub fn new(threads: usize) -> Pool {
+        Pool {
+            threads,
+            pool: OnceLock::new(),
+            memory: Memory::default(),
+        }
+    }
+
+    fn get(&self) -> &rayon::ThreadPool {
+        self.pool.get_or_init(|| {
+            let pool = rayon::ThreadPoolBuilder::new().num_threads(self.threads);
+            pool.build().expect("bug: no threads")
+        })
+    }
+}
+
+impl Surroundings<'_> {
+    pub(crate) fn cancelled(&self) -> bool {
+        self.cancel.load(Ordering::Relaxed)
+    }
+}
+
+/// What the engine does for a stage while it runs.
+struct Hosting<'a> {
+    around: &'a Surroundings<'a>,
+    node: &'a str,
+    stage: &'static dyn AnyStage,
+    metrics: Mutex<Vec<Metric>>,
+    warnings: Mutex<Vec<String>>,
+}
+
+impl Host for Hosting<'_> {
+    fn cancelled(&self) -> bool {
+        self.around.cancelled()
+    }
+    fn progress(&self, label: &str, done: usize, of: usize) {
+        self.around.watch.progress(self.node, label, done, of);
+    }
+    fn metric(&self, metric: Metric) {
+        debug_assert!(
+            stage::tells(self.stage.metrics(), &metric.name),
+            "{} tells `{}`, which its METRICS do not name",
+            self.stage.name(),
+            metric.name
+        );
+        self.metrics.lock().expect("bug: poisoned").push(metric);
+    }
+    fn warn(&self, text: &str) {
+        self.warnings
+            .lock()
+            .expect("bug: poisoned")
+            .push(text.into());
+    }
+    fn recall(&self, key: Hash) -> Option<Vec<u8>> {
+        self.around.store.recall(key)
+    }
+    fn remember(&self, key: Hash, bytes: &[u8]) {
+        // Best effort: a disk that is full is told when the result itself is kept.
+        let _ = self.around.store.remember(key, bytes);
+    }
+}
+
+/// What came of a node's turn.
+pub(crate) enum Step {
+    /// It is done; the artifact if it was made now.
+    Done(Done, Option<AnyArtifact>),
+    /// Another process makes it just now.
+    Busy,
+    /// These results that it reads are gone from the store.
+    Gone(Vec<usize>),
+}
+
+/// Finds a node's result. Where it need not be `there`, it is enough that its content is known.
+pub(crate) fn find(
+    job: &Job<'_>,
+    node: usize,
+    inputs: &[Option<Hash>],
+    there: bool,
+    store: &Store,
+) -> Option<Done> {
+    let key = key::key(&job.graph.nodes[node], inputs);
+    let found = store.found(key).filter(|f| f.present || !there)?;
+    Some(done(Fate::Found, key, found.record))
+}
+
+/// Finds or makes a node's result; hands on the artifact if it was made.
+pub(crate) fn run_one(
+    job: &Job<'_>,
+    node: usize,
+    inputs: &[Option<Hash>],
+    at_hand: Vec<Option<AnyArtifact>>,
+    there: bool,
+    around: &Surroundings<'_>,
+) -> Step {
+    let bound = &job.graph.nodes[node];
+    let story = key::story(bound, inputs);
+    let key = story.key();
+    let lease = match around.store.claim(key) {
+        Claim::Busy => return Step::Busy,
+        Claim::Mine(lease) => lease,
+    };
+    // Who held the lease before may have made it; and it may equal what another node made.
+    if let Some(done) = find(job, node, inputs, there, around.store) {
+        return Step::Done(done, None);
+    }
+    let artifacts = match load(job, node, inputs, at_hand, around.store) {
+        Ok(artifacts) => artifacts,
+        Err(gone) => return Step::Gone(gone),
+    };
+    let needs = around
+        .pool
+        .get()
+        .install(|| bound.stage.memory(&bound.params, &artifacts));
+    let _share = around.pool.memory.take(needs, &|| around.cancelled());
+    around.watch.started(&bound.name);
+    let (done, artifact) = make(bound, key, story, artifacts, around);
+    drop(lease);
+    Step::Done(done, artifact)
+}
+
+/// Runs the stage and publishes its result.
+fn make(
+    bound: &Bound,
+    key: Hash,
+    story: key::Story,
+    artifacts: Vec<Option<AnyArtifact>>,
+    around: &Surroundings<'_>,
+) -> (Done, Option<AnyArtifact>) {
+    let start = Instant::now();
+    let failed = |why: String| Done {
+        key: Some(key),
+        story: story.0.clone(),
+        ..Done::nothing(Fate::Failed(why))
+    };
+    let mut recipe = Digest::default();
+    key::tell_recipe(bound, &mut recipe);
+    let (metrics, warnings) = Default::default();
+    let host = Hosting {
+        around,
+        node: &bound.name,
+        stage: bound.stage,
+        metrics,
+        warnings,
+    };
+    let ctx = Ctx::new(&host, recipe.finish(), key);
+    let run = || {
+        around
+            .pool
+            .get()
+            .install(|| bound.stage.run(&bound.params, artifacts, &ctx))
+    };
+    let made = match std::panic::catch_unwind(AssertUnwindSafe(run)) {
+        Ok(Ok(made)) => made,
+        Ok(Err(Stop::Cancelled)) => return (Done::nothing(Fate::Cancelled), None),
+        Ok(Err(Stop::Failed(error))) => return (failed(chain(error.as_ref())), None),
+        Err(panic) => {
+            let text = panic.downcast_ref::<String>().map(String::as_str);
+            let text = text
+                .or(panic.downcast_ref::<&str>().copied())
+                .unwrap_or("no message");
+            let stage = bound.stage.name();
+            return (
+                failed(format!("bug in {stage}: {text}; please report it")),
+                None,
+            );
+        }
+    };
+    let seconds = start.elapsed().as_secs_f64();
+    let published = around.store.keep(&made.bytes, seconds).and_then(|content| {
+        let record = Record {
+            story: story.0.clone(),
+            content,
+            bytes: made.bytes.len() as u64,
+            seconds,
+            metrics: host.metrics.into_inner().expect("bug: poisoned"),
+            warnings: host.warnings.into_inner().expect("bug: poisoned"),
+        };
+        around.store.write_record(key, &record)?;
+        Ok(record)
+    });
+    match published {
+        Ok(record) => (done(Fate::Made, key, record), Some(made.artifact)),
+        Err(error) => (failed(error.to_string()), None),
+    }
+}
+
+fn done(fate: Fate, key: Hash, record: Record) -> Done {
+    Done {
+        fate,
+        key: Some(key),
+        content: Some(record.content),
+        story: record.story,
+        seconds: record.seconds,
+        bytes: record.bytes,
+        metrics: record.metrics,
+        warnings: record.warnings,
+    }
+}
+
+/// The artifacts of all ports: from memory, else from the store; or the nodes whose results are
+/// not there, or not whole.
+fn load(
+    job: &Job<'_>,
+    node: usize,
+    inputs: &[Option<Hash>],
+    at_hand: Vec<Option<AnyArtifact>>,
+    store: &Store,
+) -> Result<Vec<Option<AnyArtifact>>, Vec<usize>> {
+    let mut gone = Vec::new();
+    let ports = job.graph.nodes[node].from.iter().zip(inputs).zip(at_hand);
+    let artifacts = ports
+        .map(|((source, content), at_hand)| {
+            let (Some(Source::Node(from)), None) = (source, &at_hand) else {
+                return at_hand;
+            };
+            let blob = content.and_then(|content| store.blob(content));
+            let stage = job.graph.nodes[*from].stage;
+            let artifact = blob.and_then(|blob| stage.read(&blob).ok());
+            if artifact.is_none() && !gone.contains(from) {
+                gone.push(*from);
+            }
+            artifact
+        })
+        .collect();
+    if gone.is_empty() {
+        Ok(artifacts)
+    } else {
+        Err(gone)
+    }
+}
+
+/// An error with its causes.
+fn chain(error: &(dyn std::error::Error + 'static)) -> String {
+    let mut text = error.to_string();
+    let mut cause = error.source();
+    while let Some(error) = cause {
+        text += &format!(": {error}");
+        cause = error.source();
+    }
+    text
+}

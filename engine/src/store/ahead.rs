@@ -1,0 +1,68 @@
+//! Looking at the blobs of an index ahead of a walk, on several threads.
+
+use super::Store;
+use super::index::{Entry, Index, Stamp};
+use stage::Hash;
+use std::path::{Path, PathBuf};
+use std::thread::JoinHandle;
+
+/// From so many entries on it is worth to look at their blobs on several threads.
+const MANY: usize = 2000;
+
+/// The index of a store, read and held against its blobs on threads of its own: for whoever reads
+/// a pipeline meanwhile.
+pub struct Ahead(JoinHandle<Index>);
+
+impl Ahead {
+    /// Of the store at a place, if there is one, for a pipeline file of so many bytes: a large
+    /// index of which a small pipeline asks little is read only.
+    pub fn of(root: &Path, pipeline_bytes: u64) -> Ahead {
+        let root: PathBuf = root.into();
+        Ahead(std::thread::spawn(move || {
+            let mut index = Index::load(&root.join("index"));
+            index.look_around(&root, pipeline_bytes as usize / LEAST_NODE_BYTES);
+            index
+        }))
+    }
+
+    pub(super) fn index(self) -> Index {
+        self.0.join().unwrap_or_default()
+    }
+}
+
+/// `[node.a]` and its stage take no less.
+const LEAST_NODE_BYTES: usize = 30;
+
+impl Index {
+    /// Looks at the blobs of all entries on several threads, for a walk of so many nodes that is
+    /// going to ask for most of them.
+    fn look_around(&mut self, root: &Path, nodes: usize) {
+        let n = self.entries.len();
+        if self.looked || n < MANY || n > 2 * nodes {
+            return;
+        }
+        self.looked = true;
+        let mut entries: Vec<&mut Entry> = self.entries.values_mut().collect();
+        // By folder: neighbours are found faster.
+        entries.sort_unstable_by_key(|entry| entry.content);
+        let look = |entry: &mut Entry| {
+            let content = Hash::from_bytes(entry.content);
+            entry.seen = Some(Stamp::of(&super::place(root, "cas", content)));
+        };
+        let cores = std::thread::available_parallelism().map_or(1, |n| n.get());
+        std::thread::scope(|scope| {
+            for chunk in entries.chunks_mut(n.div_ceil(cores.min(4))) {
+                scope.spawn(move || chunk.iter_mut().for_each(|entry| look(entry)));
+            }
+        });
+    }
+}
+
+impl Store {
+    /// Looks at the blobs of all entries on several threads, ahead of a walk of so many nodes
+    /// that is going to ask for most of them.
+    pub(crate) fn look_around(&self, nodes: usize) {
+        let mut index = self.index();
+        index.look_around(&self.root, nodes);
+    }
+}

@@ -1,0 +1,43 @@
+//! Blobs: bytes named by their hash.
+
+use super::files::{self, Care};
+use super::{Store, StoreError};
+use stage::Hash;
+
+/// The bytes of a blob, whole and verified.
+pub struct Blob(Vec<u8>);
+
+impl std::ops::Deref for Blob {
+    type Target = [u8];
+    fn deref(&self) -> &[u8] {
+        &self.0
+    }
+}
+
+impl Store {
+    /// Keeps bytes that took so long to make; returns their hash. Bytes that are there already
+    /// are not written again. \[s\]
+    pub fn keep(&self, bytes: &[u8], seconds: f64) -> Result<Hash, StoreError> {
+        let hash = blake3::hash(bytes);
+        let (path, care) = (self.place("cas", hash), Care::worth(seconds));
+        match (self.blob(hash).is_some(), care) {
+            (false, care) => files::publish(self.disk(), &self.fresh(), &path, bytes, care)?,
+            // Somebody who took less time may have made it, and left it to the system.
+            (true, Care::Durable) => files::secure(self.disk(), &path)?,
+            (true, Care::Cheap) => {}
+        }
+        Ok(hash)
+    }
+
+    /// The bytes of a hash, verified. What is corrupt goes into quarantine and is a miss.
+    pub fn blob(&self, hash: Hash) -> Option<Blob> {
+        let path = self.place("cas", hash);
+        // Read, not mapped: a map of a file that somebody cuts short kills the process.
+        let bytes = std::fs::read(&path).ok()?;
+        if blake3::hash(&bytes) == hash {
+            return Some(Blob(bytes));
+        }
+        self.quarantine(&path);
+        None
+    }
+}

@@ -1,0 +1,53 @@
+//! What publishing asks of a disk, in single steps: the real one, and in tests one that loses power.
+
+use std::fs::{self, File, OpenOptions};
+use std::io::{ErrorKind, Result, Write};
+use std::os::unix::fs::{DirBuilderExt, OpenOptionsExt};
+use std::path::Path;
+
+/// The steps. Paths are those that the store uses; a file is written by who made it.
+pub(super) trait Disk: Send + Sync {
+    /// Makes a folder, mode 0700; one that is there is as good.
+    fn folder(&self, path: &Path) -> Result<()> {
+        match fs::DirBuilder::new().mode(0o700).create(path) {
+            Err(error) if error.kind() != ErrorKind::AlreadyExists || !path.is_dir() => Err(error),
+            _ => Ok(()),
+        }
+    }
+
+    /// Makes a file that is not there yet, mode 0600.
+    fn create(&self, path: &Path) -> Result<File> {
+        let mut open = OpenOptions::new();
+        open.write(true).create_new(true).mode(0o600).open(path)
+    }
+
+    /// Writes bytes behind those that are there.
+    fn write(&self, file: &mut File, _path: &Path, bytes: &[u8]) -> Result<()> {
+        file.write_all(bytes)
+    }
+
+    /// Whatever was written outlives a loss of power, once this is done; the name need not.
+    fn sync(&self, file: &File, _path: &Path) -> Result<()> {
+        file.sync_data()
+    }
+
+    /// Gives a file another name, over what has that name.
+    fn rename(&self, from: &Path, to: &Path) -> Result<()> {
+        fs::rename(from, to)
+    }
+
+    /// The names in a folder outlive a loss of power, once this is done.
+    fn sync_names(&self, folder: &Path) -> Result<()> {
+        File::open(folder)?.sync_all()
+    }
+
+    /// Removes a file.
+    fn remove(&self, path: &Path) -> Result<()> {
+        fs::remove_file(path)
+    }
+}
+
+/// The disk that there is.
+pub(super) struct Real;
+
+impl Disk for Real {}

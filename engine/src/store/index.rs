@@ -1,0 +1,296 @@
+//! What was verified, remembered by the stamp of its file: a run that makes nothing opens no blob.
+//!
+//! The index holds copies of records and may be deleted at any time. An entry counts while the
+//! blob's size, inode and time of change are those of when it was last read and found whole.
+//! Unlike the time of modification, the time of change cannot be set back by a program. What
+//! changed within a second of the index being written is left out (the racy-timestamp rule), and
+//! what is loaded to be used is verified whatever the index says.
+//!
+//! ```text
+//! 0    magic "TAILORIX"     8 bytes
+//! 8    blake3 of the rest   32 bytes
+//! 40   entries: key 32, content 32, size u64, inode u64, changed i64, seconds f64,
+//!      length of notes u32, notes (JSON: metrics and warnings; empty for none)
+//! ```
+
+use super::files::{self, Care};
+use super::{Record, Store};
+use stage::{Hash, Metric};
+use std::collections::HashMap;
+use std::hash::{BuildHasherDefault, Hasher};
+use std::os::unix::fs::MetadataExt;
+use std::path::Path;
+
+const MAGIC: &[u8; 8] = b"TAILORIX";
+const RACY_NS: i64 = 1_000_000_000;
+/// Of an entry without notes.
+const LEAST_ENTRY_BYTES: usize = 100;
+
+/// A file's size, inode and time of change. \[bytes, 1, ns\]
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) struct Stamp(u64, u64, i64);
+
+impl Stamp {
+    pub(super) fn of(path: &Path) -> Option<Stamp> {
+        let meta = std::fs::metadata(path).ok()?;
+        let changed = meta.ctime() * 1_000_000_000 + meta.ctime_nsec();
+        Some(Stamp(meta.size(), meta.ino(), changed))
+    }
+}
+
+#[derive(Debug, Clone)]
+pub(super) struct Entry {
+    pub(super) content: [u8; 32],
+    stamp: Stamp,
+    seconds: f64,
+    notes: Vec<u8>,
+    /// The blob's stamp as it was seen a moment ago, to be used once; see [`Store::look_around`].
+    pub(super) seen: Option<Option<Stamp>>,
+}
+
+/// What is known of a key.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Found {
+    /// What was made. Its story is empty where the index knew the answer.
+    pub record: Record,
+    /// Whether the result is there. If not, its content is known all the same, and it need not be
+    /// made again before somebody reads it.
+    pub present: bool,
+}
+
+impl Entry {
+    fn record(&self) -> Record {
+        let (metrics, warnings): Notes = match self.notes.is_empty() {
+            true => Notes::default(),
+            false => serde_json::from_slice(&self.notes).unwrap_or_default(),
+        };
+        let metric = |(name, value, unit)| Metric { name, value, unit };
+        Record {
+            story: vec![],
+            content: Hash::from_bytes(self.content),
+            bytes: self.stamp.0,
+            seconds: self.seconds,
+            metrics: metrics.into_iter().map(metric).collect(),
+            warnings,
+        }
+    }
+}
+
+type Notes = (Vec<(String, f64, String)>, Vec<String>);
+
+/// A key is a hash: its first bits are as good as any.
+#[derive(Default)]
+pub(super) struct FirstBits(u64);
+
+impl Hasher for FirstBits {
+    fn finish(&self) -> u64 {
+        self.0
+    }
+    fn write_usize(&mut self, _length: usize) {}
+    fn write(&mut self, key: &[u8]) {
+        if let Some(first) = key.first_chunk() {
+            self.0 = u64::from_le_bytes(*first);
+        }
+    }
+}
+
+type Entries = HashMap<[u8; 32], Entry, BuildHasherDefault<FirstBits>>;
+
+/// All entries by key, and whether there are new ones.
+#[derive(Debug, Default)]
+pub(super) struct Index {
+    pub(super) entries: Entries,
+    fresh: bool,
+    /// Whether the blobs of all entries have been looked at.
+    pub(super) looked: bool,
+}
+
+impl Index {
+    /// From its file; a torn one is as good as none.
+    pub(super) fn load(path: &Path) -> Index {
+        let file = std::fs::read(path).unwrap_or_default();
+        Index {
+            entries: parse(&file).unwrap_or_default(),
+            ..Index::default()
+        }
+    }
+
+    /// As if every blob of the size that it had were the file that it was: a disk may come back with
+    /// size, inode and time of a file, and without its bytes.
+    #[cfg(test)]
+    pub(super) fn trust(&mut self, root: &Path) {
+        self.entries.values_mut().for_each(|entry| {
+            let path = super::place(root, "cas", Hash::from_bytes(entry.content));
+            let there = Stamp::of(&path).filter(|there| there.0 == entry.stamp.0);
+            entry.stamp = there.unwrap_or(entry.stamp);
+        });
+    }
+
+    pub(super) fn bytes(&self, now_ns: i64) -> Vec<u8> {
+        let mut file = vec![0; 40];
+        let steady = |e: &&Entry| now_ns - e.stamp.2 > RACY_NS;
+        let mut entries: Vec<_> = self.entries.iter().filter(|(_, e)| steady(e)).collect();
+        entries.sort_unstable_by_key(|(key, _)| **key);
+        for (key, e) in entries {
+            file.extend_from_slice(key);
+            file.extend_from_slice(&e.content);
+            file.extend_from_slice(&e.stamp.0.to_le_bytes());
+            file.extend_from_slice(&e.stamp.1.to_le_bytes());
+            file.extend_from_slice(&e.stamp.2.to_le_bytes());
+            file.extend_from_slice(&e.seconds.to_le_bytes());
+            file.extend_from_slice(&(e.notes.len() as u32).to_le_bytes());
+            file.extend_from_slice(&e.notes);
+        }
+        file[..8].copy_from_slice(MAGIC);
+        let hash = blake3::hash(&file[40..]);
+        file[8..40].copy_from_slice(hash.as_bytes());
+        file
+    }
+}
+
+fn parse(file: &[u8]) -> Option<Entries> {
+    let mut rest = file.get(40..)?;
+    if &file[..8] != MAGIC || blake3::hash(rest).as_bytes() != &file[8..40] {
+        return None;
+    }
+    fn take<const N: usize>(rest: &mut &[u8]) -> Option<[u8; N]> {
+        let (head, tail) = rest.split_first_chunk::<N>()?;
+        *rest = tail;
+        Some(*head)
+    }
+    let mut entries = Entries::default();
+    entries.reserve(rest.len() / LEAST_ENTRY_BYTES);
+    while !rest.is_empty() {
+        let (key, content) = (take::<32>(&mut rest)?, take::<32>(&mut rest)?);
+        let (size, inode) = (take(&mut rest)?, take(&mut rest)?);
+        let stamp = Stamp(
+            u64::from_le_bytes(size),
+            u64::from_le_bytes(inode),
+            i64::from_le_bytes(take(&mut rest)?),
+        );
+        let seconds = f64::from_le_bytes(take(&mut rest)?);
+        let length = u32::from_le_bytes(take(&mut rest)?) as usize;
+        let (notes, tail) = rest.split_at_checked(length)?;
+        let notes = notes.to_vec();
+        rest = tail;
+        entries.insert(
+            key,
+            Entry {
+                content,
+                stamp,
+                seconds,
+                notes,
+                seen: None,
+            },
+        );
+    }
+    Some(entries)
+}
+
+fn notes(record: &Record) -> Vec<u8> {
+    if record.metrics.is_empty() && record.warnings.is_empty() {
+        return vec![];
+    }
+    let metric = |m: &Metric| (m.name.clone(), m.value, m.unit.clone());
+    let metrics = record.metrics.iter().map(metric).collect();
+    let notes: Notes = (metrics, record.warnings.clone());
+    serde_json::to_vec(&notes).expect("bug: notes JSON cannot hold")
+}
+
+impl Store {
+    /// The record of a key, and whether its result is there: the one question of a walk. A result
+    /// that is there but corrupt is a miss.
+    pub fn found(&self, key: Hash) -> Option<Found> {
+        let known = {
+            let mut index = self.index();
+            let entry = index.entries.get_mut(key.as_bytes());
+            entry.map(|e| (e.seen.take(), e.clone()))
+        };
+        if let Some((seen, entry)) = known {
+            let content = Hash::from_bytes(entry.content);
+            let stamp = seen.unwrap_or_else(|| Stamp::of(&self.place("cas", content)));
+            if stamp.is_none_or(|stamp| stamp == entry.stamp) {
+                let present = stamp.is_some();
+                let record = entry.record();
+                return Some(Found { record, present });
+            }
+        }
+        let record = self.record(key)?;
+        let stamp = Stamp::of(&self.place("cas", record.content));
+        if let Some(stamp) = stamp {
+            if self.blob(record.content).is_none() {
+                // Corrupt: made again at once, so that the store is whole again.
+                let _ = self.disk.remove(&self.place("ac", key));
+                return None;
+            }
+            self.note(key, &record, stamp);
+        }
+        let present = stamp.is_some();
+        Some(Found { record, present })
+    }
+
+    /// Remembers that the blob of a record was found whole.
+    fn note(&self, key: Hash, record: &Record, stamp: Stamp) {
+        let entry = Entry {
+            content: *record.content.as_bytes(),
+            stamp,
+            seconds: record.seconds,
+            notes: notes(record),
+            seen: None,
+        };
+        let mut index = self.index();
+        index.entries.insert(*key.as_bytes(), entry);
+        index.fresh = true;
+    }
+
+    /// Remembers a result that was just published.
+    pub(super) fn note_made(&self, key: Hash, record: &Record) {
+        if let Some(stamp) = Stamp::of(&self.place("cas", record.content)) {
+            self.note(key, record, stamp);
+        }
+    }
+
+    /// Writes the index if there is something new, with what other processes wrote meanwhile.
+    /// Best effort: without an index the next run reads more.
+    pub fn save_index(&self) {
+        let path = self.root().join("index");
+        let mut index = self.index();
+        if !std::mem::replace(&mut index.fresh, false) {
+            return;
+        }
+        let theirs = Index::load(&path).entries.into_iter();
+        theirs.for_each(|(key, entry)| _ = index.entries.entry(key).or_insert(entry));
+        let bytes = index.bytes(crate::clock::now_ns() as i64);
+        let _ = files::publish(self.disk(), &self.fresh(), &path, &bytes, Care::Cheap);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_torn_index_is_none_and_a_whole_one_comes_back() {
+        let entry = |n: u8| Entry {
+            content: [n; 32],
+            stamp: Stamp(7, 8, 9),
+            seconds: 0.5,
+            notes: vec![n; usize::from(n)],
+            seen: None,
+        };
+        let mut index = Index::default();
+        for n in 0..3 {
+            index.entries.insert([n; 32], entry(n));
+        }
+        let bytes = index.bytes(i64::MAX);
+        assert_eq!(parse(&bytes).unwrap().len(), 3);
+        for end in 0..bytes.len() {
+            assert!(parse(&bytes[..end]).is_none(), "{end}");
+        }
+        assert_eq!(
+            parse(&index.bytes(9)).unwrap().len(),
+            0,
+            "racy ones stay out"
+        );
+    }
+}

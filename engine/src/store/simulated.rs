@@ -1,0 +1,204 @@
+//! A disk that fails at a step, and one that loses power: what of a store may be left.
+//!
+//! Steps are done on the real disk, but for its syncs, and written down. [`after_loss`] replays the first of them in memory
+//! and lets go of what POSIX does not promise: bytes that were not synced are there, torn, zeros or
+//! missing; each change of a name that was not synced with its folder is there or not, by itself, so
+//! that changes come in any order and a renamed file may have both names or none.
+
+use super::disk::{Disk, Real};
+use proof::Dice;
+use std::collections::BTreeMap;
+use std::fs::File;
+use std::io::{Error, ErrorKind, Result};
+use std::path::{Path, PathBuf};
+use std::sync::{Arc, Mutex};
+
+/// A step that was done.
+#[derive(Debug, Clone)]
+pub(super) enum Step {
+    Folder(PathBuf),
+    Create(PathBuf),
+    Write(PathBuf, Vec<u8>),
+    Sync(PathBuf),
+    Rename(PathBuf, PathBuf),
+    SyncNames(PathBuf),
+    Remove(PathBuf),
+}
+
+/// The real disk with its steps written down; the one of this number fails.
+#[derive(Clone, Default)]
+pub(super) struct Simulated {
+    pub(super) steps: Arc<Mutex<Vec<Step>>>,
+    pub(super) fails: Option<usize>,
+    pub(super) count: Arc<Mutex<usize>>,
+}
+
+impl Simulated {
+    /// How many steps were tried.
+    pub(super) fn tried(&self) -> usize {
+        *self.count.lock().unwrap()
+    }
+
+    fn step<T>(&self, step: Step, real: impl FnOnce() -> Result<T>) -> Result<T> {
+        let number = {
+            let mut tried = self.count.lock().unwrap();
+            *tried += 1;
+            *tried - 1
+        };
+        if self.fails == Some(number) {
+            return Err(Error::from(ErrorKind::StorageFull));
+        }
+        let done = real()?;
+        self.steps.lock().unwrap().push(step);
+        Ok(done)
+    }
+}
+
+impl Disk for Simulated {
+    fn folder(&self, path: &Path) -> Result<()> {
+        self.step(Step::Folder(path.into()), || Real.folder(path))
+    }
+    fn create(&self, path: &Path) -> Result<File> {
+        self.step(Step::Create(path.into()), || Real.create(path))
+    }
+    fn write(&self, file: &mut File, path: &Path, bytes: &[u8]) -> Result<()> {
+        if self.fails == Some(self.tried()) {
+            // Torn: what fails may have written half.
+            Real.write(file, path, &bytes[..bytes.len() / 2])?;
+        }
+        let step = Step::Write(path.into(), bytes.to_vec());
+        self.step(step, || Real.write(file, path, bytes))
+    }
+    fn sync(&self, _: &File, path: &Path) -> Result<()> {
+        self.step(Step::Sync(path.into()), || Ok(()))
+    }
+    fn rename(&self, from: &Path, to: &Path) -> Result<()> {
+        let step = Step::Rename(from.into(), to.into());
+        self.step(step, || Real.rename(from, to))
+    }
+    fn sync_names(&self, folder: &Path) -> Result<()> {
+        self.step(Step::SyncNames(folder.into()), || Ok(()))
+    }
+    fn remove(&self, path: &Path) -> Result<()> {
+        self.step(Step::Remove(path.into()), || Real.remove(path))
+    }
+}
+
+/// What a name stands for.
+#[derive(Debug, Clone, Copy)]
+enum Entry {
+    Folder,
+    File(usize),
+}
+
+#[derive(Default)]
+struct Content {
+    written: Vec<u8>,
+    synced: Vec<u8>,
+}
+
+/// The disk in memory: what was done, and what of it is safe.
+#[derive(Default)]
+struct Memory {
+    files: Vec<Content>,
+    /// Names as everybody sees them.
+    names: BTreeMap<PathBuf, usize>,
+    /// Names that outlive a loss.
+    safe: BTreeMap<PathBuf, Entry>,
+    /// Changes of names since their folder was synced.
+    open: Vec<(PathBuf, Option<Entry>)>,
+}
+
+impl Memory {
+    fn take(&mut self, step: &Step) {
+        match step {
+            Step::Folder(path) => self.open.push((path.clone(), Some(Entry::Folder))),
+            Step::Create(path) => {
+                self.files.push(Content::default());
+                let file = self.files.len() - 1;
+                self.names.insert(path.clone(), file);
+                self.open.push((path.clone(), Some(Entry::File(file))));
+            }
+            Step::Write(path, bytes) => {
+                let file = self.names[path];
+                self.files[file].written.extend_from_slice(bytes);
+            }
+            Step::Sync(path) => {
+                let file = &mut self.files[self.names[path]];
+                file.synced = file.written.clone();
+            }
+            Step::Rename(from, to) => {
+                let file = self.names.remove(from).expect("bug: no such name");
+                self.names.insert(to.clone(), file);
+                self.open.push((to.clone(), Some(Entry::File(file))));
+                self.open.push((from.clone(), None));
+            }
+            Step::SyncNames(folder) => {
+                let open = std::mem::take(&mut self.open);
+                let (safe, open) = open
+                    .into_iter()
+                    .partition(|(path, _)| path.parent() == Some(folder));
+                self.open = open;
+                self.keep(safe);
+            }
+            Step::Remove(path) => {
+                self.names.remove(path);
+                self.open.push((path.clone(), None));
+            }
+        }
+    }
+
+    fn keep(&mut self, changes: Vec<(PathBuf, Option<Entry>)>) {
+        for (path, entry) in changes {
+            match entry {
+                Some(entry) => _ = self.safe.insert(path, entry),
+                None => _ = self.safe.remove(&path),
+            }
+        }
+    }
+}
+
+/// What a disk may have kept of a file.
+fn left(file: &Content, dice: &mut Dice) -> Vec<u8> {
+    if file.synced == file.written {
+        return file.synced.clone();
+    }
+    let mut bytes = file.written.clone();
+    let cut = dice.bits() as usize % (bytes.len() + 1);
+    match dice.bits() % 5 {
+        0 => bytes = file.synced.clone(),
+        1 => bytes.truncate(cut),
+        2 => bytes[cut..].fill(0),
+        3 => bytes[..cut].fill(0),
+        _ => {}
+    }
+    bytes
+}
+
+/// What may be left below `root` after these steps and a loss of power: folders (`None`) and files, each
+/// after what it lies in.
+pub(super) fn after_loss(
+    steps: &[Step],
+    root: &Path,
+    dice: &mut Dice,
+) -> Vec<(PathBuf, Option<Vec<u8>>)> {
+    let mut memory = Memory::default();
+    steps.iter().for_each(|step| memory.take(step));
+    let share = dice.unit();
+    let open = std::mem::take(&mut memory.open);
+    let kept = open.into_iter().filter(|_| dice.unit() < share).collect();
+    memory.keep(kept);
+    let mut there: Vec<(PathBuf, Option<Vec<u8>>)> = vec![];
+    for (path, entry) in &memory.safe {
+        let above = path.parent().expect("bug: the root itself");
+        let held = |(folder, file): &(PathBuf, Option<Vec<u8>>)| folder == above && file.is_none();
+        if above == root || there.iter().any(held) {
+            let file = match entry {
+                Entry::Folder => None,
+                Entry::File(file) => Some(left(&memory.files[*file], dice)),
+            };
+            there.push((path.clone(), file));
+        }
+    }
+    there
+}

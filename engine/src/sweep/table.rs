@@ -1,0 +1,210 @@
+//! The rows of a sweep as text, CSV and JSON.
+
+use super::points::plain;
+use super::run::{End, Row};
+use serde_json::{Value, json};
+use std::fmt::Write;
+
+/// A column of what is told: its name and unit.
+pub(super) fn columns(rows: &[Row]) -> Vec<(String, String)> {
+    let mut columns: Vec<(String, String)> = Vec::new();
+    for (name, metric) in rows.iter().flat_map(|r| &r.told) {
+        let at = columns.iter().position(|(n, _)| n == name);
+        let at = at.unwrap_or_else(|| {
+            columns.push((name.clone(), String::new()));
+            columns.len() - 1
+        });
+        if let Some(metric) = metric {
+            columns[at].1 = metric.unit.clone();
+        }
+    }
+    columns
+}
+
+/// What a row tells in a column.
+pub(super) fn cell(row: &Row, column: &str) -> Option<f64> {
+    let told = row.told.iter().find(|(name, _)| name == column);
+    told.and_then(|(_, metric)| Some(metric.as_ref()?.value))
+}
+
+/// The params of a row as it names them, the variant first if there is one.
+pub(super) fn params(row: &Row) -> Vec<(String, String)> {
+    let variant = row
+        .point
+        .variant
+        .iter()
+        .map(|v| ("variant".to_owned(), v.clone()));
+    let values = row.point.values.iter();
+    variant
+        .chain(values.map(|(n, p, v)| (format!("{n}.{p}"), plain(v))))
+        .collect()
+}
+
+/// Why a row has no result.
+pub(super) fn trouble(row: &Row) -> Option<String> {
+    match &row.end {
+        End::Done => None,
+        End::Failed(node, why) => Some(format!("{node} failed: {why}")),
+        End::Wrong(why) => Some(why.clone()),
+        End::Stopped => Some("stopped".into()),
+    }
+}
+
+/// A number with as many digits as tell something.
+pub(crate) fn short(x: f64) -> String {
+    match x.abs() {
+        _ if x.fract() == 0.0 && x.abs() < 1e12 => format!("{x:.0}"),
+        a if a >= 100.0 => format!("{x:.1}"),
+        a if a >= 1.0 => format!("{x:.2}"),
+        _ => format!("{x:.4}"),
+    }
+}
+
+/// A table for people, and a line that sums up.
+pub fn text(about: &str, rows: &[Row]) -> String {
+    let columns = columns(rows);
+    let mut head: Vec<String> = rows
+        .first()
+        .map_or(vec![], params)
+        .into_iter()
+        .map(|p| p.0)
+        .collect();
+    let numbers = head.len();
+    head.extend(
+        columns
+            .iter()
+            .map(|(n, u)| format!("{n} {u}").trim_end().to_owned()),
+    );
+    head.extend(["made".to_owned(), "time".to_owned()]);
+    let mut lines = vec![head];
+    for row in rows {
+        let mut line: Vec<String> = params(row).into_iter().map(|p| p.1).collect();
+        match trouble(row) {
+            Some(why) => line.push(why),
+            None => {
+                line.extend(
+                    columns
+                        .iter()
+                        .map(|(n, _)| cell(row, n).map_or("-".into(), short)),
+                );
+                line.extend([row.made.to_string(), format!("{:.1} s", row.seconds)]);
+            }
+        }
+        lines.push(line);
+    }
+    let full = lines[0].len();
+    let width = |i: usize| {
+        let whole = lines.iter().filter(|l| l.len() == full || i < numbers);
+        whole.map(|l| l[i].chars().count()).max().unwrap_or(0)
+    };
+    let widths: Vec<usize> = (0..full).map(width).collect();
+    let mut text = String::new();
+    if !about.is_empty() {
+        let _ = writeln!(text, "{about}");
+    }
+    for line in &lines {
+        let mut out = String::new();
+        for (i, cell) in line.iter().enumerate() {
+            let last_of_failed = line.len() != full && i + 1 == line.len();
+            let pad = widths[i].saturating_sub(cell.chars().count());
+            let pad = if last_of_failed { 0 } else { pad };
+            let _ = match i < numbers || last_of_failed {
+                true => write!(out, "{cell}{}  ", " ".repeat(pad)),
+                false => write!(out, "{}{cell}  ", " ".repeat(pad)),
+            };
+        }
+        let _ = writeln!(text, "{}", out.trim_end());
+    }
+    let _ = writeln!(text, "{}", summary(rows));
+    text
+}
+
+/// What it cost, and what it would have.
+pub(super) fn summary(rows: &[Row]) -> String {
+    let sum = |f: fn(&Row) -> f64| rows.iter().map(f).sum::<f64>();
+    let failed = rows.iter().filter(|r| r.end != End::Done).count();
+    let failed = match failed {
+        0 => String::new(),
+        n => format!(" ({n} without a result)"),
+    };
+    let (made, found) = rows
+        .iter()
+        .fold((0, 0), |(m, f), r| (m + r.made, f + r.found));
+    format!(
+        "{} points{failed}: {made} results made in {:.1} s, {found} found; {:.1} s in all, {:.1} s of them while no stage ran; each point alone: {:.1} s",
+        rows.len(),
+        sum(|r| r.work),
+        sum(|r| r.seconds),
+        sum(|r| r.engine),
+        sum(|r| r.alone),
+    )
+}
+
+/// One line a point.
+pub fn csv(rows: &[Row]) -> String {
+    let quoted = |text: &str| match text.contains([',', '"', '\n']) {
+        true => format!("\"{}\"", text.replace('"', "\"\"")),
+        false => text.to_owned(),
+    };
+    let columns = columns(rows);
+    let mut head: Vec<String> = rows
+        .first()
+        .map_or(vec![], params)
+        .into_iter()
+        .map(|p| p.0)
+        .collect();
+    head.extend(
+        columns
+            .iter()
+            .map(|(n, u)| format!("{n} {u}").trim_end().to_owned()),
+    );
+    head.extend(
+        [
+            "made",
+            "found",
+            "seconds",
+            "engine_seconds",
+            "alone_seconds",
+            "trouble",
+        ]
+        .map(String::from),
+    );
+    let mut lines = vec![head];
+    for row in rows {
+        let mut line: Vec<String> = params(row).into_iter().map(|p| p.1).collect();
+        line.extend(
+            columns
+                .iter()
+                .map(|(n, _)| cell(row, n).map_or(String::new(), |x| x.to_string())),
+        );
+        line.extend([row.made.to_string(), row.found.to_string()]);
+        line.extend([row.seconds, row.engine, row.alone].map(|s| format!("{s:.3}")));
+        line.push(trouble(row).unwrap_or_default());
+        lines.push(line);
+    }
+    let line = |l: &Vec<String>| l.iter().map(|c| quoted(c)).collect::<Vec<_>>().join(",") + "\n";
+    lines.iter().map(line).collect()
+}
+
+/// For other programs.
+pub fn json(program: &str, name: &str, about: &str, rows: &[Row]) -> Value {
+    let row = |row: &Row| {
+        let told = |(name, metric): &(String, Option<stage::Metric>)| {
+            let m = metric.as_ref();
+            json!({ "name": name, "value": m.map(|m| m.value), "unit": m.map(|m| m.unit.clone()) })
+        };
+        let params = params(row).into_iter().map(|(k, v)| (k, Value::from(v)));
+        json!({
+            "point": row.point.name(name), "variant": row.point.variant, "set": row.point.sets(),
+            "params": params.collect::<serde_json::Map<_, _>>(),
+            "told": row.told.iter().map(told).collect::<Vec<_>>(),
+            "done": row.end == End::Done, "why": trouble(row),
+            "made": row.made, "found": row.found, "seconds": row.seconds,
+            "alone_seconds": row.alone, "work_seconds": row.work, "engine_seconds": row.engine,
+        })
+    };
+    json!({
+        "program": program, "sweep": name, "about": about,
+        "points": rows.iter().map(row).collect::<Vec<_>>(), "summary": summary(rows),
+    })
+}

@@ -1,0 +1,11 @@
+//! The engine on toys: what runs and what does not, kills, faults, many processes, laws.
+
+mod cutoff;
+mod document;
+mod faults;
+mod laws;
+mod place;
+mod power;
+mod processes;
+mod sweeping;
+pub mod toys;

@@ -1,0 +1,118 @@
+//! What goes when the store is swept, and what stays.
+
+use crate::place::{ALL, Log, NONE, Place, chain};
+
+use engine::store::{StoreError, keeper};
+
+fn budget(most: u64, keep_runs: usize) -> keeper::Budget {
+    keeper::Budget {
+        most,
+        keep_runs,
+        keep_records: 200,
+    }
+}
+
+fn sweep(place: &Place, budget: &keeper::Budget, dry_run: bool) -> keeper::Swept {
+    keeper::gc(&place.store(), budget, dry_run).unwrap()
+}
+
+#[test]
+fn gc_removes_what_is_cheap_for_its_size_and_a_rerun_makes_nothing_of_it() {
+    let place = Place::new("hello\n");
+    let chained = chain(1);
+    place.outcome(&chained, &place.cache(), 1, &Log::default());
+    let store = place.store();
+    let last_kept = sweep(&place, &budget(0, 1), true).results;
+    assert_eq!(last_kept.len(), 0, "the last run is kept");
+    assert_eq!(sweep(&place, &budget(0, 0), true).results.len(), 4);
+    assert_eq!(keeper::list(&store).len(), 4, "a dry run removes nothing");
+    let blob = std::fs::read(place.blob(1, "mid")).unwrap().len() as u64;
+    let gone = sweep(&place, &budget(3 * blob, 0), false).results;
+    assert!((1..4).contains(&gone.len()));
+    let worth = |k: &keeper::Kept| k.seconds / k.bytes as f64;
+    let left = keeper::list(&store);
+    assert!(
+        gone.iter()
+            .all(|g| left.iter().all(|l| worth(g) <= worth(l)))
+    );
+    let goal = |name: &str| chained.goal.iter().any(|i| chained.nodes[*i].name == name);
+    assert!(
+        place
+            .run(1)
+            .iter()
+            .all(|name| goal(name) || name == "mid" || name == "clean")
+    );
+    assert_eq!(keeper::verify(&store), 0);
+}
+
+#[test]
+fn what_is_pinned_stays_until_it_is_let_go() {
+    let place = Place::new("hello\n");
+    place.run(1);
+    let (first, _) = engine::runs(&place.cache()).next().unwrap();
+    place.store().pin("first", &first).unwrap();
+    place.run(2);
+    place.run(3);
+    let gone = sweep(&place, &budget(0, 0), false).results;
+    assert_eq!(gone.len(), 4, "mid and final of 2 and 3: {gone:?}");
+    assert_eq!(place.run(1), NONE);
+    assert!(place.store().unpin("first"));
+    assert_eq!(sweep(&place, &budget(0, 0), false).results.len(), 4);
+    assert_eq!(place.run(1), ALL);
+}
+
+#[test]
+fn records_of_old_runs_go_but_not_those_of_pins_nor_those_that_others_refer_to() {
+    let place = Place::new("hello\n");
+    for n in 1..=5 {
+        place.run(n);
+    }
+    // Found all: their records refer to the one of the fifth.
+    place.run(5);
+    place.run(5);
+    let ids: Vec<String> = engine::runs(&place.cache()).map(|r| r.0).collect();
+    assert_eq!(ids.len(), 7);
+    place.store().pin("second", &ids[5]).unwrap();
+    let few = keeper::Budget {
+        keep_records: 1,
+        ..budget(u64::MAX, 1)
+    };
+    assert_eq!(sweep(&place, &few, true).records, 4);
+    assert_eq!(
+        engine::runs(&place.cache()).count(),
+        7,
+        "a dry run removes nothing"
+    );
+    assert_eq!(sweep(&place, &few, false).records, 4);
+    let left: Vec<String> = engine::runs(&place.cache()).map(|r| r.0).collect();
+    assert_eq!(left, [&ids[0], &ids[2], &ids[5]].map(String::clone));
+    let logs = std::fs::read_dir(place.cache().join("runs")).unwrap();
+    assert_eq!(
+        logs.count(),
+        5,
+        "three records, and logs of the two that made something"
+    );
+    assert_eq!(place.run(5), NONE);
+}
+
+#[test]
+fn nothing_is_swept_while_a_run_uses_the_store() {
+    let place = Place::new("hello\n");
+    let graph = chain(1);
+    let outcome = place.outcome(&graph, &place.cache(), 1, &Log::default());
+    let busy = keeper::gc(&place.store(), &budget(0, 0), false);
+    assert!(matches!(busy, Err(StoreError::Busy(_))));
+    assert_eq!(
+        sweep(&place, &budget(0, 0), true).results.len(),
+        4,
+        "but asked"
+    );
+    assert!(
+        graph
+            .goal
+            .iter()
+            .all(|i| outcome.artifact(&graph, *i).is_some())
+    );
+    drop(outcome);
+    assert_eq!(sweep(&place, &budget(0, 0), false).results.len(), 4);
+}

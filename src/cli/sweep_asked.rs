@@ -1,0 +1,172 @@
+//! What a sweep is asked for, by its file and the command line, and whether it can be.
+
+use super::run::node;
+use super::{Change, Fault};
+use crate::graph::Graph;
+use crate::recipe::{Mistakes, Recipe, Sweep};
+use crate::sweep::{self, Axis, Point, Points, axes};
+use clap::Args;
+use std::path::{Path, PathBuf};
+
+/// Arguments of `tailor sweep`.
+#[derive(Args)]
+pub(crate) struct SweepArgs {
+    /// The pipeline file
+    pub(super) pipeline: PathBuf,
+    /// A sweep that it declares; none if `--sweep` says all
+    pub(super) name: Option<String>,
+    #[command(flatten)]
+    pub(super) change: Change,
+    /// A param and its values: NODE.PARAM=2,3,4 or NODE.PARAM=2..8/4 (4 values), or 1..100/3log
+    #[arg(long = "sweep")]
+    pub(super) over: Vec<String>,
+    /// A number to be told: NODE.METRIC
+    #[arg(long)]
+    pub(super) tell: Vec<String>,
+    /// Nodes that are wanted instead of the goal of the sweep or the pipeline, separated by commas
+    #[arg(long, value_delimiter = ',')]
+    pub(super) nodes: Vec<String>,
+    /// Ground truth: errors are told beside
+    #[arg(long)]
+    pub(super) truth: Option<PathBuf>,
+    /// Write sweep.csv, sweep.json and sweep.html into this folder
+    #[arg(long)]
+    pub(super) out: Option<PathBuf>,
+    /// Run even if there are more than a thousand points
+    #[arg(long)]
+    pub(super) yes: bool,
+}
+
+/// What varies and what is asked, from the file and the command line.
+pub(super) struct Asked {
+    pub(super) points: Points,
+    pub(super) name: String,
+    pub(super) about: String,
+    pub(super) tell: Vec<String>,
+    /// The nodes that are wanted; none is the pipeline's goal.
+    pub(super) nodes: Vec<String>,
+}
+
+/// The sweep by its name, with what the command line adds.
+pub(super) fn asked(args: &SweepArgs, recipe: &Recipe, base: &Graph) -> Result<Asked, Fault> {
+    let known: Vec<&str> = recipe
+        .sweeps
+        .iter()
+        .map(|s| s.name.value.as_str())
+        .collect();
+    let declared: Option<&Sweep> = match &args.name {
+        None if args.over.is_empty() => {
+            let what = match known.is_empty() {
+                true => "this pipeline declares none".to_owned(),
+                false => format!("known: {}", known.join(", ")),
+            };
+            return Err(Fault::input(format!(
+                "name a sweep ({what}) or say --sweep NODE.PARAM=VALUES"
+            )));
+        }
+        None => None,
+        Some(name) => {
+            let found = recipe.sweeps.iter().find(|s| s.name.value == *name);
+            Some(found.ok_or_else(|| Fault::input(stage::unknown("sweep", name, &known)))?)
+        }
+    };
+    let folder = args.pipeline.parent().unwrap_or(Path::new("."));
+    let mut all: Vec<Axis> = match declared {
+        Some(sweep) => axes::axes(sweep, folder).map_err(Fault::input)?,
+        None => vec![],
+    };
+    for text in &args.over {
+        all.push(axes::said(text).map_err(Fault::input)?);
+    }
+    let variants = match declared.map(|s| &s.with) {
+        Some(with) if !with.is_empty() => with.iter().map(|v| Some(v.value.clone())).collect(),
+        _ => vec![None],
+    };
+    let mut tell: Vec<String> =
+        declared.map_or(vec![], |s| s.tell.iter().map(|t| t.value.clone()).collect());
+    tell.extend(args.tell.iter().cloned());
+    Ok(Asked {
+        points: Points::new(base, variants, all),
+        name: args.name.clone().unwrap_or_else(|| "sweep".into()),
+        about: declared.map_or(String::new(), |s| s.about.clone()),
+        tell,
+        nodes: match (args.nodes.is_empty(), declared) {
+            (true, Some(sweep)) => sweep.goal.iter().map(|g| g.value.clone()).collect(),
+            _ => args.nodes.clone(),
+        },
+    })
+}
+
+/// Says what is wrong before anything runs: names, and the values of every axis.
+pub(super) fn checked(
+    args: &SweepArgs,
+    base: &Graph,
+    asked: &Asked,
+    at: &dyn Fn(&Point) -> Result<Graph, Mistakes>,
+) -> Result<(), Fault> {
+    for name in &asked.nodes {
+        node(base, name)?;
+    }
+    for tell in &asked.tell {
+        let (of, _) = tell.split_once('.').unwrap_or((tell, ""));
+        if of == "error" && args.truth.is_none() {
+            let what = "is told against ground truth: say --truth FOLDER";
+            return Err(Fault::input(format!("`{tell}` {what}")));
+        }
+        if of != "error" && asked.points.variants == [None] {
+            node(base, of)?;
+        }
+    }
+    tellable(args, asked, at)?;
+    // Each row of each axis alone: a param or a value that cannot be is told before anything runs.
+    let mut told = Vec::new();
+    for axis in &asked.points.axes {
+        for row in axis.rows.iter().take(10_000) {
+            let pairs = axis.params.iter().zip(row);
+            let point = Point {
+                variant: asked.points.variants[0].clone(),
+                values: pairs
+                    .map(|((n, p), v)| (n.clone(), p.clone(), v.clone()))
+                    .collect(),
+            };
+            if let Err(mistakes) = at(&point) {
+                let text = mistakes.to_string().replace("--set", "--sweep");
+                if !told.contains(&text) {
+                    told.push(text);
+                }
+            }
+        }
+    }
+    match told.is_empty() {
+        true => Ok(()),
+        false => Err(Fault::input(told.join("\n"))),
+    }
+}
+
+/// Whether what `--tell` asks for can be told at all; what the file asks for was looked at with it.
+fn tellable(
+    args: &SweepArgs,
+    asked: &Asked,
+    at: &dyn Fn(&Point) -> Result<Graph, Mistakes>,
+) -> Result<(), Fault> {
+    let point = |variant: &Option<String>| Point {
+        variant: variant.clone(),
+        values: vec![],
+    };
+    let graphs = asked.points.variants.iter().map(|v| at(&point(v)));
+    let graphs: Vec<Graph> = graphs.collect::<Result<_, _>>().map_err(Fault::mistakes)?;
+    for tell in &args.tell {
+        let (node, metric) = tell.split_once('.').unwrap_or((tell, ""));
+        let what = graphs.iter().map(|graph| {
+            let bound = &graph.nodes[graph.node(node)?];
+            let params = graph.nodes.iter().flat_map(|n| &n.params.values);
+            let declared = sweep::entries(params.map(|(_, value)| value));
+            sweep::untellable(node, bound.stage, metric, &declared, graph.catalog)
+        });
+        // It is enough that one variant tells it, or leaves the node out.
+        if let Some(what) = what.collect::<Option<Vec<String>>>() {
+            return Err(Fault::input(format!("`--tell {tell}`: {}", what[0])));
+        }
+    }
+    Ok(())
+}

@@ -1,0 +1,77 @@
+//! A point against ground truth: what it wrote is scored in a folder that goes again.
+
+use crate::engine::Outcome;
+use crate::graph::Graph;
+use crate::{delivery, out, score};
+use shape::Photos;
+use stage::Metric;
+use std::path::Path;
+
+/// Errors of a point: `error.WC` along the contour \[%\], `error.WC.tape` \[mm\], cameras and surface.
+pub(crate) fn errors(
+    graph: &Graph,
+    outcome: &Outcome,
+    truth: &Path,
+) -> Result<Vec<Metric>, String> {
+    let folder = tempfile::tempdir().map_err(|e| e.to_string())?;
+    for (kind, file, format) in [
+        ("cameras", "cameras.json", "json"),
+        ("girths", "girths.json", "json"),
+        ("mesh", "body.ply", "ply"),
+    ] {
+        let Some(artifact) = body(graph, outcome, kind) else {
+            continue;
+        };
+        let files = out::files(artifact, Vec::new, &Photos::default(), Some(format));
+        let files = files.map_err(|e| e.to_string())?;
+        delivery::write(&folder.path().join(file), &files).map_err(|e| e.to_string())?;
+    }
+    let score = score::score(folder.path(), truth).map_err(|e| e.to_string())?;
+    Ok(metrics(&score))
+}
+
+/// The result of a kind: the last one in the pipeline; for a surface, the one that is measured.
+fn body(graph: &Graph, outcome: &Outcome, kind: &str) -> Option<stage::AnyArtifact> {
+    let at = match kind {
+        "mesh" => crate::measured::measured(graph),
+        kind => (0..graph.nodes.len())
+            .rev()
+            .find(|i| graph.nodes[*i].stage.yields() == kind),
+    };
+    outcome.artifact(graph, at?)
+}
+
+fn metrics(score: &score::Score) -> Vec<Metric> {
+    let metric = |name: String, value: f64, unit: &str| Metric {
+        name,
+        value,
+        unit: unit.into(),
+    };
+    let mut all = Vec::new();
+    for (name, girth) in &score.girths {
+        let Some(girth) = girth else { continue };
+        all.extend(girth.error_pct.map(|v| metric(name.clone(), v, "%")));
+        all.extend(
+            girth
+                .tape_error_mm
+                .map(|v| metric(format!("{name}.tape"), v, "mm")),
+        );
+    }
+    if let Some(cameras) = &score.cameras {
+        all.extend(
+            cameras
+                .centre_mm_median
+                .map(|v| metric("cameras".into(), v, "mm")),
+        );
+        all.extend(
+            cameras
+                .scale_error_pct
+                .map(|v| metric("scale".into(), v, "%")),
+        );
+    }
+    if let Some(mesh) = &score.mesh {
+        all.push(metric("surface".into(), mesh.all.accuracy_mean_mm, "mm"));
+        all.push(metric("surface.bias".into(), mesh.all.bias_mm, "mm"));
+    }
+    all
+}

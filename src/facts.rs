@@ -1,0 +1,91 @@
+//! Numbers that an artifact tells of itself, beside the metrics that its stage gave.
+
+use engine::Kind;
+use shape::{GirthId, Girths, Mesh, Side, Textured, Unit};
+use stage::{Artifact, Metric};
+
+/// The kinds that tell numbers of themselves: girths along the contour and by tape; a surface's volume,
+/// area and size.
+pub(crate) const KINDS: &[Kind] = &[
+    Kind {
+        name: Girths::KIND,
+        facts: |artifact| artifact.downcast().map_or(vec![], |g| girths(&g)),
+        names: girth_names,
+    },
+    Kind {
+        name: Mesh::KIND,
+        facts: |artifact| artifact.downcast().map_or(vec![], |m| mesh(&m)),
+        names: mesh_names,
+    },
+    Kind {
+        name: Textured::KIND,
+        facts: |artifact| {
+            let textured = artifact.downcast::<Textured>();
+            textured.map_or(vec![], |t| mesh(&t.mesh))
+        },
+        names: mesh_names,
+    },
+];
+
+fn mesh_names(_: &[String]) -> Vec<String> {
+    ["volume", "area", "faces", "vertices"]
+        .map(String::from)
+        .to_vec()
+}
+
+/// Girths of the table, and those of the user's own among what the pipeline declares.
+fn girth_names(declared: &[String]) -> Vec<String> {
+    let own = declared.iter().flat_map(|name| {
+        let sides = Side::BOTH.map(|side| format!("{name}{}", side.suffix()));
+        std::iter::once(name.clone()).chain(sides)
+    });
+    let girths = GirthId::all().map(GirthId::name).chain(own);
+    let all = girths.flat_map(|n| [n.clone(), format!("{n}.tape"), format!("{n}.width")]);
+    let beside = ["stature", "volume"].into_iter().chain(Girths::RATIOS);
+    all.chain(beside.map(String::from)).collect()
+}
+
+fn metric(name: &str, value: f64, unit: &str) -> Metric {
+    Metric {
+        name: name.into(),
+        value,
+        unit: unit.into(),
+    }
+}
+
+fn girths(girths: &Girths) -> Vec<Metric> {
+    // Without a scale, 1 is the radius of the camera ring.
+    let length = |name: &str, mm: f64| match girths.unit {
+        Unit::Metric => metric(name, mm / 10.0, "cm"),
+        Unit::Relative => metric(name, mm / 1000.0, "relative"),
+    };
+    let mut all = Vec::new();
+    for g in &girths.girths {
+        all.push(length(&g.name, g.contour_mm));
+        all.push(length(&format!("{}.tape", g.name), g.tape_mm));
+        if let Some([lo, hi]) = g.interval_mm {
+            all.push(length(&format!("{}.width", g.name), hi - lo));
+        }
+    }
+    all.extend(girths.stature_mm.map(|mm| length("stature", mm)));
+    all.extend(girths.volume_l.map(|l| metric("volume", l, "l")));
+    all.extend(
+        girths
+            .ratios
+            .iter()
+            .map(|(name, value, _)| metric(name, *value, "")),
+    );
+    all
+}
+
+fn mesh(mesh: &Mesh) -> Vec<Metric> {
+    let area: f64 = (0..mesh.faces.len())
+        .map(|f| mesh.area_vector(f).norm() / 2.0)
+        .sum();
+    vec![
+        metric("volume", mesh.volume() * 1e-6, "l"),
+        metric("area", area * 1e-6, "m²"),
+        metric("faces", mesh.faces.len() as f64, ""),
+        metric("vertices", mesh.positions.len() as f64, ""),
+    ]
+}

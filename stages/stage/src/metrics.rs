@@ -1,0 +1,39 @@
+//! The names of metrics that a stage declares: plain ones, and patterns where a name follows from the input.
+
+/// Whether a name fits one of these: `*` in a pattern stands for any text, none included.
+pub fn tells(patterns: &[&str], name: &str) -> bool {
+    patterns.iter().any(|pattern| fits(pattern, name))
+}
+
+fn fits(pattern: &str, name: &str) -> bool {
+    let Some((head, tail)) = pattern.split_once('*') else {
+        return pattern == name;
+    };
+    let Some(rest) = name.strip_prefix(head) else {
+        return false;
+    };
+    let mut starts = (0..=rest.len()).filter(|at| rest.is_char_boundary(*at));
+    starts.any(|at| fits(tail, &rest[at..]))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::tells;
+
+    #[test]
+    fn a_star_is_any_text_and_nothing_else_is() {
+        let patterns = ["volume", "girths * error", "* against *"];
+        for name in [
+            "volume",
+            "girths WC error",
+            "girths größe L error",
+            "mat against disk",
+        ] {
+            assert!(tells(&patterns, name), "{name}");
+        }
+        for name in ["volumes", "volum", "girths WC", "against", ""] {
+            assert!(!tells(&patterns, name), "{name}");
+        }
+        assert!(tells(&["*"], "") && !tells(&[], "volume"));
+    }
+}
