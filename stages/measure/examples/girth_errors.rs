@@ -34,9 +34,7 @@ const GIRTHS: [(&str, &str); 11] = [
 
 fn main() -> Result<(), Fault> {
     let mut out = csv::Writer::from_writer(std::io::stdout());
-    out.write_record([
-        "family", "id", "girth", "refused", "tape", "low", "high", "repeat", "truth",
-    ])?;
+    out.write_record(["id", "girth", "refused", "tape", "low", "high", "truth"])?;
     let rows: Vec<_> = truths(&folder()?)?.par_iter().map(|t| body(t)).collect();
     for rows in rows {
         for row in rows? {
@@ -73,7 +71,7 @@ fn body(path: &Path) -> Result<Vec<Vec<String>>, Fault> {
     let number = |v: Option<f64>| v.map_or(String::new(), |v| format!("{v:.1}"));
     let row = |(name, plane): (&str, &str)| {
         let truth = made.truth["planes"][plane]["tape_clean"].as_f64()?;
-        let mut row = vec![made.text("family"), made.id.clone(), name.to_owned()];
+        let mut row = vec![made.id.clone(), name.to_owned()];
         match girths.get(name) {
             Some(g) => {
                 row.push(String::new());
@@ -81,7 +79,6 @@ fn body(path: &Path) -> Result<Vec<Vec<String>>, Fault> {
                     number(Some(g.tape_mm)),
                     number(g.interval_mm.map(|i| i[0])),
                     number(g.interval_mm.map(|i| i[1])),
-                    number(g.repeat_mm),
                 ]);
             }
             None => {
@@ -93,7 +90,7 @@ fn body(path: &Path) -> Result<Vec<Vec<String>>, Fault> {
                         .unwrap_or_default()
                         .into(),
                 );
-                row.extend(vec![String::new(); 4]);
+                row.extend(vec![String::new(); 3]);
             }
         }
         row.push(number(Some(truth)));

@@ -61,6 +61,10 @@ pub(crate) fn read(path: &Path) -> Result<MadeBody, Fault> {
 
 impl MadeBody {
     /// A text of the truth; empty where there is none.
+    #[allow(
+        dead_code,
+        reason = "not every program that reads made bodies asks for one"
+    )]
     pub(crate) fn text(&self, key: &str) -> String {
         self.truth[key].as_str().unwrap_or_default().to_owned()
     }
