@@ -1,6 +1,6 @@
 //! Every room. A new room adds one word here, a new stage nothing.
 
-use crate::facts::KINDS;
+use crate::kinds::KINDS;
 use engine::Catalog;
 use stage::AnyStage;
 

@@ -3,7 +3,6 @@
 use crate::engine::Outcome;
 use crate::graph::Graph;
 use crate::{delivery, out, score};
-use shape::Photos;
 use stage::Metric;
 use std::path::Path;
 
@@ -22,7 +21,7 @@ pub(crate) fn errors(
         let Some(artifact) = body(graph, outcome, kind) else {
             continue;
         };
-        let files = out::files(artifact, Vec::new, &Photos::default(), Some(format));
+        let files = out::files(artifact, format, None);
         let files = files.map_err(|e| e.to_string())?;
         delivery::write(&folder.path().join(file), &files).map_err(|e| e.to_string())?;
     }

@@ -5,9 +5,10 @@ mod cli;
 pub mod closest;
 pub mod compare;
 mod errors;
-mod facts;
+pub mod kinds;
 pub mod measured;
 pub mod out;
+mod photos;
 pub mod score;
 
 pub use cli::main;

@@ -1,6 +1,6 @@
-//! Artifacts as files for people and other programs.
+//! Artifacts of the product as files for people and other programs: see [`KINDS`](crate::kinds::KINDS).
 
-use crate::delivery::DeliveryError;
+use engine::kind::{NamedFiles, WriteError};
 use shape::{
     Cameras, Document, Girths, Keypoints, Landmarks, Masks, Mesh, Photos, Tags, Textured, Tracks,
     gray_to_png, mesh_to_ply,
@@ -8,95 +8,51 @@ use shape::{
 use stage::AnyArtifact;
 use std::path::Path;
 
-/// What cannot be written.
+/// An artifact of another kind, or a format that its kind does not have.
 #[derive(Debug, thiserror::Error)]
-pub enum OutError {
-    /// A folder of results.
-    #[error(transparent)]
-    Delivery(#[from] DeliveryError),
-    /// A photo that is to be drawn on.
-    #[error(transparent)]
-    Photo(#[from] shape::PhotoError),
-    /// Cameras that a format cannot say.
-    #[error(transparent)]
-    Lens(#[from] shape::Distorted),
-    /// No such format for this kind.
-    #[error("{kind} cannot be written as `{format}`; known: {known}")]
-    Format {
-        /// The kind of artifact.
-        kind: &'static str,
-        /// What was asked for.
-        format: String,
-        /// What there is.
-        known: String,
-    },
+#[error("{kind} is not written as `{format}`")]
+pub struct NoFormat {
+    /// The kind of artifact.
+    kind: &'static str,
+    /// What was asked for.
+    format: String,
 }
 
-/// The format of a kind that has no other: the artifact's own file, as it lies in the store.
-pub const RAW: &str = "tailor";
-
-/// The formats of a kind, the usual one first.
-pub fn formats(kind: &str) -> &'static [&'static str] {
-    match kind {
-        "mesh" => &["ply", "glb", "obj", "views"],
-        "textured" => &["glb", "ply", "obj", "views"],
-        "cameras" => &["json", "colmap", "colmap-binary", "middlebury", "svg"],
-        "masks" => &["png", "sheet"],
-        "girths" => &["json", "csv", "schema", "definitions"],
-        "photos" => &["capture"],
-        "landmarks" => &["json"],
-        "document" => &["file"],
-        "tags" => &["json"],
-        "warps" => &["json"],
-        "keypoints" | "tracks" => &["png"],
-        _ => &[RAW],
+/// What the file of a document ends with.
+pub(crate) fn document_extension(artifact: &AnyArtifact) -> Option<&'static str> {
+    let document = artifact.clone().downcast::<Document>()?;
+    match document.media.split(';').next().unwrap_or("").trim() {
+        "text/html" => Some("html"),
+        "application/json" => Some("json"),
+        "text/csv" => Some("csv"),
+        "application/toml" => Some("toml"),
+        "image/svg+xml" => Some("svg"),
+        "text/plain" => Some("txt"),
+        _ => None,
     }
 }
 
-/// What the file of an artifact in its usual format ends with.
-pub fn extension(artifact: &AnyArtifact) -> &'static str {
-    let media = artifact.clone().downcast::<Document>();
-    match media
-        .as_ref()
-        .map(|d| d.media.split(';').next().unwrap_or("").trim())
-    {
-        Some("text/html") => "html",
-        Some("application/json") => "json",
-        Some("text/csv") => "csv",
-        Some("application/toml") => "toml",
-        Some("image/svg+xml") => "svg",
-        Some("text/plain") => "txt",
-        _ => formats(artifact.kind())[0],
-    }
-}
-
-/// Files of an artifact in a format: names and bytes. One nameless file, or several in a folder.
-/// `raw` gives the bytes of the artifact's own file.
+/// An artifact in one of its kind's formats; photos beside it give files their names.
 pub fn files(
     artifact: AnyArtifact,
-    raw: impl FnOnce() -> Vec<u8>,
-    names: &Photos,
-    format: Option<&str>,
-) -> Result<Vec<(String, Vec<u8>)>, OutError> {
+    format: &str,
+    photos: Option<AnyArtifact>,
+) -> Result<NamedFiles, WriteError> {
     let kind = artifact.kind();
-    let known = formats(kind);
-    let format = format.unwrap_or(known[0]);
+    let photos = photos.and_then(|photos| photos.downcast::<Photos>());
+    let photos = photos.unwrap_or_default();
+    let names = &*photos;
     let one = |bytes: Vec<u8>| Ok(vec![(String::new(), bytes)]);
-    let wrong = || OutError::Format {
+    let wrong = || NoFormat {
         kind,
         format: format.into(),
-        known: known.join(", "),
     };
-    if !known.contains(&format) {
-        return Err(wrong());
-    }
     macro_rules! take {
         ($t:ty) => {
             artifact.downcast::<$t>().ok_or_else(wrong)?
         };
     }
     match (kind, format) {
-        (_, RAW) => one(raw()),
         ("mesh", "ply") => one(mesh_to_ply(&*take!(Mesh))),
         ("mesh", "glb") => one(shape::mesh_to_glb(&*take!(Mesh))),
         ("mesh", "obj") => Ok(shape::mesh_to_obj(&*take!(Mesh))),
@@ -124,7 +80,7 @@ pub fn files(
         ("photos", _) => Ok(shape::photos_to_capture(&*take!(Photos))),
         ("document", _) => one(take!(Document).bytes.clone()),
         ("masks", "sheet") => {
-            let sheet = shape::masks_to_sheet(&*take!(Masks), names).map_err(OutError::Photo)?;
+            let sheet = shape::masks_to_sheet(&*take!(Masks), names)?;
             one(shape::rgb_to_jpeg(&sheet, 88))
         }
         ("masks", _) => {
@@ -142,7 +98,7 @@ pub fn files(
                 .map(|(id, mask)| (name(id), gray_to_png(mask)))
                 .collect())
         }
-        _ => Err(wrong()),
+        _ => Err(wrong().into()),
     }
 }
 

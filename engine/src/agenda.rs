@@ -1,7 +1,7 @@
 //! The walk's book: what is ready, what waits for what, what is still read. Linear in the graph.
 
+use crate::done::{Done, Fate, Job, needed, sources};
 use crate::graph::{Graph, Source};
-use crate::walk::{Done, Fate, Job, needed, sources};
 use stage::{AnyArtifact, Hash};
 use std::cmp::Reverse;
 use std::collections::{BTreeMap, BinaryHeap};

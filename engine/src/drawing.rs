@@ -1,19 +1,10 @@
 //! A pipeline as DOT, Mermaid or SVG, coloured by what a run would do.
 
+use crate::drawing_svg::color;
 use crate::graph::{Bound, Graph, Source};
 use crate::plan::{Planned, State};
 use serde_json::{Map, Value, json};
 use std::fmt::Write;
-
-/// The colour of a node; `None` is not asked.
-pub(crate) fn color(state: Option<&State>) -> &'static str {
-    match state {
-        Some(State::Cached) => "#b7e4c7",
-        Some(State::Stale(_)) => "#ffb4a2",
-        Some(State::May) => "#ffe8a3",
-        None => "#e5e5e5",
-    }
-}
 
 /// The same for other programs: nodes with their states and what their ports read.
 pub fn json(graph: &Graph, plan: &[Option<Planned>]) -> Value {

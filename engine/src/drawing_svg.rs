@@ -1,8 +1,7 @@
 //! A pipeline as SVG: a row a step, so that every arrow points down; coloured by what a run would do.
 
-use crate::drawing::color;
 use crate::graph::{Graph, Source};
-use crate::plan::Planned;
+use crate::plan::{Planned, State};
 use std::fmt::Write;
 
 const BOX: [usize; 2] = [150, 40];
@@ -100,7 +99,6 @@ pub(crate) fn svg(graph: &Graph, plan: &[Option<Planned>]) -> String {
 }
 
 fn legend() -> [(&'static str, &'static str); 4] {
-    use crate::plan::State;
     let of = |state: State| color(Some(&state));
     [
         (of(State::Cached), "cached"),
@@ -178,4 +176,13 @@ fn escaped(text: &str) -> String {
         .replace('<', "&lt;")
         .replace('>', "&gt;")
         .replace('"', "&quot;")
+}
+/// The colour of a node; `None` is not asked.
+pub(crate) fn color(state: Option<&State>) -> &'static str {
+    match state {
+        Some(State::Cached) => "#b7e4c7",
+        Some(State::Stale(_)) => "#ffb4a2",
+        Some(State::May) => "#ffe8a3",
+        None => "#e5e5e5",
+    }
 }

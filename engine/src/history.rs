@@ -1,13 +1,12 @@
 //! The records of runs: one file a run, with provenance, in lines; a run that found all that an
 //! earlier one had is a line that says so. `past.rs` reads them.
 
+use crate::done::{Done, Fate};
 use crate::graph::{Bound, Graph, Source};
 use crate::key;
 use crate::past::{FileLists, Head, Of, run_file};
 use crate::store::{Store, StoreError};
-use crate::walk::{Done, Fate};
-use serde::{Deserialize, Serialize};
-use serde_json::Value;
+use serde::Serialize;
 use stage::{FileEntry, Files, Hash};
 use std::borrow::Cow;
 
@@ -41,35 +40,6 @@ struct MetricRecord<'a> {
     name: &'a str,
     value: f64,
     unit: &'a str,
-}
-
-/// A node's line, as it is read back.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-pub struct NodeLine {
-    /// Its name in the pipeline.
-    pub node: String,
-    /// The content of its result.
-    pub content: Option<String>,
-    /// Its stage.
-    pub stage: String,
-    /// The stage's version.
-    pub version: u32,
-    /// What became of it.
-    pub fate: String,
-    /// Why it failed.
-    pub why: Option<String>,
-    /// The key of its result.
-    pub key: Option<String>,
-    /// What the key was made of.
-    pub story: Vec<(String, String)>,
-    /// How long it took: now, or when it was made. \[s\]
-    pub seconds: f64,
-    /// Size of the result. \[bytes\]
-    pub bytes: u64,
-    /// Numbers beside the result.
-    pub metrics: Vec<Value>,
-    /// What the user should know.
-    pub warnings: Vec<String>,
 }
 
 /// What a run came to.

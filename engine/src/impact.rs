@@ -20,7 +20,7 @@ pub struct Impact {
 
 /// The node and all that depend on it, among those that the wanted ones need.
 pub fn reached(graph: &Graph, wanted: &[usize], node: usize) -> Vec<usize> {
-    let needed = crate::walk::needed(graph, wanted);
+    let needed = crate::done::needed(graph, wanted);
     let mut hit = vec![false; graph.nodes.len()];
     // Each node comes after what it reads.
     for (i, bound) in graph.nodes.iter().enumerate() {

@@ -4,7 +4,7 @@
 //! `done`, `of`) and `done` (with `fate`, `seconds`, `bytes`, and `why` of a failure); `t` is in
 //! seconds from the start of the run. A run that makes nothing leaves no log.
 
-use crate::walk::{Done, Fate, Watch};
+use crate::done::{Done, Fate, Watch};
 use serde_json::{Value, json};
 use std::fs::File;
 use std::io::Write;

@@ -1,6 +1,7 @@
 //! A trade's stages and kinds of artifacts: all that the engine knows of what flows.
 
 use stage::{AnyArtifact, AnyStage, Metric};
+use std::error::Error;
 
 /// What a program is made of: its name, its stages, its kinds.
 pub struct Catalog {
@@ -12,10 +13,24 @@ pub struct Catalog {
     pub kinds: &'static [Kind],
 }
 
+/// Files of an artifact: names and bytes. One nameless file, or several in a folder.
+pub type NamedFiles = Vec<(String, Vec<u8>)>;
+
+/// Why an artifact cannot be written.
+pub type WriteError = Box<dyn Error + Send + Sync>;
+
 /// What is to be known of a kind of artifact.
 pub struct Kind {
     /// As [`stage::Artifact::KIND`].
     pub name: &'static str,
+    /// The formats that it is written in, the usual one first; none is the artifact's own file.
+    pub formats: &'static [&'static str],
+    /// Another kind that it takes to write one: the files of masks are called after photos.
+    pub beside: Option<&'static str>,
+    /// The artifact as files in one of its formats, with the artifact of the kind beside if there is one.
+    pub files: fn(AnyArtifact, &str, Option<AnyArtifact>) -> Result<NamedFiles, WriteError>,
+    /// What its file in the usual format ends with, where that is not the format's name.
+    pub extension: fn(&AnyArtifact) -> Option<&'static str>,
     /// Numbers that an artifact tells of itself, beside the metrics that its stage gave.
     pub facts: fn(AnyArtifact) -> Vec<Metric>,
     /// The names of all that `facts` may tell, `*` for any text; given the entries of the pipeline's

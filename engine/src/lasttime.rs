@@ -1,7 +1,7 @@
 //! What nodes were the last time: in the newest run of the same pipeline, variant and input, else
 //! in the newest run at all.
 
-use crate::history::NodeLine;
+use crate::past::NodeLine;
 use crate::past::{self, Of};
 use std::cell::RefCell;
 use std::collections::HashMap;

@@ -4,11 +4,85 @@
 //! A pipeline has four forms, each a type, and only the next function makes the next form:
 //! [`recipe::Recipe`] (as written) → [`graph::Graph`] (means something) → [`plan`] (found, stale
 //! because, waiting) → [`Outcome`].
+//!
+//! ```
+//! use engine::recipe::{Overrides, open_text, read};
+//! use engine::store::Store;
+//! use engine::sweep::{self, Points, Sweeping, axes};
+//! use engine::{Catalog, Options, plan, walk::Watch};
+//! # use stage::{Artifact, Corrupt, Ctx, Packer, Stage, Stop, Unpacker, erase};
+//! # struct Number(i64);
+//! # impl Artifact for Number {
+//! #     const KIND: &'static str = "number";
+//! #     const FORMAT: u32 = 1;
+//! #     fn pack(&self, to: &mut Packer) { to.meta(&self.0) }
+//! #     fn unpack(from: &Unpacker<'_>) -> Result<Self, Corrupt> { Ok(Number(from.meta()?)) }
+//! # }
+//! # stage::params! { #[doc = "A number."] pub struct Of { #[doc = "It."] n: i64 = 1 } }
+//! # struct Square;
+//! # impl Stage for Square {
+//! #     const NAME: &'static str = "toy.square";
+//! #     const VERSION: u32 = 1;
+//! #     const ABOUT: &'static str = "Squares a number.";
+//! #     const METRICS: &'static [&'static str] = &["square"];
+//! #     type Params = Of;
+//! #     type Input = ();
+//! #     type Output = Number;
+//! #     fn run(p: &Of, _: (), ctx: &Ctx<'_>) -> Result<Number, Stop> {
+//! #         ctx.metric("square", (p.n * p.n) as f64, "");
+//! #         Ok(Number(p.n * p.n))
+//! #     }
+//! # }
+//! # struct Nobody;
+//! # impl Watch for Nobody {}
+//! static CATALOG: Catalog = Catalog {
+//!     program: "toys 1",
+//!     rooms: &[&[&erase::<Square>()]],
+//!     kinds: &[],
+//! };
+//! let text = "goal = \"four\"\n[node.four]\nstage = \"toy.square\"\nwith = { n = 2 }\n\
+//!             [sweep.some]\nover.four = { n = [2, 3] }\ntell = \"four.square\"\n";
+//! // A pipeline, with a param set as `--set` does it.
+//! let three = Overrides { sets: vec!["four.n=3".into()], ..Overrides::default() };
+//! let graph = open_text("toy.toml", text, &three, &CATALOG)?;
+//! # let place = tempfile::tempdir()?;
+//! # let cache = place.path().join("cache");
+//! // What would run, and then the run.
+//! let store = Store::open(&cache)?;
+//! let planned = plan::plan(&graph, &[], &graph.goal, &store);
+//! assert!(matches!(planned[0].as_ref().unwrap().state, plan::State::Stale(_)));
+//! let (options, go) = (Options { cache, threads: None, keep_going: false }, false.into());
+//! let outcome = engine::run(&graph, &[], &graph.goal, &options, &Nobody, &go)?;
+//! assert_eq!(outcome.read::<Number>("four")?.0, 9);
+//! // A sweep: what was made already is found.
+//! let recipe = read(text).unwrap();
+//! let axes = axes::axes(&recipe.sweeps[0], "toy".as_ref())?;
+//! let points = Points::new(&graph, vec![None], axes);
+//! let sweeping = Sweeping {
+//!     open: &|point| {
+//!         let overrides = point.overrides(&Overrides::default());
+//!         open_text("toy.toml", text, &overrides, &CATALOG).map_err(|m| m.to_string())
+//!     },
+//!     nodes: &[],
+//!     folders: &[],
+//!     options: &options,
+//!     tell: &["four.square".into()],
+//!     errors: None,
+//!     watch: &Nobody,
+//!     cancel: &go,
+//! };
+//! let rows = sweep::run(&sweeping, points.iter(), |_| {})?;
+//! let told: Vec<f64> = rows.iter().map(|r| r.told[0].1.as_ref().unwrap().value).collect();
+//! assert_eq!((told, rows[1].made), (vec![4.0, 9.0], 0));
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
 
 mod agenda;
+pub mod cli;
 pub mod clock;
 pub mod delivery;
 pub mod differ;
+mod done;
 pub mod drawing;
 mod drawing_svg;
 pub mod graph;
@@ -20,6 +94,8 @@ pub mod kind;
 pub mod lasttime;
 mod memory;
 mod nofollow;
+pub mod out;
+mod own;
 pub mod page;
 pub mod past;
 pub mod pattern;
@@ -33,9 +109,12 @@ pub mod source;
 pub mod store;
 pub mod story;
 pub mod sweep;
+pub mod tells;
 pub mod verify;
 pub mod walk;
 pub mod why;
 
 pub use kind::{Catalog, Kind};
-pub use session::{EngineError, Options, Outcome, inputs, run, run_in, runs, said_inputs, threads};
+pub use session::{
+    EngineError, Options, Outcome, ResultError, inputs, run, run_in, runs, said_inputs, threads,
+};

@@ -5,9 +5,8 @@
 //! Runs have numbers of their own: no clock says which was the last.
 
 use crate::graph::Graph;
-use crate::history::NodeLine;
 use crate::nofollow;
-use crate::store::own;
+use crate::own;
 use rustix::fs::FileType;
 use serde::de::DeserializeOwned;
 use serde::{Deserialize, Serialize};
@@ -70,12 +69,49 @@ pub struct Head {
     pub same_as: Option<String>,
 }
 
+/// A node's line, as it is read back.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct NodeLine {
+    /// Its name in the pipeline.
+    pub node: String,
+    /// The content of its result.
+    pub content: Option<String>,
+    /// Its stage.
+    pub stage: String,
+    /// The stage's version.
+    pub version: u32,
+    /// What became of it.
+    pub fate: String,
+    /// Why it failed.
+    pub why: Option<String>,
+    /// The key of its result.
+    pub key: Option<String>,
+    /// What the key was made of.
+    pub story: Vec<(String, String)>,
+    /// How long it took: now, or when it was made. \[s\]
+    pub seconds: f64,
+    /// Size of the result. \[bytes\]
+    pub bytes: u64,
+    /// Numbers beside the result.
+    pub metrics: Vec<Value>,
+    /// What the user should know.
+    pub warnings: Vec<String>,
+}
+
 /// The files of each input: name and hash.
 pub type FileLists = BTreeMap<String, Vec<(String, String)>>;
 
 /// The record of a run.
 pub fn run_file(store: &Path, id: &str) -> PathBuf {
     store.join("runs").join(format!("{id}.json"))
+}
+
+/// `last`, `last~1`, …: how many runs ago.
+pub fn ago(text: &str) -> Option<usize> {
+    match text.strip_prefix("last")? {
+        "" => Some(0),
+        rest => rest.strip_prefix('~')?.parse().ok(),
+    }
 }
 
 /// A run's own number.

@@ -1,9 +1,9 @@
 //! Graph → Plan: found, stale because, or waiting; nothing is run.
 
 use crate::graph::{Graph, Source};
-use crate::history::NodeLine;
 use crate::key;
 use crate::lasttime::History;
+use crate::past::NodeLine;
 use crate::past::Of;
 use crate::store::Store;
 use stage::{Files, Hash};
@@ -39,7 +39,7 @@ pub fn plan(
     store: &Store,
 ) -> Vec<Option<Planned>> {
     store.look_around(graph.nodes.len());
-    let needed = crate::walk::needed(graph, wanted);
+    let needed = crate::done::needed(graph, wanted);
     let file_contents: Vec<Hash> = files.iter().map(stage::content).collect();
     let history = History::of(store.root(), Of::new(graph, files));
     let mut coming = BTreeSet::new();
@@ -104,7 +104,7 @@ fn read_again(graph: &Graph, absent: &[bool], plan: &mut [Option<Planned>]) {
         let Some(state) = plan[i].as_ref().and_then(|p| gone(&p.state)) else {
             continue;
         };
-        for j in crate::walk::sources(graph, i).filter(|j| absent[*j]) {
+        for j in crate::done::sources(graph, i).filter(|j| absent[*j]) {
             if let Some(source) = &mut plan[j]
                 && !matches!(source.state, State::Stale(_))
             {

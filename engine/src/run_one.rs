@@ -1,10 +1,10 @@
 //! One node: found in the store, or its stage is run and the result published.
 
+use crate::done::{Done, Fate, Job, Watch};
 use crate::graph::{Bound, Source};
 use crate::key::{self, Digest};
 use crate::memory::Memory;
 use crate::store::{Claim, Record, Store};
-use crate::walk::{Done, Fate, Job, Watch};
 use stage::{AnyArtifact, AnyStage, Ctx, Hash, Host, Metric, Stop};
 use std::panic::AssertUnwindSafe;
 use std::sync::atomic::{AtomicBool, Ordering};

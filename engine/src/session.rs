@@ -9,9 +9,10 @@ use crate::source::{self, Memo, SourceError};
 use crate::store::{InUse, Store, StoreError};
 use crate::walk::{Done, Fate, Job, Watch, walk};
 use serde_json::Value;
-use stage::{AnyArtifact, Files, Hash};
+use stage::{AnyArtifact, AnyStage, Artifact, Corrupt, Files, Hash};
 use std::collections::{HashMap, HashSet};
 use std::path::PathBuf;
+use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
 
 pub use crate::past::runs;
@@ -55,6 +56,8 @@ pub struct Outcome {
     pub nodes: Vec<Option<Done>>,
     /// The whole run took so long. \[s\]
     pub seconds: f64,
+    /// The name and the stage of each node.
+    names: Vec<(String, &'static dyn AnyStage)>,
     /// The content of each input.
     inputs: Vec<Hash>,
     store: Store,
@@ -164,7 +167,9 @@ pub fn run_in(
         seconds,
     };
     history::write(&store, &id, &told, &files)?;
+    let names = graph.nodes.iter().map(|n| (n.name.clone(), n.stage));
     Ok(Outcome {
+        names: names.collect(),
         inputs: contents,
         nodes,
         seconds,
@@ -183,7 +188,65 @@ pub fn threads(options: &Options) -> usize {
 /// More threads than this cost memory and gain nothing.
 const THREADS_A_CORE: usize = 4;
 
+/// Why there is no result of a node to be read.
+#[derive(Debug, thiserror::Error)]
+pub enum ResultError {
+    /// No node of that name.
+    #[error("{0}")]
+    Unknown(String),
+    /// It was not wanted, failed, or was not reached.
+    #[error("`{0}` has no result: it was not wanted, or it did not come to its end")]
+    Missing(String),
+    /// Not in the store any more.
+    #[error("the result of `{0}` went out of the cache; run it again")]
+    Gone(String),
+    /// Not whole.
+    #[error("the result of `{node}` cannot be read")]
+    Corrupt {
+        /// The node.
+        node: String,
+        /// What is wrong with it.
+        source: Corrupt,
+    },
+    /// Another kind than was asked for.
+    #[error("`{node}` makes {kind}, not {asked}")]
+    Kind {
+        /// The node.
+        node: String,
+        /// What it makes.
+        kind: &'static str,
+        /// What was asked for.
+        asked: &'static str,
+    },
+}
+
 impl Outcome {
+    /// The result of the node of a name.
+    ///
+    /// # Errors
+    /// Where there is no such node, or no result of it, or it is of another kind.
+    pub fn read<A: Artifact>(&self, name: &str) -> Result<Arc<A>, ResultError> {
+        let Some(at) = self.names.iter().position(|(node, _)| node == name) else {
+            let known: Vec<&str> = self.names.iter().map(|(node, _)| node.as_str()).collect();
+            return Err(ResultError::Unknown(stage::unknown("node", name, &known)));
+        };
+        let (node, stage) = (name.to_owned(), self.names[at].1);
+        let Some(content) = self.nodes[at].as_ref().and_then(|done| done.content) else {
+            return Err(ResultError::Missing(node));
+        };
+        let Some(blob) = self.store.blob(content) else {
+            return Err(ResultError::Gone(node));
+        };
+        let artifact = match stage.read(&blob) {
+            Ok(artifact) => artifact,
+            Err(source) => return Err(ResultError::Corrupt { node, source }),
+        };
+        let (kind, asked) = (stage.yields(), A::KIND);
+        artifact
+            .downcast()
+            .ok_or(ResultError::Kind { node, kind, asked })
+    }
+
     /// The result of a node, out of the store.
     pub fn artifact(&self, graph: &Graph, node: usize) -> Option<AnyArtifact> {
         let content = self.nodes[node].as_ref()?.content?;

@@ -1,105 +1,12 @@
 //! Graph → Outcome: makes what is not there yet, side by side, and drops what nobody reads any more.
 
 use crate::agenda::Agenda;
-use crate::graph::{Graph, Source};
 use crate::run_one::{self, Step, Surroundings};
-use stage::{Files, Hash, Metric};
+
+pub(crate) use crate::done::needed;
+pub use crate::done::{Done, Fate, Job, Watch, all};
 use std::sync::{Condvar, Mutex};
 use std::time::Duration;
-
-/// What became of a node.
-#[derive(Debug, Clone, PartialEq)]
-pub enum Fate {
-    /// Its result was in the store.
-    Found,
-    /// Its stage ran.
-    Made,
-    /// Its stage failed; the text says why. Not cached.
-    Failed(String),
-    /// It could not run since a node that it reads did not.
-    Skipped,
-    /// The user asked to stop.
-    Cancelled,
-}
-
-impl Fate {
-    /// As one word, for records.
-    pub fn word(&self) -> &'static str {
-        match self {
-            Fate::Found => "found",
-            Fate::Made => "made",
-            Fate::Failed(_) => "failed",
-            Fate::Skipped => "skipped",
-            Fate::Cancelled => "cancelled",
-        }
-    }
-}
-
-/// A node after the walk.
-#[derive(Debug, Clone)]
-pub struct Done {
-    /// What became of it.
-    pub fate: Fate,
-    /// The key of its result.
-    pub key: Option<Hash>,
-    /// The content of its result.
-    pub content: Option<Hash>,
-    /// What the key was made of; may be empty for what was found ([`crate::key::story`] tells it).
-    pub story: Vec<(String, String)>,
-    /// How long it took: now, or when it was made. \[s\]
-    pub seconds: f64,
-    /// Size of the result. \[bytes\]
-    pub bytes: u64,
-    /// Numbers beside the result.
-    pub metrics: Vec<Metric>,
-    /// What the user should know.
-    pub warnings: Vec<String>,
-}
-
-impl Done {
-    /// A node that made nothing.
-    pub fn nothing(fate: Fate) -> Done {
-        let (metrics, warnings, story) = (vec![], vec![], vec![]);
-        Done {
-            fate,
-            key: None,
-            content: None,
-            story,
-            seconds: 0.0,
-            bytes: 0,
-            metrics,
-            warnings,
-        }
-    }
-}
-
-/// Who is told what happens. All methods may be called from any thread.
-pub trait Watch: Sync {
-    /// A stage starts to run.
-    fn started(&self, _node: &str) {}
-    /// Another process makes the node's result just now; asked again and again until it is there.
-    fn waits(&self, _node: &str) {}
-    /// So much of a loop is done.
-    fn progress(&self, _node: &str, _label: &str, _done: usize, _of: usize) {}
-    /// A node is done.
-    fn done(&self, _node: &str, _done: &Done) {}
-}
-
-/// What to walk.
-pub struct Job<'a> {
-    /// The pipeline.
-    pub graph: &'a Graph,
-    /// The files of each input, in the graph's order.
-    pub files: &'a [Files],
-    /// Their content.
-    pub contents: &'a [Hash],
-    /// The nodes that are wanted.
-    pub wanted: &'a [usize],
-    /// How many threads work.
-    pub threads: usize,
-    /// Whether to go on with what does not depend on a failed node.
-    pub keep_going: bool,
-}
 
 /// How long until it is asked again whether another process has made a result.
 const RETRY: Duration = Duration::from_millis(15);
@@ -217,32 +124,4 @@ fn work(job: &Job<'_>, around: &Surroundings<'_>, shared: &Mutex<Agenda<'_>>, be
         }
         bell.notify_all();
     }
-}
-
-/// The nodes that the wanted ones need, themselves included.
-pub fn needed(graph: &Graph, wanted: &[usize]) -> Vec<bool> {
-    let mut needed = vec![false; graph.nodes.len()];
-    let mut open = wanted.to_vec();
-    while let Some(i) = open.pop() {
-        if !std::mem::replace(&mut needed[i], true) {
-            open.extend(sources(graph, i));
-        }
-    }
-    needed
-}
-
-/// The wanted nodes and all that they need: for who reads results on the way, too, which
-/// otherwise need not be there as long as their content is known.
-pub fn all(graph: &Graph, wanted: &[usize]) -> Vec<usize> {
-    let needed = needed(graph, wanted);
-    (0..needed.len()).filter(|i| needed[*i]).collect()
-}
-
-/// The nodes that a node reads, one a port.
-pub fn sources(graph: &Graph, node: usize) -> impl Iterator<Item = usize> {
-    let from = graph.nodes[node].from.iter().flatten();
-    from.filter_map(|source| match source {
-        Source::Node(j) => Some(*j),
-        Source::Input(_) => None,
-    })
 }

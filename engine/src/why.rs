@@ -2,8 +2,8 @@
 //! variant and input, and likewise all that it reads, back to every root cause.
 
 use crate::graph::{Graph, Source};
-use crate::history::NodeLine;
 use crate::key;
+use crate::past::NodeLine;
 use crate::past::{self, FileLists, Of};
 use crate::plan::{Planned, State, changes};
 use stage::{FileEntry, Files, Hash};

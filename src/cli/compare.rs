@@ -1,11 +1,11 @@
 //! `tailor compare`: variants, runs and folders side by side.
 
-use super::run::{execute, folders, opened};
-use super::{Change, Fault, House};
 use crate::compare::{NodeRun, Side, compare, json, markdown, mixed, page};
 use crate::store::Store;
 use crate::{delivery, walk};
 use clap::Args;
+use engine::cli::{Change, Fault, GlobalArgs, execute, folders, open_pipeline};
+use engine::past::ago;
 use std::path::{Path, PathBuf};
 
 /// Arguments of `tailor compare`.
@@ -30,7 +30,7 @@ pub(crate) struct CompareArgs {
 }
 
 /// Does it.
-pub(crate) fn compare_sides(args: &CompareArgs, house: &House) -> Result<(), Fault> {
+pub(crate) fn compare_sides(args: &CompareArgs, global: &GlobalArgs) -> Result<(), Fault> {
     let pipeline = args.what.iter().find(|w| w.ends_with(".toml"));
     let what: Vec<&String> = args.what.iter().filter(|w| !w.ends_with(".toml")).collect();
     if what.len() < 2 || args.what.len() > what.len() + 1 {
@@ -45,9 +45,11 @@ pub(crate) fn compare_sides(args: &CompareArgs, house: &House) -> Result<(), Fau
     let mut graphs = Vec::new();
     for text in &what {
         graphs.push(match pipeline {
-            Some(file) if !Path::new(text).is_dir() && past(text).is_none() => {
-                Some(opened(Some(Path::new(file)), &changed(text, &args.change))?)
-            }
+            Some(file) if !Path::new(text).is_dir() && ago(text).is_none() => Some(open_pipeline(
+                Some(Path::new(file)),
+                &changed(text, &args.change),
+                global,
+            )?),
             _ => None,
         });
     }
@@ -55,23 +57,23 @@ pub(crate) fn compare_sides(args: &CompareArgs, house: &House) -> Result<(), Fau
     let mut sides = Vec::new();
     for (text, graph) in what.iter().zip(&graphs) {
         sides.push(match graph {
-            None => found(text, house)?,
+            None => found(text, global)?,
             Some(graph) => {
-                if !house.quiet && !house.json {
-                    super::errln!("{text}:");
+                if !global.quiet && !global.json {
+                    engine::errln!("{text}:");
                 }
                 let again: Vec<String> = std::env::args().collect();
                 let again = again.join(" ");
-                let store = Store::open(&house.cache).map_err(Fault::input)?;
+                let store = Store::open(&global.cache).map_err(Fault::input)?;
                 let outcome = execute(
                     store,
                     graph,
                     &folders,
                     &walk::all(graph, &graph.goal),
-                    house,
+                    global,
                     &again,
                 )?;
-                let store = Store::open(&house.cache).map_err(Fault::input)?;
+                let store = Store::open(&global.cache).map_err(Fault::input)?;
                 Side::from_run(text, &outcome.json(graph), &store).map_err(Fault::stage)?
             }
         });
@@ -91,9 +93,9 @@ pub(crate) fn compare_sides(args: &CompareArgs, house: &House) -> Result<(), Fau
             delivery::write(&file, &[(String::new(), text.into_bytes())]).map_err(Fault::stage)?;
         }
     }
-    match house.json {
-        true => super::outln!("{}", pretty()),
-        false => super::out!("{}", markdown(&comparison)),
+    match global.json {
+        true => engine::outln!("{}", pretty()),
+        false => engine::out!("{}", markdown(&comparison)),
     }
     Ok(())
 }
@@ -112,31 +114,23 @@ fn changed(text: &str, all: &Change) -> Change {
     change
 }
 
-/// `last`, `last~1`, …: how many runs ago.
-pub(super) fn past(text: &str) -> Option<usize> {
-    match text.strip_prefix("last")? {
-        "" => Some(0),
-        rest => rest.strip_prefix('~')?.parse().ok(),
-    }
-}
-
 /// A folder of results, or a run of the cache: how long ago it was, or the name of a pin.
-fn found(text: &str, house: &House) -> Result<Side, Fault> {
-    let pinned = std::fs::read_to_string(house.cache.join("pins").join(text));
-    let id = match (pinned.ok().filter(|_| !text.contains('/')), past(text)) {
+fn found(text: &str, global: &GlobalArgs) -> Result<Side, Fault> {
+    let pinned = std::fs::read_to_string(global.cache.join("pins").join(text));
+    let id = match (pinned.ok().filter(|_| !text.contains('/')), ago(text)) {
         (Some(pinned), _) => Some(pinned.trim().to_owned()),
         (None, Some(ago)) => {
-            let ids = crate::past::ids(&house.cache);
+            let ids = crate::past::ids(&global.cache);
             let unknown = || Fault::input(format!("`{text}`: the cache knows {} runs", ids.len()));
             Some(ids.get(ago).ok_or_else(unknown)?.clone())
         }
         (None, None) => None,
     };
     if let Some(id) = id {
-        let store = Store::open(&house.cache).map_err(Fault::input)?;
+        let store = Store::open(&global.cache).map_err(Fault::input)?;
         let gone = || Fault::input(format!("`{text}`: the record of that run is gone"));
         let (found, nodes) =
-            crate::past::nodes_as::<NodeRun>(&house.cache, &id).ok_or_else(gone)?;
+            crate::past::nodes_as::<NodeRun>(&global.cache, &id).ok_or_else(gone)?;
         let mut nodes: Vec<NodeRun> = nodes.collect();
         if found {
             nodes.iter_mut().for_each(|node| node.fate = "found".into());

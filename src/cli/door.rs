@@ -1,15 +1,16 @@
 //! `tailor measure`: the one-line door.
 
-use super::run::{execute, photos, there};
+use super::provenance::{self, get};
 use super::screen::screen;
-use super::{Fault, House, deliver, provenance};
 use crate::delivery::{self, Delivery};
 use crate::engine::Outcome;
 use crate::graph::Graph;
-use crate::out;
+use crate::photos::{photos, photos_node};
 use crate::recipe::{Overrides, open_text};
 use crate::store::Store;
 use clap::Args;
+use engine::cli::{Fault, GlobalArgs, check_out, execute, finish, inside, lies_in, there, whose};
+use engine::out;
 use shape::{Cameras, Document, Girths};
 use std::path::PathBuf;
 
@@ -65,7 +66,7 @@ pub(crate) struct Measure {
 }
 
 /// Does it.
-pub(crate) fn measure(measure: &Measure, house: &House) -> Result<(), Fault> {
+pub(crate) fn measure(measure: &Measure, global: &GlobalArgs) -> Result<(), Fault> {
     let mut sets = measure.set.clone();
     if measure.no_photos {
         sets.push("report.photos=false".into());
@@ -88,7 +89,7 @@ pub(crate) fn measure(measure: &Measure, house: &House) -> Result<(), Fault> {
     let (out, shown) = place_of_results(measure)?;
     let graph =
         open_text(name, text, &overrides, &crate::catalog::CATALOG).map_err(Fault::input)?;
-    deliver::check(&out, &graph, &folders)?;
+    check_out(&out, &graph, &folders)?;
     let again: Vec<String> = std::env::args().collect();
     // What is written must be there, the goal or not.
     let mut wanted = graph.goal.clone();
@@ -97,24 +98,26 @@ pub(crate) fn measure(measure: &Measure, house: &House) -> Result<(), Fault> {
             .iter()
             .filter_map(|(nodes, ..)| place(&graph, nodes)),
     );
-    let store = Store::open(&house.cache).map_err(Fault::input)?;
+    // Files are called after the photos.
+    wanted.extend(photos_node(&graph));
+    let store = Store::open(&global.cache).map_err(Fault::input)?;
     let again = again.join(" ");
-    let outcome = execute(store, &graph, &folders, &wanted, house, &again)?;
-    let whose = deliver::whose(&folders[..1]);
-    let mut delivery = Delivery::open(&out, &whose).map_err(Fault::stage)?;
+    let outcome = execute(store, &graph, &folders, &wanted, global, &again)?;
+    let own = whose(&folders[..1]);
+    let mut delivery = Delivery::open(&out, &own).map_err(Fault::stage)?;
     delivery.begin().map_err(Fault::stage)?;
     write(&graph, &outcome, &mut delivery)?;
-    deliver::finish(delivery, &graph, &outcome, measure.clean, house)?;
+    finish(delivery, &graph, &outcome, measure.clean, global)?;
     let run = outcome.json(&graph);
-    if house.json {
-        super::outln!("{}", serde_json::to_string_pretty(&run).expect("bug: JSON"));
+    if global.json {
+        engine::outln!("{}", serde_json::to_string_pretty(&run).expect("bug: JSON"));
     } else if let Some(girths) = get::<Girths>(&graph, &outcome, "girths") {
         let cameras = get::<Cameras>(&graph, &outcome, "cameras");
         let count = photos(&graph, &outcome).photos.len();
         let screen = screen(&shown, count, cameras.as_deref(), &girths);
-        super::out!("{screen}");
-        super::outln!("\nall files: {}", out.display());
-        super::outln!("report:    {}", out.join("report.html").display());
+        engine::out!("{screen}");
+        engine::outln!("\nall files: {}", out.display());
+        engine::outln!("report:    {}", out.join("report.html").display());
     }
     Ok(())
 }
@@ -131,11 +134,11 @@ fn place_of_results(measure: &Measure) -> Result<(PathBuf, String), Fault> {
         None => {
             let mut out = PathBuf::from(format!("{name}-out"));
             // From within the capture: beside it.
-            if let Some(beside) = whole.parent().filter(|_| deliver::lies_in(&out, capture)) {
+            if let Some(beside) = whole.parent().filter(|_| lies_in(&out, capture)) {
                 out = beside.join(out);
             }
-            let whose = deliver::whose(&[("photos".to_owned(), capture.clone())]);
-            if delivery::is_of_another(&out, &whose) {
+            let own = whose(&[("photos".to_owned(), capture.clone())]);
+            if delivery::is_of_another(&out, &own) {
                 return Err(Fault::input(format!(
                     "{} holds something else than the results of {}: nothing was written; \
                      say where to write with --out (--out {} writes there all the same)",
@@ -147,19 +150,10 @@ fn place_of_results(measure: &Measure) -> Result<(PathBuf, String), Fault> {
             out
         }
     };
-    match deliver::lies_in(&out, capture) {
-        true => Err(deliver::inside(&out, capture)),
+    match lies_in(&out, capture) {
+        true => Err(inside(&out, capture)),
         false => Ok((out, name)),
     }
-}
-
-/// A node's result, if it is of this kind.
-pub(super) fn get<A: stage::Artifact>(
-    graph: &Graph,
-    outcome: &Outcome,
-    name: &str,
-) -> Option<std::sync::Arc<A>> {
-    outcome.artifact(graph, graph.node(name)?)?.downcast()
 }
 
 /// The first of these nodes that there is.
@@ -169,13 +163,14 @@ fn place(graph: &Graph, nodes: &[&str]) -> Option<usize> {
 
 /// Writes all that the contract names.
 fn write(graph: &Graph, outcome: &Outcome, delivery: &mut Delivery) -> Result<(), Fault> {
-    let names = photos(graph, outcome);
     for (nodes, file, format) in WRITTEN {
         let Some(at) = place(graph, nodes) else {
             continue;
         };
         let (artifact, raw) = there(graph, outcome, at)?;
-        let files = out::files(artifact, || raw, &names, Some(format)).map_err(Fault::stage)?;
+        let photos = out::beside(graph, at).and_then(|at| outcome.artifact(graph, at));
+        let files = out::files(graph.catalog, artifact, || raw, photos, Some(format));
+        let files = files.map_err(Fault::stage)?;
         delivery.put(file, &files).map_err(Fault::stage)?;
     }
     if let Some(report) = get::<Document>(graph, outcome, "report") {

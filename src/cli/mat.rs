@@ -1,8 +1,8 @@
 //! `tailor mat`: a marker mat for a disk, to be printed.
 
-use super::{Fault, House};
 use crate::catalog;
 use clap::Args;
+use engine::cli::{Fault, GlobalArgs};
 use shape::Document;
 use stage::{Ctx, Host, Metric, Value};
 use std::collections::BTreeMap;
@@ -53,7 +53,7 @@ impl Host for Heard {
 }
 
 /// Does it.
-pub(crate) fn mat(args: &MatArgs, house: &House) -> Result<(), Fault> {
+pub(crate) fn mat(args: &MatArgs, global: &GlobalArgs) -> Result<(), Fault> {
     let ending = args.o.extension().and_then(|e| e.to_str()).unwrap_or("");
     let ending = ending.to_lowercase();
     if !["pdf", "svg"].contains(&ending.as_str()) {
@@ -117,15 +117,15 @@ pub(crate) fn mat(args: &MatArgs, house: &House) -> Result<(), Fault> {
     let file = vec![(String::new(), document.bytes.clone())];
     crate::delivery::write(&args.o, &file)
         .map_err(|e| Fault::input(format!("cannot write {shown}: {e}")))?;
-    if house.json {
-        super::outln!(
+    if global.json {
+        engine::outln!(
             "{}",
             serde_json::json!({ "file": shown, "bytes": document.bytes.len() })
         );
-    } else if !house.quiet {
-        super::outln!("{shown}: {}", told.join(", "));
-        super::outln!("print at 100 % and check that the ruler is 100 mm long");
-        super::outln!("what capture.toml needs to say of it stands at each page's foot");
+    } else if !global.quiet {
+        engine::outln!("{shown}: {}", told.join(", "));
+        engine::outln!("print at 100 % and check that the ruler is 100 mm long");
+        engine::outln!("what capture.toml needs to say of it stands at each page's foot");
     }
     Ok(())
 }

@@ -1,10 +1,18 @@
 //! How a result was made, as HTML for the report.
 
-use super::door::get;
-use super::screen::short;
 use crate::engine::Outcome;
 use crate::graph::Graph;
+use engine::cli::text::short;
 use shape::Girths;
+
+/// A node's result, if it is of this kind.
+pub(super) fn get<A: stage::Artifact>(
+    graph: &Graph,
+    outcome: &Outcome,
+    name: &str,
+) -> Option<std::sync::Arc<A>> {
+    outcome.artifact(graph, graph.node(name)?)?.downcast()
+}
 
 fn escaped(text: &str) -> String {
     text.replace('&', "&amp;")

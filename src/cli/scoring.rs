@@ -1,8 +1,8 @@
 //! `tailor score`: results against ground truth.
 
-use super::{Fault, House};
 use crate::score::{iso_table, paper_tables, score, text};
 use clap::Args;
+use engine::cli::{Fault, GlobalArgs};
 use std::path::PathBuf;
 
 /// Arguments of `tailor score`.
@@ -24,23 +24,23 @@ pub(crate) struct Scoring {
 }
 
 /// Does it.
-pub(crate) fn scoring(args: &Scoring, house: &House) -> Result<(), Fault> {
+pub(crate) fn scoring(args: &Scoring, global: &GlobalArgs) -> Result<(), Fault> {
     let scores: Result<Vec<_>, _> = args.results.iter().map(|r| score(r, &args.truth)).collect();
     let scores = scores.map_err(Fault::input)?;
-    if house.json {
-        super::outln!(
+    if global.json {
+        engine::outln!(
             "{}",
             serde_json::to_string_pretty(&scores).expect("bug: JSON")
         );
     } else {
-        scores.iter().for_each(|s| super::out!("{}", text(s)));
+        scores.iter().for_each(|s| engine::out!("{}", text(s)));
         if scores
             .iter()
             .any(|s| s.girths.values().flatten().next().is_some())
         {
-            super::out!("\n{}", paper_tables(&scores));
+            engine::out!("\n{}", paper_tables(&scores));
             if scores.len() > 1 {
-                super::out!("\n{}", iso_table(&scores));
+                engine::out!("\n{}", iso_table(&scores));
             }
         }
     }

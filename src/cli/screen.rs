@@ -5,32 +5,6 @@ use shape::{Cameras, Girths, Scale, Unit};
 /// Lines are broken before this column.
 const WIDTH: usize = 100;
 
-/// A text that steers no terminal: whatever a file's or a person's name brings along is escaped.
-pub(crate) fn plain(text: String) -> String {
-    let steers = |c: char| c.is_control() && c != '\n' && c != '\t';
-    if !text.contains(steers) {
-        return text;
-    }
-    let one = |c: char| match steers(c) {
-        true => c.escape_default().to_string(),
-        false => c.to_string(),
-    };
-    text.replace("\r\n", "\n").chars().map(one).collect()
-}
-
-/// A number for people: whole as it is, else with four digits that matter.
-pub(crate) fn short(x: f64) -> String {
-    if !x.is_finite() || (x.fract() == 0.0 && x.abs() < 1e9) {
-        return format!("{x}");
-    }
-    let digits = 3 - x.abs().log10().floor() as i32;
-    let text = format!("{x:.*}", digits.clamp(0, 8) as usize);
-    match text.contains('.') {
-        true => text.trim_end_matches('0').trim_end_matches('.').to_owned(),
-        false => text,
-    }
-}
-
 /// The screen.
 pub(crate) fn screen(
     name: &str,
@@ -143,22 +117,6 @@ fn broken(line: &str, indent: usize) -> String {
 mod tests {
     use super::*;
     use shape::{GirthId, Refusal};
-
-    #[test]
-    fn numbers_keep_the_digits_that_matter() {
-        for (x, text) in [
-            (18.0, "18"),
-            (1670.0939, "1670"),
-            (0.15337, "0.1534"),
-            (2.5, "2.5"),
-            (12.0004, "12"),
-            (0.000_012_344, "0.00001234"),
-            (-27.1828, "-27.18"),
-            (f64::NAN, "NaN"),
-        ] {
-            assert_eq!(short(x), text);
-        }
-    }
 
     #[test]
     fn long_lines_are_broken_between_words_and_lose_none() {

@@ -9,6 +9,7 @@ mod mistake;
 mod plain;
 mod read;
 mod sections;
+mod stretch;
 mod sweep_check;
 mod sweeps;
 mod tree;
@@ -19,6 +20,7 @@ pub use bind::bind;
 pub use mistake::{Mistake, Mistakes};
 pub use read::read;
 pub use sections::Section;
+pub(crate) use stretch::{between, values, written};
 pub use variant::{parse_value, vary};
 
 use crate::graph::{Graph, Origin};

@@ -2,7 +2,7 @@
 
 use super::{Mistake, Over, Overrides, Recipe, Said, Sweep, vary};
 use crate::kind::Catalog;
-use crate::sweep::{entries, untellable};
+use crate::tells::{entries, untellable};
 use stage::{Value, unknown};
 
 /// Whether every sweep means something: nodes, params, values, variants, what is told.
@@ -62,7 +62,7 @@ fn one(recipe: &Recipe, sweep: &Sweep, catalog: &'static Catalog, mistakes: &mut
                     };
                     wrong(&at, "a range needs `steps`, or the sweep a `sample`".into());
                 }
-                let values = crate::sweep::axes::values(&said.value);
+                let values = super::stretch::values(&said.value);
                 let here = |value| Said {
                     value,
                     span: said.span.clone(),

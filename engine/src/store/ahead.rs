@@ -47,7 +47,7 @@ impl Index {
         entries.sort_unstable_by_key(|entry| entry.content);
         let look = |entry: &mut Entry| {
             let content = Hash::from_bytes(entry.content);
-            entry.seen = Some(Stamp::of(&super::place(root, "cas", content)));
+            entry.seen = Some(Stamp::of(&crate::own::place(root, "cas", content)));
         };
         let cores = std::thread::available_parallelism().map_or(1, |n| n.get());
         std::thread::scope(|scope| {

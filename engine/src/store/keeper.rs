@@ -1,6 +1,7 @@
 //! What the store holds, what may go when it grows, and whether it is sound.
 
-use super::{Store, StoreError, own};
+use super::{Store, StoreError};
+use crate::own;
 use crate::past;
 use stage::Hash;
 use std::collections::{BTreeMap, BTreeSet};

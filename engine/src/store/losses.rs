@@ -3,7 +3,8 @@
 
 use super::index::Index;
 use super::simulated::{Simulated, after_loss};
-use super::{Record, Store, StoreError, keeper, own};
+use super::{Record, Store, StoreError, keeper};
+use crate::own;
 use proof::Dice;
 use stage::Hash;
 use std::path::Path;

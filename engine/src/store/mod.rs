@@ -30,7 +30,6 @@ pub mod keeper;
 mod lease;
 #[cfg(test)]
 mod losses;
-pub(crate) mod own;
 mod part;
 mod pins;
 mod record;
@@ -44,6 +43,7 @@ pub use lease::{Claim, InUse, Lease};
 pub use pins::PinError;
 pub use record::Record;
 
+use crate::own::{self, place};
 use disk::{Disk, Real};
 use files::Care;
 use index::Index;
@@ -196,15 +196,4 @@ impl Store {
             let _ = self.disk.remove(path);
         }
     }
-}
-
-/// The file of a hash under a shelf of the store at `root`.
-fn place(root: &Path, shelf: &str, hash: Hash) -> PathBuf {
-    let hex = hash.to_hex();
-    let mut path = PathBuf::with_capacity(root.as_os_str().len() + shelf.len() + 70);
-    path.push(root);
-    path.push(shelf);
-    path.push(&hex[..2]);
-    path.push(hex.as_str());
-    path
 }

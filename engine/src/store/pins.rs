@@ -1,6 +1,7 @@
 //! Names that a user gives to runs: what a named run made or found stays when the store is swept.
 
 use super::{Store, StoreError};
+use crate::own;
 
 /// Why a run cannot be pinned.
 #[derive(Debug, thiserror::Error)]
@@ -16,20 +17,10 @@ pub enum PinError {
     Store(#[from] StoreError),
 }
 
-/// Whether a name may be a file's, and is nobody else's.
-pub(super) fn fits(name: &str) -> bool {
-    let first = name
-        .bytes()
-        .next()
-        .is_some_and(|b| b.is_ascii_alphanumeric());
-    let plain = |b: u8| b.is_ascii_alphanumeric() || b"-_.".contains(&b);
-    first && name.len() <= 64 && name.bytes().all(plain) && !name.starts_with("last")
-}
-
 impl Store {
     /// Gives a run a name, over what had it before.
     pub fn pin(&self, name: &str, run: &str) -> Result<(), PinError> {
-        if !fits(name) {
+        if !own::is_pin(name) {
             return Err(PinError::Name(name.into()));
         }
         Ok(self.write(&format!("pins/{name}"), format!("{run}\n").as_bytes())?)
@@ -37,14 +28,18 @@ impl Store {
 
     /// Takes a name away; whether there was one.
     pub fn unpin(&self, name: &str) -> bool {
-        fits(name) && super::own::remove(self.root(), &["pins"], name)
+        own::is_pin(name) && own::remove(self.root(), &["pins"], name)
     }
 
     /// All names with their runs, in the order of the names.
     pub fn pins(&self) -> Vec<(String, String)> {
         let entries = std::fs::read_dir(self.root().join("pins"));
         let pin = |entry: std::fs::DirEntry| {
-            let name = entry.file_name().into_string().ok().filter(|n| fits(n))?;
+            let name = entry
+                .file_name()
+                .into_string()
+                .ok()
+                .filter(|n| own::is_pin(n))?;
             let run = std::fs::read_to_string(entry.path()).ok()?;
             Some((name, run.trim().to_owned()))
         };

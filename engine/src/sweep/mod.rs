@@ -19,12 +19,11 @@ mod page;
 mod points;
 mod run;
 mod table;
-mod tells;
 
+pub use crate::tells::{entries, untellable};
 pub use axes::{Axis, AxisError};
 pub use outlook::{Outlook, outlook};
 pub use page::page;
 pub use points::{Point, Points};
 pub use run::{End, Errors, Row, Sweeping, run};
 pub use table::{csv, json, text};
-pub use tells::{entries, untellable};

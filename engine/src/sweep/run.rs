@@ -2,11 +2,11 @@
 
 use super::busy::Busy;
 use super::points::Point;
-use super::tells::BESIDE;
 use crate::graph::{Graph, Source};
 use crate::key;
 use crate::session::{self, EngineError, Options, Outcome};
 use crate::store::Store;
+use crate::tells::BESIDE;
 use crate::walk::{Fate, Watch, needed};
 use stage::{Files, Hash, Metric};
 use std::collections::BTreeMap;

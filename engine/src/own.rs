@@ -1,7 +1,6 @@
 //! The store's own files: known by the form of their names, listed and removed without ever going
 //! through a link.
 
-use super::place;
 use crate::nofollow;
 use rustix::fs::FileType;
 use stage::Hash;
@@ -16,7 +15,7 @@ const FOLDERS: [(&str, fn(&str) -> bool); 10] = [
     ("parts", is_prefix),
     ("lease", is_lease),
     ("runs", is_run),
-    ("pins", super::pins::fits),
+    ("pins", is_pin),
     ("quarantine", is_hash),
     ("captures", is_hash),
     ("tmp", is_writing),
@@ -37,23 +36,33 @@ fn is_number(text: &str) -> bool {
     !text.is_empty() && text.bytes().all(|b| b.is_ascii_digit())
 }
 
+/// Whether a name may be a file's, and is nobody else's.
+pub(crate) fn is_pin(name: &str) -> bool {
+    let first = name
+        .bytes()
+        .next()
+        .is_some_and(|b| b.is_ascii_alphanumeric());
+    let plain = |b: u8| b.is_ascii_alphanumeric() || b"-_.".contains(&b);
+    first && name.len() <= 64 && name.bytes().all(plain) && !name.starts_with("last")
+}
+
 /// A folder of a shelf: the first two digits of a hash.
 fn is_prefix(name: &str) -> bool {
     name.len() == 2 && is_hex(name)
 }
 
 /// What is named by a hash.
-pub(super) fn is_hash(name: &str) -> bool {
+pub(crate) fn is_hash(name: &str) -> bool {
     name.len() == 64 && is_hex(name)
 }
 
 /// The file of a lease.
-pub(super) fn is_lease(name: &str) -> bool {
+pub(crate) fn is_lease(name: &str) -> bool {
     name.len() == 3 && is_hex(name)
 }
 
 /// A file that is being written: process, count, time.
-pub(super) fn is_writing(name: &str) -> bool {
+pub(crate) fn is_writing(name: &str) -> bool {
     let words: Vec<&str> = name.split('-').collect();
     matches!(words[..], [id, count, now] if is_number(id) && is_number(count) && is_hex(now))
 }
@@ -68,6 +77,17 @@ pub(crate) fn is_run(name: &str) -> bool {
     words.is_some_and(|(n, process)| n.len() == 20 && counts(n) && is_number(process))
 }
 
+/// The file of a hash under a shelf of the store at `root`.
+pub(crate) fn place(root: &Path, shelf: &str, hash: Hash) -> PathBuf {
+    let hex = hash.to_hex();
+    let mut path = PathBuf::with_capacity(root.as_os_str().len() + shelf.len() + 70);
+    path.push(root);
+    path.push(shelf);
+    path.push(&hex[..2]);
+    path.push(hex.as_str());
+    path
+}
+
 /// What lies in a folder of the store and fits, sorted.
 fn inside(root: &Path, names: &[&str], kind: FileType, fits: impl Fn(&str) -> bool) -> Vec<String> {
     let at = nofollow::folder(root, names);
@@ -80,7 +100,7 @@ pub(crate) fn files(root: &Path, name: &str, fits: impl Fn(&str) -> bool) -> Vec
 }
 
 /// All that lies on a shelf under a hash.
-pub(super) fn shelf(root: &Path, name: &str) -> Vec<Hash> {
+pub(crate) fn shelf(root: &Path, name: &str) -> Vec<Hash> {
     let mut hashes = Vec::new();
     for prefix in inside(root, &[name], FileType::Directory, is_prefix) {
         let fits = |file: &str| is_hash(file) && file.starts_with(&prefix);
@@ -96,20 +116,20 @@ pub(crate) fn remove(root: &Path, folders: &[&str], name: &str) -> bool {
 }
 
 /// Removes what lies on a shelf under a hash.
-pub(super) fn remove_from(root: &Path, shelf: &str, hash: Hash) -> bool {
+pub(crate) fn remove_from(root: &Path, shelf: &str, hash: Hash) -> bool {
     let hex = hash.to_hex();
     remove(root, &[shelf, &hex[..2]], &hex)
 }
 
 /// A folder of the store that is a link: nothing is removed through it.
-pub(super) fn link(root: &Path) -> Option<PathBuf> {
+pub(crate) fn link(root: &Path) -> Option<PathBuf> {
     let linked = |path: &PathBuf| fs::symlink_metadata(path).is_ok_and(|m| m.is_symlink());
     let mut all = FOLDERS.iter().map(|(name, _)| root.join(name));
     all.find(linked)
 }
 
 /// Something in a folder that is in no store.
-pub(super) fn stranger(root: &Path) -> Option<PathBuf> {
+pub(crate) fn stranger(root: &Path) -> Option<PathBuf> {
     let names = |path: &Path| fs::read_dir(path).into_iter().flatten().flatten();
     for entry in names(root) {
         let path = entry.path();
@@ -134,7 +154,7 @@ pub(super) fn stranger(root: &Path) -> Option<PathBuf> {
 }
 
 /// The size of all that lies on a shelf. \[bytes\]
-pub(super) fn size(root: &Path, shelf_name: &str) -> u64 {
+pub(crate) fn size(root: &Path, shelf_name: &str) -> u64 {
     let size = |hash: &Hash| fs::metadata(place(root, shelf_name, *hash)).map_or(0, |m| m.len());
     shelf(root, shelf_name).iter().map(size).sum()
 }

@@ -1,6 +1,6 @@
 //! What the cache may hold, and what goes at the end of a run.
 
-use super::House;
+use super::arguments::GlobalArgs;
 use super::cache::mib;
 use crate::past;
 use crate::store::keeper::{self, Budget};
@@ -27,15 +27,15 @@ pub(super) const KEPT_RECORDS: usize = 200;
 
 /// At the end of a run: old records go, and what is over the budget that was said. Never while
 /// another run uses the store, which does the same at its own end.
-pub(super) fn after_run(house: &House) {
-    let many = past::ids(&house.cache).len() > 2 * KEPT_RECORDS;
-    if !many && house.max_size.is_none() {
+pub(super) fn after_run(global: &GlobalArgs) {
+    let many = past::ids(&global.cache).len() > 2 * KEPT_RECORDS;
+    if !many && global.max_size.is_none() {
         return;
     }
-    let Ok(store) = Store::open(&house.cache) else {
+    let Ok(store) = Store::open(&global.cache) else {
         return;
     };
-    let over = house.max_size.filter(|most| keeper::size(&store) > *most);
+    let over = global.max_size.filter(|most| keeper::size(&store) > *most);
     if !many && over.is_none() {
         return;
     }
@@ -45,16 +45,16 @@ pub(super) fn after_run(house: &House) {
         keep_records: KEPT_RECORDS,
     };
     let swept = keeper::gc(&store, &budget, false);
-    if house.json || house.quiet {
+    if global.json || global.quiet {
         return;
     }
     match swept {
         Ok(swept) if !swept.results.is_empty() => {
             let freed: u64 = swept.results.iter().map(|k| k.bytes).sum();
             let (n, freed) = (swept.results.len(), mib(freed));
-            super::errln!("the cache was over its size: {n} results went, {freed:.1} MiB");
+            crate::errln!("the cache was over its size: {n} results went, {freed:.1} MiB");
         }
         Ok(_) | Err(StoreError::Busy(_)) => {}
-        Err(error) => super::errln!("{error}"),
+        Err(error) => crate::errln!("{error}"),
     }
 }

@@ -1,13 +1,15 @@
 //! `tailor sweep`: every point of a sweep, one table.
 
-use super::run::{folders, options};
+use super::arguments::GlobalArgs;
+use super::fault::Fault;
+use super::open::{folders, options};
+use super::speech::CANCEL;
 use super::sweep_asked::{Asked, SweepArgs, asked, checked};
-use super::{CANCEL, Fault, House};
-use crate::engine::Outcome;
 use crate::graph::Graph;
 use crate::lasttime::History;
 use crate::past::Of;
 use crate::recipe::{self, Mistakes, Overrides};
+use crate::session::Outcome;
 use crate::sweep::{self, End, Errors, Point, Row, Sweeping};
 use crate::walk::Watch;
 use crate::{delivery, sweep::outlook};
@@ -17,7 +19,7 @@ use std::sync::atomic::Ordering;
 const MANY: u128 = 1000;
 
 /// Does it.
-pub(crate) fn sweep(args: &SweepArgs, house: &House) -> Result<(), Fault> {
+pub(crate) fn sweep(args: &SweepArgs, global: &GlobalArgs) -> Result<(), Fault> {
     let file = args.pipeline.display().to_string();
     if let Some(out) = &args.out {
         delivery::check(out).map_err(Fault::input)?;
@@ -26,22 +28,21 @@ pub(crate) fn sweep(args: &SweepArgs, house: &House) -> Result<(), Fault> {
         variant: args.change.variant.clone(),
         sets: args.change.set.clone(),
     };
-    let base =
-        recipe::open(&args.pipeline, &all, &crate::catalog::CATALOG).map_err(Fault::mistakes)?;
+    let base = recipe::open(&args.pipeline, &all, global.catalog()).map_err(Fault::mistakes)?;
     let text = std::fs::read_to_string(&args.pipeline).map_err(Fault::input)?;
     let recipe =
         recipe::read(&text).map_err(|m| Fault::mistakes(Mistakes::new(&file, &text, m)))?;
     let asked = asked(args, &recipe, &base)?;
     let at = |point: &Point| {
         let overrides = point.overrides(&all);
-        recipe::open_text(&file, &text, &overrides, &crate::catalog::CATALOG)
+        recipe::open_text(&file, &text, &overrides, global.catalog())
     };
     checked(args, &base, &asked, &at)?;
     let wanted: Vec<usize> = match asked.nodes.is_empty() {
         true => base.goal.clone(),
         false => asked.nodes.iter().filter_map(|n| base.node(n)).collect(),
     };
-    let history = History::of(&house.cache, Of::default());
+    let history = History::of(&global.cache, Of::default());
     let last = |node: &str| history.last(node).map(|n| n.seconds);
     let outlook = outlook(&asked.points, &base, &wanted, &last);
     if asked.points.count() > MANY && !args.yes {
@@ -49,11 +50,11 @@ pub(crate) fn sweep(args: &SweepArgs, house: &House) -> Result<(), Fault> {
             "this sweep has {outlook}; if you mean it, say --yes"
         )));
     }
-    let voice = Voice(!house.quiet && !house.json);
+    let voice = Voice(!global.quiet && !global.json);
     voice.say(&outlook.to_string());
-    let options = options(house, true);
+    let options = options(global, true);
     let against = args.truth.as_deref().map(|truth| {
-        move |graph: &Graph, outcome: &Outcome| crate::errors::errors(graph, outcome, truth)
+        move |graph: &Graph, outcome: &Outcome| (global.program().errors)(graph, outcome, truth)
     });
     let sweeping = Sweeping {
         open: &|point| at(point).map_err(|m| m.to_string()),
@@ -80,13 +81,13 @@ pub(crate) fn sweep(args: &SweepArgs, house: &House) -> Result<(), Fault> {
         ));
     };
     let rows = sweep::run(&sweeping, asked.points.iter(), done).map_err(Fault::input)?;
-    finish(args, house, &asked, &rows)
+    finish(args, global, &asked, &rows)
 }
 
 /// Prints and writes what came out; a point without a result is a failure, a stop is a stop.
-fn finish(args: &SweepArgs, house: &House, asked: &Asked, rows: &[Row]) -> Result<(), Fault> {
+fn finish(args: &SweepArgs, global: &GlobalArgs, asked: &Asked, rows: &[Row]) -> Result<(), Fault> {
     let (name, about) = (&asked.name, &asked.about);
-    let json = sweep::json(crate::catalog::CATALOG.program, name, about, rows);
+    let json = sweep::json(global.catalog().program, name, about, rows);
     if let Some(folder) = &args.out {
         let pretty = serde_json::to_string_pretty(&json).expect("bug: JSON");
         for (file, text) in [
@@ -98,16 +99,16 @@ fn finish(args: &SweepArgs, house: &House, asked: &Asked, rows: &[Row]) -> Resul
             delivery::write(&file, &[(String::new(), text.into_bytes())]).map_err(Fault::stage)?;
         }
     }
-    match house.json {
-        true => super::outln!(
+    match global.json {
+        true => crate::outln!(
             "{}",
             serde_json::to_string_pretty(&json).expect("bug: JSON")
         ),
-        false => super::out!("{}", sweep::text(about, rows)),
+        false => crate::out!("{}", sweep::text(about, rows)),
     }
     untold(asked, rows)
         .iter()
-        .for_each(|line| super::errln!("{line}"));
+        .for_each(|line| crate::errln!("{line}"));
     if CANCEL.load(Ordering::Relaxed) {
         let text = "stopped; run the same command to go on".into();
         return Err(Fault {
@@ -145,7 +146,7 @@ struct Voice(bool);
 impl Voice {
     fn say(&self, line: &str) {
         if self.0 {
-            super::errln!("{line}");
+            crate::errln!("{line}");
         }
     }
 }

@@ -4,7 +4,7 @@ use crate::kind::Catalog;
 use stage::{AnyStage, Value, nearest, tells};
 
 /// What every node tells.
-pub(super) const BESIDE: [(&str, &str); 2] = [("seconds", "s"), ("bytes", "B")];
+pub(crate) const BESIDE: [(&str, &str); 2] = [("seconds", "s"), ("bytes", "B")];
 
 /// How many names are listed to somebody who asked for one that there is not.
 const LISTED: usize = 24;

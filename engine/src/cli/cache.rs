@@ -1,8 +1,9 @@
 //! `tailor cache ls|du|runs|pin|unpin|pins|gc|forget|verify`.
 
+use super::arguments::GlobalArgs;
 use super::budget::KEPT_RECORDS;
-use super::compare::past;
-use super::{Fault, House};
+use super::fault::Fault;
+use crate::past::ago;
 use crate::past::{self, Head};
 use crate::store::keeper::{self, Budget, Kept, Swept};
 use crate::store::{Forgotten, Store, forget};
@@ -53,7 +54,7 @@ enum Verb {
         #[arg(long)]
         dry_run: bool,
     },
-    /// Remove all that came of a folder of photos: results, parts, records of runs
+    /// Remove all that came of an input's folder: results, parts, records of runs
     Forget {
         /// The folder; it may be gone
         folder: PathBuf,
@@ -67,31 +68,31 @@ pub(super) fn mib(bytes: u64) -> f64 {
 }
 
 /// Prints the one or the other.
-fn say(house: &House, json: Value, lines: impl FnOnce() -> Vec<String>) {
-    match house.json {
-        true => super::outln!("{json}"),
-        false => lines().iter().for_each(|line| super::outln!("{line}")),
+fn say(global: &GlobalArgs, json: Value, lines: impl FnOnce() -> Vec<String>) {
+    match global.json {
+        true => crate::outln!("{json}"),
+        false => lines().iter().for_each(|line| crate::outln!("{line}")),
     }
 }
 
 /// Does it.
-pub(crate) fn cache(cache: &Cache, house: &House) -> Result<(), Fault> {
-    if !house.cache.join("format").exists() {
-        let place = house.cache.display();
+pub(crate) fn cache(cache: &Cache, global: &GlobalArgs) -> Result<(), Fault> {
+    if !global.cache.join("format").exists() {
+        let place = global.cache.display();
         return Err(Fault::input(format!(
             "there is no cache at {place}; say where it is with --cache, or run something first"
         )));
     }
-    let store = Store::open(&house.cache).map_err(Fault::input)?;
+    let store = Store::open(&global.cache).map_err(Fault::input)?;
     match &cache.verb {
-        Verb::Ls => ls(&store, house),
-        Verb::Du => du(&store, house),
-        Verb::Runs => runs(&store, house),
+        Verb::Ls => ls(&store, global),
+        Verb::Du => du(&store, global),
+        Verb::Runs => runs(&store, global),
         Verb::Pin { name, run } => {
             let run = run_of(&store, run)?;
             store.pin(name, &run).map_err(Fault::input)?;
             let line = format!("{name}: the results of run {run} stay");
-            say(house, json!({ "pin": name, "run": run }), || vec![line]);
+            say(global, json!({ "pin": name, "run": run }), || vec![line]);
         }
         Verb::Unpin { name } => {
             if !store.unpin(name) {
@@ -99,14 +100,14 @@ pub(crate) fn cache(cache: &Cache, house: &House) -> Result<(), Fault> {
                 let known: Vec<&str> = pins.iter().map(|(name, _)| name.as_str()).collect();
                 return Err(Fault::input(stage::unknown("pin", name, &known)));
             }
-            say(house, json!({ "unpinned": name }), || {
+            say(global, json!({ "unpinned": name }), || {
                 vec![format!("{name}: no longer pinned")]
             });
         }
         Verb::Pins => {
             let pins = store.pins();
             let one = |(name, run): &(String, String)| json!({ "pin": name, "run": run });
-            say(house, pins.iter().map(one).collect(), || {
+            say(global, pins.iter().map(one).collect(), || {
                 pins.iter()
                     .map(|(name, run)| format!("{name:<20} {run}"))
                     .collect()
@@ -118,23 +119,23 @@ pub(crate) fn cache(cache: &Cache, house: &House) -> Result<(), Fault> {
             dry_run,
         } => {
             let say = "say how much may stay: --max-size 500M, or 20G";
-            let most = house.max_size.ok_or_else(|| Fault::input(say))?;
+            let most = global.max_size.ok_or_else(|| Fault::input(say))?;
             let budget = Budget {
                 most,
                 keep_runs: *keep_runs,
                 keep_records: *keep_records,
             };
             let swept = keeper::gc(&store, &budget, *dry_run).map_err(Fault::input)?;
-            told(&swept, *dry_run, house);
+            told(&swept, *dry_run, global);
         }
         Verb::Forget { folder } => {
             let forgotten = forget(&store, folder).map_err(Fault::input)?;
-            told_forgotten(&forgotten, house);
+            told_forgotten(&forgotten, global);
         }
         Verb::Verify => {
             let bad = keeper::verify(&store);
             let results = keeper::list(&store).len();
-            say(house, json!({ "checked": results, "bad": bad }), || {
+            say(global, json!({ "checked": results, "bad": bad }), || {
                 vec![format!(
                     "{results} results are whole, {bad} files put aside"
                 )]
@@ -144,7 +145,7 @@ pub(crate) fn cache(cache: &Cache, house: &House) -> Result<(), Fault> {
     Ok(())
 }
 
-fn ls(store: &Store, house: &House) {
+fn ls(store: &Store, global: &GlobalArgs) {
     let mut kept = keeper::list(store);
     kept.sort_by(|a, b| b.bytes.cmp(&a.bytes).then(a.key.cmp(&b.key)));
     let line = |k: &Kept| {
@@ -152,24 +153,24 @@ fn ls(store: &Store, house: &House) {
         format!("{key} {size:>9.2} MiB {seconds:>8.2} s  {}", k.stage)
     };
     let one = |k: &Kept| json!({ "key": k.key, "content": k.content, "bytes": k.bytes, "seconds": k.seconds, "stage": k.stage });
-    say(house, kept.iter().map(one).collect(), || {
+    say(global, kept.iter().map(one).collect(), || {
         kept.iter().map(line).collect()
     });
 }
 
-fn du(store: &Store, house: &House) {
+fn du(store: &Store, global: &GlobalArgs) {
     let kept = keeper::list(store);
     // Nodes may share a result.
     let sizes: BTreeMap<&str, u64> = kept.iter().map(|k| (&*k.content, k.bytes)).collect();
     let (total, parts) = (sizes.values().sum(), keeper::parts_size(store));
     let json = json!({ "results": kept.len(), "bytes": total, "parts_bytes": parts });
-    say(house, json, || {
+    say(global, json, || {
         let (n, total, parts) = (kept.len(), mib(total), mib(parts));
         vec![format!("{n} results, {total:.1} MiB; parts {parts:.1} MiB")]
     });
 }
 
-fn runs(store: &Store, house: &House) {
+fn runs(store: &Store, global: &GlobalArgs) {
     let root = store.root();
     let head = |id: String| past::head(root, &id).map(|head| (id, head));
     let all: Vec<(String, Head)> = past::ids(root).into_iter().filter_map(head).collect();
@@ -177,7 +178,7 @@ fn runs(store: &Store, house: &House) {
         json!({ "run": id, "about": h.about, "pipeline": h.of.pipeline, "variant": h.of.variant,
             "seconds": h.seconds, "found": h.found, "made": h.made, "failed": h.failed })
     };
-    say(house, all.iter().map(one).collect(), || {
+    say(global, all.iter().map(one).collect(), || {
         let line = |(id, h): &(String, Head)| {
             let Head {
                 seconds,
@@ -198,7 +199,7 @@ fn runs(store: &Store, house: &House) {
 /// The id of the run that somebody means.
 fn run_of(store: &Store, text: &str) -> Result<String, Fault> {
     let ids = past::ids(store.root());
-    let found = match past(text) {
+    let found = match ago(text) {
         Some(ago) => ids.get(ago),
         None => ids.iter().find(|id| *id == text),
     };
@@ -211,7 +212,7 @@ fn run_of(store: &Store, text: &str) -> Result<String, Fault> {
     found.cloned().ok_or_else(unknown)
 }
 
-fn told(swept: &Swept, dry_run: bool, house: &House) {
+fn told(swept: &Swept, dry_run: bool, global: &GlobalArgs) {
     let results = swept.results.iter();
     let (freed, seconds) = results.fold((0, 0.0), |(b, s), k| (b + k.bytes, s + k.seconds));
     let (n, records, parts) = (swept.results.len(), swept.records, swept.parts_bytes);
@@ -219,7 +220,7 @@ fn told(swept: &Swept, dry_run: bool, house: &House) {
         "removed": n, "bytes": freed, "rebuild_seconds": seconds, "parts_bytes": parts,
         "records": records, "dry_run": dry_run,
     });
-    say(house, json, || {
+    say(global, json, || {
         let verb = if dry_run { "would remove" } else { "removed" };
         let (freed, parts) = (mib(freed), mib(parts));
         vec![format!(
@@ -229,11 +230,11 @@ fn told(swept: &Swept, dry_run: bool, house: &House) {
     });
 }
 
-fn told_forgotten(f: &Forgotten, house: &House) {
+fn told_forgotten(f: &Forgotten, global: &GlobalArgs) {
     let json = json!({
         "results": f.results, "bytes": f.bytes, "runs": f.runs, "pins": f.pins, "shared": f.shared,
     });
-    say(house, json, || {
+    say(global, json, || {
         let (results, runs, freed) = (f.results, f.runs, mib(f.bytes));
         let mut lines = vec![format!(
             "forgot {results} results, {freed:.1} MiB, all parts and {runs} records of runs"

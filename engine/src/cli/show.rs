@@ -1,14 +1,14 @@
 //! `tailor show`: one artifact out of the cache as a file.
 
-use super::run::{folders, node, opened};
-use super::{Change, Fault, House};
+use super::arguments::{Change, GlobalArgs};
+use super::fault::Fault;
+use super::open::{folders, node, open_pipeline};
 use crate::graph::{Bound, Graph, Source};
 use crate::key::{self, Story};
 use crate::store::Store;
-use crate::{delivery, engine, out, walk};
+use crate::{delivery, out, session, walk};
 use clap::Args;
 use serde_json::{Value, json};
-use shape::Photos;
 use stage::Hash;
 use std::path::PathBuf;
 
@@ -17,7 +17,7 @@ use std::path::PathBuf;
 pub(crate) struct Show {
     /// The node
     node: String,
-    /// The pipeline file that it belongs to, if it is not that of `measure`
+    /// The pipeline file that it belongs to, if it is not the program's own
     #[arg(long)]
     pipeline: Option<PathBuf>,
     #[command(flatten)]
@@ -69,12 +69,12 @@ fn reads(run: &Value, graph: &Graph, node: usize, contents: &[Option<Hash>]) -> 
 }
 
 /// Does it: the newest run of a node of that name whose result is still there.
-pub(crate) fn show(show: &Show, house: &House) -> Result<(), Fault> {
-    let graph = opened(show.pipeline.as_deref(), &show.change)?;
+pub(crate) fn show(show: &Show, global: &GlobalArgs) -> Result<(), Fault> {
+    let graph = open_pipeline(show.pipeline.as_deref(), &show.change, global)?;
     let wanted = node(&graph, &show.node)?;
-    let store = Store::open(&house.cache).map_err(Fault::input)?;
+    let store = Store::open(&global.cache).map_err(Fault::input)?;
     let said = folders(&show.change)?;
-    let files = engine::said_inputs(&graph, &said, &store).map_err(Fault::input)?;
+    let files = session::said_inputs(&graph, &said, &store).map_err(Fault::input)?;
     let contents: Vec<Option<Hash>> = files
         .iter()
         .map(|f| f.as_ref().map(stage::content))
@@ -84,7 +84,7 @@ pub(crate) fn show(show: &Show, house: &House) -> Result<(), Fault> {
         let at = graph.node(name)?;
         let stage = graph.nodes[at].stage;
         // One after the other: a store may hold many large ones.
-        let mut fitting = engine::runs(store.root())
+        let mut fitting = session::runs(store.root())
             .filter(|(_, run)| !changed || fits(run, &graph, at))
             .filter(|(_, run)| reads(run, &graph, at, &contents));
         fitting.find_map(|(_, run)| {
@@ -105,15 +105,12 @@ pub(crate) fn show(show: &Show, house: &House) -> Result<(), Fault> {
             "the cache holds no result of `{name}`{of}{so}; run the pipeline first"
         ))
     })?;
-    let photos = graph.nodes.iter().find(|n| n.stage.yields() == "photos");
-    let photos = photos
-        .and_then(|n| read(&n.name))
-        .and_then(|(a, _)| a.downcast::<Photos>());
-    let photos = photos.map_or_else(Photos::default, |p| (*p).clone());
-    let raw = || blob.to_vec();
-    let files = out::files(artifact, raw, &photos, show.format.as_deref()).map_err(Fault::input)?;
+    let beside = out::beside(&graph, wanted).and_then(|at| read(&graph.nodes[at].name));
+    let beside = beside.map(|(artifact, _)| artifact);
+    let (raw, format) = (|| blob.to_vec(), show.format.as_deref());
+    let files = out::files(graph.catalog, artifact, raw, beside, format).map_err(Fault::input)?;
     delivery::write(&show.o, &files).map_err(Fault::stage)?;
-    if house.json {
+    if global.json {
         let one = |(name, bytes): &(String, Vec<u8>)| {
             let path = match name.is_empty() {
                 true => show.o.clone(),
@@ -122,7 +119,7 @@ pub(crate) fn show(show: &Show, house: &House) -> Result<(), Fault> {
             json!({ "file": path, "bytes": bytes.len() })
         };
         let files: Value = files.iter().map(one).collect();
-        super::outln!("{}", json!({ "node": name, "files": files }));
+        crate::outln!("{}", json!({ "node": name, "files": files }));
     }
     Ok(())
 }

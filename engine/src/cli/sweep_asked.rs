@@ -1,7 +1,8 @@
 //! What a sweep is asked for, by its file and the command line, and whether it can be.
 
-use super::run::node;
-use super::{Change, Fault};
+use super::arguments::Change;
+use super::fault::Fault;
+use super::open::node;
 use crate::graph::Graph;
 use crate::recipe::{Mistakes, Recipe, Sweep};
 use crate::sweep::{self, Axis, Point, Points, axes};

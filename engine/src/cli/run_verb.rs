@@ -1,20 +1,21 @@
 //! `tailor run`, and what every verb that runs shares.
 
-use super::speak::Speaker;
-use super::{CANCEL, Change, Fault, House, Wanted, deliver};
+use super::arguments::{GlobalArgs, Wanted};
+use super::deliver;
+use super::fault::Fault;
+use super::open::{ahead, folders, open, options};
+use super::progress::Progress;
+use super::speech::CANCEL;
 use crate::delivery::Delivery;
-use crate::engine::{self, Options, Outcome};
 use crate::graph::Graph;
 use crate::lasttime::History;
 use crate::past::Of;
-use crate::recipe::{self, Overrides};
-use crate::store::{Ahead, Store};
+use crate::session::{self, Outcome};
+use crate::store::Store;
 use crate::{out, verify, walk};
 use clap::Args;
 use serde_json::json;
-use shape::Photos;
 use stage::AnyArtifact;
-use std::num::NonZeroUsize;
 use std::path::PathBuf;
 use std::sync::atomic::Ordering;
 
@@ -40,83 +41,16 @@ pub(crate) struct Run {
     verify: bool,
 }
 
-/// Reads what is remembered of the store while the pipeline is read.
-pub(crate) fn ahead(wanted: &Wanted, house: &House) -> Ahead {
-    let bytes = std::fs::metadata(&wanted.pipeline).map_or(0, |m| m.len());
-    Ahead::of(&house.cache, bytes)
-}
-
-/// Opens the pipeline of some arguments and finds the wanted nodes.
-pub(crate) fn open(wanted: &Wanted) -> Result<(Graph, Vec<usize>), Fault> {
-    let graph = opened(Some(&wanted.pipeline), &wanted.change)?;
-    let nodes = wanted.nodes.iter().map(|name| node(&graph, name));
-    let nodes = nodes.collect::<Result<Vec<_>, Fault>>()?;
-    let goal = if nodes.is_empty() {
-        graph.goal.clone()
-    } else {
-        nodes
-    };
-    Ok((graph, goal))
-}
-
-/// The node of a name.
-pub(crate) fn node(graph: &Graph, name: &str) -> Result<usize, Fault> {
-    graph.node(name).ok_or_else(|| {
-        let names: Vec<&str> = graph.nodes.iter().map(|n| n.name.as_str()).collect();
-        Fault::input(stage::unknown("node", name, &names))
-    })
-}
-
-/// A pipeline file, the product's if none is said, with what the command line changes.
-pub(crate) fn opened(file: Option<&std::path::Path>, change: &Change) -> Result<Graph, Fault> {
-    let overrides = Overrides {
-        variant: change.variant.clone(),
-        sets: change.set.clone(),
-    };
-    let graph = match file {
-        Some(file) => recipe::open(file, &overrides, &crate::catalog::CATALOG),
-        None => recipe::open_text(
-            "pipelines/body.toml",
-            super::door::BODY,
-            &overrides,
-            &crate::catalog::CATALOG,
-        ),
-    };
-    graph.map_err(Fault::mistakes)
-}
-
-/// `NAME=FOLDER` as a pair.
-pub(crate) fn folders(change: &Change) -> Result<Vec<(String, PathBuf)>, Fault> {
-    let pair = |text: &String| {
-        let (name, folder) = text.split_once('=').ok_or_else(|| {
-            Fault::input(format!(
-                "`--input {text}`: say NAME=FOLDER, such as photos=samples/mannequin"
-            ))
-        })?;
-        Ok((name.to_owned(), PathBuf::from(folder)))
-    };
-    change.input.iter().map(pair).collect()
-}
-
-/// Options of the house.
-pub(crate) fn options(house: &House, keep_going: bool) -> Options {
-    Options {
-        cache: house.cache.clone(),
-        threads: house.threads.map(NonZeroUsize::get),
-        keep_going,
-    }
-}
-
 /// Runs in a store, and turns failures into faults; `again` is the command that repeats a failed node.
-pub(crate) fn execute(
+pub fn execute(
     store: Store,
     graph: &Graph,
     folders: &[(String, PathBuf)],
     wanted: &[usize],
-    house: &House,
+    global: &GlobalArgs,
     again: &str,
 ) -> Result<Outcome, Fault> {
-    match execute_some(store, graph, folders, wanted, house, false, again)? {
+    match execute_some(store, graph, folders, wanted, global, false, again)? {
         (outcome, None) => Ok(outcome),
         (_, Some(fault)) => Err(fault),
     }
@@ -128,19 +62,21 @@ fn execute_some(
     graph: &Graph,
     folders: &[(String, PathBuf)],
     wanted: &[usize],
-    house: &House,
+    global: &GlobalArgs,
     keep_going: bool,
     again: &str,
 ) -> Result<(Outcome, Option<Fault>), Fault> {
     let needed = walk::needed(graph, wanted);
     let count = needed.iter().filter(|n| **n).count();
-    // Files are called after the photos, which must be there for it.
+    // What it takes to write what is wanted must be there.
     let mut wanted = wanted.to_vec();
-    wanted.extend(photos_node(graph).filter(|i| needed[*i]));
+    let beside = wanted.iter().filter_map(|i| out::beside(graph, *i));
+    let beside: Vec<usize> = beside.filter(|i| needed[*i]).collect();
+    wanted.extend(beside);
     let wanted = wanted.as_slice();
-    let speaker = Speaker::new(house.quiet || house.json, count);
+    let speaker = Progress::new(global.quiet || global.json, count);
     if speaker.asks_for_time() {
-        let history = History::of(&house.cache, Of::default());
+        let history = History::of(&global.cache, Of::default());
         let names = graph
             .nodes
             .iter()
@@ -150,8 +86,8 @@ fn execute_some(
         let expected = names.filter_map(|(n, _)| Some((n.name.clone(), seconds(&n.name)?)));
         speaker.expect(expected.collect());
     }
-    let options = options(house, keep_going);
-    let outcome = engine::run_in(store, graph, folders, wanted, &options, &speaker, &CANCEL);
+    let options = options(global, keep_going);
+    let outcome = session::run_in(store, graph, folders, wanted, &options, &speaker, &CANCEL);
     let outcome = outcome.map_err(Fault::input)?;
     let failures = outcome.failures(graph);
     if !failures.is_empty() {
@@ -174,13 +110,13 @@ fn execute_some(
 
 /// A result that must be there, for somebody wants to write it; and the bytes of its own file
 /// where that is what is written.
-pub(crate) fn there(
+pub fn there(
     graph: &Graph,
     outcome: &Outcome,
     node: usize,
 ) -> Result<(AnyArtifact, Vec<u8>), Fault> {
     let found = outcome.artifact(graph, node).and_then(|artifact| {
-        let raw = match out::formats(artifact.kind()) {
+        let raw = match out::formats(graph.catalog, artifact.kind()) {
             [out::RAW] => outcome.bytes(node)?,
             _ => vec![],
         };
@@ -194,34 +130,19 @@ pub(crate) fn there(
     })
 }
 
-fn photos_node(graph: &Graph) -> Option<usize> {
-    graph
-        .nodes
-        .iter()
-        .position(|n| n.stage.yields() == "photos")
-}
-
-/// The photos of a run, for the names of files.
-pub(crate) fn photos(graph: &Graph, outcome: &Outcome) -> Photos {
-    let photos = photos_node(graph)
-        .and_then(|at| outcome.artifact(graph, at))
-        .and_then(|a| a.downcast::<Photos>());
-    photos.map_or_else(Photos::default, |p| (*p).clone())
-}
-
 /// Every stage once more; those that differ are a fault.
 fn verify(
     graph: &Graph,
     folders: &[(String, PathBuf)],
     outcome: &Outcome,
-    house: &House,
+    global: &GlobalArgs,
 ) -> Result<(), Fault> {
     let told = |node: &str| {
-        if !house.quiet && !house.json {
-            super::errln!("{node}: once more");
+        if !global.quiet && !global.json {
+            crate::errln!("{node}: once more");
         }
     };
-    let options = options(house, false);
+    let options = options(global, false);
     let unsteady = verify::verify(graph, folders, outcome, &options, &CANCEL, &told);
     let lines: Vec<String> = unsteady
         .map_err(Fault::input)?
@@ -236,14 +157,14 @@ fn verify(
 }
 
 /// Does it.
-pub(crate) fn run(run: &Run, house: &House) -> Result<(), Fault> {
-    let ahead = ahead(&run.wanted, house);
-    let (graph, wanted) = open(&run.wanted)?;
+pub(crate) fn run(run: &Run, global: &GlobalArgs) -> Result<(), Fault> {
+    let ahead = ahead(&run.wanted, global);
+    let (graph, wanted) = open(&run.wanted, global)?;
     let folders = folders(&run.wanted.change)?;
     if let Some(out) = &run.out {
         deliver::check(out, &graph, &folders)?;
     }
-    let store = Store::open_after(&house.cache, ahead).map_err(Fault::input)?;
+    let store = Store::open_after(&global.cache, ahead).map_err(Fault::input)?;
     let again: Vec<String> = std::env::args().collect();
     let wanted = match run.verify {
         true => walk::all(&graph, &wanted),
@@ -251,21 +172,21 @@ pub(crate) fn run(run: &Run, house: &House) -> Result<(), Fault> {
     };
     let (keep_going, again) = (run.keep_going, again.join(" "));
     let (outcome, fault) =
-        execute_some(store, &graph, &folders, &wanted, house, keep_going, &again)?;
+        execute_some(store, &graph, &folders, &wanted, global, keep_going, &again)?;
     if run.verify && fault.is_none() {
-        verify(&graph, &folders, &outcome, house)?;
+        verify(&graph, &folders, &outcome, global)?;
     }
     if let Some(out) = run.out.as_ref().filter(|_| fault.is_none() || keep_going) {
         let mut delivery = Delivery::open(out, &deliver::whose(&folders)).map_err(Fault::stage)?;
         delivery.begin().map_err(Fault::stage)?;
-        deliver::write(&mut delivery, &graph, &outcome, &wanted)?;
-        deliver::finish(delivery, &graph, &outcome, run.clean, house)?;
+        deliver::write(&mut delivery, &graph, &outcome, &wanted, global)?;
+        deliver::finish(delivery, &graph, &outcome, run.clean, global)?;
     }
     if let Some(fault) = fault {
         return Err(fault);
     }
-    if house.json {
-        super::outln!(
+    if global.json {
+        crate::outln!(
             "{}",
             serde_json::to_string_pretty(&outcome.json(&graph)).expect("bug: JSON")
         );

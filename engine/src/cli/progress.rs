@@ -1,6 +1,6 @@
 //! Plain lines while a run goes on; on a terminal also what runs now, and for how long still.
 
-use super::screen::short;
+use super::text::short;
 use crate::walk::{Done, Fate, Watch};
 use std::collections::{BTreeMap, BTreeSet};
 use std::io::{IsTerminal, Write};
@@ -9,7 +9,7 @@ use std::sync::{Arc, Mutex};
 use std::time::{Duration, Instant};
 
 /// Speaks on standard error; on a terminal the last line shows what runs now.
-pub(crate) struct Speaker {
+pub(crate) struct Progress {
     quiet: bool,
     terminal: bool,
     state: Arc<Mutex<State>>,
@@ -94,7 +94,7 @@ fn duration(seconds: f64) -> String {
     }
 }
 
-impl Speaker {
+impl Progress {
     /// For a walk of so many nodes.
     pub(crate) fn new(quiet: bool, of: usize) -> Self {
         let state = State {
@@ -120,7 +120,7 @@ impl Speaker {
             });
             clock
         });
-        Speaker {
+        Progress {
             quiet,
             terminal,
             state,
@@ -145,7 +145,7 @@ impl Speaker {
     }
 }
 
-impl Watch for Speaker {
+impl Watch for Progress {
     fn started(&self, node: &str) {
         let mut state = self.state.lock().expect("bug: poisoned");
         state.running.retain(|r| r.node != node);
@@ -221,13 +221,13 @@ impl Watch for Speaker {
         } else {
             format!("  ({})", numbers.join(", "))
         };
-        super::errln!(
+        crate::errln!(
             "[{:>2}/{}] {node:<12} {fate}{numbers}",
             state.done.len(),
             state.of
         );
         for warning in &done.warnings {
-            super::errln!("        warning: {warning}");
+            crate::errln!("        warning: {warning}");
         }
         self.draw(&mut state);
         if self.terminal && last {

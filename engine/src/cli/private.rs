@@ -1,6 +1,6 @@
 //! `--private`: a cache of a run's own, which is gone when the program ends.
 
-use super::Fault;
+use super::fault::Fault;
 use std::path::{Path, PathBuf};
 use std::sync::Mutex;
 
@@ -37,6 +37,6 @@ pub(super) fn burn() {
     if let Ok(Some(made)) = made
         && let Err(why) = made.close()
     {
-        super::errln!("the private cache is not all gone: {why}");
+        crate::errln!("the private cache is not all gone: {why}");
     }
 }

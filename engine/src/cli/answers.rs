@@ -1,12 +1,13 @@
 //! `tailor plan`, `why`, `graph`, `stages`, `check`: answers that run nothing.
 
-use super::run::{ahead, folders, node, open};
-use super::{Fault, House, Wanted};
+use super::arguments::{GlobalArgs, Wanted};
+use super::fault::Fault;
+use super::open::{ahead, folders, node, open};
 use crate::graph::Graph;
 use crate::plan::{self, Planned, State};
 use crate::recipe::{self, Overrides};
 use crate::store::Store;
-use crate::{catalog, drawing, engine, key, why};
+use crate::{drawing, key, session, why};
 use clap::Args;
 use serde_json::{Value, json};
 use stage::Files;
@@ -39,11 +40,11 @@ struct Answer {
     store: Store,
 }
 
-fn planned(wanted: &Wanted, house: &House) -> Result<Answer, Fault> {
-    let ahead = ahead(wanted, house);
-    let (graph, goal) = open(wanted)?;
-    let store = Store::open_after(&house.cache, ahead).map_err(Fault::input)?;
-    let files = engine::inputs(&graph, &folders(&wanted.change)?, &store).map_err(Fault::input)?;
+fn planned(wanted: &Wanted, global: &GlobalArgs) -> Result<Answer, Fault> {
+    let ahead = ahead(wanted, global);
+    let (graph, goal) = open(wanted, global)?;
+    let store = Store::open_after(&global.cache, ahead).map_err(Fault::input)?;
+    let files = session::inputs(&graph, &folders(&wanted.change)?, &store).map_err(Fault::input)?;
     let plan = plan::plan(&graph, &files, &goal, &store);
     Ok(Answer {
         graph,
@@ -54,8 +55,8 @@ fn planned(wanted: &Wanted, house: &House) -> Result<Answer, Fault> {
 }
 
 /// `tailor plan`.
-pub(crate) fn plan(wanted: &Wanted, house: &House) -> Result<(), Fault> {
-    let Answer { graph, plan, .. } = planned(wanted, house)?;
+pub(crate) fn plan(wanted: &Wanted, global: &GlobalArgs) -> Result<(), Fault> {
+    let Answer { graph, plan, .. } = planned(wanted, global)?;
     let (mut lines, mut seconds, mut unknown) = (Vec::new(), [0.0; 2], 0);
     for (node, planned) in graph.nodes.iter().zip(&plan) {
         let Some(p) = planned else { continue };
@@ -74,7 +75,7 @@ pub(crate) fn plan(wanted: &Wanted, house: &House) -> Result<(), Fault> {
             State::Stale(lines) => lines.clone(),
             _ => vec![],
         };
-        if house.json {
+        if global.json {
             lines.push(
                 json!({ "node": node.name, "state": word, "seconds": p.seconds, "why": why }),
             );
@@ -84,11 +85,11 @@ pub(crate) fn plan(wanted: &Wanted, house: &House) -> Result<(), Fault> {
                 .iter()
                 .map(|(w, o, n)| format!("{w}: {} -> {}", short(o), short(n)))
                 .collect();
-            super::outln!("{word:<9} {:<14} {took:>8}  {}", node.name, why.join("; "));
+            crate::outln!("{word:<9} {:<14} {took:>8}  {}", node.name, why.join("; "));
         }
     }
-    if house.json {
-        super::outln!(
+    if global.json {
+        crate::outln!(
             "{}",
             json!({
                 "nodes": lines, "will_seconds": seconds[0], "may_seconds": seconds[1],
@@ -96,7 +97,7 @@ pub(crate) fn plan(wanted: &Wanted, house: &House) -> Result<(), Fault> {
             })
         );
     } else {
-        super::outln!(
+        crate::outln!(
             "expected: {:.1} s, and up to {:.1} s more if results change{}",
             seconds[0],
             seconds[1],
@@ -116,8 +117,8 @@ fn short(text: &str) -> &str {
 }
 
 /// `tailor why NODE`: the node and all that is to blame, back to every root cause.
-pub(crate) fn why(why: &Why, house: &House) -> Result<(), Fault> {
-    let answer = planned(&why.wanted, house)?;
+pub(crate) fn why(why: &Why, global: &GlobalArgs) -> Result<(), Fault> {
+    let answer = planned(&why.wanted, global)?;
     let Answer { graph, plan, .. } = &answer;
     let at = node(graph, &why.node)?;
     let causes = why::causes(graph, plan, &answer.files, answer.store.root(), at);
@@ -125,64 +126,64 @@ pub(crate) fn why(why: &Why, house: &House) -> Result<(), Fault> {
     for cause in &causes {
         let (name, state) = (&graph.nodes[cause.node].name, cause.state);
         let changes = &cause.changes;
-        if !house.json {
+        if !global.json {
             let so = match changes.is_empty() && state == "cached" {
                 true => ", as in the last run",
                 false => "",
             };
-            super::outln!("{name}: {state}{so}");
+            crate::outln!("{name}: {state}{so}");
             changes
                 .iter()
-                .for_each(|(w, o, n)| super::outln!("  {w}: {} -> {}", short(o), short(n)));
+                .for_each(|(w, o, n)| crate::outln!("  {w}: {} -> {}", short(o), short(n)));
         }
         chain.push(json!({ "node": name, "state": state, "changes": changes }));
     }
-    if house.json {
-        super::outln!("{}", json!({ "chain": chain }));
+    if global.json {
+        crate::outln!("{}", json!({ "chain": chain }));
     }
     Ok(())
 }
 
 /// `tailor graph`.
-pub(crate) fn graph(drawing: &Drawing, house: &House) -> Result<(), Fault> {
-    let (graph, _) = open(&drawing.wanted)?;
+pub(crate) fn graph(drawing: &Drawing, global: &GlobalArgs) -> Result<(), Fault> {
+    let (graph, _) = open(&drawing.wanted, global)?;
     // Without its inputs nobody knows what would run.
     let plan = match drawing.wanted.change.input.is_empty() && !graph.inputs.is_empty() {
         true => vec![None; graph.nodes.len()],
-        false => planned(&drawing.wanted, house)?.plan,
+        false => planned(&drawing.wanted, global)?.plan,
     };
     let drawn = drawing::draw(&graph, &plan, &drawing.format).map_err(Fault::input)?;
-    match house.json {
-        true => super::outln!("{}", drawing::json(&graph, &plan)),
-        false => super::out!("{drawn}"),
+    match global.json {
+        true => crate::outln!("{}", drawing::json(&graph, &plan)),
+        false => crate::out!("{drawn}"),
     }
     Ok(())
 }
 
 /// `tailor stages --json-schema`.
-pub(crate) fn schema() -> Result<(), Fault> {
-    let schema = crate::schema::schema(catalog::stages());
+pub(crate) fn schema(global: &GlobalArgs) -> Result<(), Fault> {
+    let schema = crate::schema::schema(global.catalog().stages());
     let text = serde_json::to_string_pretty(&schema).expect("bug: JSON");
-    super::outln!("{text}");
+    crate::outln!("{text}");
     Ok(())
 }
 
 /// `tailor stages`.
-pub(crate) fn stages(name: Option<&str>, house: &House) -> Result<(), Fault> {
+pub(crate) fn stages(name: Option<&str>, global: &GlobalArgs) -> Result<(), Fault> {
     let fits = |s: &dyn stage::AnyStage| {
         name.is_none_or(|n| s.name() == n || s.name().split('.').next() == Some(n))
     };
-    let found: Vec<_> = catalog::stages().filter(|s| fits(*s)).collect();
+    let found: Vec<_> = global.catalog().stages().filter(|s| fits(*s)).collect();
     if found.is_empty() {
-        let known: Vec<&str> = catalog::stages().map(|s| s.name()).collect();
+        let known: Vec<&str> = global.catalog().stages().map(|s| s.name()).collect();
         return Err(Fault::input(stage::unknown(
             "stage",
             name.unwrap_or(""),
             &known,
         )));
     }
-    if house.json {
-        super::outln!(
+    if global.json {
+        crate::outln!(
             "{}",
             found
                 .iter()
@@ -192,24 +193,24 @@ pub(crate) fn stages(name: Option<&str>, house: &House) -> Result<(), Fault> {
     } else {
         found
             .iter()
-            .for_each(|s| super::out!("{}", crate::reference::text(*s)));
+            .for_each(|s| crate::out!("{}", crate::reference::text(*s)));
     }
     Ok(())
 }
 
 /// `tailor check`.
-pub(crate) fn check(pipeline: &Path, house: &House) -> Result<(), Fault> {
-    match recipe::open(pipeline, &Overrides::default(), &catalog::CATALOG) {
+pub(crate) fn check(pipeline: &Path, global: &GlobalArgs) -> Result<(), Fault> {
+    match recipe::open(pipeline, &Overrides::default(), global.catalog()) {
         Ok(graph) => {
             let recipes: Vec<String> = graph
                 .nodes
                 .iter()
                 .map(|n| key::story(n, &[]).0.len().to_string())
                 .collect();
-            if house.json {
-                super::outln!("{}", json!({ "mistakes": [], "nodes": recipes.len() }));
-            } else if !house.quiet {
-                super::outln!(
+            if global.json {
+                crate::outln!("{}", json!({ "mistakes": [], "nodes": recipes.len() }));
+            } else if !global.quiet {
+                crate::outln!(
                     "{}: {} nodes, no mistakes",
                     pipeline.display(),
                     graph.nodes.len()

@@ -1,7 +1,8 @@
 //! `tailor impact`: which nodes a param reaches, and what it would cost to change it.
 
-use super::run::opened;
-use super::{Change, Fault, House};
+use super::arguments::{Change, GlobalArgs};
+use super::fault::Fault;
+use super::open::open_pipeline;
 use crate::graph::Graph;
 use crate::impact::{Impact, impacts};
 use crate::lasttime::History;
@@ -12,19 +13,19 @@ use serde_json::{Value, json};
 /// Arguments of `tailor impact`.
 #[derive(Args)]
 pub(crate) struct ImpactArgs {
-    /// A pipeline file (the product's if not said), then params: PARAM or NODE.PARAM; none is all
+    /// A pipeline file (the program's own if not said), then params: PARAM or NODE.PARAM; none is all
     what: Vec<String>,
     #[command(flatten)]
     change: Change,
 }
 
 /// Does it.
-pub(crate) fn impact(args: &ImpactArgs, house: &House) -> Result<(), Fault> {
+pub(crate) fn impact(args: &ImpactArgs, global: &GlobalArgs) -> Result<(), Fault> {
     let (files, asked): (Vec<_>, Vec<_>) = args.what.iter().partition(|w| w.ends_with(".toml"));
     if files.len() > 1 {
         return Err(Fault::input("one pipeline at a time"));
     }
-    let graph = opened(files.first().map(|f| f.as_ref()), &args.change)?;
+    let graph = open_pipeline(files.first().map(|f| f.as_ref()), &args.change, global)?;
     let all = impacts(&graph, &graph.goal);
     let full = |i: &Impact| format!("{}.{}", graph.nodes[i.node].name, i.param);
     let mut shown = Vec::new();
@@ -43,9 +44,9 @@ pub(crate) fn impact(args: &ImpactArgs, house: &House) -> Result<(), Fault> {
     if asked.is_empty() {
         shown.extend(&all);
     }
-    let history = History::of(&house.cache, Of::default());
+    let history = History::of(&global.cache, Of::default());
     let cost = |i: &Impact| seconds(&graph, i, &history);
-    if house.json {
+    if global.json {
         let one = |i: &&Impact| {
             let names: Vec<&str> = i
                 .reaches
@@ -59,7 +60,7 @@ pub(crate) fn impact(args: &ImpactArgs, house: &House) -> Result<(), Fault> {
             })
         };
         let list: Vec<Value> = shown.iter().map(one).collect();
-        super::outln!(
+        crate::outln!(
             "{}",
             serde_json::to_string_pretty(&list).expect("bug: JSON")
         );
@@ -74,7 +75,7 @@ pub(crate) fn impact(args: &ImpactArgs, house: &House) -> Result<(), Fault> {
             .map(|n| graph.nodes[*n].name.as_str())
             .collect();
         let time = cost(i).map_or("?".into(), |s| format!("{s:.1} s"));
-        super::outln!(
+        crate::outln!(
             "{:<names$}  {:>values$}  {:>8}  {}",
             full(i),
             i.value.to_string(),

@@ -1,31 +1,71 @@
-//! Numbers that an artifact tells of itself, beside the metrics that its stage gave.
+//! The product's kinds: how each is written as files, and the numbers that it tells of itself.
 
+use crate::out::{document_extension, files};
 use engine::Kind;
-use shape::{GirthId, Girths, Mesh, Side, Textured, Unit};
+use shape::{
+    Cameras, Document, GirthId, Girths, Keypoints, Landmarks, Masks, Mesh, Photos, Side, Tags,
+    Textured, Tracks, Unit, Warps,
+};
 use stage::{Artifact, Metric};
 
-/// The kinds that tell numbers of themselves: girths along the contour and by tape; a surface's volume,
-/// area and size.
-pub(crate) const KINDS: &[Kind] = &[
+/// Every kind that is written as files or tells numbers: girths along the contour and by tape, a
+/// surface's volume, area and size.
+pub const KINDS: &[Kind] = &[
     Kind {
-        name: Girths::KIND,
         facts: |artifact| artifact.downcast().map_or(vec![], |g| girths(&g)),
         names: girth_names,
+        ..written(Girths::KIND, &["json", "csv", "schema", "definitions"])
     },
     Kind {
-        name: Mesh::KIND,
         facts: |artifact| artifact.downcast().map_or(vec![], |m| mesh(&m)),
         names: mesh_names,
+        ..written(Mesh::KIND, &["ply", "glb", "obj", "views"])
     },
     Kind {
-        name: Textured::KIND,
         facts: |artifact| {
             let textured = artifact.downcast::<Textured>();
             textured.map_or(vec![], |t| mesh(&t.mesh))
         },
         names: mesh_names,
+        ..written(Textured::KIND, &["glb", "ply", "obj", "views"])
     },
+    written(
+        Cameras::KIND,
+        &["json", "colmap", "colmap-binary", "middlebury", "svg"],
+    ),
+    on_photos(Masks::KIND, &["png", "sheet"]),
+    written(Photos::KIND, &["capture"]),
+    written(Landmarks::KIND, &["json"]),
+    Kind {
+        extension: document_extension,
+        ..written(Document::KIND, &["file"])
+    },
+    written(Tags::KIND, &["json"]),
+    written(Warps::KIND, &["json"]),
+    on_photos(Keypoints::KIND, &["png"]),
+    on_photos(Tracks::KIND, &["png"]),
 ];
+
+/// A kind that is written in these formats and tells nothing of itself.
+const fn written(name: &'static str, formats: &'static [&'static str]) -> Kind {
+    Kind {
+        name,
+        formats,
+        beside: None,
+        files,
+        extension: |_| None,
+        facts: |_| vec![],
+        names: |_| vec![],
+    }
+}
+
+/// A kind whose files are called after photos, or drawn on them.
+const fn on_photos(name: &'static str, formats: &'static [&'static str]) -> Kind {
+    Kind {
+        beside: Some(Photos::KIND),
+        ..written(name, formats)
+    }
+}
 
 fn mesh_names(_: &[String]) -> Vec<String> {
     ["volume", "area", "faces", "vertices"]

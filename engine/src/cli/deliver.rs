@@ -1,10 +1,11 @@
 //! `--out`: what is asked before a run, and what is told after it.
 
-use super::run::{photos, there};
-use super::{Fault, House, provenance};
+use super::arguments::GlobalArgs;
+use super::fault::Fault;
+use super::run_verb::there;
 use crate::delivery::{self, Delivery, Left};
-use crate::engine::Outcome;
 use crate::graph::Graph;
+use crate::session::Outcome;
 use crate::{out, pattern};
 use std::path::{Path, PathBuf};
 
@@ -25,12 +26,12 @@ fn real(path: &Path) -> PathBuf {
 }
 
 /// Whether a folder is another, or lies in it.
-pub(super) fn lies_in(inner: &Path, outer: &Path) -> bool {
+pub fn lies_in(inner: &Path, outer: &Path) -> bool {
     real(inner).starts_with(real(outer))
 }
 
 /// Whose results are those of these inputs: as a hash, so that no folder's name gets out.
-pub(super) fn whose(folders: &[(String, PathBuf)]) -> String {
+pub fn whose(folders: &[(String, PathBuf)]) -> String {
     let mut folders: Vec<_> = folders.iter().map(|(n, f)| (n, real(f))).collect();
     folders.sort();
     let mut hasher = blake3::Hasher::new();
@@ -41,7 +42,7 @@ pub(super) fn whose(folders: &[(String, PathBuf)]) -> String {
 }
 
 /// Says what is wrong with a folder for results before anything runs.
-pub(super) fn check(out: &Path, graph: &Graph, folders: &[(String, PathBuf)]) -> Result<(), Fault> {
+pub fn check(out: &Path, graph: &Graph, folders: &[(String, PathBuf)]) -> Result<(), Fault> {
     for (name, folder) in folders {
         let input = graph.inputs.iter().find(|i| i.name == *name);
         let (real_out, real_folder) = (real(out), real(folder));
@@ -57,7 +58,7 @@ pub(super) fn check(out: &Path, graph: &Graph, folders: &[(String, PathBuf)]) ->
 }
 
 /// Results in the folder of an input would be read as input the next time.
-pub(super) fn inside(out: &Path, folder: &Path) -> Fault {
+pub fn inside(out: &Path, folder: &Path) -> Fault {
     Fault::input(format!(
         "{} lies in {}, and what is written there would be read as input the next time; give a folder outside of it with --out",
         out.display(),
@@ -66,28 +67,28 @@ pub(super) fn inside(out: &Path, folder: &Path) -> Fault {
 }
 
 /// Writes the run down, and tells what earlier runs left.
-pub(super) fn finish(
+pub fn finish(
     delivery: Delivery,
     graph: &Graph,
     outcome: &Outcome,
     clean: bool,
-    house: &House,
+    global: &GlobalArgs,
 ) -> Result<(), Fault> {
     let Left { left, removed } = delivery
         .finish(outcome.json(graph), clean)
         .map_err(Fault::stage)?;
-    if house.json || house.quiet {
+    if global.json || global.quiet {
         return Ok(());
     }
     if !removed.is_empty() {
-        super::errln!("removed, of an earlier run: {}", removed.join(", "));
+        crate::errln!("removed, of an earlier run: {}", removed.join(", "));
     }
     if !left.is_empty() {
         let what = match clean {
             true => "changed since, so not removed",
             false => "--clean removes it",
         };
-        super::errln!("left from an earlier run ({what}): {}", left.join(", "));
+        crate::errln!("left from an earlier run ({what}): {}", left.join(", "));
     }
     Ok(())
 }
@@ -98,8 +99,8 @@ pub(super) fn write(
     graph: &Graph,
     outcome: &Outcome,
     wanted: &[usize],
+    global: &GlobalArgs,
 ) -> Result<(), Fault> {
-    let names = photos(graph, outcome);
     let made = |node: &&usize| {
         outcome.nodes[**node]
             .as_ref()
@@ -107,11 +108,13 @@ pub(super) fn write(
     };
     for node in wanted.iter().filter(made) {
         let (artifact, raw) = there(graph, outcome, *node)?;
-        let format = out::extension(&artifact);
-        let mut files = out::files(artifact, || raw, &names, None).map_err(Fault::stage)?;
+        let format = out::extension(graph.catalog, &artifact);
+        let beside = out::beside(graph, *node).and_then(|at| outcome.artifact(graph, at));
+        let files = out::files(graph.catalog, artifact, || raw, beside, None);
+        let mut files = files.map_err(Fault::stage)?;
         if format == "html" {
             for (_, page) in &mut files {
-                *page = provenance::completed(page, outcome, graph);
+                *page = (global.program().complete)(page, outcome, graph);
             }
         }
         let single = files.len() == 1 && files[0].0.is_empty();

@@ -1,0 +1,59 @@
+//! Why a verb came to nothing.
+
+use crate::recipe::Mistakes;
+use serde_json::{Map, Value};
+
+/// Why a verb came to nothing: what to print (nothing if its answer has said it), and the exit code.
+pub struct Fault {
+    pub(super) code: u8,
+    pub(super) text: String,
+    /// What `--json` tells beside the text.
+    pub(super) more: Map<String, Value>,
+}
+
+impl Fault {
+    /// The input or the pipeline is wrong.
+    pub fn input(text: impl ToString) -> Fault {
+        Fault {
+            code: 2,
+            text: text.to_string(),
+            more: Map::new(),
+        }
+    }
+
+    /// The pipeline is wrong: every mistake with its place.
+    pub fn mistakes(mistakes: Mistakes) -> Fault {
+        let more = match mistakes.json() {
+            Value::Object(more) => more,
+            _ => Map::new(),
+        };
+        Fault {
+            more,
+            ..Fault::input(mistakes)
+        }
+    }
+
+    /// The user asked to stop.
+    pub fn stopped() -> Fault {
+        Fault {
+            code: 130,
+            ..Fault::input("stopped; run the same command to go on")
+        }
+    }
+
+    /// A stage failed.
+    pub fn stage(text: impl ToString) -> Fault {
+        Fault {
+            code: 1,
+            ..Fault::input(text)
+        }
+    }
+
+    /// What `--json` tells.
+    pub(super) fn json(self) -> Value {
+        let mut answer = self.more;
+        answer.insert("error".into(), self.text.into());
+        answer.insert("code".into(), self.code.into());
+        Value::Object(answer)
+    }
+}

@@ -1,0 +1,205 @@
+//! The command line: the engine's verbs, and those that a trade adds.
+//!
+//! ```no_run
+//! use engine::{Catalog, cli};
+//!
+//! static CATALOG: Catalog = Catalog { program: "words 1", rooms: &[], kinds: &[] };
+//! static WORDS: cli::Program = cli::Program::new("words", "1", "Counts words.", &CATALOG);
+//!
+//! fn main() -> std::process::ExitCode {
+//!     cli::main(&WORDS)
+//! }
+//! ```
+
+mod answers;
+mod arguments;
+mod budget;
+mod cache;
+mod deliver;
+mod fault;
+mod impact;
+mod open;
+mod private;
+mod program;
+mod progress;
+mod run_verb;
+mod show;
+mod speech;
+mod sweep;
+mod sweep_asked;
+pub mod text;
+
+pub use arguments::{Change, GlobalArgs, Wanted};
+pub use deliver::{check as check_out, finish, inside, lies_in, whose};
+pub use fault::Fault;
+pub use open::{folders, node, open_pipeline};
+pub use program::{Program, Verb};
+pub use run_verb::{execute, there};
+pub use speech::CANCEL;
+#[doc(hidden)]
+pub use speech::{answer, answer_line, say_line};
+
+use clap::{ArgMatches, CommandFactory, FromArgMatches, Parser, Subcommand};
+use speech::LOST;
+use std::ffi::OsString;
+use std::path::PathBuf;
+use std::process::ExitCode;
+use std::sync::atomic::Ordering;
+
+/// Prints to standard output; a reader that has gone away is no fault of ours.
+#[macro_export]
+macro_rules! out {
+    ($($t:tt)*) => { $crate::cli::answer(format!($($t)*)) };
+}
+
+/// As `out!`, with an end of line.
+#[macro_export]
+macro_rules! outln {
+    ($($t:tt)*) => { $crate::cli::answer_line(format!($($t)*)) };
+}
+
+/// Prints a line to standard error, if anybody takes it.
+#[macro_export]
+macro_rules! errln {
+    ($($t:tt)*) => { $crate::cli::say_line(format!($($t)*)) };
+}
+
+#[derive(Parser)]
+struct Cli {
+    #[command(flatten)]
+    global: GlobalArgs,
+    #[command(subcommand)]
+    verb: Own,
+}
+
+/// The engine's verbs.
+#[derive(Subcommand)]
+enum Own {
+    /// Run a pipeline
+    Run(run_verb::Run),
+    /// What would run, and why
+    Plan(Wanted),
+    /// Which line of what a node depends on changed: old, new, back to the root cause
+    Why(answers::Why),
+    /// Every point of a sweep, what they share made once: a table, plots
+    Sweep(sweep_asked::SweepArgs),
+    /// Which nodes a param reaches, and what it would cost to change it
+    Impact(impact::ImpactArgs),
+    /// The pipeline as a drawing: DOT or Mermaid
+    Graph(answers::Drawing),
+    /// One artifact out of the cache as a file
+    Show(show::Show),
+    /// Every stage with its ports, params, units, ranges and defaults
+    Stages {
+        /// One stage, or all of a room
+        name: Option<String>,
+        /// The JSON schema of a pipeline file instead, for editors
+        #[arg(long)]
+        json_schema: bool,
+    },
+    /// All mistakes of a pipeline at once
+    Check {
+        /// The pipeline file
+        pipeline: PathBuf,
+    },
+    /// The store: ls, du, runs, pin, unpin, pins, gc, forget, verify
+    Cache(cache::Cache),
+}
+
+/// Does what the arguments say. Exit codes: 0 done, 1 a stage failed, 2 input or pipeline wrong,
+/// 130 cancelled.
+pub fn main(program: &'static Program) -> ExitCode {
+    ExitCode::from(run(program, std::env::args_os()))
+}
+
+/// As [`main`], with arguments of the caller's, the program's name first. Returns the exit code.
+pub fn run<A: Into<OsString> + Clone>(
+    program: &'static Program,
+    arguments: impl IntoIterator<Item = A>,
+) -> u8 {
+    let mut command = Cli::command()
+        .name(program.name)
+        .version(program.version)
+        .about(program.about)
+        .mut_arg("cache", |arg| arg.env(program.cache_env))
+        .mut_arg("max_size", |arg| arg.env(program.size_env));
+    for (place, verb) in program.verbs.iter().enumerate() {
+        let own = clap::Command::new(verb.name);
+        command = command.subcommand((verb.arguments)(own).display_order(place));
+    }
+    let matches = command.get_matches_from(arguments);
+    let mut global = GlobalArgs::from_arg_matches(&matches).unwrap_or_else(|e| e.exit());
+    global.program = Some(program);
+    let _ = ctrlc::set_handler(|| {
+        if CANCEL.swap(true, Ordering::Relaxed) {
+            private::burn();
+            std::process::exit(130);
+        }
+        errln!("stopping; what is done is kept, run again to go on (once more stops at once)");
+    });
+    let (name, own) = matches
+        .subcommand()
+        .unwrap_or_else(|| unreachable!("clap asks for a verb"));
+    let private = own.try_get_one::<bool>("private").ok().flatten();
+    let begun = match private {
+        Some(true) => private::cache().map(|cache| global.cache = cache),
+        _ => Ok(()),
+    };
+    let done = begun.and_then(|()| done(program, name, (&matches, own), &global));
+    speech::flush();
+    let verb = program.verbs.iter().find(|verb| verb.name == name);
+    if verb.is_some_and(|verb| verb.runs) || ["run", "sweep"].contains(&name) {
+        budget::after_run(&global);
+    }
+    private::burn();
+    ended(done, &global)
+}
+
+fn done(
+    program: &Program,
+    name: &str,
+    (all, own): (&ArgMatches, &ArgMatches),
+    global: &GlobalArgs,
+) -> Result<(), Fault> {
+    if let Some(verb) = program.verbs.iter().find(|verb| verb.name == name) {
+        return (verb.run)(own, global);
+    }
+    let cli = Cli::from_arg_matches(all).unwrap_or_else(|error| error.exit());
+    match &cli.verb {
+        Own::Run(verb) => run_verb::run(verb, global),
+        Own::Plan(wanted) => answers::plan(wanted, global),
+        Own::Why(verb) => answers::why(verb, global),
+        Own::Sweep(verb) => sweep::sweep(verb, global),
+        Own::Impact(verb) => impact::impact(verb, global),
+        Own::Graph(verb) => answers::graph(verb, global),
+        Own::Show(verb) => show::show(verb, global),
+        Own::Stages { name, json_schema } => match json_schema {
+            true => answers::schema(global),
+            false => answers::stages(name.as_deref(), global),
+        },
+        Own::Check { pipeline } => answers::check(pipeline, global),
+        Own::Cache(verb) => cache::cache(verb, global),
+    }
+}
+
+/// Says what is wrong last of all, and with which code the program ends.
+fn ended(done: Result<(), Fault>, global: &GlobalArgs) -> u8 {
+    match done {
+        Ok(()) if LOST.load(Ordering::Relaxed) => {
+            errln!("the answer could not be written to standard output: is the disk full?");
+            1
+        }
+        Ok(()) => 0,
+        Err(fault) => {
+            let code = fault.code;
+            if fault.text.is_empty() {
+                // The answer itself has said it.
+            } else if global.json {
+                outln!("{}", fault.json());
+            } else {
+                errln!("{}", fault.text);
+            }
+            code
+        }
+    }
+}

@@ -1,0 +1,76 @@
+//! From arguments to a pipeline, its wanted nodes and its inputs.
+
+use super::arguments::{Change, GlobalArgs, Wanted};
+use super::fault::Fault;
+use crate::graph::Graph;
+use crate::recipe::{self, Overrides};
+use crate::session::Options;
+use crate::store::Ahead;
+use std::num::NonZeroUsize;
+use std::path::{Path, PathBuf};
+
+/// Reads what is remembered of the store while the pipeline is read.
+pub(crate) fn ahead(wanted: &Wanted, global: &GlobalArgs) -> Ahead {
+    let bytes = std::fs::metadata(&wanted.pipeline).map_or(0, |m| m.len());
+    Ahead::of(&global.cache, bytes)
+}
+
+/// Opens the pipeline of some arguments and finds the wanted nodes.
+pub(crate) fn open(wanted: &Wanted, global: &GlobalArgs) -> Result<(Graph, Vec<usize>), Fault> {
+    let graph = open_pipeline(Some(&wanted.pipeline), &wanted.change, global)?;
+    let nodes = wanted.nodes.iter().map(|name| node(&graph, name));
+    let nodes = nodes.collect::<Result<Vec<_>, Fault>>()?;
+    let goal = if nodes.is_empty() {
+        graph.goal.clone()
+    } else {
+        nodes
+    };
+    Ok((graph, goal))
+}
+
+/// The node of a name.
+pub fn node(graph: &Graph, name: &str) -> Result<usize, Fault> {
+    graph.node(name).ok_or_else(|| {
+        let names: Vec<&str> = graph.nodes.iter().map(|n| n.name.as_str()).collect();
+        Fault::input(stage::unknown("node", name, &names))
+    })
+}
+
+/// A pipeline file, the program's own if none is said, with what the command line changes.
+pub fn open_pipeline(
+    file: Option<&Path>,
+    change: &Change,
+    global: &GlobalArgs,
+) -> Result<Graph, Fault> {
+    let overrides = Overrides {
+        variant: change.variant.clone(),
+        sets: change.set.clone(),
+    };
+    let catalog = global.catalog();
+    let graph = match (file, global.program().pipeline) {
+        (Some(file), _) => recipe::open(file, &overrides, catalog),
+        (None, Some((name, text))) => recipe::open_text(name, text, &overrides, catalog),
+        (None, None) => return Err(Fault::input("say which pipeline: give its file")),
+    };
+    graph.map_err(Fault::mistakes)
+}
+
+/// `NAME=FOLDER` as a pair.
+pub fn folders(change: &Change) -> Result<Vec<(String, PathBuf)>, Fault> {
+    let pair = |text: &String| {
+        let (name, folder) = text
+            .split_once('=')
+            .ok_or_else(|| Fault::input(format!("`--input {text}`: say NAME=FOLDER")))?;
+        Ok((name.to_owned(), PathBuf::from(folder)))
+    };
+    change.input.iter().map(pair).collect()
+}
+
+/// Options of the global.
+pub(crate) fn options(global: &GlobalArgs, keep_going: bool) -> Options {
+    Options {
+        cache: global.cache.clone(),
+        threads: global.threads.map(NonZeroUsize::get),
+        keep_going,
+    }
+}

@@ -1,0 +1,48 @@
+//! Texts for people: nothing that steers a terminal, no more digits than matter.
+
+/// A text that steers no terminal: whatever a file's or a person's name brings along is escaped.
+pub fn plain(text: String) -> String {
+    let steers = |c: char| c.is_control() && c != '\n' && c != '\t';
+    if !text.contains(steers) {
+        return text;
+    }
+    let one = |c: char| match steers(c) {
+        true => c.escape_default().to_string(),
+        false => c.to_string(),
+    };
+    text.replace("\r\n", "\n").chars().map(one).collect()
+}
+
+/// A number for people: whole as it is, else with four digits that matter.
+pub fn short(x: f64) -> String {
+    if !x.is_finite() || (x.fract() == 0.0 && x.abs() < 1e9) {
+        return format!("{x}");
+    }
+    let digits = 3 - x.abs().log10().floor() as i32;
+    let text = format!("{x:.*}", digits.clamp(0, 8) as usize);
+    match text.contains('.') {
+        true => text.trim_end_matches('0').trim_end_matches('.').to_owned(),
+        false => text,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::short;
+
+    #[test]
+    fn numbers_keep_the_digits_that_matter() {
+        for (x, text) in [
+            (18.0, "18"),
+            (1670.0939, "1670"),
+            (0.15337, "0.1534"),
+            (2.5, "2.5"),
+            (12.0004, "12"),
+            (0.000_012_344, "0.00001234"),
+            (-27.1828, "-27.18"),
+            (f64::NAN, "NaN"),
+        ] {
+            assert_eq!(short(x), text);
+        }
+    }
+}

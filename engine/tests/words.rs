@@ -1,0 +1,151 @@
+//! The example of another trade: its pipeline, its parts, a variant, a sweep, its command line.
+
+#[path = "../examples/words/nouns.rs"]
+mod nouns;
+#[path = "../examples/words/trade.rs"]
+mod trade;
+
+use engine::recipe::{Overrides, open};
+use engine::walk::Watch;
+use engine::{Options, Outcome};
+use nouns::{Counts, Text};
+use std::path::{Path, PathBuf};
+use std::sync::atomic::AtomicBool;
+use trade::{CATALOG, WORDS};
+
+struct Nobody;
+impl Watch for Nobody {}
+
+fn example() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("examples/words")
+}
+
+/// A copy of the texts, so that one of them can be changed.
+fn texts(place: &Path) -> PathBuf {
+    let texts = place.join("texts");
+    std::fs::create_dir(&texts).unwrap();
+    for name in ["one.txt", "two.txt"] {
+        std::fs::copy(example().join("texts").join(name), texts.join(name)).unwrap();
+    }
+    texts
+}
+
+fn run(place: &Path, texts: &Path, overrides: &Overrides) -> Outcome {
+    let graph = open(&example().join("words.toml"), overrides, &CATALOG);
+    let graph = graph.unwrap_or_else(|mistakes| panic!("{mistakes}"));
+    let folders = [("texts".to_owned(), texts.to_owned())];
+    let options = Options {
+        cache: place.join("cache"),
+        threads: Some(2),
+        keep_going: false,
+    };
+    let go = AtomicBool::new(false);
+    engine::run(&graph, &folders, &graph.goal, &options, &Nobody, &go).unwrap()
+}
+
+/// How many files were read for the counts, now or when they were made.
+fn files_read(outcome: &Outcome) -> f64 {
+    let metrics = outcome
+        .nodes
+        .iter()
+        .flatten()
+        .flat_map(|done| &done.metrics);
+    metrics
+        .clone()
+        .find(|m| m.name == "files read")
+        .unwrap()
+        .value
+}
+
+#[test]
+fn a_file_that_was_counted_before_is_not_read_again() {
+    let place = tempfile::tempdir().unwrap();
+    let texts = texts(place.path());
+    let first = run(place.path(), &texts, &Overrides::default());
+    assert_eq!(files_read(&first), 2.0);
+    let report = first.read::<Text>("report").unwrap();
+    assert_eq!(
+        report.0,
+        "11 words in all\n     4 is\n     3 what\n     2 not\n"
+    );
+    std::fs::write(texts.join("three.txt"), "The walk is done.").unwrap();
+    let more = run(place.path(), &texts, &Overrides::default());
+    assert_eq!(files_read(&more), 1.0);
+    let counts = more.read::<Counts>("counts").unwrap();
+    assert_eq!((counts.files.len(), counts.all()["walk"]), (3, 3));
+    let told = more.read::<Text>("counts").unwrap_err().to_string();
+    assert_eq!(told, "`counts` makes counts, not text");
+    let told = more.read::<Text>("repord").unwrap_err().to_string();
+    assert!(told.contains("did you mean `report`"), "{told}");
+}
+
+#[test]
+fn a_variant_passes_short_words_over() {
+    let place = tempfile::tempdir().unwrap();
+    let texts = texts(place.path());
+    let long = Overrides {
+        variant: Some("long".into()),
+        sets: vec!["report.most=2".into()],
+    };
+    let report = run(place.path(), &texts, &long)
+        .read::<Text>("report")
+        .unwrap();
+    assert_eq!(report.0, "5 words in all\n     1 again\n     1 finds\n");
+}
+
+#[test]
+fn ten_lines_have_the_whole_command_line() {
+    let place = tempfile::tempdir().unwrap();
+    let (texts, example) = (texts(place.path()), example());
+    let said = |line: &str| {
+        let input = format!("texts={}", texts.display());
+        let pipeline = example.join("words.toml").display().to_string();
+        let cache = place.path().join("cache").display().to_string();
+        let out = place.path().join("out").display().to_string();
+        let words = line.split(' ').map(|word| match word {
+            "PIPELINE" => pipeline.clone(),
+            "INPUT" => input.clone(),
+            "OUT" => out.clone(),
+            "OUT2" => format!("{out}.txt"),
+            word => word.to_owned(),
+        });
+        let all = ["words".to_owned()].into_iter().chain(words);
+        engine::cli::run(
+            &WORDS,
+            all.chain(["--cache".into(), cache, "--quiet".into()]),
+        )
+    };
+    assert_eq!(said("run PIPELINE --input INPUT --out OUT"), 0);
+    let written =
+        |name: &str| std::fs::read_to_string(place.path().join("out").join(name)).unwrap();
+    assert!(written("report.txt").starts_with("11 words in all\n"));
+    assert!(written("counts.csv").contains("\ntwo.txt,again,1\n"));
+    assert!(written("run.json").contains("\"program\": \"words 1\""));
+    assert_eq!(said("check PIPELINE"), 0);
+    assert_eq!(said("plan PIPELINE --input INPUT"), 0);
+    assert_eq!(said("sweep PIPELINE letters --input INPUT --out OUT"), 0);
+    let table = written("sweep.csv");
+    let rows: Vec<&str> = table
+        .lines()
+        .map(|line| line.split(",,").next().unwrap())
+        .collect();
+    assert!(
+        rows[0].starts_with("counts.least_letters,counts.words,counts.distinct"),
+        "{table}"
+    );
+    assert!(
+        rows[1].starts_with("1,19,11,") && rows[3].starts_with("5,5,5,"),
+        "{table}"
+    );
+    // What stands in no catalog is told, with what was meant.
+    assert_eq!(
+        said("sweep PIPELINE letters --input INPUT --tell counts.wrds"),
+        2
+    );
+    assert_eq!(
+        said("show report --pipeline PIPELINE --input INPUT -o OUT2"),
+        0
+    );
+    assert_eq!(said("stages words.count"), 0);
+    assert_eq!(said("run PIPELINE"), 2);
+}
