@@ -4,92 +4,71 @@
 //! photos ─ [`Sift`] → keypoints ─ [`Follow`] → tracks ─┐
 //! photos ─ [`FindTags`] → tags ────────────────────────┴─ [`Calibrate`] → cameras ─ [`Frame`] → cameras in millimetres
 //! ```
+//!
+//! Folders, each knowing only those below it:
+//!
+//! | folder | what | knows |
+//! |---|---|---|
+//! | `calibrate` | the stage: with a mat, or without one | `mat`, `ring` |
+//! | `mat` | cameras from a marker mat; the mat on paper | `calibration`, `two_view` |
+//! | `ring` | cameras from features alone | `calibration`, `two_view`, `frame` |
+//! | `features` | features and tracks | `calibration`, `two_view` |
+//! | `calibration` | params, what is believed, what is warned of | `adjust` |
+//! | `adjust` | bundle adjustment | |
+//! | `import` | other people's cameras | `frame` |
+//! | `frame` | the turntable frame and its scale | |
+//! | `tags` | marker tags on photos | |
+//! | `two_view` | geometry of two photos, of one camera, of one point | |
 
 mod adjust;
-mod any_order;
 mod calibrate;
-mod descent;
-mod disk_edge;
-mod foreign;
+mod calibration;
+mod features;
 mod frame;
-mod from_mat;
-mod from_rim;
-mod from_tracks;
 mod import;
-mod import_colmap;
-mod import_text;
 mod mat;
-mod mat_layout;
-mod mat_print;
-
-mod epipolar;
-mod five_point;
-mod matching;
-mod pairs;
-mod places;
-mod planar;
-mod quiet;
-mod resection;
-mod residual;
-mod rim;
-mod rim_layout;
 mod ring;
-mod ring_fit;
-mod ring_start;
-mod room_shift;
-mod scene;
-mod schur;
-mod sift;
-mod sift_describe;
-mod sift_detect;
-mod sift_pyramid;
-mod solved;
-mod stature;
-mod system;
-mod tag36h11;
-mod tag_bloom;
-mod tag_corners;
 mod tags;
-mod tracks;
-mod tracks_in;
-mod trust;
-mod turn_trial;
+mod two_view;
 
-pub use adjust::{Fit, adjust};
-pub use calibrate::{Calibrate, CalibrateError, CalibrateInput, CalibrateParams, Motion};
-pub use disk_edge::{DiskEdge, disk_edge};
-pub use foreign::{Foreign, ForeignError, Model};
-pub use frame::{Frame, FrameInput, FrameParams};
-pub use from_mat::{MatError, mat_corners};
-pub use from_tracks::TracksError;
-pub use import::{Import, ImportError, ImportInput, ImportParams, World};
-pub use import_colmap::{from_colmap_binary, from_colmap_text};
-pub use import_text::{from_json, from_middlebury};
-pub use mat::{MatInput, MatParams, Print, PrintMat, Sheet};
-pub use mat_layout::{LayoutError, Mark, mat_for, mat_marks, mat_toml};
-pub use mat_print::{Paper, tiles, to_pdf, to_svg};
-
-pub use epipolar::{Both, agreeing, agreeing_through, fundamental, sampson};
-pub use five_point::essentials;
-pub use matching::{Pairs, mutual, standing, still};
-pub use planar::planar_pose;
-pub use residual::{Derivatives, derivatives};
-pub use rim_layout::{Piece, rim_for, rim_pieces, rim_toml};
-pub use ring::Ring;
-pub use ring_fit::{Circle, camera_circle, circle, moved};
-pub use ring_start::{Known, Pair, Start, starts};
-pub use room_shift::{RoomShift, room_shift};
-pub use scene::{Beliefs, LENS, LensPrior, Scene, Settings, Sight, Steps, cost};
-pub use sift::{Sift, SiftInput, SiftParams, features};
-pub use sift_describe::{describe, fading};
-pub use sift_detect::{Extremum, extrema, orientations};
-pub use sift_pyramid::{INTERVALS, Octave, SIGMA, blur, octaves};
-pub use stature::{Stature, stature};
-pub use tag_bloom::outward;
-pub use tag_corners::{Line, fitted_line, meeting, refined};
-pub use tag36h11::{TAGS, modules};
-pub use tags::{FindTags, NoDetector, TagsInput, TagsParams};
-pub use tracks::{Follow, TracksInput, TracksParams};
+pub use adjust::bundle::{Fit, adjust};
+pub use adjust::lens::{LENS, LensPrior};
+pub use adjust::residual::{Derivatives, derivatives};
+pub use adjust::ring::Ring;
+pub use adjust::scene::{Beliefs, Scene, Settings, Sight, Steps, cost};
+pub use calibrate::{Calibrate, CalibrateError, CalibrateInput};
+pub use calibration::params::{CalibrateParams, Motion};
+pub use features::describe::describe;
+pub use features::detect::{Extremum, extrema, orientations};
+pub use features::gradients::fading;
+pub use features::matching::{Pairs, mutual, standing, still};
+pub use features::pyramid::{INTERVALS, Octave, SIGMA, blur, octaves};
+pub use features::sift::{Sift, SiftInput, SiftParams, features};
+pub use features::tracks::{Follow, TracksInput, TracksParams};
+pub use frame::circle::{Circle, camera_circle, circle, moved};
+pub use frame::disk_edge::{DiskEdge, disk_edge};
+pub use frame::stage::{Frame, FrameInput, FrameParams};
+pub use frame::stature::{Stature, stature};
+pub use import::colmap::{from_colmap_binary, from_colmap_text};
+pub use import::foreign::{Foreign, ForeignError, Model};
+pub use import::stage::{Import, ImportError, ImportInput, ImportParams, World};
+pub use import::text::{from_json, from_middlebury};
+pub use mat::bloom::outward;
+pub use mat::corners::mat_corners;
+pub use mat::layout::{LayoutError, Mark, mat_for, mat_marks, mat_toml};
+pub use mat::pages::{Paper, tiles, to_pdf, to_svg};
+pub use mat::planar::planar_pose;
+pub use mat::print::{MatInput, MatParams, Print, PrintMat, Sheet};
+pub use mat::rim_layout::{Piece, rim_for, rim_pieces, rim_toml};
+pub use mat::solve::MatError;
+pub use ring::error::TracksError;
+pub use ring::start::{Known, Pair, Start, starts};
+pub use shape::tag36h11::{TAGS, modules};
+pub use tags::corners::{Line, fitted_line, meeting, refined};
+pub use tags::find::{FindTags, NoDetector, TagsInput, TagsParams};
+pub use two_view::epipolar::{agreeing, agreeing_through, fundamental, sampson};
+pub use two_view::five_point::{Both, essentials};
+pub use two_view::room_shift::{RoomShift, room_shift};
 
 /// Every stage of this room, in the order in which data flows through it.
 pub const STAGES: &[&dyn stage::AnyStage] = &[

@@ -3,17 +3,17 @@
 //! thread and on all.
 
 use nalgebra::{Matrix3x4, Point3, Rotation3, Vector3};
-use refine::curvature::{Laplacian, shape_operators};
-use refine::depth::DepthMap;
-use refine::energy::Forces;
-use refine::patch::{Pairing, Window};
-use refine::picture::{Picture, halved};
-use refine::remesh::{relax, remesh};
-use refine::rims::pulls;
-use refine::settle::{Rest, settle};
-use refine::sights::{Sighting, Sights};
-use refine::smooth::ring_median;
-use refine::sweep::sweep;
+use refine::evidence::patch::{Pairing, Window};
+use refine::evidence::rims::pulls;
+use refine::evidence::sights::{Sighting, Sights};
+use refine::geometry::curvature::{Laplacian, shape_operators};
+use refine::geometry::remesh::{relax, remesh};
+use refine::pictures::depth::DepthMap;
+use refine::pictures::picture::{Picture, halved};
+use refine::surface::energy::Forces;
+use refine::surface::smooth::ring_median;
+use refine::surface::step::{Rest, settle};
+use refine::surface::sweep::sweep;
 use shape::{Adjacency, Gray, Mesh};
 use std::time::Instant;
 

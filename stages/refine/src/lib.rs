@@ -7,46 +7,32 @@
 //!                               ├─ Evolve → mesh      the paper's eq. 3 and 5–7
 //!                               └─ Texture → textured colours from the photos
 //! ```
+//!
+//! Folders, each knowing only those below it:
+//!
+//! | folder | what |
+//! |---|---|
+//! | `motion`, `surface`, `texture` | the stages and what is their own; none knows another |
+//! | `mend` | repairs of a mesh |
+//! | `evidence` | what photos and silhouettes say at a vertex |
+//! | `pictures` | photos made ready to be compared |
+//! | `geometry` | curvature, remeshing, large systems |
 
-pub mod atlas;
-pub mod bend;
-mod bend_stage;
-pub mod crossing;
-pub mod curvature;
-pub mod depth;
-pub mod energy;
-mod evolve_stage;
-pub mod labels;
-pub mod look;
-pub mod median;
+pub mod evidence;
+pub mod geometry;
 pub mod mend;
-mod need;
-pub mod outside;
-pub mod patch;
-pub mod picture;
-pub mod pinch;
-pub mod remesh;
-pub mod rims;
-mod round;
-pub mod scene;
-pub mod settle;
-mod settle_stage;
-pub mod sights;
-pub mod smooth;
-#[cfg(test)]
-mod solids;
-mod steady;
-pub mod sway;
-pub mod sweep;
-mod texture;
-pub mod tugs;
+pub mod motion;
+pub mod pictures;
+pub mod surface;
+pub mod texture;
 
-pub use bend_stage::{Bend, BendInput, BendParams};
-pub use evolve_stage::{Evolve, EvolveInput, EvolveParams, Flow};
-pub use scene::RefineError;
-pub use settle_stage::{Settle, SettleInput, SettleParams};
-pub use steady::{Steady, SteadyInput, SteadyParams};
-pub use texture::{Texture, TextureInput, TextureParams};
+pub use motion::bend::{Bend, BendInput, BendParams};
+pub use motion::steady::{Steady, SteadyInput, SteadyParams};
+pub use pictures::prepare::RefineError;
+pub use surface::evolve::{Evolve, EvolveInput};
+pub use surface::params::{EvolveParams, Flow, SettleParams};
+pub use surface::settle::{Settle, SettleInput};
+pub use texture::stage::{Texture, TextureInput, TextureParams};
 
 /// Every stage of this room, in the order in which data flows through it.
 pub const STAGES: &[&dyn stage::AnyStage] = &[

@@ -3,7 +3,7 @@
 mod turn;
 
 use nalgebra::{Point3, Rotation3, Vector3};
-use refine::scene::RefineError;
+use refine::pictures::prepare::RefineError;
 use refine::{Evolve, EvolveInput, Flow, Settle, SettleInput, Steady, SteadyInput};
 use shape::{Cameras, Mesh, PhotoId};
 use stage::{Ctx, Stage, Stop};
@@ -86,7 +86,7 @@ fn a_body_that_shifts_between_photos_is_held_still() {
     }
     let (photos, cameras, masks) = turn(18.0, &shifts);
     let mut p = <Steady as Stage>::Params::default();
-    (p.level, p.rounds) = (0, 16);
+    (p.look.size.level, p.rounds) = (0, 16);
     let input = SteadyInput {
         mesh: ball(RADIUS).into(),
         photos: photos.into(),

@@ -44,7 +44,7 @@ fn scene(bends: bool) -> (Photos, Cameras, Masks) {
 fn found(bends: bool) -> Warps {
     let (photos, cameras, masks) = scene(bends);
     let mut p = <Bend as Stage>::Params::default();
-    (p.level, p.cell_px, p.differ_px, p.rim) = (0, 16.0, 0.6, 0.0);
+    (p.look.size.level, p.cell_px, p.differ_px, p.rim) = (0, 16.0, 0.6, 0.0);
     let input = BendInput {
         mesh: ball(RADIUS).into(),
         photos: photos.into(),

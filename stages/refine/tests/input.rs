@@ -3,7 +3,7 @@
 mod turn;
 
 use nalgebra::Vector3;
-use refine::scene::RefineError;
+use refine::pictures::prepare::RefineError;
 use refine::{Settle, SettleInput};
 use shape::{Mesh, PhotoId};
 use stage::{Ctx, Stage, Stop};

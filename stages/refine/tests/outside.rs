@@ -3,9 +3,9 @@
 mod turn;
 
 use nalgebra::Vector3;
-use refine::outside::outside;
-use refine::picture::Picture;
-use refine::scene::{footprint, pictures};
+use refine::evidence::outside::outside;
+use refine::pictures::picture::Picture;
+use refine::pictures::prepare::{footprint, pictures};
 use shape::{Masks, Mesh};
 use stage::Stop;
 use turn::{RADIUS, ball, camera, turn};

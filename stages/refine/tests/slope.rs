@@ -3,15 +3,16 @@
 mod turn;
 
 use nalgebra::Vector3;
-use refine::curvature::Laplacian;
-use refine::energy::Forces;
-use refine::outside::outside;
-use refine::patch::{Pairing, Window, agreement};
-use refine::picture::Picture;
-use refine::rims::{Pull, pulls};
-use refine::scene::{footprint, pictures};
-use refine::settle::{Rest, Springs, settle};
-use refine::sights::{Sighting, Sights};
+use refine::evidence::agreement::agreement;
+use refine::evidence::outside::outside;
+use refine::evidence::patch::{Pairing, Window};
+use refine::evidence::rims::{Pull, pulls};
+use refine::evidence::sights::{Sighting, Sights};
+use refine::geometry::curvature::Laplacian;
+use refine::pictures::picture::Picture;
+use refine::pictures::prepare::{footprint, pictures};
+use refine::surface::energy::Forces;
+use refine::surface::step::{Rest, Springs, settle};
 use shape::{Adjacency, Mesh};
 use stage::Stop;
 use turn::{RADIUS, ball, turn};

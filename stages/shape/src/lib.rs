@@ -46,6 +46,7 @@ mod rig;
 mod solid;
 mod sureness;
 mod sway;
+pub mod tag36h11;
 mod tags;
 mod textured;
 mod thin;

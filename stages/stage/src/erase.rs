@@ -161,24 +161,10 @@ impl<S: Stage> AnyStage for Erased<S> {
 
 /// Params for a stage that has nothing to tune.
 impl Params for () {
-    fn specs() -> Vec<ParamSpec> {
-        vec![]
-    }
-    fn read(said: &BTreeMap<String, Value>) -> Result<Self, Vec<Mistake>> {
-        let unknown = |name: &String| Mistake {
-            name: name.clone(),
-            what: crate::unknown("param", name, &[]),
-        };
-        let mistakes: Vec<_> = said.keys().map(unknown).collect();
-        if mistakes.is_empty() {
-            Ok(())
-        } else {
-            Err(mistakes)
-        }
-    }
-    fn values(&self) -> Vec<(&'static str, Value)> {
-        vec![]
-    }
+    fn names(_: &mut Vec<&'static str>) {}
+    fn specs_to(&self, _: &mut Vec<ParamSpec>) {}
+    fn read_onto(self, _: &BTreeMap<String, Value>, _: &mut Vec<Mistake>) -> Self {}
+    fn values_to(&self, _: &mut Vec<(&'static str, Value)>) {}
 }
 
 /// Inputs for a stage that reads nothing.

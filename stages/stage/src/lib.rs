@@ -21,6 +21,7 @@ mod input;
 mod metrics;
 mod named;
 mod nearest;
+mod param_type;
 mod params;
 mod value;
 
@@ -35,9 +36,10 @@ pub use input::{Input, Port, PortSpec, Wrong};
 pub use metrics::tells;
 pub use named::Named;
 pub use nearest::{nearest, unknown};
+pub use param_type::ParamType;
 #[doc(hidden)]
-pub use params::read_one;
-pub use params::{Mistake, ParamSpec, ParamType, Params};
+pub use param_type::read_one;
+pub use params::{Mistake, ParamSpec, Params};
 pub use value::Value;
 
 /// One step of a pipeline: a pure function from artifacts and params to an artifact.

@@ -35,169 +35,57 @@ pub struct Mistake {
 
 /// What the user may tune. Made by [`params!`](crate::params!).
 pub trait Params: Clone + Default + Send + Sync + 'static {
-    /// Every param, in the order of the reference.
-    fn specs() -> Vec<ParamSpec>;
-    /// Reads what was said; the rest keeps its default. All mistakes come at once.
-    fn read(said: &BTreeMap<String, Value>) -> Result<Self, Vec<Mistake>>;
+    /// The names, in the order of the reference.
+    fn names(to: &mut Vec<&'static str>);
+    /// Every param with these values as its defaults, in the order of the reference.
+    fn specs_to(&self, to: &mut Vec<ParamSpec>);
+    /// Reads what was said; the rest stays as it is here. Names that are unknown are passed over.
+    fn read_onto(self, said: &BTreeMap<String, Value>, mistakes: &mut Vec<Mistake>) -> Self;
     /// All values after defaults, in the order of the reference.
-    fn values(&self) -> Vec<(&'static str, Value)>;
-}
+    fn values_to(&self, to: &mut Vec<(&'static str, Value)>);
 
-/// A type that a param may have.
-pub trait ParamType: Sized + Clone {
-    /// What a person would call it.
-    const NAME: &'static str;
-    /// The words it may be, where it is a choice.
-    const CHOICES: &'static [&'static str] = &[];
-    /// What each entry holds, where it is a section of named entries.
-    fn entry() -> Option<Vec<ParamSpec>> {
-        None
+    /// Every param, in the order of the reference.
+    fn specs() -> Vec<ParamSpec> {
+        let mut specs = Vec::new();
+        Self::default().specs_to(&mut specs);
+        specs
     }
-    /// From what was written, with all that is wrong within it.
-    fn read_within(name: &str, value: &Value, mistakes: &mut Vec<Mistake>) -> Option<Self> {
-        let read = Self::read(value);
-        if read.is_none() {
-            let what = match Self::CHOICES {
-                [] => format!("wants {}, but {value} is {}", Self::NAME, value.type_name()),
-                words => format!("{value} is none of {}", words.join(", ")),
-            };
-            let name = name.to_owned();
-            mistakes.push(Mistake { name, what });
+
+    /// All values after defaults, in the order of the reference.
+    fn values(&self) -> Vec<(&'static str, Value)> {
+        let mut values = Vec::new();
+        self.values_to(&mut values);
+        values
+    }
+
+    /// Reads what was said; the rest keeps its default.
+    ///
+    /// # Errors
+    /// Everything that is wrong, at once: unknown names, values that do not fit or are out of range.
+    fn read(said: &BTreeMap<String, Value>) -> Result<Self, Vec<Mistake>> {
+        let mut names = Vec::new();
+        Self::names(&mut names);
+        let unknown = said.keys().filter(|n| !names.contains(&n.as_str()));
+        let mut mistakes: Vec<Mistake> = unknown
+            .map(|name| Mistake {
+                name: name.clone(),
+                what: crate::unknown("param", name, &names),
+            })
+            .collect();
+        let read = Self::default().read_onto(said, &mut mistakes);
+        if mistakes.is_empty() {
+            Ok(read)
+        } else {
+            Err(mistakes)
         }
-        read
-    }
-    /// From what was written. [`None`] when it does not fit.
-    fn read(value: &Value) -> Option<Self>;
-    /// To be written.
-    fn value(&self) -> Value;
-    /// The number that a range speaks of.
-    fn number(&self) -> Option<f64> {
-        None
-    }
-}
-
-impl ParamType for f64 {
-    const NAME: &'static str = "a number";
-    fn read(value: &Value) -> Option<Self> {
-        match value {
-            Value::Float(x) if x.is_finite() => Some(*x),
-            Value::Int(i) => Some(*i as f64),
-            _ => None,
-        }
-    }
-    fn value(&self) -> Value {
-        Value::Float(*self)
-    }
-    fn number(&self) -> Option<f64> {
-        Some(*self)
-    }
-}
-
-macro_rules! whole {
-    ($($t:ty),*) => {$(
-        impl ParamType for $t {
-            const NAME: &'static str = "a whole number";
-            fn read(value: &Value) -> Option<Self> {
-                match value {
-                    Value::Int(i) => <$t>::try_from(*i).ok(),
-                    _ => None,
-                }
-            }
-            fn value(&self) -> Value {
-                Value::Int(*self as i64)
-            }
-            fn number(&self) -> Option<f64> {
-                Some(*self as f64)
-            }
-        }
-    )*};
-}
-whole!(i64, u32, usize);
-
-impl ParamType for bool {
-    const NAME: &'static str = "a boolean";
-    fn read(value: &Value) -> Option<Self> {
-        match value {
-            Value::Bool(b) => Some(*b),
-            _ => None,
-        }
-    }
-    fn value(&self) -> Value {
-        Value::Bool(*self)
-    }
-}
-
-impl ParamType for String {
-    const NAME: &'static str = "a text";
-    fn read(value: &Value) -> Option<Self> {
-        match value {
-            Value::Text(t) => Some(t.clone()),
-            _ => None,
-        }
-    }
-    fn value(&self) -> Value {
-        Value::Text(self.clone())
-    }
-}
-
-impl<T: ParamType> ParamType for Vec<T> {
-    const NAME: &'static str = "a list";
-    fn read(value: &Value) -> Option<Self> {
-        match value {
-            Value::List(l) => l.iter().map(T::read).collect(),
-            _ => None,
-        }
-    }
-    fn value(&self) -> Value {
-        Value::List(self.iter().map(T::value).collect())
-    }
-}
-
-/// Reads one param: for [`params!`](crate::params!).
-#[doc(hidden)]
-pub fn read_one<T: ParamType>(
-    name: &'static str,
-    range: Option<(f64, f64)>,
-    required: bool,
-    said: &BTreeMap<String, Value>,
-    default: T,
-    mistakes: &mut Vec<Mistake>,
-) -> T {
-    let Some(value) = said.get(name) else {
-        if required {
-            mistakes.push(Mistake {
-                name: name.into(),
-                what: format!("must be said: {name} is {}", wanted::<T>(range)),
-            });
-        }
-        return default;
-    };
-    let Some(read) = T::read_within(name, value, mistakes) else {
-        return default;
-    };
-    if let (Some((lo, hi)), Some(x)) = (range, read.number())
-        && !(lo..=hi).contains(&x)
-    {
-        mistakes.push(Mistake {
-            name: name.into(),
-            what: format!("{value} is out of range: it must lie in {lo}..={hi}"),
-        });
-        return default;
-    }
-    read
-}
-
-/// What would fit, in words.
-fn wanted<T: ParamType>(range: Option<(f64, f64)>) -> String {
-    match (T::CHOICES, range) {
-        ([], None) => T::NAME.to_owned(),
-        ([], Some((lo, hi))) => format!("{} in {lo}..={hi}", T::NAME),
-        (words, _) => format!("one of {}", words.join(", ")),
     }
 }
 
 /// Declares a stage's params: doc, optional `#[range(lo..=hi)]`, optional `#[must(say)]` where there is
 /// no sense in a default, name, type, default.
+///
+/// `#[group(flat)]` makes a field a group that several stages share: its type is made by this macro,
+/// its params stand among the others under their own names, with the defaults given here.
 #[macro_export]
 macro_rules! params {
     (
@@ -206,6 +94,7 @@ macro_rules! params {
             $(#[doc = $doc:literal])*
             $(#[range($range:expr)])?
             $(#[must($must:ident)])?
+            $(#[group($group:ident)])?
             $name:ident : $ty:ty = $default:expr
         ),* $(,)? }
     ) => {
@@ -220,42 +109,59 @@ macro_rules! params {
         }
 
         impl $crate::Params for $struct {
-            fn specs() -> Vec<$crate::ParamSpec> {
-                let _default = Self::default();
-                vec![ $( $crate::ParamSpec {
-                    name: stringify!($name),
-                    doc: [$($doc),*].map(|l: &str| l.trim()).join(" "),
-                    type_name: <$ty as $crate::ParamType>::NAME,
-                    choices: <$ty as $crate::ParamType>::CHOICES,
-                    default: $crate::ParamType::value(&_default.$name),
-                    range: $crate::params!(@range $($range)?),
-                    required: $crate::params!(@must $($must)?),
-                    entry: <$ty as $crate::ParamType>::entry(),
-                }, )* ]
+            fn names(_to: &mut Vec<&'static str>) {
+                $( $crate::params!(@names $($group)?, _to, $name, $ty); )*
             }
 
-            fn read(
+            fn specs_to(&self, _to: &mut Vec<$crate::ParamSpec>) {
+                $( $crate::params!(
+                    @specs $($group)?, _to, $name, $ty, self.$name,
+                    [$($doc),*], $crate::params!(@range $($range)?), $crate::params!(@must $($must)?)
+                ); )*
+            }
+
+            fn read_onto(
+                self,
                 _said: &std::collections::BTreeMap<String, $crate::Value>,
-            ) -> Result<Self, Vec<$crate::Mistake>> {
-                let mut mistakes = Vec::new();
-                const NAMES: &[&str] = &[$( stringify!($name), )*];
-                for name in _said.keys().filter(|n| !NAMES.contains(&n.as_str())) {
-                    mistakes.push($crate::Mistake {
-                        name: name.clone(),
-                        what: $crate::unknown("param", name, NAMES),
-                    });
-                }
-                let _default = Self::default();
-                let read = Self { $( $name: $crate::read_one(
-                    stringify!($name), $crate::params!(@range $($range)?), $crate::params!(@must $($must)?), _said, _default.$name, &mut mistakes,
-                ), )* };
-                if mistakes.is_empty() { Ok(read) } else { Err(mistakes) }
+                _mistakes: &mut Vec<$crate::Mistake>,
+            ) -> Self {
+                Self { $( $name: $crate::params!(
+                    @read $($group)?, $name, self.$name, _said, _mistakes,
+                    $crate::params!(@range $($range)?), $crate::params!(@must $($must)?)
+                ), )* }
             }
 
-            fn values(&self) -> Vec<(&'static str, $crate::Value)> {
-                vec![ $( (stringify!($name), $crate::ParamType::value(&self.$name)), )* ]
+            fn values_to(&self, _to: &mut Vec<(&'static str, $crate::Value)>) {
+                $( $crate::params!(@values $($group)?, _to, $name, self.$name); )*
             }
         }
+    };
+    (@names flat, $to:ident, $name:ident, $ty:ty) => { <$ty as $crate::Params>::names($to) };
+    (@names , $to:ident, $name:ident, $ty:ty) => { $to.push(stringify!($name)) };
+    (@specs flat, $to:ident, $name:ident, $ty:ty, $value:expr, $doc:tt, $range:expr, $must:expr) => {
+        $crate::Params::specs_to(&$value, $to)
+    };
+    (@specs , $to:ident, $name:ident, $ty:ty, $value:expr, $doc:tt, $range:expr, $must:expr) => {
+        $to.push($crate::ParamSpec {
+            name: stringify!($name),
+            doc: $doc.map(|l: &str| l.trim()).join(" "),
+            type_name: <$ty as $crate::ParamType>::NAME,
+            choices: <$ty as $crate::ParamType>::CHOICES,
+            default: $crate::ParamType::value(&$value),
+            range: $range,
+            required: $must,
+            entry: <$ty as $crate::ParamType>::entry(),
+        })
+    };
+    (@read flat, $name:ident, $value:expr, $said:ident, $mistakes:ident, $range:expr, $must:expr) => {
+        $crate::Params::read_onto($value, $said, $mistakes)
+    };
+    (@read , $name:ident, $value:expr, $said:ident, $mistakes:ident, $range:expr, $must:expr) => {
+        $crate::read_one(stringify!($name), $range, $must, $said, $value, $mistakes)
+    };
+    (@values flat, $to:ident, $name:ident, $value:expr) => { $crate::Params::values_to(&$value, $to) };
+    (@values , $to:ident, $name:ident, $value:expr) => {
+        $to.push((stringify!($name), $crate::ParamType::value(&$value)))
     };
     (@must) => { false };
     (@must say) => { true };
@@ -264,4 +170,57 @@ macro_rules! params {
         let range = $range;
         Some((*range.start() as f64, *range.end() as f64))
     }};
+}
+
+#[cfg(test)]
+#[allow(unreachable_pub)]
+mod tests {
+    use super::*;
+
+    crate::params! {
+        /// What ovens share.
+        pub struct Heat {
+            /// How hot.
+            #[range(0..=300)]
+            degrees: u32 = 180,
+            /// Whether air is moved.
+            fan: bool = false,
+        }
+    }
+
+    crate::params! {
+        /// An oven.
+        pub struct Oven {
+            /// How long.
+            minutes: u32 = 40,
+            /// Its heat.
+            #[group(flat)]
+            heat: Heat = Heat { degrees: 220, ..Heat::default() },
+            /// How many trays.
+            trays: u32 = 1,
+        }
+    }
+
+    #[test]
+    fn params_of_a_group_stand_among_the_others_with_the_defaults_given_there() {
+        let names: Vec<&str> = Oven::specs().iter().map(|s| s.name).collect();
+        assert_eq!(names, ["minutes", "degrees", "fan", "trays"]);
+        assert_eq!(Oven::specs()[1].default, Value::Int(220));
+        assert_eq!(Oven::specs()[1].range, Some((0.0, 300.0)));
+        let said = BTreeMap::from([("fan".to_owned(), Value::Bool(true))]);
+        let oven = Oven::read(&said).unwrap();
+        assert_eq!((oven.heat.degrees, oven.heat.fan), (220, true));
+        let values: Vec<&str> = oven.values().iter().map(|(name, _)| *name).collect();
+        assert_eq!(values, names);
+    }
+
+    #[test]
+    fn what_is_wrong_in_a_group_is_told_with_all_else_that_is_wrong() {
+        let said = [("degrees", 301), ("degreess", 1), ("heat", 1)];
+        let said = said.map(|(name, v)| (name.to_owned(), Value::Int(v)));
+        let told = Oven::read(&said.into()).unwrap_err();
+        let names: Vec<&str> = told.iter().map(|m| m.name.as_str()).collect();
+        assert_eq!(names, ["degreess", "heat", "degrees"]);
+        assert!(told[0].what.contains("degrees"), "{told:?}");
+    }
 }

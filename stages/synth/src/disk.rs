@@ -1,8 +1,8 @@
 //! The disk that turns, with a marker mat or plain wood on it, as a formula of the place.
 
-use crate::codes::modules;
 use crate::noise::{chance, octaves};
 use nalgebra::{Point3, Vector3};
+use shape::tag36h11::modules;
 use shape::{Mat, Rim};
 
 /// How much light paper gives back.

@@ -10,7 +10,6 @@
 mod anatomy;
 mod body;
 mod bounds;
-mod codes;
 mod contour;
 mod dice;
 mod disk;

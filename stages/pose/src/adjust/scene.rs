@@ -1,0 +1,116 @@
+//! What is adjusted, what was seen of it, what is believed of it, and the cost of all that.
+
+use crate::adjust::lens::{LENS, LensPrior, lens_values};
+use crate::adjust::residual::{Derivatives, derivatives};
+use crate::adjust::rim::{OnRim, RimBelief};
+use crate::adjust::ring::Ring;
+use nalgebra::Point3;
+use shape::{Camera, Intrinsics, Pose};
+
+/// What was seen: a camera, a point, a pixel.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Sight {
+    /// Which camera.
+    pub camera: usize,
+    /// Which point.
+    pub point: usize,
+    /// Where. \[px\]
+    pub at_px: [f64; 2],
+    /// Standard deviation of that. \[px\]
+    pub sigma_px: f64,
+}
+
+/// All that is adjusted.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Scene {
+    /// The lens that all cameras share.
+    pub lens: Intrinsics,
+    /// camera_from_world of each camera.
+    pub poses: Vec<Pose>,
+    /// Where the cameras are held to a turn about one axis: it; the poses follow from it.
+    pub ring: Option<Ring>,
+    /// Points in the world. \[mm\]
+    pub points: Vec<Point3<f64>>,
+    /// Points before this one are known and stay; those from it on are free.
+    pub known: usize,
+    /// Tags on the disk's rim: known points that follow from what is open of them.
+    pub(crate) rim: Option<OnRim>,
+}
+
+/// What is believed before anything is seen.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Beliefs {
+    /// Of the lens.
+    pub lens: LensPrior,
+    /// Of a ring: how far it turned from photo to photo.
+    pub steps: Option<Steps>,
+    /// Of tags on the disk's rim.
+    pub(crate) rim: Option<RimBelief>,
+}
+
+/// A belief about the turns of a ring.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Steps {
+    /// Between each photo and the next. \[rad\]
+    pub turns: Vec<f64>,
+    /// Standard deviation of each. \[rad\]
+    pub sigma: f64,
+}
+
+/// How to adjust.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Settings {
+    /// Residuals beyond this many standard deviations lose weight (Cauchy's c).
+    pub loss: f64,
+    /// Most steps.
+    pub steps: usize,
+    /// A step that lowers the cost by less than this share is the last.
+    pub gain: f64,
+}
+
+/// Residual of a sighting in standard deviations, with derivatives. `None` behind the camera.
+pub(crate) fn look(scene: &Scene, sight: &Sight) -> Option<Derivatives> {
+    let camera = Camera {
+        lens: scene.lens,
+        pose: scene.poses[sight.camera],
+    };
+    derivatives(
+        &camera,
+        &scene.points[sight.point],
+        sight.at_px,
+        sight.sigma_px,
+    )
+}
+
+/// Cost of a point behind a camera, in place of its infinite one.
+const BEHIND: f64 = 1e6;
+
+/// The cost that is minimised.
+pub fn cost(scene: &Scene, sights: &[Sight], beliefs: &Beliefs, loss: f64) -> f64 {
+    let c2 = loss * loss;
+    let seen: f64 = sights
+        .iter()
+        .map(|sight| match look(scene, sight) {
+            Some(d) => c2 * (d.residual.norm_squared() / c2).ln_1p(),
+            None => BEHIND,
+        })
+        .sum();
+    let (values, prior) = (lens_values(&scene.lens), &beliefs.lens);
+    let lens: f64 = (0..LENS)
+        .map(|i| ((values[i] - prior.mean[i]) / prior.sigma[i]).powi(2))
+        .sum();
+    let steps: f64 = match (&scene.ring, &beliefs.steps) {
+        (Some(ring), Some(steps)) => ring
+            .angles
+            .windows(2)
+            .zip(&steps.turns)
+            .map(|(a, turn)| ((a[1] - a[0] - turn) / steps.sigma).powi(2))
+            .sum(),
+        _ => 0.0,
+    };
+    let rim: f64 = match (&scene.rim, &beliefs.rim) {
+        (Some(rim), Some(b)) => rim.beliefs(b).map(|(v, s)| (v / s).powi(2)).sum(),
+        _ => 0.0,
+    };
+    seen + lens + steps + rim
+}

@@ -1,0 +1,180 @@
+//! The normal equations of an adjustment with what is believed and what is held, and what their
+//! inverse tells.
+
+use crate::adjust::lens::{LENS, lens_values};
+use crate::adjust::ring::Ring;
+use crate::adjust::scene::{Beliefs, Scene, Sight};
+use crate::adjust::schur::{Reduced, reduce};
+use nalgebra::{DMatrix, DVector, Matrix3, SMatrix};
+use shape::Pose;
+
+/// The system of all unknowns that are adjusted: lens and poses, or lens and ring.
+pub(crate) struct System {
+    pub(crate) matrix: DMatrix<f64>,
+    pub(crate) right: DVector<f64>,
+    /// Derivative of lens and poses by the unknowns, where those are not the poses.
+    pub(crate) tangent: Option<DMatrix<f64>>,
+    pub(crate) reduced: Reduced,
+}
+
+/// Weight that holds what nothing tells.
+const HELD: f64 = 1e8;
+
+/// Builds it.
+pub(crate) fn system(
+    scene: &Scene,
+    by_point: &[Vec<Sight>],
+    beliefs: &Beliefs,
+    loss: f64,
+    damping: f64,
+) -> System {
+    let reduced = reduce(scene, by_point, loss, damping);
+    let tangent = scene.ring.as_ref().map(Ring::tangent);
+    let (mut matrix, mut right) = match &tangent {
+        Some(j) => (
+            j.transpose() * &reduced.matrix * j,
+            j.transpose() * &reduced.right,
+        ),
+        None => (reduced.matrix.clone(), reduced.right.clone()),
+    };
+    let (values, prior) = (lens_values(&scene.lens), &beliefs.lens);
+    for i in 0..LENS {
+        let weight = 1.0 / (prior.sigma[i] * prior.sigma[i]);
+        matrix[(i, i)] += weight;
+        right[i] -= weight * (values[i] - prior.mean[i]);
+    }
+    if let (Some(ring), Some(steps)) = (&scene.ring, &beliefs.steps) {
+        let weight = 1.0 / (steps.sigma * steps.sigma);
+        for (k, (a, turn)) in ring.angles.windows(2).zip(&steps.turns).enumerate() {
+            let (i, j) = (LENS + 6 + k, LENS + 7 + k);
+            let off = weight * (a[1] - a[0] - turn);
+            matrix[(i, i)] += weight;
+            matrix[(j, j)] += weight;
+            matrix[(i, j)] -= weight;
+            matrix[(j, i)] -= weight;
+            right[i] += off;
+            right[j] -= off;
+        }
+    }
+    if let (Some(rim), Some(belief)) = (&scene.rim, &beliefs.rim) {
+        let from = LENS + 6 * scene.poses.len();
+        for (i, (value, sigma)) in rim.beliefs(belief).enumerate() {
+            matrix[(from + i, from + i)] += 1.0 / (sigma * sigma);
+            right[from + i] -= value / (sigma * sigma);
+        }
+    }
+    for (direction, size) in freedoms(scene) {
+        let d = DVector::from_vec(direction);
+        matrix += &d * d.transpose() * (HELD / (size * size));
+    }
+    System {
+        matrix,
+        right,
+        tangent,
+        reduced,
+    }
+}
+
+/// Directions of a step that change nothing that is seen, with the size of a unit each: none where
+/// points are known.
+fn freedoms(scene: &Scene) -> Vec<(Vec<f64>, f64)> {
+    if scene.known > 0 {
+        return vec![];
+    }
+    if let Some(ring) = &scene.ring {
+        return ring.freedoms();
+    }
+    let n = LENS + 6 * scene.poses.len();
+    let Some(first) = scene.poses.first() else {
+        return vec![];
+    };
+    // The first camera stays, and so does its distance to the farthest.
+    let from = first.centre();
+    let far = |c: &usize| (scene.poses[*c].centre() - from).norm();
+    let last = (1..scene.poses.len()).max_by(|a, b| far(a).total_cmp(&far(b)));
+    let Some(last) = last else {
+        return vec![];
+    };
+    let size = far(&last).max(1e-9);
+    let mut held: Vec<_> = (0..6)
+        .map(|i| {
+            let mut d = vec![0.0; n];
+            d[LENS + i] = 1.0;
+            (d, if i < 3 { 1.0 } else { size })
+        })
+        .collect();
+    let pose = &scene.poses[last];
+    let along = pose.rotation * (pose.centre() - from) / size;
+    let mut d = vec![0.0; n];
+    (0..3).for_each(|i| d[LENS + 6 * last + 3 + i] = along[i]);
+    held.push((d, size));
+    held
+}
+
+/// Standard deviations from the inverse of the undamped system.
+pub(crate) struct Spread {
+    /// Of each camera's centre, a coordinate's root mean square. \[mm\]
+    pub(crate) centres_mm: Vec<f64>,
+    /// Of the lens' unknowns.
+    pub(crate) lens: [f64; LENS],
+    /// Of the cameras' mean distance from their middle, as a share of it.
+    pub(crate) size: f64,
+}
+
+/// Those of a scene that is adjusted.
+pub(crate) fn spread(
+    scene: &Scene,
+    by_point: &[Vec<Sight>],
+    beliefs: &Beliefs,
+    loss: f64,
+) -> Spread {
+    let system = system(scene, by_point, beliefs, loss, 1e-9);
+    let Some(covariance) = system.matrix.cholesky().map(|c| c.inverse()) else {
+        return Spread {
+            centres_mm: vec![f64::INFINITY; scene.poses.len()],
+            lens: [f64::INFINITY; LENS],
+            size: f64::INFINITY,
+        };
+    };
+    let covariance = match &system.tangent {
+        Some(j) => j * covariance * j.transpose(),
+        None => covariance,
+    };
+    // centre = -Rᵀ t, with R ← exp(ω) R and t ← t + τ: d centre = Rᵀ ([ω]× t - τ).
+    let by_pose = |pose: &Pose| {
+        let mut j = SMatrix::<f64, 3, 6>::zeros();
+        let cross = pose.translation.cross_matrix();
+        j.fixed_view_mut::<3, 3>(0, 0).copy_from(&-cross);
+        j.fixed_view_mut::<3, 3>(0, 3)
+            .copy_from(&-Matrix3::identity());
+        pose.rotation.matrix().transpose() * j
+    };
+    let centre = |(c, pose): (usize, &Pose)| {
+        let at = LENS + 6 * c;
+        let block = covariance.fixed_view::<6, 6>(at, at).into_owned();
+        let j = by_pose(pose);
+        ((j * block * j.transpose()).trace() / 3.0).max(0.0).sqrt()
+    };
+    let centres_mm = scene.poses.iter().enumerate().map(centre).collect();
+    let mut lens = [0.0; LENS];
+    (0..LENS).for_each(|i| lens[i] = covariance[(i, i)].max(0.0).sqrt());
+    let middle = scene
+        .poses
+        .iter()
+        .map(|p| p.centre().coords)
+        .sum::<nalgebra::Vector3<f64>>()
+        / scene.poses.len().max(1) as f64;
+    let (mut by_all, mut total) = (DVector::zeros(covariance.nrows()), 0.0);
+    for (c, pose) in scene.poses.iter().enumerate() {
+        let out = pose.centre().coords - middle;
+        total += out.norm();
+        let row = by_pose(pose).transpose() * out.try_normalize(1e-12).unwrap_or_default();
+        by_all.fixed_rows_mut::<6>(LENS + 6 * c).copy_from(&row);
+    }
+    let size = by_all.dot(&(&covariance * &by_all)).max(0.0).sqrt() / total.max(1e-12);
+    Spread {
+        centres_mm,
+        lens,
+        size,
+    }
+}

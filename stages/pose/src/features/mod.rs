@@ -1,0 +1,10 @@
+//! Features of photos: `sift` (a stage) → `detect`, `describe` → `pyramid`, `gradients`; followed from
+//! photo to photo by `tracks` (a stage) → `matching` and `two_view`.
+
+pub(crate) mod describe;
+pub(crate) mod detect;
+pub(crate) mod gradients;
+pub(crate) mod matching;
+pub(crate) mod pyramid;
+pub(crate) mod sift;
+pub(crate) mod tracks;

@@ -1,0 +1,8 @@
+//! The turntable frame: the circle of the cameras, the disk's edge, the subject's stature; and the
+//! stage that gives cameras their millimetres and their ground. `stage` → all others.
+
+pub(crate) mod circle;
+pub(crate) mod disk_edge;
+pub(crate) mod stage;
+pub(crate) mod stature;
+pub(crate) mod still;

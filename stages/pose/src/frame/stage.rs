@@ -1,0 +1,275 @@
+//! The stage that gives cameras their millimetres and their ground.
+
+use crate::frame::circle::moved;
+use crate::frame::disk_edge::{DiskEdge, disk_edge};
+use crate::frame::stature::{Stature, stature};
+use crate::frame::still::{median, reduced};
+use nalgebra::{Point3, Rotation3};
+use rayon::prelude::*;
+use shape::{Cameras, Gray, Masks, PhotoError, Photos, Scale};
+use stage::{Ctx, Stage, Stop};
+use std::sync::Arc;
+
+stage::params! {
+    /// What is taken for a disk's edge, and how far scales may disagree.
+    pub struct FrameParams {
+        /// How far the step of brightness at the disk's edge must stand out from that of other
+        /// circles.
+        #[range(1.0..=100.0)]
+        least_standout: f64 = 4.0,
+        /// Two lengths that disagree by more than this share are told of.
+        #[range(0.001..=0.5)]
+        disagreement: f64 = 0.02,
+        /// Without a mat: two lengths that disagree by more than this share are no scale.
+        #[range(0.05..=10.0)]
+        contradiction: f64 = 0.2,
+        /// Size to which photos are reduced before the disk is searched.
+        #[range(200..=4000)]
+        search_px: u32 = 900,
+    }
+}
+
+stage::inputs! {
+    /// Cameras that turn about z, and what tells of lengths.
+    pub struct FrameInput {
+        /// The cameras, in a frame whose z axis is the disk's.
+        cameras: Arc<Cameras>,
+        /// The photos, and what the user knows.
+        photos: Arc<Photos>,
+        /// Silhouettes: for crown and soles.
+        masks: Option<Arc<Masks>>,
+    }
+}
+
+/// `pose.frame`: cameras, photos, masks → cameras.
+pub struct Frame;
+
+/// Two known lengths that cannot both be what they are called.
+#[derive(Debug, thiserror::Error)]
+#[error(
+    "{first} and {other} contradict each other by {percent:.0} %, so nothing tells how large the body is: capture.toml is wrong about one of them \
+     (correct it, or leave out the one you are less sure of), or the silhouettes lack legs or head (`tailor show masks --as sheet` shows them), or the \
+     cameras are wrong (take more photos, or put a mat on the disk)"
+)]
+struct Contradiction {
+    first: &'static str,
+    other: &'static str,
+    percent: f64,
+}
+
+/// A length that is known, and what it makes of a unit.
+struct Measure {
+    what: &'static str,
+    scale: Scale,
+    mm_per_unit: f64,
+    sigma: Option<f64>,
+}
+
+impl Stage for Frame {
+    const NAME: &'static str = "pose.frame";
+    const VERSION: u32 = 5;
+    const ABOUT: &'static str = "Puts the origin on the disk and scales to millimetres: by the mat, a reference length, the disk, or the stature.";
+    type Params = FrameParams;
+    type Input = FrameInput;
+    type Output = Cameras;
+    const METRICS: &'static [&'static str] = &["* against *", "scale sigma"];
+
+    fn run(p: &FrameParams, input: FrameInput, ctx: &Ctx<'_>) -> Result<Cameras, Stop> {
+        let (cameras, rig) = (&*input.cameras, &input.photos.rig);
+        let body = input.masks.as_deref().and_then(|masks| {
+            let views: Vec<_> = cameras.views.join(&masks.views).collect();
+            stature(
+                &views
+                    .iter()
+                    .map(|(_, v, m)| (&v.camera, *m))
+                    .collect::<Vec<_>>(),
+            )
+        });
+        let placed = matches!(cameras.scale, Scale::Mat | Scale::Given);
+        let edge = if placed {
+            None
+        } else {
+            ctx.check()?;
+            let still = still(&input.photos, p.search_px)?;
+            still.and_then(|s| search(&s, cameras, body.as_ref(), p.least_standout))
+        };
+        let ground = match (placed, edge, body) {
+            (true, ..) => cameras.ground_mm,
+            (_, Some(edge), _) => edge.height,
+            (_, None, Some(body)) => body.ground,
+            (_, None, None) => lowest(cameras),
+        };
+        let mut measures = Vec::new();
+        if cameras.scale == Scale::Mat {
+            measures.push(Measure {
+                what: "the mat",
+                scale: Scale::Mat,
+                mm_per_unit: 1.0,
+                sigma: cameras.scale_sigma,
+            });
+        }
+        let tall = |mm: f64, what, scale| {
+            let body = body.as_ref()?;
+            let height = body.crown - ground;
+            let spread = body.crown_spread / (cameras.views.len().max(1) as f64).sqrt();
+            (height > 0.0).then(|| Measure {
+                what,
+                scale,
+                mm_per_unit: mm / height,
+                sigma: Some((spread / height).hypot(0.003)),
+            })
+        };
+        let round = |mm: f64, what, scale| {
+            let edge = edge.as_ref()?;
+            Some(Measure {
+                what,
+                scale,
+                mm_per_unit: mm / 2.0 / edge.radius,
+                sigma: Some(0.004),
+            })
+        };
+        if let Some(reference) = &rig.reference {
+            let mm = reference.length_mm;
+            measures.extend(match reference.kind.as_str() {
+                "subject_height" => tall(mm, "the reference length (stature)", Scale::Reference),
+                "disk_diameter" => round(mm, "the reference length (disk)", Scale::Reference),
+                "tag_size" => {
+                    let tag = rig.mat.map(|mat| mat.tag_mm).filter(|tag| (mm / tag - 1.0).abs() > 0.002);
+                    if let Some(tag) = tag {
+                        ctx.warn(format!("[mat] says that tags are {tag} mm, [reference] that they are {mm} mm: [mat] was taken; measure a printed tag and correct the other"));
+                    }
+                    None
+                }
+                other => {
+                    ctx.warn(format!(
+                        "the reference of kind `{other}` is not known here: `subject_height`, `disk_diameter` and `tag_size` are"
+                    ));
+                    None
+                }
+            });
+        }
+        measures.extend(
+            rig.disk_diameter_mm
+                .and_then(|mm| round(mm, "the disk's diameter", Scale::Disk)),
+        );
+        measures.extend(
+            rig.stature_mm
+                .and_then(|mm| tall(mm, "the stature", Scale::Stature)),
+        );
+        if cameras.scale == Scale::Given {
+            return Ok(cameras.clone());
+        }
+        let Some(first) = measures.first() else {
+            ctx.warn("nothing tells of millimetres (no mat, reference, disk or stature that could be seen): lengths are relative to the camera ring's radius, called 1000 mm");
+            let there = moved(
+                cameras,
+                &Rotation3::identity(),
+                &Point3::new(0.0, 0.0, ground),
+                1.0,
+            );
+            return Ok(Cameras {
+                ground_mm: 0.0,
+                ..there
+            });
+        };
+        for other in &measures[1..] {
+            let off = other.mm_per_unit / first.mm_per_unit - 1.0;
+            ctx.metric(
+                &format!("{} against {}", other.what, first.what),
+                off * 100.0,
+                "%",
+            );
+            if cameras.scale != Scale::Mat && off.abs() > p.contradiction {
+                return Err(Contradiction {
+                    first: first.what,
+                    other: other.what,
+                    percent: off * 100.0,
+                }
+                .into());
+            }
+            if off.abs() > p.disagreement.max(3.0 * both(first.sigma, other.sigma)) {
+                ctx.warn(format!(
+                    "{} and {} disagree by {:.1} %: {} was taken; check what capture.toml says of both",
+                    first.what,
+                    other.what,
+                    off * 100.0,
+                    first.what
+                ));
+            }
+        }
+        if let Some(sigma) = first.sigma {
+            ctx.metric("scale sigma", sigma * 100.0, "%");
+        }
+        if cameras.scale == Scale::Mat {
+            return Ok(cameras.clone());
+        }
+        if edge.is_none() && body.is_none() {
+            ctx.warn("neither the disk's edge nor soles were seen: the ground lies at the lowest feature");
+        }
+        let size = first.mm_per_unit;
+        let there = moved(
+            cameras,
+            &Rotation3::identity(),
+            &Point3::new(0.0, 0.0, ground),
+            size,
+        );
+        let disk = rig.disk_diameter_mm.map(|d| d / 2.0);
+        Ok(Cameras {
+            scale: first.scale,
+            scale_sigma: first.sigma,
+            ground_mm: 0.0,
+            disk_radius_mm: disk.or(edge.map(|e| e.radius * size)),
+            ..there
+        })
+    }
+}
+
+/// Standard deviation of the difference of two, as far as it is known.
+fn both(a: Option<f64>, b: Option<f64>) -> f64 {
+    [a, b].into_iter().flatten().fold(0.0, f64::hypot)
+}
+
+/// What stands still, reduced.
+fn still(photos: &Photos, search_px: u32) -> Result<Option<Gray>, PhotoError> {
+    let Some(first) = photos.photos.first() else {
+        return Ok(None);
+    };
+    let by = (first.width.max(first.height) / search_px).max(1) as usize;
+    let one = |photo: &shape::Photo| Ok(reduced(&photo.decode()?.gray(), by));
+    let fits = |plate: &&shape::Photo| (plate.width, plate.height) == (first.width, first.height);
+    if let Some(plate) = photos.plate.as_ref().filter(fits) {
+        return one(plate).map(Some);
+    }
+    let every = photos.photos.len().div_ceil(9).max(1);
+    let some: Vec<_> = photos.photos.iter().step_by(every).collect();
+    let pictures: Vec<Gray> = some.into_par_iter().map(one).collect::<Result<_, _>>()?;
+    Ok(median(&pictures))
+}
+
+/// The disk's edge near the soles, or anywhere below the camera.
+fn search(
+    still: &Gray,
+    cameras: &Cameras,
+    body: Option<&Stature>,
+    least_standout: f64,
+) -> Option<DiskEdge> {
+    let camera = &cameras.views.values().next()?.camera;
+    let centre = camera.centre();
+    let ring = centre.x.hypot(centre.y);
+    let heights = match body {
+        Some(body) => {
+            let reach = 0.04 * (body.crown - body.ground);
+            [body.ground - reach, body.ground + reach]
+        }
+        None => [centre.z - 0.8 * ring, centre.z - 0.1 * ring],
+    };
+    let found = disk_edge(still, camera, heights, [0.06 * ring, 0.4 * ring])?;
+    (found.standout >= least_standout).then_some(found)
+}
+
+/// Height of the lowest features, one in a hundred left out.
+fn lowest(cameras: &Cameras) -> f64 {
+    let mut all: Vec<f32> = cameras.points.iter().map(|p| p[2]).collect();
+    all.sort_by(f32::total_cmp);
+    all.get(all.len() / 100).map_or(0.0, |z| f64::from(*z))
+}

@@ -1,0 +1,285 @@
+//! A mat on paper: SVG in one piece, PDF over pages with cut marks and a ruler to check by.
+
+use crate::mat::layout::Mark;
+use crate::mat::rim_layout::Piece;
+use std::fmt::Write;
+
+/// A sheet of paper.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Paper {
+    /// Width and height. \[mm\]
+    pub size_mm: [f64; 2],
+    /// What a printer leaves white at each side. \[mm\]
+    pub margin_mm: f64,
+}
+
+/// PDF's unit: 1/72 inch.
+const POINT: f64 = 72.0 / 25.4;
+/// What neighbouring pages print of each other. \[mm\]
+const OVERLAP: f64 = 8.0;
+/// Room below the picture for ruler and words. \[mm\]
+const FOOT: f64 = 14.0;
+/// Room between pieces of the rim's strip. \[mm\]
+const GAP: f64 = 6.0;
+
+/// SVG at true scale: one user unit is a millimetre. The rim's pieces lie below the mat.
+pub fn to_svg(marks: &[Mark], across_mm: f64, note: &str, pieces: &[Piece]) -> String {
+    let half = across_mm / 2.0 + 2.0;
+    let rows = |p: &Piece| p.size_mm[1] + GAP;
+    let below: f64 = pieces.iter().map(rows).sum();
+    let widest = pieces.iter().map(|p| p.size_mm[0] + 2.0);
+    let (w, h) = (widest.fold(2.0 * half, f64::max), 2.0 * half + below);
+    let left = -half;
+    let mut svg = format!(
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{w}mm\" height=\"{h}mm\" viewBox=\"{left} {left} {w} {h}\">\n<!--\n{note}-->\n"
+    );
+    marks.iter().for_each(|mark| in_svg(&mut svg, mark));
+    let mut low = half;
+    for piece in pieces {
+        low += rows(piece);
+        let _ = writeln!(svg, "<g transform=\"translate({} {low:.4})\">", left + 1.0);
+        piece.marks.iter().for_each(|mark| in_svg(&mut svg, mark));
+        svg.push_str("</g>\n");
+    }
+    svg.push_str("</svg>\n");
+    svg
+}
+
+/// One mark in SVG's words.
+fn in_svg(svg: &mut String, mark: &Mark) {
+    let level = |grey: f64| (grey.clamp(0.0, 1.0) * 255.0).round() as u8;
+    let path = |corners: &[[f64; 2]]| {
+        let one = |[x, y]: &[f64; 2]| format!("{x:.4},{:.4}", -y);
+        corners.iter().map(one).collect::<Vec<_>>().join(" ")
+    };
+    let line = "fill=\"none\" stroke=\"#888\" stroke-width=\"0.2\"";
+    let _ = match mark {
+        Mark::Fill(corners, grey) => {
+            let (v, path) = (level(*grey), path(corners));
+            writeln!(
+                svg,
+                "<polygon points=\"{path}\" fill=\"rgb({v},{v},{v})\"/>"
+            )
+        }
+        Mark::Dot([x, y], r, grey) => {
+            let v = level(*grey);
+            writeln!(
+                svg,
+                "<circle cx=\"{x:.4}\" cy=\"{:.4}\" r=\"{r:.4}\" fill=\"rgb({v},{v},{v})\"/>",
+                -y
+            )
+        }
+        Mark::Circle(r) => writeln!(svg, "<circle r=\"{r:.4}\" {line}/>"),
+        Mark::Line(at) => writeln!(svg, "<polyline points=\"{}\" {line}/>", path(at)),
+        Mark::Words([x, y], h, words) => {
+            writeln!(
+                svg,
+                "<text x=\"{x:.3}\" y=\"{:.3}\" font-size=\"{h}\">{words}</text>",
+                -y
+            )
+        }
+    };
+}
+
+/// One mark in PDF's words; in millimetres, y up.
+fn drawn(to: &mut String, mark: &Mark) {
+    let _ = match mark {
+        Mark::Fill(corners, grey) => {
+            let mut path = String::new();
+            for (i, [x, y]) in corners.iter().enumerate() {
+                let _ = write!(path, "{x:.4} {y:.4} {} ", if i == 0 { "m" } else { "l" });
+            }
+            writeln!(to, "{grey:.3} g {path}h f")
+        }
+        Mark::Dot([x, y], r, grey) => writeln!(to, "{grey:.3} g {}f", round([*x, *y], *r)),
+        Mark::Circle(r) => writeln!(to, "0.5 G 0.2 w {}S", round([0.0; 2], *r)),
+        Mark::Line(at) => {
+            let mut path = String::new();
+            for (i, [x, y]) in at.iter().enumerate() {
+                let _ = write!(path, "{x:.4} {y:.4} {} ", if i == 0 { "m" } else { "l" });
+            }
+            writeln!(to, "0.5 G 0.2 w {path}S")
+        }
+        Mark::Words([x, y], h, words) => {
+            let safe: String = words
+                .chars()
+                .filter(|c| c.is_ascii() && !"()\\".contains(*c))
+                .collect();
+            writeln!(to, "0 g BT /F {h:.2} Tf {x:.3} {y:.3} Td ({safe}) Tj ET")
+        }
+    };
+}
+
+/// A circle's path, four Bézier arcs.
+fn round([x, y]: [f64; 2], r: f64) -> String {
+    let k = r * 0.552_284_75;
+    let mut path = format!("{:.4} {y:.4} m ", x + r);
+    for [a, b, c, d, e, f] in [
+        [r, k, k, r, 0.0, r],
+        [-k, r, -r, k, -r, 0.0],
+        [-r, -k, -k, -r, 0.0, -r],
+        [k, -r, r, -k, r, 0.0],
+    ] {
+        let _ = write!(
+            path,
+            "{:.4} {:.4} {:.4} {:.4} {:.4} {:.4} c ",
+            x + a,
+            y + b,
+            x + c,
+            y + d,
+            x + e,
+            y + f
+        );
+    }
+    path
+}
+
+/// The pages' corners: lower left of what each shows of the mat, and the size of that. \[mm\]
+pub fn tiles(across_mm: f64, paper: &Paper) -> (Vec<[f64; 2]>, [f64; 2]) {
+    let m = paper.margin_mm;
+    let room = [
+        paper.size_mm[0] - 2.0 * m,
+        paper.size_mm[1] - 2.0 * m - FOOT,
+    ];
+    let whole = across_mm + 2.0;
+    let count = room.map(|r| (((whole - OVERLAP) / (r - OVERLAP)).ceil() as usize).max(1));
+    let start = [0, 1].map(|i| -(count[i] as f64 * (room[i] - OVERLAP) + OVERLAP) / 2.0);
+    let mut corners = Vec::new();
+    for row in (0..count[1]).rev() {
+        for column in 0..count[0] {
+            corners.push([
+                start[0] + column as f64 * (room[0] - OVERLAP),
+                start[1] + row as f64 * (room[1] - OVERLAP),
+            ]);
+        }
+    }
+    (corners, room)
+}
+
+/// PDF at true scale: the mat, one page a tile, with cut marks where pages meet; then the rim's
+/// pieces, cut along their outlines. A ruler of 100 mm on each.
+pub fn to_pdf(
+    marks: &[Mark],
+    across_mm: f64,
+    paper: &Paper,
+    note: &str,
+    pieces: &[Piece],
+) -> Vec<u8> {
+    let (corners, room) = tiles(across_mm, paper);
+    let stacks = stacks(pieces, room[1]);
+    let (m, of) = (paper.margin_mm, corners.len() + stacks.len());
+    let tile = |(i, [x, y]): (usize, &[f64; 2])| {
+        let (left, low) = (m, m + FOOT);
+        let mut page = format!(
+            "{POINT:.8} 0 0 {POINT:.8} 0 0 cm\nq {left} {low} {} {} re W n\n",
+            room[0], room[1]
+        );
+        let _ = writeln!(page, "1 0 0 1 {:.4} {:.4} cm", left - x, low - y);
+        marks.iter().for_each(|mark| drawn(&mut page, mark));
+        page.push_str("Q\n0 G 0.15 w\n");
+        // Where neighbours meet: the middle of the overlap, marked at the picture's edges.
+        let (right, high) = (left + room[0], low + room[1]);
+        let mut line = |[a, b]: [f64; 2], [c, d]: [f64; 2]| {
+            let _ = writeln!(page, "{a:.3} {b:.3} m {c:.3} {d:.3} l S");
+        };
+        for cut in [left + OVERLAP / 2.0, right - OVERLAP / 2.0] {
+            line([cut, low - 4.0], [cut, low]);
+            line([cut, high], [cut, high + 4.0]);
+        }
+        for cut in [low + OVERLAP / 2.0, high - OVERLAP / 2.0] {
+            line([left - 4.0, cut], [left, cut]);
+            line([right, cut], [right + 4.0, cut]);
+        }
+        foot(&mut page, m, i, of, note);
+        page
+    };
+    let stack = |(i, pieces): (usize, &&[Piece])| {
+        let mut page = format!("{POINT:.8} 0 0 {POINT:.8} 0 0 cm\n");
+        let mut low = m + FOOT + room[1];
+        for piece in *pieces {
+            low -= piece.size_mm[1];
+            let _ = writeln!(page, "q 1 0 0 1 {m:.4} {low:.4} cm");
+            piece.marks.iter().for_each(|mark| drawn(&mut page, mark));
+            page.push_str("Q\n");
+            low -= GAP;
+        }
+        foot(&mut page, m, corners.len() + i, of, note);
+        page
+    };
+    let mut pages: Vec<String> = corners.iter().enumerate().map(tile).collect();
+    pages.extend(stacks.iter().enumerate().map(stack));
+    assembled(&pages, paper.size_mm)
+}
+
+/// Pieces that go onto one page each, above each other; at least one.
+fn stacks(pieces: &[Piece], room_mm: f64) -> Vec<&[Piece]> {
+    let tall = |p: &Piece| p.size_mm[1] + GAP;
+    let a_page = pieces
+        .first()
+        .map_or(1.0, |p| ((room_mm + GAP) / tall(p)).floor());
+    pieces.chunks((a_page as usize).max(1)).collect()
+}
+
+/// The ruler and the words at a page's foot.
+fn foot(page: &mut String, m: f64, i: usize, of: usize, note: &str) {
+    let _ = writeln!(page, "0 G 0.3 w {m} {m} m {} {m} l S", m + 100.0);
+    for tick in 0..=10 {
+        let at = m + f64::from(tick) * 10.0;
+        let high = m + if tick % 5 == 0 { 3.0 } else { 2.0 };
+        let _ = writeln!(page, "{at} {m} m {at} {high} l S");
+    }
+    let words = format!(
+        "page {} of {of} - print at 100 %; this line is 100 mm; for capture.toml:",
+        i + 1
+    );
+    drawn(page, &Mark::Words([m, m + 9.0], 2.2, words));
+    for (line, part) in note.split("\n[").enumerate() {
+        let bracket = if line > 0 { "[" } else { "" };
+        let words = format!("{bracket}{}", part.replace('\n', "  "));
+        let at = [m, m + 6.4 - 2.6 * line as f64];
+        drawn(page, &Mark::Words(at, 2.2, words));
+    }
+}
+
+/// A PDF file of pages (ISO 32000-1, §7.5).
+fn assembled(pages: &[String], [width, height]: [f64; 2]) -> Vec<u8> {
+    let mut objects = vec!["<< /Type /Catalog /Pages 2 0 R >>".to_owned()];
+    let kids: Vec<String> = (0..pages.len())
+        .map(|i| format!("{} 0 R", 4 + 2 * i))
+        .collect();
+    objects.push(format!(
+        "<< /Type /Pages /Kids [{}] /Count {} >>",
+        kids.join(" "),
+        pages.len()
+    ));
+    objects.push("<< /Type /Font /Subtype /Type1 /BaseFont /Helvetica >>".to_owned());
+    for (i, page) in pages.iter().enumerate() {
+        objects.push(format!(
+            "<< /Type /Page /Parent 2 0 R /MediaBox [0 0 {:.3} {:.3}] /Resources << /Font << /F 3 0 R >> >> /Contents {} 0 R >>",
+            width * POINT,
+            height * POINT,
+            5 + 2 * i
+        ));
+        objects.push(format!(
+            "<< /Length {} >>\nstream\n{page}\nendstream",
+            page.len() + 1
+        ));
+    }
+    let mut file = String::from("%PDF-1.4\n");
+    let mut places = Vec::new();
+    for (i, object) in objects.iter().enumerate() {
+        places.push(file.len());
+        let _ = write!(file, "{} 0 obj\n{object}\nendobj\n", i + 1);
+    }
+    let table = file.len();
+    let _ = write!(file, "xref\n0 {}\n0000000000 65535 f \n", objects.len() + 1);
+    for place in places {
+        let _ = writeln!(file, "{place:010} 00000 n ");
+    }
+    let _ = write!(
+        file,
+        "trailer\n<< /Size {} /Root 1 0 R >>\nstartxref\n{table}\n%%EOF\n",
+        objects.len() + 1
+    );
+    file.into_bytes()
+}

@@ -1,0 +1,136 @@
+//! Tags on the disk's rim beside those on the disk: the third number of the lens.
+//!
+//! Marks of known size that do not lie on the disk tell what a turned plane leaves open. Only the
+//! sizes of the tags are taken at their word; see [`crate::adjust::rim`].
+
+use crate::adjust::bundle::Fit;
+use crate::adjust::rim::{OnRim, met};
+use crate::adjust::scene::{Beliefs, Scene, Settings, Sight};
+use crate::calibration::params::CalibrateParams;
+use crate::mat::bloom::{adjust_tags, scatter_px};
+use nalgebra::{Point3, Vector2};
+use shape::{Camera, Rim, Tag};
+use std::collections::BTreeMap;
+
+/// How far along the rim and how deep a tag may sit from where it seems to at first. \[mm\]
+pub(crate) const GLUE_MM: f64 = 5.0;
+/// A tag that is seen more aslant than this (cosine) is left out.
+const ASLANT: f64 = 0.45;
+/// And one with a side shorter than this. \[px\]
+const SHORTEST_PX: f64 = 10.0;
+/// Fewest sightings of tags that are worth it.
+const LEAST: usize = 8;
+/// Corners that scatter more than this are not of the strip that was told of. \[px\]
+const MOST_PX: f64 = 0.4;
+
+/// Cameras that know the rim, too.
+pub(crate) struct Better {
+    pub(crate) scene: Scene,
+    pub(crate) sights: Vec<Sight>,
+    pub(crate) fit: Fit,
+    /// How many tags were used.
+    pub(crate) tags: usize,
+}
+
+/// Why the rim is of no use.
+#[derive(Debug, thiserror::Error)]
+pub(crate) enum RimError {
+    #[error(
+        "capture.toml tells of tags on the disk's rim, but only {0} sightings of them are good for anything: check `[rim]` (ids, count, radius), the light on the rim, and that it is in view"
+    )]
+    Unseen(usize),
+    #[error(
+        "the tags on the disk's rim lie {rim:.2} px from where they should be, those on the disk {mat:.2} px: they were left out; measure a printed tag and the disk, and check `tag_size_mm` and `radius_mm` of `[rim]`"
+    )]
+    Misfit { rim: f64, mat: f64 },
+}
+
+/// Adjusts cameras that follow from the mat once more, to mat and rim. `tags`: those of each camera.
+pub(crate) fn with_rim(
+    scene: &Scene,
+    sights: &[Sight],
+    rim: &Rim,
+    tags: &[&Vec<Tag>],
+    beliefs: &Beliefs,
+    settings: &Settings,
+    p: &CalibrateParams,
+) -> Result<Better, RimError> {
+    let mut middles: BTreeMap<u32, Vec<[f64; 2]>> = BTreeMap::new();
+    let mut seen: Vec<(usize, &Tag)> = Vec::new();
+    for (camera, tags) in tags.iter().enumerate() {
+        let eye = Camera {
+            lens: scene.lens,
+            pose: scene.poses[camera],
+        };
+        let ids = rim.first_id..rim.first_id + rim.count;
+        for tag in tags.iter().filter(|t| ids.contains(&t.id)) {
+            if let Some(middle) = middle(&eye, tag, rim) {
+                middles.entry(tag.id).or_default().push(middle);
+                seen.push((camera, tag));
+            }
+        }
+    }
+    if seen.len() < LEAST {
+        return Err(RimError::Unseen(seen.len()));
+    }
+    let place: BTreeMap<u32, usize> = middles.keys().copied().zip(0..).collect();
+    let first = scene.points.len();
+    let on_rim = OnRim::new(rim, first, middles.values().map(|m| amid(m)).collect());
+    let (mut scene, mut sights) = (scene.clone(), sights.to_vec());
+    scene.points.extend(on_rim.corners());
+    scene.known = scene.points.len();
+    scene.rim = Some(on_rim);
+    let on_disk = sights.len();
+    for (camera, tag) in seen {
+        for (k, at_px) in tag.corners.into_iter().enumerate() {
+            sights.push(Sight {
+                camera,
+                point: first + 4 * place[&tag.id] + k,
+                at_px,
+                sigma_px: p.tag_px,
+            });
+        }
+    }
+    let fit = adjust_tags(&mut scene, &mut sights, beliefs, settings, p.bloom_px);
+    let (mat, rim) = (
+        scatter_px(&scene, &sights[..on_disk]),
+        scatter_px(&scene, &sights[on_disk..]),
+    );
+    if rim > MOST_PX.max(4.0 * mat) {
+        return Err(RimError::Misfit { rim, mat });
+    }
+    Ok(Better {
+        scene,
+        sights,
+        fit,
+        tags: middles.len(),
+    })
+}
+
+/// Where a tag's middle lies on the rim, if it is seen well: angle and height. \[rad, mm\]
+fn middle(eye: &Camera, tag: &Tag, rim: &Rim) -> Option<[f64; 2]> {
+    let corners = tag.corners.map(Vector2::from);
+    let side = |i: usize| (corners[(i + 1) % 4] - corners[i]).norm();
+    let px = corners.iter().sum::<Vector2<f64>>() / 4.0;
+    let (angle, height) = met(eye, px.into(), rim.radius_mm)?;
+    let (sin, cos) = angle.sin_cos();
+    let at = Point3::new(rim.radius_mm * cos, rim.radius_mm * sin, height);
+    let to = (eye.centre() - at).normalize();
+    let facing = to.x * cos + to.y * sin > ASLANT;
+    (facing && (0..4).all(|i| side(i) > SHORTEST_PX)).then_some([angle, height])
+}
+
+/// The median of heights, and of angles about the first.
+fn amid(all: &[[f64; 2]]) -> [f64; 2] {
+    use std::f64::consts::{PI, TAU};
+    let median = |mut v: Vec<f64>| {
+        v.sort_by(f64::total_cmp);
+        v[v.len() / 2]
+    };
+    let first = all[0][0];
+    let about = |a: &[f64; 2]| (a[0] - first + PI).rem_euclid(TAU) - PI;
+    [
+        first + median(all.iter().map(about).collect()),
+        median(all.iter().map(|a| a[1]).collect()),
+    ]
+}

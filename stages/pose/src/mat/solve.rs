@@ -1,0 +1,220 @@
+//! Cameras from a marker mat: poses from its plane, then one adjustment of all.
+//!
+//! All photos see one plane turned about its own normal: up to the turn that is one homography, and
+//! a homography tells two numbers of a lens (Zhang 2000, §2.4), not three. Focal length, the centre's
+//! row and the camera's tilt trade off; what is believed of the centre decides (8 px of 2400 are
+//! 0.1 % of focal length and 0.15 % of distance), and `scale_sigma` says how much is left open. Tags
+//! on the disk's rim tell the third.
+
+use crate::adjust::bundle::adjust;
+use crate::adjust::rim::RimBelief;
+use crate::adjust::scene::{Beliefs, Scene, Sight};
+use crate::calibration::found::Found;
+use crate::calibration::params::CalibrateParams;
+use crate::calibration::prior::{as_given, knows_focal, lens_prior, settings};
+use crate::calibration::trust::{median_px, nudged, uneven, view, warnings};
+use crate::mat::bloom::adjust_tags;
+use crate::mat::corners::mat_corners;
+use crate::mat::planar::planar_pose;
+use crate::mat::rim::{GLUE_MM, with_rim};
+use crate::two_view::triangulate::{self, Seen};
+use nalgebra::Point3;
+use shape::{
+    ByPhoto, Camera, Cameras, Intrinsics, Mat, PhotoId, Photos, Pose, Scale, Tag, Tags, Tracks,
+    View,
+};
+
+/// Why a mat gives no cameras.
+#[derive(Debug, thiserror::Error)]
+pub enum MatError {
+    /// Too few photos show it.
+    #[error(
+        "only {seen} of {of} photos show two tags of the mat: check `[mat]` in capture.toml (family, ids, count), the light on the disk, and that it is in view"
+    )]
+    Unseen {
+        /// How many do.
+        seen: usize,
+        /// How many photos there are.
+        of: usize,
+    },
+    /// It does not fit.
+    #[error(
+        "the mat does not fit what `[mat]` in capture.toml says: its tags are seen {rms:.1} px from where they should be; check tag size, ring radius and ids"
+    )]
+    Misfit {
+        /// Root mean square. \[px\]
+        rms: f64,
+    },
+}
+
+/// Calibrates from tags, and from features that move with the disk.
+pub(crate) fn calibrate(
+    photos: &Photos,
+    lens: &Intrinsics,
+    mat: &Mat,
+    tags: &Tags,
+    tracks: Option<&Tracks>,
+    p: &CalibrateParams,
+) -> Result<Found, MatError> {
+    let placed: Vec<(PhotoId, Pose, &Vec<Tag>)> = tags
+        .views
+        .iter()
+        .filter_map(|(id, tags)| Some((id, pose(lens, mat, tags)?, tags)))
+        .collect();
+    let of = photos.photos.len();
+    if placed.len() < 3 {
+        return Err(MatError::Unseen {
+            seen: placed.len(),
+            of,
+        });
+    }
+    let mut scene = Scene {
+        lens: *lens,
+        poses: placed.iter().map(|(_, pose, _)| *pose).collect(),
+        ring: None,
+        points: vec![],
+        known: 0,
+        rim: None,
+    };
+    let mut sights = Vec::new();
+    for (camera, (_, _, tags)) in placed.iter().enumerate() {
+        for tag in tags.iter() {
+            let Some(corners) = mat_corners(mat, tag.id) else {
+                continue;
+            };
+            for (corner, at_px) in corners.iter().zip(tag.corners) {
+                sights.push(Sight {
+                    camera,
+                    point: scene.points.len(),
+                    at_px,
+                    sigma_px: p.tag_px,
+                });
+                scene.points.push(*corner);
+            }
+        }
+    }
+    scene.known = scene.points.len();
+    let prior = as_given(
+        lens_prior(lens, knows_focal(&photos.rig), p),
+        &photos.rig,
+        p,
+    );
+    let beliefs = Beliefs {
+        lens: prior,
+        steps: None,
+        rim: photos.rig.rim.map(|_| RimBelief {
+            round_mm: p.rim_round_mm,
+            stretch: p.rim_stretch,
+            glue_mm: GLUE_MM,
+        }),
+    };
+    let settings = settings(p);
+    let mut fit = adjust_tags(&mut scene, &mut sights, &beliefs, &settings, p.bloom_px);
+    if fit.rms_px > 3.0 * p.tag_px.max(0.3) || median_px(&scene, &sights) > 2.0 {
+        return Err(MatError::Misfit {
+            rms: median_px(&scene, &sights),
+        });
+    }
+    let (mut rim_tags, mut rim_warning) = (0, None);
+    if let Some(rim) = &photos.rig.rim {
+        let own: Vec<&Vec<Tag>> = placed.iter().map(|(_, _, tags)| *tags).collect();
+        match with_rim(&scene, &sights, rim, &own, &beliefs, &settings, p) {
+            Ok(better) => {
+                rim_tags = better.tags;
+                (scene, sights, fit) = (better.scene, better.sights, better.fit);
+            }
+            Err(why) => rim_warning = Some(why.to_string()),
+        }
+    }
+    let mut used_tracks = 0;
+    let ids: Vec<PhotoId> = placed.iter().map(|(id, ..)| *id).collect();
+    let mut points = vec![];
+    if let Some(tracks) = tracks {
+        let seen = triangulate::triangulated(&scene.lens, &scene.poses, &ids, tracks, 4.0);
+        points = seen
+            .iter()
+            .map(|s| s.point.coords.map(|x| x as f32).into())
+            .collect();
+        let rigid = triangulate::median_residual(&seen) < 1.2 * p.feature_px;
+        let radius = mat.ring_mm + mat.tag_mm / 2.0;
+        let on_disk = |s: &&Seen| s.point.z.abs() < 4.0 && s.point.x.hypot(s.point.y) < radius;
+        let keep: Vec<&Seen> = seen.iter().filter(|s| rigid || on_disk(s)).collect();
+        used_tracks = keep.len();
+        for track in keep {
+            for (camera, at_px) in &track.sights {
+                let (camera, at_px) = (*camera, *at_px);
+                sights.push(Sight {
+                    camera,
+                    point: scene.points.len(),
+                    at_px,
+                    sigma_px: p.feature_px,
+                });
+            }
+            scene.points.push(track.point);
+        }
+        fit = adjust(&mut scene, &sights, &beliefs, &settings);
+    }
+    let mut warnings = warnings(photos, &ids, &scene, &fit, &prior);
+    warnings.extend(nudged(photos, &ids, &scene.poses));
+    warnings.extend(uneven(photos, &ids, &scene.poses));
+    warnings.extend(rim_warning);
+    let view = |(camera, (id, ..)): (usize, &(PhotoId, Pose, &Vec<Tag>))| {
+        (*id, view(photos, *id, camera, &scene, &sights, &fit))
+    };
+    let views: ByPhoto<View> = placed.iter().enumerate().map(view).collect();
+    let disk = photos.rig.disk_diameter_mm.map(|d| d / 2.0);
+    let cameras = Cameras {
+        views,
+        scale: Scale::Mat,
+        scale_sigma: Some(fit.size_sigma),
+        disk_radius_mm: disk,
+        ground_mm: 0.0,
+        points,
+    };
+    Ok(Found {
+        cameras,
+        fit,
+        warnings,
+        used_tracks,
+        rim_tags,
+    })
+}
+
+/// The pose of one camera from its tags, bad ones left out.
+fn pose(lens: &Intrinsics, mat: &Mat, tags: &[Tag]) -> Option<Pose> {
+    let mut pairs: Vec<([f64; 2], [f64; 2])> = Vec::new();
+    for tag in tags {
+        let Some(corners) = mat_corners(mat, tag.id) else {
+            continue;
+        };
+        pairs.extend(
+            corners
+                .iter()
+                .zip(tag.corners)
+                .map(|(c, px)| ([c.x, c.y], px)),
+        );
+    }
+    for _ in 0..3 {
+        if pairs.len() < 8 {
+            return None;
+        }
+        let found = planar_pose(lens, &pairs)?;
+        let camera = Camera {
+            lens: *lens,
+            pose: found,
+        };
+        let off = |(p, px): &([f64; 2], [f64; 2])| {
+            let at = camera.project(&Point3::new(p[0], p[1], 0.0));
+            at.map_or(f64::MAX, |at| (at.x - px[0]).hypot(at.y - px[1]))
+        };
+        let mut all: Vec<f64> = pairs.iter().map(off).collect();
+        all.sort_by(f64::total_cmp);
+        let most = (all[all.len() / 2] * 5.0).max(1.5);
+        let before = pairs.len();
+        pairs.retain(|pair| off(pair) <= most);
+        if pairs.len() == before {
+            return Some(found);
+        }
+    }
+    planar_pose(lens, &pairs)
+}

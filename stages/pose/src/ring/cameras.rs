@@ -1,0 +1,109 @@
+//! What was adjusted without a mat becomes cameras, or a refusal that says why.
+
+use crate::adjust::bundle::Fit;
+use crate::adjust::lens::LensPrior;
+use crate::adjust::scene::{Scene, Sight};
+use crate::calibration::found::Found;
+use crate::calibration::params::{CalibrateParams, Motion};
+use crate::calibration::prior::knows_focal;
+use crate::calibration::trust::{misfits, nudged, view, warnings};
+use crate::frame::circle::{camera_circle, in_ring_frame};
+use crate::ring::error::TracksError;
+use crate::ring::trial::RING_MM;
+use shape::{ByPhoto, Cameras, PhotoId, Photos, Scale, View};
+
+/// An adjusted scene without a scale.
+pub(crate) struct Solved {
+    /// The photo of each camera, rising.
+    pub(crate) ids: Vec<PhotoId>,
+    pub(crate) scene: Scene,
+    pub(crate) sights: Vec<Sight>,
+    pub(crate) fit: Fit,
+    /// How much of the features it explains.
+    pub(crate) share: f64,
+    pub(crate) prior: LensPrior,
+}
+
+/// Fewest features that hold a camera.
+const LEAST: u32 = 12;
+
+/// The cameras, on a ring about the z axis, and what the user should know of them.
+pub(crate) fn told(
+    photos: &Photos,
+    solved: &Solved,
+    p: &CalibrateParams,
+) -> Result<Found, TracksError> {
+    let (scene, fit, share) = (&solved.scene, &solved.fit, solved.share);
+    let longest = f64::from(scene.lens.width.max(scene.lens.height));
+    let most = p.most_px * (longest / 2400.0).max(1.0);
+    if fit.rms_px > most {
+        return Err(TracksError::Loose {
+            rms: fit.rms_px,
+            most,
+        });
+    }
+    let view = |(camera, id): (usize, &PhotoId)| {
+        (*id, view(photos, *id, camera, scene, &solved.sights, fit))
+    };
+    let views: ByPhoto<View> = solved.ids.iter().enumerate().map(view).collect();
+    let points = scene
+        .points
+        .iter()
+        .map(|p| p.coords.map(|x| x as f32).into());
+    let cameras = Cameras {
+        views,
+        scale: Scale::Nothing,
+        scale_sigma: None,
+        disk_radius_mm: None,
+        ground_mm: 0.0,
+        points: points.collect(),
+    };
+    let off = camera_circle(&cameras).map_or(f64::INFINITY, |c| c.rms / c.radius);
+    if off > p.off_ring {
+        return Err(TracksError::NoRing { off: off * 100.0 });
+    }
+    let adrift: Vec<&str> = cameras
+        .views
+        .values()
+        .filter(|v| v.points < LEAST)
+        .map(|v| v.name.as_str())
+        .collect();
+    if 4 * adrift.len() > cameras.views.values().count() {
+        return Err(TracksError::Adrift {
+            few: adrift.len(),
+            of: cameras.views.values().count(),
+            least: LEAST,
+            names: adrift[..adrift.len().min(5)].join(", "),
+        });
+    }
+    let cameras = in_ring_frame(&cameras, RING_MM);
+    let mut turned = scene.clone();
+    turned.poses = cameras.views.values().map(|v| v.camera.pose).collect();
+    let mut warnings = warnings(photos, &solved.ids, &turned, fit, &solved.prior);
+    if p.motion != Motion::Any {
+        warnings.extend(nudged(photos, &solved.ids, &turned.poses));
+    }
+    warnings.extend(misfits(&cameras));
+    for view in cameras.views.values().filter(|v| v.points < 30) {
+        warnings.push(format!(
+            "{} holds on to only {} features: its camera follows from those of the others; is it in its place in the turning order?",
+            view.name, view.points
+        ));
+    }
+    if share < 0.5 {
+        warnings.push(format!(
+            "only {:.0} % of the features fit the cameras: look at the camera ring before you trust it",
+            share * 100.0
+        ));
+    }
+    if !knows_focal(&photos.rig) && fit.lens_sigma[0] > 0.02 * scene.lens.focal[0] {
+        warnings.push("the focal length is unknown and the photos hardly tell it: give `focal_35mm` in capture.toml".into());
+    }
+    Ok(Found {
+        cameras,
+        used_tracks: scene.points.len(),
+        rim_tags: 0,
+        fit: fit.clone(),
+        warnings,
+    })
+}

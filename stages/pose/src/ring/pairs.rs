@@ -1,0 +1,63 @@
+//! What photos near each other in a turn have in common, from tracks.
+
+use crate::ring::start::Pair;
+use nalgebra::Vector2;
+use shape::{Sighting, Tracks};
+
+/// How far apart in the turn photos are compared.
+const REACH: usize = 3;
+/// Fewest common features of a pair.
+const LEAST: usize = 12;
+/// Features that move less than this belong to what does not turn. \[px\]
+const STILL_PX: f64 = 1.0;
+
+/// The pairs of photos with enough in common, pixels from the photo's middle; the turn may close.
+pub(crate) fn pairs(tracks: &Tracks, photos: usize, middle: [f64; 2]) -> Vec<Pair> {
+    let mut seen: Vec<Vec<[Vector2<f64>; 2]>> = vec![Vec::new(); photos * photos];
+    let centred = |at: [f32; 2]| {
+        let at = at.map(f64::from);
+        Vector2::new(at[0] - middle[0], at[1] - middle[1])
+    };
+    for track in &tracks.points {
+        for (k, a) in track.iter().enumerate() {
+            for b in &track[k + 1..] {
+                let (i, j) = (a.photo.0.min(b.photo.0), a.photo.0.max(b.photo.0));
+                let (i, j) = (i as usize, j as usize);
+                let gap = j - i;
+                if j >= photos || gap == 0 || gap.min(photos - gap) > REACH {
+                    continue;
+                }
+                let (first, second) = if a.photo <= b.photo { (a, b) } else { (b, a) };
+                let both = [centred(first.at_px), centred(second.at_px)];
+                if (both[0] - both[1]).norm() > STILL_PX {
+                    seen[i * photos + j].push(both);
+                }
+            }
+        }
+    }
+    seen.into_iter()
+        .enumerate()
+        .filter(|(_, seen)| seen.len() >= LEAST)
+        .map(|(at, seen)| Pair {
+            from: at / photos,
+            to: at % photos,
+            seen,
+        })
+        .collect()
+}
+
+/// At most `most` tracks, longer ones first, spread over all.
+pub(crate) fn chosen(tracks: &Tracks, most: usize) -> Tracks {
+    let mut order: Vec<usize> = (0..tracks.points.len()).collect();
+    order.sort_by_key(|i| {
+        let long = tracks.points[*i].len().min(6);
+        (
+            std::cmp::Reverse(long),
+            (*i as u64).wrapping_mul(0x9E37_79B9_7F4A_7C15),
+        )
+    });
+    order.truncate(most);
+    order.sort_unstable();
+    let points: Vec<Vec<Sighting>> = order.iter().map(|i| tracks.points[*i].clone()).collect();
+    Tracks { points }
+}

@@ -1,0 +1,168 @@
+//! Cameras without a mat: a turn about an unknown axis from features alone, then one adjustment.
+
+use crate::adjust::bundle::adjust;
+use crate::adjust::scene::{Beliefs, Scene, Steps};
+use crate::calibration::found::Found;
+use crate::calibration::params::{CalibrateParams, Motion};
+use crate::calibration::prior::{as_given, focals, knows_focal, lens_prior, settings};
+use crate::calibration::trust::median_px;
+use crate::ring::any_order::grown;
+use crate::ring::cameras::{Solved, told};
+use crate::ring::error::TracksError;
+use crate::ring::pairs::{chosen, pairs};
+use crate::ring::places::{out_of_place, placed};
+use crate::ring::start::{Known, starts};
+use crate::ring::trial::{filled, spread_px, tried_out};
+use crate::two_view::triangulate::triangulated;
+use shape::{Intrinsics, PhotoId, Photos, Tracks};
+
+/// Calibrates from features that move with the disk.
+pub(crate) fn calibrate(
+    photos: &Photos,
+    lens: &Intrinsics,
+    tracks: &Tracks,
+    p: &CalibrateParams,
+) -> Result<Found, TracksError> {
+    if p.motion == Motion::Any {
+        return told(photos, &grown(photos, lens, tracks, p)?, p);
+    }
+    let count = photos.photos.len();
+    let ids: Vec<PhotoId> = photos.iter().map(|(id, _)| id).collect();
+    let shared = pairs(tracks, count, lens.centre);
+    let neighbours = shared.iter().filter(|p| p.to == p.from + 1).count();
+    if count < 3 || neighbours + 1 < count.div_ceil(2) {
+        return Err(TracksError::Apart {
+            pairs: neighbours,
+            of: count.saturating_sub(1),
+        });
+    }
+    let known_focal = knows_focal(&photos.rig);
+    let known = Known {
+        photos: count,
+        focals_px: focals(photos, lens),
+        free_focal: !known_focal,
+        step: photos.rig.step.map(f64::abs),
+    };
+    let tried = starts(&shared, &known);
+    let few = chosen(tracks, 500);
+    let mut best: Option<(f64, Scene, Vec<i32>)> = None;
+    for start in &tried {
+        let (start, places) = match known.step {
+            Some(_) => placed(&shared, start),
+            None => (start.clone(), (0..count as i32).collect()),
+        };
+        let (score, scene) = tried_out(lens, &start, &ids, &few, p);
+        if best.as_ref().is_none_or(|(most, ..)| score > *most) {
+            best = Some((score, scene, places));
+        }
+    }
+    let Some((_, mut scene, places)) = best else {
+        return Err(TracksError::Apart {
+            pairs: neighbours,
+            of: count - 1,
+        });
+    };
+    let many = chosen(tracks, p.most_tracks as usize);
+    let mut beliefs = beliefs(lens, photos, &scene, &places, p);
+    let mut sigma_px = p.feature_px;
+    let mut sights = vec![];
+    let mut fit = None;
+    for round in 0..3 {
+        let most = if round == 0 { 16.0 } else { 8.0 * sigma_px };
+        let seen = triangulated(&scene.lens, &scene.poses, &ids, &many, most);
+        sigma_px = spread_px(&seen).max(p.feature_px);
+        sights = filled(&mut scene, &seen, sigma_px);
+        fit = Some(adjust(&mut scene, &sights, &beliefs, &settings(p)));
+    }
+    let free = match p.motion {
+        Motion::Auto => photos.rig.step.is_none(),
+        Motion::Ring => false,
+        Motion::Free | Motion::Any => true,
+    };
+    // A rigid subject is seen as well from a ring as from free cameras; one that sways is not.
+    let swaying = !free && {
+        let mut loose = scene.clone();
+        loose.ring = None;
+        adjust(&mut loose, &sights, &beliefs, &settings(p));
+        median_px(&scene, &sights) > p.sway_ratio * median_px(&loose, &sights)
+    };
+    if swaying {
+        // Sway is alike in all features of a photo, so that many of them know no better than one:
+        // they would bend the lens (3 % of focal length at 12 mm of sway) and the steps.
+        let believed = beliefs.lens.sigma;
+        beliefs.lens.sigma = believed.map(|s| s * 1e-3);
+        beliefs.steps.iter_mut().for_each(|s| s.sigma *= 0.01);
+        // What is held is no better known for that, and nothing tells how far sway moved cameras.
+        fit = Some(crate::adjust::bundle::Fit {
+            lens_sigma: believed,
+            sigma_mm: vec![None; count],
+            ..adjust(&mut scene, &sights, &beliefs, &settings(p))
+        });
+    }
+    if free {
+        scene.ring = None;
+        for _ in 0..3 {
+            let seen = triangulated(&scene.lens, &scene.poses, &ids, &many, 8.0 * sigma_px);
+            sigma_px = spread_px(&seen).max(p.feature_px);
+            sights = filled(&mut scene, &seen, sigma_px);
+            fit = Some(adjust(&mut scene, &sights, &beliefs, &settings(p)));
+        }
+    }
+    let fit = fit.expect("bug: no round was adjusted");
+    let share = scene.points.len() as f64 / many.points.len().max(1) as f64;
+    if share < 0.2 {
+        return Err(TracksError::Unexplained {
+            share: share * 100.0,
+        });
+    }
+    let mut found = told(
+        photos,
+        &Solved {
+            ids,
+            scene,
+            sights,
+            fit,
+            share,
+            prior: beliefs.lens,
+        },
+        p,
+    )?;
+    let names: Vec<&str> = photos.photos.iter().map(|p| p.name.as_str()).collect();
+    let step_deg = known.step.unwrap_or(0.0).to_degrees();
+    found
+        .warnings
+        .extend(out_of_place(&names, &places, step_deg));
+    if swaying {
+        found.warnings.push(
+            "the subject moved against the disk (free cameras would follow it): lens and steps were held at what EXIF and capture.toml say, and how sure the cameras are cannot be told".into(),
+        );
+    }
+    Ok(found)
+}
+
+/// What is believed of lens and ring once the direction of the turn and the photos' places are known.
+fn beliefs(
+    lens: &Intrinsics,
+    photos: &Photos,
+    scene: &Scene,
+    places: &[i32],
+    p: &CalibrateParams,
+) -> Beliefs {
+    let sign = scene.ring.as_ref().and_then(|r| r.angles.last().copied());
+    let sign = sign.unwrap_or(1.0).signum();
+    Beliefs {
+        lens: as_given(
+            lens_prior(lens, knows_focal(&photos.rig), p),
+            &photos.rig,
+            p,
+        ),
+        steps: photos.rig.step.map(|step| Steps {
+            turns: places
+                .windows(2)
+                .map(|w| f64::from(w[1] - w[0]) * step.abs() * sign)
+                .collect(),
+            sigma: p.step_sigma_deg.to_radians(),
+        }),
+        rim: None,
+    }
+}

@@ -1,0 +1,130 @@
+//! The stage that finds the marker tags on the photos.
+
+use crate::tags::corners::refined;
+use rayon::prelude::*;
+use shape::{ByPhoto, Photo, PhotoId, Photos, Tag, Tags};
+use stage::{Ctx, Stage, Stop};
+use std::sync::Arc;
+
+stage::params! {
+    /// How tags are searched.
+    pub struct TagsParams {
+        /// Factor by which the photo is reduced before quads are searched; corners are refined at
+        /// full size.
+        #[range(1.0..=8.0)]
+        decimate: f64 = 1.0,
+        /// Wrong bits of a tag that are corrected.
+        #[range(0..=3)]
+        correct_bits: u32 = 1,
+    }
+}
+
+stage::inputs! {
+    /// Photos.
+    pub struct TagsInput {
+        /// The photos to search.
+        photos: Arc<Photos>,
+    }
+}
+
+/// A detector that cannot be set up.
+#[derive(Debug, thiserror::Error)]
+#[error("the tag detector cannot be set up: {0}")]
+pub struct NoDetector(String);
+
+/// Of a pixel: its colours, its brightness, what the detector makes of it. \[bytes\]
+const TAGS_PIXEL: u64 = 48;
+
+/// `pose.tags`: photos → tags.
+pub struct FindTags;
+
+impl Stage for FindTags {
+    const NAME: &'static str = "pose.tags";
+    const VERSION: u32 = 1;
+    const ABOUT: &'static str =
+        "Finds AprilTags (family 36h11, Olson 2011) and their corners to a part of a pixel.";
+    type Params = TagsParams;
+    type Input = TagsInput;
+    type Output = Tags;
+    const METRICS: &'static [&'static str] = &["tags a photo"];
+
+    /// A photo a thread: its colours, its brightness, and what the detector makes of it.
+    fn memory(_: &TagsParams, input: &TagsInput) -> u64 {
+        let tagged = input.photos.rig.mat.is_some();
+        let pixels = |photo: &Photo| u64::from(photo.width) * u64::from(photo.height);
+        let most = input.photos.iter().map(|(_, photo)| pixels(photo)).max();
+        match tagged {
+            true => most.unwrap_or(0) * TAGS_PIXEL * rayon::current_num_threads() as u64,
+            false => 0,
+        }
+    }
+
+    fn run(p: &TagsParams, input: TagsInput, ctx: &Ctx<'_>) -> Result<Tags, Stop> {
+        if input.photos.rig.mat.is_none() {
+            return Ok(Tags::default());
+        }
+        let all: Vec<(PhotoId, &Photo)> = input.photos.iter().collect();
+        let steps = ctx.steps("photos", all.len());
+        let find = |(id, photo): &(PhotoId, &Photo)| -> Result<(PhotoId, Vec<Tag>), Stop> {
+            let found: Tags = ctx.part("tags", &[photo.content()], || {
+                let tags = find(photo, p)?;
+                Ok(Tags {
+                    views: [(PhotoId(0), tags)].into_iter().collect(),
+                })
+            })?;
+            steps.tick()?;
+            Ok((
+                *id,
+                found.views.get(PhotoId(0)).cloned().unwrap_or_default(),
+            ))
+        };
+        let views: Vec<_> = all.par_iter().map(find).collect::<Result<_, _>>()?;
+        let views: ByPhoto<Vec<Tag>> = views.into_iter().collect();
+        let count: usize = views.values().map(Vec::len).sum();
+        ctx.metric("tags a photo", count as f64 / views.len().max(1) as f64, "");
+        Ok(Tags { views })
+    }
+}
+
+/// The tags of one photo, sorted by number; a number that is seen twice is nobody's.
+fn find(photo: &Photo, p: &TagsParams) -> Result<Vec<Tag>, Stop> {
+    let gray = photo.decode()?.gray();
+    let no = |e: String| NoDetector(e);
+    let mut image = apriltag::Image::zeros_with_alignment(gray.width, gray.height, 96)
+        .map_err(|e| no(e.to_string()))?;
+    let stride = image.stride();
+    for (y, row) in gray.data.chunks(gray.width).enumerate() {
+        for (x, v) in row.iter().enumerate() {
+            image.as_slice_mut()[y * stride + x] = v.round() as u8;
+        }
+    }
+    let family = apriltag::Family::tag_36h11();
+    let mut detector = apriltag::DetectorBuilder::new()
+        .add_family_bits(family, p.correct_bits as usize)
+        .build()
+        .map_err(|e| no(e.to_string()))?;
+    detector.set_thread_number(1);
+    detector.set_decimation(p.decimate as f32);
+    detector.set_refine_edges(true);
+    let mut tags: Vec<Tag> = detector
+        .detect(&image)
+        .iter()
+        .map(|found| {
+            // The library's corners run from the top right against the clock, and its pixels have their centres
+            // at halves.
+            let [tr, tl, bl, br] = found.corners().map(|[x, y]| [x - 0.5, y - 0.5]);
+            Tag {
+                id: found.id() as u32,
+                corners: refined(&gray, [tl, tr, br, bl]),
+            }
+        })
+        .collect();
+    tags.sort_by_key(|t| t.id);
+    let twice: Vec<u32> = tags
+        .windows(2)
+        .filter(|w| w[0].id == w[1].id)
+        .map(|w| w[0].id)
+        .collect();
+    tags.retain(|t| !twice.contains(&t.id));
+    Ok(tags)
+}

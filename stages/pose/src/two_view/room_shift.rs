@@ -1,0 +1,154 @@
+//! Whether the room stands elsewhere on the second of two photos: then the camera was moved.
+//!
+//! A camera that is nudged turns about itself, so that all of the room, far and near, follows one
+//! rotation of its rays; no disk turns like that, and no subject fills the photo.
+
+use crate::two_view::five_point::Both;
+use nalgebra::{Matrix3, Rotation3, Vector3};
+use shape::Intrinsics;
+
+/// Where the room went.
+#[derive(Debug, Clone, PartialEq)]
+pub struct RoomShift {
+    /// How far it moved, its median. \[px\]
+    pub by_px: f64,
+    /// Which pairs belong to it.
+    pub of: Vec<bool>,
+}
+
+/// Matches of the room lie this near to where the room went. \[px\]
+const NEAR_PX: f64 = 4.0;
+/// Fewest matches that tell of a room.
+const LEAST: usize = 40;
+/// Share of the matches that belong to the room, at least.
+const SHARE: f64 = 0.5;
+/// Most that a nudge turns the camera. \[rad\]
+const TURN: f64 = 0.15;
+/// Four fifths of the room reach over so much of the photo, both ways.
+const SPREAD: f64 = 0.5;
+
+/// The shift of the room, from the pairs of pixels that are not where they were. `None` where no
+/// such share of them moved as one.
+pub fn room_shift(
+    lens: &Intrinsics,
+    pairs: &[Both],
+    rounds: usize,
+    seed: u64,
+) -> Option<RoomShift> {
+    if pairs.len() < LEAST {
+        return None;
+    }
+    let (f, [cx, cy]) = (lens.focal[0], lens.centre);
+    let ray = |[x, y]: [f64; 2]| Vector3::new(x - cx, y - cy, f).normalize();
+    let all: Vec<[Vector3<f64>; 2]> = pairs.iter().map(|both| both.map(ray)).collect();
+    let near = |r: &Rotation3<f64>, wide: f64| -> Vec<bool> {
+        let off = |both: &[Vector3<f64>; 2]| (r * both[0] - both[1]).norm() * f;
+        all.iter().map(|both| off(both) < wide * NEAR_PX).collect()
+    };
+    let count = |of: &[bool]| of.iter().filter(|of| **of).count();
+    let mut state = seed;
+    let mut draw = || {
+        state = state
+            .wrapping_mul(6_364_136_223_846_793_005)
+            .wrapping_add(1_442_695_040_888_963_407);
+        all[((state >> 33) as usize) % all.len()]
+    };
+    let mut of = vec![];
+    for _ in 0..rounds {
+        let two = [draw(), draw()];
+        if (two[0][0] - two[1][0]).norm() * f < 50.0 {
+            continue;
+        }
+        let found = rotation(&two).filter(|r| r.angle() < TURN);
+        let own = found.map(|r| near(&r, 1.5)).unwrap_or_default();
+        if count(&own) > count(&of) {
+            of = own;
+        }
+    }
+    for _ in 0..3 {
+        let some = all.iter().zip(&of).filter(|(_, of)| **of);
+        let some: Vec<_> = some.map(|(both, _)| *both).collect();
+        of = near(&rotation(&some)?, 1.0);
+    }
+    let room: Vec<&Both> = pairs
+        .iter()
+        .zip(&of)
+        .filter(|p| *p.1)
+        .map(|p| p.0)
+        .collect();
+    if room.len() < LEAST || (room.len() as f64) < SHARE * pairs.len() as f64 {
+        return None;
+    }
+    let sorted = |mut all: Vec<f64>| {
+        all.sort_by(f64::total_cmp);
+        all
+    };
+    let wide = |i: usize, size: u32| {
+        let all = sorted(room.iter().map(|pair| pair[0][i]).collect());
+        all[all.len() * 9 / 10] - all[all.len() / 10] > SPREAD * f64::from(size)
+    };
+    let moves = room.iter().map(|[a, b]| (a[0] - b[0]).hypot(a[1] - b[1]));
+    let moves = sorted(moves.collect());
+    let by_px = moves[moves.len() / 2];
+    (wide(0, lens.width) && wide(1, lens.height)).then_some(RoomShift { by_px, of })
+}
+
+/// The rotation that takes the first of each pair nearest to the second (Kabsch 1976).
+fn rotation(pairs: &[[Vector3<f64>; 2]]) -> Option<Rotation3<f64>> {
+    let sum = |m: Matrix3<f64>, [a, b]: &[Vector3<f64>; 2]| m + b * a.transpose();
+    let svd = pairs.iter().fold(Matrix3::zeros(), sum).svd(true, true);
+    let (u, v) = (svd.u?, svd.v_t?);
+    let sign = (u * v).determinant().signum();
+    let flip = Matrix3::from_diagonal(&Vector3::new(1.0, 1.0, sign));
+    Some(Rotation3::from_matrix_unchecked(u * flip * v))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const LENS: fn() -> Intrinsics = || Intrinsics::simple(1600, 2400, 2600.0);
+
+    fn seen(x: Vector3<f64>) -> [f64; 2] {
+        LENS().project(&x).unwrap().into()
+    }
+
+    /// Matches of a trunk on a disk that turned by 20°, and of a room if the camera was nudged.
+    fn pairs(room: usize, nudge: &Rotation3<f64>) -> Vec<Both> {
+        let mut dice = proof::Dice(4);
+        let mut pairs = Vec::new();
+        for _ in 0..300 {
+            let (angle, y) = (dice.within(-1.2, 1.2), dice.within(-700.0, 700.0));
+            let mut at = |a: f64| {
+                let x = Vector3::new(170.0 * a.sin(), y, 2600.0 - 120.0 * a.cos());
+                x + Vector3::new(dice.normal(), dice.normal(), 0.0) * 0.2
+            };
+            let (before, after) = (at(angle), at(angle + 0.35));
+            pairs.push([seen(before), seen(nudge * after)]);
+        }
+        for _ in 0..room {
+            let x = Vector3::new(
+                dice.within(-1000.0, 1000.0),
+                dice.within(-1600.0, 1600.0),
+                dice.within(3200.0, 5000.0),
+            );
+            pairs.push([seen(x), seen(nudge * x)]);
+        }
+        pairs
+    }
+
+    #[test]
+    fn a_nudged_camera_is_told_from_a_disk_that_turned() {
+        assert_eq!(
+            room_shift(&LENS(), &pairs(0, &Rotation3::identity()), 500, 1),
+            None
+        );
+        let nudge = Rotation3::from_euler_angles(0.004, 0.013, 0.03);
+        let all = pairs(600, &nudge);
+        let found = room_shift(&LENS(), &all, 500, 1).unwrap();
+        let of_room = found.of[300..].iter().filter(|of| **of).count();
+        let of_body = found.of[..300].iter().filter(|of| **of).count();
+        assert!(of_room > 590 && of_body < 15, "{of_room} {of_body}");
+        assert!((20.0..80.0).contains(&found.by_px), "{}", found.by_px);
+    }
+}

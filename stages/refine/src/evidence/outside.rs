@@ -1,0 +1,50 @@
+//! The visual hull as a bound: what shows on the background of a photo is no body, seen or hidden.
+//!
+//! Rims alone do not hold it: where arm and trunk nearly touch, neither has a rim of its own, and a web
+//! across the gap lies before the background of the one photo that looks through.
+
+use crate::pictures::picture::Picture;
+use nalgebra::{Point3, Vector3};
+use rayon::prelude::*;
+use shape::Mesh;
+
+/// Farthest that a vertex is sent at once. \[px\]
+const FARTHEST_PX: f64 = 6.0;
+
+/// How far inward along its normal each vertex has to go until it lies inside of all silhouettes but
+/// for `slack_px` \[mm\]; 0 where it does already, at most six footprints.
+pub fn outside(
+    mesh: &Mesh,
+    normals: &[Vector3<f64>],
+    pictures: &[Picture],
+    slack_px: f64,
+    footprint: f64,
+) -> Vec<f64> {
+    let out = |x: &Point3<f64>| pictures.iter().any(|picture| beyond(picture, x, slack_px));
+    let one = |v: usize| {
+        let x = mesh.point(v as u32);
+        let at = |px: f64| x - normals[v] * (px * footprint);
+        let mut px = 0.0;
+        while px < FARTHEST_PX && out(&at(px)) {
+            px += 0.5;
+        }
+        px * footprint
+    };
+    (0..mesh.positions.len())
+        .into_par_iter()
+        .with_min_len(1024)
+        .map(one)
+        .collect()
+}
+
+/// Whether a point shows more than `slack_px` outside of a picture's silhouette. What the picture
+/// does not hold may be anything.
+fn beyond(picture: &Picture, x: &Point3<f64>, slack_px: f64) -> bool {
+    let Some(inside) = &picture.inside else {
+        return false;
+    };
+    let Some((at, _)) = picture.project(x) else {
+        return false;
+    };
+    picture.holds(at, 2.0) && f64::from(inside.sample(at[0] as f32, at[1] as f32)) < -slack_px
+}

@@ -1,0 +1,116 @@
+//! The silhouette force: where the surface's rim should run, and where it runs.
+//!
+//! A picture's horizon, along which lines of sight graze the surface, is the one place where
+//! consistency of brightness says nothing and the silhouette says all (Hernández and Schmitt 2004,
+//! sec. 6; the horizon term of Delaunoy and Prados 2011 becomes this when silhouettes are known).
+
+use crate::pictures::depth::DepthMap;
+use crate::pictures::picture::Picture;
+use nalgebra::{Point3, Vector3};
+use rayon::prelude::*;
+use shape::{Adjacency, Mesh};
+
+/// One pull on a vertex: the rim lies `gap + slope * d` mm inside of the silhouette's border when
+/// the vertex has moved outward by `d` mm.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Pull {
+    /// The vertex.
+    pub vertex: u32,
+    /// The picture.
+    pub picture: u16,
+    /// Its share, 0..=1.
+    pub weight: f64,
+    /// How far inside of the border the rim lies. \[mm\]
+    pub gap: f64,
+    /// How the gap changes as the vertex moves outward; about −1.
+    pub slope: f64,
+}
+
+/// All pulls on a mesh. Gaps beyond `most_px` pixels count less and less (Huber).
+pub fn pulls(
+    mesh: &Mesh,
+    around: &Adjacency,
+    normals: &[Vector3<f64>],
+    pictures: &[Picture],
+    most_px: f64,
+) -> Vec<Pull> {
+    let one = |(i, picture): (usize, &Picture)| -> Vec<Pull> {
+        let Some(inside) = &picture.inside else {
+            return vec![];
+        };
+        let map = DepthMap::new(mesh, picture, 2.0);
+        let facing: Vec<f64> = (0..mesh.positions.len())
+            .map(|v| normals[v].dot(&(picture.centre - mesh.point(v as u32)).normalize()))
+            .collect();
+        let mut pulls = Vec::new();
+        for v in 0..facing.len() {
+            if facing[v] < 0.0 {
+                continue;
+            }
+            for j in around.vertices(v as u32).iter().map(|j| *j as usize) {
+                if facing[j] >= 0.0 {
+                    continue;
+                }
+                let t = facing[v] / (facing[v] - facing[j]);
+                let (a, b) = (mesh.point(v as u32), mesh.point(j as u32));
+                let (n, edge) = (normals[v].lerp(&normals[j], t), b - a);
+                // The chord runs beneath the surface: by an eighth of edge times turn of the normal.
+                let sag = t * (1.0 - t) * 0.5 * (normals[j] - normals[v]).dot(&edge);
+                let x = a + edge * t + n * sag;
+                let Some(pull) = pull(picture, inside, &map, &x, &n, most_px) else {
+                    continue;
+                };
+                for (vertex, share) in [(v, 1.0 - t), (j, t)] {
+                    pulls.push(Pull {
+                        vertex: vertex as u32,
+                        picture: i as u16,
+                        weight: pull.0 * share,
+                        gap: pull.1,
+                        slope: pull.2,
+                    });
+                }
+            }
+        }
+        pulls
+    };
+    pictures.par_iter().enumerate().flat_map_iter(one).collect()
+}
+
+/// Weight, gap and slope at one point of the rim. [`None`] where it is not the outermost.
+fn pull(
+    picture: &Picture,
+    inside: &shape::Gray,
+    map: &DepthMap,
+    x: &Point3<f64>,
+    normal: &Vector3<f64>,
+    most_px: f64,
+) -> Option<(f64, f64, f64)> {
+    let (at, depth) = picture.project(x)?;
+    if !picture.holds(at, 8.0) {
+        return None;
+    }
+    let [dx, dy] = picture.jacobian(x).map(|row| row.dot(normal));
+    let length = dx.hypot(dy);
+    if length <= 0.0 {
+        return None;
+    }
+    let out = [dx / length, dy / length];
+    let beside = |px: f64| [at[0] + out[0] * px, at[1] + out[1] * px];
+    // Surface beside the rim: an arm before the trunk has a rim, but the silhouette does not show it.
+    if [3.0, 5.0, 8.0]
+        .iter()
+        .any(|px| map.at(beside(*px)).is_finite())
+    {
+        return None;
+    }
+    let read = |p: [f64; 2]| f64::from(inside.sample(p[0] as f32, p[1] as f32));
+    let gap_px = read(at);
+    let steep = (read(beside(1.0)) - read(beside(-1.0))) / 2.0;
+    // On the skeleton of the silhouette the distance has no direction.
+    if steep > -0.3 {
+        return None;
+    }
+    let footprint = picture.footprint(depth);
+    let weight = (most_px / gap_px.abs().max(1e-9)).min(1.0);
+    Some((weight, gap_px * footprint, steep * length * footprint))
+}

@@ -1,0 +1,7 @@
+//! What a mesh is, no matter what photos say: curvature, remeshing, large systems.
+
+pub mod curvature;
+pub mod gradients;
+pub mod remesh;
+#[cfg(test)]
+pub(crate) mod solids;

@@ -1,0 +1,142 @@
+//! Isotropic remeshing to a target edge (Botsch and Kobbelt 2004): split, collapse, flip, relax.
+//! A closed manifold stays one.
+
+mod collapse;
+mod flip;
+mod order;
+mod split;
+
+use nalgebra::{Point3, Vector3};
+use shape::{Adjacency, Mesh};
+
+/// Remeshes to edges of about `edge_mm`, in so many rounds. Neighbours in
+/// space become neighbours in memory. Colours are dropped.
+pub fn remesh(mesh: &Mesh, edge_mm: f64, rounds: usize) -> Mesh {
+    let mut mesh = Mesh {
+        colors: vec![],
+        ..mesh.clone()
+    };
+    let (least, most) = (0.8 * edge_mm, 4.0 / 3.0 * edge_mm);
+    for _ in 0..rounds {
+        for _ in 0..6 {
+            if !split::split(&mut mesh, most) {
+                break;
+            }
+        }
+        for _ in 0..12 {
+            if !collapse::collapse(&mut mesh, least, most) {
+                break;
+            }
+        }
+        for _ in 0..3 {
+            if !flip::flip(&mut mesh) {
+                break;
+            }
+        }
+        relax(&mut mesh);
+    }
+    order::ordered(&mesh)
+}
+
+/// Moves each vertex within its tangent plane towards the middle of its faces.
+pub fn relax(mesh: &mut Mesh) {
+    let around = Adjacency::new(mesh);
+    let normals = mesh.normals();
+    let moved: Vec<[f32; 3]> = (0..mesh.positions.len() as u32)
+        .map(|v| {
+            let x = mesh.point(v);
+            let (mut sum, mut weight) = (Vector3::zeros(), 0.0);
+            for f in around.faces(v) {
+                let area = mesh.area_vector(*f as usize).norm();
+                let [a, b, c] = mesh.triangle(*f as usize);
+                sum += (a.coords + b.coords + c.coords) / 3.0 * area;
+                weight += area;
+            }
+            if weight <= 0.0 {
+                return mesh.positions[v as usize];
+            }
+            let (step, n) = (sum / weight - x.coords, normals[v as usize]);
+            let to = x + (step - n * step.dot(&n)) * 0.5;
+            [to.x as f32, to.y as f32, to.z as f32]
+        })
+        .collect();
+    mesh.positions = moved;
+}
+
+/// Every edge once, its lesser vertex first, ascending.
+fn edges(mesh: &Mesh) -> Vec<(u32, u32)> {
+    let each = |&[a, b, c]: &[u32; 3]| [(a, b), (b, c), (c, a)];
+    let mut edges: Vec<_> = mesh
+        .faces
+        .iter()
+        .flat_map(each)
+        .filter(|(a, b)| a < b)
+        .collect();
+    edges.sort_unstable();
+    edges
+}
+
+/// The middle of an edge, lifted from the chord to the surface that the normals tell of.
+fn middle(mesh: &Mesh, normals: &[Vector3<f64>], a: u32, b: u32) -> [f32; 3] {
+    let (p, q) = (mesh.point(a), mesh.point(b));
+    let (m, n) = (normals[a as usize], normals[b as usize]);
+    let lift = (n - m).dot(&(q - p)) / 8.0;
+    let most = 0.1 * (q - p).norm();
+    let up = (m + n).try_normalize(0.0).unwrap_or_default() * lift.clamp(-most, most);
+    let x: Point3<f64> = nalgebra::center(&p, &q) + up;
+    [x.x as f32, x.y as f32, x.z as f32]
+}
+
+/// Twice the area times the normal of three points.
+fn area(mesh: &Mesh, [a, b, c]: [u32; 3]) -> Vector3<f64> {
+    let (a, b, c) = (mesh.point(a), mesh.point(b), mesh.point(c));
+    (b - a).cross(&(c - a))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::geometry::solids::sphere;
+
+    #[test]
+    fn a_remeshed_sphere_is_closed_even_and_as_large() {
+        let ball = sphere(60.0, 4);
+        for edge in [2.0, 4.0, 9.0, 20.0] {
+            let mesh = remesh(&ball, edge, 4);
+            assert_eq!(mesh.validate_closed(), Ok(()), "edge {edge}");
+            let lengths = edges(&mesh).into_iter();
+            let lengths: Vec<_> = lengths
+                .map(|(a, b)| (mesh.point(a) - mesh.point(b)).norm())
+                .collect();
+            let off = lengths
+                .iter()
+                .filter(|l| **l < 0.5 * edge || **l > 1.5 * edge)
+                .count();
+            assert!(
+                off * 50 < lengths.len(),
+                "edge {edge}: {off} of {} are off",
+                lengths.len()
+            );
+            let true_volume = 4.0 / 3.0 * std::f64::consts::PI * 60f64.powi(3);
+            let facets = 1.0 - (edge / 60.0).powi(2) / 2.0;
+            assert!(
+                mesh.volume() > true_volume * (facets - 0.01)
+                    && mesh.volume() < true_volume * 1.003
+            );
+        }
+    }
+
+    #[test]
+    fn random_bumps_stay_a_closed_manifold() {
+        let mut dice = proof::Dice(9);
+        for _ in 0..5 {
+            let mut ball = sphere(30.0, 3);
+            for p in &mut ball.positions {
+                let far = dice.within(0.6, 1.4) as f32;
+                *p = p.map(|x| x * far);
+            }
+            let mesh = remesh(&ball, dice.within(1.0, 12.0), 3);
+            assert_eq!(mesh.validate_closed(), Ok(()));
+        }
+    }
+}

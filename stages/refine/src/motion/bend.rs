@@ -1,0 +1,112 @@
+//! The stage that finds how the body bent between photos.
+
+use crate::evidence::rims::pulls;
+use crate::evidence::sights::Sights;
+use crate::geometry::remesh::remesh;
+use crate::motion::field::{Stiff, Ties, seen_off};
+use crate::motion::params::LookParams;
+use crate::pictures::prepare::{footprint, taken};
+use crate::pictures::turn::TurnInput;
+use shape::{Adjacency, Warp, Warps};
+use stage::{Ctx, Stage, Stop};
+
+stage::params! {
+    /// How the bending is found; pixels are those of the level.
+    pub struct BendParams {
+        /// What is looked at.
+        #[group(flat)]
+        look: LookParams = LookParams::at(1),
+        /// Weight of a point of the silhouettes' rim, against one that is known to a pixel.
+        #[range(0.0..=100.0)]
+        rim: f64 = 0.2,
+        /// Distance of the field's nodes, in pixels of the level.
+        #[range(4.0..=500.0)]
+        cell_px: f64 = 24.0,
+        /// Offset that is expected, one standard deviation, in pixels of the level.
+        #[range(0.01..=50.0)]
+        shift_px: f64 = 2.0,
+        /// Difference of neighbouring nodes that is expected, one standard deviation, in pixels of the level.
+        #[range(0.001..=50.0)]
+        differ_px: f64 = 0.3,
+        /// Rounds.
+        #[range(1..=100)]
+        rounds: u32 = 8,
+    }
+}
+
+/// A body, settled, so that what is left is not its shape, and the photos of it.
+pub type BendInput = TurnInput;
+
+/// `refine.bend`: mesh, photos, cameras, masks → warps.
+pub struct Bend;
+
+impl Stage for Bend {
+    const NAME: &'static str = "refine.bend";
+    const VERSION: u32 = 1;
+    const ABOUT: &'static str = "Finds how arms, head and chest moved against the rest of the body: a smooth field of offsets a photo.";
+    type Params = BendParams;
+    type Input = BendInput;
+    type Output = Warps;
+    const METRICS: &'static [&'static str] = &["bending"];
+
+    /// The pictures, and what hangs on the vertices.
+    fn memory(p: &BendParams, input: &BendInput) -> u64 {
+        input.memory(&p.look.size, 2, p.look.edge_px)
+    }
+
+    fn run(p: &BendParams, input: BendInput, ctx: &Ctx<'_>) -> Result<Warps, Stop> {
+        let taken = taken(&input.photos, &input.cameras);
+        let bent = input.pictures(&p.look.size, || ctx.check().map_err(Stop::from))?;
+        let footprint = footprint(&input.mesh, &bent);
+        let mesh = remesh(&input.mesh, p.look.edge_px * footprint, 3);
+        let (around, normals) = (Adjacency::new(&mesh), mesh.normals());
+        let stiff = Stiff {
+            shift_px: p.shift_px,
+            differ_px: p.differ_px,
+            rim: p.rim,
+        };
+        let window = p.look.patches.window();
+        let rules = p.look.rules();
+        let none = |p: &crate::pictures::picture::Picture, cell| {
+            Warp::none(p.gray.width, p.gray.height, cell)
+        };
+        let mut warps: Vec<Warp> = bent.iter().map(|b| none(b, p.cell_px)).collect();
+        let steps = ctx.steps("rounds", p.rounds as usize);
+        for _ in 0..p.rounds {
+            let unbent: Vec<_> = bent
+                .iter()
+                .zip(&warps)
+                .map(|(b, w)| b.unbent(w, b.gray.width as u32))
+                .collect();
+            let sights = Sights::new(&mesh, &around, &unbent, &window, &rules);
+            let rims = pulls(&mesh, &around, &normals, &unbent, 6.0);
+            let ties = Ties::new(&mesh, &unbent, &sights, &rims, &window, &stiff, footprint);
+            warps = ties.solve(&warps, &stiff);
+            steps.tick()?;
+        }
+        let stride = (mesh.positions.len() / 2000).max(1);
+        let some = (0..mesh.positions.len() as u32).step_by(stride);
+        let off: Vec<f64> = some
+            .map(|v| seen_off(&warps, &bent, &mesh.point(v)))
+            .collect();
+        let rms = (off.iter().map(|o| o * o).sum::<f64>() / off.len().max(1) as f64).sqrt();
+        ctx.metric("bending", rms * footprint, "mm");
+        let whole = taken
+            .iter()
+            .zip(warps)
+            .zip(&bent)
+            .map(|(((id, view), w), b)| {
+                let scale = f64::from(view.camera.lens.width) / b.gray.width as f64;
+                let offsets = w.offsets.iter().map(|o| o.map(|o| o * scale as f32));
+                let warp = Warp {
+                    cell_px: w.cell_px * scale,
+                    columns: w.columns,
+                    offsets: offsets.collect(),
+                };
+                (*id, warp)
+            });
+        Ok(Warps {
+            views: whole.collect(),
+        })
+    }
+}

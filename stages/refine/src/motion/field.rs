@@ -1,0 +1,199 @@
+//! How the body bent between two photos: a smooth field of offsets a photo.
+//!
+//! Six numbers a photo carry the body as a whole; arms that swing, a head that turns and a chest
+//! that breathes are left. What is left is small and smooth, so a coarse grid over the photo holds it
+//! (as in Zhou and Koltun 2014, sec. 4, there for colour). What the surface itself could explain
+//! is no bending: the share of the pulls at a vertex that its motion along the normal would still is
+//! taken out first.
+
+use crate::evidence::look::Look;
+use crate::evidence::patch::{MOST_SIGHTS, Window};
+use crate::evidence::rims::Pull;
+use crate::evidence::sights::Sights;
+use crate::geometry::gradients::conjugate_gradients;
+use crate::motion::tugs::{PointTug, tugs_at};
+use crate::pictures::picture::Picture;
+use nalgebra::{Point3, Vector3};
+use rayon::prelude::*;
+use shape::{Mesh, Warp};
+
+/// What is expected of bending, and how well a rim is believed.
+#[derive(Debug, Clone, Copy)]
+pub struct Stiff {
+    /// Standard deviation of an offset. \[px\]
+    pub shift_px: f64,
+    /// Standard deviation of the difference of two neighbouring nodes. \[px\]
+    pub differ_px: f64,
+    /// How much a point of a rim says, against one that is known to a pixel.
+    pub rim: f64,
+}
+
+/// A pull on a photo's field: what is seen at `at` should lie `gap` farther along `way`.
+#[derive(Debug, Clone, Copy)]
+struct Tie {
+    at: [f64; 2],
+    way: [f64; 2],
+    gap: f64,
+    stiffness: f64,
+}
+
+/// All pulls on the photos' fields, one list a picture, in pixels of the pictures.
+pub struct Ties(Vec<Vec<Tie>>);
+
+impl Ties {
+    /// From brightness and rims, on pictures that are unbent as far as is known.
+    pub fn new(
+        mesh: &Mesh,
+        pictures: &[Picture],
+        sights: &Sights,
+        rims: &[Pull],
+        window: &Window,
+        stiff: &Stiff,
+        footprint: f64,
+    ) -> Self {
+        let chunk = 512;
+        let chunks: Vec<Vec<PointTug>> = (0..sights.frames.len().div_ceil(chunk))
+            .into_par_iter()
+            .map(|c| {
+                let mut looks = [[Look::EMPTY; 2]; MOST_SIGHTS];
+                let mut all = vec![];
+                for v in c * chunk..((c + 1) * chunk).min(sights.frames.len()) {
+                    let mut tugs = tugs_at(v, pictures, sights, window, footprint, &mut looks);
+                    without_depth(&mut tugs, &sights.frames[v].normal);
+                    all.extend(tugs);
+                }
+                all
+            })
+            .collect();
+        let mut ties = Ties(pictures.iter().map(|_| vec![]).collect());
+        for t in chunks.iter().flatten() {
+            ties.add(pictures, t);
+        }
+        for p in rims {
+            ties.add(
+                pictures,
+                &PointTug {
+                    picture: p.picture,
+                    x: mesh.point(p.vertex),
+                    direction: sights.frames[p.vertex as usize].normal * -p.slope,
+                    gap: p.gap,
+                    stiffness: p.weight * stiff.rim / (footprint * footprint),
+                },
+            );
+        }
+        ties
+    }
+
+    fn add(&mut self, pictures: &[Picture], t: &PointTug) {
+        let picture = &pictures[t.picture as usize];
+        let Some((at, _)) = picture.project(&t.x) else {
+            return;
+        };
+        let [x, y] = picture.jacobian(&t.x).map(|row| row.dot(&t.direction));
+        let long = x.hypot(y);
+        if long > 0.0 {
+            self.0[t.picture as usize].push(Tie {
+                at,
+                way: [x / long, y / long],
+                gap: t.gap * long,
+                stiffness: t.stiffness / (long * long),
+            });
+        }
+    }
+
+    /// The fields that give in to the pulls, `now` being those that the pictures were unbent by. All
+    /// photos move at once, each to where the others were: only half of the way is gone.
+    pub fn solve(&self, now: &[Warp], stiff: &Stiff) -> Vec<Warp> {
+        let each = self.0.par_iter().zip(now);
+        each.map(|(ties, warp)| solve(ties, warp, stiff)).collect()
+    }
+}
+
+/// Takes the share of a vertex' pulls out that a motion of the surface along its normal explains.
+fn without_depth(tugs: &mut [PointTug], normal: &Vector3<f64>) {
+    let (mut pull, mut stiff) = (0.0, 0.0);
+    for t in tugs.iter() {
+        let share = normal.dot(&t.direction);
+        pull += t.stiffness * share * t.gap;
+        stiff += t.stiffness * share * share;
+    }
+    if stiff > 0.0 {
+        let depth = pull / stiff;
+        for t in tugs {
+            t.gap -= depth * normal.dot(&t.direction);
+        }
+    }
+}
+
+/// One photo's field: `Σ stiffness (way · o(at) − gap)² + Σ_edges |o_a − o_b|² / differ² + Σ |o|² / shift²`.
+fn solve(ties: &[Tie], now: &Warp, stiff: &Stiff) -> Warp {
+    let nodes = now.offsets.len();
+    let (columns, rows) = (now.columns, now.rows());
+    let (mesh, hold) = (stiff.differ_px.powi(-2), stiff.shift_px.powi(-2));
+    let places: Vec<_> = ties.iter().map(|t| now.around(t.at)).collect();
+    let edges = || {
+        let across = (0..rows).flat_map(move |j| (1..columns).map(move |i| (j * columns + i, 1)));
+        let down =
+            (1..rows).flat_map(move |j| (0..columns).map(move |i| (j * columns + i, columns)));
+        across.chain(down).map(|(k, back)| (k, k - back))
+    };
+    let mut diagonal = vec![hold; 2 * nodes];
+    let mut right = vec![0.0; 2 * nodes];
+    for (a, b) in edges() {
+        for k in [2 * a, 2 * a + 1, 2 * b, 2 * b + 1] {
+            diagonal[k] += mesh;
+        }
+    }
+    for (tie, place) in ties.iter().zip(&places) {
+        let so_far = now.at(tie.at);
+        let gap = tie.gap + so_far[0] * tie.way[0] + so_far[1] * tie.way[1];
+        for (node, share) in place {
+            for k in 0..2 {
+                let row = share * tie.way[k];
+                right[2 * node + k] += tie.stiffness * row * gap;
+                diagonal[2 * node + k] += tie.stiffness * row * row;
+            }
+        }
+    }
+    let matrix = |o: &[f64]| -> Vec<f64> {
+        let mut out: Vec<f64> = o.iter().map(|o| hold * o).collect();
+        for (a, b) in edges() {
+            for k in 0..2 {
+                let apart = mesh * (o[2 * a + k] - o[2 * b + k]);
+                out[2 * a + k] += apart;
+                out[2 * b + k] -= apart;
+            }
+        }
+        for (tie, place) in ties.iter().zip(&places) {
+            let along: f64 = place
+                .iter()
+                .map(|(n, s)| s * (o[2 * n] * tie.way[0] + o[2 * n + 1] * tie.way[1]))
+                .sum();
+            for (node, share) in place {
+                for k in 0..2 {
+                    out[2 * node + k] += tie.stiffness * along * share * tie.way[k];
+                }
+            }
+        }
+        out
+    };
+    let inverse: Vec<f64> = diagonal.iter().map(|d| 1.0 / d).collect();
+    let wanted = conjugate_gradients(matrix, &inverse, right, 60);
+    let mut warp = now.clone();
+    for (k, o) in warp.offsets.iter_mut().enumerate() {
+        for i in 0..2 {
+            o[i] += (0.5 * (wanted[2 * k + i] - f64::from(o[i]))) as f32;
+        }
+    }
+    warp
+}
+
+/// How far a point is seen from where it would be, rms over pictures. \[px\]
+pub fn seen_off(warps: &[Warp], pictures: &[Picture], x: &Point3<f64>) -> f64 {
+    let off = |(w, p): (&Warp, &Picture)| {
+        let (at, _) = p.project(x)?;
+        Some(w.at(at).iter().map(|o| o * o).sum::<f64>())
+    };
+    let all: Vec<f64> = warps.iter().zip(pictures).filter_map(off).collect();
+    (all.iter().sum::<f64>() / all.len().max(1) as f64).sqrt()
+}

@@ -1,0 +1,43 @@
+//! What is told alike to both stages that look for the body's motion.
+
+use crate::evidence::params::PatchParams;
+use crate::evidence::patch::Pairing;
+use crate::evidence::sights::Sighting;
+use crate::pictures::turn::PhotoSize;
+
+stage::params! {
+    /// What is looked at; pixels are those of the level.
+    pub struct LookParams {
+        /// How large photos are.
+        #[group(flat)]
+        size: PhotoSize = PhotoSize::default(),
+        /// Edge of the mesh that is looked at, in pixels of the level on the surface.
+        #[range(1.0..=50.0)]
+        edge_px: f64 = 4.0,
+        /// Which patches are compared.
+        #[group(flat)]
+        patches: PatchParams = PatchParams { tilt_deg: 60.0, ..PatchParams::default() },
+        /// Texture counts in full from this many times the noise's variance.
+        #[range(0.0..=1000.0)]
+        noise_gain: f64 = 4.0,
+    }
+}
+
+impl LookParams {
+    /// At a level of the pyramid.
+    pub(crate) fn at(level: u32) -> Self {
+        let size = PhotoSize {
+            level,
+            ..PhotoSize::default()
+        };
+        LookParams {
+            size,
+            ..LookParams::default()
+        }
+    }
+
+    /// Which pictures see a vertex, every two of which are compared.
+    pub(crate) fn rules(&self) -> Sighting {
+        Sighting::new(self.patches.tilt_deg, Pairing::ALL, self.noise_gain)
+    }
+}

@@ -1,0 +1,155 @@
+//! The stage that holds a swaying body still: cameras as seen from the body instead of the disk.
+
+use crate::evidence::rims::pulls;
+use crate::evidence::sights::Sights;
+use crate::geometry::remesh::remesh;
+use crate::motion::params::LookParams;
+use crate::motion::sway::{Leash, Tug, add_tugs_of_rims, moved, tugs_of_brightness, without_gauge};
+use crate::pictures::picture::Picture;
+use crate::pictures::prepare::{footprint, taken};
+use crate::pictures::turn::TurnInput;
+use nalgebra::{Point3, Vector6};
+use shape::{Adjacency, Camera, Cameras, Mesh};
+use stage::{Ctx, Stage, Stop};
+
+stage::params! {
+    /// How the body's motion is looked for.
+    pub struct SteadyParams {
+        /// What is looked at.
+        #[group(flat)]
+        look: LookParams = LookParams::at(2),
+        /// Whether brightness is used, or silhouettes alone.
+        brightness: bool = true,
+        /// Weight of a point of the silhouettes' rim, against a patch that fits.
+        #[range(0.0..=100.0)]
+        rim: f64 = 0.05,
+        /// Shift at the ankles that is expected, one standard deviation.
+        #[range(0.0001..=100.0)]
+        shift_mm: f64 = 10.0,
+        /// Turn that is expected, one standard deviation.
+        #[range(0.0001..=20.0)]
+        turn_deg: f64 = 0.7,
+        /// Rounds.
+        #[range(1..=100)]
+        rounds: u32 = 20,
+    }
+}
+
+/// A surface, be it a hull, and the photos that it should fit.
+pub type SteadyInput = TurnInput;
+
+/// `refine.steady`: mesh, photos, cameras, masks → cameras.
+pub struct Steady;
+
+impl Stage for Steady {
+    const NAME: &'static str = "refine.steady";
+    const VERSION: u32 = 3;
+    const ABOUT: &'static str = "Finds how the body swayed against the disk, six numbers a photo, and gives the cameras as seen from the body.";
+    type Params = SteadyParams;
+    type Input = SteadyInput;
+    type Output = Cameras;
+    const METRICS: &'static [&'static str] = &["sway at the chest", "greatest sway", "last change"];
+
+    /// The pictures, and what hangs on the vertices.
+    fn memory(p: &SteadyParams, input: &SteadyInput) -> u64 {
+        input.memory(&p.look.size, 1, p.look.edge_px)
+    }
+
+    fn run(p: &SteadyParams, input: SteadyInput, ctx: &Ctx<'_>) -> Result<Cameras, Stop> {
+        let mut cameras = Cameras::clone(&input.cameras);
+        let taken = taken(&input.photos, &input.cameras);
+        let mut pictures = input.pictures(&p.look.size, || ctx.check().map_err(Stop::from))?;
+        let footprint = footprint(&input.mesh, &pictures);
+        let mesh = remesh(&input.mesh, p.look.edge_px * footprint, 3);
+        let around = Adjacency::new(&mesh);
+        let leash = Leash {
+            shift_mm: p.shift_mm,
+            turn: p.turn_deg.to_radians(),
+            pivot: Point3::new(0.0, 0.0, cameras.ground_mm),
+            rim: p.rim,
+            footprint,
+        };
+        let still: Vec<Camera> = taken.iter().map(|(_, view)| view.camera).collect();
+        let mut motions = vec![Vector6::zeros(); taken.len()];
+        let steps = ctx.steps("rounds", p.rounds as usize);
+        let mut last = 0.0;
+        for _ in 0..p.rounds {
+            last = one_round(
+                p,
+                &mesh,
+                &around,
+                &mut pictures,
+                &still,
+                &leash,
+                &mut motions,
+            );
+            steps.tick()?;
+        }
+        // Once, at the end: a step is the best one only together with what it shares.
+        let centres: Vec<_> = still.iter().map(Camera::centre).collect();
+        without_gauge(&mut motions, &centres);
+        let top = mesh.bounds().map_or(0.0, |(_, hi)| hi.z) - leash.pivot.z;
+        let chest = Point3::new(0.0, 0.0, leash.pivot.z + 0.75 * top);
+        let far: Vec<f64> = still
+            .iter()
+            .zip(&motions)
+            .map(|(c, m)| {
+                let (a, b) = (
+                    c.pose.apply(&chest),
+                    moved(c, m, &leash.pivot).pose.apply(&chest),
+                );
+                (a - b).norm()
+            })
+            .collect();
+        let rms = (far.iter().map(|f| f * f).sum::<f64>() / far.len().max(1) as f64).sqrt();
+        ctx.metric("sway at the chest", rms, "mm");
+        ctx.metric(
+            "greatest sway",
+            far.iter().copied().fold(0.0, f64::max),
+            "mm",
+        );
+        ctx.metric("last change", last, "mm");
+        for (((id, _), camera), motion) in taken.iter().zip(&still).zip(&motions) {
+            let view = cameras.views.get_mut(*id).expect("bug: listed above");
+            view.camera = moved(camera, motion, &leash.pivot);
+        }
+        Ok(cameras)
+    }
+}
+
+/// Improves all motions once; the greatest change at breast height. \[mm\]
+fn one_round(
+    p: &SteadyParams,
+    mesh: &Mesh,
+    around: &Adjacency,
+    pictures: &mut [Picture],
+    still: &[Camera],
+    leash: &Leash,
+    motions: &mut [Vector6<f64>],
+) -> f64 {
+    let window = p.look.patches.window();
+    let rules = p.look.rules();
+    let normals = mesh.normals();
+    let sights = Sights::new(mesh, around, pictures, &window, &rules);
+    let mut tugs = if p.brightness {
+        tugs_of_brightness(pictures, &sights, &window, leash)
+    } else {
+        vec![Tug::NONE; pictures.len()]
+    };
+    let pulls = pulls(mesh, around, &normals, pictures, 6.0);
+    add_tugs_of_rims(&mut tugs, mesh, &normals, &pulls, leash);
+    let before = motions.to_vec();
+    for (m, tug) in motions.iter_mut().zip(&tugs) {
+        let step = tug.solve(leash, m);
+        // All photos move at once, each to where the others were: a full step would swap neighbours.
+        *m += step * 0.5;
+    }
+    for ((picture, camera), motion) in pictures.iter_mut().zip(still).zip(motions.iter()) {
+        picture.moved(&moved(camera, motion, &leash.pivot));
+    }
+    let change = before.iter().zip(motions.iter()).map(|(b, m)| {
+        let d = m - b;
+        d.fixed_rows::<3>(0).norm() * 1000.0 + d.fixed_rows::<3>(3).norm()
+    });
+    change.fold(0.0, f64::max)
+}

@@ -1,0 +1,112 @@
+//! How brightness pulls a point of the surface about in each photo that shows it: each photo held
+//! against the mean of the others.
+
+use crate::evidence::look::{Look, dot};
+use crate::evidence::patch::{MOST_POINTS, MOST_SIGHTS, Window};
+use crate::evidence::sights::Sights;
+use crate::geometry::curvature::tangents;
+use crate::pictures::picture::Picture;
+use nalgebra::{Point3, Vector3};
+
+/// A point that a photo shows elsewhere than where it is.
+#[derive(Debug, Clone, Copy)]
+pub struct PointTug {
+    /// The photo's picture.
+    pub picture: u16,
+    /// The point. \[mm\]
+    pub x: Point3<f64>,
+    /// Across the line of sight, of unit length.
+    pub direction: Vector3<f64>,
+    /// How far along the direction the photo shows it. \[mm\]
+    pub gap: f64,
+    /// How sure that is. \[1/mm²\]
+    pub stiffness: f64,
+}
+
+/// Room for the looks at one point, used again for the next.
+pub type Looks = [[Look; 2]; MOST_SIGHTS];
+
+/// All tugs at a vertex, two a photo at most, in order. None where a photo cannot be read.
+pub fn tugs_at(
+    v: usize,
+    pictures: &[Picture],
+    sights: &Sights,
+    window: &Window,
+    footprint: f64,
+    looks: &mut Looks,
+) -> Vec<PointTug> {
+    let count = window.len();
+    let (frame, seen) = (&sights.frames[v], sights.of(v));
+    let mut tugs = vec![];
+    if seen.len() < 2 {
+        return tugs;
+    }
+    let across: Vec<[Vector3<f64>; 2]> = seen
+        .iter()
+        .map(|s| tangents(&Vector3::from(s.toward.map(f64::from))))
+        .collect();
+    let fine = seen.iter().enumerate().all(|(i, s)| {
+        let picture = &pictures[s.picture as usize];
+        (0..2).all(|k| looks[i][k].read::<true>(picture, frame, 0.0, &across[i][k], window))
+    });
+    if !fine {
+        return tugs;
+    }
+    for (i, sight) in seen.iter().enumerate() {
+        let mut others = [0.0f32; MOST_POINTS];
+        let mut weight = 0.0;
+        for (j, other) in seen.iter().enumerate().filter(|(j, _)| *j != i) {
+            let w = other.weight;
+            (0..count).for_each(|k| others[k] += w * looks[j][0].z[k]);
+            weight += w;
+        }
+        let norm = dot(&others[..count], &others[..count]).sqrt();
+        if norm <= 0.0 || weight <= 0.0 {
+            continue;
+        }
+        others[..count].iter_mut().for_each(|o| *o /= norm);
+        let look = &looks[i];
+        let agree = dot(&others[..count], &look[0].z[..count]);
+        if agree < 0.3 {
+            continue;
+        }
+        let slope = |k: usize| &look[k].slope[..count];
+        let wanted: Vec<f32> = (0..count)
+            .map(|k| others[k] - agree * look[0].z[k])
+            .collect();
+        // Two directions across the line of sight, made independent of each other.
+        let (a, b, ab) = (
+            dot(slope(0), slope(0)),
+            dot(slope(1), slope(1)),
+            dot(slope(0), slope(1)),
+        );
+        let (ra, rb) = (dot(slope(0), &wanted), dot(slope(1), &wanted));
+        let (values, vectors) = eigen(f64::from(a), f64::from(ab), f64::from(b));
+        for k in 0..2 {
+            if values[k] < 1e-9 {
+                continue;
+            }
+            let pull = vectors[k][0] * f64::from(ra) + vectors[k][1] * f64::from(rb);
+            let gap = pull / values[k];
+            // A shift of many pixels is none that this look can tell.
+            let sure = (2.0 * footprint / gap.abs().max(1e-9)).min(1.0);
+            tugs.push(PointTug {
+                picture: sight.picture,
+                x: frame.x,
+                direction: across[i][0] * vectors[k][0] + across[i][1] * vectors[k][1],
+                gap,
+                stiffness: values[k] * f64::from(sight.weight * weight * agree) * sure,
+            });
+        }
+    }
+    tugs
+}
+
+/// Eigenvalues and unit eigenvectors of a symmetric 2 × 2 matrix.
+fn eigen(a: f64, b: f64, c: f64) -> ([f64; 2], [[f64; 2]; 2]) {
+    let (mean, half) = ((a + c) / 2.0, (a - c) / 2.0);
+    let far = half.hypot(b);
+    let angle = 0.5 * b.atan2(half);
+    let (sin, cos) = angle.sin_cos();
+    ([mean + far, mean - far], [[cos, sin], [-sin, cos]])
+}

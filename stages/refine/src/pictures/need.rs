@@ -1,0 +1,82 @@
+//! How much memory the stages of this room take beside their input, from sizes alone.
+//!
+//! What a pixel and a vertex take was read off peaks of single stages on turns of 18 photos of 1 and
+//! 4 megapixels; docs/engine.md has them beside what is told.
+
+use crate::pictures::prepare::{halvings, taken};
+use shape::{Cameras, Masks, Mesh, Photos};
+
+/// Of a pixel of a picture: brightness, and the distance to the silhouette. \[bytes\]
+const PICTURE_PIXEL: f64 = 8.0;
+
+/// Of a pixel of a photo on its way to a picture: colours, brightness, distances, each before and
+/// after a step. One photo a thread. \[bytes\]
+const PHOTO_PIXEL: f64 = 36.0;
+
+/// Of a vertex: what each photo shows there, its equations, its neighbours. \[bytes\]
+const VERTEX: f64 = 2500.0;
+
+/// Of a vertex of a surface that only gives way to one with other edges: itself and its neighbours. \[bytes\]
+const LEFT_VERTEX: f64 = 300.0;
+
+/// Vertices for a pixel of a silhouette at a pixel's spacing: the surface of what is round has π times
+/// the area of its outline, and an equilateral triangle with sides 1 has √3/4, two of them a vertex.
+const VERTICES: f64 = std::f64::consts::PI / 0.866;
+
+/// Of a body whose silhouettes nobody gave, the share of a photo that it covers.
+const COVERS: f64 = 0.3;
+
+/// What [`pictures`](crate::pictures::prepare::pictures) takes: those that stay, and what it takes to make them.
+pub(crate) struct Need {
+    /// Pixels of all pictures.
+    pixels: f64,
+    /// Pixels of the largest photo.
+    photo: f64,
+    /// Pixels of a picture that the body covers, in the middle.
+    body: f64,
+}
+
+impl Need {
+    /// From the sizes of photos at a level of the pyramid.
+    pub(crate) fn new(
+        photos: &Photos,
+        cameras: &Cameras,
+        masks: Option<&Masks>,
+        level: u32,
+        most_mpx: f64,
+    ) -> Need {
+        let mut need = Need {
+            pixels: 0.0,
+            photo: 0.0,
+            body: 0.0,
+        };
+        let views = taken(photos, cameras);
+        for (id, view) in &views {
+            let [width, height] = [view.camera.lens.width, view.camera.lens.height];
+            let photo = f64::from(width) * f64::from(height);
+            let halvings = halvings([width, height], level, most_mpx);
+            let picture = photo / 4f64.powi(halvings as i32);
+            let mask = masks.and_then(|masks| masks.views.get(*id));
+            let share = mask.map_or(COVERS, |m| m.area() as f64 / m.data.len().max(1) as f64);
+            need.pixels += picture;
+            need.photo = need.photo.max(photo);
+            need.body += picture * share / views.len() as f64;
+        }
+        need
+    }
+
+    /// Of the pictures, so many of each, and of making them. \[bytes\]
+    pub(crate) fn pictures(&self, copies: u32) -> f64 {
+        let threads = rayon::current_num_threads() as f64;
+        f64::from(copies) * self.pixels * PICTURE_PIXEL + threads * self.photo * PHOTO_PIXEL
+    }
+
+    /// Of a surface with so long edges, or of the one that is there where none are asked for. \[px, bytes\]
+    pub(crate) fn surface(&self, edge_px: f64, mesh: &Mesh) -> f64 {
+        let came = mesh.positions.len() as f64;
+        match edge_px > 0.0 {
+            true => self.body * VERTICES / (edge_px * edge_px) * VERTEX + came * LEFT_VERTEX,
+            false => came * VERTEX,
+        }
+    }
+}

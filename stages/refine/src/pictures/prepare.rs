@@ -1,0 +1,145 @@
+//! The pictures of a turn, made ready from photos, cameras and masks.
+
+use crate::pictures::picture::Picture;
+use rayon::prelude::*;
+use shape::{Cameras, Masks, Mesh, PhotoError, PhotoId, Photos, View, Warps};
+
+/// Why a surface cannot be refined.
+#[derive(Debug, thiserror::Error)]
+pub enum RefineError {
+    /// Too few photos.
+    #[error("only {0} photos have a camera, but a surface needs at least 2 that see it")]
+    TooFew(usize),
+    /// A mesh with holes, or that touches itself.
+    #[error("the mesh cannot be refined; repair it, or start from `hull.carve`")]
+    Mesh(#[from] shape::MeshFault),
+    /// Nothing to refine.
+    #[error("the mesh has no face")]
+    Empty,
+    /// Photos and cameras that do not belong together.
+    #[error("photo {name} is {photo:?} pixels, but its camera was calibrated for {camera:?}")]
+    Size {
+        /// The photo.
+        name: String,
+        /// Its size.
+        photo: [u32; 2],
+        /// The camera's.
+        camera: [u32; 2],
+    },
+    /// No part of the mesh is seen twice.
+    #[error("no part of the mesh is seen by two photos: do mesh and cameras belong together?")]
+    Unseen,
+}
+
+/// Checks a mesh before anything is done to it.
+pub fn check(mesh: &Mesh) -> Result<(), RefineError> {
+    mesh.validate_closed()?;
+    if mesh.faces.is_empty() {
+        return Err(RefineError::Empty);
+    }
+    Ok(())
+}
+
+/// A photo is never halved below so many pixels of its longer side: a coarser one shows no limb.
+const LEAST_PX: u32 = 500;
+
+/// How often a photo is halved: until it has at most `most_mpx` million pixels, then `level` times
+/// more, but not below [`LEAST_PX`].
+pub(crate) fn halvings([width, height]: [u32; 2], level: u32, most_mpx: f64) -> u32 {
+    let mpx = |k: u32| f64::from(width >> k) * f64::from(height >> k) / 1e6;
+    let first = (0..8).find(|k| mpx(*k) <= most_mpx).unwrap_or(8);
+    let fits = |k: &u32| width.max(height) >> k >= LEAST_PX;
+    (0..=first + level).rev().find(fits).unwrap_or(0).max(first)
+}
+
+/// The cameras whose photo is there, in turning order: the order of [`pictures`].
+pub fn taken<'a>(photos: &Photos, cameras: &'a Cameras) -> Vec<(PhotoId, &'a View)> {
+    let views = cameras.views.iter();
+    views.filter(|(id, _)| photos.get(*id).is_some()).collect()
+}
+
+/// The photos that have a camera, at one level: each halved until it has at most `most_mpx`
+/// million pixels, then `level` times more, 500 pixels left. `check` fails when the user asked to stop.
+pub fn pictures<E: From<RefineError> + From<PhotoError> + Send>(
+    photos: &Photos,
+    cameras: &Cameras,
+    masks: Option<&Masks>,
+    level: u32,
+    most_mpx: f64,
+    check: impl Fn() -> Result<(), E> + Sync,
+) -> Result<Vec<Picture>, E> {
+    let views = taken(photos, cameras);
+    if views.len() < 2 {
+        return Err(RefineError::TooFew(views.len()).into());
+    }
+    views
+        .par_iter()
+        .map(|(id, view)| {
+            check()?;
+            let photo = photos.get(*id).expect("bug: taken without a photo");
+            let lens = &view.camera.lens;
+            if [photo.width, photo.height] != [lens.width, lens.height] {
+                return Err(RefineError::Size {
+                    name: photo.name.clone(),
+                    photo: [photo.width, photo.height],
+                    camera: [lens.width, lens.height],
+                }
+                .into());
+            }
+            let halvings = halvings([lens.width, lens.height], level, most_mpx);
+            let mask = masks.and_then(|m| m.views.get(*id));
+            let mask =
+                mask.filter(|m| (m.width as u32, m.height as u32) == (lens.width, lens.height));
+            Ok(Picture::new(
+                photo.decode()?.gray(),
+                &view.camera,
+                mask,
+                halvings,
+            ))
+        })
+        .collect()
+}
+
+/// Takes out of [`pictures`] of the same photos and cameras how the body bent.
+pub fn unbend(pictures: &mut [Picture], photos: &Photos, cameras: &Cameras, warps: &Warps) {
+    let ids = taken(photos, cameras);
+    let each = pictures.par_iter_mut().zip(&ids);
+    each.for_each(|(picture, (id, view))| {
+        if let Some(warp) = warps.views.get(*id) {
+            *picture = picture.unbent(warp, view.camera.lens.width);
+        }
+    });
+}
+
+/// What a pixel covers on the mesh, the median over vertices and pictures. \[mm\]
+pub fn footprint(mesh: &Mesh, pictures: &[Picture]) -> f64 {
+    let stride = (mesh.positions.len() / 500).max(1);
+    let mut all: Vec<f64> = (0..mesh.positions.len())
+        .step_by(stride)
+        .flat_map(|v| {
+            pictures
+                .iter()
+                .filter_map(move |p| p.project(&mesh.point(v as u32)).map(|x| p.footprint(x.1)))
+        })
+        .collect();
+    all.sort_by(f64::total_cmp);
+    all.get(all.len() / 2).copied().unwrap_or(1.0)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn photos_are_halved_to_the_level_but_never_to_a_thumbnail() {
+        for (size, level, halved) in [
+            ([1600, 2400], 2, 2),
+            ([4016, 6016], 2, 3),
+            ([800, 1200], 2, 1),
+            ([400, 600], 2, 0),
+            ([300, 200], 3, 0),
+        ] {
+            assert_eq!(halvings(size, level, 6.0), halved, "{size:?}");
+        }
+    }
+}

@@ -1,0 +1,63 @@
+//! What the stages of this room read, and how large they look at it: the same for all.
+
+use crate::pictures::need::Need;
+use crate::pictures::picture::Picture;
+use crate::pictures::prepare::{RefineError, check, pictures};
+use shape::{Cameras, Masks, Mesh, PhotoError, Photos};
+use std::sync::Arc;
+
+stage::params! {
+    /// How large photos are looked at.
+    pub struct PhotoSize {
+        /// Level of the Gaussian pyramid: photos are halved so many times, 500 pixels left.
+        #[range(0..=6)]
+        level: u32 = 0,
+        /// Photos are halved first until they have at most so many million pixels.
+        #[range(0.1..=100.0)]
+        most_mpx: f64 = 6.0,
+    }
+}
+
+stage::inputs! {
+    /// A surface and the photos of one turn.
+    pub struct TurnInput {
+        /// Closed; a hull will do, but bending is told apart from shape only on a settled surface.
+        mesh: Arc<Mesh>,
+        /// Those without a camera are passed over.
+        photos: Arc<Photos>,
+        /// Where they were taken: as the body saw them, once that is known.
+        cameras: Arc<Cameras>,
+        /// Silhouettes: what lies beyond them is not the body.
+        masks: Option<Arc<Masks>>,
+    }
+}
+
+impl TurnInput {
+    /// How much memory so many copies of the pictures take, and a surface with so long edges. \[px, bytes\]
+    pub(crate) fn memory(&self, size: &PhotoSize, copies: u32, edge_px: f64) -> u64 {
+        let masks = self.masks.as_deref();
+        let need = Need::new(
+            &self.photos,
+            &self.cameras,
+            masks,
+            size.level,
+            size.most_mpx,
+        );
+        (need.pictures(copies) + need.surface(edge_px, &self.mesh)) as u64
+    }
+
+    /// The photos that have a camera, in turning order; `go_on` fails when the user asked to stop.
+    ///
+    /// # Errors
+    /// A mesh that is not closed or has no face, fewer than two photos with a camera, a photo that
+    /// cannot be decoded or is not of its camera's size.
+    pub(crate) fn pictures<E: From<RefineError> + From<PhotoError> + Send>(
+        &self,
+        size: &PhotoSize,
+        go_on: impl Fn() -> Result<(), E> + Sync,
+    ) -> Result<Vec<Picture>, E> {
+        check(&self.mesh)?;
+        let (photos, cameras, masks) = (&self.photos, &self.cameras, self.masks.as_deref());
+        pictures(photos, cameras, masks, size.level, size.most_mpx, go_on)
+    }
+}

@@ -1,0 +1,137 @@
+//! What the photos, the silhouettes and the plate say of a surface: energy, pulls, stiffness.
+
+use crate::evidence::agreement::{Agreement, agreement};
+use crate::evidence::patch::Window;
+use crate::evidence::rims::Pull;
+use crate::evidence::sights::{Sighting, Sights};
+use crate::geometry::curvature::Laplacian;
+use crate::pictures::picture::Picture;
+use crate::surface::step::{Rest, Springs};
+use nalgebra::Vector3;
+use rayon::prelude::*;
+
+/// A surface under its forces, visibility and frames held: the energy is
+/// `Σ_v a_v (Σ_pairs w (1 − M) + ½ rim (gap/φ)² + ½ bound (out/φ)²) + ½ plate Σ_v area_v (n·L x − rest)²` with `a = area/φ²`,
+/// φ the pixel's footprint; so its balance is the same at every scale.
+pub struct Forces<'a> {
+    /// The pictures.
+    pub pictures: &'a [Picture],
+    /// Who sees whom, and the patches' frames.
+    pub sights: &'a Sights,
+    /// Which pictures are compared.
+    pub rules: &'a Sighting,
+    /// The patch.
+    pub window: &'a Window,
+    /// The silhouettes' pulls.
+    pub pulls: &'a [Pull],
+    /// The plate.
+    pub laplacian: &'a Laplacian,
+    /// What a pixel covers on the surface. \[mm\]
+    pub footprint: f64,
+    /// Weight of a rim that is a pixel off, against a pair that does not agree at all.
+    pub rim: f64,
+    /// How far inward each vertex has to go to show inside of all silhouettes \[mm\]; may be empty.
+    pub outside: &'a [f64],
+    /// Weight of a vertex that has a pixel to go.
+    pub bound: f64,
+    /// The plate's rest shape.
+    pub rest: &'a Rest,
+    /// The plate's stiffness. \[mm²\]
+    pub plate: f64,
+    /// Pull back to where the vertex is, where nobody knows better.
+    pub anchor: f64,
+}
+
+impl Forces<'_> {
+    /// How much a vertex counts: its area in pixels.
+    pub fn area(&self, v: usize) -> f64 {
+        self.laplacian.areas[v] / (self.footprint * self.footprint)
+    }
+
+    /// How the pictures agree at each vertex, displaced by `d` mm, with derivatives.
+    pub fn agreements<const SLOPE: bool>(&self, d: &[f64]) -> Vec<Agreement> {
+        let one = |v: usize| {
+            let (sights, frame) = (self.sights.of(v), &self.sights.frames[v]);
+            if sights.len() < 2 {
+                return Agreement::default();
+            }
+            agreement::<SLOPE>(
+                self.pictures,
+                sights,
+                frame,
+                d[v],
+                self.window,
+                self.rules.pairing,
+            )
+        };
+        (0..d.len())
+            .into_par_iter()
+            .with_min_len(128)
+            .map(one)
+            .collect()
+    }
+
+    /// The photos' and the silhouettes' pull on each vertex where it is.
+    pub fn springs(&self, seen: &[Agreement]) -> Springs {
+        let mut springs = Springs {
+            pull: vec![0.0; seen.len()],
+            stiffness: vec![0.0; seen.len()],
+        };
+        let inverse = 1.0 / (self.footprint * self.footprint);
+        for (v, a) in seen.iter().enumerate() {
+            let area = self.area(v);
+            springs.pull[v] = area * a.slope;
+            springs.stiffness[v] = area * (a.stiffness + self.anchor * inverse);
+        }
+        for p in self.pulls {
+            let v = p.vertex as usize;
+            let weight = self.area(v) * self.rim * p.weight * inverse;
+            springs.pull[v] -= weight * p.gap * p.slope;
+            springs.stiffness[v] += weight * p.slope * p.slope;
+        }
+        for (v, gap) in self.outside.iter().enumerate().filter(|o| *o.1 > 0.0) {
+            let weight = self.area(v) * self.bound * inverse;
+            springs.pull[v] -= weight * gap;
+            springs.stiffness[v] += weight;
+        }
+        springs
+    }
+
+    /// The energy with the vertices displaced by `d` mm along their normals.
+    pub fn energy(&self, seen: &[Agreement], d: &[f64], x: &[Vector3<f64>]) -> f64 {
+        let photo: f64 = (0..d.len())
+            .map(|v| self.area(v) * (seen[v].weight - seen[v].score))
+            .sum();
+        let inverse = 1.0 / (self.footprint * self.footprint);
+        let rims: f64 = self
+            .pulls
+            .iter()
+            .map(|p| {
+                let gap = p.gap + p.slope * d[p.vertex as usize];
+                self.area(p.vertex as usize) * self.rim * p.weight * gap * gap * inverse
+            })
+            .sum();
+        let drawn = self.outside.iter().enumerate().filter(|o| *o.1 > 0.0);
+        let bounds: f64 = drawn
+            .map(|(v, gap)| self.area(v) * self.bound * (gap + d[v]).powi(2) * inverse)
+            .sum();
+        let frames = &self.sights.frames;
+        let moved: Vec<_> = (0..d.len())
+            .map(|v| x[v] + frames[v].normal * d[v])
+            .collect();
+        let normals: Vec<_> = frames.iter().map(|f| f.normal).collect();
+        let bent = self.rest.energy(self.laplacian, &moved, &normals);
+        photo + 0.5 * (rims + bounds) + self.plate * bent
+    }
+    /// The longest of a few shares of a step that lowers the energy; 0 where none does.
+    pub fn falls(&self, x: &[Vector3<f64>], d: &[f64], before: f64) -> f64 {
+        for share in [1.0, 0.5, 0.25, 0.1] {
+            let d: Vec<f64> = d.iter().map(|d| d * share).collect();
+            let seen = self.agreements::<false>(&d);
+            if self.energy(&seen, &d, x) < before {
+                return share;
+            }
+        }
+        0.0
+    }
+}

@@ -1,0 +1,131 @@
+//! One round of settling: who sees what is looked at anew, then steps are taken while the energy falls.
+
+use crate::evidence::outside::outside;
+use crate::evidence::patch::Pairing;
+use crate::evidence::rims::pulls;
+use crate::evidence::sights::{Sighting, Sights};
+use crate::geometry::curvature::Laplacian;
+use crate::geometry::remesh::relax;
+use crate::mend::crossing::part;
+use crate::pictures::picture::Picture;
+use crate::pictures::prepare::RefineError;
+use crate::surface::energy::Forces;
+use crate::surface::params::{Flow, SettleParams};
+use crate::surface::smooth::ring_median;
+use crate::surface::step::{Rest, settle};
+use crate::surface::sweep;
+use nalgebra::Vector3;
+use serde::{Deserialize, Serialize};
+use shape::{Adjacency, Mesh};
+
+/// What a round found.
+#[derive(Debug, Clone, Copy, Default, Serialize, Deserialize)]
+pub(crate) struct Told {
+    /// Consistency of what came in.
+    pub before: f64,
+    /// Consistency before the last step.
+    pub consistency: f64,
+    /// Share of the surface that two photos see.
+    pub seen: f64,
+    /// Distance of the rims from the silhouettes, root of the mean square. \[px\]
+    pub gap_px: f64,
+}
+
+/// Looks anew, then steps while the energy falls.
+pub(crate) fn one_round(
+    p: &SettleParams,
+    mesh: &mut Mesh,
+    pictures: &[Picture],
+    footprint: f64,
+    begin: bool,
+) -> Result<Told, RefineError> {
+    let window = p.patches.window();
+    let pairing = Pairing::between(p.pair_from_deg, p.pair_to_deg);
+    let rules = Sighting::new(p.patches.tilt_deg, pairing, p.noise_gain);
+    let around = Adjacency::new(mesh);
+    let start = mesh.positions.clone();
+    let mut told = Told::default();
+    let searches = usize::from(begin && p.reach_px > 0.0);
+    for step in 0..p.steps as usize + searches {
+        let searching = step < searches;
+        let sights = Sights::new(mesh, &around, pictures, &window, &rules);
+        told.seen = sights.share();
+        if told.seen == 0.0 {
+            return Err(RefineError::Unseen);
+        }
+        let normals = mesh.normals();
+        let pulls = pulls(mesh, &around, &normals, pictures, 3.0);
+        let outside = if p.bound > 0.0 {
+            outside(mesh, &normals, pictures, p.slack_px, footprint)
+        } else {
+            vec![]
+        };
+        let laplacian = Laplacian::new(mesh, &around);
+        // A typical pair-stiffness of 0.04 a pixel² balances the plate at the length asked for.
+        let plate = 0.04 * p.smooth_px.powi(4) * footprint.powi(2);
+        let x: Vec<Vector3<f64>> = (0..mesh.positions.len() as u32)
+            .map(|v| mesh.point(v).coords)
+            .collect();
+        let rest = Rest::new(&laplacian, &x, &normals, p.rest_rings as usize);
+        let forces = Forces {
+            rest: &rest,
+            pictures,
+            sights: &sights,
+            rules: &rules,
+            window: &window,
+            pulls: &pulls,
+            outside: &outside,
+            laplacian: &laplacian,
+            footprint,
+            rim: p.rim,
+            bound: p.bound,
+            plate,
+            anchor: 1e-4,
+        };
+        let still = vec![0.0; x.len()];
+        let seen = forces.agreements::<true>(&still);
+        let (score, weight) = seen
+            .iter()
+            .fold((0.0, 0.0), |s, a| (s.0 + a.score, s.1 + a.weight));
+        told.consistency = score / f64::max(weight, 1e-9);
+        if step == 0 {
+            told.before = told.consistency;
+        }
+        let gaps: f64 = pulls.iter().map(|p| p.weight * p.gap * p.gap).sum();
+        told.gap_px =
+            (gaps / pulls.iter().map(|p| p.weight).sum::<f64>().max(1e-9)).sqrt() / footprint;
+        let before = forces.energy(&seen, &still, &x);
+        let mut springs = forces.springs(&seen);
+        if searching {
+            sweep::follow(&forces, &around, p.reach_px, &seen, &mut springs);
+        } else if p.flow == Flow::WeightedMedian {
+            ring_median(
+                mesh,
+                &around,
+                &laplacian,
+                &normals,
+                &mut springs,
+                (p.eta, p.kappa),
+                footprint,
+            );
+        }
+        let d = settle(&springs, &laplacian, &x, &normals, &rest, plate, 60);
+        let most = if searching { p.reach_px } else { 3.0 } * footprint;
+        let d: Vec<f64> = d.iter().map(|d| d.clamp(-most, most)).collect();
+        let taken = if searching {
+            1.0
+        } else {
+            forces.falls(&x, &d, before)
+        };
+        if taken == 0.0 {
+            break;
+        }
+        for (v, d) in d.iter().enumerate() {
+            let to = x[v] + normals[v] * (d * taken);
+            mesh.positions[v] = [to.x as f32, to.y as f32, to.z as f32];
+        }
+        relax(mesh);
+    }
+    part(mesh, &start, &around);
+    Ok(told)
+}

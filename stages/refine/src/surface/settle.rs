@@ -1,0 +1,146 @@
+//! The stage that refines a surface level by level, its energy never rising.
+
+use crate::geometry::remesh::remesh;
+use crate::mend::crossing::unfold;
+use crate::mend::pinch::pinch;
+use crate::mend::repair::mend;
+use crate::pictures::prepare::{footprint, unbend};
+use crate::pictures::turn::TurnInput;
+use crate::surface::params::SettleParams;
+use crate::surface::round::{Told, one_round};
+use shape::{Cameras, Masks, Mesh, Photos, Warps};
+use stage::{Ctx, Stage, Stop};
+use std::sync::Arc;
+
+stage::inputs! {
+    /// A surface and the photos it is held against.
+    pub struct SettleInput {
+        /// Closed; such as a hull.
+        mesh: Arc<Mesh>,
+        /// Those without a camera are passed over.
+        photos: Arc<Photos>,
+        /// Where they were taken, the body standing still.
+        cameras: Arc<Cameras>,
+        /// Silhouettes; without them rims are left to the plate.
+        masks: Option<Arc<Masks>>,
+        /// How the body bent; without them it did not.
+        warps: Option<Arc<Warps>>,
+    }
+}
+
+impl SettleInput {
+    /// What all stages of this room read.
+    fn turn(&self) -> TurnInput {
+        TurnInput {
+            mesh: self.mesh.clone(),
+            photos: self.photos.clone(),
+            cameras: self.cameras.clone(),
+            masks: self.masks.clone(),
+        }
+    }
+}
+
+/// `refine.settle`: mesh, photos, cameras, masks → mesh.
+pub struct Settle;
+
+impl Stage for Settle {
+    const NAME: &'static str = "refine.settle";
+    const VERSION: u32 = 9;
+    const ABOUT: &'static str = "Refines a surface by inter-image consistency, silhouettes and a thin plate, the energy never rising.";
+    type Params = SettleParams;
+    type Input = SettleInput;
+    type Output = Mesh;
+    const METRICS: &'static [&'static str] = &[
+        "consistency",
+        "seen twice",
+        "rim gap",
+        "crossing faces",
+        "faces",
+    ];
+
+    /// The pictures, and what hangs on the vertices.
+    fn memory(p: &SettleParams, input: &SettleInput) -> u64 {
+        input.turn().memory(&p.size, 1, p.edge_px)
+    }
+
+    fn run(p: &SettleParams, input: SettleInput, ctx: &Ctx<'_>) -> Result<Mesh, Stop> {
+        let mut pictures = input
+            .turn()
+            .pictures(&p.size, || ctx.check().map_err(Stop::from))?;
+        if let Some(warps) = &input.warps {
+            unbend(&mut pictures, &input.photos, &input.cameras, warps);
+        }
+        let footprint = footprint(&input.mesh, &pictures);
+        let mut mesh = Mesh::clone(&input.mesh);
+        mesh.colors.clear();
+        if p.edge_px > 0.0 {
+            mesh = remesh(&mesh, p.edge_px * footprint, 4);
+        }
+        unfold(&mut mesh);
+        mend(&mut mesh);
+        let steps = ctx.steps("rounds", p.rounds as usize);
+        let mut state = Checkpoint {
+            mesh,
+            done: 0,
+            told: Told::default(),
+        };
+        if let Some(left) = ctx.resume::<Checkpoint>("round") {
+            state = left;
+            (0..state.done).try_for_each(|_| steps.tick())?;
+        }
+        for round in state.done..p.rounds {
+            let before = state.told.before;
+            state.told = one_round(p, &mut state.mesh, &pictures, footprint, round < p.searches)?;
+            if round > 0 {
+                state.told.before = before;
+            }
+            state.done = round + 1;
+            ctx.checkpoint("round", &state);
+            steps.tick()?;
+        }
+        let Checkpoint { mut mesh, told, .. } = state;
+        if told.seen < 0.5 {
+            ctx.warn(format!(
+                "only {:.0} % of the surface is seen by two photos or more",
+                told.seen * 100.0
+            ));
+        }
+        if told.consistency < told.before - 0.02 {
+            ctx.warn("the photos agree less on the settled surface than on the one that came in");
+        }
+        if p.neck_edges > 0 {
+            pinch(&mut mesh, p.neck_edges as usize);
+        }
+        let crossed = mend(&mut mesh);
+        if crossed > 0 {
+            ctx.warn(format!("{crossed} pairs of faces pass through each other"));
+        }
+        ctx.metric("consistency", told.consistency, "");
+        ctx.metric("seen twice", told.seen, "");
+        ctx.metric("rim gap", told.gap_px, "px");
+        ctx.metric("crossing faces", crossed as f64, "pairs");
+        ctx.metric("faces", mesh.faces.len() as f64, "");
+        Ok(mesh)
+    }
+}
+
+/// What is left of a run that was stopped.
+struct Checkpoint {
+    mesh: Mesh,
+    done: u32,
+    told: Told,
+}
+
+impl stage::Artifact for Checkpoint {
+    const KIND: &'static str = "settle.checkpoint";
+    const FORMAT: u32 = 1;
+    fn pack(&self, to: &mut stage::Packer) {
+        to.meta(&(self.done, self.told));
+        self.mesh.pack(to);
+    }
+    fn unpack(from: &stage::Unpacker<'_>) -> Result<Self, stage::Corrupt> {
+        let (done, told) = from.meta()?;
+        let mesh = Mesh::unpack(from)?;
+        Ok(Checkpoint { mesh, done, told })
+    }
+}

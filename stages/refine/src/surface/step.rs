@@ -1,0 +1,189 @@
+//! One step of all vertices along their normals, by conjugate gradients: the data's pull, the
+//! silhouettes' and a thin plate's balance.
+
+use crate::geometry::curvature::Laplacian;
+use crate::geometry::gradients::conjugate_gradients;
+use nalgebra::Vector3;
+use rayon::prelude::*;
+
+/// Pulls on each vertex, and how stiff they are: energy `½ stiffness d² − pull d` a vertex.
+#[derive(Debug, Clone, Default)]
+pub struct Springs {
+    /// Pull outward. \[1/mm\]
+    pub pull: Vec<f64>,
+    /// Stiffness, 0 or more. \[1/mm²\]
+    pub stiffness: Vec<f64>,
+}
+
+/// How curved the surface is, against how curved it is round about: what the plate straightens.
+///
+/// Mean curvature (eq. 3) and a plain thin plate both shrink what is round: a cylinder of radius R
+/// by 1/R and 1/R³. This plate's rest shape is the surface's own curvature, averaged over the
+/// neighbourhood, so that a cylinder and a sphere of any size rest, and only dents are straightened.
+pub struct Rest {
+    /// Wanted `n · L x` of each vertex. \[1/mm\]
+    pub wanted: Vec<f64>,
+}
+
+impl Rest {
+    /// Of the surface as it is, averaged `passes` times over the ring.
+    pub fn new(
+        laplacian: &Laplacian,
+        x: &[Vector3<f64>],
+        normals: &[Vector3<f64>],
+        passes: usize,
+    ) -> Self {
+        let bent = laplacian.apply(x);
+        let mut wanted: Vec<f64> = bent.iter().zip(normals).map(|(b, n)| b.dot(n)).collect();
+        for _ in 0..passes {
+            let one = |v: usize| {
+                let (mut sum, mut area) = (wanted[v] * laplacian.areas[v], laplacian.areas[v]);
+                for (j, _) in laplacian.row(v) {
+                    sum += wanted[j] * laplacian.areas[j];
+                    area += laplacian.areas[j];
+                }
+                sum / area
+            };
+            wanted = (0..x.len())
+                .into_par_iter()
+                .with_min_len(4096)
+                .map(one)
+                .collect();
+        }
+        Rest { wanted }
+    }
+
+    /// `½ Σ area (n · L x − wanted)²` at positions `x`.
+    pub fn energy(
+        &self,
+        laplacian: &Laplacian,
+        x: &[Vector3<f64>],
+        normals: &[Vector3<f64>],
+    ) -> f64 {
+        let bent = laplacian.apply(x);
+        let each = bent
+            .iter()
+            .zip(normals)
+            .zip(&self.wanted)
+            .zip(&laplacian.areas);
+        each.map(|(((b, n), w), a)| 0.5 * a * (b.dot(n) - w).powi(2))
+            .sum()
+    }
+}
+
+/// Minimises `Σ (½ stiffness d² − pull d) + ½ plate Σ area (n · L (x + d n) − rest)²` over the
+/// displacements `d` along the normals \[mm\]. `plate` in mm².
+pub fn settle(
+    springs: &Springs,
+    laplacian: &Laplacian,
+    x: &[Vector3<f64>],
+    normals: &[Vector3<f64>],
+    rest: &Rest,
+    plate: f64,
+    rounds: usize,
+) -> Vec<f64> {
+    let count = x.len();
+    let transposed = Transposed::new(laplacian, count);
+    let bend = |y: &[Vector3<f64>], rest: Option<&Rest>| -> Vec<f64> {
+        let bent = laplacian.apply(y);
+        let along = |v: usize| {
+            let less = rest.map_or(0.0, |r| r.wanted[v]);
+            normals[v] * ((bent[v].dot(&normals[v]) - less) * laplacian.areas[v] * plate)
+        };
+        let range = (0..count).into_par_iter().with_min_len(4096);
+        let strained: Vec<_> = range.map(along).collect();
+        transposed.apply(&strained, normals)
+    };
+    let matrix = |d: &[f64]| -> Vec<f64> {
+        let moved: Vec<_> = d.iter().zip(normals).map(|(d, n)| n * *d).collect();
+        let mut out = bend(&moved, None);
+        for v in 0..count {
+            out[v] += springs.stiffness[v] * d[v];
+        }
+        out
+    };
+    let inverse: Vec<f64> = (0..count)
+        .map(|v| {
+            let own: f64 = laplacian.row(v).map(|(_, w)| w).sum();
+            let beside = |(j, w): (usize, f64)| {
+                // area_v w_vj is symmetric, so w_jv = w_vj area_v / area_j.
+                let back = w * laplacian.areas[v] / laplacian.areas[j];
+                laplacian.areas[j] * back * back
+            };
+            let others: f64 = laplacian.row(v).map(beside).sum();
+            let bent = laplacian.areas[v] * own * own + others;
+            let diagonal = springs.stiffness[v] + plate * bent;
+            if diagonal > 0.0 { 1.0 / diagonal } else { 0.0 }
+        })
+        .collect();
+    let mut r = bend(x, Some(rest));
+    for v in 0..count {
+        r[v] = springs.pull[v] - r[v];
+    }
+    conjugate_gradients(matrix, &inverse, r, rounds)
+}
+
+/// The Laplacian transposed, rows gathered so that each output is summed by one thread in order.
+struct Transposed<'a> {
+    laplacian: &'a Laplacian,
+    own: Vec<f64>,
+}
+
+impl<'a> Transposed<'a> {
+    fn new(laplacian: &'a Laplacian, count: usize) -> Self {
+        let own = (0..count)
+            .map(|v| laplacian.row(v).map(|(_, w)| w).sum())
+            .collect();
+        Transposed { laplacian, own }
+    }
+
+    /// `nᵀ Lᵀ y`. The Laplacian's pattern is symmetric and `area_v w_vj = area_j w_jv`.
+    fn apply(&self, y: &[Vector3<f64>], normals: &[Vector3<f64>]) -> Vec<f64> {
+        let areas = &self.laplacian.areas;
+        let one = |v: usize| -> f64 {
+            let own = -y[v] * self.own[v];
+            let gathered = self
+                .laplacian
+                .row(v)
+                .fold(own, |sum, (j, w)| sum + y[j] * (w * areas[v] / areas[j]));
+            gathered.dot(&normals[v])
+        };
+        (0..y.len())
+            .into_par_iter()
+            .with_min_len(4096)
+            .map(one)
+            .collect()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_is_round_rests_and_a_dent_is_straightened() {
+        let mut mesh = crate::geometry::solids::sphere(40.0, 4);
+        let around = shape::Adjacency::new(&mesh);
+        let step = |mesh: &shape::Mesh| -> Vec<f64> {
+            let x: Vec<_> = (0..mesh.positions.len() as u32)
+                .map(|v| mesh.point(v).coords)
+                .collect();
+            let (laplacian, normals) = (Laplacian::new(mesh, &around), mesh.normals());
+            let rest = Rest::new(&laplacian, &x, &normals, 20);
+            let springs = Springs {
+                pull: vec![0.0; x.len()],
+                stiffness: vec![1e-4; x.len()],
+            };
+            settle(&springs, &laplacian, &x, &normals, &rest, 40.0, 80)
+        };
+        let drift = step(&mesh);
+        let mean = drift.iter().sum::<f64>() / drift.len() as f64;
+        assert!(mean.abs() < 0.004, "a sphere of 40 mm drifts by {mean} mm");
+        mesh.positions[0] = mesh.positions[0].map(|x| x * 0.98);
+        assert!(
+            step(&mesh)[0] > 0.5,
+            "a dent of 0.8 mm comes out by {}",
+            step(&mesh)[0]
+        );
+    }
+}

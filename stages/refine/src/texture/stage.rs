@@ -1,0 +1,275 @@
+//! The stage that paints the surface from the photos (paper, Fig. 4 d, g, h).
+
+use crate::pictures::picture::Picture;
+use crate::pictures::turn::{PhotoSize, TurnInput};
+use crate::texture::atlas::{Sheet, charts, packed};
+use crate::texture::labels::{NOWHERE, labels};
+use nalgebra::{Point2, Vector3};
+use rayon::prelude::*;
+use shape::{Adjacency, Camera, Mesh, PhotoId, Photos, Rgb, Textured};
+use stage::{Ctx, Stage, Stop};
+
+stage::params! {
+    /// How the surface is painted.
+    pub struct TextureParams {
+        /// Side of the atlas.
+        #[range(64..=16384)]
+        atlas_px: u32 = 2048,
+        /// Rounds in which neighbours agree on a photo.
+        #[range(0..=100)]
+        rounds: u32 = 12,
+        /// Whether brightness is evened out where photos meet.
+        even: bool = true,
+    }
+}
+
+/// A surface and its photos.
+pub type TextureInput = TurnInput;
+
+/// `refine.texture`: mesh, photos, cameras, masks → textured mesh.
+pub struct Texture;
+
+/// Margin around a chart. \[px\]
+const MARGIN: usize = 2;
+
+/// The photos by which faces are given to photos.
+const SMALL: PhotoSize = PhotoSize {
+    level: 0,
+    most_mpx: 2.0,
+};
+
+impl Stage for Texture {
+    const NAME: &'static str = "refine.texture";
+    const VERSION: u32 = 3;
+    const ABOUT: &'static str = "Paints each face from the photo that shows it best, brightness evened out where photos meet.";
+    type Params = TextureParams;
+    type Input = TextureInput;
+    type Output = Textured;
+    const METRICS: &'static [&'static str] =
+        &["charts", "faces that no photo shows", "atlas against photo"];
+
+    /// The pictures, and what hangs on the vertices.
+    fn memory(p: &TextureParams, input: &TextureInput) -> u64 {
+        // The atlas as it is painted, grown, encoded and packed.
+        let atlas = 12.0 * f64::from(p.atlas_px).powi(2);
+        input.memory(&SMALL, 1, 0.0) + atlas as u64
+    }
+
+    fn run(p: &TextureParams, input: TextureInput, ctx: &Ctx<'_>) -> Result<Textured, Stop> {
+        let mesh = Mesh {
+            colors: vec![],
+            ..Mesh::clone(&input.mesh)
+        };
+        let views: Vec<(PhotoId, Camera)> = input
+            .cameras
+            .views
+            .iter()
+            .filter(|(id, _)| input.photos.get(*id).is_some())
+            .map(|(id, view)| (id, view.camera))
+            .collect();
+        let small = input.pictures(&SMALL, || ctx.check().map_err(Stop::from))?;
+        let labels = labels(&mesh, &small, p.rounds as usize);
+        let charts = charts(&mesh, &labels);
+        let (own, mean) = vertex_colours(&mesh, &labels, &input.photos, &views, &small)?;
+        let sheets: Vec<Sheet<'_>> = charts
+            .iter()
+            .map(|c| Sheet::new(&mesh, c, &views))
+            .collect();
+        let boxes: Vec<[Point2<f64>; 2]> = charts
+            .iter()
+            .zip(&sheets)
+            .map(|(c, sheet)| sheet.bounds(&mesh, c))
+            .collect();
+        let sizes: Vec<[f64; 2]> = boxes
+            .iter()
+            .map(|[lo, hi]| [hi.x - lo.x, hi.y - lo.y])
+            .collect();
+        let side = p.atlas_px as usize;
+        let (places, scale) = packed(&sizes, side, MARGIN);
+        let mut atlas = Rgb::filled(side, side, [128; 3]);
+        let mut corners = vec![[[0.0f32; 2]; 3]; mesh.faces.len()];
+        let steps = ctx.steps("photos", views.len() + 1);
+        let ids = views.iter().map(|(id, _)| Some(*id)).chain([None]);
+        for (k, id) in ids.enumerate() {
+            let photo = match id {
+                Some(id) => Some(
+                    input
+                        .photos
+                        .get(id)
+                        .expect("bug: filtered above")
+                        .decode()?,
+                ),
+                None => None,
+            };
+            let label = if photo.is_some() { k as u16 } else { NOWHERE };
+            for (c, chart) in charts.iter().enumerate().filter(|(_, c)| c.photo == label) {
+                for f in &chart.faces {
+                    let face = mesh.faces[*f as usize];
+                    let at_px = face.map(|v| sheets[c].at(&mesh.point(v)));
+                    let lo = boxes[c][0];
+                    let on = at_px.map(|q| {
+                        [
+                            (q.x - lo.x) * scale + places[c][0] as f64,
+                            (q.y - lo.y) * scale + places[c][1] as f64,
+                        ]
+                    });
+                    corners[*f as usize] = on.map(|q| q.map(|x| ((x + 0.5) / side as f64) as f32));
+                    let shift = [0, 1, 2].map(|i| {
+                        let (mean, own) = (mean[face[i] as usize], own[*f as usize][i]);
+                        if p.even && label != NOWHERE {
+                            mean - own
+                        } else {
+                            Vector3::zeros()
+                        }
+                    });
+                    let flat = face.map(|v| mean[v as usize]);
+                    paint(&mut atlas, on, |weights| match &photo {
+                        Some(photo) => {
+                            let q = at_px[0].coords * weights[0]
+                                + at_px[1].coords * weights[1]
+                                + at_px[2].coords * weights[2];
+                            sample(photo, q.x, q.y)
+                                + shift[0] * weights[0]
+                                + shift[1] * weights[1]
+                                + shift[2] * weights[2]
+                        }
+                        None => flat[0] * weights[0] + flat[1] * weights[1] + flat[2] * weights[2],
+                    });
+                }
+            }
+            steps.tick()?;
+        }
+        let hidden = labels.iter().filter(|l| **l == NOWHERE).count() as f64 / labels.len() as f64;
+        ctx.metric("charts", charts.len() as f64, "");
+        ctx.metric("faces that no photo shows", hidden * 100.0, "%");
+        ctx.metric("atlas against photo", scale, "");
+        Ok(Textured {
+            mesh,
+            corners,
+            atlas,
+        })
+    }
+}
+
+/// The colour of each face's corners on the face's own photo, and the mean over all photos of faces
+/// around each vertex, weighted by how squarely they are seen; both blurred.
+fn vertex_colours(
+    mesh: &Mesh,
+    labels: &[u16],
+    photos: &Photos,
+    views: &[(PhotoId, Camera)],
+    small: &[Picture],
+) -> Result<(Vec<[Vector3<f64>; 3]>, Vec<Vector3<f64>>), Stop> {
+    let normals = mesh.normals();
+    let reads: Vec<Vec<Option<(Vector3<f64>, f64)>>> = views
+        .par_iter()
+        .zip(small)
+        .map(|((id, camera), picture)| {
+            let photo = photos.get(*id).expect("bug: filtered before").decode()?;
+            let reach = (f64::from(camera.lens.width) / 400.0).max(1.0);
+            let map = crate::pictures::depth::DepthMap::new(mesh, picture, 1.0);
+            let one = |v: u32| -> Option<(Vector3<f64>, f64)> {
+                let x = mesh.point(v);
+                let cosine = (picture.centre - x).normalize().dot(&normals[v as usize]);
+                let (at, depth) = picture.project(&x)?;
+                let inside = picture.inside.as_ref();
+                let body = inside.is_none_or(|m| m.sample(at[0] as f32, at[1] as f32) > 3.0);
+                let shown =
+                    body && cosine > 0.15 && map.shows(picture, &x, 4.0 * picture.footprint(depth));
+                let q = camera.project(&x).filter(|_| shown)?;
+                let around = [[0.0, 0.0], [1.0, 0.0], [-1.0, 0.0], [0.0, 1.0], [0.0, -1.0]];
+                let sum: Vector3<f64> = around
+                    .iter()
+                    .map(|d| sample(&photo, q.x + d[0] * reach, q.y + d[1] * reach))
+                    .sum();
+                Some((sum / 5.0, cosine))
+            };
+            Ok((0..mesh.positions.len() as u32).map(one).collect())
+        })
+        .collect::<Result<_, Stop>>()?;
+    let seen: Vec<Option<Vector3<f64>>> = (0..mesh.positions.len())
+        .map(|v| {
+            let seen = reads.iter().filter_map(|r| r[v]);
+            let (sum, weight) =
+                seen.fold((Vector3::zeros(), 0.0), |(s, w), (c, k)| (s + c * k, w + k));
+            (weight > 0.0).then(|| sum / weight)
+        })
+        .collect();
+    let mean = spread(&Adjacency::new(mesh), seen);
+    let own = labels.iter().zip(&mesh.faces).map(|(label, face)| {
+        face.map(|v| {
+            let read = reads.get(*label as usize).and_then(|r| r[v as usize]);
+            read.map_or(mean[v as usize], |r| r.0)
+        })
+    });
+    Ok((own.collect(), mean))
+}
+
+/// Gives vertices that no photo shows, such as the soles, the mean colour of their neighbours, ring
+/// by ring; grey where there is none to take.
+fn spread(around: &Adjacency, mut seen: Vec<Option<Vector3<f64>>>) -> Vec<Vector3<f64>> {
+    loop {
+        let fill = |v: usize| {
+            let beside = around
+                .vertices(v as u32)
+                .iter()
+                .filter_map(|j| seen[*j as usize]);
+            let (sum, count) = beside.fold((Vector3::zeros(), 0.0), |(s, n), c| (s + c, n + 1.0));
+            seen[v].or_else(|| (count > 0.0).then(|| sum / count))
+        };
+        let next: Vec<_> = (0..seen.len()).map(fill).collect();
+        let left = |all: &[Option<_>]| all.iter().filter(|c| c.is_none()).count();
+        if left(&next) == left(&seen) {
+            let grey = Vector3::repeat(128.0);
+            return next.into_iter().map(|c| c.unwrap_or(grey)).collect();
+        }
+        seen = next;
+    }
+}
+
+/// Paints a triangle and a rim of a pixel and a half around it; weights beyond the rim are held.
+fn paint(atlas: &mut Rgb, [a, b, c]: [[f64; 2]; 3], colour: impl Fn([f64; 3]) -> Vector3<f64>) {
+    let area = (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
+    let span = |i: usize, n: usize| {
+        let lo = (a[i].min(b[i]).min(c[i]) - 1.5).max(0.0).floor() as usize;
+        let hi = (a[i].max(b[i]).max(c[i]) + 1.5).min(n as f64 - 1.0).ceil() as usize;
+        lo..=hi.min(n - 1)
+    };
+    for y in span(1, atlas.height) {
+        for x in span(0, atlas.width) {
+            let part = |p: [f64; 2], q: [f64; 2]| {
+                ((q[0] - p[0]) * (y as f64 - p[1]) - (q[1] - p[1]) * (x as f64 - p[0])) / area
+            };
+            let raw = if area.abs() < 1e-9 {
+                [1.0, 0.0, 0.0]
+            } else {
+                [part(b, c), part(c, a), part(a, b)]
+            };
+            let sides = [(b, c), (c, a), (a, b)];
+            let beyond = (0..3).any(|i| {
+                let (p, q) = sides[i];
+                let long = (q[0] - p[0]).hypot(q[1] - p[1]);
+                raw[i] * area.abs() < -1.5 * long
+            });
+            if beyond {
+                continue;
+            }
+            let held = raw.map(|w| w.clamp(-0.5, 1.5));
+            let total: f64 = held.iter().sum();
+            let value = colour(held.map(|w| w / total.max(1e-9)));
+            *atlas.at_mut(x, y) = [0, 1, 2].map(|i| value[i].round().clamp(0.0, 255.0) as u8);
+        }
+    }
+}
+
+/// A photo between its pixels.
+fn sample(photo: &Rgb, x: f64, y: f64) -> Vector3<f64> {
+    let x = x.clamp(0.0, photo.width as f64 - 1.001);
+    let y = y.clamp(0.0, photo.height as f64 - 1.001);
+    let (cx, cy) = (x as usize, y as usize);
+    let (fx, fy) = (x - cx as f64, y - cy as f64);
+    let at = |dx: usize, dy: usize| Vector3::from(photo.at(cx + dx, cy + dy).map(f64::from));
+    let top = at(0, 0) * (1.0 - fx) + at(1, 0) * fx;
+    let bottom = at(0, 1) * (1.0 - fx) + at(1, 1) * fx;
+    top * (1.0 - fy) + bottom * fy
+}
