@@ -3,7 +3,8 @@
 use std::path::Path;
 
 /// Whether a name fits a pattern: `*` is any run of characters within a folder, `{a,b}` either;
-/// letters of the extension may be of either case.
+/// letters of the extension may be of either case. `*` takes no hidden file (`._0001.jpg`, which macOS
+/// writes beside photos).
 pub fn fits(pattern: &str, name: &str) -> bool {
     if let (Some(open), Some(close)) = (pattern.find('{'), pattern.find('}'))
         && open < close
@@ -13,17 +14,20 @@ pub fn fits(pattern: &str, name: &str) -> bool {
             .split(',')
             .any(|w| fits(&format!("{head}{w}{tail}"), name));
     }
-    fn glob(p: &[u8], n: &[u8]) -> bool {
+    // `first`: at the beginning of a name, where `*` takes no dot.
+    fn glob(p: &[u8], n: &[u8], first: bool) -> bool {
         match (p.first(), n.first()) {
             (None, None) => true,
+            (Some(b'*'), Some(b'.')) if first => false,
             (Some(b'*'), _) => {
-                glob(&p[1..], n) || n.first().is_some_and(|c| *c != b'/') && glob(p, &n[1..])
+                glob(&p[1..], n, false)
+                    || n.first().is_some_and(|c| *c != b'/') && glob(p, &n[1..], false)
             }
-            (Some(a), Some(b)) => a.eq_ignore_ascii_case(b) && glob(&p[1..], &n[1..]),
+            (Some(a), Some(b)) => a.eq_ignore_ascii_case(b) && glob(&p[1..], &n[1..], *b == b'/'),
             _ => false,
         }
     }
-    glob(pattern.as_bytes(), name.as_bytes())
+    glob(pattern.as_bytes(), name.as_bytes(), true)
 }
 
 /// Whether a pattern stays in the folder that it is of.
@@ -101,6 +105,13 @@ mod tests {
         assert!(fits("images/*.{jpg,jpeg,png}", "images/a.b.JPG"));
         assert!(!fits("*.jpg", "images/a.jpg"));
         assert!(!fits("*.{jpg,png}", "a.tif"));
+        for hidden in ["._0001.jpg", "images/._0001.jpg", ".jpg"] {
+            assert!(
+                !fits("*.jpg", hidden) && !fits("images/*.jpg", hidden),
+                "{hidden}"
+            );
+        }
+        assert!(fits("images/a*.jpg", "images/a.b.jpg") && fits(".hidden/*.jpg", ".hidden/a.jpg"));
     }
 
     #[test]
