@@ -74,7 +74,7 @@ pub enum StoreError {
         why: std::io::Error,
     },
     /// Written by another version of the program.
-    #[error("the cache at {} has another layout ({found}): another version of tailor made it, use that or give another folder with --cache", root.display())]
+    #[error("the cache at {} has another layout ({found}): another version of the program made it, use that or give another folder with --cache", root.display())]
     Format {
         /// The store.
         root: PathBuf,
