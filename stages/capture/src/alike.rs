@@ -1,6 +1,6 @@
 //! Whether the photos of a turn are alike: one size, one camera, one focal length, no photo twice.
 
-use crate::load::CaptureError;
+use crate::error::CaptureError;
 use shape::Photo;
 
 /// All of one size, no two equal.

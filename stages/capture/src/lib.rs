@@ -3,15 +3,19 @@
 //! `files` → [`Load`] → `photos`
 
 mod alike;
+mod error;
 mod exif;
+mod keys;
 mod load;
 mod rig;
 mod rig_tags;
 mod surface;
 mod whole;
 
-pub use load::{CaptureError, Load, LoadInput, LoadParams};
-pub use rig::{RigError, RigFile, read_rig};
+pub use error::CaptureError;
+pub use keys::RigError;
+pub use load::{Load, LoadInput, LoadParams};
+pub use rig::{RigFile, read_rig};
 pub use surface::{Surface, SurfaceError, SurfaceInput, SurfaceParams, Unit, Up};
 
 /// Every stage of this room, in the order in which data flows through it.

@@ -1,6 +1,6 @@
 //! What `capture.toml` says of marker tags: the mat on the disk, the strip on its rim.
 
-use crate::rig::{Keys, RigError};
+use crate::keys::{Keys, RigError};
 use shape::{Mat, Rig, Rim};
 use toml::Value;
 

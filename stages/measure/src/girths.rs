@@ -2,8 +2,9 @@
 
 use crate::derive::{compress, derive, no_density, profile};
 use crate::features::body::{Body, body};
+use crate::sections::one::Taken;
 use crate::sections::picked::picked;
-use crate::sections::taken::{Taken, taken};
+use crate::sections::taken::taken;
 use crate::uncertainty::interval::{Level, level_spread};
 use crate::uncertainty::outlines::{by_silhouettes, open_mm};
 use crate::uncertainty::told::{Seen, Sure};

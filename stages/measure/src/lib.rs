@@ -38,7 +38,7 @@ pub use girths::{GirthInput, GirthParams, Measure};
 pub use landmarks::{FindLandmarks, LandmarkInput, LandmarkParams, NoBody};
 pub use model::error::ModelError;
 pub use model::file::LevelModel;
-pub use model::fit::FitError;
+pub use model::fit_error::FitError;
 pub use model::fit_stage::{FitInput, FitLevels, NoModel};
 pub use model::law::{Law, LawEstimate, Place};
 pub use model::level::Level;
@@ -50,9 +50,10 @@ pub use planes::limbs::share;
 pub use planes::neck::{NeckPlane, plane_at};
 pub use planes::neck_level::{NeckLevel, neck_level};
 pub use planes::wanted::{Waist, Wanted};
+pub use sections::one::{Taken, Why};
 pub use sections::picked::{BadPoints, picked};
 pub use sections::split::{Parted, parted};
-pub use sections::taken::{Taken, Why, taken};
+pub use sections::taken::taken;
 pub use uncertainty::silhouette::{Support, Tangent, support_girth, tangents};
 
 /// Every stage of this room, in the order in which data flows through it.

@@ -4,7 +4,7 @@ use crate::backdrop::Backdrop;
 use crate::disk_top::point;
 use crate::gmm::Gmm;
 use crate::photo_cut::UNSEEN;
-use crate::turn::{Shot, scene};
+use crate::scene::{Shot, scene};
 use rayon::prelude::*;
 use shape::Image;
 

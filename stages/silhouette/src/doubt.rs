@@ -5,8 +5,9 @@
 
 use crate::backdrop::thinned;
 use crate::disk_colors::mixture;
+use crate::scene::Shot;
 use crate::segment::{STRANGE, body_cost, parts};
-use crate::turn::{SHY, Shot};
+use crate::turn::SHY;
 use rayon::prelude::*;
 use shape::Image;
 

@@ -2,10 +2,11 @@
 
 use crate::boxed::Rectangle;
 use crate::doubt::doubtful;
-use crate::grabcut::{CutError, GrabCutParams};
 use crate::means::Means;
+use crate::params::{CutError, GrabCutParams};
+use crate::scene::{Scene, Shot, full_side};
 use crate::segment::{Settings, reduced};
-use crate::turn::{Scene, Shot, full_side, standing, without_plate};
+use crate::turn::{standing, without_plate};
 use rayon::prelude::*;
 use shape::{Camera, Cameras, Image, Photo, PhotoError, PhotoId, Photos, Rgb};
 use stage::Hash;

@@ -2,7 +2,8 @@
 
 use crate::backdrop::{Backdrop, thinned};
 use crate::disk_top::{laid_out, point};
-use crate::turn::{SHY, Scene};
+use crate::scene::Scene;
+use crate::turn::SHY;
 use shape::{Camera, Image, Rgb};
 
 /// Means over the photos whose masks leave a pixel free.

@@ -1,19 +1,19 @@
 //! The scene without its subject when nobody took a plate: out of all photos of the turn.
 
-use crate::backdrop::{Backdrop, middle, still, thinned};
+use crate::backdrop::{Backdrop, still, thinned};
 use crate::background::on_disk;
 use crate::boxed::Rectangle;
 use crate::coherence::{DISSENT, together};
 use crate::disk_colors::{body_colors, disk_colors, disk_cost, mixture, on_the_disk};
-use crate::disk_top::{laid_out, lay_into, point};
 use crate::gmm::Gmm;
 use crate::nearby::{Nearby, beside};
 use crate::photo_cut::{Prepared, UNSEEN, coarse, prepare};
 use crate::recur::recurring;
+use crate::scene::{Scene, Shot, scene};
 use crate::segment::{EVIDENT, Known, STRANGE, Settings, body_cost, parts};
 use nalgebra::Point2;
 use rayon::prelude::*;
-use shape::{Camera, Cameras, Image, Mask, PhotoId, Rgb};
+use shape::{Cameras, Image, Mask, PhotoId, Rgb};
 
 /// Rounds of finding masks and the background by turns.
 const ROUNDS: usize = 2;
@@ -24,107 +24,6 @@ pub(crate) const SHY: usize = 2;
 const ISLAND: f64 = 0.004;
 /// Agreement of photos, each of which gives 1 at most, that suffices once masks are known.
 const SOME: f32 = 0.3;
-
-/// A photo, reduced, with its camera at that size.
-pub struct Shot {
-    /// Which one.
-    pub id: PhotoId,
-    /// The pixels.
-    pub small: Rgb,
-    /// The camera.
-    pub camera: Camera,
-}
-
-/// The room, which stands still, and the disk, which turns.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Scene {
-    /// The room as all photos show it.
-    pub room: Backdrop,
-    /// The map of the disk's top.
-    pub disk: Backdrop,
-    /// The disk's radius. \[mm\] 0 without one.
-    pub radius: f64,
-}
-
-impl Scene {
-    /// What one camera would see. Where nobody saw it, the photo itself stands in, so that it tells nothing.
-    pub fn behind(&self, photo: &Rgb, camera: &Camera) -> Backdrop {
-        let mut behind = self.room.clone();
-        if self.radius > 0.0 {
-            let Backdrop { image, seen } = &mut behind;
-            let (map, known) = (&self.disk.image, &self.disk.seen);
-            lay_into(image, seen, camera, self.radius, map, known);
-        }
-        for (i, seen) in behind.seen.data.iter().enumerate() {
-            if !seen {
-                behind.image.data[i] = photo.data[i];
-            }
-        }
-        behind
-    }
-}
-
-/// Finds the scene from reduced photos; `covered` names the photos (first) and pixels (second) that
-/// cannot show it.
-pub(crate) fn scene(shots: &[Shot], room: Backdrop, radius: f64, covered: &[Image<bool>]) -> Scene {
-    let cameras: Vec<Camera> = shots.iter().map(|s| s.camera).collect();
-    let side = full_side(&cameras, radius);
-    let nowhere = Backdrop {
-        image: Rgb::filled(1, 1, [0; 3]),
-        seen: Image::filled(1, 1, false),
-    };
-    if radius <= 0.0 {
-        return Scene {
-            room,
-            disk: nowhere,
-            radius,
-        };
-    }
-    let maps: Vec<_> = shots
-        .par_iter()
-        .map(|s| laid_out(&s.small, &s.camera, radius, side))
-        .collect();
-    let hides = |k: usize, i: usize| -> bool {
-        let Some(at) = point(i, radius, side).and_then(|x| shots[k].camera.project(&x)) else {
-            return true;
-        };
-        let (x, y) = (
-            at.x.round().max(0.0) as usize,
-            at.y.round().max(0.0) as usize,
-        );
-        x < covered[k].width && y < covered[k].height && covered[k].at(x, y)
-    };
-    let hidden: Vec<Image<bool>> = (0..shots.len())
-        .into_par_iter()
-        .map(|k| Image {
-            width: side,
-            height: side,
-            data: (0..side * side)
-                .map(|i| maps[k][i].is_none() || hides(k, i))
-                .collect(),
-        })
-        .collect();
-    let maps: Vec<Rgb> = maps
-        .into_iter()
-        .map(|map| Rgb {
-            width: side,
-            height: side,
-            data: map.into_iter().map(|c| c.unwrap_or([0; 3])).collect(),
-        })
-        .collect();
-    Scene {
-        room,
-        disk: middle(&maps, &hidden),
-        radius,
-    }
-}
-
-/// As many points along the map of the disk as its width has pixels.
-pub(crate) fn full_side(cameras: &[Camera], radius: f64) -> usize {
-    let width = |c: &Camera| 2.0 * radius * c.lens.focal[0] / c.centre().coords.norm();
-    let most = cameras.iter().map(width).fold(0.0, f64::max);
-    (most as usize).clamp(64, 2048)
-}
 
 /// Share of the pixels that stand still around the turn.
 pub(crate) fn standing(shots: &[Shot]) -> f64 {

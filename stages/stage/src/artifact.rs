@@ -9,7 +9,7 @@
 //! ..  sections                   raw arrays, each at a multiple of 64 bytes
 //! ```
 
-use crate::codec;
+use crate::codec::{self, Corrupt};
 use bytemuck::Pod;
 use serde::{Deserialize, Serialize, de::DeserializeOwned};
 
@@ -31,11 +31,6 @@ pub trait Artifact: Send + Sync + Sized + 'static {
     /// Back. Must check all it relies on: the bytes may come from anywhere.
     fn unpack(from: &Unpacker<'_>) -> Result<Self, Corrupt>;
 }
-
-/// Bytes that are no artifact of the wanted kind; the text says why.
-#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
-#[error("not a whole artifact: {0}")]
-pub struct Corrupt(pub String);
 
 #[derive(Serialize, Deserialize)]
 struct Header {

@@ -3,11 +3,15 @@
 //! Legacy configuration: byte for byte bincode 1.3 (and wincode), so that the crate may be
 //! swapped without losing a cached artifact. Bulk arrays never come here.
 
-use crate::Corrupt;
 use serde::{Serialize, de::DeserializeOwned};
 
 /// No metadata of ours comes near; a hostile length fails here instead of allocating.
 const LIMIT: usize = 256 << 20;
+
+/// Bytes that are no artifact of the wanted kind; the text says why.
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+#[error("not a whole artifact: {0}")]
+pub struct Corrupt(pub String);
 
 /// To bytes.
 pub(crate) fn encode(value: &impl Serialize) -> Vec<u8> {

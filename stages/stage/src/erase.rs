@@ -1,40 +1,13 @@
 //! Every cast of the house: typed stages on the one side, what the engine sees on the other.
 
 use crate::{
-    Artifact, Corrupt, Ctx, Input, Mistake, ParamSpec, Params, PortSpec, Stage, Stop, Value,
-    from_bytes, to_bytes,
+    AnyArtifact, Artifact, Corrupt, Ctx, Input, Mistake, ParamSpec, Params, PortSpec, Stage, Stop,
+    Value, from_bytes, to_bytes,
 };
 use std::any::Any;
 use std::collections::BTreeMap;
 use std::marker::PhantomData;
 use std::sync::Arc;
-
-/// An artifact of some kind, shared between its readers.
-#[derive(Clone)]
-pub struct AnyArtifact {
-    kind: &'static str,
-    inner: Arc<dyn Any + Send + Sync>,
-}
-
-impl AnyArtifact {
-    /// Forgets the type, keeps the kind.
-    pub fn new<A: Artifact>(artifact: A) -> Self {
-        AnyArtifact {
-            kind: A::KIND,
-            inner: Arc::new(artifact),
-        }
-    }
-
-    /// What it is called.
-    pub fn kind(&self) -> &'static str {
-        self.kind
-    }
-
-    /// Remembers the type, if it is this one.
-    pub fn downcast<A: Artifact>(self) -> Option<Arc<A>> {
-        self.inner.downcast().ok()
-    }
-}
 
 /// Params that were read and found good.
 #[derive(Clone)]

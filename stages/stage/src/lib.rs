@@ -11,6 +11,7 @@
 //!
 //! What is in the right column comes through [`Ctx`], which cannot enter a key.
 
+mod any;
 mod artifact;
 mod choice;
 mod codec;
@@ -25,12 +26,12 @@ mod param_type;
 mod params;
 mod value;
 
-pub use artifact::{
-    Artifact, Corrupt, Hash, Packer, Unpacker, content, from_bytes, hash, to_bytes,
-};
+pub use any::AnyArtifact;
+pub use artifact::{Artifact, Hash, Packer, Unpacker, content, from_bytes, hash, to_bytes};
 pub use choice::Choice;
+pub use codec::Corrupt;
 pub use ctx::{Ctx, Host, Metric, Steps};
-pub use erase::{AnyArtifact, AnyStage, Checked, Erased, Made, erase};
+pub use erase::{AnyStage, Checked, Erased, Made, erase};
 pub use files::{FileEntry, Files, FilesError};
 pub use input::{Input, Port, PortSpec, Wrong};
 pub use metrics::tells;

@@ -1,9 +1,9 @@
 //! Heights that the shape of a body marks, so that a visual hull shows them as well as the body.
 
 use crate::features::body::Body;
+use crate::features::extent::{breadth, depth};
 use crate::features::reach::{Reach, reach};
-use crate::geometry::slices::{Ring, Slice};
-use nalgebra::Vector3;
+use crate::geometry::slices::Slice;
 
 /// Heights above the ground that the outline of an upright body marks, and how its arms hang. \[mm\]
 ///
@@ -68,37 +68,6 @@ pub fn marks(body: &Body) -> Option<Marks> {
         girth,
         reach: reach(body, hip, neck)?,
     })
-}
-
-/// Least and greatest of a ring along a direction.
-pub(crate) fn extent(ring: &Ring, along: &Vector3<f64>) -> Option<(f64, f64)> {
-    let reach = ring.curve.iter().map(|p| p.coords.dot(along));
-    reach.fold(None, |e: Option<(f64, f64)>, x| {
-        Some(e.map_or((x, x), |(lo, hi)| (lo.min(x), hi.max(x))))
-    })
-}
-
-/// How far to either side of its middle a trunk's depth is read, as a share of stature: nipples and
-/// buttocks lie within, raised arms and the forearms before them do not.
-const MIDDLE: f64 = 0.08;
-
-/// Backmost and foremost of the middle of a trunk's section, along the body's front. \[mm\]
-pub(crate) fn depth(body: &Body, ring: &Ring) -> Option<(f64, f64)> {
-    let (low, high) = extent(ring, &body.left)?;
-    let middle = (low + high) / 2.0;
-    let near = |x: f64| (x - middle).abs() <= MIDDLE * body.stature;
-    let own = ring.curve.iter().filter(|p| near(p.coords.dot(&body.left)));
-    own.map(|p| p.coords.dot(&body.front)).fold(None, |e, x| {
-        Some(e.map_or((x, x), |(lo, hi): (f64, f64)| (lo.min(x), hi.max(x))))
-    })
-}
-
-/// From the least to the greatest of all rings of a slice along a direction: what is seen from the front,
-/// arms and all, where that is the body's left. \[mm\]
-pub(crate) fn breadth(slice: &Slice, along: &Vector3<f64>) -> Option<f64> {
-    let all = slice.rings.iter().filter_map(|r| extent(r, along));
-    let (least, most) = all.reduce(|a, b| (a.0.min(b.0), a.1.max(b.1)))?;
-    Some(most - least)
 }
 
 /// Values of slices between two heights, each the mean of five: a hull's facets jump.

@@ -1,7 +1,7 @@
 //! How far an upright body reaches back, forward and across at shares of the way from hip to neck.
 
 use crate::features::body::Body;
-use crate::features::marks::{breadth, depth, extent};
+use crate::features::extent::{breadth, depth, extent};
 
 /// How far a level section reaches, in some directions. \[mm\]
 #[derive(Debug, Clone, Copy, PartialEq)]

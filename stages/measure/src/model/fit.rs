@@ -14,6 +14,7 @@
 //! nothing of where ribs are.
 
 use super::file::{LevelModel, Population, Scope};
+use super::fit_error::FitError;
 use super::law::Law;
 use super::level::Level;
 use super::line_up::{
@@ -27,24 +28,6 @@ use nalgebra::{DMatrix, DVector};
 
 const LEVELS: usize = Level::ALL.len();
 const WIDTH: usize = READINGS + LEVELS;
-
-/// Why there is no fit.
-#[derive(Debug, thiserror::Error)]
-pub enum FitError {
-    /// Too few bodies show a reading.
-    #[error("only {rows} bodies show `{reading}`, but {least} are needed to line it up")]
-    Few {
-        /// The reading.
-        reading: &'static str,
-        /// How many.
-        rows: usize,
-        /// How many are needed.
-        least: usize,
-    },
-    /// Columns that say the same.
-    #[error("`{0}` cannot be lined up: its measures depend on each other")]
-    Singular(&'static str),
-}
 
 /// The distribution of readings and levels of some people.
 fn of_people(people: &[&Person], lined_up: &LineUp) -> Option<Normal> {

@@ -1,6 +1,7 @@
 //! The stage that fits a level model on tables and writes its file.
 
-use super::fit::{FitError, fit};
+use super::fit::fit;
+use super::fit_error::FitError;
 use super::held_out::held_out;
 use super::law::Place;
 use super::law_fit::{LawSample, fit_law, folds, law_held_out, samples};

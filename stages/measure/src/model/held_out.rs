@@ -1,7 +1,8 @@
 //! What a fit does on bodies that it has not seen: each family left out in turn, with a tenth of the rest.
 
 use super::file::LevelModel;
-use super::fit::{FitError, fit};
+use super::fit::fit;
+use super::fit_error::FitError;
 use super::level::Level;
 use super::line_up::rounded;
 use super::predict::LevelEstimate;

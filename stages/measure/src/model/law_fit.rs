@@ -1,6 +1,6 @@
 //! Fits laws on a table of made bodies, and says how they do on families left out.
 
-use super::fit::FitError;
+use super::fit_error::FitError;
 use super::held_out::{HeldOut, Miss, NINE_IN_TEN, quantile, summary, tenth};
 use super::law::{Law, Place};
 use super::line_up::{LEAST, pairwise, rounded};

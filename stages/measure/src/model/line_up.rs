@@ -1,6 +1,6 @@
 //! How readings follow from the measures of a survey, told by made bodies: r = A v + c + e.
 
-use super::fit::FitError;
+use super::fit_error::FitError;
 use super::normal::Normal;
 use super::samples::{ANATOMY, Made, Person};
 use crate::features::readings::Reading;

@@ -4,6 +4,7 @@
 pub(crate) mod error;
 pub(crate) mod file;
 pub(crate) mod fit;
+pub(crate) mod fit_error;
 pub(crate) mod fit_stage;
 pub(crate) mod held_out;
 pub(crate) mod larynx;

@@ -1,9 +1,9 @@
 //! Planes across arms and legs, from their own lines and joints.
 
 use crate::features::body::Body;
+use crate::features::extent::extent;
 use crate::features::limb::follow::Knot;
 use crate::features::limb::{Limb, Limbs, Segment};
-use crate::features::marks::extent;
 use crate::geometry::section::{flat, length, tape};
 use crate::geometry::slices::{Ring, level};
 use nalgebra::{Point3, Vector3};

@@ -9,7 +9,7 @@ use crate::geometry::crop::slab;
 use crate::geometry::section::{axes, clipped, flat, hull, tape};
 use crate::geometry::slices::{Ring, rings};
 use crate::sections::arm_told::{Told, completed, held, onward};
-use crate::sections::taken::{FUSED, Taken, Why, nearest, plain};
+use crate::sections::one::{FUSED, Taken, Why, nearest, plain};
 use nalgebra::{Matrix3, Point3, Vector3};
 use shape::{Landmark, Mesh, Plane};
 use std::f64::consts::{PI, TAU};

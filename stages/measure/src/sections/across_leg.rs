@@ -1,14 +1,14 @@
 //! The section across a leg; where both legs are one ring, the half of it on the leg's side.
 
 use crate::features::body::Body;
-use crate::features::marks::extent;
+use crate::features::extent::extent;
 use crate::geometry::crop::slab;
 use crate::geometry::section::{axes, clipped, flat, hull, length, tape};
 use crate::geometry::slices::{Ring, rings};
 use crate::geometry::spline::closed_spline_length;
 use crate::planes::limbs::webbed;
 use crate::sections::hands::holds_hand;
-use crate::sections::taken::{FUSED, HAND, NOTHING, Taken, Why, nearest, plain};
+use crate::sections::one::{FUSED, HAND, NOTHING, Taken, Why, nearest, plain};
 use nalgebra::{Point3, Vector3};
 use shape::{GirthId, Landmark, Mesh, Plane};
 

@@ -4,7 +4,7 @@
 use crate::features::marks::slope;
 use crate::geometry::section::{axes, length, tape};
 use crate::geometry::spline::closed_spline_length;
-use crate::sections::taken::Taken;
+use crate::sections::one::Taken;
 use nalgebra::Point3;
 use shape::Plane;
 

@@ -2,42 +2,19 @@
 
 use crate::features::arms::{Axis, arm_ring, merged, upper_arm_axis};
 use crate::features::body::Body;
-use crate::features::marks::{extent, hip};
+use crate::features::extent::extent;
+use crate::features::marks::hip;
 use crate::geometry::carry::{Carried, RAYS, carried, ray, reaches};
 use crate::geometry::section::{axes, flat, length, tape};
 use crate::geometry::slices::{Ring, rings};
-use crate::geometry::spline::{closed_spline_length, paper_girth};
+use crate::geometry::spline::closed_spline_length;
 use crate::sections::across_arm::across_arm;
 use crate::sections::across_leg::across_leg;
 use crate::sections::hands::{holds, holds_hand};
+use crate::sections::one::{FUSED, HAND, NO_ARMS, NOTHING, Taken, Why, nearest, plain};
 use crate::sections::split::parted;
 use nalgebra::{Point3, Vector3};
-use shape::{Landmark, Mesh, Part, Plane, Refusal, Region};
-
-/// What one section gives.
-#[derive(Debug, Clone)]
-pub struct Taken {
-    /// The curve around the part alone. \[mm\]
-    pub contour: Vec<Point3<f64>>,
-    /// Its length. \[mm\]
-    pub contour_mm: f64,
-    /// Length of a tape around it. \[mm\]
-    pub tape_mm: f64,
-    /// Length of the paper's spline. \[mm\]
-    pub spline_mm: f64,
-    /// Share of the way around that another limb hides: bridged, or carried over from a clear section.
-    pub carried: f64,
-    /// Standard deviation of what the hidden part adds. \[mm\]
-    pub doubt_mm: f64,
-}
-
-/// Why a section gives no girth.
-pub type Why = Refusal;
-
-pub(crate) const NOTHING: Why = Refusal::NoSection;
-pub(crate) const NO_ARMS: Why = Refusal::NoArms;
-pub(crate) const FUSED: Why = Refusal::Fused;
-pub(crate) const HAND: Why = Refusal::Hand;
+use shape::{Landmark, Mesh, Part, Plane, Region};
 
 /// Takes the section of a landmark.
 pub fn taken(mesh: &Mesh, body: Option<&Body>, landmark: &Landmark) -> Result<Taken, Why> {
@@ -59,28 +36,6 @@ pub fn taken(mesh: &Mesh, body: Option<&Body>, landmark: &Landmark) -> Result<Ta
             nearest(mesh, &landmark.plane).ok_or(NOTHING)?,
         ),
     }
-}
-
-/// The ring whose middle is the plane's point; of several there, the largest.
-pub(crate) fn nearest(mesh: &Mesh, plane: &Plane) -> Option<Ring> {
-    let all = rings(mesh, plane);
-    let p = Point3::from(plane.point_mm);
-    let far = |r: &Ring| (r.centre - p).norm();
-    let least = all.iter().map(far).fold(f64::MAX, f64::min);
-    all.into_iter().find(|r| far(r) <= least + 3.0)
-}
-
-pub(crate) fn plain(mesh: &Mesh, plane: &Plane, ring: Ring) -> Result<Taken, Why> {
-    let points = flat(&ring.curve, plane);
-    let contour_mm = length(&points);
-    Ok(Taken {
-        contour_mm,
-        tape_mm: tape(&points),
-        spline_mm: paper_girth(mesh, &ring.curve).unwrap_or(contour_mm),
-        contour: ring.curve,
-        carried: 0.0,
-        doubt_mm: 0.0,
-    })
 }
 
 /// From points about an origin in a plane.

@@ -1,7 +1,8 @@
 //! How sure a girth is, from what it was made of.
 
 use crate::features::body::Body;
-use crate::sections::taken::{Taken, taken};
+use crate::sections::one::Taken;
+use crate::sections::taken::taken;
 use nalgebra::{Point3, Rotation3, Unit, Vector3};
 use shape::{Landmark, Mesh, Plane, PlaneRule};
 

@@ -2,7 +2,7 @@
 
 use crate::features::body::Body;
 use crate::geometry::slices::Ring;
-use crate::sections::taken::Taken;
+use crate::sections::one::Taken;
 use crate::uncertainty::keel::{clear_sights, unconfirmed};
 use crate::uncertainty::silhouette::{Support, Tangent, support_girth, tangents};
 use nalgebra::Point3;

@@ -1,7 +1,7 @@
 //! A girth with all that is known of how sure it is, or a refusal where that is too little.
 
 use crate::geometry::spline::has_left;
-use crate::sections::taken::Taken;
+use crate::sections::one::Taken;
 use crate::uncertainty::interval::{Level, NINE_IN_TEN, interval, together, too_wide};
 use crate::uncertainty::outlines::{shared_border, surface_by_cameras};
 use crate::uncertainty::silhouette::Support;

@@ -1,6 +1,6 @@
 //! Collapses short edges into their middles where the surface stays a manifold and no face turns.
 
-use super::{area, edges, middle};
+use super::edge::{area, edges, middle};
 use shape::{Adjacency, Mesh};
 
 /// Collapses edges shorter than `least` mm, none of them next to another, where no edge becomes

@@ -1,6 +1,6 @@
 //! Flips edges so that vertices have six neighbours, where the surface does not bend by it.
 
-use super::area;
+use super::edge::area;
 use shape::{Adjacency, Mesh};
 use std::collections::HashSet;
 

@@ -1,6 +1,6 @@
 //! Splits every long edge in its middle, all at once; a face is cut in two, three or four.
 
-use super::{edges, middle};
+use super::edge::{edges, middle};
 use shape::Mesh;
 
 /// Splits edges longer than `most` mm. Whether there were any.

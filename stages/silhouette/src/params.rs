@@ -1,0 +1,58 @@
+//! How the body is cut out, and why it may not be.
+
+use crate::boxed::RectangleError;
+
+stage::params! {
+    /// How the body is cut out.
+    pub struct GrabCutParams {
+        /// Weight of the border's length against colours (γ).
+        #[range(0.0..=1000.0)]
+        gamma: f64 = 40.0,
+        /// Rounds of fitting colours and cutting.
+        #[range(1..=20)]
+        rounds: u32 = 2,
+        /// Clusters of the mixture of the body's colours.
+        #[range(1..=20)]
+        clusters: u32 = 6,
+        /// Longest side at which the first cut is made; the border is cut again at full size.
+        #[range(100..=4000)]
+        coarse_px: u32 = 800,
+        /// Height of the side of the disk below its top that is not body.
+        #[range(0.0..=500.0)]
+        disk_side_mm: f64 = 150.0,
+        /// Whether what the other photos show decides where one alone is in doubt. Needs cameras.
+        coherence: bool = true,
+        /// A rectangle that holds the body on every photo, [left, top, right, bottom]; beyond it
+        /// nothing is body. With it photos are cut by their colours alone where there is neither a
+        /// plate nor anything that stands still. Empty for none.
+        box_px: Vec<f64> = vec![],
+    }
+}
+
+/// Why there are no masks.
+#[derive(Debug, thiserror::Error)]
+pub enum CutError {
+    /// Neither plate nor cameras.
+    #[error(
+        "there is no plate, and without cameras the body cannot be told from the room: take one photo of the same scene without the subject and call it plate.jpg, hand in masks (silhouette.import), or say where the body is (`box_px`)"
+    )]
+    NoPlate,
+    /// No plate, and nothing that stands still.
+    #[error(
+        "there is no plate, and only {0:.0} % of the photos' pixels stand still over the turn: did the camera move? take a plate with a fixed camera, hand in masks (silhouette.import), or say where the body is (`box_px`)"
+    )]
+    Moves(f64),
+    /// Nothing found.
+    #[error(
+        "{0}: nothing in it differs from the empty scene: is the subject in it, or was the camera moved after the plate?"
+    )]
+    Empty(String),
+    /// Everything found.
+    #[error(
+        "{0}: nearly all of it differs from the empty scene: was the camera moved, or the light changed, while photos and plate were taken?"
+    )]
+    Full(String),
+    /// A rectangle that is none.
+    #[error(transparent)]
+    Rectangle(#[from] RectangleError),
+}
