@@ -6,7 +6,7 @@ use crate::frame::stature::{Stature, stature};
 use crate::frame::still::{median, reduced};
 use nalgebra::{Point3, Rotation3};
 use rayon::prelude::*;
-use shape::{Cameras, Gray, Masks, PhotoError, Photos, Scale};
+use shape::{Cameras, Gray, Masks, PhotoError, Photos, Rig, Scale};
 use stage::{Ctx, Stage, Stop};
 use std::sync::Arc;
 
@@ -76,15 +76,7 @@ impl Stage for Frame {
 
     fn run(p: &FrameParams, input: FrameInput, ctx: &Ctx<'_>) -> Result<Cameras, Stop> {
         let (cameras, rig) = (&*input.cameras, &input.photos.rig);
-        let body = input.masks.as_deref().and_then(|masks| {
-            let views: Vec<_> = cameras.views.join(&masks.views).collect();
-            stature(
-                &views
-                    .iter()
-                    .map(|(_, v, m)| (&v.camera, *m))
-                    .collect::<Vec<_>>(),
-            )
-        });
+        let body = body(cameras, input.masks.as_deref());
         let placed = matches!(cameras.scale, Scale::Mat | Scale::Given);
         let edge = if placed {
             None
@@ -99,103 +91,17 @@ impl Stage for Frame {
             (_, None, Some(body)) => body.ground,
             (_, None, None) => lowest(cameras),
         };
-        let mut measures = Vec::new();
-        if cameras.scale == Scale::Mat {
-            measures.push(Measure {
-                what: "the mat",
-                scale: Scale::Mat,
-                mm_per_unit: 1.0,
-                sigma: cameras.scale_sigma,
-            });
-        }
-        let tall = |mm: f64, what, scale| {
-            let body = body.as_ref()?;
-            let height = body.crown - ground;
-            let spread = body.crown_spread / (cameras.views.len().max(1) as f64).sqrt();
-            (height > 0.0).then(|| Measure {
-                what,
-                scale,
-                mm_per_unit: mm / height,
-                sigma: Some((spread / height).hypot(0.003)),
-            })
-        };
-        let round = |mm: f64, what, scale| {
-            let edge = edge.as_ref()?;
-            Some(Measure {
-                what,
-                scale,
-                mm_per_unit: mm / 2.0 / edge.radius,
-                sigma: Some(0.004),
-            })
-        };
-        if let Some(reference) = &rig.reference {
-            let mm = reference.length_mm;
-            measures.extend(match reference.kind.as_str() {
-                "subject_height" => tall(mm, "the reference length (stature)", Scale::Reference),
-                "disk_diameter" => round(mm, "the reference length (disk)", Scale::Reference),
-                "tag_size" => {
-                    let tag = rig.mat.map(|mat| mat.tag_mm).filter(|tag| (mm / tag - 1.0).abs() > 0.002);
-                    if let Some(tag) = tag {
-                        ctx.warn(format!("[mat] says that tags are {tag} mm, [reference] that they are {mm} mm: [mat] was taken; measure a printed tag and correct the other"));
-                    }
-                    None
-                }
-                other => {
-                    ctx.warn(format!(
-                        "the reference of kind `{other}` is not known here: `subject_height`, `disk_diameter` and `tag_size` are"
-                    ));
-                    None
-                }
-            });
-        }
-        measures.extend(
-            rig.disk_diameter_mm
-                .and_then(|mm| round(mm, "the disk's diameter", Scale::Disk)),
-        );
-        measures.extend(
-            rig.stature_mm
-                .and_then(|mm| tall(mm, "the stature", Scale::Stature)),
-        );
+        let seen = Seen { body, edge, ground };
+        let measures = measures(cameras, rig, &seen, |warning| ctx.warn(warning));
         if cameras.scale == Scale::Given {
             return Ok(cameras.clone());
         }
         let Some(first) = measures.first() else {
             ctx.warn("nothing tells of millimetres (no mat, reference, disk or stature that could be seen): lengths are relative to the camera ring's radius, called 1000 mm");
-            let there = moved(
-                cameras,
-                &Rotation3::identity(),
-                &Point3::new(0.0, 0.0, ground),
-                1.0,
-            );
-            return Ok(Cameras {
-                ground_mm: 0.0,
-                ..there
-            });
+            return Ok(on_ground(cameras, ground, 1.0));
         };
         for other in &measures[1..] {
-            let off = other.mm_per_unit / first.mm_per_unit - 1.0;
-            ctx.metric(
-                &format!("{} against {}", other.what, first.what),
-                off * 100.0,
-                "%",
-            );
-            if cameras.scale != Scale::Mat && off.abs() > p.contradiction {
-                return Err(Contradiction {
-                    first: first.what,
-                    other: other.what,
-                    percent: off * 100.0,
-                }
-                .into());
-            }
-            if off.abs() > p.disagreement.max(3.0 * both(first.sigma, other.sigma)) {
-                ctx.warn(format!(
-                    "{} and {} disagree by {:.1} %: {} was taken; check what capture.toml says of both",
-                    first.what,
-                    other.what,
-                    off * 100.0,
-                    first.what
-                ));
-            }
+            compare(first, other, cameras.scale, p, ctx)?;
         }
         if let Some(sigma) = first.sigma {
             ctx.metric("scale sigma", sigma * 100.0, "%");
@@ -207,20 +113,131 @@ impl Stage for Frame {
             ctx.warn("neither the disk's edge nor soles were seen: the ground lies at the lowest feature");
         }
         let size = first.mm_per_unit;
-        let there = moved(
-            cameras,
-            &Rotation3::identity(),
-            &Point3::new(0.0, 0.0, ground),
-            size,
-        );
         let disk = rig.disk_diameter_mm.map(|d| d / 2.0);
         Ok(Cameras {
             scale: first.scale,
             scale_sigma: first.sigma,
-            ground_mm: 0.0,
             disk_radius_mm: disk.or(edge.map(|e| e.radius * size)),
-            ..there
+            ..on_ground(cameras, ground, size)
         })
+    }
+}
+
+/// What was seen of body and disk, in the cameras' unit.
+struct Seen {
+    body: Option<Stature>,
+    edge: Option<DiskEdge>,
+    /// Height of the ground.
+    ground: f64,
+}
+
+/// Where crown and soles are, from silhouettes.
+fn body(cameras: &Cameras, masks: Option<&Masks>) -> Option<Stature> {
+    let views: Vec<_> = cameras.views.join(&masks?.views).collect();
+    let views: Vec<_> = views.iter().map(|(_, v, m)| (&v.camera, *m)).collect();
+    stature(&views)
+}
+
+/// The lengths that are known and were seen, the one to be believed first.
+fn measures(cameras: &Cameras, rig: &Rig, seen: &Seen, warn: impl Fn(String)) -> Vec<Measure> {
+    let mut measures = Vec::new();
+    if cameras.scale == Scale::Mat {
+        measures.push(Measure {
+            what: "the mat",
+            scale: Scale::Mat,
+            mm_per_unit: 1.0,
+            sigma: cameras.scale_sigma,
+        });
+    }
+    let tall = |mm: f64, what, scale| {
+        let body = seen.body.as_ref()?;
+        let height = body.crown - seen.ground;
+        let spread = body.crown_spread / (cameras.views.len().max(1) as f64).sqrt();
+        (height > 0.0).then(|| Measure {
+            what,
+            scale,
+            mm_per_unit: mm / height,
+            sigma: Some((spread / height).hypot(0.003)),
+        })
+    };
+    let round = |mm: f64, what, scale| {
+        let edge = seen.edge.as_ref()?;
+        Some(Measure {
+            what,
+            scale,
+            mm_per_unit: mm / 2.0 / edge.radius,
+            sigma: Some(0.004),
+        })
+    };
+    if let Some(reference) = &rig.reference {
+        let mm = reference.length_mm;
+        measures.extend(match reference.kind.as_str() {
+            "subject_height" => tall(mm, "the reference length (stature)", Scale::Reference),
+            "disk_diameter" => round(mm, "the reference length (disk)", Scale::Reference),
+            "tag_size" => {
+                let tag = rig.mat.map(|mat| mat.tag_mm);
+                if let Some(tag) = tag.filter(|tag| (mm / tag - 1.0).abs() > 0.002) {
+                    warn(format!("[mat] says that tags are {tag} mm, [reference] that they are {mm} mm: [mat] was taken; measure a printed tag and correct the other"));
+                }
+                None
+            }
+            other => {
+                warn(format!(
+                    "the reference of kind `{other}` is not known here: `subject_height`, `disk_diameter` and `tag_size` are"
+                ));
+                None
+            }
+        });
+    }
+    let disk = rig.disk_diameter_mm;
+    measures.extend(disk.and_then(|mm| round(mm, "the disk's diameter", Scale::Disk)));
+    let stature = rig.stature_mm;
+    measures.extend(stature.and_then(|mm| tall(mm, "the stature", Scale::Stature)));
+    measures
+}
+
+/// Tells how far another length disagrees with the one that is believed.
+///
+/// # Errors
+/// They contradict each other and neither is a mat's.
+fn compare(
+    first: &Measure,
+    other: &Measure,
+    scale: Scale,
+    p: &FrameParams,
+    ctx: &Ctx<'_>,
+) -> Result<(), Contradiction> {
+    let off = other.mm_per_unit / first.mm_per_unit - 1.0;
+    ctx.metric(
+        &format!("{} against {}", other.what, first.what),
+        off * 100.0,
+        "%",
+    );
+    if scale != Scale::Mat && off.abs() > p.contradiction {
+        return Err(Contradiction {
+            first: first.what,
+            other: other.what,
+            percent: off * 100.0,
+        });
+    }
+    if off.abs() > p.disagreement.max(3.0 * both(first.sigma, other.sigma)) {
+        ctx.warn(format!(
+            "{} and {} disagree by {:.1} %: {} was taken; check what capture.toml says of both",
+            first.what,
+            other.what,
+            off * 100.0,
+            first.what
+        ));
+    }
+    Ok(())
+}
+
+/// The cameras with their ground at height 0, in another unit.
+fn on_ground(cameras: &Cameras, ground: f64, mm_per_unit: f64) -> Cameras {
+    let origin = Point3::new(0.0, 0.0, ground);
+    Cameras {
+        ground_mm: 0.0,
+        ..moved(cameras, &Rotation3::identity(), &origin, mm_per_unit)
     }
 }
 

@@ -47,6 +47,9 @@ pub enum MatError {
     },
 }
 
+/// A photo, its camera as its tags alone tell it, and those tags.
+type Placed<'a> = (PhotoId, Pose, &'a Vec<Tag>);
+
 /// Calibrates from tags, and from features that move with the disk.
 pub(crate) fn calibrate(
     photos: &Photos,
@@ -56,7 +59,7 @@ pub(crate) fn calibrate(
     tracks: Option<&Tracks>,
     p: &CalibrateParams,
 ) -> Result<Found, MatError> {
-    let placed: Vec<(PhotoId, Pose, &Vec<Tag>)> = tags
+    let placed: Vec<Placed<'_>> = tags
         .views
         .iter()
         .filter_map(|(id, tags)| Some((id, pose(lens, mat, tags)?, tags)))
@@ -68,32 +71,7 @@ pub(crate) fn calibrate(
             of,
         });
     }
-    let mut scene = Scene {
-        lens: *lens,
-        poses: placed.iter().map(|(_, pose, _)| *pose).collect(),
-        ring: None,
-        points: vec![],
-        known: 0,
-        rim: None,
-    };
-    let mut sights = Vec::new();
-    for (camera, (_, _, tags)) in placed.iter().enumerate() {
-        for tag in tags.iter() {
-            let Some(corners) = mat_corners(mat, tag.id) else {
-                continue;
-            };
-            for (corner, at_px) in corners.iter().zip(tag.corners) {
-                sights.push(Sight {
-                    camera,
-                    point: scene.points.len(),
-                    at_px,
-                    sigma_px: p.tag_px,
-                });
-                scene.points.push(*corner);
-            }
-        }
-    }
-    scene.known = scene.points.len();
+    let (mut scene, mut sights) = laid_out(lens, mat, &placed, p);
     let prior = as_given(
         lens_prior(lens, knows_focal(&photos.rig), p),
         &photos.rig,
@@ -126,39 +104,17 @@ pub(crate) fn calibrate(
             Err(why) => rim_warning = Some(why.to_string()),
         }
     }
-    let mut used_tracks = 0;
     let ids: Vec<PhotoId> = placed.iter().map(|(id, ..)| *id).collect();
-    let mut points = vec![];
+    let (mut used_tracks, mut points) = (0, vec![]);
     if let Some(tracks) = tracks {
-        let seen = triangulate::triangulated(&scene.lens, &scene.poses, &ids, tracks, 4.0);
-        points = seen
-            .iter()
-            .map(|s| s.point.coords.map(|x| x as f32).into())
-            .collect();
-        let rigid = triangulate::median_residual(&seen) < 1.2 * p.feature_px;
-        let radius = mat.ring_mm + mat.tag_mm / 2.0;
-        let on_disk = |s: &&Seen| s.point.z.abs() < 4.0 && s.point.x.hypot(s.point.y) < radius;
-        let keep: Vec<&Seen> = seen.iter().filter(|s| rigid || on_disk(s)).collect();
-        used_tracks = keep.len();
-        for track in keep {
-            for (camera, at_px) in &track.sights {
-                let (camera, at_px) = (*camera, *at_px);
-                sights.push(Sight {
-                    camera,
-                    point: scene.points.len(),
-                    at_px,
-                    sigma_px: p.feature_px,
-                });
-            }
-            scene.points.push(track.point);
-        }
+        (used_tracks, points) = add_features(&mut scene, &mut sights, &ids, mat, tracks, p);
         fit = adjust(&mut scene, &sights, &beliefs, &settings);
     }
     let mut warnings = warnings(photos, &ids, &scene, &fit, &prior);
     warnings.extend(nudged(photos, &ids, &scene.poses));
     warnings.extend(uneven(photos, &ids, &scene.poses));
     warnings.extend(rim_warning);
-    let view = |(camera, (id, ..)): (usize, &(PhotoId, Pose, &Vec<Tag>))| {
+    let view = |(camera, (id, ..)): (usize, &Placed<'_>)| {
         (*id, view(photos, *id, camera, &scene, &sights, &fit))
     };
     let views: ByPhoto<View> = placed.iter().enumerate().map(view).collect();
@@ -178,6 +134,72 @@ pub(crate) fn calibrate(
         used_tracks,
         rim_tags,
     })
+}
+
+/// What is adjusted and what was seen of it: the corners of the mat's tags, all of them known.
+fn laid_out(
+    lens: &Intrinsics,
+    mat: &Mat,
+    placed: &[Placed<'_>],
+    p: &CalibrateParams,
+) -> (Scene, Vec<Sight>) {
+    let mut points = vec![];
+    let mut sights = Vec::new();
+    for (camera, (_, _, tags)) in placed.iter().enumerate() {
+        for tag in tags.iter() {
+            let Some(corners) = mat_corners(mat, tag.id) else {
+                continue;
+            };
+            for (corner, at_px) in corners.iter().zip(tag.corners) {
+                sights.push(Sight {
+                    camera,
+                    point: points.len(),
+                    at_px,
+                    sigma_px: p.tag_px,
+                });
+                points.push(*corner);
+            }
+        }
+    }
+    let scene = Scene {
+        lens: *lens,
+        poses: placed.iter().map(|(_, pose, _)| *pose).collect(),
+        ring: None,
+        known: points.len(),
+        points,
+        rim: None,
+    };
+    (scene, sights)
+}
+
+/// Adds features that move with the disk: all of them where the subject stood still, else those on
+/// the disk. How many, and where all features lie. \[mm\]
+fn add_features(
+    scene: &mut Scene,
+    sights: &mut Vec<Sight>,
+    ids: &[PhotoId],
+    mat: &Mat,
+    tracks: &Tracks,
+    p: &CalibrateParams,
+) -> (usize, Vec<[f32; 3]>) {
+    let seen = triangulate::triangulated(&scene.lens, &scene.poses, ids, tracks, 4.0);
+    let points = seen.iter().map(|s| s.point.coords.map(|x| x as f32).into());
+    let rigid = triangulate::median_residual(&seen) < 1.2 * p.feature_px;
+    let radius = mat.ring_mm + mat.tag_mm / 2.0;
+    let on_disk = |s: &&Seen| s.point.z.abs() < 4.0 && s.point.x.hypot(s.point.y) < radius;
+    let keep: Vec<&Seen> = seen.iter().filter(|s| rigid || on_disk(s)).collect();
+    for track in &keep {
+        for (camera, at_px) in &track.sights {
+            sights.push(Sight {
+                camera: *camera,
+                point: scene.points.len(),
+                at_px: *at_px,
+                sigma_px: p.feature_px,
+            });
+        }
+        scene.points.push(track.point);
+    }
+    (keep.len(), points.collect())
 }
 
 /// The pose of one camera from its tags, bad ones left out.

@@ -1,7 +1,7 @@
 //! Cameras without a mat: a turn about an unknown axis from features alone, then one adjustment.
 
-use crate::adjust::bundle::adjust;
-use crate::adjust::scene::{Beliefs, Scene, Steps};
+use crate::adjust::bundle::{Fit, adjust};
+use crate::adjust::scene::{Beliefs, Scene, Sight, Steps};
 use crate::calibration::found::Found;
 use crate::calibration::params::{CalibrateParams, Motion};
 use crate::calibration::prior::{as_given, focals, knows_focal, lens_prior, settings};
@@ -11,7 +11,7 @@ use crate::ring::cameras::{Solved, told};
 use crate::ring::error::TracksError;
 use crate::ring::pairs::{chosen, pairs};
 use crate::ring::places::{out_of_place, placed};
-use crate::ring::start::{Known, starts};
+use crate::ring::start::{Known, Pair, starts};
 use crate::ring::trial::{filled, spread_px, tried_out};
 use crate::two_view::triangulate::triangulated;
 use shape::{Intrinsics, PhotoId, Photos, Tracks};
@@ -43,20 +43,8 @@ pub(crate) fn calibrate(
         free_focal: !known_focal,
         step: photos.rig.step.map(f64::abs),
     };
-    let tried = starts(&shared, &known);
-    let few = chosen(tracks, 500);
-    let mut best: Option<(f64, Scene, Vec<i32>)> = None;
-    for start in &tried {
-        let (start, places) = match known.step {
-            Some(_) => placed(&shared, start),
-            None => (start.clone(), (0..count as i32).collect()),
-        };
-        let (score, scene) = tried_out(lens, &start, &ids, &few, p);
-        if best.as_ref().is_none_or(|(most, ..)| score > *most) {
-            best = Some((score, scene, places));
-        }
-    }
-    let Some((_, mut scene, places)) = best else {
+    let best = best_turn(lens, &shared, &known, &ids, tracks, p);
+    let Some((mut scene, places)) = best else {
         return Err(TracksError::Apart {
             pairs: neighbours,
             of: count - 1,
@@ -65,27 +53,18 @@ pub(crate) fn calibrate(
     let many = chosen(tracks, p.most_tracks as usize);
     let mut beliefs = beliefs(lens, photos, &scene, &places, p);
     let mut sigma_px = p.feature_px;
-    let mut sights = vec![];
-    let mut fit = None;
-    for round in 0..3 {
-        let most = if round == 0 { 16.0 } else { 8.0 * sigma_px };
-        let seen = triangulated(&scene.lens, &scene.poses, &ids, &many, most);
-        sigma_px = spread_px(&seen).max(p.feature_px);
-        sights = filled(&mut scene, &seen, sigma_px);
-        fit = Some(adjust(&mut scene, &sights, &beliefs, &settings(p)));
+    let (mut sights, mut fit) =
+        one_round(&mut scene, &ids, &many, &beliefs, 16.0, &mut sigma_px, p);
+    for _ in 0..2 {
+        let most = 8.0 * sigma_px;
+        (sights, fit) = one_round(&mut scene, &ids, &many, &beliefs, most, &mut sigma_px, p);
     }
     let free = match p.motion {
         Motion::Auto => photos.rig.step.is_none(),
         Motion::Ring => false,
         Motion::Free | Motion::Any => true,
     };
-    // A rigid subject is seen as well from a ring as from free cameras; one that sways is not.
-    let swaying = !free && {
-        let mut loose = scene.clone();
-        loose.ring = None;
-        adjust(&mut loose, &sights, &beliefs, &settings(p));
-        median_px(&scene, &sights) > p.sway_ratio * median_px(&loose, &sights)
-    };
+    let swaying = !free && sways(&scene, &sights, &beliefs, p);
     if swaying {
         // Sway is alike in all features of a photo, so that many of them know no better than one:
         // they would bend the lens (3 % of focal length at 12 mm of sway) and the steps.
@@ -93,22 +72,19 @@ pub(crate) fn calibrate(
         beliefs.lens.sigma = believed.map(|s| s * 1e-3);
         beliefs.steps.iter_mut().for_each(|s| s.sigma *= 0.01);
         // What is held is no better known for that, and nothing tells how far sway moved cameras.
-        fit = Some(crate::adjust::bundle::Fit {
+        fit = Fit {
             lens_sigma: believed,
             sigma_mm: vec![None; count],
             ..adjust(&mut scene, &sights, &beliefs, &settings(p))
-        });
+        };
     }
     if free {
         scene.ring = None;
         for _ in 0..3 {
-            let seen = triangulated(&scene.lens, &scene.poses, &ids, &many, 8.0 * sigma_px);
-            sigma_px = spread_px(&seen).max(p.feature_px);
-            sights = filled(&mut scene, &seen, sigma_px);
-            fit = Some(adjust(&mut scene, &sights, &beliefs, &settings(p)));
+            let most = 8.0 * sigma_px;
+            (sights, fit) = one_round(&mut scene, &ids, &many, &beliefs, most, &mut sigma_px, p);
         }
     }
-    let fit = fit.expect("bug: no round was adjusted");
     let share = scene.points.len() as f64 / many.points.len().max(1) as f64;
     if share < 0.2 {
         return Err(TracksError::Unexplained {
@@ -138,6 +114,57 @@ pub(crate) fn calibrate(
         );
     }
     Ok(found)
+}
+
+/// Of all turns that pairs of photos suggest, the one that explains most of a few features, and each
+/// photo's place in it.
+fn best_turn(
+    lens: &Intrinsics,
+    shared: &[Pair],
+    known: &Known,
+    ids: &[PhotoId],
+    tracks: &Tracks,
+    p: &CalibrateParams,
+) -> Option<(Scene, Vec<i32>)> {
+    let few = chosen(tracks, 500);
+    let mut best: Option<(f64, Scene, Vec<i32>)> = None;
+    for start in &starts(shared, known) {
+        let (start, places) = match known.step {
+            Some(_) => placed(shared, start),
+            None => (start.clone(), (0..known.photos as i32).collect()),
+        };
+        let (score, scene) = tried_out(lens, &start, ids, &few, p);
+        if best.as_ref().is_none_or(|(most, ..)| score > *most) {
+            best = Some((score, scene, places));
+        }
+    }
+    best.map(|(_, scene, places)| (scene, places))
+}
+
+/// Features anew, as many as lie within `most_px` of where they should, then one adjustment;
+/// `sigma_px` is what they scatter by.
+fn one_round(
+    scene: &mut Scene,
+    ids: &[PhotoId],
+    tracks: &Tracks,
+    beliefs: &Beliefs,
+    most_px: f64,
+    sigma_px: &mut f64,
+    p: &CalibrateParams,
+) -> (Vec<Sight>, Fit) {
+    let seen = triangulated(&scene.lens, &scene.poses, ids, tracks, most_px);
+    *sigma_px = spread_px(&seen).max(p.feature_px);
+    let sights = filled(scene, &seen, *sigma_px);
+    let fit = adjust(scene, &sights, beliefs, &settings(p));
+    (sights, fit)
+}
+
+/// Whether the subject sways: a rigid one is seen as well from a ring as from free cameras.
+fn sways(scene: &Scene, sights: &[Sight], beliefs: &Beliefs, p: &CalibrateParams) -> bool {
+    let mut loose = scene.clone();
+    loose.ring = None;
+    adjust(&mut loose, sights, beliefs, &settings(p));
+    median_px(scene, sights) > p.sway_ratio * median_px(&loose, sights)
 }
 
 /// What is believed of lens and ring once the direction of the turn and the photos' places are known.
