@@ -50,6 +50,13 @@ fn curves(mesh: &Mesh, plane: &Plane) -> Vec<Curve> {
 /// curve is it.
 const PARTED: f64 = 0.1;
 
+/// Those whose middles lie about a plane's point, which is amid the girth's own part: by no more than a tape's
+/// mean diameter. Another limb may be cut by the same plane, and be as thick.
+fn about(curves: Vec<Curve>, point: Point3<f64>, tape_mm: f64) -> Vec<Curve> {
+    let near = |c: &Curve| (c.middle - point).norm() <= tape_mm / std::f64::consts::PI;
+    curves.into_iter().filter(near).collect()
+}
+
 /// The tape of the true surface at a plane that was told: of the curve that is most like the found one
 /// in place and length. \[mm\]
 fn there(found: &[Curve], truth: &[Curve], tape_mm: f64) -> Option<f64> {
@@ -99,10 +106,12 @@ pub(crate) fn told(
             point_mm: carry.apply(&Point3::from(point_mm)).into(),
             normal: (carry.rotation * Vector3::from(normal)).into(),
         };
-        let mut own = curves(found, &here);
+        let tape_mm = tape_cm * 10.0;
+        let mut own = about(curves(found, &here), point_mm.into(), tape_mm);
         own.iter_mut()
             .for_each(|c| c.middle = carry.apply(&c.middle));
-        let mm = there(&own, &curves(truth, &carried), tape_cm * 10.0);
+        let truth = about(curves(truth, &carried), carried.point_mm.into(), tape_mm);
+        let mm = there(&own, &truth, tape_mm);
         let score = mm.map(|mm| ToldScore {
             truth_there_cm: mm / 10.0,
             tape_cm,
@@ -227,5 +236,25 @@ mod tests {
         let waist = girths["WC"].as_ref().unwrap();
         proof::near(waist.surface_mm.unwrap(), round(1.0), 0.02);
         proof::near(waist.level_mm.unwrap(), round(2.0), 0.02);
+    }
+
+    #[test]
+    fn a_limb_that_was_parted_is_held_against_its_own_true_curve_and_no_other_limbs() {
+        let at = |x: f64, tape_mm: f64| Curve {
+            tape_mm,
+            middle: Point3::new(x, 0.0, 0.0),
+        };
+        let point = Point3::new(100.0, 0.0, 0.0);
+        // Found: trunk and upper arm as one, and the other forearm, nearly as thick as what was told, 153 mm.
+        let found = about(vec![at(0.0, 577.0), at(-250.0, 145.0)], point, 153.0);
+        assert!(found.is_empty());
+        let truth = vec![at(0.0, 496.0), at(101.0, 152.0), at(-250.0, 145.5)];
+        assert_eq!(
+            there(&found, &about(truth, point, 153.0), 153.0),
+            Some(152.0)
+        );
+        // The truth joins them, too.
+        let joined = about(vec![at(60.0, 590.0)], point, 153.0);
+        assert_eq!(there(&found, &joined, 153.0), None);
     }
 }
