@@ -70,7 +70,6 @@ const KNOWN: &[&[&str]] = &[
         "engine/src/store/record.rs",
     ],
     &["engine/src/sweep/axes.rs", "engine/src/sweep/csv.rs"],
-    &["src/compare/girths.rs", "src/compare/side.rs"],
 ];
 
 /// Whether a circle lies within one that is known.

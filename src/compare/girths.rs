@@ -1,59 +1,10 @@
 //! Girths side by side, and whether they are the same within a tolerance.
 
+use super::read_girths::{ReadGirth, suffix};
 use super::side::Side;
-use crate::score::{RELATIVE, iso_mm};
+use crate::score::iso_mm;
 use serde_json::{Map, Value, json};
 use shape::Unit;
-
-/// A girth as `girths.json` has it, lengths in the unit of its file.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Told {
-    /// Short name.
-    pub name: String,
-    /// What people call it.
-    pub label: String,
-    /// Where on the body, by the table of girths; older files do not say.
-    pub part: Option<String>,
-    /// Along the contour.
-    pub contour: f64,
-    /// By tape.
-    pub tape: f64,
-}
-
-/// The unit and the girths of a `girths.json`, or what is wrong with it.
-pub(super) fn told(text: &str) -> Result<(Unit, Vec<Told>), String> {
-    let file: Value = serde_json::from_str(text).map_err(|e| e.to_string())?;
-    let unit = match file["unit"] == RELATIVE {
-        true => Unit::Relative,
-        false => Unit::Metric,
-    };
-    let suffix = suffix(unit);
-    let tape = format!("tape_{suffix}");
-    let one = |girth: &Value| {
-        let text = |key: &str| girth[key].as_str().map(str::to_owned);
-        Some(Told {
-            name: text("name")?,
-            label: text("label")?,
-            part: text("part"),
-            contour: girth[suffix].as_f64()?,
-            tape: girth[&tape].as_f64()?,
-        })
-    };
-    let list = file["girths"].as_array().ok_or("it has no list `girths`")?;
-    let whole = |girth: &Value| {
-        let why = || format!("a girth has no `name`, `label`, `{suffix}` or `{tape}`");
-        one(girth).ok_or_else(why)
-    };
-    Ok((unit, list.iter().map(whole).collect::<Result<_, _>>()?))
-}
-
-/// What keys end in.
-fn suffix(unit: Unit) -> &'static str {
-    match unit {
-        Unit::Metric => "cm",
-        Unit::Relative => "rel",
-    }
-}
 
 /// One girth of all sides, lengths in their unit.
 #[derive(Debug, Clone, PartialEq)]
@@ -118,14 +69,14 @@ pub fn girths(sides: &[Side], tolerance_mm: Option<f64>) -> Vec<GirthRow> {
         return vec![];
     }
     let unit = sides.iter().find_map(|s| s.unit).unwrap_or_default();
-    let mut firsts: Vec<&Told> = Vec::new();
+    let mut firsts: Vec<&ReadGirth> = Vec::new();
     for g in sides.iter().flat_map(|s| &s.girths) {
         if !firsts.iter().any(|known| known.name == g.name) {
             firsts.push(g);
         }
     }
-    let row = |told: &Told| {
-        let of = |f: fn(&Told) -> f64| -> Vec<Option<f64>> {
+    let row = |told: &ReadGirth| {
+        let of = |f: fn(&ReadGirth) -> f64| -> Vec<Option<f64>> {
             let find = |s: &Side| s.girths.iter().find(|g| g.name == told.name).map(f);
             sides.iter().map(find).collect()
         };

@@ -10,6 +10,7 @@
 mod girths;
 mod page;
 mod pictures;
+mod read_girths;
 mod render;
 mod side;
 mod surfaces;
@@ -18,8 +19,9 @@ mod words;
 
 pub use crate::differ::{Change, Difference, NodeRun, differ};
 pub use crate::story::Story;
-pub use girths::{GirthRow, Told, girths, mixed};
+pub use girths::{GirthRow, girths, mixed};
 pub use page::page;
+pub use read_girths::ReadGirth;
 pub use side::{Side, SideError};
 pub use surfaces::{Apart, apart};
 pub use views::{View, Views};

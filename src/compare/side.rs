@@ -1,6 +1,6 @@
 //! One side: what ran, the girths and the surface that came out.
 
-use super::girths::{Told, told};
+use super::read_girths::{ReadGirth, read_girths};
 use super::views::{self, Views};
 use crate::differ::NodeRun;
 use crate::store::Store;
@@ -19,7 +19,7 @@ pub struct Side {
     /// What lengths of its girths are in; none where it has no girths.
     pub unit: Option<Unit>,
     /// The girths.
-    pub girths: Vec<Told>,
+    pub girths: Vec<ReadGirth>,
     /// The surface that was measured.
     pub mesh: Option<Mesh>,
     /// What was seen; photos only of a run, since folders of results hold none.
@@ -71,7 +71,7 @@ impl Side {
         let run: Value = serde_json::from_slice(&run).map_err(|e| wrong(folder, "run.json", e))?;
         let girths = match read("girths.json")? {
             Some(bytes) => Some(
-                told(&String::from_utf8_lossy(&bytes))
+                read_girths(&String::from_utf8_lossy(&bytes))
                     .map_err(|e| wrong(folder, "girths.json", e))?,
             ),
             None => None,
@@ -130,7 +130,7 @@ impl Side {
         let masks = there("masks").and_then(|a| a.downcast::<Masks>());
         let cameras = there("cameras").and_then(|a| a.downcast::<Cameras>());
         let views = photos.map(|p| views::of_run(&p, masks.as_deref(), cameras.as_deref()));
-        let girths = girths.map(|g| told(&girths_to_json(&g)).expect("bug: girths JSON"));
+        let girths = girths.map(|g| read_girths(&girths_to_json(&g)).expect("bug: girths JSON"));
         let (unit, girths) = girths.unzip();
         Ok(Side {
             name: name.into(),
