@@ -8,23 +8,10 @@ use std::sync::Arc;
 
 /// A closed box with its lower corner at the origin.
 fn block(size: [f32; 3]) -> Mesh {
-    let corner = |i: u32| [0, 1, 2].map(|k| if i >> k & 1 == 1 { size[k] } else { 0.0 });
+    let (positions, faces) = proof::block(size);
     Mesh {
-        positions: (0..8).map(corner).collect(),
-        faces: vec![
-            [0, 2, 1],
-            [1, 2, 3],
-            [4, 5, 6],
-            [5, 7, 6],
-            [0, 1, 4],
-            [1, 5, 4],
-            [2, 6, 3],
-            [3, 6, 7],
-            [0, 4, 2],
-            [2, 4, 6],
-            [1, 3, 5],
-            [3, 7, 5],
-        ],
+        positions,
+        faces,
         ..Mesh::default()
     }
 }

@@ -12,7 +12,7 @@
 mod made_bodies;
 
 use made_bodies::{Fault, MadeBody, folder, read, truths};
-use measure::{ArmSeen, Limb, Limbs, Line, body, ground, limbs, rings};
+use measure::{ArmSeen, Limb, Limbs, Line, limbs, rings};
 use nalgebra::Point3;
 use rayon::prelude::*;
 use shape::{Mesh, Plane};
@@ -54,9 +54,7 @@ fn main() -> Result<(), Fault> {
 /// Both arms of a body; none where the program finds no body, which is said.
 fn rows(path: &Path) -> Result<Vec<Vec<String>>, Fault> {
     let made = read(path)?;
-    let lowest = made.mesh.bounds().map_or(0.0, |b| b.0.z);
-    let ground = ground(&made.mesh, None).map_or(lowest, |g| g.height_mm);
-    let Some(body) = body(&made.mesh, ground) else {
+    let Some(body) = made.standing() else {
         eprintln!("{}: no body", made.id);
         return Ok(Vec::new());
     };

@@ -9,7 +9,7 @@
 mod made_bodies;
 
 use made_bodies::{Fault, folder, read, truths};
-use measure::{Reading, body, ground, marks, readings};
+use measure::{Reading, marks, readings};
 use nalgebra::Point3;
 use rayon::prelude::*;
 use std::path::Path;
@@ -63,9 +63,7 @@ fn main() -> Result<(), Fault> {
 fn row(path: &Path) -> Result<Option<Vec<String>>, Fault> {
     let made = read(path)?;
     let (truth, mesh, id) = (&made.truth, &made.mesh, made.id.clone());
-    let lowest = mesh.bounds().map_or(0.0, |b| b.0.z);
-    let ground = ground(mesh, None).map_or(lowest, |g| g.height_mm);
-    let Some(body) = body(mesh, ground) else {
+    let Some(body) = made.standing() else {
         eprintln!("{id}: no body");
         return Ok(None);
     };

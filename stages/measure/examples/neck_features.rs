@@ -12,7 +12,7 @@
 mod made_bodies;
 
 use made_bodies::{Fault, folder, read, truths};
-use measure::{NeckFeatures, body, ground, neck_features, plane_at};
+use measure::{NeckFeatures, neck_features, plane_at};
 use nalgebra::{Point3, Vector3};
 use rayon::prelude::*;
 use serde_json::Value;
@@ -44,9 +44,7 @@ fn main() -> Result<(), Fault> {
 /// One body's row; `None` where the program finds no neck on it, which is said.
 fn row(path: &Path) -> Result<Option<Vec<String>>, Fault> {
     let made = read(path)?;
-    let lowest = made.mesh.bounds().map_or(0.0, |b| b.0.z);
-    let ground = ground(&made.mesh, None).map_or(lowest, |g| g.height_mm);
-    let neck = body(&made.mesh, ground).and_then(|b| neck_features(&made.mesh, &b));
+    let neck = made.standing().and_then(|b| neck_features(&made.mesh, &b));
     let Some(neck) = neck else {
         eprintln!("{}: no neck", made.id);
         return Ok(None);

@@ -105,23 +105,10 @@ mod tests {
     #[test]
     fn a_weight_that_does_not_fit_the_volume_is_told() {
         // A cube of half a metre: 125 l.
-        let edge = |i: u32| [0, 1, 2].map(|k| if i >> k & 1 == 1 { 500.0f32 } else { 0.0 });
+        let (positions, faces) = proof::block([500.0; 3]);
         let cube = Mesh {
-            positions: (0..8).map(edge).collect(),
-            faces: vec![
-                [0, 2, 1],
-                [1, 2, 3],
-                [4, 5, 6],
-                [5, 7, 6],
-                [0, 1, 4],
-                [1, 5, 4],
-                [2, 6, 3],
-                [3, 6, 7],
-                [0, 4, 2],
-                [2, 4, 6],
-                [1, 3, 5],
-                [3, 7, 5],
-            ],
+            positions,
+            faces,
             ..Mesh::default()
         };
         let said = |kg: Option<f64>| {

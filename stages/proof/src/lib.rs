@@ -33,6 +33,27 @@ pub fn jacobian<const M: usize, const N: usize>(
     }
 }
 
+/// A closed box of twelve triangles with a corner at the origin: places of its corners and its faces, seen from
+/// outside counter-clockwise.
+pub fn block(size: [f32; 3]) -> (Vec<[f32; 3]>, Vec<[u32; 3]>) {
+    let corner = |i: u32| [0, 1, 2].map(|k| if i >> k & 1 == 1 { size[k] } else { 0.0 });
+    let faces = vec![
+        [0, 2, 1],
+        [1, 2, 3],
+        [4, 5, 6],
+        [5, 7, 6],
+        [0, 1, 4],
+        [1, 5, 4],
+        [2, 6, 3],
+        [3, 6, 7],
+        [0, 4, 2],
+        [2, 4, 6],
+        [1, 3, 5],
+        [3, 7, 5],
+    ];
+    ((0..8).map(corner).collect(), faces)
+}
+
 /// Asserts that `got` is within `tolerance` of `want`.
 ///
 /// # Panics

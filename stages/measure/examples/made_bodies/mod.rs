@@ -1,6 +1,12 @@
 //! The folder that `models/made/make_bodies.py` wrote: a folder a family, in it `NNNN.ply` and `NNNN.json` (truth)
 //! for each body.
 
+#![allow(
+    dead_code,
+    reason = "not every program that reads made bodies asks for all of this"
+)]
+
+use measure::{Body, body, ground};
 use serde_json::Value;
 use shape::Mesh;
 use std::error::Error;
@@ -60,11 +66,14 @@ pub(crate) fn read(path: &Path) -> Result<MadeBody, Fault> {
 }
 
 impl MadeBody {
+    /// As the program reads it on the ground that its soles tell; `None` where it finds no body.
+    pub(crate) fn standing(&self) -> Option<Body> {
+        let lowest = self.mesh.bounds().map_or(0.0, |b| b.0.z);
+        let ground = ground(&self.mesh, None).map_or(lowest, |g| g.height_mm);
+        body(&self.mesh, ground)
+    }
+
     /// A text of the truth; empty where there is none.
-    #[allow(
-        dead_code,
-        reason = "not every program that reads made bodies asks for one"
-    )]
     pub(crate) fn text(&self, key: &str) -> String {
         self.truth[key].as_str().unwrap_or_default().to_owned()
     }

@@ -161,7 +161,13 @@ pub(crate) fn fit(
             .iter()
             .map(|v| rounded(v.sqrt()))
             .collect(),
-        repeat: repeat(made),
+        repeat: repeat(
+            made,
+            |m| &m.id,
+            |m| m.repeats.as_deref(),
+            READINGS,
+            |m, k| m.readings.get(Reading::ALL[k]),
+        ),
         laws,
     })
 }

@@ -168,11 +168,6 @@ mod tests {
     use super::*;
     use crate::features::readings::{Reading, Readings};
 
-    fn table(name: &str) -> Table {
-        let root = concat!(env!("CARGO_MANIFEST_DIR"), "/../../models/tables/");
-        Table::read(name, &std::fs::read(format!("{root}{name}")).unwrap()).unwrap()
-    }
-
     /// Numbers of mean 0 and variance 1, near enough to normal: twelve even ones each (a fixed sequence).
     fn normal(state: &mut u64) -> f64 {
         let mut even = || {
@@ -187,8 +182,8 @@ mod tests {
     /// People of the survey whom no fit has seen: bias, standard deviation \[mm\] and coverage of one
     /// level, men and women, with readings that err as those of made surfaces.
     fn on_people(level: Level) -> [(f64, f64, f64); 2] {
-        let people = read_people(&table("ansur2.csv")).unwrap();
-        let made = read_made(&table("made-bodies.csv")).unwrap();
+        let people = read_people(&Table::checked_in("ansur2.csv")).unwrap();
+        let made = read_made(&Table::checked_in("made-bodies.csv")).unwrap();
         let (fitted, others): (Vec<&Person>, Vec<&Person>) =
             people.iter().partition(|p| p.row % 2 == 0);
         let made: Vec<&Made> = made.iter().collect();

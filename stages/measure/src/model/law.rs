@@ -63,15 +63,19 @@ impl Place {
     }
 
     /// The features that tell it, in the order in which [`Law::estimate`] takes them.
-    pub fn features(self) -> &'static [&'static str] {
+    pub fn features(self) -> Vec<&'static str> {
+        const LINE: &[&str] = ArmSeen::LINE;
+        const TAPES: &[&str] = ArmSeen::TAPES;
+        const SHOULDER: &[&str] = ArmSeen::SHOULDER;
+        const BEND: &[&str] = ArmSeen::BEND;
         match self {
-            Place::Notch => &["up", "low", "lean", "head"],
-            Place::Acromion => ArmSeen::LINE,
-            Place::AcromionByShoulder => ArmSeen::LINE_SHOULDER,
-            Place::Elbow | Place::UpperArm => ArmSeen::LINE_TAPES,
-            Place::ElbowBent | Place::UpperArmBent => ArmSeen::LINE_BEND,
-            Place::UpperArmByShoulder => ArmSeen::LINE_TAPES_SHOULDER,
-            Place::UpperArmBentByShoulder => ArmSeen::LINE_BEND_SHOULDER,
+            Place::Notch => vec!["up", "low", "lean", "head"],
+            Place::Acromion => LINE.to_vec(),
+            Place::AcromionByShoulder => [LINE, SHOULDER].concat(),
+            Place::Elbow | Place::UpperArm => [LINE, TAPES].concat(),
+            Place::ElbowBent | Place::UpperArmBent => [LINE, BEND].concat(),
+            Place::UpperArmByShoulder => [LINE, TAPES, SHOULDER].concat(),
+            Place::UpperArmBentByShoulder => [LINE, BEND, SHOULDER].concat(),
         }
     }
 

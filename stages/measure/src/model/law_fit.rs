@@ -3,7 +3,7 @@
 use super::fit_error::FitError;
 use super::held_out::{HeldOut, Miss, NINE_IN_TEN, quantile, summary, tenth};
 use super::law::{Law, Place};
-use super::line_up::{LEAST, pairwise, rounded};
+use super::line_up::{LEAST, repeat, rounded};
 use super::normal::Normal;
 use super::samples::fitted;
 use super::table::{Table, TableError};
@@ -31,7 +31,7 @@ pub(crate) struct LawSample {
 
 /// Rows of a law's table that have all its features and are not refused.
 pub(crate) fn samples(law: Place, table: &Table) -> Result<Vec<LawSample>, TableError> {
-    let features = law.features().iter().map(|f| format!("f.{f}"));
+    let features = law.features().into_iter().map(|f| format!("f.{f}"));
     let features: Vec<Vec<Option<f64>>> = features
         .map(|column| table.optional(&column))
         .collect::<Result<_, _>>()?;
@@ -90,7 +90,13 @@ pub(crate) fn fit_law(law: Place, samples: &[&LawSample]) -> Result<Law, FitErro
     };
     Ok(Law {
         sigma: rounded(sigma),
-        repeat: repeat(law, samples),
+        repeat: repeat(
+            samples,
+            |s| &s.id,
+            |s| s.repeats.as_deref(),
+            law.features().len(),
+            |s, k| Some(s.features[k]),
+        ),
         ..all
     })
 }
@@ -143,27 +149,6 @@ fn of_one_family(law: Place, own: &[&LawSample]) -> Result<Law, FitError> {
         repeat: None,
         normal,
     })
-}
-
-/// Covariance of features between two captures of one body: half of what their differences scatter.
-/// `None` with fewer than [`LEAST`] pairs.
-fn repeat(law: Place, samples: &[&LawSample]) -> Option<DMatrix<f64>> {
-    let pairs: Vec<(&LawSample, &LawSample)> = samples
-        .iter()
-        .filter_map(|s| {
-            let first = s.repeats.as_ref()?;
-            Some((samples.iter().copied().find(|o| o.id == *first)?, *s))
-        })
-        .collect();
-    if pairs.len() < LEAST {
-        return None;
-    }
-    let half = |k: usize| -> Vec<Option<f64>> {
-        let off = |(a, b): &(&LawSample, &LawSample)| (a.features[k] - b.features[k]) / 2f64.sqrt();
-        pairs.iter().map(|p| Some(off(p))).collect()
-    };
-    let columns: Vec<Vec<Option<f64>>> = (0..law.features().len()).map(half).collect();
-    Some(pairwise(&columns).map(rounded))
 }
 
 /// A family and the law that was fitted without it.
@@ -247,8 +232,7 @@ mod tests {
 
     #[test]
     fn upper_arms_of_families_left_out_have_intervals_that_hold() {
-        let file = concat!(env!("CARGO_MANIFEST_DIR"), "/../../models/tables/arms.csv");
-        let table = Table::read("arms.csv", &std::fs::read(file).unwrap()).unwrap();
+        let table = Table::checked_in("arms.csv");
         let laws = UPPER_ARM.map(|place| (place, samples(place, &table).unwrap()));
         let mut all = Vec::new();
         for family in ["range", "survey", "reach", "poses"] {

@@ -229,25 +229,29 @@ pub(crate) fn rounded(x: f64) -> f64 {
         .expect("bug: a number that was just written")
 }
 
-/// Covariance of readings between two captures of one body: half of what their differences scatter.
-/// `None` with fewer than [`LEAST`] pairs.
-pub(crate) fn repeat(made: &[&Made]) -> Option<DMatrix<f64>> {
-    let pairs: Vec<(&Made, &Made)> = made
+/// Covariance of what is read between two captures of one body: half of what their differences scatter.
+/// `repeats` names the body that one is another capture of, `read` gives each of so many columns. `None`
+/// with fewer than [`LEAST`] pairs.
+pub(crate) fn repeat<T>(
+    all: &[&T],
+    id: impl Fn(&T) -> &str,
+    repeats: impl Fn(&T) -> Option<&str>,
+    columns: usize,
+    read: impl Fn(&T, usize) -> Option<f64>,
+) -> Option<DMatrix<f64>> {
+    let first = |name: &str| all.iter().copied().find(|o| id(o) == name);
+    let pairs: Vec<(&T, &T)> = all
         .iter()
-        .filter_map(|m| {
-            let first = m.repeats.as_ref()?;
-            Some((made.iter().copied().find(|o| o.id == *first)?, *m))
-        })
+        .filter_map(|again| Some((first(repeats(again)?)?, *again)))
         .collect();
     if pairs.len() < LEAST {
         return None;
     }
-    let half = |r: Reading| -> Vec<Option<f64>> {
-        let off =
-            |(a, b): &(&Made, &Made)| Some((a.readings.get(r)? - b.readings.get(r)?) / 2f64.sqrt());
+    let half = |k: usize| -> Vec<Option<f64>> {
+        let off = |(a, b): &(&T, &T)| Some((read(a, k)? - read(b, k)?) / 2f64.sqrt());
         pairs.iter().map(off).collect()
     };
-    let columns: Vec<Vec<Option<f64>>> = Reading::ALL.into_iter().map(half).collect();
+    let columns: Vec<Vec<Option<f64>>> = (0..columns).map(half).collect();
     Some(pairwise(&columns).map(rounded))
 }
 

@@ -81,6 +81,14 @@ impl Table {
         })
     }
 
+    /// A table that is checked in.
+    #[cfg(test)]
+    pub(crate) fn checked_in(name: &str) -> Table {
+        let tables = concat!(env!("CARGO_MANIFEST_DIR"), "/../../models/tables");
+        let bytes = std::fs::read(std::path::Path::new(tables).join(name)).unwrap();
+        Table::read(name, &bytes).unwrap()
+    }
+
     /// How many rows.
     pub(crate) fn len(&self) -> usize {
         self.rows.len()

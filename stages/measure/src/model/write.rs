@@ -57,7 +57,7 @@ pub(crate) fn model_to_toml(
         triangle(&mut text, "covariance", &p.normal.covariance);
     }
     for law in &model.laws {
-        let features = names(law.place.features().to_vec());
+        let features = names(law.place.features());
         let place = law.place.name();
         let _ = writeln!(
             text,

@@ -62,7 +62,7 @@ fn told(limb: &mut Limb, model: &LevelModel) -> Result<bool, Refusal> {
 /// The first of places whose law's features all show, as a joint, and whether the law knows such arms.
 fn by_laws(seen: &ArmSeen, model: &LevelModel, places: &[Place]) -> Option<(Joint, bool)> {
     let one = |place: &Place| {
-        let told = model.law(*place).estimate(&seen.all(place.features())?)?;
+        let told = model.law(*place).estimate(&seen.all(&place.features())?)?;
         let joint = Joint {
             s: seen.wrist + told.value * seen.stature,
             sigma: told.sigma * seen.stature,
@@ -79,14 +79,9 @@ mod tests {
     use crate::model::samples::fitted;
     use crate::model::table::Table;
 
-    fn table() -> Table {
-        let file = concat!(env!("CARGO_MANIFEST_DIR"), "/../../models/tables/arms.csv");
-        Table::read("arms.csv", &std::fs::read(file).unwrap()).unwrap()
-    }
-
     #[test]
     fn the_wrists_deviation_is_that_of_made_bodies() {
-        let table = table();
+        let table = Table::checked_in("arms.csv");
         let (family, off) = (
             table.text("family").unwrap(),
             table.optional("wrist").unwrap(),

@@ -100,8 +100,7 @@ mod tests {
 
     /// Median of the tape's error by the told level alone, of necks with a tube of some lengths.
     fn middle(from: f64, to: f64) -> f64 {
-        let file = concat!(env!("CARGO_MANIFEST_DIR"), "/../../models/tables/neck.csv");
-        let table = Table::read("neck.csv", &std::fs::read(file).unwrap()).unwrap();
+        let table = Table::checked_in("neck.csv");
         let model = LevelModel::built_in();
         let column = |name: &str| table.optional(name).unwrap();
         let features: Vec<_> = NeckFeatures::NAMES
@@ -113,7 +112,7 @@ mod tests {
             features[at][row]
         };
         let error = |row: usize| {
-            let read = Place::Notch.features().iter().map(|f| of(row, f));
+            let read = Place::Notch.features().into_iter().map(|f| of(row, f));
             let read: Option<Vec<f64>> = read.collect();
             let told = model.law(Place::Notch).estimate(&read?)?;
             let told = larynx(told, of(row, "angle")?).value;

@@ -44,8 +44,7 @@ mod tests {
 
     #[test]
     fn the_tilts_deviation_is_that_of_made_bodies() {
-        let file = concat!(env!("CARGO_MANIFEST_DIR"), "/../../models/tables/neck.csv");
-        let table = Table::read("neck.csv", &std::fs::read(file).unwrap()).unwrap();
+        let table = Table::checked_in("neck.csv");
         let lean = table.numbers("f.lean").unwrap();
         let rig = table.optional("rig_lean").unwrap();
         let (family, repeats) = (

@@ -43,55 +43,14 @@ impl ArmSeen {
         "bend",
     ];
 
-    /// The features of laws of arms: the upper arm's line, and what else is shown.
+    /// Groups of features that laws read: the upper arm's line,
     pub const LINE: &'static [&'static str] = &["clear", "rise", "inward", "neck_up", "neck_in"];
-    /// With the shoulder's outline.
-    pub const LINE_SHOULDER: &'static [&'static str] = &[
-        "clear",
-        "rise",
-        "inward",
-        "neck_up",
-        "neck_in",
-        "armpit",
-        "shoulder",
-        "shoulder_rise",
-    ];
-    /// With girths.
-    pub const LINE_TAPES: &'static [&'static str] = &[
-        "clear", "rise", "inward", "neck_up", "neck_in", "tape_1", "tape_2", "tape_3", "tape_4",
-        "tape_5",
-    ];
-    /// With both.
-    pub const LINE_TAPES_SHOULDER: &'static [&'static str] = &[
-        "clear",
-        "rise",
-        "inward",
-        "neck_up",
-        "neck_in",
-        "tape_1",
-        "tape_2",
-        "tape_3",
-        "tape_4",
-        "tape_5",
-        "armpit",
-        "shoulder",
-        "shoulder_rise",
-    ];
-    /// With the elbow's bend.
-    pub const LINE_BEND: &'static [&'static str] =
-        &["clear", "rise", "inward", "neck_up", "neck_in", "bend"];
-    /// With both.
-    pub const LINE_BEND_SHOULDER: &'static [&'static str] = &[
-        "clear",
-        "rise",
-        "inward",
-        "neck_up",
-        "neck_in",
-        "bend",
-        "armpit",
-        "shoulder",
-        "shoulder_rise",
-    ];
+    /// girths,
+    pub const TAPES: &'static [&'static str] = &["tape_1", "tape_2", "tape_3", "tape_4", "tape_5"];
+    /// a hanging arm's shoulder,
+    pub const SHOULDER: &'static [&'static str] = &["armpit", "shoulder", "shoulder_rise"];
+    /// a bent arm's elbow.
+    pub const BEND: &'static [&'static str] = &["bend"];
 
     /// A feature by its name. `None` where the arm does not show it, and for a name that there is not.
     pub fn get(&self, name: &str) -> Option<f64> {
