@@ -2,23 +2,18 @@
 
 use super::provenance::{self, get};
 use super::screen::screen;
+use crate::catalog::CATALOG;
 use crate::delivery::{self, Delivery};
 use crate::engine::Outcome;
 use crate::graph::Graph;
 use crate::photos::{photos, photos_node};
-use crate::recipe::{Overrides, open_text};
+use crate::recipe::{Overrides, Pipeline};
 use crate::store::Store;
 use clap::Args;
 use engine::cli::{Fault, GlobalArgs, check_out, execute, finish, inside, lies_in, there, whose};
 use engine::out;
 use shape::{Cameras, Document, Girths};
 use std::path::PathBuf;
-
-/// The product's pipeline, so that the binary works alone.
-pub(super) const BODY: &str = include_str!("../../pipelines/body.toml");
-
-/// The same with masks that somebody else made.
-const OWN_MASKS: &str = include_str!("../../pipelines/own-masks.toml");
 
 /// The folder of a capture that holds such masks.
 const MASKS: &str = "masks";
@@ -80,15 +75,15 @@ pub(crate) fn measure(measure: &Measure, global: &GlobalArgs) -> Result<(), Faul
     };
     let mut folders = vec![("photos".to_owned(), measure.folder.clone())];
     let masks = measure.folder.join(MASKS);
-    let (name, text) = if masks.is_dir() {
+    let name = if masks.is_dir() {
         folders.push((MASKS.to_owned(), masks));
-        ("pipelines/own-masks.toml", OWN_MASKS)
+        "own-masks"
     } else {
-        ("pipelines/body.toml", BODY)
+        "body"
     };
     let (out, shown) = place_of_results(measure)?;
-    let graph =
-        open_text(name, text, &overrides, &crate::catalog::CATALOG).map_err(Fault::input)?;
+    let pipeline = Pipeline::built_in(name, &CATALOG).and_then(|p| p.graph(&overrides));
+    let graph = pipeline.map_err(Fault::input)?;
     check_out(&out, &graph, &folders)?;
     let again: Vec<String> = std::env::args().collect();
     // What is written must be there, the goal or not.
