@@ -6,12 +6,13 @@ use crate::delivery::{self, Delivery};
 use crate::engine::Outcome;
 use crate::graph::Graph;
 use crate::photos::{photos, photos_node};
+use crate::relative;
 use crate::recipe::{Overrides, open_text};
 use crate::store::Store;
 use clap::Args;
 use engine::cli::{Fault, GlobalArgs, check_out, execute, finish, inside, lies_in, there, whose};
 use engine::out;
-use shape::{Cameras, Document, Girths};
+use shape::{Cameras, Document, Girths, Unit};
 use std::path::PathBuf;
 
 /// The product's pipeline, so that the binary works alone.
@@ -163,6 +164,8 @@ fn place(graph: &Graph, nodes: &[&str]) -> Option<usize> {
 
 /// Writes all that the contract names.
 fn write(graph: &Graph, outcome: &Outcome, delivery: &mut Delivery) -> Result<(), Fault> {
+    let cameras = get::<Cameras>(graph, outcome, "cameras");
+    let relative = cameras.is_some_and(|c| c.scale.unit() == Unit::Relative);
     for (nodes, file, format) in WRITTEN {
         let Some(at) = place(graph, nodes) else {
             continue;
@@ -170,7 +173,11 @@ fn write(graph: &Graph, outcome: &Outcome, delivery: &mut Delivery) -> Result<()
         let (artifact, raw) = there(graph, outcome, at)?;
         let photos = out::beside(graph, at).and_then(|at| outcome.artifact(graph, at));
         let files = out::files(graph.catalog, artifact, || raw, photos, Some(format));
-        let files = files.map_err(Fault::stage)?;
+        let mut files = files.map_err(Fault::stage)?;
+        if relative {
+            let told = |(name, bytes)| (name, relative::told(bytes));
+            files = files.into_iter().map(told).collect();
+        }
         delivery.put(file, &files).map_err(Fault::stage)?;
     }
     if let Some(report) = get::<Document>(graph, outcome, "report") {

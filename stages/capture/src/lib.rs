@@ -5,17 +5,23 @@
 mod alike;
 mod error;
 mod exif;
+mod facts;
 mod keys;
 mod load;
+mod names;
+mod photo;
 mod rig;
 mod rig_tags;
+mod sharpness;
 mod surface;
 mod whole;
 
 pub use error::CaptureError;
+pub use facts::Facts;
 pub use keys::RigError;
 pub use load::{Load, LoadInput, LoadParams};
 pub use rig::{RigFile, read_rig};
+pub use sharpness::{best, sharpness};
 pub use surface::{Surface, SurfaceError, SurfaceInput, SurfaceParams, Unit, Up};
 
 /// Every stage of this room, in the order in which data flows through it.

@@ -185,7 +185,10 @@ pub(crate) fn scale(cameras: &Cameras, rig: &Rig) -> String {
     };
     // Unknown of cameras that were given, and of those of a subject that sways.
     let centres = match mean(|v| v.sigma_mm) {
-        Some(mm) if mm < 100.0 => format!("camera centres ± {mm:.1} mm"),
+        Some(mm) if mm < 100.0 => match cameras.scale.unit() {
+            Unit::Metric => format!("camera centres ± {mm:.1} mm"),
+            unit => format!("camera centres ± {}", unit.words(mm)),
+        },
         _ => "how sure the camera centres are: unknown".into(),
     };
     let pixels = match mean(|v| v.rms_px) {
