@@ -4,6 +4,9 @@ use crate::kinds::KINDS;
 use engine::Catalog;
 use stage::AnyStage;
 
+// What a folder holds besides photos, and what capture.toml says.
+pub(crate) use capture::{READ, foreign, is_photo};
+
 // Sections of surfaces, for the score.
 pub(crate) use measure::{flat, section, tape};
 

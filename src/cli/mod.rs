@@ -1,8 +1,13 @@
 //! The product's command line: what it adds to the engine's verbs.
 
 mod compare;
+mod delivered;
 mod door;
+mod facts;
+mod folder;
+mod length;
 mod mat;
+mod mat_file;
 mod provenance;
 mod scoring;
 mod screen;

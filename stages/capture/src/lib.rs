@@ -6,6 +6,7 @@ mod alike;
 mod error;
 mod exif;
 mod facts;
+mod folder;
 mod keys;
 mod load;
 mod names;
@@ -18,6 +19,7 @@ mod whole;
 
 pub use error::CaptureError;
 pub use facts::Facts;
+pub use folder::{Foreign, READ, foreign, is_photo};
 pub use keys::RigError;
 pub use load::{Load, LoadInput, LoadParams};
 pub use rig::{RigFile, read_rig};
