@@ -11,7 +11,9 @@ const UNKNOWN: &str = "unit relative: 1000 is the radius of the camera ring";
 pub(crate) fn told(file: Vec<u8>) -> Vec<u8> {
     let head = &file[..file.len().min(200)];
     let text = head.starts_with(b"ply") || head.starts_with(b"#");
-    let at = head.windows(KNOWN.len()).position(|w| w == KNOWN.as_bytes());
+    let at = head
+        .windows(KNOWN.len())
+        .position(|w| w == KNOWN.as_bytes());
     match at.filter(|_| text) {
         None => file,
         Some(at) => {

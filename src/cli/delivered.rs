@@ -30,7 +30,9 @@ pub(super) fn place_of_results(
     capture: &Path,
     out: Option<&Path>,
 ) -> Result<(PathBuf, String), Fault> {
-    let whole = capture.canonicalize().unwrap_or_else(|_| capture.to_owned());
+    let whole = capture
+        .canonicalize()
+        .unwrap_or_else(|_| capture.to_owned());
     let name = whole.file_name().unwrap_or("turn".as_ref());
     let name = name.to_string_lossy().into_owned();
     let out = match out {
@@ -72,7 +74,11 @@ fn place(graph: &Graph, nodes: &[&str]) -> Option<usize> {
 }
 
 /// Writes all that the contract names.
-pub(super) fn write(graph: &Graph, outcome: &Outcome, delivery: &mut Delivery) -> Result<(), Fault> {
+pub(super) fn write(
+    graph: &Graph,
+    outcome: &Outcome,
+    delivery: &mut Delivery,
+) -> Result<(), Fault> {
     let cameras = get::<Cameras>(graph, outcome, "cameras");
     let relative = cameras.is_some_and(|c| c.scale.unit() == Unit::Relative);
     for (nodes, file, format) in WRITTEN {

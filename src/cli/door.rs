@@ -90,7 +90,8 @@ pub(crate) fn measure(measure: &Measure, global: &GlobalArgs) -> Result<(), Faul
         }
         match one(measure, capture, Some(out), &said, global) {
             Ok((out, run)) => {
-                answers.push(json!({ "folder": shown, "out": out.display().to_string(), "run": run }));
+                answers
+                    .push(json!({ "folder": shown, "out": out.display().to_string(), "run": run }));
             }
             // The user asked to stop.
             Err(fault) if fault.code() == 130 => return Err(fault),
@@ -199,7 +200,11 @@ fn one(
     global: &GlobalArgs,
 ) -> Result<(PathBuf, Value), Fault> {
     let looked = folder::look(capture, &measure.facts, measure.recursive)?;
-    let Looked { patterns, more, warnings } = looked;
+    let Looked {
+        patterns,
+        more,
+        warnings,
+    } = looked;
     let more: Vec<Said> = said.iter().chain(&more).cloned().collect();
     let (mut graph, folders) = pipeline(measure, capture, &more)?;
     let (out, shown) = place_of_results(capture, out)?;

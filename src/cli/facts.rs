@@ -29,7 +29,12 @@ pub(crate) struct Facts {
     #[arg(long, value_name = "X,Y")]
     centre_px: Option<String>,
     /// Into how many even steps the full turn was divided: 18 is a photo every 20°
-    #[arg(long, value_name = "COUNT", conflicts_with = "step", allow_negative_numbers = true)]
+    #[arg(
+        long,
+        value_name = "COUNT",
+        conflicts_with = "step",
+        allow_negative_numbers = true
+    )]
     steps: Option<i64>,
     /// Even turn between photos in degrees; positive if the subject turns counter-clockwise seen from above
     #[arg(long, value_name = "DEGREES", allow_negative_numbers = true)]
@@ -114,7 +119,12 @@ impl Facts {
         }
         for (flag, said, key, unit) in [
             ("--stature", &self.stature, "subject.height_cm", "cm"),
-            ("--disk-diameter", &self.disk_diameter, "disk.diameter_cm", "cm"),
+            (
+                "--disk-diameter",
+                &self.disk_diameter,
+                "disk.diameter_cm",
+                "cm",
+            ),
             ("--mat-tag", &self.mat_tag, "mat.tag_size_mm", "mm"),
             ("--mat-ring", &self.mat_ring, "mat.ring_radius_mm", "mm"),
             ("--rim-tag", &self.rim_tag, "rim.tag_size_mm", "mm"),
@@ -140,13 +150,23 @@ impl Facts {
         }
         if let Some(steps) = self.steps {
             let degrees = self.step_deg();
-            let none = || Fault::input("--steps 0: say into how many even steps the full turn was divided");
-            all.put("--steps", &steps, "step_deg", degrees.ok_or_else(none)?.into());
+            let none = || {
+                Fault::input("--steps 0: say into how many even steps the full turn was divided")
+            };
+            all.put(
+                "--steps",
+                &steps,
+                "step_deg",
+                degrees.ok_or_else(none)?.into(),
+            );
         }
         if let Some(views) = self.views {
             all.put("--views", &views, "views", views.into());
         }
-        for (flag, said, key) in [("--plate", &self.plate, "plate"), ("--name", &self.name, "name")] {
+        for (flag, said, key) in [
+            ("--plate", &self.plate, "plate"),
+            ("--name", &self.name, "name"),
+        ] {
             if let Some(text) = said {
                 all.put(flag, text, key, text.clone().into());
             }
@@ -168,7 +188,8 @@ impl Facts {
         ] {
             let Some(text) = said else { continue };
             let ends = text.split_once('-');
-            let ends = ends.and_then(|(a, b)| Some((a.trim().parse().ok()?, b.trim().parse().ok()?)));
+            let ends =
+                ends.and_then(|(a, b)| Some((a.trim().parse().ok()?, b.trim().parse().ok()?)));
             let wrong = || Fault::input(format!("{flag} {text}: say FIRST-LAST, such as 0-11"));
             let (first, last): (u32, u32) = ends.filter(|(a, b)| a <= b).ok_or_else(wrong)?;
             let ids = vec![i64::from(first).into(), i64::from(last).into()];
@@ -182,7 +203,12 @@ impl Facts {
             let wrong = || Fault::input(format!("--centre-px {text}: say X,Y, such as 804.8,1191"));
             let pixel = parts.ok().filter(|p| p.len() == 2).ok_or_else(wrong)?;
             let pixel = pixel.into_iter().map(toml::Value::from).collect();
-            all.put("--centre-px", text, "camera.centre_px", toml::Value::Array(pixel));
+            all.put(
+                "--centre-px",
+                text,
+                "camera.centre_px",
+                toml::Value::Array(pixel),
+            );
         }
         if let Some(text) = &self.reference {
             let like = "say KIND=LENGTH, such as subject_height=165cm";
@@ -193,7 +219,11 @@ impl Facts {
             all.put("--reference", text, "reference.length_mm", mm.into());
         }
         for text in &self.fact {
-            let wrong = || Fault::input(format!("--fact {text}: say KEY=VALUE, such as subject.height_cm=178"));
+            let wrong = || {
+                Fault::input(format!(
+                    "--fact {text}: say KEY=VALUE, such as subject.height_cm=178"
+                ))
+            };
             let (key, value) = text.split_once('=').ok_or_else(wrong)?;
             let set = format!("{PLACE}.{}={}", key.trim(), value.trim());
             all.0.push(Said {
@@ -213,5 +243,106 @@ impl All {
             flag: format!("{flag} {}", said.to_string()),
             set: format!("{PLACE}.{key}={value}"),
         });
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use clap::Parser;
+    use stage::Value;
+    use std::collections::BTreeMap;
+
+    #[derive(Parser)]
+    struct Line {
+        #[command(flatten)]
+        facts: Facts,
+    }
+
+    fn said(flags: &str) -> Vec<Said> {
+        let words = std::iter::once("x").chain(flags.split_whitespace());
+        let line = Line::try_parse_from(words).unwrap_or_else(|e| panic!("{e}"));
+        line.facts
+            .said()
+            .unwrap_or_else(|fault| panic!("{}", fault.text()))
+    }
+
+    /// The keys that capture.toml knows in a table, as its reader tells them of one that it does not know.
+    fn known(table: &str) -> Vec<String> {
+        let mat = "mat = { tag_size_mm = 60, count = 12, ring_radius_mm = 187 }\n";
+        let text = match table {
+            "" => "nobody = 1".to_owned(),
+            "rim" => format!(
+                "{mat}rim = {{ tag_size_mm = 24, ids = [12, 20], radius_mm = 200, nobody = 1 }}"
+            ),
+            "reference" => "reference = { length_mm = 1, nobody = 1 }".into(),
+            "mat" => "mat = { tag_size_mm = 60, nobody = 1 }".into(),
+            table => format!("{table} = {{ nobody = 1 }}"),
+        };
+        let facts = text.parse::<toml::Table>().unwrap();
+        let sets = facts
+            .iter()
+            .map(|(k, v)| (k.clone(), crate::recipe::parse_value(&v.to_string())));
+        let said = BTreeMap::from([("facts".to_owned(), Value::Table(sets.collect()))]);
+        let stage = crate::catalog::find("capture.load").unwrap();
+        let Err(mistakes) = stage.check(&said) else {
+            panic!("{text} passes")
+        };
+        let (_, known) = mistakes[0]
+            .what
+            .split_once("known: ")
+            .expect(&mistakes[0].what);
+        known.split(", ").map(str::to_owned).collect()
+    }
+
+    #[test]
+    fn every_key_of_capture_toml_has_its_flag() {
+        let all = said(
+            "--stature 178 --weight 80 --focal 26 --focal-px 3000 --centre-px 4,5 --step 20 --views 18 --images a.jpg \
+             --plate p.jpg --name me --disk-diameter 70 --mat-tag 60 --mat-ids 0-11 --mat-ring 187 --rim-tag 24 \
+             --rim-ids 12-47 --rim-radius 225 --reference tag_size=60",
+        );
+        let places: Vec<&str> = all
+            .iter()
+            .map(|s| s.set.split('=').next().unwrap())
+            .collect();
+        let tables = ["camera", "subject", "disk", "mat", "rim", "reference"];
+        // What nobody reads needs no flag: names of cameras, what lies on the disk, the one family.
+        let silent = ["make", "model", "top", "family"];
+        for table in [""].iter().chain(&tables) {
+            let keys = known(table);
+            assert!(keys.len() > 1, "{table}: {keys:?}");
+            for key in keys
+                .iter()
+                .filter(|k| !silent.contains(&k.as_str()) && !tables.contains(&k.as_str()))
+            {
+                let place = match *table {
+                    "" => format!("photos.facts.{key}"),
+                    table => format!("photos.facts.{table}.{key}"),
+                };
+                assert!(places.contains(&place.as_str()), "{place} has no flag");
+            }
+        }
+    }
+
+    #[test]
+    fn flags_become_keys_in_their_units() {
+        let sets =
+            |flags: &str| -> Vec<String> { said(flags).into_iter().map(|s| s.set).collect() };
+        assert_eq!(
+            sets("--stature 5ft10in"),
+            ["photos.facts.subject.height_cm=177.8"]
+        );
+        assert_eq!(sets("--steps 18"), ["photos.facts.step_deg=20.0"]);
+        assert_eq!(sets("--mat-tag 6cm"), ["photos.facts.mat.tag_size_mm=60.0"]);
+        let two = sets("--mat-ids 4-15");
+        assert_eq!(
+            two,
+            ["photos.facts.mat.ids=[4, 15]", "photos.facts.mat.count=12"]
+        );
+        assert_eq!(
+            sets("--fact camera.make=\"x\""),
+            ["photos.facts.camera.make=\"x\""]
+        );
     }
 }

@@ -27,8 +27,11 @@ const WIDEST_DEG: f64 = 45.0;
 pub(super) fn look(capture: &Path, facts: &Facts, recursive: bool) -> Result<Looked, Fault> {
     let shown = capture.display();
     let mut names = Vec::new();
-    list(capture, "", &["images"], recursive, &mut names)
-        .map_err(|e| Fault::input(format!("{shown}: {e}; give a folder that is there and readable")))?;
+    list(capture, "", &["images"], recursive, &mut names).map_err(|e| {
+        Fault::input(format!(
+            "{shown}: {e}; give a folder that is there and readable"
+        ))
+    })?;
     let text = std::fs::read_to_string(capture.join("capture.toml")).unwrap_or_default();
     // What is wrong with it, the stage that reads it tells.
     let file: toml::Table = text.parse().unwrap_or_default();
@@ -45,9 +48,9 @@ pub(super) fn look(capture: &Path, facts: &Facts, recursive: bool) -> Result<Loo
     let strange = foreign(&names);
     let photos: Vec<&String> = names.iter().filter(|n| is_photo(n)).collect();
     if photos.is_empty() && !strange.is_empty() {
-        let each = strange.iter().map(|f| {
-            format!("  {}: (cd {shown} && {})", f.words(), f.way)
-        });
+        let each = strange
+            .iter()
+            .map(|f| format!("  {}: (cd {shown} && {})", f.words(), f.way));
         return Err(Fault::input(format!(
             "{shown} holds no photo that can be read ({}). Convert what is there:\n{}",
             READ.join(", "),
@@ -55,7 +58,11 @@ pub(super) fn look(capture: &Path, facts: &Facts, recursive: bool) -> Result<Loo
         )));
     }
     let beside = strange.iter().map(|f| {
-        format!("{}: not read; if they belong to the turn: (cd {shown} && {})", f.words(), f.way)
+        format!(
+            "{}: not read; if they belong to the turn: (cd {shown} && {})",
+            f.words(),
+            f.way
+        )
     });
     looked.warnings.extend(beside);
     if recursive && looked.patterns.is_empty() {
@@ -68,8 +75,13 @@ pub(super) fn look(capture: &Path, facts: &Facts, recursive: bool) -> Result<Loo
         });
     }
     let told = |table: &str| file.contains_key(table);
-    let step = file.get("step_deg").and_then(|s| s.as_float().or(s.as_integer().map(|i| i as f64)));
-    let near = facts.step_deg().or(step).is_some_and(|s| s.abs() <= WIDEST_DEG);
+    let step = file
+        .get("step_deg")
+        .and_then(|s| s.as_float().or(s.as_integer().map(|i| i as f64)));
+    let near = facts
+        .step_deg()
+        .or(step)
+        .is_some_and(|s| s.abs() <= WIDEST_DEG);
     let few = (3..FEWEST).contains(&photos.len());
     if few && looked.patterns.is_empty() && !facts.tagged() && !told("mat") && !near {
         return Err(Fault::input(format!(
@@ -159,10 +171,19 @@ mod tests {
 
     #[test]
     fn photos_in_folders_below_are_taken_in_the_order_of_their_paths() {
-        let names = ["b/1.jpg", "a.jpg", "DCIM/101/2.jpg", "DCIM/100/9.jpg", "b/2.png"];
+        let names = [
+            "b/1.jpg",
+            "a.jpg",
+            "DCIM/101/2.jpg",
+            "DCIM/100/9.jpg",
+            "b/2.png",
+        ];
         let names = names.map(str::to_owned);
         let patterns = below(&names.iter().collect::<Vec<_>>());
-        let folders: Vec<&str> = patterns.iter().map(|p| p.split("*.").next().unwrap()).collect();
+        let folders: Vec<&str> = patterns
+            .iter()
+            .map(|p| p.split("*.").next().unwrap())
+            .collect();
         assert_eq!(folders, ["", "b/", "DCIM/100/", "DCIM/101/"]);
     }
 }

@@ -16,7 +16,12 @@ const WEIGHTS: [(&str, f64); 2] = [("kg", 1.0), ("lb", 0.453_592_37)];
 
 /// A length; a bare number is in `bare`. \[mm\]
 pub(super) fn length_mm(text: &str, bare: &str) -> Result<f64, String> {
-    amount(text, bare, &LENGTHS, "a length such as 178, 178cm, 1.78m, 70in or 5ft10in")
+    amount(
+        text,
+        bare,
+        &LENGTHS,
+        "a length such as 178, 178cm, 1.78m, 70in or 5ft10in",
+    )
 }
 
 /// A weight; a bare number is in kilograms. \[kg\]
@@ -76,7 +81,10 @@ mod tests {
         assert_eq!(length_mm("60", "mm"), Ok(60.0));
         assert_eq!(weight_kg("100lb"), Ok(45.359_237));
         for wrong in ["", "tall", "1.7.8", "178kg", "-3", "1,78m"] {
-            assert!(length_mm(wrong, "cm").unwrap_err().contains("5ft10in"), "{wrong}");
+            assert!(
+                length_mm(wrong, "cm").unwrap_err().contains("5ft10in"),
+                "{wrong}"
+            );
         }
     }
 }

@@ -124,7 +124,10 @@ pub(crate) fn mat(args: &MatArgs, global: &GlobalArgs) -> Result<(), Fault> {
     // What capture.toml says of it, as the print itself tells.
     let toml = beside(&args.o);
     let facts = super::mat_file::text(&document.bytes).expect("bug: a mat that tells nothing");
-    for (path, bytes) in [(&args.o, document.bytes.clone()), (&toml, facts.into_bytes())] {
+    for (path, bytes) in [
+        (&args.o, document.bytes.clone()),
+        (&toml, facts.into_bytes()),
+    ] {
         let file = vec![(String::new(), bytes)];
         crate::delivery::write(path, &file)
             .map_err(|e| Fault::input(format!("cannot write {}: {e}", path.display())))?;

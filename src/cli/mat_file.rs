@@ -17,7 +17,9 @@ pub(super) fn mat_file(file: &Path) -> Result<Vec<(String, toml::Value)>, Fault>
         ))
     };
     let table = text(&bytes).and_then(|toml| toml.parse::<toml::Table>().ok());
-    let table = table.filter(|t| t.contains_key("mat")).ok_or_else(nothing)?;
+    let table = table
+        .filter(|t| t.contains_key("mat"))
+        .ok_or_else(nothing)?;
     let mut all = Vec::new();
     for name in TABLES {
         let keys = table.get(name).and_then(toml::Value::as_table);
@@ -48,7 +50,10 @@ mod tests {
     #[test]
     fn a_mat_is_read_out_of_comments_and_nothing_out_of_nothing() {
         let lines = "[mat]\nfamily = \"tag36h11\"\ntag_size_mm = 60.0\nids = [0, 11]\n[disk]\ndiameter_cm = 45.0\n";
-        let pdf = format!("%PDF-1.4\n% {}1 0 obj\n<< /Type >>\n", lines.trim_end().replace('\n', "\n% ") + "\n");
+        let pdf = format!(
+            "%PDF-1.4\n% {}1 0 obj\n<< /Type >>\n",
+            lines.trim_end().replace('\n', "\n% ") + "\n"
+        );
         let svg = format!("<svg>\n<!--\n{lines}-->\n<circle r=\"2\"/>\n");
         for file in [lines.to_owned(), pdf, svg] {
             assert_eq!(text(file.as_bytes()).as_deref(), Some(lines), "{file}");

@@ -8,8 +8,8 @@ mod told;
 mod truth;
 
 pub use girths::GirthScore;
-pub(crate) use girths::{RELATIVE, iso_mm};
 use girths::NO_SCALE;
+pub(crate) use girths::{RELATIVE, iso_mm};
 pub use surface::{Part, Surface};
 pub use table::{iso_table, paper_tables, text};
 pub use told::ToldScore;

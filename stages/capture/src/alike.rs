@@ -154,7 +154,10 @@ mod tests {
             .collect();
         assert!(one_size(&photos, None).is_ok());
         let told = two_turns(&photos).unwrap();
-        assert!(told.starts_with("between 8.jpg and 9.jpg passed 303 s, else 3 s"), "{told}");
+        assert!(
+            told.starts_with("between 8.jpg and 9.jpg passed 303 s, else 3 s"),
+            "{told}"
+        );
         assert_eq!(two_turns(&photos[2..]), None, "seven photos are no turn");
         (photos[0].width, photos[0].height) = (3, 4);
         photos[7].width = 9;
@@ -163,7 +166,13 @@ mod tests {
             ..photo("plate.jpg", "", None)
         };
         let error = one_size(&photos, Some(&plate)).unwrap_err().to_string();
-        for says in ["18 are 4×4", "0.jpg is 3×4", "7.jpg is 9×4", "plate.jpg is 4×3", "--images"] {
+        for says in [
+            "18 are 4×4",
+            "0.jpg is 3×4",
+            "7.jpg is 9×4",
+            "plate.jpg is 4×3",
+            "--images",
+        ] {
             assert!(error.contains(says), "{says}: {error}");
         }
     }

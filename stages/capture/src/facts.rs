@@ -139,7 +139,10 @@ mod tests {
             mistakes
         };
         for (text, says) in [
-            ("subject.height_cm = 1780", "`subject.height_cm` wants a number from 10 to 300"),
+            (
+                "subject.height_cm = 1780",
+                "`subject.height_cm` wants a number from 10 to 300",
+            ),
             ("subject.hight_cm = 178", "did you mean `height_cm`"),
             ("stepdeg = 20", "did you mean `step_deg`"),
         ] {

@@ -22,9 +22,7 @@ const KINDS: [Kind; 4] = [
         name: "videos",
         endings: &["mov", "mp4", "m4v", "avi", "mkv", "webm", "3gp", "mts"],
         way: |first, _| {
-            format!(
-                "mkdir -p images && ffmpeg -i \"{first}\" -vf fps=2 -q:v 2 images/%04d.jpg"
-            )
+            format!("mkdir -p images && ffmpeg -i \"{first}\" -vf fps=2 -q:v 2 images/%04d.jpg")
         },
     },
     Kind {
@@ -56,8 +54,17 @@ impl Foreign {
     /// `3 HEIC photos (a.heic, b.heic, …)`.
     pub fn words(&self) -> String {
         let some: Vec<&str> = self.names.iter().take(2).map(String::as_str).collect();
-        let more = if self.names.len() > some.len() { ", …" } else { "" };
-        format!("{} {} ({}{more})", self.names.len(), self.kind, some.join(", "))
+        let more = if self.names.len() > some.len() {
+            ", …"
+        } else {
+            ""
+        };
+        format!(
+            "{} {} ({}{more})",
+            self.names.len(),
+            self.kind,
+            some.join(", ")
+        )
     }
 }
 
@@ -98,7 +105,17 @@ mod tests {
 
     #[test]
     fn what_cannot_be_read_is_named_with_the_command_that_converts_it() {
-        let names = ["a.jpg", "IMG_1.HEIC", "IMG_2.HEIC", "IMG_3.HEIC", "walk.MOV", "._x.HEIC", "b.DNG", "Thumbs.db", "notes.txt"];
+        let names = [
+            "a.jpg",
+            "IMG_1.HEIC",
+            "IMG_2.HEIC",
+            "IMG_3.HEIC",
+            "walk.MOV",
+            "._x.HEIC",
+            "b.DNG",
+            "Thumbs.db",
+            "notes.txt",
+        ];
         let names = names.map(str::to_owned);
         let found = foreign(&names);
         let words: Vec<String> = found.iter().map(Foreign::words).collect();

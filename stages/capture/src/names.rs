@@ -136,9 +136,15 @@ mod tests {
         assert_eq!(turn(&names, &["a*.jpg"]).unwrap(), ["a1.jpg", "a2.JPG"]);
         let said = turn(&names, &["b/*.{png,jpg}", "a2.jpg", "a*.jpg"]).unwrap();
         assert_eq!(said, ["b/c1.png", "a2.JPG", "a1.jpg"]);
-        assert_eq!(turn(&names, &["*.jpg"]).unwrap(), ["a1.jpg", "a2.JPG", "selfie.jpg"]);
+        assert_eq!(
+            turn(&names, &["*.jpg"]).unwrap(),
+            ["a1.jpg", "a2.JPG", "selfie.jpg"]
+        );
         let error = turn(&names, &["a*.jpg", "z*.jpg"]).unwrap_err();
-        assert!(error.contains("z*.jpg") && error.contains("a1.jpg"), "{error}");
+        assert!(
+            error.contains("z*.jpg") && error.contains("a1.jpg"),
+            "{error}"
+        );
     }
 
     #[test]

@@ -45,9 +45,7 @@ pub(crate) fn header(path: &str, name: &str, bytes: Vec<u8>) -> Result<Photo, Ca
 
 /// The photo, decoded once to see that it is whole and shows something.
 pub(crate) fn photo(photo: Photo) -> Result<Photo, CaptureError> {
-    let pixels = photo
-        .decode()
-        .map_err(|e| no_picture(&photo.name, e.why))?;
+    let pixels = photo.decode().map_err(|e| no_picture(&photo.name, e.why))?;
     let (mut lo, mut hi, mut white) = ([255u8; 3], [0u8; 3], 0usize);
     for p in &pixels.data {
         (0..3).for_each(|c| (lo[c], hi[c]) = (lo[c].min(p[c]), hi[c].max(p[c])));

@@ -74,7 +74,8 @@ pub(crate) fn read_table(table: Table) -> Result<RigFile, RigError> {
     if let Some(mut reference) = root.inner("reference")? {
         let kind = reference.text("kind")?.unwrap_or_default();
         let length = reference.number("length_mm", 0.1, 100_000.0)?;
-        let length_mm = length.ok_or_else(|| RigError::missing("`reference` has no `length_mm`"))?;
+        let length_mm =
+            length.ok_or_else(|| RigError::missing("`reference` has no `length_mm`"))?;
         rig.reference = Some(Reference { kind, length_mm });
         reference.rest(&mut file.unknown);
     }

@@ -36,9 +36,7 @@ fn read_ids(keys: &mut Keys<'_>) -> Result<(u32, u32), RigError> {
         [first, last] if (0..=*last).contains(first) && *last <= 586 => {
             let count = (last - first + 1) as u32;
             match said.filter(|said| *said != count) {
-                Some(said) => {
-                    Err(keys.wrong("ids", &format!("[first, last] of {said} ids"), &ids))
-                }
+                Some(said) => Err(keys.wrong("ids", &format!("[first, last] of {said} ids"), &ids)),
                 None => Ok((*first as u32, count)),
             }
         }
@@ -81,9 +79,7 @@ pub(crate) fn read_rim(keys: &mut Keys<'_>, rig: &Rig) -> Result<Rim, RigError> 
     let radius = keys.number("radius_mm", 10.0, 5000.0)?;
     let radius_mm = radius
         .or(rig.disk_diameter_mm.map(|d| d / 2.0))
-        .ok_or_else(|| {
-            RigError::missing("`rim` has no `radius_mm`, nor has `disk` a diameter")
-        })?;
+        .ok_or_else(|| RigError::missing("`rim` has no `radius_mm`, nor has `disk` a diameter"))?;
     Ok(Rim {
         tag_mm: need(keys, "tag_size_mm", 1.0, 1000.0)?,
         first_id,

@@ -68,7 +68,10 @@ impl Stage for Measure {
         // Where the landmarks have it: of a body that stands nowhere, nothing was found.
         let body = landmarks.ground_mm.and_then(|ground| body(mesh, ground));
         let mut girths = Girths {
-            unit: input.cameras.as_ref().map_or(Unit::Metric, |c| c.scale.unit()),
+            unit: input
+                .cameras
+                .as_ref()
+                .map_or(Unit::Metric, |c| c.scale.unit()),
             missing: landmarks.missing.clone(),
             ..Girths::default()
         };

@@ -228,7 +228,11 @@ fn seen(mat: &shape::Mat, noise_px: f64) -> shape::Tags {
 
 #[test]
 fn a_mat_of_ours_is_recognised_from_the_size_of_its_tags_and_another_is_not() {
-    for (disk, tag, count, first) in [(450.0, 0.0, 0, 0), (700.0, 60.0, 16, 20), (500.0, 42.0, 12, 3)] {
+    for (disk, tag, count, first) in [
+        (450.0, 0.0, 0, 0),
+        (700.0, 60.0, 16, 20),
+        (500.0, 42.0, 12, 3),
+    ] {
         let printed = mat_for(disk, tag, count, first).unwrap();
         // A printer that shrinks by 0.7 %.
         let mat = shape::Mat {
@@ -238,24 +242,47 @@ fn a_mat_of_ours_is_recognised_from_the_size_of_its_tags_and_another_is_not() {
         };
         let tags = seen(&mat, 0.1);
         let found = pose::recognised(&tags, mat.tag_mm, Some(disk), |_| {}).unwrap();
-        assert_eq!((found.first_id, found.count), (first, printed.count), "{disk}");
+        assert_eq!(
+            (found.first_id, found.count),
+            (first, printed.count),
+            "{disk}"
+        );
         proof::near(found.ring_mm, mat.ring_mm, 1e-9);
         // Without the disk the ring is told to whole millimetres, and that is said.
         let told = std::cell::RefCell::new(String::new());
         let found = pose::recognised(&tags, mat.tag_mm, None, |w| *told.borrow_mut() = w.into());
         proof::near(found.unwrap().ring_mm, mat.ring_mm, 1.01);
-        assert_eq!(told.borrow().contains("to within 1 mm"), printed.ring_mm > 200.0, "{}", told.borrow());
+        assert_eq!(
+            told.borrow().contains("to within 1 mm"),
+            printed.ring_mm > 200.0,
+            "{}",
+            told.borrow()
+        );
     }
-    let odd = shape::Mat { tag_mm: 60.0, first_id: 0, count: 12, ring_mm: 150.5 };
+    let odd = shape::Mat {
+        tag_mm: 60.0,
+        first_id: 0,
+        count: 12,
+        ring_mm: 150.5,
+    };
     let told = std::cell::RefCell::new(String::new());
     // Half a millimetre is 3.3 ‰ of this ring.
-    assert_eq!(pose::recognised(&seen(&odd, 0.02), 60.0, None, |w| *told.borrow_mut() = w.into()), None);
-    assert!(told.borrow().contains("with a radius of 150."), "{}", told.borrow());
+    assert_eq!(
+        pose::recognised(&seen(&odd, 0.02), 60.0, None, |w| *told.borrow_mut() =
+            w.into()),
+        None
+    );
+    assert!(
+        told.borrow().contains("with a radius of 150."),
+        "{}",
+        told.borrow()
+    );
 }
 
 /// The sample's tags, though nobody tells of them.
 fn sample() -> (shape::Tags, Vec<String>) {
-    let folder = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../../samples/mannequin/images");
+    let folder =
+        std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../../samples/mannequin/images");
     let photo = |i: usize| {
         let name = format!("{i:04}.jpg");
         let file = std::fs::read(folder.join(&name)).unwrap();
@@ -274,10 +301,16 @@ fn sample() -> (shape::Tags, Vec<String>) {
         photos: (0..18).step_by(2).map(photo).collect(),
         ..Photos::default()
     };
-    let input = TagsInput { photos: Arc::new(photos) };
+    let input = TagsInput {
+        photos: Arc::new(photos),
+    };
     let heard = Heard::default();
     let nothing = stage::hash(b"");
-    let tags = FindTags::run(&TagsParams::default(), input, &Ctx::new(&heard, nothing, nothing));
+    let tags = FindTags::run(
+        &TagsParams::default(),
+        input,
+        &Ctx::new(&heard, nothing, nothing),
+    );
     (tags.unwrap(), heard.0.into_inner().unwrap())
 }
 
@@ -294,7 +327,12 @@ impl stage::Host for Heard {
 fn tags_that_nobody_told_of_are_told_and_their_layout_follows_from_one_size() {
     let (tags, told) = sample();
     assert_eq!(told.len(), 1, "{told:?}");
-    for says in ["numbers 0 to 11", "9 of 9 photos", "12 tags on a ring of 3.1", "--mat-tag"] {
+    for says in [
+        "numbers 0 to 11",
+        "9 of 9 photos",
+        "12 tags on a ring of 3.1",
+        "--mat-tag",
+    ] {
         assert!(told[0].contains(says), "{says}: {told:?}");
     }
     let ring = pose::ringed(&tags).unwrap();

@@ -1,7 +1,7 @@
 //! What the viewer draws, as JSON: meshes, an atlas, tapes, where the cameras stood.
 
-use crate::packing::{corners, steps};
 use crate::lengths::Lengths;
+use crate::packing::{corners, steps};
 use crate::tape;
 use serde_json::{Value, json};
 use shape::{Camera, Girths, Mesh, Rgb, Textured, base64, rgb_to_jpeg};

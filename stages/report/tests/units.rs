@@ -71,7 +71,12 @@ fn inches_are_shown_where_they_are_wanted_and_relative_lengths_stay_relative() {
         ..HtmlParams::default()
     };
     let (told, plain) = (page(&inches), page(&HtmlParams::default()));
-    for text in ["tape [in]", "All in inches", "standard deviations [in]", "height [in]"] {
+    for text in [
+        "tape [in]",
+        "All in inches",
+        "standard deviations [in]",
+        "height [in]",
+    ] {
         assert!(told.contains(text) && !plain.contains(text), "{text}");
     }
     assert!(!told.contains("[cm]"), "one unit on a page");

@@ -59,8 +59,16 @@ fn landmarks_of_unknown_scale_are_shares_of_the_ring() {
     assert_eq!(told["unit"], "relative");
     assert_eq!(known["unit"], "mm");
     for (relative, metric, value) in [
-        ("/landmarks/0/plane/point_rel/2", "/landmarks/0/plane/point_mm/2", 500.0),
-        ("/landmarks/0/sigma/level_rel", "/landmarks/0/sigma/level_mm", 12.5),
+        (
+            "/landmarks/0/plane/point_rel/2",
+            "/landmarks/0/plane/point_mm/2",
+            500.0,
+        ),
+        (
+            "/landmarks/0/sigma/level_rel",
+            "/landmarks/0/sigma/level_mm",
+            12.5,
+        ),
         ("/points/crown/2", "/points/crown/2", 900.0),
         ("/stature_rel", "/stature_mm", 900.0),
     ] {
@@ -80,7 +88,10 @@ fn cameras_of_unknown_scale_name_no_millimetres() {
     assert_eq!(file["unit"], "relative");
     assert_eq!(file["ground_rel"], -3.0);
     let known: Value = serde_json::from_str(&cameras_to_json(&cameras(Scale::Mat))).unwrap();
-    assert_eq!((&known["unit"], &known["ground_mm"]), (&"mm".into(), &(-3.0).into()));
+    assert_eq!(
+        (&known["unit"], &known["ground_mm"]),
+        (&"mm".into(), &(-3.0).into())
+    );
     assert_eq!(known["views"][0]["t"], file["views"][0]["t"]);
     let drawn = |scale| cameras_to_svg(&cameras(scale));
     assert!(drawn(Scale::Mat).contains(" mm<") && !drawn(Scale::Nothing).contains(" mm<"));

@@ -67,7 +67,9 @@ pub fn ringed(tags: &Tags) -> Option<Ringed> {
     let mut told: BTreeMap<u32, Vec<(f64, f64)>> = BTreeMap::new();
     for seen in tags.views.values() {
         for pair in seen.windows(2).filter(|w| w[1].id == w[0].id + 1) {
-            told.entry(pair[0].id).or_default().extend(next(&pair[0], &pair[1]));
+            told.entry(pair[0].id)
+                .or_default()
+                .extend(next(&pair[0], &pair[1]));
         }
     }
     // Of each pair of neighbours: the count that it leads to, and the radius.
@@ -78,7 +80,10 @@ pub fn ringed(tags: &Tags) -> Option<Ringed> {
         let count = TAU / turn;
         if (3.0..100.0).contains(&count) && (count - count.round()).abs() < 0.3 {
             let ring = far / (2.0 * (turn / 2.0).sin());
-            votes.entry(count.round() as u32).or_default().push((*id, ring));
+            votes
+                .entry(count.round() as u32)
+                .or_default()
+                .push((*id, ring));
         }
     }
     let (count, agreed) = votes.into_iter().max_by_key(|(_, v)| v.len())?;
@@ -157,7 +162,9 @@ fn fitted(tags: &Tags, first: u32, count: u32, rough: f64) -> Option<f64> {
         return None;
     }
     let best = |bloom_px: f64| {
-        least(0.95 * rough, 1.05 * rough, 1e-3, |ring| misfit(&photos, count, ring, bloom_px))
+        least(0.95 * rough, 1.05 * rough, 1e-3, |ring| {
+            misfit(&photos, count, ring, bloom_px)
+        })
     };
     let bloom = least(-BLOOM_PX, BLOOM_PX, 5e-3, |b| Some(best(b)?.1))?.0;
     Some(best(bloom)?.0)

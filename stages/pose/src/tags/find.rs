@@ -94,11 +94,7 @@ const GLANCED: usize = 3;
 const GLANCE: f64 = 2.0;
 
 /// Whether tags show on some photos, spread over the turn: three of one photo are no chance.
-fn glanced(
-    all: &[(PhotoId, &Photo)],
-    p: &TagsParams,
-    ctx: &Ctx<'_>,
-) -> Result<bool, Stop> {
+fn glanced(all: &[(PhotoId, &Photo)], p: &TagsParams, ctx: &Ctx<'_>) -> Result<bool, Stop> {
     let quick = TagsParams {
         decimate: p.decimate * GLANCE,
         correct_bits: 0,
@@ -109,7 +105,10 @@ fn glanced(
         Ok(find(photo, &quick)?.len())
     };
     let some: Vec<&Photo> = some.collect();
-    let counts: Vec<usize> = some.par_iter().map(|photo| count(photo)).collect::<Result<_, _>>()?;
+    let counts: Vec<usize> = some
+        .par_iter()
+        .map(|photo| count(photo))
+        .collect::<Result<_, _>>()?;
     Ok(counts.iter().any(|tags| *tags >= 3))
 }
 
