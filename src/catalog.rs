@@ -7,6 +7,9 @@ use stage::AnyStage;
 // What a folder holds besides photos, and what capture.toml says.
 pub(crate) use capture::{READ, foreign, is_photo};
 
+// The layout of a mat from its tags.
+pub(crate) use pose::ringed;
+
 // Sections of surfaces, for the score.
 pub(crate) use measure::{flat, section, tape};
 

@@ -1,14 +1,14 @@
 //! `tailor measure`: the one-line door.
 
 use super::delivered::{place_of_results, write, written};
-use super::facts::{Facts, Said};
+use super::facts::Facts;
 use super::folder::{self, Looked};
 use super::provenance::get;
+use super::said::{Said, opened};
 use super::screen::screen;
 use crate::delivery::Delivery;
 use crate::graph::Graph;
 use crate::photos::{photos, photos_node};
-use crate::recipe::{Overrides, open_text};
 use crate::store::Store;
 use clap::Args;
 use engine::cli::{Fault, GlobalArgs, check_out, execute, finish, whose};
@@ -160,7 +160,7 @@ fn pipeline(
     capture: &Path,
     said: &[Said],
 ) -> Result<(Graph, Vec<(String, PathBuf)>), Fault> {
-    let mut sets: Vec<String> = said.iter().map(|s| s.set.clone()).collect();
+    let mut sets = Vec::new();
     for (asked, set) in [
         (measure.no_photos, "report.photos=false"),
         (measure.blur_face, "report.blur_face=true"),
@@ -170,10 +170,6 @@ fn pipeline(
     }
     // What the user sets himself comes last, and wins.
     sets.extend(measure.set.iter().cloned());
-    let overrides = Overrides {
-        variant: measure.variant.clone(),
-        sets,
-    };
     let mut folders = vec![("photos".to_owned(), capture.to_owned())];
     let masks = capture.join(MASKS);
     let (name, text) = if masks.is_dir() {
@@ -182,12 +178,7 @@ fn pipeline(
     } else {
         ("pipelines/body.toml", BODY)
     };
-    let graph = open_text(name, text, &overrides, &crate::catalog::CATALOG);
-    // A flag is told as it was said.
-    let graph = graph.map_err(|mistakes| {
-        let as_said = |text: String, s: &Said| text.replace(&format!("--set {}", s.set), &s.flag);
-        Fault::input(said.iter().fold(mistakes.to_string(), as_said))
-    })?;
+    let graph = opened(name, text, measure.variant.clone(), said, &sets)?;
     Ok((graph, folders))
 }
 
@@ -204,10 +195,14 @@ fn one(
         patterns,
         more,
         warnings,
+        few,
     } = looked;
     let more: Vec<Said> = said.iter().chain(&more).cloned().collect();
     let (mut graph, folders) = pipeline(measure, capture, &more)?;
     let (out, shown) = place_of_results(capture, out)?;
+    if let Some(few) = few {
+        return Err(Fault::input(few));
+    }
     folder::widen(&mut graph, &patterns);
     check_out(&out, &graph, &folders)?;
     if !global.json && !global.quiet {

@@ -1,7 +1,8 @@
 //! The folder that somebody hands over, looked at before anything runs: what in it is the turn, and what
 //! cannot be read.
 
-use super::facts::{Facts, Said};
+use super::facts::Facts;
+use super::said::Said;
 use crate::catalog::{READ, foreign, is_photo};
 use crate::graph::Graph;
 use crate::pattern::{natural, stays_inside};
@@ -16,6 +17,8 @@ pub(super) struct Looked {
     pub(super) more: Vec<Said>,
     /// What the user should know.
     pub(super) warnings: Vec<String>,
+    /// Why photos are too few to be measured, if they are.
+    pub(super) few: Option<String>,
 }
 
 /// Fewer photos than this and features cannot be followed from one to the next.
@@ -39,6 +42,7 @@ pub(super) fn look(capture: &Path, facts: &Facts, recursive: bool) -> Result<Loo
         patterns: wanted(facts.images(), &file),
         more: vec![],
         warnings: vec![],
+        few: None,
     };
     if let Some(out) = looked.patterns.iter().find(|p| !stays_inside(p)) {
         return Err(Fault::input(format!(
@@ -84,11 +88,11 @@ pub(super) fn look(capture: &Path, facts: &Facts, recursive: bool) -> Result<Loo
         .is_some_and(|s| s.abs() <= WIDEST_DEG);
     let few = (3..FEWEST).contains(&photos.len());
     if few && looked.patterns.is_empty() && !facts.tagged() && !told("mat") && !near {
-        return Err(Fault::input(format!(
+        looked.few = Some(format!(
             "{shown} holds {} photos: without a marker mat features are followed from photo to photo, which needs a full turn at steps of 30° or less; \
              take 18 to 36 photos, or lay a mat on the disk (`tailor mat`; then say --mat), or say the step between them, such as --step 20",
             photos.len()
-        )));
+        ));
     }
     Ok(looked)
 }

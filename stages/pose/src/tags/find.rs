@@ -17,6 +17,9 @@ stage::params! {
         /// Wrong bits of a tag that are corrected.
         #[range(0..=3)]
         correct_bits: u32 = 1,
+        /// Most photos that are searched, spread over the turn; 0 for all.
+        #[range(0..=5000)]
+        most: u32 = 0,
     }
 }
 
@@ -62,6 +65,7 @@ impl Stage for FindTags {
         if !told && !glanced(&all, p, ctx)? {
             return Ok(Tags::default());
         }
+        let all = spread(all, p.most as usize);
         let steps = ctx.steps("photos", all.len());
         let find = |(id, photo): &(PhotoId, &Photo)| -> Result<(PhotoId, Vec<Tag>), Stop> {
             let found: Tags = ctx.part("tags", &[photo.content()], || {
@@ -88,6 +92,14 @@ impl Stage for FindTags {
     }
 }
 
+/// So many of all, evenly spread; all for 0.
+fn spread<T: Copy>(all: Vec<T>, most: usize) -> Vec<T> {
+    match (1..all.len()).contains(&most) {
+        true => (0..most).map(|k| all[k * all.len() / most]).collect(),
+        false => all,
+    }
+}
+
 /// So many photos are glanced at where nobody told of tags.
 const GLANCED: usize = 3;
 /// What is found at a glance need not be found exactly: photos are reduced by this.
@@ -98,8 +110,11 @@ fn glanced(all: &[(PhotoId, &Photo)], p: &TagsParams, ctx: &Ctx<'_>) -> Result<b
     let quick = TagsParams {
         decimate: p.decimate * GLANCE,
         correct_bits: 0,
+        most: 0,
     };
-    let some = (0..GLANCED.min(all.len())).map(|k| all[k * all.len() / GLANCED].1);
+    let some = spread(all.to_vec(), GLANCED)
+        .into_iter()
+        .map(|(_, photo)| photo);
     let count = |photo: &Photo| -> Result<usize, Stop> {
         ctx.check()?;
         Ok(find(photo, &quick)?.len())
