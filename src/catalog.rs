@@ -4,6 +4,12 @@ use crate::kinds::KINDS;
 use engine::Catalog;
 use stage::AnyStage;
 
+// What a folder holds besides photos, and what capture.toml says.
+pub(crate) use capture::{READ, foreign, is_photo};
+
+// The layout of a mat from its tags.
+pub(crate) use pose::ringed;
+
 // Sections of surfaces, for the score.
 pub(crate) use measure::{flat, section, tape};
 
@@ -34,6 +40,7 @@ pub static CATALOG: Catalog = Catalog {
         ("any-order", include_str!("../pipelines/any-order.toml")),
         ("hull", include_str!("../pipelines/hull.toml")),
         ("surface", include_str!("../pipelines/surface.toml")),
+        ("doctor", include_str!("../pipelines/doctor.toml")),
         ("evolutions", include_str!("../pipelines/evolutions.toml")),
         ("paper", include_str!("../pipelines/paper.toml")),
         ("synth", include_str!("../pipelines/synth.toml")),

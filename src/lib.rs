@@ -9,6 +9,7 @@ pub mod kinds;
 pub mod measured;
 pub mod out;
 mod photos;
+mod relative;
 pub mod score;
 
 pub use cli::main;

@@ -1,43 +1,40 @@
 //! `tailor measure`: the one-line door.
 
-use super::provenance::{self, get};
+use super::delivered::{place_of_results, write, written};
+use super::facts::Facts;
+use super::folder::{self, Looked};
+use super::provenance::get;
+use super::said::{Said, opened};
 use super::screen::screen;
-use crate::catalog::CATALOG;
-use crate::delivery::{self, Delivery};
-use crate::engine::Outcome;
+use crate::delivery::Delivery;
 use crate::graph::Graph;
 use crate::photos::{photos, photos_node};
-use crate::recipe::{Overrides, Pipeline};
 use crate::store::Store;
 use clap::Args;
-use engine::cli::{Fault, GlobalArgs, check_out, execute, finish, inside, lies_in, there, whose};
-use engine::out;
-use shape::{Cameras, Document, Girths};
-use std::path::PathBuf;
+use engine::cli::{Fault, GlobalArgs, check_out, execute, finish, whose};
+use serde_json::{Value, json};
+use shape::{Cameras, Girths};
+use std::path::{Path, PathBuf};
 
 /// The folder of a capture that holds such masks.
 const MASKS: &str = "masks";
 
-/// What is written: nodes, of which the first that there is counts, file in the folder, format.
-/// Without refinement the hull is the body. Formats of several files go into the folder itself.
-const WRITTEN: [(&[&str], &str, &str); 9] = [
-    (&["girths"], "girths.json", "json"),
-    (&["girths"], "girths.csv", "csv"),
-    (&["landmarks"], "landmarks.json", "json"),
-    (&["cameras"], "cameras.json", "json"),
-    (&["masks"], "masks", "png"),
-    (&["hull"], "hull.ply", "ply"),
-    (&["body", "hull"], "body.ply", "ply"),
-    (&["textured", "body", "hull"], "body.glb", "glb"),
-    (&["textured", "body", "hull"], "", "obj"),
-];
+/// What lengths are shown in.
+#[derive(Clone, Copy, PartialEq, clap::ValueEnum)]
+pub(super) enum Shown {
+    /// Centimetres
+    Cm,
+    /// Inches
+    In,
+}
 
 /// Arguments of `tailor measure`.
 #[derive(Args)]
 pub(crate) struct Measure {
-    /// The folder with the photos of one turn; masks in its folder `masks` are taken instead of own ones
-    folder: PathBuf,
-    /// Where to write; here, the folder's name with `-out`, if not said
+    /// Folders with the photos of one turn each; masks in a folder's `masks` are taken instead of own ones
+    #[arg(required = true)]
+    folders: Vec<PathBuf>,
+    /// Where to write; here, the folder's name with `-out`, if not said. Of several folders each gets its own in it
     #[arg(long)]
     out: Option<PathBuf>,
     /// Remove from that folder what an earlier run wrote there and this one does not
@@ -58,41 +55,157 @@ pub(crate) struct Measure {
     /// Make faces on the report's photos unrecognisable
     #[arg(long)]
     blur_face: bool,
+    /// What the screen and the report show lengths in; files stay in centimetres
+    #[arg(long, value_enum, default_value = "cm")]
+    unit: Shown,
+    /// Take the photos in folders below, too, in the order of their paths
+    #[arg(long)]
+    recursive: bool,
+    #[command(flatten)]
+    facts: Facts,
 }
 
-/// Does it.
+/// Does it: each folder on its own; one that fails does not stop the others.
 pub(crate) fn measure(measure: &Measure, global: &GlobalArgs) -> Result<(), Fault> {
-    let mut sets = measure.set.clone();
-    if measure.no_photos {
-        sets.push("report.photos=false".into());
+    let said = measure.facts.said()?;
+    if let [capture] = measure.folders.as_slice() {
+        let run = one(measure, capture, measure.out.as_deref(), &said, global)?.1;
+        if global.json {
+            engine::outln!("{}", pretty(&run));
+        }
+        return Ok(());
     }
-    if measure.blur_face {
-        sets.push("report.blur_face=true".into());
+    let places = places(measure)?;
+    let (mut answers, mut failed) = (Vec::new(), Vec::new());
+    for (capture, out) in measure.folders.iter().zip(&places) {
+        let shown = capture.display().to_string();
+        if !global.json && !global.quiet {
+            engine::errln!("{shown}:");
+        }
+        match one(measure, capture, Some(out), &said, global) {
+            Ok((out, run)) => {
+                answers
+                    .push(json!({ "folder": shown, "out": out.display().to_string(), "run": run }));
+            }
+            // The user asked to stop.
+            Err(fault) if fault.code() == 130 => return Err(fault),
+            Err(fault) => {
+                if !global.json {
+                    engine::errln!("{shown}: {}", fault.text());
+                }
+                failed.push(shown.clone());
+                let mut answer = fault.json();
+                answer["folder"] = shown.into();
+                answers.push(answer);
+            }
+        }
     }
-    let overrides = Overrides {
-        variant: measure.variant.clone(),
-        sets,
-    };
-    let mut folders = vec![("photos".to_owned(), measure.folder.clone())];
-    let masks = measure.folder.join(MASKS);
+    if global.json {
+        engine::outln!("{}", pretty(&answers));
+    }
+    match failed.as_slice() {
+        [] => Ok(()),
+        // With JSON the answers have said it.
+        _ if global.json => Err(Fault::stage("")),
+        some => Err(Fault::stage(format!(
+            "{} of {} captures came to nothing: {}",
+            some.len(),
+            places.len(),
+            some.join(", ")
+        ))),
+    }
+}
+
+fn pretty(value: &impl serde::Serialize) -> String {
+    serde_json::to_string_pretty(value).expect("bug: JSON")
+}
+
+/// A folder of results for each capture, no two the same.
+fn places(measure: &Measure) -> Result<Vec<PathBuf>, Fault> {
+    let mut places: Vec<PathBuf> = Vec::new();
+    for capture in &measure.folders {
+        let (alone, name) = place_of_results(capture, None).or_else(|fault| {
+            // Somebody says where to write: what lies beside the folder does not matter.
+            let out = measure.out.as_deref().ok_or(fault)?;
+            let whole = capture.canonicalize().unwrap_or_else(|_| capture.clone());
+            let name = whole.file_name().unwrap_or("turn".as_ref());
+            Ok((out.to_owned(), name.to_string_lossy().into_owned()))
+        })?;
+        let place = match &measure.out {
+            Some(out) => out.join(name),
+            None => alone,
+        };
+        if let Some(at) = places.iter().position(|p| *p == place) {
+            return Err(Fault::input(format!(
+                "{} and {} would both be written to {}: measure them one after the other, each with its own --out",
+                measure.folders[at].display(),
+                capture.display(),
+                place.display()
+            )));
+        }
+        places.push(place);
+    }
+    Ok(places)
+}
+
+/// The pipeline for a capture with what is said of it, and its inputs.
+fn pipeline(
+    measure: &Measure,
+    capture: &Path,
+    said: &[Said],
+) -> Result<(Graph, Vec<(String, PathBuf)>), Fault> {
+    let mut sets = Vec::new();
+    for (asked, set) in [
+        (measure.no_photos, "report.photos=false"),
+        (measure.blur_face, "report.blur_face=true"),
+        (measure.unit == Shown::In, "report.unit=in"),
+    ] {
+        sets.extend(asked.then(|| set.to_owned()));
+    }
+    // What the user sets himself comes last, and wins.
+    sets.extend(measure.set.iter().cloned());
+    let mut folders = vec![("photos".to_owned(), capture.to_owned())];
+    let masks = capture.join(MASKS);
     let name = if masks.is_dir() {
         folders.push((MASKS.to_owned(), masks));
         "own-masks"
     } else {
         "body"
     };
-    let (out, shown) = place_of_results(measure)?;
-    let pipeline = Pipeline::built_in(name, &CATALOG).and_then(|p| p.graph(&overrides));
-    let graph = pipeline.map_err(Fault::input)?;
+    let graph = opened(name, measure.variant.clone(), said, &sets)?;
+    Ok((graph, folders))
+}
+
+/// Measures one capture: where its results lie, and how they were made.
+fn one(
+    measure: &Measure,
+    capture: &Path,
+    out: Option<&Path>,
+    said: &[Said],
+    global: &GlobalArgs,
+) -> Result<(PathBuf, Value), Fault> {
+    let looked = folder::look(capture, &measure.facts, measure.recursive)?;
+    let Looked {
+        patterns,
+        more,
+        warnings,
+        few,
+    } = looked;
+    let more: Vec<Said> = said.iter().chain(&more).cloned().collect();
+    let (mut graph, folders) = pipeline(measure, capture, &more)?;
+    let (out, shown) = place_of_results(capture, out)?;
+    if let Some(few) = few {
+        return Err(Fault::input(few));
+    }
+    folder::widen(&mut graph, &patterns);
     check_out(&out, &graph, &folders)?;
+    if !global.json && !global.quiet {
+        warnings.iter().for_each(|w| engine::errln!("{w}"));
+    }
     let again: Vec<String> = std::env::args().collect();
     // What is written must be there, the goal or not.
     let mut wanted = graph.goal.clone();
-    wanted.extend(
-        WRITTEN
-            .iter()
-            .filter_map(|(nodes, ..)| place(&graph, nodes)),
-    );
+    wanted.extend(written(&graph));
     // Files are called after the photos.
     wanted.extend(photos_node(&graph));
     let store = Store::open(&global.cache).map_err(Fault::input)?;
@@ -103,75 +216,17 @@ pub(crate) fn measure(measure: &Measure, global: &GlobalArgs) -> Result<(), Faul
     delivery.begin().map_err(Fault::stage)?;
     write(&graph, &outcome, &mut delivery)?;
     finish(delivery, &graph, &outcome, measure.clean, global)?;
-    let run = outcome.json(&graph);
-    if global.json {
-        engine::outln!("{}", serde_json::to_string_pretty(&run).expect("bug: JSON"));
-    } else if let Some(girths) = get::<Girths>(&graph, &outcome, "girths") {
+    if !global.json
+        && let Some(girths) = get::<Girths>(&graph, &outcome, "girths")
+    {
         let cameras = get::<Cameras>(&graph, &outcome, "cameras");
         let count = photos(&graph, &outcome).photos.len();
-        let screen = screen(&shown, count, cameras.as_deref(), &girths);
+        let inches = measure.unit == Shown::In;
+        let screen = screen(&shown, count, cameras.as_deref(), &girths, inches);
         engine::out!("{screen}");
         engine::outln!("\nall files: {}", out.display());
         engine::outln!("report:    {}", out.join("report.html").display());
     }
-    Ok(())
-}
-
-/// The folder for the results, and what the capture is called. Results of two captures never get
-/// into one folder unless somebody says so.
-fn place_of_results(measure: &Measure) -> Result<(PathBuf, String), Fault> {
-    let capture = &measure.folder;
-    let whole = capture.canonicalize().unwrap_or_else(|_| capture.clone());
-    let name = whole.file_name().unwrap_or("turn".as_ref());
-    let name = name.to_string_lossy().into_owned();
-    let out = match &measure.out {
-        Some(out) => out.clone(),
-        None => {
-            let mut out = PathBuf::from(format!("{name}-out"));
-            // From within the capture: beside it.
-            if let Some(beside) = whole.parent().filter(|_| lies_in(&out, capture)) {
-                out = beside.join(out);
-            }
-            let own = whose(&[("photos".to_owned(), capture.clone())]);
-            if delivery::is_of_another(&out, &own) {
-                return Err(Fault::input(format!(
-                    "{} holds something else than the results of {}: nothing was written; \
-                     say where to write with --out (--out {} writes there all the same)",
-                    out.display(),
-                    capture.display(),
-                    out.display()
-                )));
-            }
-            out
-        }
-    };
-    match lies_in(&out, capture) {
-        true => Err(inside(&out, capture)),
-        false => Ok((out, name)),
-    }
-}
-
-/// The first of these nodes that there is.
-fn place(graph: &Graph, nodes: &[&str]) -> Option<usize> {
-    nodes.iter().find_map(|node| graph.node(node))
-}
-
-/// Writes all that the contract names.
-fn write(graph: &Graph, outcome: &Outcome, delivery: &mut Delivery) -> Result<(), Fault> {
-    for (nodes, file, format) in WRITTEN {
-        let Some(at) = place(graph, nodes) else {
-            continue;
-        };
-        let (artifact, raw) = there(graph, outcome, at)?;
-        let photos = out::beside(graph, at).and_then(|at| outcome.artifact(graph, at));
-        let files = out::files(graph.catalog, artifact, || raw, photos, Some(format));
-        let files = files.map_err(Fault::stage)?;
-        delivery.put(file, &files).map_err(Fault::stage)?;
-    }
-    if let Some(report) = get::<Document>(graph, outcome, "report") {
-        let page = provenance::completed(&report.bytes, outcome, graph);
-        let page = vec![(String::new(), page)];
-        delivery.put("report.html", &page).map_err(Fault::stage)?;
-    }
-    Ok(())
+    let run = outcome.json(&graph);
+    Ok((out, run))
 }

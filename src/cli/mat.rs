@@ -6,7 +6,7 @@ use engine::cli::{Fault, GlobalArgs};
 use shape::Document;
 use stage::{Ctx, Host, Metric, Value};
 use std::collections::BTreeMap;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::sync::Mutex;
 
 /// Arguments of `tailor mat`.
@@ -40,6 +40,13 @@ pub(crate) struct MatArgs {
     /// The file; its ending says what it is, .pdf or .svg
     #[arg(short)]
     o: PathBuf,
+}
+
+/// The file with the facts beside the print: never a `capture.toml` that somebody wrote.
+fn beside(print: &Path) -> PathBuf {
+    let mut name = print.as_os_str().to_owned();
+    name.push(".toml");
+    name.into()
 }
 
 /// Hears what the stage tells of the mat.
@@ -114,18 +121,28 @@ pub(crate) fn mat(args: &MatArgs, global: &GlobalArgs) -> Result<(), Fault> {
                 .to_owned()
         })
         .collect();
-    let file = vec![(String::new(), document.bytes.clone())];
-    crate::delivery::write(&args.o, &file)
-        .map_err(|e| Fault::input(format!("cannot write {shown}: {e}")))?;
+    // What capture.toml says of it, as the print itself tells.
+    let toml = beside(&args.o);
+    let facts = super::mat_file::text(&document.bytes).expect("bug: a mat that tells nothing");
+    for (path, bytes) in [
+        (&args.o, document.bytes.clone()),
+        (&toml, facts.into_bytes()),
+    ] {
+        let file = vec![(String::new(), bytes)];
+        crate::delivery::write(path, &file)
+            .map_err(|e| Fault::input(format!("cannot write {}: {e}", path.display())))?;
+    }
+    let toml = toml.display().to_string();
     if global.json {
-        engine::outln!(
-            "{}",
-            serde_json::json!({ "file": shown, "bytes": document.bytes.len() })
-        );
+        let answer =
+            serde_json::json!({ "file": shown, "bytes": document.bytes.len(), "facts": toml });
+        engine::outln!("{answer}");
     } else if !global.quiet {
         engine::outln!("{shown}: {}", told.join(", "));
         engine::outln!("print at 100 % and check that the ruler is 100 mm long");
-        engine::outln!("what capture.toml needs to say of it stands at each page's foot");
+        engine::outln!(
+            "what capture.toml needs to say of it stands at each page's foot and in {toml}; or: tailor measure DIR --mat {shown}"
+        );
     }
     Ok(())
 }

@@ -1,9 +1,17 @@
 //! The product's command line: what it adds to the engine's verbs.
 
 mod compare;
+mod delivered;
+mod doctor;
 mod door;
+mod facts;
+mod folder;
+mod init;
+mod length;
 mod mat;
+mod mat_file;
 mod provenance;
+mod said;
 mod scoring;
 mod screen;
 
@@ -24,6 +32,25 @@ static TAILOR: Program = Program {
                 with::<door::Measure>(own, "Photos of one turn to girths, with a report")
             },
             run: |said, global| door::measure(&read(said)?, global),
+            runs: true,
+        },
+        Verb {
+            name: "doctor",
+            arguments: |own| {
+                with::<doctor::Doctor>(
+                    own,
+                    "What can be measured with these photos, before minutes are spent",
+                )
+            },
+            run: |said, global| doctor::doctor(&read(said)?, global),
+            runs: true,
+        },
+        Verb {
+            name: "init",
+            arguments: |own| {
+                with::<init::Init>(own, "A commented capture.toml from what the photos say")
+            },
+            run: |said, global| init::init(&read(said)?, global),
             runs: true,
         },
         Verb {

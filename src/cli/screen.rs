@@ -11,6 +11,7 @@ pub(crate) fn screen(
     photos: usize,
     cameras: Option<&Cameras>,
     girths: &Girths,
+    inches: bool,
 ) -> String {
     let mut text = String::new();
     if let Some(cameras) = cameras {
@@ -26,6 +27,7 @@ pub(crate) fn screen(
         .map(|g| g.name.len() + 1 + g.label.chars().count());
     let wide = wide.fold(24, usize::max);
     let (head, length): (_, fn(f64) -> String) = match girths.unit {
+        Unit::Metric if inches => ("tape in", |mm| format!("{:.1}", mm / 25.4)),
         Unit::Metric => ("tape cm", |mm| format!("{:.1}", mm / 10.0)),
         Unit::Relative => ("relative", |mm| format!("{:.4}", mm / 1000.0)),
     };
@@ -144,7 +146,7 @@ mod tests {
             ],
             ..Girths::default()
         };
-        let told = screen("a", 3, None, &girths);
+        let told = screen("a", 3, None, &girths, false);
         assert_eq!(
             told,
             format!("\nnot measured\n  HC, WC {legs}\n  NC     no neck\n")
@@ -161,16 +163,16 @@ mod tests {
             ground_mm: 0.0,
             points: vec![],
         };
-        let told = screen("a", 3, Some(&cameras), &Girths::default());
+        let told = screen("a", 3, Some(&cameras), &Girths::default(), false);
         assert!(told.contains("LENGTHS ARE RELATIVE"), "{told}");
         cameras.scale = Scale::Mat;
-        let told = screen("a", 3, Some(&cameras), &Girths::default());
+        let told = screen("a", 3, Some(&cameras), &Girths::default(), false);
         assert!(
             told.contains("a: 0 of 3 photos")
                 && told.contains("the marker mat (how sure: unknown)"),
             "{told}"
         );
         cameras.scale_sigma = Some(0.0012);
-        assert!(screen("a", 3, Some(&cameras), &Girths::default()).contains("(± 0.12 %)"));
+        assert!(screen("a", 3, Some(&cameras), &Girths::default(), false).contains("(± 0.12 %)"));
     }
 }

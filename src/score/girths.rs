@@ -48,6 +48,10 @@ pub(crate) fn iso_mm(name: &str, part: Option<&str>) -> f64 {
 /// A file's unit as it calls it; results without a scale cannot be held against centimetres.
 pub(crate) const RELATIVE: &str = "relative";
 
+/// Why such results are not scored.
+pub(crate) const NO_SCALE: &str = "its lengths are relative, for nothing of known length was given: they cannot be held against centimetres; \
+     give one when measuring, such as --stature, and score that";
+
 /// The girths of a `girths.json` against the true ones.
 pub(crate) fn girths(
     path: &Path,
@@ -55,10 +59,7 @@ pub(crate) fn girths(
 ) -> Result<BTreeMap<String, Option<GirthScore>>, Unreadable> {
     let file = json(path)?.unwrap_or(Value::Null);
     if file.get("unit").is_some_and(|unit| unit == RELATIVE) {
-        return Err(error(
-            path,
-            "its lengths are relative, for nothing of known length was given: they cannot be held against centimetres",
-        ));
+        return Err(error(path, NO_SCALE));
     }
     let list = file
         .get("girths")

@@ -8,6 +8,7 @@ mod told;
 mod truth;
 
 pub use girths::GirthScore;
+use girths::NO_SCALE;
 pub(crate) use girths::{RELATIVE, iso_mm};
 pub use surface::{Part, Surface};
 pub use table::{iso_table, paper_tables, text};
@@ -96,7 +97,11 @@ pub fn score(result: &Path, truth: &Path) -> Result<Score, Unreadable> {
 
 fn cameras(result: &Path, truth: &Path) -> Result<(Option<CameraScore>, Motion), Unreadable> {
     let want = truth::cameras(&truth.join("cameras.json"), 1000.0)?;
-    let got = truth::cameras(&result.join("cameras.json"), 1.0)?;
+    let file = result.join("cameras.json");
+    let got = truth::cameras(&file, 1.0)?;
+    if truth::json(&file)?.is_some_and(|file| file["unit"] == RELATIVE) {
+        return Err(truth::error(&file, NO_SCALE));
+    }
     if want.is_empty() || got.is_empty() {
         return Ok((None, Motion::none()));
     }

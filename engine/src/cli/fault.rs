@@ -49,8 +49,18 @@ impl Fault {
         }
     }
 
+    /// What is wrong, in words.
+    pub fn text(&self) -> &str {
+        &self.text
+    }
+
+    /// The exit code.
+    pub fn code(&self) -> u8 {
+        self.code
+    }
+
     /// What `--json` tells.
-    pub(super) fn json(self) -> Value {
+    pub fn json(self) -> Value {
         let mut answer = self.more;
         answer.insert("error".into(), self.text.into());
         answer.insert("code".into(), self.code.into());

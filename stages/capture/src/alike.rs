@@ -1,28 +1,66 @@
-//! Whether the photos of a turn are alike: one size, one camera, one focal length, no photo twice.
+//! Whether the photos of a turn are alike: one size, one camera, one focal length, one turn.
 
 use crate::error::CaptureError;
 use shape::Photo;
 
-/// All of one size, no two equal.
-pub(crate) fn alike(photos: &[Photo], plate: Option<&Photo>) -> Result<(), CaptureError> {
+/// All of one size, the plate, too.
+pub(crate) fn one_size(photos: &[Photo], plate: Option<&Photo>) -> Result<(), CaptureError> {
     let size = |p: &Photo| format!("{}×{} pixels", p.width, p.height);
-    let first = &photos[0];
-    for photo in photos.iter().chain(plate) {
-        if (photo.width, photo.height) != (first.width, first.height) {
-            return Err(CaptureError::Size {
-                name: photo.name.clone(),
-                size: size(photo),
-                first: first.name.clone(),
-                first_size: size(first),
-            });
-        }
+    let of = |p: &Photo| (p.width, p.height);
+    let sizes: Vec<_> = photos.iter().map(of).collect();
+    let Some(usual) = most(&sizes, |a, b| a == b).copied() else {
+        return Ok(());
+    };
+    let all = || photos.iter().chain(plate);
+    let odd: Vec<&Photo> = all().filter(|p| of(p) != usual).collect();
+    let Some(first) = all().find(|p| of(p) == usual).filter(|_| !odd.is_empty()) else {
+        return Ok(());
+    };
+    let lies = |p: &Photo| match (p.height, p.width) == usual {
+        true => ", on its side",
+        false => "",
+    };
+    let mut others: Vec<String> = odd
+        .iter()
+        .take(SHOWN)
+        .map(|p| format!("{} is {}{}", p.name, size(p), lies(p)))
+        .collect();
+    if odd.len() > SHOWN {
+        others.push(format!("and {} more", odd.len() - SHOWN));
     }
-    for (i, a) in photos.iter().enumerate() {
-        if let Some(b) = photos[i + 1..].iter().find(|b| b.file == a.file) {
-            return Err(CaptureError::Twin(a.name.clone(), b.name.clone()));
-        }
-    }
-    Ok(())
+    Err(CaptureError::Size {
+        most: sizes.iter().filter(|s| **s == usual).count(),
+        size: size(first),
+        others: others.join(", "),
+    })
+}
+
+/// So many photos are named, more are counted.
+const SHOWN: usize = 4;
+
+/// A pause between two turns is so much longer than that between photos, and at least so long. \[s\]
+const PAUSE: (f64, f64) = (6.0, 45.0);
+/// Fewer photos than this are no turn of their own.
+const TURN: usize = 8;
+
+/// Where the folder may hold two turns: a long pause with enough photos before and after it.
+pub(crate) fn two_turns(photos: &[Photo]) -> Option<String> {
+    let times: Vec<f64> = photos.iter().map(|p| p.time_s).collect::<Option<_>>()?;
+    let pauses: Vec<f64> = times.windows(2).map(|w| w[1] - w[0]).collect();
+    let mut sorted = pauses.clone();
+    sorted.sort_by(f64::total_cmp);
+    let usual = sorted.get(sorted.len() / 2)?;
+    let at = pauses
+        .iter()
+        .position(|pause| *pause > (PAUSE.0 * usual).max(PAUSE.1))?;
+    let (before, after) = (at + 1, photos.len() - at - 1);
+    (before.min(after) >= TURN).then(|| {
+        format!(
+            "between {} and {} passed {:.0} s, else {usual:.0} s: are these two turns? Put each into a folder of its own, or say which photos are \
+             the turn: `images = [\"…\"]` in capture.toml, or --images",
+            photos[at].name, photos[at + 1].name, pauses[at]
+        )
+    })
 }
 
 /// The first photo that was taken before the one in front of it; photos that tell no time are
@@ -104,6 +142,39 @@ mod tests {
         assert_eq!(said.len(), 2, "{said:?}");
         assert!(said[0].starts_with("a was taken with another camera (Sony 7)"));
         assert!(said[1].starts_with("c was taken at 70.0 mm, most photos at 50"));
+    }
+
+    #[test]
+    fn sizes_are_told_with_what_to_do_and_a_long_pause_as_two_turns() {
+        let mut photos: Vec<Photo> = (0..20)
+            .map(|i| Photo {
+                time_s: Some(f64::from(i) * 3.0 + if i < 9 { 0.0 } else { 300.0 }),
+                ..photo(&format!("{i}.jpg"), "", None)
+            })
+            .collect();
+        assert!(one_size(&photos, None).is_ok());
+        let told = two_turns(&photos).unwrap();
+        assert!(
+            told.starts_with("between 8.jpg and 9.jpg passed 303 s, else 3 s"),
+            "{told}"
+        );
+        assert_eq!(two_turns(&photos[2..]), None, "seven photos are no turn");
+        (photos[0].width, photos[0].height) = (3, 4);
+        photos[7].width = 9;
+        let plate = Photo {
+            height: 3,
+            ..photo("plate.jpg", "", None)
+        };
+        let error = one_size(&photos, Some(&plate)).unwrap_err().to_string();
+        for says in [
+            "18 are 4×4",
+            "0.jpg is 3×4",
+            "7.jpg is 9×4",
+            "plate.jpg is 4×3",
+            "--images",
+        ] {
+            assert!(error.contains(says), "{says}: {error}");
+        }
     }
 
     #[test]

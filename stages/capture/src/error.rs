@@ -23,23 +23,36 @@ pub enum CaptureError {
         /// How many there are.
         found: usize,
     },
-    /// Of another size than the others.
+    /// Of several sizes.
     #[error(
-        "{name} is {size}, but {first} is {first_size}: all photos of a turn must come from one camera, uncropped"
+        "photos are of several sizes, but one camera must take all of a turn, uncropped: {most} are {size}, {others}; move what does not belong to the turn \
+         into another folder, or say which photos are the turn: `images = \"IMG_*.jpg\"` in capture.toml, or --images"
     )]
     Size {
-        /// The odd one.
-        name: String,
-        /// Its size.
+        /// How many are of the usual size.
+        most: usize,
+        /// That size.
         size: String,
-        /// The first photo.
-        first: String,
-        /// Its size.
-        first_size: String,
+        /// Those that are not, with theirs.
+        others: String,
     },
-    /// Twice the same.
-    #[error("{0} and {1} are the same photo: remove one, or put the right one in its place")]
-    Twin(String, String),
+    /// `images` says what is not there.
+    #[error(
+        "`images` says {pattern}, but {}: correct it, or leave it out{}",
+        match found.as_slice() {
+            [] => "no photo was handed over".to_owned(),
+            some => format!("none of {count} files fits ({}{})", some.join(", "), if *count > some.len() { ", …" } else { "" }),
+        },
+        if pattern.contains('/') { "; folders below others are read by `tailor measure` alone" } else { "" }
+    )]
+    NoImages {
+        /// A name or a pattern.
+        pattern: String,
+        /// The first files that are there.
+        found: Vec<String>,
+        /// How many there are.
+        count: usize,
+    },
     /// One colour.
     #[error("{name} is {what}: take it again, or remove it")]
     Blank {

@@ -3,10 +3,37 @@
 use stage::unknown;
 use toml::{Table, Value};
 
-/// A `capture.toml` that does not make sense.
+/// What is said of a capture and does not make sense.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
-#[error("capture.toml: {0}")]
-pub struct RigError(pub(crate) String);
+#[error("{}: {what}", if *.beside { BESIDE } else { FILE })]
+pub struct RigError {
+    /// What is wrong.
+    pub(crate) what: String,
+    /// Whether something is not there, which may stand elsewhere.
+    pub(crate) missing: bool,
+    /// Whether something was said beside the file.
+    pub(crate) beside: bool,
+}
+
+const FILE: &str = "capture.toml";
+const BESIDE: &str = "capture.toml and what was said beside it";
+
+impl RigError {
+    pub(crate) fn wrong(what: impl ToString) -> Self {
+        RigError {
+            what: what.to_string(),
+            missing: false,
+            beside: false,
+        }
+    }
+
+    pub(crate) fn missing(what: impl ToString) -> Self {
+        RigError {
+            missing: true,
+            ..RigError::wrong(what)
+        }
+    }
+}
 
 /// A table that remembers which of its keys were read.
 pub(crate) struct Keys<'a> {
@@ -29,6 +56,10 @@ impl Keys<'_> {
         self.name.to_owned()
     }
 
+    pub(crate) fn has(&self, key: &str) -> bool {
+        self.table.contains_key(key)
+    }
+
     pub(crate) fn take(&mut self, key: &'static str) -> Option<Value> {
         self.known.push(key);
         self.table.remove(key)
@@ -40,7 +71,7 @@ impl Keys<'_> {
         } else {
             format!("{}.{key}", self.name)
         };
-        RigError(format!("`{place}` wants {wants}, but it is {got}"))
+        RigError::wrong(format!("`{place}` wants {wants}, but it is {got}"))
     }
 
     pub(crate) fn text(&mut self, key: &'static str) -> Result<Option<String>, RigError> {
@@ -49,6 +80,19 @@ impl Keys<'_> {
             Some(Value::String(text)) => Ok(Some(text)),
             Some(other) => Err(self.wrong(key, "a text", &other)),
         }
+    }
+
+    /// A text, or a list of texts.
+    pub(crate) fn texts(&mut self, key: &'static str) -> Result<Vec<String>, RigError> {
+        let Some(value) = self.take(key) else {
+            return Ok(vec![]);
+        };
+        let one = |v: &Value| v.as_str().map(str::to_owned);
+        let texts: Option<Vec<String>> = match &value {
+            Value::Array(list) => list.iter().map(one).collect(),
+            other => one(other).map(|text| vec![text]),
+        };
+        texts.ok_or_else(|| self.wrong(key, "a text or a list of texts", &value))
     }
 
     pub(crate) fn number(

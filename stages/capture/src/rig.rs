@@ -1,5 +1,6 @@
 //! `capture.toml`: what the user knows of the capture.
 
+use crate::facts::Facts;
 use crate::keys::{Keys, RigError};
 use crate::rig_tags::{read_mat, read_rim};
 use shape::{Reference, Rig};
@@ -14,15 +15,25 @@ pub struct RigFile {
     pub views: Option<usize>,
     /// The plate's file, relative to the folder.
     pub plate: Option<String>,
+    /// Which files are the turn: names or patterns, relative to the folder; empty where nothing is said.
+    pub images: Vec<String>,
     /// Keys that nobody reads.
     pub unknown: Vec<String>,
 }
 
-/// Reads a `capture.toml`.
-pub fn read_rig(text: &str) -> Result<RigFile, RigError> {
-    let table: Table = text
-        .parse()
-        .map_err(|e: toml::de::Error| RigError(e.to_string()))?;
+/// Reads a `capture.toml`, and what is said beside it, which wins.
+pub fn read_rig(text: &str, facts: &Facts) -> Result<RigFile, RigError> {
+    let table = text.parse();
+    let table: Table = table.map_err(|e: toml::de::Error| RigError::wrong(e))?;
+    let read = read_table(facts.over(table));
+    read.map_err(|error| RigError {
+        beside: !facts.0.is_empty(),
+        ..error
+    })
+}
+
+/// Reads the tables of a `capture.toml`.
+pub(crate) fn read_table(table: Table) -> Result<RigFile, RigError> {
     let mut root = Keys::root(table);
     let mut file = RigFile::default();
     let rig = &mut file.rig;
@@ -30,7 +41,7 @@ pub fn read_rig(text: &str) -> Result<RigFile, RigError> {
     rig.step = root.number("step_deg", -360.0, 360.0)?.map(f64::to_radians);
     file.views = root.number("views", 0.0, 10_000.0)?.map(|x| x as usize);
     file.plate = root.text("plate")?;
-    root.take("images");
+    file.images = root.texts("images")?;
     if let Some(mut camera) = root.inner("camera")? {
         rig.focal_35mm = camera.number("focal_35mm", 5.0, 2000.0)?;
         rig.focal_px = camera.number("focal_px", 50.0, 1e6)?;
@@ -53,17 +64,18 @@ pub fn read_rig(text: &str) -> Result<RigFile, RigError> {
         disk.rest(&mut file.unknown);
     }
     if let Some(mut mat) = root.inner("mat")? {
-        rig.mat = Some(read_mat(&mut mat)?);
+        (rig.mat, rig.tag_mm) = read_mat(&mut mat)?;
         mat.rest(&mut file.unknown);
     }
     if let Some(mut rim) = root.inner("rim")? {
-        rig.rim = Some(read_rim(&mut rim, rig.mat.as_ref(), rig.disk_diameter_mm)?);
+        rig.rim = Some(read_rim(&mut rim, rig)?);
         rim.rest(&mut file.unknown);
     }
     if let Some(mut reference) = root.inner("reference")? {
         let kind = reference.text("kind")?.unwrap_or_default();
         let length = reference.number("length_mm", 0.1, 100_000.0)?;
-        let length_mm = length.ok_or_else(|| RigError("`reference` has no `length_mm`".into()))?;
+        let length_mm =
+            length.ok_or_else(|| RigError::missing("`reference` has no `length_mm`"))?;
         rig.reference = Some(Reference { kind, length_mm });
         reference.rest(&mut file.unknown);
     }
@@ -94,11 +106,15 @@ mod tests {
     use super::*;
     use shape::Mat;
 
+    fn read(text: &str) -> Result<RigFile, RigError> {
+        read_rig(text, &Facts::default())
+    }
+
     #[test]
     fn what_is_said_is_read_in_our_units() {
         let text = "step_deg = 20.0\n[disk]\ndiameter_cm = 45\n[mat]\ntag_size_mm = 60.0\n\
                     ids = [0, 11]\ncount = 12\nring_radius_mm = 187.0";
-        let file = read_rig(text).unwrap();
+        let file = read(text).unwrap();
         proof::near(file.rig.step.unwrap(), std::f64::consts::PI / 9.0, 1e-12);
         assert_eq!(file.rig.disk_diameter_mm, Some(450.0));
         let mat = Mat {
@@ -108,14 +124,14 @@ mod tests {
             ring_mm: 187.0,
         };
         assert_eq!(file.rig.mat, Some(mat));
-        let lens = read_rig("[camera]\nfocal_px = 3346.7\ncentre_px = [804.8, 1191]").unwrap();
+        let lens = read("[camera]\nfocal_px = 3346.7\ncentre_px = [804.8, 1191]").unwrap();
         assert_eq!(lens.rig.focal_px, Some(3346.7));
         assert_eq!(lens.rig.centre_px, Some([804.8, 1191.0]));
     }
 
     #[test]
     fn a_slip_is_told_and_nonsense_is_an_error() {
-        let file = read_rig("stepdeg = 20.0").unwrap();
+        let file = read("stepdeg = 20.0").unwrap();
         assert!(
             file.unknown[0].contains("did you mean `step_deg`"),
             "{:?}",
@@ -137,7 +153,7 @@ mod tests {
             ),
             ("a = [", "capture.toml"),
         ] {
-            let error = read_rig(text).unwrap_err().to_string();
+            let error = read(text).unwrap_err().to_string();
             assert!(error.contains(says), "{error}");
         }
     }

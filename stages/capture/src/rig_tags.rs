@@ -8,20 +8,22 @@ use toml::Value;
 fn need(keys: &mut Keys<'_>, key: &'static str, lo: f64, hi: f64) -> Result<f64, RigError> {
     let name = keys.name();
     let number = keys.number(key, lo, hi)?;
-    number.ok_or_else(|| RigError(format!("`{name}` has no `{key}`")))
+    number.ok_or_else(|| RigError::missing(format!("`{name}` has no `{key}`")))
 }
 
 /// Family, first id and how many.
 fn read_ids(keys: &mut Keys<'_>) -> Result<(u32, u32), RigError> {
     let family = keys.text("family")?.unwrap_or_else(|| "tag36h11".into());
     if family != "tag36h11" {
-        return Err(RigError(format!(
+        return Err(RigError::wrong(format!(
             "`{}.family` is {family:?}; only tag36h11 is known",
             keys.name()
         )));
     }
-    let count = need(keys, "count", 1.0, 587.0)? as u32;
+    let said = keys.number("count", 1.0, 587.0)?.map(|count| count as u32);
     let Some(ids) = keys.take("ids") else {
+        let name = keys.name();
+        let count = said.ok_or_else(|| RigError::missing(format!("`{name}` has no `count`")))?;
         return Ok((0, count));
     };
     let list: Vec<i64> = ids
@@ -31,46 +33,53 @@ fn read_ids(keys: &mut Keys<'_>) -> Result<(u32, u32), RigError> {
         .filter_map(Value::as_integer)
         .collect();
     match list.as_slice() {
-        [first, last] if *first >= 0 && last - first + 1 == i64::from(count) => {
-            Ok((*first as u32, count))
+        [first, last] if (0..=*last).contains(first) && *last <= 586 => {
+            let count = (last - first + 1) as u32;
+            match said.filter(|said| *said != count) {
+                Some(said) => Err(keys.wrong("ids", &format!("[first, last] of {said} ids"), &ids)),
+                None => Ok((*first as u32, count)),
+            }
         }
-        _ => Err(keys.wrong("ids", &format!("[first, last] of {count} ids"), &ids)),
+        _ => Err(keys.wrong("ids", "[first, last], the last at most 586", &ids)),
     }
 }
 
-/// `[mat]`.
-pub(crate) fn read_mat(keys: &mut Keys<'_>) -> Result<Mat, RigError> {
+/// `[mat]`: a mat; or, where nothing but the size of its tags is said, that size. \[mm\]
+pub(crate) fn read_mat(keys: &mut Keys<'_>) -> Result<(Option<Mat>, Option<f64>), RigError> {
+    const LAYOUT: [&str; 3] = ["count", "ids", "ring_radius_mm"];
+    if !LAYOUT.iter().any(|key| keys.has(key)) {
+        keys.text("family")?;
+        LAYOUT.iter().for_each(|key| drop(keys.take(key)));
+        return Ok((None, Some(need(keys, "tag_size_mm", 1.0, 1000.0)?)));
+    }
     let (first_id, count) = read_ids(keys)?;
-    Ok(Mat {
+    let mat = Mat {
         tag_mm: need(keys, "tag_size_mm", 1.0, 1000.0)?,
         first_id,
         count,
         ring_mm: need(keys, "ring_radius_mm", 1.0, 10_000.0)?,
-    })
+    };
+    Ok((Some(mat), None))
 }
 
 /// `[rim]`: its tags have numbers of their own, and stand on a disk with a mat.
-pub(crate) fn read_rim(
-    keys: &mut Keys<'_>,
-    mat: Option<&Mat>,
-    disk_mm: Option<f64>,
-) -> Result<Rim, RigError> {
-    let Some(mat) = mat else {
-        return Err(RigError(
-            "`rim` tells of tags on the disk's rim, but there is no `mat`: these tags serve beside a mat on the disk only".into(),
+pub(crate) fn read_rim(keys: &mut Keys<'_>, rig: &Rig) -> Result<Rim, RigError> {
+    let Some(mat) = rig.mat.as_ref() else {
+        return Err(RigError::missing(
+            "`rim` tells of tags on the disk's rim, but there is no `mat`: these tags serve beside a mat on the disk only",
         ));
     };
     let (first_id, count) = read_ids(keys)?;
     if first_id < mat.first_id + mat.count && mat.first_id < first_id + count {
-        return Err(RigError(format!(
+        return Err(RigError::wrong(format!(
             "tags {first_id} to {} of `rim` are among those of `mat`: give `ids` of their own",
             first_id + count - 1
         )));
     }
     let radius = keys.number("radius_mm", 10.0, 5000.0)?;
     let radius_mm = radius
-        .or(disk_mm.map(|d| d / 2.0))
-        .ok_or_else(|| RigError("`rim` has no `radius_mm`, nor has `disk` a diameter".into()))?;
+        .or(rig.disk_diameter_mm.map(|d| d / 2.0))
+        .ok_or_else(|| RigError::missing("`rim` has no `radius_mm`, nor has `disk` a diameter"))?;
     Ok(Rim {
         tag_mm: need(keys, "tag_size_mm", 1.0, 1000.0)?,
         first_id,
@@ -107,8 +116,14 @@ pub(crate) fn doubts(rig: &Rig) -> Vec<String> {
 #[cfg(test)]
 mod tests {
     use super::doubts;
-    use crate::rig::read_rig;
+    use crate::facts::Facts;
+    use crate::keys::RigError;
+    use crate::rig::{RigFile, read_rig};
     use shape::Rim;
+
+    fn read(text: &str) -> Result<RigFile, RigError> {
+        read_rig(text, &Facts::default())
+    }
 
     const MAT: &str = "[disk]\ndiameter_cm = 45\n[mat]\ntag_size_mm = 60.0\nids = [0, 11]\n\
                        count = 12\nring_radius_mm = 187.0\n";
@@ -122,7 +137,7 @@ mod tests {
             count: 36,
             radius_mm: 225.0,
         };
-        assert_eq!(read_rig(&text).unwrap().rig.rim, Some(rim));
+        assert_eq!(read(&text).unwrap().rig.rim, Some(rim));
     }
 
     #[test]
@@ -136,14 +151,25 @@ mod tests {
                 "`rim.ids` wants [first, last] of 36 ids",
             ),
         ] {
-            let error = read_rig(&text).unwrap_err().to_string();
+            let error = read(&text).unwrap_err().to_string();
             assert!(error.contains(says), "{error}");
         }
     }
 
     #[test]
+    fn of_a_mat_the_size_of_its_tags_may_be_all_that_is_known() {
+        let rig = read("[mat]\ntag_size_mm = 59.7").unwrap().rig;
+        assert_eq!((rig.mat, rig.tag_mm), (None, Some(59.7)));
+        // Ids tell how many there are.
+        let whole = read(&MAT.replace("count = 12\n", "")).unwrap().rig;
+        assert_eq!(whole.mat.unwrap().count, 12);
+        let error = read("[mat]\ntag_size_mm = 59.7\ncount = 12").unwrap_err();
+        assert!(error.missing && error.to_string().contains("no `ring_radius_mm`"));
+    }
+
+    #[test]
     fn a_mat_wider_than_its_disk_is_told() {
-        let said = |text: &str| doubts(&read_rig(text).unwrap().rig);
+        let said = |text: &str| doubts(&read(text).unwrap().rig);
         assert_eq!(said(MAT), Vec::<String>::new());
         let wide = said(&MAT.replace("187.0", "205.7"));
         assert!(wide[0].contains("reach 238 mm"), "{wide:?}");
@@ -156,14 +182,14 @@ mod tests {
     fn what_photos_are_written_with_is_read_as_it_was() {
         let strip = "[rim]\ntag_size_mm = 24.5\nids = [12, 47]\ncount = 36\nradius_mm = 224.25\n\
                      [camera]\ncentre_px = [804.8, 1191.0]";
-        let rig = read_rig(&format!("{MAT}{strip}")).unwrap().rig;
+        let rig = read(&format!("{MAT}{strip}")).unwrap().rig;
         let photos = shape::Photos {
             rig: rig.clone(),
             ..shape::Photos::default()
         };
         let files = shape::photos_to_capture(&photos);
         let (_, bytes) = files.iter().find(|f| f.0 == "capture.toml").unwrap();
-        let back = read_rig(std::str::from_utf8(bytes).unwrap()).unwrap();
+        let back = read(std::str::from_utf8(bytes).unwrap()).unwrap();
         assert_eq!(back.rig, rig);
         assert_eq!(back.unknown, Vec::<String>::new());
     }

@@ -175,12 +175,13 @@ impl Stage for Carve {
         let small: f64 = rest.iter().map(|v| v.abs()).sum();
         if small > 0.01 * mesh.volume() {
             ctx.warn(format!(
-                "{} smaller parts of {:.0} cm³ in all were left out",
+                "{} smaller parts, {:.1} % of the volume in all, were left out",
                 rest.len(),
-                small / 1e3
+                100.0 * small / mesh.volume()
             ));
         }
-        ctx.metric("volume", mesh.volume() * 1e-6, "l");
+        let (volume, unit) = input.cameras.scale.unit().volume(mesh.volume());
+        ctx.metric("volume", volume, unit);
         ctx.metric("cells looked into", cells as f64 / 1e6, "million");
         Ok(mesh)
     }

@@ -11,7 +11,7 @@ use crate::uncertainty::told::{Seen, Sure};
 use shape::{
     Cameras, Girth, GirthId, Girths, Landmark, Landmarks, Masks, Mesh, Missing, Note, Photos,
 };
-use shape::{Refusal, Scale, Unit};
+use shape::{Refusal, Unit};
 use stage::{Ctx, Stage, Stop};
 use std::f64::consts::TAU;
 use std::sync::Arc;
@@ -67,12 +67,11 @@ impl Stage for Measure {
         let (mesh, landmarks) = (&input.mesh, &input.landmarks);
         // Where the landmarks have it: of a body that stands nowhere, nothing was found.
         let body = landmarks.ground_mm.and_then(|ground| body(mesh, ground));
-        let relative = |c: &Arc<Cameras>| c.scale == Scale::Nothing;
         let mut girths = Girths {
-            unit: match input.cameras.as_ref().is_some_and(relative) {
-                true => Unit::Relative,
-                false => Unit::Metric,
-            },
+            unit: input
+                .cameras
+                .as_ref()
+                .map_or(Unit::Metric, |c| c.scale.unit()),
             missing: landmarks.missing.clone(),
             ..Girths::default()
         };
@@ -176,7 +175,7 @@ fn warnings(girths: &Girths) -> Vec<String> {
     if let Some(most) = girths.girths.iter().filter_map(open).reduce(f64::max) {
         let unit = match girths.unit {
             Unit::Metric => format!("{:.1} cm", most / 10.0),
-            Unit::Relative => format!("{:.4} of the camera ring's radius", most / 1000.0),
+            unit => unit.words(most),
         };
         told.push(format!(
             "{}: for a stretch no photo shows the body's outline there, for hands are before it or photos are few, and the surface \

@@ -13,7 +13,7 @@ use crate::planes::limbs::parts;
 use crate::planes::place::{across_neck, arms, legs, trunk};
 use crate::planes::trunk::Trunk;
 use crate::planes::wanted::{Waist, Wanted};
-use shape::{Cameras, GirthId, Landmarks, Mesh, Missing, Refusal, Scale, Side};
+use shape::{Cameras, GirthId, Landmarks, Mesh, Missing, Refusal, Side, Unit};
 use stage::{Ctx, Files, Named, Stage, Stop};
 use std::sync::Arc;
 
@@ -64,7 +64,13 @@ impl Stage for FindLandmarks {
         let mesh = &input.mesh;
         let stands = standing(mesh, input.cameras.as_deref()).ok_or(NoBody)?;
         let body = stands.body;
-        let mut found = Landmarks::default();
+        let mut found = Landmarks {
+            unit: input
+                .cameras
+                .as_ref()
+                .map_or(Unit::Metric, |c| c.scale.unit()),
+            ..Landmarks::default()
+        };
         if let Some(why) = stands.refused {
             found.missing = nothing(p, why);
             ctx.warn(format!("nothing was measured: {why}"));
@@ -92,10 +98,7 @@ impl Stage for FindLandmarks {
         }
         let marks = marks(&body);
         let model = level_model(input.levels.as_deref())?;
-        let absolute = input
-            .cameras
-            .as_ref()
-            .is_none_or(|c| c.scale != Scale::Nothing);
+        let absolute = found.unit == Unit::Metric;
         let told = marks
             .as_ref()
             .map(|m| Trunk::new(&body, m, &model, absolute));

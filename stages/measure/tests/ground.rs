@@ -4,7 +4,7 @@ mod made;
 
 use made::{built, measured, meshed};
 use measure::{FindLandmarks, GivenGround, LandmarkInput, ground};
-use shape::{Cameras, Landmarks, Mesh, Refusal, Scale, Solid, SolidPart};
+use shape::{Cameras, Landmarks, Mesh, Refusal, Scale, Solid, SolidPart, Unit};
 use stage::{Ctx, Stage};
 use std::sync::Arc;
 
@@ -22,6 +22,7 @@ fn said(height_mm: f64) -> GivenGround {
         height_mm,
         firm: false,
         sigma_mm: 0.0,
+        unit: Unit::Metric,
     }
 }
 
@@ -30,6 +31,7 @@ fn mat() -> GivenGround {
         height_mm: 0.0,
         firm: true,
         sigma_mm: 2.0,
+        unit: Unit::Metric,
     }
 }
 

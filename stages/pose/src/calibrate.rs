@@ -3,7 +3,7 @@
 use crate::calibration::found::Found;
 use crate::calibration::params::CalibrateParams;
 use crate::calibration::prior::first_lens;
-use crate::mat::{self, solve::MatError};
+use crate::mat::{self, recognise::recognised, solve::MatError};
 use crate::ring;
 use crate::ring::error::TracksError;
 use shape::{Cameras, Photos, Tags, Tracks};
@@ -27,7 +27,7 @@ stage::inputs! {
 pub enum CalibrateError {
     /// Neither tags nor tracks.
     #[error(
-        "no marker tags were found, and no features that turn with the disk, so nothing tells where the camera stood: are the photos in turning order, at steps below 30°? A patterned cloth or a marker mat (`tailor mat`) on the disk helps"
+        "no marker tags of a mat that is told of were found, and no features that turn with the disk, so nothing tells where the camera stood: are the photos in turning order, at steps below 30°? A patterned cloth or a marker mat (`tailor mat`) on the disk helps"
     )]
     Nothing,
     /// The mat path failed.
@@ -66,14 +66,19 @@ impl Stage for Calibrate {
             .filter(|t| t.views.values().any(|v| !v.is_empty()));
         let lens = first_lens(photos);
         let tracks = input.tracks.as_deref().filter(|t| !t.points.is_empty());
-        let found = match (photos.rig.mat, tags, tracks) {
+        let known = photos.rig.mat;
+        let mat = known.or_else(|| {
+            let (tag_mm, disk_mm) = (photos.rig.tag_mm?, photos.rig.disk_diameter_mm);
+            recognised(tags?, tag_mm, disk_mm, |w| ctx.warn(w))
+        });
+        let found = match (mat, tags, tracks) {
             (Some(mat), Some(tags), tracks) => {
                 mat::solve::calibrate(photos, &lens, &mat, tags, tracks, p)
                     .map_err(CalibrateError::from)
             }
             (_, _, Some(tracks)) => {
-                if photos.rig.mat.is_some() {
-                    ctx.warn("capture.toml tells of a mat, but no tag of it was found: cameras follow from features alone");
+                if photos.rig.tagged() {
+                    ctx.warn("a mat is told of, but none was found in the photos: cameras follow from features alone");
                 }
                 ring::solve::calibrate(photos, &lens, tracks, p).map_err(CalibrateError::from)
             }

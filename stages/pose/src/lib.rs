@@ -59,6 +59,7 @@ pub use mat::layout::{LayoutError, Mark, mat_for, mat_marks, mat_toml};
 pub use mat::pages::{Paper, tiles, to_pdf, to_svg};
 pub use mat::planar::planar_pose;
 pub use mat::print::{MatInput, MatParams, Print, PrintMat, Sheet};
+pub use mat::recognise::{Ringed, recognised, ringed};
 pub use mat::rim_layout::{Piece, rim_for, rim_pieces, rim_toml};
 pub use mat::solve::MatError;
 pub use ring::error::TracksError;

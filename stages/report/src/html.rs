@@ -1,6 +1,7 @@
 //! The stage that makes the report: one self-contained page.
 
 use crate::face::{self, HeadBox};
+use crate::lengths::{Lengths, ShownIn};
 use crate::overlay::{self, Shown};
 use crate::page::{self, Content};
 use crate::paint::Paint;
@@ -32,6 +33,8 @@ stage::params! {
         /// Longest side of the atlas on the page; longer ones are halved.
         #[range(256..=16384)]
         atlas_px: u32 = 4096,
+        /// What lengths are shown in.
+        unit: ShownIn = ShownIn::Cm,
     }
 }
 
@@ -96,6 +99,7 @@ impl Stage for Html {
             surfaces,
             figures,
             without_photos: !p.photos,
+            lengths: Lengths::of(input.girths.unit, p.unit),
         });
         let size = page.len() as f64 / 1e6;
         ctx.metric("size", size, "MB");

@@ -9,6 +9,7 @@
 
 mod face;
 mod html;
+mod lengths;
 mod overlay;
 mod packing;
 mod page;
@@ -21,6 +22,7 @@ mod tables;
 mod tape;
 
 pub use html::{Html, HtmlInput, HtmlParams};
+pub use lengths::ShownIn;
 pub use ring_picture::{RingInput, RingPicture};
 
 /// Every stage of this room, in the order in which data flows through it.

@@ -1,5 +1,6 @@
 //! The page itself, out of its parts.
 
+use crate::lengths::Lengths;
 use crate::{profile, ring, scene, tables};
 use shape::{Cameras, Girths, Landmarks, Mesh, Photos, Scale, Textured};
 
@@ -27,6 +28,8 @@ pub(crate) struct Content<'a> {
     pub(crate) figures: String,
     /// Whether the user wanted no photos.
     pub(crate) without_photos: bool,
+    /// What lengths are in.
+    pub(crate) lengths: Lengths,
 }
 
 const SCRIPT: [&str; 6] = [
@@ -46,6 +49,7 @@ pub(crate) fn page(content: &Content<'_>) -> String {
         girths,
         ..
     } = content;
+    let lengths = content.lengths;
     let meshes: Vec<_> = content
         .surfaces
         .iter()
@@ -65,7 +69,7 @@ pub(crate) fn page(content: &Content<'_>) -> String {
     let ground = content.landmarks.and_then(|l| l.ground_mm);
     let ground = ground.unwrap_or(cameras.ground_mm);
     let scene = serde_json::json!({
-        "meshes": meshes, "tapes": scene::tapes(girths), "front": front,
+        "meshes": meshes, "tapes": scene::tapes(girths, lengths), "front": front,
         "views": scene::views(of_photos),
     });
     let name = photos.rig.name.as_deref().unwrap_or("one turn");
@@ -80,11 +84,11 @@ pub(crate) fn page(content: &Content<'_>) -> String {
             ("about", about(photos, cameras)),
             ("style", include_str!("page.css").into()),
             ("warnings", warnings(photos, cameras)),
-            ("girths", tables::girths(girths)),
-            ("unit", tables::unit(girths)),
-            ("derived", tables::derived(girths)),
-            ("scale", tables::scale(cameras, &photos.rig)),
-            ("profile", profile::svg(girths, ground)),
+            ("girths", tables::girths(girths, lengths)),
+            ("unit", tables::unit(girths, lengths)),
+            ("derived", tables::derived(girths, lengths)),
+            ("scale", tables::scale(cameras, &photos.rig, lengths)),
+            ("profile", profile::svg(girths, ground, lengths)),
             ("ring", ring::svg(cameras)),
             (
                 "photos",

@@ -1,7 +1,8 @@
 //! Girth of the trunk over height, as a drawing.
 
-use crate::tables::{escaped, word};
-use shape::{Girths, Unit};
+use crate::lengths::Lengths;
+use crate::tables::escaped;
+use shape::Girths;
 use std::fmt::Write;
 
 /// A girth that changes by more than this from one height to the next jumps.
@@ -9,7 +10,7 @@ const JUMP: f64 = 0.06;
 
 /// An SVG of the curve, with a line at each horizontal girth. Empty without a curve. Where the girth
 /// jumps, because limbs join or part, the curve is dotted.
-pub(crate) fn svg(girths: &Girths, ground_mm: f64) -> String {
+pub(crate) fn svg(girths: &Girths, ground_mm: f64, lengths: Lengths) -> String {
     let profile = &girths.profile;
     let pairs: Vec<(f64, f64)> = profile
         .height_mm
@@ -28,10 +29,7 @@ pub(crate) fn svg(girths: &Girths, ground_mm: f64) -> String {
     let x =
         |girth: f64| left + (girth - narrowest + 0.05 * span) / (1.1 * span) * (w - left - 10.0);
     let y = |height: f64| 8.0 + (high - height) / (high - low) * (h - bottom - 8.0);
-    let tick = |mm: f64| match girths.unit {
-        Unit::Metric => format!("{:.0}", mm / 10.0),
-        Unit::Relative => format!("{:.2}", mm / 1000.0),
-    };
+    let tick = |mm: f64| lengths.coarse(mm);
     let mut svg = format!(
         "<svg class=\"profile\" viewBox=\"0 0 {w} {h}\" role=\"img\" aria-label=\"girth of the trunk over height\">"
     );
@@ -95,7 +93,7 @@ pub(crate) fn svg(girths: &Girths, ground_mm: f64) -> String {
         (w + left) / 2.0,
         h - 2.0,
         (h - bottom) / 2.0,
-        unit = word(girths.unit),
+        unit = lengths.word(),
     );
     svg
 }

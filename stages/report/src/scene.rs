@@ -1,7 +1,7 @@
 //! What the viewer draws, as JSON: meshes, an atlas, tapes, where the cameras stood.
 
+use crate::lengths::Lengths;
 use crate::packing::{corners, steps};
-use crate::tables::{length, word};
 use crate::tape;
 use serde_json::{Value, json};
 use shape::{Camera, Girths, Mesh, Rgb, Textured, base64, rgb_to_jpeg};
@@ -76,7 +76,7 @@ fn halved(image: &Rgb, most_px: usize) -> Rgb {
 }
 
 /// The tapes: name, label, length, normal, the tape's points and the contour's, closed. \[mm\]
-pub(crate) fn tapes(girths: &Girths) -> Value {
+pub(crate) fn tapes(girths: &Girths, lengths: Lengths) -> Value {
     let flat = |points: &[[f32; 3]]| -> Vec<f64> {
         let rounded = |x: &f32| (f64::from(*x) * 10.0).round() / 10.0;
         points.as_flattened().iter().map(rounded).collect()
@@ -84,7 +84,7 @@ pub(crate) fn tapes(girths: &Girths) -> Value {
     let tape = |g: &shape::Girth| {
         json!({
             "name": g.name, "label": g.label, "normal": g.plane.normal,
-            "definition": g.definition, "text": format!("{} {}", length(girths.unit, g.tape_mm), word(girths.unit)),
+            "definition": g.definition, "text": format!("{} {}", lengths.text(g.tape_mm), lengths.word()),
             "tape": flat(&tape::around(&g.contour, g.plane.normal)), "contour": flat(&g.contour),
         })
     };

@@ -1,5 +1,6 @@
 //! The tables of the page: girths with intervals, what is missing, ratios, scale.
 
+use crate::lengths::Lengths;
 use shape::{Cameras, Girth, Girths, Rig, Scale, Unit};
 use std::fmt::Write;
 
@@ -12,27 +13,12 @@ pub(crate) fn escaped(text: &str) -> String {
         .replace('"', "&quot;")
 }
 
-/// A length for people, without its unit.
-pub(crate) fn length(unit: Unit, mm: f64) -> String {
-    match unit {
-        Unit::Metric => format!("{:.1}", mm / 10.0),
-        Unit::Relative => format!("{:.4}", mm / 1000.0),
-    }
-}
-
-/// What lengths are in.
-pub(crate) fn word(unit: Unit) -> &'static str {
-    match unit {
-        Unit::Metric => "cm",
-        Unit::Relative => "relative",
-    }
-}
-
 /// What stands below the table: what all its lengths are.
-pub(crate) fn unit(girths: &Girths) -> String {
-    let unit = match girths.unit {
-        Unit::Metric => "All in centimetres.",
-        Unit::Relative => "All relative: 1 is the radius of the camera ring.",
+pub(crate) fn unit(girths: &Girths, lengths: Lengths) -> String {
+    let unit = match lengths {
+        Lengths::Cm => "All in centimetres.",
+        Lengths::Inch => "All in inches; files beside this page are in centimetres.",
+        Lengths::Relative => "All relative: 1 is the radius of the camera ring.",
     };
     match girths.compression_pct {
         percent if percent > 0.0 => format!(
@@ -43,21 +29,17 @@ pub(crate) fn unit(girths: &Girths) -> String {
 }
 
 /// What an interval is made of, as a sentence: standard deviations, and what is not known.
-pub(crate) fn sureness(g: &Girth, unit: Unit) -> String {
-    let fine = |mm: f64| match unit {
-        Unit::Metric => format!("{:.2}", mm / 10.0),
-        Unit::Relative => length(unit, mm),
-    };
+pub(crate) fn sureness(g: &Girth, lengths: Lengths) -> String {
     let part = |(name, mm): (&str, Option<f64>)| match mm {
-        Some(mm) => format!("{name} {}", fine(mm)),
+        Some(mm) => format!("{name} {}", lengths.fine(mm)),
         None => format!("{name} unknown"),
     };
     let parts = g.sigmas.named().map(part).join(", ");
     let again = match g.repeat_mm {
-        Some(mm) => format!("measured again within ± {} (90 %)", fine(mm)),
+        Some(mm) => format!("measured again within ± {} (90 %)", lengths.fine(mm)),
         None => "how near it comes when measured again is unknown".into(),
     };
-    let mut text = format!("standard deviations [{}]: {parts}; {again}", word(unit));
+    let mut text = format!("standard deviations [{}]: {parts}; {again}", lengths.word());
     for remark in g.remarks() {
         let _ = write!(text, "; {remark}");
     }
@@ -66,14 +48,13 @@ pub(crate) fn sureness(g: &Girth, unit: Unit) -> String {
 
 /// The girths, one a row. What an interval is made of shows on hover, and when a row is reached by
 /// keyboard or finger.
-pub(crate) fn girths(girths: &Girths) -> String {
-    let unit = girths.unit;
+pub(crate) fn girths(girths: &Girths, lengths: Lengths) -> String {
     let mut html = format!(
         "<table id=\"girths\" data-head=\"tape [{0}], interval below it\"><thead><tr><th>girth</th><th class=\"n\">tape [{0}]</th>\
          <th class=\"n\">interval</th><th class=\"n\">contour</th><th class=\"n\">spline</th><th class=\"n\">silhouette</th></tr></thead><tbody>",
-        word(unit)
+        lengths.word()
     );
-    let cm = |mm: f64| length(unit, mm);
+    let cm = |mm: f64| lengths.text(mm);
     for g in &girths.girths {
         let interval = match g.interval_mm {
             Some([low, high]) => format!("{} – {}", cm(low), cm(high)),
@@ -93,7 +74,7 @@ pub(crate) fn girths(girths: &Girths) -> String {
             "<tr data-name=\"{name}\" title=\"{definition}\" data-sure=\"{sure}\" aria-describedby=\"sure\" tabindex=\"0\"><td><b>{name}</b> {label} \
              <span class=\"note\">{iso}</span></td><td class=\"n big\">{}</td><td class=\"n range\" title=\"{sure}\">{interval}</td>{cells}</tr>",
             cm(g.tape_mm),
-            sure = escaped(&sureness(g, unit)),
+            sure = escaped(&sureness(g, lengths)),
             name = escaped(&g.name),
             label = escaped(&g.label),
             iso = escaped(&g.by.definition().standards()),
@@ -102,6 +83,14 @@ pub(crate) fn girths(girths: &Girths) -> String {
     }
     html += "</tbody></table><p id=\"sure\" class=\"note\" aria-live=\"polite\"></p>";
     html + &missing(girths)
+}
+
+/// Kilograms; pounds beside them where lengths are in inches.
+fn weight(kg: f64, lengths: Lengths) -> String {
+    match lengths {
+        Lengths::Inch => format!("{kg:.1} kg ({:.1} lb)", kg / 0.453_592_37),
+        _ => format!("{kg:.1} kg"),
+    }
 }
 
 /// What is not measured, and why; the same reason once.
@@ -124,17 +113,17 @@ fn missing(girths: &Girths) -> String {
 }
 
 /// Ratios and the like, with the thresholds of the WHO beside them as text.
-pub(crate) fn derived(girths: &Girths) -> String {
+pub(crate) fn derived(girths: &Girths, lengths: Lengths) -> String {
     let mut rows: Vec<(String, String, String)> = Vec::new();
     if let Some(mm) = girths.stature_mm {
         rows.push((
             "stature".into(),
-            format!("{} {}", length(girths.unit, mm), word(girths.unit)),
+            format!("{} {}", lengths.text(mm), lengths.word()),
             String::new(),
         ));
     }
     if let Some(kg) = girths.weight_kg {
-        rows.push(("weight".into(), format!("{kg:.1} kg"), "as given".into()));
+        rows.push(("weight".into(), weight(kg, lengths), "as given".into()));
     }
     if let Some(bmi) = girths.bmi {
         let note = "WHO, adults: 18.5 to 24.9 normal, from 25 overweight, from 30 obese".into();
@@ -178,14 +167,17 @@ pub(crate) fn origin(scale: Scale) -> &'static str {
 }
 
 /// Where the millimetres come from, what else was known, and how sure the cameras are.
-pub(crate) fn scale(cameras: &Cameras, rig: &Rig) -> String {
+pub(crate) fn scale(cameras: &Cameras, rig: &Rig, lengths: Lengths) -> String {
     let mean = |f: fn(&shape::View) -> Option<f64>| {
         let known: Vec<f64> = cameras.views.values().filter_map(f).collect();
         (!known.is_empty()).then(|| known.iter().sum::<f64>() / known.len() as f64)
     };
     // Unknown of cameras that were given, and of those of a subject that sways.
     let centres = match mean(|v| v.sigma_mm) {
-        Some(mm) if mm < 100.0 => format!("camera centres ± {mm:.1} mm"),
+        Some(mm) if mm < 100.0 => match cameras.scale.unit() {
+            Unit::Metric => format!("camera centres ± {mm:.1} mm"),
+            unit => format!("camera centres ± {}", unit.words(mm)),
+        },
         _ => "how sure the camera centres are: unknown".into(),
     };
     let pixels = match mean(|v| v.rms_px) {
@@ -202,8 +194,17 @@ pub(crate) fn scale(cameras: &Cameras, rig: &Rig) -> String {
         origin(cameras.scale),
         cameras.views.len(),
     );
-    let cm = |mm: f64| format!("{:.1} cm", mm / 10.0);
+    // What the user gave is known, whatever the scale.
+    let known_in = match lengths {
+        Lengths::Relative => Lengths::Cm,
+        known => known,
+    };
+    let cm = |mm: f64| format!("{} {}", known_in.text(mm), known_in.word());
     let mut known: Vec<(&str, String, Option<Scale>)> = Vec::new();
+    if let Some(mm) = rig.tag_mm {
+        let text = format!("tags of {mm:.1} mm, their layout as photos show it");
+        known.push(("marker mat", text, Some(Scale::Mat)));
+    }
     if let Some(mat) = &rig.mat {
         let text = format!(
             "{} tags of {:.1} mm on a ring of {:.1} mm",
@@ -223,7 +224,7 @@ pub(crate) fn scale(cameras: &Cameras, rig: &Rig) -> String {
         known.push(("stature", cm(mm), Some(Scale::Stature)));
     }
     if let Some(kg) = rig.weight_kg {
-        known.push(("weight", format!("{kg:.1} kg"), None));
+        known.push(("weight", weight(kg, lengths), None));
     }
     html += "<table id=\"scale\" class=\"facts\">";
     for (what, text, scale) in known {

@@ -63,3 +63,27 @@ fn what_an_interval_is_made_of_is_told_and_what_is_unknown_is_not_called_zero() 
         assert!(told.contains(text) && !known.contains(text), "{text}");
     }
 }
+
+#[test]
+fn inches_are_shown_where_they_are_wanted_and_relative_lengths_stay_relative() {
+    let inches = HtmlParams {
+        unit: report::ShownIn::Inch,
+        ..HtmlParams::default()
+    };
+    let (told, plain) = (page(&inches), page(&HtmlParams::default()));
+    for text in [
+        "tape [in]",
+        "All in inches",
+        "standard deviations [in]",
+        "height [in]",
+    ] {
+        assert!(told.contains(text) && !plain.contains(text), "{text}");
+    }
+    assert!(!told.contains("[cm]"), "one unit on a page");
+    let tape = input().girths.girths[0].tape_mm;
+    assert!(told.contains(&format!("{:.1} in", tape / 25.4)));
+    let mut input = input();
+    Arc::make_mut(&mut input.girths).unit = shape::Unit::Relative;
+    let relative = page_of(&inches, input);
+    assert!(relative.contains("tape [relative]") && !relative.contains("[in]"));
+}

@@ -1,6 +1,6 @@
 //! The calibrated cameras of a turn, in the turntable frame, and how far to trust them.
 
-use crate::{ByPhoto, Camera};
+use crate::{ByPhoto, Camera, Unit};
 use serde::{Deserialize, Serialize};
 use stage::{Artifact, Corrupt, Packer, Unpacker};
 
@@ -19,6 +19,16 @@ pub enum Scale {
     Given,
     /// Nothing: lengths are relative to the camera ring's radius, called 1000 mm.
     Nothing,
+}
+
+impl Scale {
+    /// What lengths are in.
+    pub fn unit(self) -> Unit {
+        match self {
+            Scale::Nothing => Unit::Relative,
+            _ => Unit::Metric,
+        }
+    }
 }
 
 /// One photo's camera.

@@ -1,13 +1,19 @@
 //! Cameras as JSON of our own and as a COLMAP text model.
 
-use crate::{Cameras, View};
+use crate::{Cameras, Unit, View};
 use nalgebra::UnitQuaternion;
 use serde_json::json;
 use std::fmt::Write;
 
 /// `cameras.json`: unit mm, world = turntable frame, `x_in_camera = R x_in_world + t`. An uncertainty
-/// that nobody knows is null.
+/// that nobody knows is null. Where nothing of known length was given the unit is `relative`, numbers are
+/// those of the surfaces beside it (the camera ring's radius is 1000), and no key names millimetres.
 pub fn cameras_to_json(cameras: &Cameras) -> String {
+    let suffix = match cameras.scale.unit() {
+        Unit::Metric => "mm",
+        Unit::Relative => "rel",
+    };
+    let key = |what: &str| format!("{what}_{suffix}");
     let view = |v: &View| {
         let (lens, pose) = (&v.camera.lens, &v.camera.pose);
         let rows = |m: nalgebra::Matrix3<f64>| -> Vec<[f64; 3]> {
@@ -17,15 +23,19 @@ pub fn cameras_to_json(cameras: &Cameras) -> String {
             "image": v.name, "width": lens.width, "height": lens.height,
             "K": rows(lens.matrix()), "distortion": lens.radial,
             "R": rows(*pose.rotation.matrix()), "t": pose.translation.as_slice(),
-            "sigma_mm": v.sigma_mm, "rms_px": v.rms_px, "points": v.points,
+            (key("sigma")): v.sigma_mm, "rms_px": v.rms_px, "points": v.points,
         })
     };
     let views: Vec<_> = cameras.views.values().map(view).collect();
+    let unit = match cameras.scale.unit() {
+        Unit::Metric => "mm",
+        Unit::Relative => "relative",
+    };
     let file = json!({
-        "unit": "mm", "frame": "turntable: origin on the axis at the disk's top, z up",
+        "unit": unit, "frame": "turntable: origin on the axis at the disk's top, z up",
         "scale": format!("{:?}", cameras.scale).to_lowercase(),
-        "scale_sigma": cameras.scale_sigma, "disk_radius_mm": cameras.disk_radius_mm,
-        "ground_mm": cameras.ground_mm, "views": views,
+        "scale_sigma": cameras.scale_sigma, (key("disk_radius")): cameras.disk_radius_mm,
+        (key("ground")): cameras.ground_mm, "views": views,
     });
     serde_json::to_string_pretty(&file).expect("bug: cameras JSON cannot hold")
 }

@@ -1,20 +1,20 @@
-//! Girths and landmarks as JSON and CSV.
+//! Girths as JSON and CSV.
 
-use crate::{Girth, GirthId, Girths, Landmarks, Missing, Plane, Region, Side, Sigmas, Unit};
+use crate::{Girth, GirthId, Girths, Missing, Plane, Region, Side, Sigmas, Unit};
 use serde_json::{Map, Value, json};
 use std::fmt::Write;
 
 /// How lengths are written: their unit in names of keys and columns, and the numbers themselves.
 #[derive(Clone, Copy)]
-struct Written {
-    unit: &'static str,
+pub(crate) struct Written {
+    pub(crate) unit: &'static str,
     suffix: &'static str,
     per_mm: f64,
     digits: i32,
 }
 
 impl Written {
-    fn of(unit: Unit) -> Self {
+    pub(crate) fn of(unit: Unit) -> Self {
         match unit {
             Unit::Metric => Written {
                 unit: "cm",
@@ -33,13 +33,13 @@ impl Written {
     }
 
     /// A length as a number.
-    fn length(&self, mm: f64) -> f64 {
+    pub(crate) fn length(&self, mm: f64) -> f64 {
         let tens = 10f64.powi(self.digits);
         (mm * self.per_mm * tens).round() / tens
     }
 
     /// `tape` as `tape_cm`.
-    fn key(&self, what: &str) -> String {
+    pub(crate) fn key(&self, what: &str) -> String {
         format!("{what}_{}", self.suffix)
     }
 
@@ -126,7 +126,7 @@ fn mean_of_arms(girths: &Girths) -> Option<Row> {
     })
 }
 
-fn missed(m: &Missing) -> Value {
+pub(crate) fn missed(m: &Missing) -> Value {
     json!({ "name": m.name, "reason": m.reason.code(), "why": m.why })
 }
 
@@ -265,35 +265,4 @@ pub fn girths_to_csv(girths: &Girths) -> String {
         let _ = writeln!(csv, "{},{empty},{}", missing.name, quoted(&missing.why));
     }
     csv
-}
-
-/// Landmarks: planes, points, what is missing.
-pub fn landmarks_to_json(landmarks: &Landmarks) -> String {
-    let found: Vec<_> = landmarks
-        .found
-        .iter()
-        .map(|l| {
-            json!({
-                "name": l.name, "label": l.label, "definition": l.definition,
-                "part": format!("{:?}", l.part),
-                "plane": { "point_mm": l.plane.point_mm, "normal": l.plane.normal },
-                "sigma": {
-                    "level_mm": l.sigma.level_mm, "tilt_deg": l.sigma.tilt_rad.map(f64::to_degrees),
-                    "repeat_mm": l.sigma.repeat_mm,
-                },
-            })
-        })
-        .collect();
-    let missing: Vec<_> = landmarks.missing.iter().map(missed).collect();
-    let points: serde_json::Map<String, Value> = landmarks
-        .points
-        .iter()
-        .map(|(name, p)| (name.clone(), json!(p)))
-        .collect();
-    let file = json!({
-        "unit": "mm", "landmarks": found, "missing": missing, "points": points,
-        "stature_mm": landmarks.stature_mm, "stature_sigma_mm": landmarks.stature_sigma_mm,
-        "ground_mm": landmarks.ground_mm,
-    });
-    serde_json::to_string_pretty(&file).expect("bug: landmarks JSON cannot hold")
 }

@@ -1,8 +1,8 @@
 //! What was found on photos, and where cameras stand, as pictures to look at.
 
 use crate::{
-    Cameras, Features, Keypoints, PhotoError, PhotoId, Photos, Rgb, Tracks, bounding_cylinder,
-    rgb_to_png,
+    Cameras, Features, Keypoints, PhotoError, PhotoId, Photos, Rgb, Tracks, Unit,
+    bounding_cylinder, rgb_to_png,
 };
 use nalgebra::{Point3, Vector3};
 use std::fmt::Write as _;
@@ -176,9 +176,13 @@ pub fn cameras_to_svg(cameras: &Cameras) -> String {
                 path(&side)
             );
         }
+        let unit = match cameras.scale.unit() {
+            Unit::Metric => " mm",
+            Unit::Relative => " of a ring of 1000",
+        };
         let _ = writeln!(
             svg,
-            "<text x=\"-310\" y=\"-312\" fill=\"#c33\">in view of all cameras: radius {:.0} mm, height {:.0} to {:.0} mm</text>",
+            "<text x=\"-310\" y=\"-312\" fill=\"#c33\">in view of all cameras: radius {:.0}{unit}, height {:.0} to {:.0}{unit}</text>",
             cylinder.radius, cylinder.bottom, cylinder.top
         );
     }

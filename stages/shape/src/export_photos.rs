@@ -36,6 +36,7 @@ fn rig_to_toml(rig: &Rig) -> String {
     line("subject.height_cm", rig.stature_mm.map(|mm| mm / 10.0));
     line("subject.weight_kg", rig.weight_kg);
     line("disk.diameter_cm", rig.disk_diameter_mm.map(|mm| mm / 10.0));
+    line("mat.tag_size_mm", rig.tag_mm.filter(|_| rig.mat.is_none()));
     if let Some(mat) = &rig.mat {
         line("mat.tag_size_mm", Some(mat.tag_mm));
         line("mat.ring_radius_mm", Some(mat.ring_mm));

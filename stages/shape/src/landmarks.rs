@@ -1,6 +1,6 @@
 //! Where on a body to measure: planes found on the surface, or why they were not found.
 
-use crate::{GirthId, Missing, Region, Side};
+use crate::{GirthId, Missing, Region, Side, Unit};
 use serde::{Deserialize, Serialize};
 use stage::{Artifact, Corrupt, Packer, Unpacker};
 
@@ -113,6 +113,8 @@ impl Landmark {
 /// Where to measure.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Landmarks {
+    /// What the numbers mean.
+    pub unit: Unit,
     /// What was found.
     pub found: Vec<Landmark>,
     /// What was not, and why.
@@ -131,18 +133,19 @@ pub struct Landmarks {
 
 impl Artifact for Landmarks {
     const KIND: &'static str = "landmarks";
-    const FORMAT: u32 = 3;
+    const FORMAT: u32 = 4;
 
     fn pack(&self, to: &mut Packer) {
         let heights = (self.stature_mm, self.stature_sigma_mm, self.ground_mm);
-        to.meta(&(&self.found, &self.missing, &self.points, heights));
+        to.meta(&(self.unit, &self.found, &self.missing, &self.points, heights));
         to.section("parts", &self.parts);
     }
 
     fn unpack(from: &Unpacker<'_>) -> Result<Self, Corrupt> {
-        let (found, missing, points, heights) = from.meta()?;
+        let (unit, found, missing, points, heights) = from.meta()?;
         let (stature_mm, stature_sigma_mm, ground_mm) = heights;
         Ok(Landmarks {
+            unit,
             found,
             missing,
             points,

@@ -111,7 +111,7 @@ struct Meta {
 
 impl Artifact for Photos {
     const KIND: &'static str = "photos";
-    const FORMAT: u32 = 3;
+    const FORMAT: u32 = 4;
 
     fn pack(&self, to: &mut Packer) {
         let meta = |p: &Photo| Meta {

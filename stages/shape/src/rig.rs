@@ -23,10 +23,19 @@ pub struct Rig {
     pub disk_diameter_mm: Option<f64>,
     /// The marker mat on the disk.
     pub mat: Option<Mat>,
+    /// Edge length of a tag's black square, where nothing else is said of the mat. \[mm\]
+    pub tag_mm: Option<f64>,
     /// Tags on the disk's rim, beside the mat.
     pub rim: Option<Rim>,
     /// A length that is known.
     pub reference: Option<Reference>,
+}
+
+impl Rig {
+    /// Whether marker tags on the disk are told of.
+    pub fn tagged(&self) -> bool {
+        self.mat.is_some() || self.tag_mm.is_some()
+    }
 }
 
 /// A ring of AprilTags (family 36h11) on the disk, all of one size.

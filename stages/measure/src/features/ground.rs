@@ -1,7 +1,7 @@
 //! The ground that a body stands on: its soles, held against the ground that cameras tell.
 
 use crate::features::soles::{Soles, soles};
-use shape::{Mesh, Refusal};
+use shape::{Mesh, Refusal, Unit};
 
 /// A ground that cameras tell.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -12,6 +12,8 @@ pub struct GivenGround {
     pub firm: bool,
     /// Its standard deviation, as far as it is known. \[mm\]
     pub sigma_mm: f64,
+    /// What lengths are in.
+    pub unit: Unit,
 }
 
 /// Where a body stands.
@@ -64,15 +66,15 @@ pub fn ground(mesh: &Mesh, told: Option<&GivenGround>) -> Result<Ground, Refusal
     match (told.firm, found.sure) {
         (true, _) if off.abs() <= NEAR * tall => Ok(as_told(0.0, None)),
         (_, true) => {
-            let word = (off.abs() > AGREE * tall).then(|| apart(off));
+            let word = (off.abs() > AGREE * tall).then(|| apart(off, told.unit));
             Ok(by_soles(&found, word))
         }
         (false, false) if off.abs() <= AGREE * tall => Ok(as_told(found.sigma, None)),
         (true, false) if (0.0..=LOST * tall).contains(&off) => Ok(as_told(
             UNSEEN * tall,
             Some(format!(
-                "the surface ends {:.0} mm above the ground without feet: they are lost, and heights are told from the ground",
-                off
+                "the surface ends {} above the ground without feet: they are lost, and heights are told from the ground",
+                told.unit.words(off)
             )),
         )),
         _ => Err(Refusal::NoGround),
@@ -80,11 +82,11 @@ pub fn ground(mesh: &Mesh, told: Option<&GivenGround>) -> Result<Ground, Refusal
 }
 
 /// What is said of a ground that the body does not touch.
-fn apart(off: f64) -> String {
+fn apart(off: f64, unit: Unit) -> String {
     let side = if off > 0.0 { "below" } else { "above" };
     format!(
-        "the ground that the cameras tell lies {:.0} mm {side} the soles on the surface: the body does not stand on it; heights \
+        "the ground that the cameras tell lies {} {side} the soles on the surface: the body does not stand on it; heights \
          and stature are told from the soles",
-        off.abs()
+        unit.words(off.abs())
     )
 }

@@ -29,6 +29,7 @@ fn told(cameras: &Cameras) -> GivenGround {
         height_mm: cameras.ground_mm,
         firm,
         sigma_mm,
+        unit: cameras.scale.unit(),
     }
 }
 

@@ -72,7 +72,7 @@ impl Stage for Sift {
 
     /// A photo a thread: its scales, at twice its size where that is searched, too.
     fn memory(p: &SiftParams, input: &SiftInput) -> u64 {
-        if input.photos.rig.mat.is_some() && !p.beside_mat {
+        if input.photos.rig.tagged() && !p.beside_mat {
             return 0;
         }
         let photos = input.photos.iter();
@@ -81,7 +81,7 @@ impl Stage for Sift {
     }
 
     fn run(p: &SiftParams, input: SiftInput, ctx: &Ctx<'_>) -> Result<Keypoints, Stop> {
-        if input.photos.rig.mat.is_some() && !p.beside_mat {
+        if input.photos.rig.tagged() && !p.beside_mat {
             return Ok(Keypoints::default());
         }
         let all: Vec<(PhotoId, &Photo)> = input.photos.iter().collect();

@@ -56,7 +56,8 @@ pub fn from_json(file: &str, text: &str) -> Result<Model, ForeignError> {
     let unit = whole.get("unit").and_then(Value::as_str);
     let turntable = whole.get("frame").and_then(Value::as_str);
     let turntable = turntable.is_some_and(|f| f.starts_with("turntable"));
-    let ground = whole.get("ground_mm").and_then(Value::as_f64);
+    let ground = whole.get("ground_mm").or_else(|| whole.get("ground_rel"));
+    let ground = ground.and_then(Value::as_f64);
     Ok(Model {
         cameras: list.iter().enumerate().map(one).collect::<Result<_, _>>()?,
         points: vec![],

@@ -106,12 +106,13 @@ pub fn mat_for(disk_mm: f64, tag_mm: f64, count: u32, first_id: u32) -> Result<M
     })
 }
 
-/// What `capture.toml` says of a mat.
-pub fn mat_toml(mat: &Mat) -> String {
+/// What `capture.toml` says of a mat and of the disk that it is for.
+pub fn mat_toml(mat: &Mat, disk_mm: f64) -> String {
     let (tag, ring) = (mat.tag_mm, mat.ring_mm);
-    let last = mat.first_id + mat.count - 1;
+    let (last, disk_cm) = (mat.first_id + mat.count - 1, disk_mm / 10.0);
     format!(
-        "[mat]\nfamily = \"tag36h11\"\ntag_size_mm = {tag:.1}\nids = [{}, {last}]\ncount = {}\nring_radius_mm = {ring:.1}\n",
+        "[mat]\nfamily = \"tag36h11\"\ntag_size_mm = {tag:?}\nids = [{}, {last}]\ncount = {}\nring_radius_mm = {ring:?}\n\
+         [disk]\ndiameter_cm = {disk_cm:?}\n",
         mat.first_id, mat.count
     )
 }

@@ -208,7 +208,7 @@ pub fn to_pdf(
     };
     let mut pages: Vec<String> = corners.iter().enumerate().map(tile).collect();
     pages.extend(stacks.iter().enumerate().map(stack));
-    assembled(&pages, paper.size_mm)
+    assembled(&pages, paper.size_mm, note)
 }
 
 /// Pieces that go onto one page each, above each other; at least one.
@@ -233,16 +233,20 @@ fn foot(page: &mut String, m: f64, i: usize, of: usize, note: &str) {
         i + 1
     );
     drawn(page, &Mark::Words([m, m + 9.0], 2.2, words));
-    for (line, part) in note.split("\n[").enumerate() {
-        let bracket = if line > 0 { "[" } else { "" };
-        let words = format!("{bracket}{}", part.replace('\n', "  "));
-        let at = [m, m + 6.4 - 2.6 * line as f64];
-        drawn(page, &Mark::Words(at, 2.2, words));
+    // Line by line, a table a column, so that it is TOML as it stands there.
+    let (mut column, mut row) = (-1.0, 0.0);
+    for line in note.lines() {
+        if line.starts_with('[') {
+            (column, row) = (column + 1.0, 0.0);
+        }
+        let at = [m + 102.0 + 30.0 * column, m + 10.6 - 1.95 * row];
+        drawn(page, &Mark::Words(at, 1.8, line.to_owned()));
+        row += 1.0;
     }
 }
 
-/// A PDF file of pages (ISO 32000-1, §7.5).
-fn assembled(pages: &[String], [width, height]: [f64; 2]) -> Vec<u8> {
+/// A PDF file of pages (ISO 32000-1, §7.5), with a note as comments behind its first line.
+fn assembled(pages: &[String], [width, height]: [f64; 2], note: &str) -> Vec<u8> {
     let mut objects = vec!["<< /Type /Catalog /Pages 2 0 R >>".to_owned()];
     let kids: Vec<String> = (0..pages.len())
         .map(|i| format!("{} 0 R", 4 + 2 * i))
@@ -266,6 +270,9 @@ fn assembled(pages: &[String], [width, height]: [f64; 2]) -> Vec<u8> {
         ));
     }
     let mut file = String::from("%PDF-1.4\n");
+    for line in note.lines() {
+        let _ = writeln!(file, "% {line}");
+    }
     let mut places = Vec::new();
     for (i, object) in objects.iter().enumerate() {
         places.push(file.len());

@@ -3,8 +3,9 @@
 use nalgebra::{DMatrix, Matrix3, Rotation3, Vector2, Vector3};
 use shape::{Intrinsics, Pose};
 
-/// camera_from_world from at least four points of the plane z = 0 \[mm\] and their pixels.
-pub fn planar_pose(lens: &Intrinsics, pairs: &[([f64; 2], [f64; 2])]) -> Option<Pose> {
+/// The homography from a plane to a picture by the direct linear transformation: at least four places on
+/// the plane and in the picture, the latter of the order of 1.
+pub(crate) fn homography(pairs: &[([f64; 2], [f64; 2])]) -> Option<Matrix3<f64>> {
     if pairs.len() < 4 {
         return None;
     }
@@ -13,8 +14,8 @@ pub fn planar_pose(lens: &Intrinsics, pairs: &[([f64; 2], [f64; 2])]) -> Option<
         .map(|(p, _)| p[0].hypot(p[1]))
         .fold(1e-9, f64::max);
     let mut a = DMatrix::zeros((2 * pairs.len()).max(9), 9);
-    for (i, (plane, px)) in pairs.iter().enumerate() {
-        let p = lens.undistort((*px).into());
+    for (i, (plane, seen)) in pairs.iter().enumerate() {
+        let p = Vector2::from(*seen);
         let x = [plane[0] / spread, plane[1] / spread, 1.0];
         for k in 0..3 {
             a[(2 * i, k)] = x[k];
@@ -28,7 +29,17 @@ pub fn planar_pose(lens: &Intrinsics, pairs: &[([f64; 2], [f64; 2])]) -> Option<
     let least = svd.singular_values.imin();
     let h = Matrix3::from_row_slice(v_t.row(least).transpose().as_slice());
     let unscale = Matrix3::from_diagonal(&Vector3::new(1.0 / spread, 1.0 / spread, 1.0));
-    let mut h = h * unscale;
+    Some(h * unscale)
+}
+
+/// camera_from_world from at least four points of the plane z = 0 \[mm\] and their pixels.
+pub fn planar_pose(lens: &Intrinsics, pairs: &[([f64; 2], [f64; 2])]) -> Option<Pose> {
+    let seen = |px: &[f64; 2]| {
+        let p = lens.undistort((*px).into());
+        [p.x, p.y]
+    };
+    let rays: Vec<_> = pairs.iter().map(|(plane, px)| (*plane, seen(px))).collect();
+    let mut h = homography(&rays)?;
     // The plane lies before the camera.
     let centre = pairs
         .iter()

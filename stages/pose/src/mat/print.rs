@@ -73,7 +73,7 @@ pub struct PrintMat;
 
 impl Stage for PrintMat {
     const NAME: &'static str = "pose.mat";
-    const VERSION: u32 = 2;
+    const VERSION: u32 = 3;
     const ABOUT: &'static str = "Lays out a marker mat (AprilTag 36h11) for a disk, and a strip for its rim, to be printed at true scale.";
     type Params = MatParams;
     type Input = MatInput;
@@ -89,7 +89,7 @@ impl Stage for PrintMat {
     fn run(p: &MatParams, _: MatInput, ctx: &Ctx<'_>) -> Result<Document, Stop> {
         let mat = mat_for(p.diameter_mm, p.tag_mm, p.count, p.first_id)?;
         let marks = mat_marks(&mat, p.diameter_mm, p.dots);
-        let mut note = mat_toml(&mat);
+        let mut note = mat_toml(&mat, p.diameter_mm);
         let rim = match p.rim_mm > 0.0 {
             true => Some(rim_for(
                 p.diameter_mm,

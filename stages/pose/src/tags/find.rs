@@ -1,5 +1,6 @@
 //! The stage that finds the marker tags on the photos.
 
+use crate::mat::recognise::ringed;
 use crate::tags::corners::refined;
 use rayon::prelude::*;
 use shape::{ByPhoto, Photo, PhotoId, Photos, Tag, Tags};
@@ -16,6 +17,9 @@ stage::params! {
         /// Wrong bits of a tag that are corrected.
         #[range(0..=3)]
         correct_bits: u32 = 1,
+        /// Most photos that are searched, spread over the turn; 0 for all.
+        #[range(0..=5000)]
+        most: u32 = 0,
     }
 }
 
@@ -35,12 +39,12 @@ pub struct NoDetector(String);
 /// Of a pixel: its colours, its brightness, what the detector makes of it. \[bytes\]
 const TAGS_PIXEL: u64 = 48;
 
-/// `pose.tags`: photos → tags.
+/// `pose.tags`: photos → tags. Where nobody told of any, a glance at three photos tells whether to look.
 pub struct FindTags;
 
 impl Stage for FindTags {
     const NAME: &'static str = "pose.tags";
-    const VERSION: u32 = 1;
+    const VERSION: u32 = 2;
     const ABOUT: &'static str =
         "Finds AprilTags (family 36h11, Olson 2011) and their corners to a part of a pixel.";
     type Params = TagsParams;
@@ -50,20 +54,18 @@ impl Stage for FindTags {
 
     /// A photo a thread: its colours, its brightness, and what the detector makes of it.
     fn memory(_: &TagsParams, input: &TagsInput) -> u64 {
-        let tagged = input.photos.rig.mat.is_some();
         let pixels = |photo: &Photo| u64::from(photo.width) * u64::from(photo.height);
         let most = input.photos.iter().map(|(_, photo)| pixels(photo)).max();
-        match tagged {
-            true => most.unwrap_or(0) * TAGS_PIXEL * rayon::current_num_threads() as u64,
-            false => 0,
-        }
+        most.unwrap_or(0) * TAGS_PIXEL * rayon::current_num_threads() as u64
     }
 
     fn run(p: &TagsParams, input: TagsInput, ctx: &Ctx<'_>) -> Result<Tags, Stop> {
-        if input.photos.rig.mat.is_none() {
+        let all: Vec<(PhotoId, &Photo)> = input.photos.iter().collect();
+        let told = input.photos.rig.tagged();
+        if !told && !glanced(&all, p, ctx)? {
             return Ok(Tags::default());
         }
-        let all: Vec<(PhotoId, &Photo)> = input.photos.iter().collect();
+        let all = spread(all, p.most as usize);
         let steps = ctx.steps("photos", all.len());
         let find = |(id, photo): &(PhotoId, &Photo)| -> Result<(PhotoId, Vec<Tag>), Stop> {
             let found: Tags = ctx.part("tags", &[photo.content()], || {
@@ -82,8 +84,66 @@ impl Stage for FindTags {
         let views: ByPhoto<Vec<Tag>> = views.into_iter().collect();
         let count: usize = views.values().map(Vec::len).sum();
         ctx.metric("tags a photo", count as f64 / views.len().max(1) as f64, "");
-        Ok(Tags { views })
+        let tags = Tags { views };
+        if !told {
+            untold(&tags).iter().for_each(|w| ctx.warn(w));
+        }
+        Ok(tags)
     }
+}
+
+/// So many of all, evenly spread; all for 0.
+fn spread<T: Copy>(all: Vec<T>, most: usize) -> Vec<T> {
+    match (1..all.len()).contains(&most) {
+        true => (0..most).map(|k| all[k * all.len() / most]).collect(),
+        false => all,
+    }
+}
+
+/// So many photos are glanced at where nobody told of tags.
+const GLANCED: usize = 3;
+/// What is found at a glance need not be found exactly: photos are reduced by this.
+const GLANCE: f64 = 2.0;
+
+/// Whether tags show on some photos, spread over the turn: three of one photo are no chance.
+fn glanced(all: &[(PhotoId, &Photo)], p: &TagsParams, ctx: &Ctx<'_>) -> Result<bool, Stop> {
+    let quick = TagsParams {
+        decimate: p.decimate * GLANCE,
+        correct_bits: 0,
+        most: 0,
+    };
+    let some = spread(all.to_vec(), GLANCED)
+        .into_iter()
+        .map(|(_, photo)| photo);
+    let count = |photo: &Photo| -> Result<usize, Stop> {
+        ctx.check()?;
+        Ok(find(photo, &quick)?.len())
+    };
+    let some: Vec<&Photo> = some.collect();
+    let counts: Vec<usize> = some
+        .par_iter()
+        .map(|photo| count(photo))
+        .collect::<Result<_, _>>()?;
+    Ok(counts.iter().any(|tags| *tags >= 3))
+}
+
+/// What is said of tags that nobody told of.
+fn untold(tags: &Tags) -> Option<String> {
+    let seen = tags.views.values().filter(|v| !v.is_empty()).count();
+    let ids = || tags.views.values().flatten().map(|t| t.id);
+    let (first, last) = (ids().min()?, ids().max()?);
+    let layout = match ringed(tags) {
+        Some(ring) => format!(
+            "they lie as a mat of `tailor mat` ({} tags on a ring of {:.2} times a tag's size): say the edge length of a printed tag's black square \
+             as you measure it, such as --mat-tag 60, or hand over the mat's own file with --mat",
+            ring.count, ring.ring
+        ),
+        None => "they do not lie as a mat of `tailor mat` does: tell of them in `[mat]` of capture.toml, or cover them".into(),
+    };
+    Some(format!(
+        "marker tags (family 36h11, numbers {first} to {last}) are seen on {seen} of {} photos, but nothing is said of them, so they are not used; {layout}",
+        tags.views.len()
+    ))
 }
 
 /// The tags of one photo, sorted by number; a number that is seen twice is nobody's.

@@ -90,7 +90,8 @@ impl Stage for Bend {
             .map(|v| seen_off(&warps, &bent, &mesh.point(v)))
             .collect();
         let rms = (off.iter().map(|o| o * o).sum::<f64>() / off.len().max(1) as f64).sqrt();
-        ctx.metric("bending", rms * footprint, "mm");
+        let (bending, unit) = input.cameras.scale.unit().length(rms * footprint);
+        ctx.metric("bending", bending, unit);
         let whole = taken
             .iter()
             .zip(warps)

@@ -102,13 +102,14 @@ impl Stage for Steady {
             })
             .collect();
         let rms = (far.iter().map(|f| f * f).sum::<f64>() / far.len().max(1) as f64).sqrt();
-        ctx.metric("sway at the chest", rms, "mm");
-        ctx.metric(
-            "greatest sway",
-            far.iter().copied().fold(0.0, f64::max),
-            "mm",
-        );
-        ctx.metric("last change", last, "mm");
+        let unit = cameras.scale.unit();
+        let tell = |name: &str, mm: f64| {
+            let (value, unit) = unit.length(mm);
+            ctx.metric(name, value, unit);
+        };
+        tell("sway at the chest", rms);
+        tell("greatest sway", far.iter().copied().fold(0.0, f64::max));
+        tell("last change", last);
         for (((id, _), camera), motion) in taken.iter().zip(&still).zip(&motions) {
             let view = cameras.views.get_mut(*id).expect("bug: listed above");
             view.camera = moved(camera, motion, &leash.pivot);

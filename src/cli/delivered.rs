@@ -1,0 +1,104 @@
+//! Where `tailor measure` writes, and what.
+
+use super::provenance::{self, get};
+use crate::delivery::{self, Delivery};
+use crate::engine::Outcome;
+use crate::graph::Graph;
+use crate::relative;
+use engine::cli::{Fault, inside, lies_in, there, whose};
+use engine::out;
+use shape::{Cameras, Document, Unit};
+use std::path::{Path, PathBuf};
+
+/// What is written: nodes, of which the first that there is counts, file in the folder, format.
+/// Without refinement the hull is the body. Formats of several files go into the folder itself.
+const WRITTEN: [(&[&str], &str, &str); 9] = [
+    (&["girths"], "girths.json", "json"),
+    (&["girths"], "girths.csv", "csv"),
+    (&["landmarks"], "landmarks.json", "json"),
+    (&["cameras"], "cameras.json", "json"),
+    (&["masks"], "masks", "png"),
+    (&["hull"], "hull.ply", "ply"),
+    (&["body", "hull"], "body.ply", "ply"),
+    (&["textured", "body", "hull"], "body.glb", "glb"),
+    (&["textured", "body", "hull"], "", "obj"),
+];
+
+/// The folder for the results, and what the capture is called. Results of two captures never get
+/// into one folder unless somebody says so.
+pub(super) fn place_of_results(
+    capture: &Path,
+    out: Option<&Path>,
+) -> Result<(PathBuf, String), Fault> {
+    let whole = capture
+        .canonicalize()
+        .unwrap_or_else(|_| capture.to_owned());
+    let name = whole.file_name().unwrap_or("turn".as_ref());
+    let name = name.to_string_lossy().into_owned();
+    let out = match out {
+        Some(out) => out.to_owned(),
+        None => {
+            let mut out = PathBuf::from(format!("{name}-out"));
+            // From within the capture: beside it.
+            if let Some(beside) = whole.parent().filter(|_| lies_in(&out, capture)) {
+                out = beside.join(out);
+            }
+            let own = whose(&[("photos".to_owned(), capture.to_owned())]);
+            if delivery::is_of_another(&out, &own) {
+                return Err(Fault::input(format!(
+                    "{} holds something else than the results of {}: nothing was written; \
+                     say where to write with --out (--out {} writes there all the same)",
+                    out.display(),
+                    capture.display(),
+                    out.display()
+                )));
+            }
+            out
+        }
+    };
+    match lies_in(&out, capture) {
+        true => Err(inside(&out, capture)),
+        false => Ok((out, name)),
+    }
+}
+
+/// The nodes whose results are written.
+pub(super) fn written(graph: &Graph) -> impl Iterator<Item = usize> {
+    let places = WRITTEN.iter();
+    places.filter_map(|(nodes, ..)| place(graph, nodes))
+}
+
+/// The first of these nodes that there is.
+fn place(graph: &Graph, nodes: &[&str]) -> Option<usize> {
+    nodes.iter().find_map(|node| graph.node(node))
+}
+
+/// Writes all that the contract names.
+pub(super) fn write(
+    graph: &Graph,
+    outcome: &Outcome,
+    delivery: &mut Delivery,
+) -> Result<(), Fault> {
+    let cameras = get::<Cameras>(graph, outcome, "cameras");
+    let relative = cameras.is_some_and(|c| c.scale.unit() == Unit::Relative);
+    for (nodes, file, format) in WRITTEN {
+        let Some(at) = place(graph, nodes) else {
+            continue;
+        };
+        let (artifact, raw) = there(graph, outcome, at)?;
+        let photos = out::beside(graph, at).and_then(|at| outcome.artifact(graph, at));
+        let files = out::files(graph.catalog, artifact, || raw, photos, Some(format));
+        let mut files = files.map_err(Fault::stage)?;
+        if relative {
+            let told = |(name, bytes)| (name, relative::told(bytes));
+            files = files.into_iter().map(told).collect();
+        }
+        delivery.put(file, &files).map_err(Fault::stage)?;
+    }
+    if let Some(report) = get::<Document>(graph, outcome, "report") {
+        let page = provenance::completed(&report.bytes, outcome, graph);
+        let page = vec![(String::new(), page)];
+        delivery.put("report.html", &page).map_err(Fault::stage)?;
+    }
+    Ok(())
+}

@@ -1,0 +1,175 @@
+//! `tailor doctor`: a capture looked at before minutes are spent on it.
+
+use super::facts::Facts;
+use super::folder;
+use super::provenance::get;
+use super::said::opened;
+use crate::photos::photos;
+use crate::store::Store;
+use clap::Args;
+use engine::cli::{Fault, GlobalArgs, execute};
+use serde_json::Value;
+use shape::{Document, Photos, Tags};
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+
+/// The pipeline that looks.
+
+/// Arguments of `tailor doctor`.
+#[derive(Args)]
+pub(crate) struct Doctor {
+    /// The folder with the photos of one turn
+    folder: PathBuf,
+    /// Take the photos in folders below, too, in the order of their paths
+    #[arg(long)]
+    recursive: bool,
+    #[command(flatten)]
+    facts: Facts,
+}
+
+/// What was seen.
+pub(super) struct Look {
+    /// What the stage told.
+    pub(super) told: Value,
+    /// What nodes warned of, and what was odd about the folder.
+    pub(super) warnings: Vec<String>,
+    /// The photos, with what is known of them.
+    pub(super) photos: Arc<Photos>,
+    /// Tags of a few of them.
+    pub(super) tags: Arc<Tags>,
+}
+
+/// Looks at a capture.
+pub(super) fn look(
+    capture: &Path,
+    facts: &Facts,
+    recursive: bool,
+    global: &GlobalArgs,
+) -> Result<Look, Fault> {
+    let looked = folder::look(capture, facts, recursive)?;
+    let said: Vec<_> = facts.said()?.into_iter().chain(looked.more).collect();
+    let mut graph = opened("doctor", None, &said, &[])?;
+    folder::widen(&mut graph, &looked.patterns);
+    let folders = [("photos".to_owned(), capture.to_owned())];
+    let store = Store::open(&global.cache).map_err(Fault::input)?;
+    let again: Vec<String> = std::env::args().collect();
+    let wanted: Vec<usize> = (0..graph.nodes.len()).collect();
+    // What is seen is the answer; there is no progress to be watched.
+    let quiet = GlobalArgs {
+        quiet: true,
+        ..global.clone()
+    };
+    let outcome = execute(store, &graph, &folders, &wanted, &quiet, &again.join(" "))?;
+    let document = get::<Document>(&graph, &outcome, "look");
+    let document = document
+        .ok_or_else(|| Fault::stage("what was seen went out of the cache: run it again"))?;
+    let told = serde_json::from_slice(&document.bytes).map_err(Fault::stage)?;
+    let mut warnings = looked.warnings;
+    for done in outcome.nodes.iter().flatten() {
+        warnings.extend(done.warnings.iter().cloned());
+    }
+    Ok(Look {
+        told,
+        warnings,
+        photos: photos(&graph, &outcome),
+        tags: get::<Tags>(&graph, &outcome, "tags").unwrap_or_default(),
+    })
+}
+
+/// Does it. A capture of which nothing will come ends with 1.
+pub(crate) fn doctor(args: &Doctor, global: &GlobalArgs) -> Result<(), Fault> {
+    let look = look(&args.folder, &args.facts, args.recursive, global)?;
+    let stopped = findings(&look.told).any(|f| f["grade"] == "stop");
+    if global.json {
+        let mut told = look.told;
+        told["folder"] = args.folder.display().to_string().into();
+        told["warnings"] = look.warnings.into();
+        engine::outln!(
+            "{}",
+            serde_json::to_string_pretty(&told).expect("bug: JSON")
+        );
+    } else {
+        engine::out!("{}", screen(&args.folder, &look));
+    }
+    match stopped {
+        true => Err(Fault::stage("")),
+        false => Ok(()),
+    }
+}
+
+fn findings(told: &Value) -> impl Iterator<Item = &Value> {
+    told["findings"].as_array().into_iter().flatten()
+}
+
+/// Names of photos, the first few.
+fn some(photos: &Value) -> String {
+    let names: Vec<&str> = photos
+        .as_array()
+        .into_iter()
+        .flatten()
+        .filter_map(Value::as_str)
+        .collect();
+    match names.len() {
+        0 => String::new(),
+        1..=5 => format!("{}: ", names.join(", ")),
+        more => format!("{}, … ({more} photos): ", names[..3].join(", ")),
+    }
+}
+
+/// The answer for people.
+fn screen(folder: &Path, look: &Look) -> String {
+    let told = &look.told;
+    let text = |key: &str| told[key].as_str().unwrap_or_default();
+    let mut facts = vec![
+        format!(
+            "{} photos of {}×{} pixels",
+            told["photos"], told["width"], told["height"]
+        ),
+        text("camera").to_owned(),
+        told["focal_35mm"]
+            .as_f64()
+            .map_or("focal length unknown".into(), |mm| format!("{mm:.0} mm")),
+        match told["plate"].as_str() {
+            Some(plate) => format!("with the empty scene ({plate})"),
+            None => "no photo of the empty scene".into(),
+        },
+    ];
+    facts.retain(|fact| !fact.is_empty());
+    let mut said = format!("{}: {}\n", folder.display(), facts.join(", "));
+    said += &match text("motion") {
+        "turn" => format!(
+            "the camera stood still ({:.0} % of the picture does)\n",
+            told["still_pct"].as_f64().unwrap_or(0.0)
+        ),
+        _ => format!(
+            "the camera moved ({:.0} % of the picture stand still)\n",
+            told["still_pct"].as_f64().unwrap_or(0.0)
+        ),
+    };
+    let mut lines: Vec<String> = findings(told)
+        .map(|f| {
+            let word = |key: &str| f[key].as_str().unwrap_or_default();
+            format!(
+                "  {:<6} {}{} - {}\n",
+                word("grade"),
+                some(&f["photos"]),
+                word("what"),
+                word("mend")
+            )
+        })
+        .collect();
+    lines.extend(
+        look.warnings
+            .iter()
+            .map(|w| format!("  {:<6} {w}\n", "doubt")),
+    );
+    if !lines.is_empty() {
+        said += "\nwhat is odd\n";
+        said += &lines.concat();
+    }
+    said += "\nwhat can be measured\n";
+    for (what, how) in told["can"].as_object().into_iter().flatten() {
+        said += &format!("  {what:<8} {}\n", how.as_str().unwrap_or_default());
+    }
+    said
+}

@@ -1,0 +1,231 @@
+//! What is known of a capture, as flags: each is a key of `capture.toml`, said over the file.
+
+use super::length::{length_mm, weight_kg};
+use super::mat_file::mat_file;
+use super::said::{All, PLACE, Said};
+use clap::Args;
+use engine::cli::Fault;
+use std::path::PathBuf;
+
+/// What is known of the capture; each wins over what capture.toml says.
+#[derive(Args, Clone, Default)]
+#[command(next_help_heading = "What is known of the capture (over capture.toml)")]
+pub(crate) struct Facts {
+    /// The subject's stature: 178 (cm), 1.78m, 70in, 5ft10in
+    #[arg(long, value_name = "LENGTH")]
+    stature: Option<String>,
+    /// The subject's weight: 80 (kg), 176lb
+    #[arg(long, value_name = "WEIGHT")]
+    weight: Option<String>,
+    /// Focal length as if on 36 mm wide film \[mm\], where photos do not tell
+    #[arg(long, value_name = "MM")]
+    focal: Option<f64>,
+    /// Focal length as a calibration of this lens gave it, photo at full size \[px\]
+    #[arg(long, value_name = "PX")]
+    focal_px: Option<f64>,
+    /// Principal point as a calibration gave it, the top-left pixel's centre at 0,0 \[px\]
+    #[arg(long, value_name = "X,Y")]
+    centre_px: Option<String>,
+    /// Into how many even steps the full turn was divided: 18 is a photo every 20°
+    #[arg(
+        long,
+        value_name = "COUNT",
+        conflicts_with = "step",
+        allow_negative_numbers = true
+    )]
+    steps: Option<i64>,
+    /// Even turn between photos in degrees; positive if the subject turns counter-clockwise seen from above
+    #[arg(long, value_name = "DEGREES", allow_negative_numbers = true)]
+    step: Option<f64>,
+    /// How many photos there should be
+    #[arg(long, value_name = "COUNT")]
+    views: Option<i64>,
+    /// Which photos are the turn, in turning order: names or patterns such as 'IMG_01*.jpg'; may be repeated
+    #[arg(long, value_name = "PATTERN")]
+    images: Vec<String>,
+    /// The photo of the same scene without the subject
+    #[arg(long, value_name = "FILE")]
+    plate: Option<String>,
+    /// What the capture is called in the report
+    #[arg(long)]
+    name: Option<String>,
+    /// The disk's diameter: 70 (cm), 700mm, 28in
+    #[arg(long, value_name = "LENGTH")]
+    disk_diameter: Option<String>,
+    /// The marker mat: the file that `tailor mat` wrote (.pdf, .svg or .toml)
+    #[arg(long, value_name = "FILE")]
+    mat: Option<PathBuf>,
+    /// Edge length of a mat tag's black square as measured on the print: 60 (mm). Said alone, the rest of a mat
+    /// of `tailor mat` is found in the photos
+    #[arg(long, value_name = "LENGTH")]
+    mat_tag: Option<String>,
+    /// First and last number of the mat's tags: 0-11
+    #[arg(long, value_name = "FIRST-LAST")]
+    mat_ids: Option<String>,
+    /// Radius of the circle through the mat tags' centres: 187 (mm)
+    #[arg(long, value_name = "LENGTH")]
+    mat_ring: Option<String>,
+    /// Edge length of a tag's black square on the disk's rim: 24 (mm)
+    #[arg(long, value_name = "LENGTH")]
+    rim_tag: Option<String>,
+    /// First and last number of the rim's tags: 12-47
+    #[arg(long, value_name = "FIRST-LAST")]
+    rim_ids: Option<String>,
+    /// Radius of the rim's printed face: 225 (mm)
+    #[arg(long, value_name = "LENGTH")]
+    rim_radius: Option<String>,
+    /// A known length: subject_height=165cm, disk_diameter=70cm, tag_size=60mm
+    #[arg(long, value_name = "KIND=LENGTH")]
+    reference: Option<String>,
+    /// Any key of capture.toml: subject.height_cm=178
+    #[arg(long, value_name = "KEY=VALUE")]
+    fact: Vec<String>,
+}
+
+impl Facts {
+    /// Which files are the turn, where that is said.
+    pub(super) fn images(&self) -> &[String] {
+        &self.images
+    }
+
+    /// Whether marker tags are told of.
+    pub(super) fn tagged(&self) -> bool {
+        let mat = |fact: &String| fact.starts_with("mat.");
+        self.mat.is_some() || self.mat_tag.is_some() || self.fact.iter().any(mat)
+    }
+
+    /// How far the subject turned between photos. \[°\]
+    pub(super) fn step_deg(&self) -> Option<f64> {
+        let steps = self.steps.filter(|steps| *steps != 0);
+        self.step.or(steps.map(|steps| 360.0 / steps as f64))
+    }
+
+    /// The changes of the pipeline.
+    pub(super) fn said(&self) -> Result<Vec<Said>, Fault> {
+        let mut all = All(Vec::new());
+        if let Some(file) = &self.mat {
+            for (key, value) in mat_file(file)? {
+                all.put("--mat", &file.display(), &key, value);
+            }
+        }
+        for (flag, said, key, unit) in [
+            ("--stature", &self.stature, "subject.height_cm", "cm"),
+            (
+                "--disk-diameter",
+                &self.disk_diameter,
+                "disk.diameter_cm",
+                "cm",
+            ),
+            ("--mat-tag", &self.mat_tag, "mat.tag_size_mm", "mm"),
+            ("--mat-ring", &self.mat_ring, "mat.ring_radius_mm", "mm"),
+            ("--rim-tag", &self.rim_tag, "rim.tag_size_mm", "mm"),
+            ("--rim-radius", &self.rim_radius, "rim.radius_mm", "mm"),
+        ] {
+            let Some(text) = said else { continue };
+            let mm = length_mm(text, unit).map_err(|why| Fault::input(format!("{flag}: {why}")))?;
+            let per = if unit == "cm" { 10.0 } else { 1.0 };
+            all.put(flag, text, key, (mm / per).into());
+        }
+        if let Some(text) = &self.weight {
+            let kg = weight_kg(text).map_err(|why| Fault::input(format!("--weight: {why}")))?;
+            all.put("--weight", text, "subject.weight_kg", kg.into());
+        }
+        for (flag, said, key) in [
+            ("--focal", self.focal, "camera.focal_35mm"),
+            ("--focal-px", self.focal_px, "camera.focal_px"),
+            ("--step", self.step, "step_deg"),
+        ] {
+            if let Some(number) = said {
+                all.put(flag, &number, key, number.into());
+            }
+        }
+        if let Some(steps) = self.steps {
+            let degrees = self.step_deg();
+            let none = || {
+                Fault::input("--steps 0: say into how many even steps the full turn was divided")
+            };
+            all.put(
+                "--steps",
+                &steps,
+                "step_deg",
+                degrees.ok_or_else(none)?.into(),
+            );
+        }
+        if let Some(views) = self.views {
+            all.put("--views", &views, "views", views.into());
+        }
+        for (flag, said, key) in [
+            ("--plate", &self.plate, "plate"),
+            ("--name", &self.name, "name"),
+        ] {
+            if let Some(text) = said {
+                all.put(flag, text, key, text.clone().into());
+            }
+        }
+        if !self.images.is_empty() {
+            let list = self.images.iter().cloned().map(toml::Value::from);
+            let list = toml::Value::Array(list.collect());
+            all.put("--images", &self.images.join(" "), "images", list);
+        }
+        self.compound(&mut all)?;
+        Ok(all.0)
+    }
+
+    /// Flags of several numbers, and free ones.
+    fn compound(&self, all: &mut All) -> Result<(), Fault> {
+        for (flag, said, key) in [
+            ("--mat-ids", &self.mat_ids, "mat"),
+            ("--rim-ids", &self.rim_ids, "rim"),
+        ] {
+            let Some(text) = said else { continue };
+            let ends = text.split_once('-');
+            let ends =
+                ends.and_then(|(a, b)| Some((a.trim().parse().ok()?, b.trim().parse().ok()?)));
+            let wrong = || Fault::input(format!("{flag} {text}: say FIRST-LAST, such as 0-11"));
+            let (first, last): (u32, u32) = ends.filter(|(a, b)| a <= b).ok_or_else(wrong)?;
+            let ids = vec![i64::from(first).into(), i64::from(last).into()];
+            all.put(flag, text, &format!("{key}.ids"), toml::Value::Array(ids));
+            let count = i64::from(last - first + 1);
+            all.put(flag, text, &format!("{key}.count"), count.into());
+        }
+        if let Some(text) = &self.centre_px {
+            let parts = text.split(',').map(|part| part.trim().parse::<f64>());
+            let parts: Result<Vec<f64>, _> = parts.collect();
+            let wrong = || Fault::input(format!("--centre-px {text}: say X,Y, such as 804.8,1191"));
+            let pixel = parts.ok().filter(|p| p.len() == 2).ok_or_else(wrong)?;
+            let pixel = pixel.into_iter().map(toml::Value::from).collect();
+            all.put(
+                "--centre-px",
+                text,
+                "camera.centre_px",
+                toml::Value::Array(pixel),
+            );
+        }
+        if let Some(text) = &self.reference {
+            let like = "say KIND=LENGTH, such as subject_height=165cm";
+            let wrong = |why: &str| Fault::input(format!("--reference {text}: {why}"));
+            let (kind, length) = text.split_once('=').ok_or_else(|| wrong(like))?;
+            let mm = length_mm(length, "mm").map_err(|why| wrong(&why))?;
+            all.put("--reference", text, "reference.kind", kind.trim().into());
+            all.put("--reference", text, "reference.length_mm", mm.into());
+        }
+        for text in &self.fact {
+            let wrong = || {
+                Fault::input(format!(
+                    "--fact {text}: say KEY=VALUE, such as subject.height_cm=178"
+                ))
+            };
+            let (key, value) = text.split_once('=').ok_or_else(wrong)?;
+            let set = format!("{PLACE}.{}={}", key.trim(), value.trim());
+            all.0.push(Said {
+                flag: format!("--fact {text}"),
+                set,
+            });
+        }
+        Ok(())
+    }
+}
+
+#[cfg(test)]
+#[path = "facts_tests.rs"]
+mod tests;

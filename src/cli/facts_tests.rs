@@ -1,0 +1,98 @@
+//! Every key of capture.toml has its flag, in its unit.
+
+use super::*;
+use clap::Parser;
+use stage::Value;
+use std::collections::BTreeMap;
+
+#[derive(Parser)]
+struct Line {
+    #[command(flatten)]
+    facts: Facts,
+}
+
+fn said(flags: &str) -> Vec<Said> {
+    let words = std::iter::once("x").chain(flags.split_whitespace());
+    let line = Line::try_parse_from(words).unwrap_or_else(|e| panic!("{e}"));
+    line.facts
+        .said()
+        .unwrap_or_else(|fault| panic!("{}", fault.text()))
+}
+
+/// The keys that capture.toml knows in a table, as its reader tells them of one that it does not know.
+fn known(table: &str) -> Vec<String> {
+    let mat = "mat = { tag_size_mm = 60, count = 12, ring_radius_mm = 187 }\n";
+    let text = match table {
+        "" => "nobody = 1".to_owned(),
+        "rim" => format!(
+            "{mat}rim = {{ tag_size_mm = 24, ids = [12, 20], radius_mm = 200, nobody = 1 }}"
+        ),
+        "reference" => "reference = { length_mm = 1, nobody = 1 }".into(),
+        "mat" => "mat = { tag_size_mm = 60, nobody = 1 }".into(),
+        table => format!("{table} = {{ nobody = 1 }}"),
+    };
+    let facts = text.parse::<toml::Table>().unwrap();
+    let sets = facts
+        .iter()
+        .map(|(k, v)| (k.clone(), crate::recipe::parse_value(&v.to_string())));
+    let said = BTreeMap::from([("facts".to_owned(), Value::Table(sets.collect()))]);
+    let stage = crate::catalog::find("capture.load").unwrap();
+    let Err(mistakes) = stage.check(&said) else {
+        panic!("{text} passes")
+    };
+    let (_, known) = mistakes[0]
+        .what
+        .split_once("known: ")
+        .expect(&mistakes[0].what);
+    known.split(", ").map(str::to_owned).collect()
+}
+
+#[test]
+fn every_key_of_capture_toml_has_its_flag() {
+    let all = said(
+        "--stature 178 --weight 80 --focal 26 --focal-px 3000 --centre-px 4,5 --step 20 --views 18 --images a.jpg \
+         --plate p.jpg --name me --disk-diameter 70 --mat-tag 60 --mat-ids 0-11 --mat-ring 187 --rim-tag 24 \
+         --rim-ids 12-47 --rim-radius 225 --reference tag_size=60",
+    );
+    let places: Vec<&str> = all
+        .iter()
+        .map(|s| s.set.split('=').next().unwrap())
+        .collect();
+    let tables = ["camera", "subject", "disk", "mat", "rim", "reference"];
+    // What nobody reads needs no flag: names of cameras, what lies on the disk, the one family.
+    let silent = ["make", "model", "top", "family"];
+    for table in [""].iter().chain(&tables) {
+        let keys = known(table);
+        assert!(keys.len() > 1, "{table}: {keys:?}");
+        for key in keys
+            .iter()
+            .filter(|k| !silent.contains(&k.as_str()) && !tables.contains(&k.as_str()))
+        {
+            let place = match *table {
+                "" => format!("photos.facts.{key}"),
+                table => format!("photos.facts.{table}.{key}"),
+            };
+            assert!(places.contains(&place.as_str()), "{place} has no flag");
+        }
+    }
+}
+
+#[test]
+fn flags_become_keys_in_their_units() {
+    let sets = |flags: &str| -> Vec<String> { said(flags).into_iter().map(|s| s.set).collect() };
+    assert_eq!(
+        sets("--stature 5ft10in"),
+        ["photos.facts.subject.height_cm=177.8"]
+    );
+    assert_eq!(sets("--steps 18"), ["photos.facts.step_deg=20.0"]);
+    assert_eq!(sets("--mat-tag 6cm"), ["photos.facts.mat.tag_size_mm=60.0"]);
+    let two = sets("--mat-ids 4-15");
+    assert_eq!(
+        two,
+        ["photos.facts.mat.ids=[4, 15]", "photos.facts.mat.count=12"]
+    );
+    assert_eq!(
+        sets("--fact camera.make=\"x\""),
+        ["photos.facts.camera.make=\"x\""]
+    );
+}

@@ -1,0 +1,193 @@
+//! The folder that somebody hands over, looked at before anything runs: what in it is the turn, and what
+//! cannot be read.
+
+use super::facts::Facts;
+use super::said::Said;
+use crate::catalog::{READ, foreign, is_photo};
+use crate::graph::Graph;
+use crate::pattern::{natural, stays_inside};
+use engine::cli::Fault;
+use std::path::Path;
+
+/// What was seen.
+pub(super) struct Looked {
+    /// Patterns of files that are read, besides those of the pipeline.
+    pub(super) patterns: Vec<String>,
+    /// What follows from the folder, as if it were said.
+    pub(super) more: Vec<Said>,
+    /// What the user should know.
+    pub(super) warnings: Vec<String>,
+    /// Why photos are too few to be measured, if they are.
+    pub(super) few: Option<String>,
+}
+
+/// Fewer photos than this and features cannot be followed from one to the next.
+const FEWEST: usize = 8;
+/// Nor can they over wider steps. \[°\]
+const WIDEST_DEG: f64 = 45.0;
+
+/// Looks at a capture's folder.
+pub(super) fn look(capture: &Path, facts: &Facts, recursive: bool) -> Result<Looked, Fault> {
+    let shown = capture.display();
+    let mut names = Vec::new();
+    list(capture, "", &["images"], recursive, &mut names).map_err(|e| {
+        Fault::input(format!(
+            "{shown}: {e}; give a folder that is there and readable"
+        ))
+    })?;
+    let text = std::fs::read_to_string(capture.join("capture.toml")).unwrap_or_default();
+    // What is wrong with it, the stage that reads it tells.
+    let file: toml::Table = text.parse().unwrap_or_default();
+    let mut looked = Looked {
+        patterns: wanted(facts.images(), &file),
+        more: vec![],
+        warnings: vec![],
+        few: None,
+    };
+    if let Some(out) = looked.patterns.iter().find(|p| !stays_inside(p)) {
+        return Err(Fault::input(format!(
+            "`images` says {out}, which leads out of {shown}: photos lie in the folder itself or in folders below"
+        )));
+    }
+    let strange = foreign(&names);
+    let photos: Vec<&String> = names.iter().filter(|n| is_photo(n)).collect();
+    if photos.is_empty() && !strange.is_empty() {
+        let each = strange
+            .iter()
+            .map(|f| format!("  {}: (cd {shown} && {})", f.words(), f.way));
+        return Err(Fault::input(format!(
+            "{shown} holds no photo that can be read ({}). Convert what is there:\n{}",
+            READ.join(", "),
+            each.collect::<Vec<_>>().join("\n")
+        )));
+    }
+    let beside = strange.iter().map(|f| {
+        format!(
+            "{}: not read; if they belong to the turn: (cd {shown} && {})",
+            f.words(),
+            f.way
+        )
+    });
+    looked.warnings.extend(beside);
+    if recursive && looked.patterns.is_empty() {
+        looked.patterns = below(&photos);
+        let list = looked.patterns.iter().cloned().map(toml::Value::from);
+        let list = toml::Value::Array(list.collect());
+        looked.more.push(Said {
+            flag: "--recursive".into(),
+            set: format!("photos.facts.images={list}"),
+        });
+    }
+    let told = |table: &str| file.contains_key(table);
+    let step = file
+        .get("step_deg")
+        .and_then(|s| s.as_float().or(s.as_integer().map(|i| i as f64)));
+    let near = facts
+        .step_deg()
+        .or(step)
+        .is_some_and(|s| s.abs() <= WIDEST_DEG);
+    let few = (3..FEWEST).contains(&photos.len());
+    if few && looked.patterns.is_empty() && !facts.tagged() && !told("mat") && !near {
+        looked.few = Some(format!(
+            "{shown} holds {} photos: without a marker mat features are followed from photo to photo, which needs a full turn at steps of 30° or less; \
+             take 18 to 36 photos, or lay a mat on the disk (`tailor mat`; then say --mat), or say the step between them, such as --step 20",
+            photos.len()
+        ));
+    }
+    Ok(looked)
+}
+
+/// Lets the graph read files of these patterns, too.
+pub(super) fn widen(graph: &mut Graph, patterns: &[String]) {
+    let input = graph.inputs.iter_mut().find(|i| i.name == "photos");
+    let files = &mut input.expect("bug: a pipeline without photos").files;
+    for pattern in patterns {
+        if !files.contains(pattern) {
+            files.push(pattern.clone());
+        }
+    }
+}
+
+/// What `images` says: the flag, else the file.
+fn wanted(said: &[String], file: &toml::Table) -> Vec<String> {
+    if !said.is_empty() {
+        return said.to_vec();
+    }
+    match file.get("images") {
+        Some(toml::Value::String(one)) => vec![one.clone()],
+        Some(toml::Value::Array(list)) => {
+            let texts = list.iter().filter_map(toml::Value::as_str);
+            texts.map(str::to_owned).collect()
+        }
+        _ => vec![],
+    }
+}
+
+/// A pattern for each folder that holds photos, in natural order of their paths.
+fn below(photos: &[&String]) -> Vec<String> {
+    let folder = |name: &&String| name.rsplit_once('/').map_or("", |(f, _)| f).to_owned();
+    let mut folders: Vec<String> = photos.iter().map(|n| folder(n)).collect();
+    folders.sort_by_key(|f| natural(f));
+    folders.dedup();
+    let endings = READ.join(",");
+    let pattern = |folder: &String| match folder.is_empty() {
+        true => format!("*.{{{endings}}}"),
+        false => format!("{folder}/*.{{{endings}}}"),
+    };
+    folders.iter().map(pattern).collect()
+}
+
+/// Names of files in a folder and in some of those below it; hidden ones, masks and results are passed over.
+fn list(
+    root: &Path,
+    inner: &str,
+    into: &[&str],
+    recursive: bool,
+    names: &mut Vec<String>,
+) -> std::io::Result<()> {
+    for entry in std::fs::read_dir(root.join(inner))? {
+        let entry = entry?;
+        let Ok(base) = entry.file_name().into_string() else {
+            continue;
+        };
+        let name = match inner.is_empty() {
+            true => base.clone(),
+            false => format!("{inner}/{base}"),
+        };
+        let is_folder = std::fs::metadata(entry.path()).is_ok_and(|m| m.is_dir());
+        let skipped = base.starts_with('.') || base == "masks";
+        match is_folder {
+            false => names.push(name),
+            true if skipped || entry.path().join("run.json").exists() => {}
+            true if recursive || into.contains(&base.as_str()) => {
+                list(root, &name, &[], recursive, names)?;
+            }
+            true => {}
+        }
+    }
+    names.sort_by_key(|n| natural(n));
+    Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn photos_in_folders_below_are_taken_in_the_order_of_their_paths() {
+        let names = [
+            "b/1.jpg",
+            "a.jpg",
+            "DCIM/101/2.jpg",
+            "DCIM/100/9.jpg",
+            "b/2.png",
+        ];
+        let names = names.map(str::to_owned);
+        let patterns = below(&names.iter().collect::<Vec<_>>());
+        let folders: Vec<&str> = patterns
+            .iter()
+            .map(|p| p.split("*.").next().unwrap())
+            .collect();
+        assert_eq!(folders, ["", "b/", "DCIM/100/", "DCIM/101/"]);
+    }
+}

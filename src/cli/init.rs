@@ -1,0 +1,260 @@
+//! `tailor init`: a commented `capture.toml` from what the photos say.
+
+use super::doctor::{Look, look};
+use super::facts::Facts;
+use crate::catalog::ringed;
+use clap::Args;
+use engine::cli::{Fault, GlobalArgs};
+use shape::Rig;
+use std::fmt::Write as _;
+use std::io::Write as _;
+use std::path::PathBuf;
+
+/// Arguments of `tailor init`.
+#[derive(Args)]
+pub(crate) struct Init {
+    /// The folder with the photos of one turn
+    folder: PathBuf,
+    #[command(flatten)]
+    facts: Facts,
+}
+
+/// Does it; a file that is there is left as it is.
+pub(crate) fn init(args: &Init, global: &GlobalArgs) -> Result<(), Fault> {
+    let file = args.folder.join("capture.toml");
+    let shown = file.display();
+    if file.exists() {
+        return Err(Fault::input(format!(
+            "{shown} is there already and was left as it is"
+        )));
+    }
+    let seen = look(&args.folder, &args.facts, false, global)?;
+    let whole = args
+        .folder
+        .canonicalize()
+        .unwrap_or_else(|_| args.folder.clone());
+    let name = whole
+        .file_name()
+        .unwrap_or("turn".as_ref())
+        .to_string_lossy();
+    let text = draft(&name, &seen, args.facts.images());
+    let cannot = |e: std::io::Error| Fault::input(format!("cannot write {shown}: {e}"));
+    // Never over one that came meanwhile.
+    let mut new = std::fs::File::create_new(&file).map_err(cannot)?;
+    new.write_all(text.as_bytes()).map_err(cannot)?;
+    if global.json {
+        engine::outln!(
+            "{}",
+            serde_json::json!({ "file": shown.to_string(), "bytes": text.len() })
+        );
+    } else if !global.quiet {
+        engine::out!("{text}");
+        engine::outln!(
+            "\nwritten to {shown}; say what you know of it, then: tailor measure {}",
+            args.folder.display()
+        );
+    }
+    Ok(())
+}
+
+/// A key: said where its value is known, else a comment with what it may look like.
+fn line(to: &mut String, key: &str, known: Option<String>, like: &str, note: &str) {
+    let said = match known {
+        Some(value) => format!("{key} = {value}"),
+        None => format!("# {key} = {like}"),
+    };
+    let _ = writeln!(to, "{said:<32} # {note}");
+}
+
+/// The file's text.
+fn draft(name: &str, seen: &Look, images: &[String]) -> String {
+    let (photos, rig) = (&seen.photos, &seen.photos.rig);
+    let (count, first) = (photos.photos.len(), &photos.photos[0]);
+    let number = |x: f64| format!("{x:?}");
+    let quoted = |text: &str| toml::Value::from(text).to_string();
+    let mut to = String::from(
+        "# What is known of this capture. A line that begins with # says nothing: take the # away where you know.\n\
+         # Every key has a flag of `tailor measure`, which wins. `tailor doctor` says what would help.\n",
+    );
+    line(
+        &mut to,
+        "name",
+        Some(quoted(rig.name.as_deref().unwrap_or(name))),
+        "",
+        "what the report calls it",
+    );
+    line(
+        &mut to,
+        "views",
+        Some(count.to_string()),
+        "",
+        "so many photos are there; one that gets lost is then told",
+    );
+    if !images.is_empty() {
+        let list = toml::Value::Array(images.iter().cloned().map(toml::Value::from).collect());
+        line(
+            &mut to,
+            "images",
+            Some(list.to_string()),
+            "",
+            "which photos are the turn",
+        );
+    }
+    let step = rig.step.map(|step| number(step.to_degrees()));
+    let even = number((3600.0 / count as f64).round() / 10.0);
+    line(
+        &mut to,
+        "step_deg",
+        step,
+        &even,
+        "if steps were even: 360° by the number of photos of a full turn",
+    );
+    let plate = seen.told["plate"].as_str().map(quoted);
+    line(
+        &mut to,
+        "plate",
+        plate,
+        "\"plate.jpg\"",
+        "the same scene without the subject",
+    );
+    let _ = writeln!(to, "\n[camera]");
+    let (note, focal) = match (first.focal_35mm, first.device.as_str()) {
+        (Some(mm), device) => (
+            format!("EXIF says {mm:.0} mm, {device}: needed only if that is wrong"),
+            mm,
+        ),
+        (None, _) => (
+            "the photos do not tell: as if on 36 mm wide film".into(),
+            26.0,
+        ),
+    };
+    let own = rig
+        .focal_35mm
+        .filter(|mm| Some(*mm) != first.focal_35mm)
+        .map(number);
+    line(&mut to, "focal_35mm", own, &number(focal), &note);
+    if let Some(px) = rig.focal_px {
+        line(
+            &mut to,
+            "focal_px",
+            Some(number(px)),
+            "",
+            "of a calibration",
+        );
+    }
+    if let Some([x, y]) = rig.centre_px {
+        line(
+            &mut to,
+            "centre_px",
+            Some(format!("[{x:?}, {y:?}]")),
+            "",
+            "of a calibration",
+        );
+    }
+    let _ = writeln!(to, "\n[subject]");
+    let cm = |mm: f64| number(mm / 10.0);
+    line(
+        &mut to,
+        "height_cm",
+        rig.stature_mm.map(cm),
+        "178.0",
+        "tells lengths where no mat, reference or disk does",
+    );
+    line(
+        &mut to,
+        "weight_kg",
+        rig.weight_kg.map(number),
+        "80.0",
+        "for the body mass index",
+    );
+    let _ = writeln!(to, "\n[disk]");
+    line(
+        &mut to,
+        "diameter_cm",
+        rig.disk_diameter_mm.map(cm),
+        "70.0",
+        "of the disk that turned",
+    );
+    mat(&mut to, seen, rig);
+    to
+}
+
+/// What is known of a mat, and what photos show of one.
+fn mat(to: &mut String, seen: &Look, rig: &Rig) {
+    let ids = || seen.tags.views.values().flatten().map(|t| t.id);
+    let tags = ids().min().zip(ids().max());
+    let ring = ringed(&seen.tags);
+    to.push('\n');
+    match (tags, ring) {
+        (Some((first, last)), Some(ring)) => {
+            let _ = writeln!(
+                to,
+                "# The photos show marker tags {first} to {last}, {} on a ring of {:.2} times their size, as `tailor mat` lays them out.",
+                ring.count, ring.ring
+            );
+        }
+        (Some((first, last)), None) => {
+            let _ = writeln!(
+                to,
+                "# The photos show marker tags {first} to {last} (family 36h11)."
+            );
+        }
+        (None, _) => {
+            to.push_str("# Of a marker mat on the disk (`tailor mat` prints one; none was seen):\n")
+        }
+    }
+    let known = rig.mat.map(|m| m.tag_mm).or(rig.tag_mm);
+    to.push_str(if known.is_some() {
+        "[mat]\n"
+    } else {
+        "# [mat]\n"
+    });
+    let note = "edge of a tag's black square, measured on the print; alone it is enough for a mat of `tailor mat`";
+    line(
+        to,
+        "tag_size_mm",
+        known.map(|mm| format!("{mm:?}")),
+        "60.0",
+        note,
+    );
+    if let Some(mat) = rig.mat {
+        let last = mat.first_id + mat.count - 1;
+        line(
+            to,
+            "ids",
+            Some(format!("[{}, {last}]", mat.first_id)),
+            "",
+            "first and last number",
+        );
+        line(
+            to,
+            "count",
+            Some(mat.count.to_string()),
+            "",
+            "how many tags",
+        );
+        line(
+            to,
+            "ring_radius_mm",
+            Some(format!("{:?}", mat.ring_mm)),
+            "",
+            "of the circle through their centres",
+        );
+    }
+    if let Some(rim) = rig.rim {
+        let last = rim.first_id + rim.count - 1;
+        let _ = writeln!(
+            to,
+            "\n[rim]\ntag_size_mm = {:?}\nids = [{}, {last}]\nradius_mm = {:?}",
+            rim.tag_mm, rim.first_id, rim.radius_mm
+        );
+    }
+    if let Some(known) = &rig.reference {
+        let kind = toml::Value::from(known.kind.as_str());
+        let _ = writeln!(
+            to,
+            "\n[reference]\nkind = {kind}\nlength_mm = {:?}",
+            known.length_mm
+        );
+    }
+}

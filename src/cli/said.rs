@@ -1,0 +1,49 @@
+//! Flags as changes of a pipeline.
+
+use crate::graph::Graph;
+use crate::catalog::CATALOG;
+use crate::recipe::{Overrides, Pipeline};
+use engine::cli::Fault;
+
+/// The node that reads the photos, and its param that takes facts.
+pub(super) const PLACE: &str = "photos.facts";
+
+/// A flag as it was said, and the change of the pipeline that it is.
+#[derive(Clone)]
+pub(super) struct Said {
+    pub(super) flag: String,
+    pub(super) set: String,
+}
+
+/// All that was said.
+pub(super) struct All(pub(super) Vec<Said>);
+
+impl All {
+    /// A flag with what was said, and the key of capture.toml that it is.
+    pub(super) fn put(&mut self, flag: &str, said: &impl ToString, key: &str, value: toml::Value) {
+        self.0.push(Said {
+            flag: format!("{flag} {}", said.to_string()),
+            set: format!("{PLACE}.{key}={value}"),
+        });
+    }
+}
+
+/// A built-in pipeline with what is said of the capture, and over it what the user sets himself; a flag is told
+/// as it was said.
+pub(super) fn opened(
+    name: &str,
+    variant: Option<String>,
+    said: &[Said],
+    sets: &[String],
+) -> Result<Graph, Fault> {
+    let facts = said.iter().map(|s| s.set.clone());
+    let overrides = Overrides {
+        variant,
+        sets: facts.chain(sets.iter().cloned()).collect(),
+    };
+    let graph = Pipeline::built_in(name, &CATALOG).and_then(|p| p.graph(&overrides));
+    graph.map_err(|mistakes| {
+        let as_said = |text: String, s: &Said| text.replace(&format!("--set {}", s.set), &s.flag);
+        Fault::input(said.iter().fold(mistakes.to_string(), as_said))
+    })
+}

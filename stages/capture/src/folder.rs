@@ -1,0 +1,134 @@
+//! What lies in the user's folder besides photos that can be read, and the command that makes photos of it.
+
+/// Endings of photos that are read.
+pub const READ: [&str; 5] = ["jpg", "jpeg", "png", "tif", "tiff"];
+
+/// A kind of file that cannot be read as it is.
+struct Kind {
+    name: &'static str,
+    endings: &'static [&'static str],
+    way: fn(&str, &str) -> String,
+}
+
+const KINDS: [Kind; 4] = [
+    Kind {
+        name: "HEIC photos",
+        endings: &["heic", "heif", "hif", "avif"],
+        way: |_, ending| {
+            format!("for f in *.{ending}; do heif-convert -q 95 \"$f\" \"${{f%.*}}.jpg\"; done")
+        },
+    },
+    Kind {
+        name: "videos",
+        endings: &["mov", "mp4", "m4v", "avi", "mkv", "webm", "3gp", "mts"],
+        way: |first, _| {
+            format!("mkdir -p images && ffmpeg -i \"{first}\" -vf fps=2 -q:v 2 images/%04d.jpg")
+        },
+    },
+    Kind {
+        name: "raw photos",
+        endings: &[
+            "dng", "cr2", "cr3", "nef", "arw", "raf", "orf", "rw2", "pef", "srw",
+        ],
+        way: |_, ending| format!("dcraw_emu -w -T *.{ending}"),
+    },
+    Kind {
+        name: "pictures of other formats",
+        endings: &["webp", "bmp", "gif", "jp2", "jxl", "ppm", "tga"],
+        way: |_, ending| format!("mogrify -format jpg -quality 95 *.{ending}"),
+    },
+];
+
+/// Files of one kind that cannot be read as they are.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Foreign {
+    /// What they are.
+    pub kind: &'static str,
+    /// Their names.
+    pub names: Vec<String>,
+    /// The command of a shell, run in their folder, that makes photos of them.
+    pub way: String,
+}
+
+impl Foreign {
+    /// `3 HEIC photos (a.heic, b.heic, …)`.
+    pub fn words(&self) -> String {
+        let some: Vec<&str> = self.names.iter().take(2).map(String::as_str).collect();
+        let more = if self.names.len() > some.len() {
+            ", …"
+        } else {
+            ""
+        };
+        format!(
+            "{} {} ({}{more})",
+            self.names.len(),
+            self.kind,
+            some.join(", ")
+        )
+    }
+}
+
+fn ending(name: &str) -> Option<&str> {
+    let base = name.rsplit('/').next().unwrap_or(name);
+    base.rsplit_once('.').map(|(_, ending)| ending)
+}
+
+/// Whether a file is a photo that is read, by its name. Hidden files are none: macOS writes `._0001.jpg`
+/// beside photos.
+pub fn is_photo(name: &str) -> bool {
+    let base = name.rsplit('/').next().unwrap_or(name);
+    let fits = |ending: &str| READ.iter().any(|e| ending.eq_ignore_ascii_case(e));
+    !base.starts_with('.') && ending(name).is_some_and(fits)
+}
+
+/// The files that cannot be read as they are, by kind; none of them hidden.
+pub fn foreign(names: &[String]) -> Vec<Foreign> {
+    let shown = |name: &&String| !name.rsplit('/').next().unwrap_or(name).starts_with('.');
+    let of = |kind: &Kind| {
+        let fits = |name: &&String| {
+            let is = |ending: &str| kind.endings.iter().any(|e| ending.eq_ignore_ascii_case(e));
+            ending(name).is_some_and(is)
+        };
+        let names: Vec<String> = names.iter().filter(shown).filter(fits).cloned().collect();
+        let first = names.first()?.clone();
+        let base = first.rsplit('/').next().unwrap_or(&first);
+        let way = (kind.way)(base, ending(base).unwrap_or_default());
+        let kind = kind.name;
+        Some(Foreign { kind, names, way })
+    };
+    KINDS.iter().filter_map(of).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_cannot_be_read_is_named_with_the_command_that_converts_it() {
+        let names = [
+            "a.jpg",
+            "IMG_1.HEIC",
+            "IMG_2.HEIC",
+            "IMG_3.HEIC",
+            "walk.MOV",
+            "._x.HEIC",
+            "b.DNG",
+            "Thumbs.db",
+            "notes.txt",
+        ];
+        let names = names.map(str::to_owned);
+        let found = foreign(&names);
+        let words: Vec<String> = found.iter().map(Foreign::words).collect();
+        let told = [
+            "3 HEIC photos (IMG_1.HEIC, IMG_2.HEIC, …)",
+            "1 videos (walk.MOV)",
+            "1 raw photos (b.DNG)",
+        ];
+        assert_eq!(words, told);
+        assert!(found[0].way.contains("*.HEIC") && found[0].way.contains("heif-convert"));
+        assert!(found[1].way.contains("ffmpeg -i \"walk.MOV\""));
+        assert_eq!(found[2].way, "dcraw_emu -w -T *.DNG");
+        let photos: Vec<&String> = names.iter().filter(|n| is_photo(n)).collect();
+        assert_eq!(photos, ["a.jpg"]);
+    }
+}

@@ -1,0 +1,201 @@
+//! What small pictures of a turn tell at once: what stands still, what turns, whether photos follow each other.
+
+use shape::{Gray, Rgb};
+
+/// Small pictures are about so many pixels across. \[px\]
+const ACROSS: usize = 96;
+/// A pixel that changes by less than this over the photos stands still. \[levels\]
+const STILL: f32 = 9.0;
+/// A row or column at the border is reached where so much of it does not stand still.
+const REACHED: f64 = 0.04;
+
+/// One photo at a glance.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Glance {
+    /// Brightness in few pixels, 0..=255.
+    pub small: Gray,
+    /// Mean brightness, 0..=255.
+    pub light: f64,
+    /// Share of pixels that are as white as white can be in some colour.
+    pub burnt: f64,
+    /// Share of pixels that are as black as black can be in all colours.
+    pub black: f64,
+}
+
+/// Looks at a photo.
+pub fn glance(photo: &Rgb) -> Glance {
+    let block = (photo.width.max(photo.height) / ACROSS).max(1);
+    let (w, h) = (photo.width / block, photo.height / block);
+    let mut small = Gray::filled(w, h, 0.0);
+    for y in 0..h {
+        for x in 0..w {
+            let mut sum = 0u32;
+            for j in y * block..(y + 1) * block {
+                for i in x * block..(x + 1) * block {
+                    sum += photo.at(i, j).iter().map(|c| u32::from(*c)).sum::<u32>();
+                }
+            }
+            *small.at_mut(x, y) = sum as f32 / (3 * block * block) as f32;
+        }
+    }
+    let share = |of: fn(&[u8; 3]) -> bool| {
+        let count = photo.data.iter().filter(|p| of(p)).count();
+        count as f64 / photo.data.len().max(1) as f64
+    };
+    Glance {
+        light: small.data.iter().map(|v| f64::from(*v)).sum::<f64>() / (w * h).max(1) as f64,
+        burnt: share(|p| p.iter().any(|c| *c >= 254)),
+        black: share(|p| p.iter().all(|c| *c <= 2)),
+        small,
+    }
+}
+
+/// What the photos of a turn tell together.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Together {
+    /// Share of the picture that stands still.
+    pub still: f64,
+    /// Exposure of each photo against the middle one, by what stands still; by all where next to nothing does. \[EV\]
+    pub exposure_ev: Vec<f64>,
+    /// How much each photo differs from the next, the last from the first, where something moves. \[levels\]
+    pub steps: Vec<f64>,
+    /// Photos that are most like one that is not near them in order.
+    pub strangers: Vec<usize>,
+    /// Sides of the picture that what moves reaches: top, bottom, left, right.
+    pub reached: [bool; 4],
+}
+
+fn median(mut all: Vec<f64>) -> f64 {
+    all.sort_by(f64::total_cmp);
+    all.get(all.len() / 2).copied().unwrap_or(0.0)
+}
+
+/// Photos of one size, in order; at least two.
+pub fn together(all: &[Glance]) -> Together {
+    let pixels = all[0].small.data.len();
+    let usual = median(all.iter().map(|g| g.light).collect());
+    // Exposure by the middle of all ratios: half of a picture may move.
+    let middle: Vec<f64> = (0..pixels)
+        .map(|i| median(all.iter().map(|g| f64::from(g.small.data[i])).collect()))
+        .collect();
+    let gain = |g: &Glance| {
+        let ratio = |(v, m): (&f32, &f64)| (*m > 12.0 && *m < 243.0).then(|| f64::from(*v) / m);
+        let ratios: Vec<f64> = g.small.data.iter().zip(&middle).filter_map(ratio).collect();
+        match ratios.is_empty() {
+            true => g.light / usual.max(1.0),
+            false => median(ratios).max(0.05),
+        }
+    };
+    let gains: Vec<f64> = all.iter().map(gain).collect();
+    let even: Vec<Vec<f32>> = all
+        .iter()
+        .zip(&gains)
+        .map(|(g, gain)| g.small.data.iter().map(|v| v / *gain as f32).collect())
+        .collect();
+    let stands = |i: usize| {
+        let mut seen: Vec<f32> = even.iter().map(|g| g[i]).collect();
+        seen.sort_by(f32::total_cmp);
+        // Each end may have one photo with something in the way.
+        let cut = usize::from(seen.len() > 6);
+        seen[seen.len() - 1 - cut] - seen[cut] < STILL
+    };
+    let still: Vec<bool> = (0..pixels).map(stands).collect();
+    let apart = |a: &[f32], b: &[f32]| {
+        let moving = (0..pixels).filter(|i| !still[*i]);
+        let (sum, count) = moving.fold((0.0, 0usize), |(sum, count), i| {
+            (sum + f64::from((a[i] - b[i]).abs()), count + 1)
+        });
+        sum / count.max(1) as f64
+    };
+    let n = all.len();
+    let steps = (0..n)
+        .map(|i| apart(&even[i], &even[(i + 1) % n]))
+        .collect();
+    let stranger = |i: &usize| {
+        let others = (0..n).filter(|j| j != i);
+        let nearest = others
+            .min_by(|a, b| apart(&even[*i], &even[*a]).total_cmp(&apart(&even[*i], &even[*b])));
+        nearest.is_some_and(|j| i.abs_diff(j).min(n - i.abs_diff(j)) > 2)
+    };
+    Together {
+        still: still.iter().filter(|s| **s).count() as f64 / pixels.max(1) as f64,
+        exposure_ev: gains.iter().map(|g| g.log2()).collect(),
+        steps,
+        strangers: (0..n).filter(stranger).collect(),
+        reached: reached(&still, all[0].small.width),
+    }
+}
+
+/// Which sides of the picture are reached by what moves.
+fn reached(still: &[bool], width: usize) -> [bool; 4] {
+    let height = still.len() / width.max(1);
+    let moves = |places: Vec<usize>| {
+        let moving = places.iter().filter(|i| !still[**i]).count();
+        moving as f64 > REACHED * places.len() as f64
+    };
+    let row = |y: usize| (0..width).map(|x| y * width + x).collect::<Vec<_>>();
+    let column = |x: usize| (0..height).map(|y| y * width + x).collect::<Vec<_>>();
+    [
+        moves(row(0)),
+        moves(row(height - 1)),
+        moves(column(0)),
+        moves(column(width - 1)),
+    ]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A striped cylinder that turns before a graded wall, brightness times a gain.
+    fn turned(angle: f64, gain: f64, shift: usize) -> Glance {
+        let (w, h) = (96usize, 96usize);
+        let data = (0..w * h).map(|i| {
+            let (x, y) = (i % w + shift, i / w);
+            let across = (x as f64 - 48.0) / 20.0;
+            let v = match across.abs() < 1.0 && y > 12 {
+                true => {
+                    let a = across.asin() + angle;
+                    120.0 + 60.0 * (a.sin() * 2.0 + (3.0 * a).cos()).tanh()
+                }
+                false => 60.0 + (x * 7 % 90) as f64,
+            };
+            [(v * gain).clamp(0.0, 255.0) as u8; 3]
+        });
+        glance(&Rgb {
+            width: w,
+            height: h,
+            data: data.collect(),
+        })
+    }
+
+    fn turn(shift: usize) -> Vec<Glance> {
+        let angle = |i: usize| std::f64::consts::TAU * i as f64 / 18.0;
+        (0..18).map(|i| turned(angle(i), 1.0, i * shift)).collect()
+    }
+
+    #[test]
+    fn a_turn_before_a_wall_stands_still_but_for_what_turns() {
+        let told = together(&turn(0));
+        assert!((0.5..0.75).contains(&told.still), "{}", told.still);
+        assert_eq!(told.reached, [false, true, false, false]);
+        assert_eq!(told.strangers, Vec::<usize>::new());
+        assert!(told.exposure_ev.iter().all(|ev| ev.abs() < 0.02));
+        let walk = together(&turn(3));
+        assert!(walk.still < 0.1, "{}", walk.still);
+    }
+
+    #[test]
+    fn exposure_and_a_photo_out_of_its_place_are_seen() {
+        let mut all = turn(0);
+        all[4] = turned(std::f64::consts::TAU * 4.0 / 18.0, 0.8, 0);
+        all.swap(9, 15);
+        let told = together(&all);
+        proof::near(told.exposure_ev[4], 0.8f64.log2(), 0.05);
+        assert!(
+            told.strangers.contains(&9) && told.strangers.contains(&15),
+            "{told:?}"
+        );
+        assert!(told.strangers.len() < 7, "{:?}", told.strangers);
+    }
+}

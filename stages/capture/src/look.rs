@@ -1,0 +1,112 @@
+//! The stage that looks at a capture before minutes are spent on it.
+
+use crate::glance::{Glance, glance, together};
+use crate::odd::findings;
+use crate::sharpness::sharpness;
+use crate::verdict::{Seen, camera_stood, can, lengths};
+use rayon::prelude::*;
+use serde_json::{Map, Value, json};
+use shape::{Document, Photo, Photos, Tags};
+use stage::{Ctx, Stage, Stop};
+use std::sync::Arc;
+
+stage::params! {
+    /// Nothing is to be tuned.
+    pub struct LookParams {}
+}
+
+stage::inputs! {
+    /// What was handed over.
+    pub struct LookInput {
+        /// The photos.
+        photos: Arc<Photos>,
+        /// Tags of some of them.
+        tags: Option<Arc<Tags>>,
+    }
+}
+
+/// Photos in which nothing can be compared.
+#[derive(Debug, thiserror::Error)]
+#[error("there are {0} photos: a turn has at least three")]
+pub(crate) struct TooFew(usize);
+
+/// `capture.look`: photos, tags → document (JSON).
+pub struct Look;
+
+impl Stage for Look {
+    const NAME: &'static str = "capture.look";
+    const VERSION: u32 = 1;
+    const ABOUT: &'static str = "Looks at photos at a glance: order, gaps, blur, exposure, tags, frame, and what can be measured with them.";
+    type Params = LookParams;
+    type Input = LookInput;
+    type Output = Document;
+    const METRICS: &'static [&'static str] = &["stands still", "findings"];
+
+    fn run(_: &LookParams, input: LookInput, ctx: &Ctx<'_>) -> Result<Document, Stop> {
+        let photos = &*input.photos;
+        if photos.photos.len() < 3 {
+            return Err(TooFew(photos.photos.len()).into());
+        }
+        let steps = ctx.steps("photos", photos.photos.len());
+        let one = |photo: &Photo| -> Result<(Glance, f64), Stop> {
+            let pixels = photo.decode()?;
+            let seen = (glance(&pixels), sharpness(&pixels));
+            steps.tick()?;
+            Ok(seen)
+        };
+        let seen: Vec<(Glance, f64)> = photos
+            .photos
+            .par_iter()
+            .map(one)
+            .collect::<Result<_, _>>()?;
+        let (glances, sharp): (Vec<Glance>, Vec<f64>) = seen.into_iter().unzip();
+        let together = together(&glances);
+        let mut sorted = sharp.clone();
+        sorted.sort_by(f64::total_cmp);
+        let middle = sorted[sorted.len() / 2].max(1e-12);
+        let sharpness: Vec<f64> = sharp.iter().map(|s| s / middle).collect();
+        let tags = input.tags.as_ref();
+        let seen = Seen {
+            photos,
+            glances: &glances,
+            together: &together,
+            sharpness: &sharpness,
+            tags: tags.map(|t| t.views.values().map(Vec::len).sum()),
+        };
+        let findings = findings(&seen);
+        ctx.metric("stands still", 100.0 * together.still, "%");
+        ctx.metric("findings", findings.len() as f64, "");
+        let can: Map<String, Value> = can(&seen, &findings)
+            .into_iter()
+            .map(|(what, how)| (what.to_owned(), how.into()))
+            .collect();
+        let views: Vec<Value> = photos
+            .iter()
+            .map(|(id, photo)| {
+                let i = id.0 as usize;
+                let round = |x: f64, tens: f64| (x * tens).round() / tens;
+                json!({
+                    "name": photo.name,
+                    "sharpness": round(sharpness[i], 1e3),
+                    "exposure_ev": round(together.exposure_ev[i], 1e3),
+                    "overexposed_pct": round(100.0 * glances[i].burnt, 1e2),
+                    "to_next": round(together.steps[i], 1e2),
+                    "tags": tags.and_then(|t| t.views.get(id)).map(Vec::len),
+                })
+            })
+            .collect();
+        let (first, rig) = (&photos.photos[0], &photos.rig);
+        let file = json!({
+            "photos": views.len(), "width": first.width, "height": first.height,
+            "camera": first.device, "focal_35mm": rig.focal_35mm, "plate": photos.plate.as_ref().map(|p| &p.name),
+            "step_deg": rig.step.map(f64::to_degrees), "lengths_from": lengths(rig),
+            "still_pct": (1e3 * together.still).round() / 10.0,
+            "motion": if camera_stood(&together) { "turn" } else { "walk" },
+            "findings": findings, "can": can, "views": views,
+        });
+        Ok(Document {
+            media: "application/json".into(),
+            bytes: serde_json::to_vec_pretty(&file).expect("bug: JSON"),
+        })
+    }
+}

@@ -1,0 +1,157 @@
+//! Which of the user's files are the turn, and which is the plate, by their names.
+
+use crate::error::CaptureError;
+use crate::rig::RigFile;
+use stage::{FileEntry, Files};
+use std::path::Path;
+
+/// The turn, in turning order, and the plate.
+pub(crate) type Sorted<'a> = (Vec<&'a FileEntry>, Option<&'a FileEntry>);
+
+/// Which files are the turn, and which is the plate: those that `images` says, in its order; else those in
+/// `images/`, which goes before the folder itself.
+pub(crate) fn sorted<'a>(files: &'a Files, known: &RigFile) -> Result<Sorted<'a>, CaptureError> {
+    let pictures: Vec<_> = files
+        .entries
+        .iter()
+        .filter(|e| e.name != "capture.toml")
+        .collect();
+    let plate = match &known.plate {
+        Some(name) => {
+            let found = pictures.iter().find(|e| e.name == *name).copied();
+            Some(found.ok_or_else(|| CaptureError::NoPlate(name.clone()))?)
+        }
+        None => pictures.iter().find(|e| stem(e) == "plate").copied(),
+    };
+    let other = |e: &&FileEntry| Some(&e.name) != plate.map(|p| &p.name) && stem(e) != "plate";
+    if !known.images.is_empty() {
+        return Ok((said(&pictures, &known.images, other)?, plate));
+    }
+    let inner = |e: &FileEntry| e.name.starts_with("images/");
+    let within = pictures.iter().any(|e| inner(e) && stem(e) != "plate");
+    let of_turn = |e: &&FileEntry| other(e) && inner(e) == within;
+    Ok((pictures.into_iter().filter(of_turn).collect(), plate))
+}
+
+/// The files that `images` says, in its order, none twice.
+fn said<'a>(
+    pictures: &[&'a FileEntry],
+    images: &[String],
+    other: impl Fn(&&FileEntry) -> bool,
+) -> Result<Vec<&'a FileEntry>, CaptureError> {
+    let mut turn: Vec<&FileEntry> = Vec::new();
+    for pattern in images {
+        let fit = |e: &&&FileEntry| other(e) && fits(pattern, &e.name);
+        let fitting: Vec<_> = pictures.iter().filter(fit).copied().collect();
+        if fitting.is_empty() {
+            return Err(CaptureError::NoImages {
+                pattern: pattern.clone(),
+                found: pictures.iter().take(3).map(|e| e.name.clone()).collect(),
+                count: pictures.len(),
+            });
+        }
+        for entry in fitting {
+            if !turn.iter().any(|e| e.name == entry.name) {
+                turn.push(entry);
+            }
+        }
+    }
+    Ok(turn)
+}
+
+/// A file's name without folders and ending, in small letters.
+fn stem(e: &FileEntry) -> String {
+    let stem = Path::new(&e.name).file_stem();
+    stem.map_or(String::new(), |s| s.to_string_lossy().to_lowercase())
+}
+
+/// Whether a name fits a pattern, letters of either case: `*` is any run of characters within a folder,
+/// `{a,b}` either.
+fn fits(pattern: &str, name: &str) -> bool {
+    if let (Some(open), Some(close)) = (pattern.find('{'), pattern.find('}'))
+        && open < close
+    {
+        let (head, tail) = (&pattern[..open], &pattern[close + 1..]);
+        let mut words = pattern[open + 1..close].split(',');
+        return words.any(|w| fits(&format!("{head}{w}{tail}"), name));
+    }
+    let Some((head, rest)) = pattern.split_once('*') else {
+        return pattern.eq_ignore_ascii_case(name);
+    };
+    let begins = name
+        .get(..head.len())
+        .is_some_and(|n| n.eq_ignore_ascii_case(head));
+    if !begins {
+        return false;
+    }
+    let name = &name[head.len()..];
+    let run = name.find('/').unwrap_or(name.len());
+    let mut ends = (0..=run).filter(|at| name.is_char_boundary(*at));
+    ends.any(|at| fits(rest, &name[at..]))
+}
+
+/// Files that hold the same bytes as one before them, with that one; they go out of the turn.
+pub(crate) fn twins(turn: &mut Vec<&FileEntry>) -> Vec<(String, String)> {
+    let mut kept: Vec<&FileEntry> = Vec::new();
+    let mut twins = Vec::new();
+    for entry in turn.drain(..) {
+        match kept.iter().find(|k| k.content == entry.content) {
+            Some(first) => twins.push((entry.name.clone(), first.name.clone())),
+            None => kept.push(entry),
+        }
+    }
+    *turn = kept;
+    twins
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn files(names: &[&str]) -> Files {
+        let entry = |name: &&str| FileEntry {
+            name: (*name).into(),
+            content: stage::hash(name.trim_start_matches("copy of ").as_bytes()),
+            size: 1,
+        };
+        Files {
+            root: "".into(),
+            entries: names.iter().map(entry).collect(),
+        }
+    }
+
+    fn turn(names: &[&str], images: &[&str]) -> Result<Vec<String>, String> {
+        let known = RigFile {
+            images: images.iter().map(|i| (*i).into()).collect(),
+            ..RigFile::default()
+        };
+        let files = files(names);
+        let sorted = sorted(&files, &known).map_err(|e| e.to_string())?;
+        Ok(sorted.0.iter().map(|e| e.name.clone()).collect())
+    }
+
+    #[test]
+    fn what_is_said_is_taken_in_its_order_and_what_is_not_there_is_told() {
+        let names = ["a1.jpg", "a2.JPG", "b/c1.png", "plate.jpg", "selfie.jpg"];
+        assert_eq!(turn(&names, &["a*.jpg"]).unwrap(), ["a1.jpg", "a2.JPG"]);
+        let said = turn(&names, &["b/*.{png,jpg}", "a2.jpg", "a*.jpg"]).unwrap();
+        assert_eq!(said, ["b/c1.png", "a2.JPG", "a1.jpg"]);
+        assert_eq!(
+            turn(&names, &["*.jpg"]).unwrap(),
+            ["a1.jpg", "a2.JPG", "selfie.jpg"]
+        );
+        let error = turn(&names, &["a*.jpg", "z*.jpg"]).unwrap_err();
+        assert!(
+            error.contains("z*.jpg") && error.contains("a1.jpg"),
+            "{error}"
+        );
+    }
+
+    #[test]
+    fn a_copy_goes_out_and_is_named_with_the_first() {
+        let files = files(&["1.jpg", "2.jpg", "copy of 1.jpg"]);
+        let mut turn: Vec<_> = files.entries.iter().collect();
+        assert_eq!(twins(&mut turn), [("copy of 1.jpg".into(), "1.jpg".into())]);
+        assert_eq!(turn.len(), 2);
+    }
+}

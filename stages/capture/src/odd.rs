@@ -1,0 +1,247 @@
+//! What is odd about a capture, and what would mend it.
+
+use crate::glance::Glance;
+use crate::verdict::{Finding, Grade, Seen, camera_stood, lengths};
+use shape::Photos;
+
+/// A photo is blurred that is less sharp than this share of the middle one.
+const BLURRED: f64 = 0.45;
+/// Exposures are uneven that differ by more than this. \[EV\]
+const UNEVEN_EV: f64 = 0.12;
+/// A photo is burnt, or drowned, by more than this share of it.
+const LOST: f64 = 0.1;
+/// A step is a gap, or none, where it is so many times the middle one.
+const STEPS: (f64, f64) = (0.2, 2.2);
+/// Photos of a full turn without a mat are at least so many.
+const FEW: usize = 12;
+/// Fewer pixels than these show little. \[px\]
+const SMALL: f64 = 0.7e6;
+
+struct Findings<'a> {
+    photos: &'a Photos,
+    all: Vec<Finding>,
+}
+
+impl Findings<'_> {
+    fn put(&mut self, grade: Grade, what: impl Into<String>, mend: &str, of: &[usize]) {
+        let names = of.iter().map(|i| self.photos.photos[*i].name.clone());
+        self.all.push(Finding {
+            grade,
+            what: what.into(),
+            mend: mend.into(),
+            photos: names.collect(),
+        });
+    }
+}
+
+/// All that is odd, the worst first.
+pub(crate) fn findings(seen: &Seen<'_>) -> Vec<Finding> {
+    let mut told = Findings {
+        photos: seen.photos,
+        all: vec![],
+    };
+    order(seen, &mut told);
+    pictures(seen, &mut told);
+    frame(seen, &mut told);
+    facts(seen, &mut told);
+    let rank = |grade: Grade| grade as u8;
+    told.all.sort_by_key(|f| rank(f.grade));
+    told.all
+}
+
+/// Whether photos follow each other around a turn.
+fn order(seen: &Seen<'_>, told: &mut Findings<'_>) {
+    let (together, count) = (seen.together, seen.photos.photos.len());
+    if !camera_stood(together) {
+        told.put(
+            Grade::Doubt,
+            format!("only {:.0} % of the picture stands still: the camera, or all behind the subject, moved between the photos", 100.0 * together.still),
+            "a turn wants one camera on a tripod and the subject on a disk; is this a walk around somebody who stands still, then `pipelines/walk.toml` is for it",
+            &[],
+        );
+        return;
+    }
+    if 3 * together.strangers.len() > count {
+        told.put(
+            Grade::Stop,
+            format!("{} of {count} photos are most like one that is far from them in order: they are not in turning order", together.strangers.len()),
+            "name photos in turning order, or list them with `images = [...]`; `tailor run pipelines/any-order.toml` finds cameras without an order",
+            &[],
+        );
+        return;
+    }
+    if !together.strangers.is_empty() {
+        told.put(
+            Grade::Doubt,
+            "most like one that is far away in order",
+            "look whether these photos are in their place",
+            &together.strangers,
+        );
+    }
+    let inner = &together.steps[..count - 1];
+    let mut sorted = inner.to_vec();
+    sorted.sort_by(f64::total_cmp);
+    let usual = sorted[sorted.len() / 2];
+    let of = |f: &dyn Fn(f64) -> bool| -> Vec<usize> {
+        (0..inner.len())
+            .filter(|i| f(inner[*i] / usual.max(1e-9)))
+            .collect()
+    };
+    let same = of(&|r| r < STEPS.0);
+    if !same.is_empty() {
+        told.put(
+            Grade::Doubt,
+            "nothing turned between these photos and the next",
+            "leave one of each two out",
+            &same,
+        );
+    }
+    let wide = of(&|r| r > STEPS.1);
+    if !wide.is_empty() {
+        told.put(
+            Grade::Doubt,
+            "the next photo differs by far more than others do",
+            "look whether a photo is missing there",
+            &wide,
+        );
+    }
+}
+
+/// Light and sharpness, photo by photo.
+fn pictures(seen: &Seen<'_>, told: &mut Findings<'_>) {
+    let places = |of: &dyn Fn(usize) -> bool| -> Vec<usize> {
+        (0..seen.glances.len()).filter(|i| of(*i)).collect()
+    };
+    let blurred = places(&|i| seen.sharpness[i] < BLURRED);
+    if !blurred.is_empty() {
+        told.put(
+            Grade::Doubt,
+            "blurred beside the others",
+            "take them again, or leave them out",
+            &blurred,
+        );
+    }
+    for (what, share) in [
+        (
+            "overexposed over a tenth of the picture or more",
+            (|g| g.burnt) as fn(&Glance) -> f64,
+        ),
+        ("black over a tenth of the picture or more", |g| g.black),
+    ] {
+        // A background that is white or black by design is in all of them.
+        let lost = places(&|i| share(&seen.glances[i]) > LOST);
+        if !lost.is_empty() && lost.len() < seen.glances.len() {
+            told.put(
+                Grade::Doubt,
+                what,
+                "take them again with the exposure held",
+                &lost,
+            );
+        }
+    }
+    let ev = &seen.together.exposure_ev;
+    let uneven = places(&|i| ev[i].abs() > UNEVEN_EV);
+    if !uneven.is_empty() && camera_stood(seen.together) {
+        let span = |pick: fn(f64, f64) -> f64| ev.iter().copied().reduce(pick).unwrap_or(0.0);
+        told.put(
+            Grade::Doubt,
+            format!(
+                "exposed from {:+.2} to {:+.2} EV against the middle",
+                span(f64::min),
+                span(f64::max)
+            ),
+            "hold exposure and white balance (on phones: press and hold until AE/AF lock shows)",
+            &uneven,
+        );
+    }
+    let first = &seen.photos.photos[0];
+    if f64::from(first.width) * f64::from(first.height) < SMALL {
+        told.put(
+            Grade::Hint,
+            format!(
+                "photos of {}×{} pixels are small",
+                first.width, first.height
+            ),
+            "hand over the camera's own files",
+            &[],
+        );
+    }
+}
+
+/// Whether the subject is within the picture.
+fn frame(seen: &Seen<'_>, told: &mut Findings<'_>) {
+    if !camera_stood(seen.together) {
+        return;
+    }
+    let [top, _, left, right] = seen.together.reached;
+    if top {
+        told.put(
+            Grade::Doubt,
+            "what moves reaches the upper border: the head may be cut off",
+            "leave room above the head",
+            &[],
+        );
+    }
+    if left && right {
+        told.put(
+            Grade::Doubt,
+            "what moves reaches both sides: arms may be cut off, or people walk behind the subject",
+            "step back, and keep the background still",
+            &[],
+        );
+    }
+}
+
+/// What is known, and what would tell more.
+fn facts(seen: &Seen<'_>, told: &mut Findings<'_>) {
+    let (rig, count) = (&seen.photos.rig, seen.photos.photos.len());
+    let tags = seen.tags.unwrap_or(0);
+    if tags > 0 && !rig.tagged() {
+        told.put(
+            Grade::Doubt,
+            "marker tags are seen, but nothing is said of them",
+            "say --mat-tag with the edge length of a printed tag's black square, or --mat with the mat's file",
+            &[],
+        );
+    }
+    if tags == 0 && rig.tagged() {
+        told.put(
+            Grade::Doubt,
+            "a mat is told of, but no tag of it was found",
+            "is it in view, in good light, and flat?",
+            &[],
+        );
+    }
+    if count < FEW && !rig.tagged() && rig.step.is_none() {
+        told.put(
+            Grade::Doubt,
+            format!("{count} photos are few: without a mat features are followed over steps of 30° at most"),
+            "take 18 to 36 photos of a full turn, or lay a mat on the disk",
+            &[],
+        );
+    }
+    if rig.focal_35mm.is_none() && rig.focal_px.is_none() && !rig.tagged() {
+        told.put(
+            Grade::Doubt,
+            "nothing tells of the focal length",
+            "keep EXIF in the photos, or say --focal",
+            &[],
+        );
+    }
+    if lengths(rig).is_none() {
+        told.put(
+            Grade::Doubt,
+            "nothing of known length is given: lengths will be relative",
+            "say --stature, or --disk-diameter, or lay a mat on the disk",
+            &[],
+        );
+    }
+    if seen.photos.plate.is_none() && camera_stood(seen.together) {
+        told.put(
+            Grade::Hint,
+            "there is no photo of the empty scene",
+            "take one without the subject and call it plate.jpg: silhouettes become surer",
+            &[],
+        );
+    }
+}

@@ -1,0 +1,67 @@
+//! One photo of the user's: what its file's head says, and whether it is whole and shows something.
+
+use crate::error::CaptureError;
+use crate::exif;
+use shape::Photo;
+
+fn no_picture(name: &str, why: impl ToString) -> CaptureError {
+    CaptureError::NoPicture {
+        name: name.to_owned(),
+        why: why.to_string(),
+    }
+}
+
+/// A photo whose pixels nobody has looked at yet; `path` is what the user calls it.
+pub(crate) fn header(path: &str, name: &str, bytes: Vec<u8>) -> Result<Photo, CaptureError> {
+    if bytes.is_empty() {
+        return Err(no_picture(path, "it is empty"));
+    }
+    if crate::whole::is_cut_off(&bytes) {
+        return Err(no_picture(path, "it ends too early: copied whole?"));
+    }
+    let exif = exif::read(&bytes);
+    let (width, height) = image::ImageReader::new(std::io::Cursor::new(&bytes))
+        .with_guessed_format()
+        .map_err(|e| no_picture(path, e))?
+        .into_dimensions()
+        .map_err(|e| no_picture(path, e))?;
+    let lying = exif.orientation >= 5;
+    let (width, height) = if lying {
+        (height, width)
+    } else {
+        (width, height)
+    };
+    Ok(Photo {
+        name: name.to_owned(),
+        width,
+        height,
+        orientation: exif.orientation,
+        focal_35mm: exif.focal_35mm,
+        device: exif.device,
+        time_s: exif.time_s,
+        file: bytes.into(),
+    })
+}
+
+/// The photo, decoded once to see that it is whole and shows something.
+pub(crate) fn photo(photo: Photo) -> Result<Photo, CaptureError> {
+    let pixels = photo.decode().map_err(|e| no_picture(&photo.name, e.why))?;
+    let (mut lo, mut hi, mut white) = ([255u8; 3], [0u8; 3], 0usize);
+    for p in &pixels.data {
+        (0..3).for_each(|c| (lo[c], hi[c]) = (lo[c].min(p[c]), hi[c].max(p[c])));
+        white += usize::from(p.iter().all(|c| *c >= 254));
+    }
+    let flat = (0..3).all(|c| hi[c] - lo[c] < 8);
+    let what = match (flat, white * 10 > pixels.data.len() * 9) {
+        (true, _) => Some("of one colour"),
+        (_, true) => Some("overexposed nearly everywhere"),
+        _ => None,
+    };
+    match what {
+        Some(what) => Err(CaptureError::Blank {
+            name: photo.name.clone(),
+            what,
+        }),
+        None => Ok(photo),
+    }
+}

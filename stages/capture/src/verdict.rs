@@ -1,0 +1,99 @@
+//! What can be measured with a capture as it is; how what is odd about it is told.
+
+use crate::glance::{Glance, Together};
+use shape::{Photos, Rig};
+
+/// How bad something is.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, serde::Serialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Grade {
+    /// Nothing will come of it.
+    Stop,
+    /// Results will be worse, or wrong.
+    Doubt,
+    /// More could be had.
+    Hint,
+}
+
+/// One thing that is odd.
+#[derive(Debug, Clone, PartialEq, serde::Serialize)]
+pub struct Finding {
+    /// How bad it is.
+    pub grade: Grade,
+    /// What was seen.
+    pub what: String,
+    /// What would mend it.
+    pub mend: String,
+    /// The photos that it is about; empty for all.
+    pub photos: Vec<String>,
+}
+
+/// What was seen of the photos.
+pub(crate) struct Seen<'a> {
+    pub(crate) photos: &'a Photos,
+    pub(crate) glances: &'a [Glance],
+    pub(crate) together: &'a Together,
+    /// Against the middle of all.
+    pub(crate) sharpness: &'a [f64],
+    /// Tags on those photos that were searched.
+    pub(crate) tags: Option<usize>,
+}
+
+/// Less than this of the picture stands still: the camera was moved.
+const STILL: f64 = 0.12;
+
+/// Whether the camera stood still.
+pub(crate) fn camera_stood(together: &Together) -> bool {
+    together.still >= STILL
+}
+
+/// Where centimetres will come from.
+pub(crate) fn lengths(rig: &Rig) -> Option<&'static str> {
+    match rig {
+        Rig { mat: Some(_), .. }
+        | Rig {
+            tag_mm: Some(_), ..
+        } => Some("the marker mat"),
+        Rig {
+            reference: Some(_), ..
+        } => Some("the reference length"),
+        Rig {
+            disk_diameter_mm: Some(_),
+            ..
+        } => Some("the disk's diameter, if its edge is seen"),
+        Rig {
+            stature_mm: Some(_),
+            ..
+        } => Some("the stature"),
+        _ => None,
+    }
+}
+
+/// What can be measured: a name and how.
+pub(crate) fn can(seen: &Seen<'_>, findings: &[Finding]) -> Vec<(&'static str, String)> {
+    let rig = &seen.photos.rig;
+    let stopped = findings.iter().any(|f| f.grade == Grade::Stop);
+    let cameras = match (stopped, rig.tagged() && seen.tags.unwrap_or(0) > 0, camera_stood(seen.together)) {
+        (true, ..) => "no, as it is: see above".to_owned(),
+        (_, true, _) => "from the mat, photo by photo".into(),
+        (_, _, true) => "from what turns with the subject: clothes with a pattern, a patterned cloth on the disk".into(),
+        (_, _, false) => "not as a turn".into(),
+    };
+    let lengths = match lengths(rig) {
+        Some(from) => format!("in centimetres, from {from}"),
+        None => "relative: ratios hold, no centimetres".into(),
+    };
+    let girths = match (
+        stopped || !camera_stood(seen.together),
+        rig.stature_mm.zip(rig.weight_kg),
+    ) {
+        (true, _) => "no".to_owned(),
+        (_, Some(_)) => "yes, with ratios and the body mass index".into(),
+        (_, None) => "yes, with ratios; the body mass index wants --weight and --stature".into(),
+    };
+    vec![
+        ("cameras", cameras),
+        ("lengths", lengths),
+        ("girths", girths),
+    ]
+}

@@ -1,0 +1,202 @@
+//! What is known of a capture, said on the command line; and folders as people have them.
+
+use crate::place::Place;
+
+const LOAD: &str = "goal = \"photos\"\n[input.files]\nfiles = [\"*.{jpg,png}\", \"capture.toml\"]\n[node.photos]\n\
+    stage = \"capture.load\"\nfrom = { files = \"@files\" }\n";
+
+/// A place with `load.toml` and a turn of six photos.
+fn turn() -> Place {
+    let place = Place::new();
+    place.write("load.toml", LOAD);
+    place.photos("turn", 6);
+    place
+}
+
+#[test]
+fn facts_are_in_the_key_and_in_the_provenance_and_win_over_the_file() {
+    let place = turn();
+    place.write("turn/capture.toml", "[subject]\nheight_cm = 165\n");
+    let run = |set: &str| {
+        let run = place.run(&format!(
+            "run load.toml --input files=turn --json --out out {set}"
+        ));
+        run.code(0).json()["nodes"][0].clone()
+    };
+    let (plain, said) = (run(""), run("--set photos.facts.subject.height_cm=178"));
+    assert_ne!(plain["key"], said["key"]);
+    assert_ne!(plain["content"], said["content"]);
+    assert!(said["story"].to_string().contains("height_cm"), "{said}");
+    let told = std::fs::read_to_string(place.path("out/photos/capture.toml")).unwrap();
+    assert!(told.contains("subject.height_cm = 178.0"), "{told}");
+    // The same content from the file instead is another key, with equal results.
+    place.write("turn/capture.toml", "[subject]\nheight_cm = 178\n");
+    let file = run("");
+    assert_ne!(file["key"], said["key"]);
+    assert_eq!(file["content"], said["content"]);
+}
+
+#[test]
+fn flags_that_cannot_be_are_told_as_they_were_said_before_anything_runs() {
+    let place = turn();
+    place.write("mat.txt", "a mat, but no word of it");
+    for (flags, says) in [
+        ("--stature 1780", "`--stature 1780`"),
+        ("--stature tall", "--stature: `tall` is not a length"),
+        ("--weight 80cm", "--weight: `80cm` is not a weight"),
+        ("--steps 0", "--steps 0"),
+        ("--mat-ids 11", "say FIRST-LAST"),
+        ("--mat mat.txt", "it does not tell of a mat"),
+        ("--mat nowhere.pdf", "nowhere.pdf"),
+        ("--fact subject.hight_cm=178", "did you mean `height_cm`"),
+        ("--images ../other/*.jpg", "leads out of turn"),
+        ("--unit ell", "ell"),
+    ] {
+        let said = place.run(&format!("measure turn {flags}")).code(2);
+        assert!(said.err.contains(says), "{flags}: {}", said.err);
+    }
+    assert!(!place.path("cache").exists());
+}
+
+#[test]
+fn what_images_says_is_taken_and_what_is_not_there_is_told() {
+    let place = turn();
+    place.write(
+        "turn/selfie.jpg",
+        std::fs::read(place.path("turn/0005.jpg")).unwrap(),
+    );
+    place.write("turn/capture.toml", "images = \"000*.jpg\"\nviews = 6\n");
+    let run = "run load.toml --input files=turn";
+    place.run(run).code(0);
+    place.write(
+        "turn/capture.toml",
+        "images = [\"0003.jpg\", \"0001.jpg\", \"0002.jpg\"]\n",
+    );
+    place.run(&format!("{run} --out out")).code(0);
+    assert!(place.path("out/photos/images/0001.jpg").exists());
+    assert!(!place.path("out/photos/images/0004.jpg").exists());
+    place.write("turn/capture.toml", "images = \"IMG*.jpg\"\n");
+    let said = place.run(run).code(1).err;
+    assert!(
+        said.contains("IMG*.jpg") && said.contains("0000.jpg"),
+        "{said}"
+    );
+    place.write("turn/capture.toml", "images = 3\n");
+    let said = place.run(run).code(1).err;
+    assert!(
+        said.contains("`images` wants a text or a list of texts"),
+        "{said}"
+    );
+}
+
+#[test]
+fn a_copy_is_left_out_and_sizes_that_differ_are_told_with_what_to_do() {
+    let place = turn();
+    place.write(
+        "turn/0002 copy.jpg",
+        std::fs::read(place.path("turn/0002.jpg")).unwrap(),
+    );
+    let run = "run load.toml --input files=turn";
+    let said = place.run(run).code(0).err;
+    assert!(
+        said.contains("is the same file as") && said.contains("was left out"),
+        "{said}"
+    );
+    let selfie = shape::Rgb::filled(30, 40, [9, 99, 200]);
+    place.write("turn/selfie.png", shape::rgb_to_png(&selfie));
+    let said = place.run(run).code(1).err;
+    for says in ["6 are 800×1200", "selfie.png is 30×40", "--images"] {
+        assert!(said.contains(says), "{says}: {said}");
+    }
+}
+
+#[test]
+fn what_cannot_be_read_is_named_with_the_command_that_converts_it() {
+    let place = turn();
+    for (file, says) in [
+        ("a/IMG_1.HEIC", "heif-convert"),
+        ("a/walk.MOV", "ffmpeg -i \"walk.MOV\""),
+        ("a/b.DNG", "dcraw_emu -w -T *.DNG"),
+    ] {
+        place.write(file, "x");
+        let said = place.run("measure a").code(2).err;
+        assert!(said.contains(says), "{file}: {said}");
+    }
+    let said = place.run("measure nowhere").code(2).err;
+    assert!(said.contains("nowhere"), "{said}");
+    place.photos("few", 3);
+    let said = place.run("measure few").code(2).err;
+    for says in ["few holds 3 photos", "18 to 36", "tailor mat", "--step"] {
+        assert!(said.contains(says), "{says}: {said}");
+    }
+}
+
+#[test]
+fn several_folders_are_measured_each_on_its_own() {
+    let place = turn();
+    place.write("a/walk.MOV", "x");
+    let said = place.run("measure a nowhere").code(1).err;
+    for says in ["a holds no photo", "nowhere", "2 of 2 captures"] {
+        assert!(said.contains(says), "{says}: {said}");
+    }
+    let told = place.run("measure a nowhere --json").code(1).json();
+    let folders: Vec<_> = told
+        .as_array()
+        .unwrap()
+        .iter()
+        .map(|t| &t["folder"])
+        .collect();
+    assert_eq!(folders, ["a", "nowhere"]);
+    assert!(
+        told[0]["error"].as_str().unwrap().contains("ffmpeg"),
+        "{told}"
+    );
+    // Two of one name would overwrite each other.
+    place.photos("p1/scan", 3);
+    place.photos("p2/scan", 3);
+    let said = place.run("measure p1/scan p2/scan").code(2).err;
+    assert!(said.contains("would both be written to"), "{said}");
+}
+
+#[test]
+fn a_mat_tells_of_itself_at_its_foot_and_beside_it() {
+    let place = Place::new();
+    place
+        .run("mat --diameter-mm 450 --rim-mm 40 -o mat.pdf")
+        .code(0);
+    let print = std::fs::read(place.path("mat.pdf")).unwrap();
+    let beside: toml::Table = std::fs::read_to_string(place.path("mat.pdf.toml"))
+        .unwrap()
+        .parse()
+        .unwrap();
+    assert_eq!(beside["disk"]["diameter_cm"].as_float(), Some(45.0));
+    // Words of the first page, one a line, from the first table on.
+    let text = String::from_utf8_lossy(&print).into_owned();
+    let page = text.split("endstream").next().unwrap();
+    let words = page
+        .lines()
+        .filter_map(|l| l.split_once(" Td (")?.1.strip_suffix(") Tj ET"));
+    let foot: Vec<&str> = words.skip_while(|w| !w.starts_with('[')).collect();
+    let foot: toml::Table = foot.join("\n").parse().unwrap();
+    assert_eq!(foot, beside, "the foot is TOML and says the same");
+    // It is what a capture reads.
+    place.write("load.toml", LOAD);
+    place.photos("turn", 6);
+    let sets: Vec<String> = beside["mat"]
+        .as_table()
+        .unwrap()
+        .iter()
+        .map(|(k, v)| {
+            format!(
+                "--set photos.facts.mat.{k}={}",
+                v.to_string().replace(' ', "")
+            )
+        })
+        .collect();
+    place
+        .run(&format!(
+            "run load.toml --input files=turn {}",
+            sets.join(" ")
+        ))
+        .code(0);
+}
