@@ -2,7 +2,7 @@
 
 use crate::walk::chains::{Link, chained};
 use crate::walk::error::WalkError;
-use crate::walk::pairs::{Rules, Shared, chosen, compared, largest, parts};
+use crate::walk::pairs::{Rules, Shared, again, chosen, compared, largest, parts};
 use rayon::prelude::*;
 use shape::{Features, Keypoints, PhotoId, Photos, Tracks};
 use stage::{Ctx, Stage, Stop};
@@ -39,6 +39,8 @@ stage::params! {
         /// Photos of which no such share of the matches agrees have nothing in common.
         #[range(0.0..=1.0)]
         least_share: f64 = 0.3,
+        /// Whether photos that hold together are searched once more along epipolar lines.
+        guided: bool = true,
         /// Most samples of a pair's RANSAC.
         #[range(10..=100000)]
         rounds: u32 = 1500,
@@ -111,13 +113,13 @@ impl Stage for LinkUp {
         let every: Vec<(usize, usize)> = (0..n)
             .flat_map(|i| (i + 1..n).map(move |j| (i, j)))
             .collect();
-        let previews = compare(&every, &views, &few, &quick, ctx, "pairs of photos")?;
+        let previews = compare(&every, &views, &few, &quick, false, ctx)?;
         let counts = every.iter().zip(&previews);
         let counts: Vec<_> = counts.map(|(p, s)| (*p, s.matches.len())).collect();
         let pairs = chosen(n, &counts, p.partners as usize, p.neighbours as usize);
         let all = |(_, f): &(PhotoId, &Features)| (0..f.points.len() as u32).collect();
         let all: Vec<Vec<u32>> = views.iter().map(all).collect();
-        let shared = compare(&pairs, &views, &all, &full, ctx, "pairs in full")?;
+        let shared = compare(&pairs, &views, &all, &full, p.guided, ctx)?;
         let (still, moved) = shared
             .iter()
             .fold((0, 0), |(s, m), c| (s + c.still, m + c.matches.len()));
@@ -153,12 +155,16 @@ fn compare(
     views: &[(PhotoId, &Features)],
     some: &[Vec<u32>],
     rules: &Rules,
+    guided: bool,
     ctx: &Ctx<'_>,
-    label: &'static str,
 ) -> Result<Vec<Shared>, Stop> {
-    let steps = ctx.steps(label, pairs.len());
+    let steps = ctx.steps("pairs of photos", pairs.len());
     let one = |(i, j): &(usize, usize)| -> Result<Shared, Stop> {
-        let found = compared([views[*i].1, views[*j].1], [&some[*i], &some[*j]], rules);
+        let both = [views[*i].1, views[*j].1];
+        let mut found = compared(both, [&some[*i], &some[*j]], rules);
+        if guided && !found.matches.is_empty() {
+            found = again(both, found, rules);
+        }
         steps.tick()?;
         Ok(found)
     };

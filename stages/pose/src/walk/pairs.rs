@@ -2,9 +2,9 @@
 //! hold together.
 
 use crate::features::matching::Pairs;
-use crate::two_view::epipolar::agreeing;
+use crate::two_view::epipolar::{agreeing, fundamental};
 use crate::two_view::five_point::Both;
-use crate::walk::nearest::nearest;
+use crate::walk::nearest::{guided, nearest};
 use shape::Features;
 
 /// How pairs are compared.
@@ -80,6 +80,33 @@ pub(crate) fn compared(views: [&Features; 2], some: [&[u32]; 2], rules: &Rules) 
     Shared {
         matches: if holds { kept } else { vec![] },
         still,
+    }
+}
+
+/// All features of two photos along the motion that their matches tell, beside those.
+pub(crate) fn again(views: [&Features; 2], shared: Shared, rules: &Rules) -> Shared {
+    let both = |(i, j): &(u32, u32)| -> Both {
+        let (k, l) = (&views[0].points[*i as usize], &views[1].points[*j as usize]);
+        [
+            [f64::from(k.x), f64::from(k.y)],
+            [f64::from(l.x), f64::from(l.y)],
+        ]
+    };
+    let pairs: Vec<Both> = shared.matches.iter().map(both).collect();
+    let Some(motion) = fundamental(&pairs) else {
+        return shared;
+    };
+    let mut found = guided(views, &motion, rules.epipolar_px, rules.ratio);
+    found.retain(|m| {
+        let [k, l] = both(m);
+        (k[0] - l[0]).hypot(k[1] - l[1]) >= rules.still_px
+    });
+    match found.len() >= shared.matches.len() {
+        true => Shared {
+            matches: found,
+            still: shared.still,
+        },
+        false => shared,
     }
 }
 
