@@ -34,13 +34,13 @@ stage::params! {
         radial_sigma: f64 = 0.1,
         /// How far focusing may change the focal length from photo to photo, as a share.
         #[range(0.000001..=0.1)]
-        zoom_sigma: f64 = 0.002,
+        zoom_sigma: f64 = 0.0005,
         /// Least standard deviation of a feature.
         #[range(0.05..=5.0)]
         feature_px: f64 = 0.5,
         /// Residuals beyond this many standard deviations lose weight.
         #[range(0.5..=20.0)]
-        loss: f64 = 2.0,
+        loss: f64 = 1.0,
         /// Features further from where they should be are left out; in proportion more on photos of
         /// more than 2400 pixels.
         #[range(0.5..=50.0)]
@@ -68,7 +68,7 @@ stage::params! {
         grow_tracks: u32 = 3000,
         /// Most points that are adjusted at the end.
         #[range(100..=1000000)]
-        most_tracks: u32 = 12000,
+        most_tracks: u32 = 6000,
         /// Most steps of the last adjustments.
         #[range(1..=1000)]
         steps: u32 = 30,
