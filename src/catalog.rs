@@ -40,6 +40,8 @@ pub static CATALOG: Catalog = Catalog {
         ("any-order", include_str!("../pipelines/any-order.toml")),
         ("hull", include_str!("../pipelines/hull.toml")),
         ("surface", include_str!("../pipelines/surface.toml")),
+        ("walk", include_str!("../pipelines/walk.toml")),
+        ("phone", include_str!("../pipelines/phone.toml")),
         ("doctor", include_str!("../pipelines/doctor.toml")),
         ("evolutions", include_str!("../pipelines/evolutions.toml")),
         ("paper", include_str!("../pipelines/paper.toml")),

@@ -13,8 +13,6 @@ use shape::{Document, Photos, Tags};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-/// The pipeline that looks.
-
 /// Arguments of `tailor doctor`.
 #[derive(Args)]
 pub(crate) struct Doctor {

@@ -1,7 +1,7 @@
 //! Flags as changes of a pipeline.
 
-use crate::graph::Graph;
 use crate::catalog::CATALOG;
+use crate::graph::Graph;
 use crate::recipe::{Overrides, Pipeline};
 use engine::cli::Fault;
 

@@ -19,6 +19,9 @@ pub(super) fn extended(under: Recipe, over: Recipe, mistakes: &mut Vec<Mistake>)
     if !over.goal.is_empty() {
         all.goal = over.goal;
     }
+    for node in over.nodes.iter().filter(|n| !n.stage.value.is_empty()) {
+        forget(&mut all, &node.name.value);
+    }
     put(&mut all.inputs, over.inputs, |i| &i.name);
     put(&mut all.variants, over.variants, |v| &v.name);
     put(&mut all.sweeps, over.sweeps, |s| &s.name);
@@ -52,6 +55,21 @@ pub(super) fn extended(under: Recipe, over: Recipe, mistakes: &mut Vec<Mistake>)
         }
     }
     all
+}
+
+/// Takes back what variants and sweeps say of a node: it gets another stage, with other params and
+/// other metrics.
+fn forget(recipe: &mut Recipe, node: &str) {
+    for variant in &mut recipe.variants {
+        variant.with.retain(|(n, _)| n.value != node);
+        variant.stage.retain(|(n, _)| n.value != node);
+        variant.from.retain(|(n, _)| n.value != node);
+    }
+    let asks = |s: &Sweep| {
+        let told = |t: &Said<String>| t.value.split('.').next() == Some(node);
+        s.over.iter().any(|(n, ..)| n.value == node) || s.tell.iter().any(told)
+    };
+    recipe.sweeps.retain(|s| !asks(s));
 }
 
 /// Puts entries over those of the same name, or behind all.

@@ -6,7 +6,6 @@
 
 use crate::{Gray, Image, Placed};
 use nalgebra::{SMatrix, SVector};
-use rayon::prelude::*;
 
 /// Longest side of the coarsest picture that is laid on another. \[px\]
 const COARSEST: usize = 100;
