@@ -1,8 +1,9 @@
 //! `tailor plan`, `why`, `graph`, `stages`, `check`: answers that run nothing.
 
-use super::arguments::{GlobalArgs, Wanted};
+use super::arguments::Wanted;
 use super::fault::Fault;
 use super::open::{ahead, folders, node, open};
+use super::program::GlobalArgs;
 use crate::graph::Graph;
 use crate::plan::{self, Planned, State};
 use crate::recipe::{self, Overrides, Pipeline};

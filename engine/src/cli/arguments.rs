@@ -1,46 +1,7 @@
 //! Arguments that many verbs take.
 
-use super::budget::bytes;
-use super::program::Program;
-use crate::kind::Catalog;
 use clap::Args;
-use std::num::NonZeroUsize;
 use std::path::PathBuf;
-
-/// What every verb takes.
-#[derive(Args, Clone)]
-pub struct GlobalArgs {
-    /// Answer in JSON
-    #[arg(long, global = true)]
-    pub json: bool,
-    /// Where results are kept
-    #[arg(long, global = true, default_value = "cache")]
-    pub cache: PathBuf,
-    /// How many threads work; one a core if not said, four a core at most
-    #[arg(long, global = true)]
-    pub threads: Option<NonZeroUsize>,
-    /// What the cache may hold, such as 500M or 20G: what is worth least goes at the end of a run
-    #[arg(long, global = true, value_parser = bytes)]
-    pub max_size: Option<u64>,
-    /// Say nothing but results and errors
-    #[arg(long, global = true)]
-    pub quiet: bool,
-    /// The program whose command line it is.
-    #[arg(skip)]
-    pub program: Option<&'static Program>,
-}
-
-impl GlobalArgs {
-    /// The program whose command line it is.
-    pub fn program(&self) -> &'static Program {
-        self.program.expect("bug: arguments of no program")
-    }
-
-    /// Its stages and kinds.
-    pub fn catalog(&self) -> &'static Catalog {
-        self.program().catalog
-    }
-}
 
 /// What is to be run, and with what changed.
 #[derive(Args, Clone)]

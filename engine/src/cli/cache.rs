@@ -1,11 +1,11 @@
 //! `tailor cache ls|du|runs|pin|unpin|pins|gc|forget|verify`.
 
-use super::arguments::GlobalArgs;
-use super::budget::KEPT_RECORDS;
 use super::fault::Fault;
+use super::program::GlobalArgs;
+use super::size::mib;
 use crate::past::ago;
 use crate::past::{self, Head};
-use crate::store::keeper::{self, Budget, Kept, Swept};
+use crate::store::keeper::{self, Budget, KEPT_RECORDS, Kept, Swept};
 use crate::store::{Forgotten, Store, forget};
 use clap::{Args, Subcommand};
 use serde_json::{Value, json};
@@ -61,10 +61,6 @@ enum Verb {
     },
     /// Read everything; put aside what is corrupt
     Verify,
-}
-
-pub(super) fn mib(bytes: u64) -> f64 {
-    bytes as f64 / f64::from(1 << 20)
 }
 
 /// Prints the one or the other.

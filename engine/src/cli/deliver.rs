@@ -1,8 +1,8 @@
 //! `--out`: what is asked before a run, and what is told after it.
 
-use super::arguments::GlobalArgs;
 use super::fault::Fault;
-use super::run_verb::there;
+use super::program::GlobalArgs;
+use super::result::there;
 use crate::delivery::{self, Delivery, Left};
 use crate::graph::Graph;
 use crate::session::Outcome;

@@ -1,8 +1,9 @@
 //! `tailor impact`: which nodes a param reaches, and what it would cost to change it.
 
-use super::arguments::{Change, GlobalArgs};
+use super::arguments::Change;
 use super::fault::Fault;
 use super::open::open_pipeline;
+use super::program::GlobalArgs;
 use crate::graph::Graph;
 use crate::impact::{Impact, impacts};
 use crate::lasttime::History;

@@ -22,19 +22,22 @@ mod open;
 mod private;
 mod program;
 mod progress;
+mod result;
 mod run_verb;
 mod show;
+mod size;
 mod speech;
 mod sweep;
 mod sweep_asked;
 pub mod text;
 
-pub use arguments::{Change, GlobalArgs, Wanted};
+pub use arguments::{Change, Wanted};
 pub use deliver::{check as check_out, finish, inside, lies_in, whose};
 pub use fault::Fault;
 pub use open::{folders, node, open_pipeline};
-pub use program::{Program, Verb};
-pub use run_verb::{execute, there};
+pub use program::{GlobalArgs, Program, Verb};
+pub use result::there;
+pub use run_verb::execute;
 pub use speech::CANCEL;
 #[doc(hidden)]
 pub use speech::{answer, answer_line, say_line};

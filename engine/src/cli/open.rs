@@ -1,7 +1,8 @@
 //! From arguments to a pipeline, its wanted nodes and its inputs.
 
-use super::arguments::{Change, GlobalArgs, Wanted};
+use super::arguments::{Change, Wanted};
 use super::fault::Fault;
+use super::program::GlobalArgs;
 use crate::graph::Graph;
 use crate::recipe::{self, Overrides};
 use crate::session::Options;

@@ -1,13 +1,14 @@
-//! A program: a trade's catalog, and what it adds to the engine's command line.
+//! A program: a trade's catalog, what it adds to the engine's command line, and what every verb takes.
 
-use super::arguments::GlobalArgs;
 use super::fault::Fault;
+use super::size::bytes;
 use crate::graph::Graph;
 use crate::kind::Catalog;
 use crate::session::Outcome;
-use clap::{ArgMatches, Command};
+use clap::{ArgMatches, Args, Command};
 use stage::Metric;
-use std::path::Path;
+use std::num::NonZeroUsize;
+use std::path::{Path, PathBuf};
 
 /// A program. [`Program::new`] has the engine's verbs and nothing else.
 pub struct Program {
@@ -65,5 +66,40 @@ impl Program {
             complete: |page, _, _| page.to_vec(),
             errors: |_, _, _| Err("this program has no ground truth".into()),
         }
+    }
+}
+
+/// What every verb takes.
+#[derive(Args, Clone)]
+pub struct GlobalArgs {
+    /// Answer in JSON
+    #[arg(long, global = true)]
+    pub json: bool,
+    /// Where results are kept
+    #[arg(long, global = true, default_value = "cache")]
+    pub cache: PathBuf,
+    /// How many threads work; one a core if not said, four a core at most
+    #[arg(long, global = true)]
+    pub threads: Option<NonZeroUsize>,
+    /// What the cache may hold, such as 500M or 20G: what is worth least goes at the end of a run
+    #[arg(long, global = true, value_parser = bytes)]
+    pub max_size: Option<u64>,
+    /// Say nothing but results and errors
+    #[arg(long, global = true)]
+    pub quiet: bool,
+    /// The program whose command line it is.
+    #[arg(skip)]
+    pub program: Option<&'static Program>,
+}
+
+impl GlobalArgs {
+    /// The program whose command line it is.
+    pub fn program(&self) -> &'static Program {
+        self.program.expect("bug: arguments of no program")
+    }
+
+    /// Its stages and kinds.
+    pub fn catalog(&self) -> &'static Catalog {
+        self.program().catalog
     }
 }

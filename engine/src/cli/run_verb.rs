@@ -1,9 +1,10 @@
 //! `tailor run`, and what every verb that runs shares.
 
-use super::arguments::{GlobalArgs, Wanted};
+use super::arguments::Wanted;
 use super::deliver;
 use super::fault::Fault;
 use super::open::{ahead, folders, open, options};
+use super::program::GlobalArgs;
 use super::progress::Progress;
 use super::speech::CANCEL;
 use crate::delivery::Delivery;
@@ -15,7 +16,6 @@ use crate::store::Store;
 use crate::{out, verify, walk};
 use clap::Args;
 use serde_json::json;
-use stage::AnyArtifact;
 use std::path::PathBuf;
 use std::sync::atomic::Ordering;
 
@@ -106,28 +106,6 @@ fn execute_some(
         return Err(Fault::stopped());
     }
     Ok((outcome, None))
-}
-
-/// A result that must be there, for somebody wants to write it; and the bytes of its own file
-/// where that is what is written.
-pub fn there(
-    graph: &Graph,
-    outcome: &Outcome,
-    node: usize,
-) -> Result<(AnyArtifact, Vec<u8>), Fault> {
-    let found = outcome.artifact(graph, node).and_then(|artifact| {
-        let raw = match out::formats(graph.catalog, artifact.kind()) {
-            [out::RAW] => outcome.bytes(node)?,
-            _ => vec![],
-        };
-        Some((artifact, raw))
-    });
-    found.ok_or_else(|| {
-        let name = &graph.nodes[node].name;
-        Fault::stage(format!(
-            "the result of `{name}` went out of the cache before it was written; run the same command again"
-        ))
-    })
 }
 
 /// Every stage once more; those that differ are a fault.

@@ -1,8 +1,9 @@
 //! `tailor show`: one artifact out of the cache as a file.
 
-use super::arguments::{Change, GlobalArgs};
+use super::arguments::Change;
 use super::fault::Fault;
 use super::open::{folders, node, open_pipeline};
+use super::program::GlobalArgs;
 use crate::graph::{Bound, Graph, Source};
 use crate::key::{self, Story};
 use crate::store::Store;

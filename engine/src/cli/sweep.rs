@@ -1,8 +1,8 @@
 //! `tailor sweep`: every point of a sweep, one table.
 
-use super::arguments::GlobalArgs;
 use super::fault::Fault;
 use super::open::{folders, options};
+use super::program::GlobalArgs;
 use super::speech::CANCEL;
 use super::sweep_asked::{Asked, SweepArgs, asked, checked};
 use crate::graph::Graph;

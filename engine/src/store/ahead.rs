@@ -1,6 +1,5 @@
 //! Looking at the blobs of an index ahead of a walk, on several threads.
 
-use super::Store;
 use super::index::{Entry, Index, Stamp};
 use stage::Hash;
 use std::path::{Path, PathBuf};
@@ -36,7 +35,7 @@ const LEAST_NODE_BYTES: usize = 30;
 impl Index {
     /// Looks at the blobs of all entries on several threads, for a walk of so many nodes that is
     /// going to ask for most of them.
-    fn look_around(&mut self, root: &Path, nodes: usize) {
+    pub(super) fn look_around(&mut self, root: &Path, nodes: usize) {
         let n = self.entries.len();
         if self.looked || n < MANY || n > 2 * nodes {
             return;
@@ -55,14 +54,5 @@ impl Index {
                 scope.spawn(move || chunk.iter_mut().for_each(|entry| look(entry)));
             }
         });
-    }
-}
-
-impl Store {
-    /// Looks at the blobs of all entries on several threads, ahead of a walk of so many nodes
-    /// that is going to ask for most of them.
-    pub(crate) fn look_around(&self, nodes: usize) {
-        let mut index = self.index();
-        index.look_around(&self.root, nodes);
     }
 }

@@ -1,7 +1,8 @@
 //! Blobs: bytes named by their hash.
 
+use super::error::StoreError;
 use super::files::{self, Care};
-use super::{Store, StoreError};
+use super::folder::Store;
 use stage::Hash;
 
 /// The bytes of a blob, whole and verified.

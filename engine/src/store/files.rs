@@ -1,7 +1,7 @@
 //! Files that are whole or not there, for the owner only.
 
-use super::StoreError;
 use super::disk::Disk;
+use super::error::StoreError;
 use std::fs::File;
 use std::io::{ErrorKind, Result};
 use std::path::Path;

@@ -3,7 +3,9 @@
 //! `captures/HASH` names the folders whose files had this content, as a list in JSON: where the
 //! search begins, also when the records of the runs are long gone.
 
-use super::{Store, StoreError, keeper};
+use super::error::StoreError;
+use super::folder::Store;
+use super::keeper;
 use crate::own;
 use crate::past;
 use crate::source::Memo;

@@ -13,9 +13,9 @@
 //!      length of notes u32, notes (JSON: metrics and warnings; empty for none)
 //! ```
 
-use super::files::{self, Care};
-use super::{Record, Store};
-use stage::{Hash, Metric};
+use super::metrics::MetricText;
+use super::record::Record;
+use stage::Hash;
 use std::collections::HashMap;
 use std::hash::{BuildHasherDefault, Hasher};
 use std::os::unix::fs::MetadataExt;
@@ -44,39 +44,45 @@ pub(super) struct Entry {
     stamp: Stamp,
     seconds: f64,
     notes: Vec<u8>,
-    /// The blob's stamp as it was seen a moment ago, to be used once; see [`Store::look_around`].
+    /// The blob's stamp as it was seen a moment ago, to be used once; see [`super::ahead`].
     pub(super) seen: Option<Option<Stamp>>,
 }
 
-/// What is known of a key.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Found {
-    /// What was made. Its story is empty where the index knew the answer.
-    pub record: Record,
-    /// Whether the result is there. If not, its content is known all the same, and it need not be
-    /// made again before somebody reads it.
-    pub present: bool,
-}
-
 impl Entry {
-    fn record(&self) -> Record {
+    /// Of a record whose blob was found whole.
+    pub(super) fn of(record: &Record, stamp: Stamp) -> Entry {
+        Entry {
+            content: *record.content.as_bytes(),
+            stamp,
+            seconds: record.seconds,
+            notes: notes(record),
+            seen: None,
+        }
+    }
+
+    /// Whether its blob is still the one that was read.
+    pub(super) fn is_of(&self, stamp: Stamp) -> bool {
+        self.stamp == stamp
+    }
+
+    pub(super) fn record(&self) -> Record {
         let (metrics, warnings): Notes = match self.notes.is_empty() {
             true => Notes::default(),
             false => serde_json::from_slice(&self.notes).unwrap_or_default(),
         };
-        let metric = |(name, value, unit)| Metric { name, value, unit };
         Record {
             story: vec![],
             content: Hash::from_bytes(self.content),
             bytes: self.stamp.0,
             seconds: self.seconds,
-            metrics: metrics.into_iter().map(metric).collect(),
+            metrics: metrics.into_iter().map(MetricText::metric).collect(),
             warnings,
         }
     }
 }
 
-type Notes = (Vec<(String, f64, String)>, Vec<String>);
+/// What was noted of a result: its metrics and warnings.
+type Notes = (Vec<MetricText>, Vec<String>);
 
 /// A key is a hash: its first bits are as good as any.
 #[derive(Default)]
@@ -100,7 +106,7 @@ type Entries = HashMap<[u8; 32], Entry, BuildHasherDefault<FirstBits>>;
 #[derive(Debug, Default)]
 pub(super) struct Index {
     pub(super) entries: Entries,
-    fresh: bool,
+    pub(super) fresh: bool,
     /// Whether the blobs of all entries have been looked at.
     pub(super) looked: bool,
 }
@@ -191,78 +197,9 @@ fn notes(record: &Record) -> Vec<u8> {
     if record.metrics.is_empty() && record.warnings.is_empty() {
         return vec![];
     }
-    let metric = |m: &Metric| (m.name.clone(), m.value, m.unit.clone());
-    let metrics = record.metrics.iter().map(metric).collect();
+    let metrics = record.metrics.iter().map(MetricText::of).collect();
     let notes: Notes = (metrics, record.warnings.clone());
     serde_json::to_vec(&notes).expect("bug: notes JSON cannot hold")
-}
-
-impl Store {
-    /// The record of a key, and whether its result is there: the one question of a walk. A result
-    /// that is there but corrupt is a miss.
-    pub fn found(&self, key: Hash) -> Option<Found> {
-        let known = {
-            let mut index = self.index();
-            let entry = index.entries.get_mut(key.as_bytes());
-            entry.map(|e| (e.seen.take(), e.clone()))
-        };
-        if let Some((seen, entry)) = known {
-            let content = Hash::from_bytes(entry.content);
-            let stamp = seen.unwrap_or_else(|| Stamp::of(&self.place("cas", content)));
-            if stamp.is_none_or(|stamp| stamp == entry.stamp) {
-                let present = stamp.is_some();
-                let record = entry.record();
-                return Some(Found { record, present });
-            }
-        }
-        let record = self.record(key)?;
-        let stamp = Stamp::of(&self.place("cas", record.content));
-        if let Some(stamp) = stamp {
-            if self.blob(record.content).is_none() {
-                // Corrupt: made again at once, so that the store is whole again.
-                let _ = self.disk.remove(&self.place("ac", key));
-                return None;
-            }
-            self.note(key, &record, stamp);
-        }
-        let present = stamp.is_some();
-        Some(Found { record, present })
-    }
-
-    /// Remembers that the blob of a record was found whole.
-    fn note(&self, key: Hash, record: &Record, stamp: Stamp) {
-        let entry = Entry {
-            content: *record.content.as_bytes(),
-            stamp,
-            seconds: record.seconds,
-            notes: notes(record),
-            seen: None,
-        };
-        let mut index = self.index();
-        index.entries.insert(*key.as_bytes(), entry);
-        index.fresh = true;
-    }
-
-    /// Remembers a result that was just published.
-    pub(super) fn note_made(&self, key: Hash, record: &Record) {
-        if let Some(stamp) = Stamp::of(&self.place("cas", record.content)) {
-            self.note(key, record, stamp);
-        }
-    }
-
-    /// Writes the index if there is something new, with what other processes wrote meanwhile.
-    /// Best effort: without an index the next run reads more.
-    pub fn save_index(&self) {
-        let path = self.root().join("index");
-        let mut index = self.index();
-        if !std::mem::replace(&mut index.fresh, false) {
-            return;
-        }
-        let theirs = Index::load(&path).entries.into_iter();
-        theirs.for_each(|(key, entry)| _ = index.entries.entry(key).or_insert(entry));
-        let bytes = index.bytes(crate::clock::now_ns() as i64);
-        let _ = files::publish(self.disk(), &self.fresh(), &path, &bytes, Care::Cheap);
-    }
 }
 
 #[cfg(test)]

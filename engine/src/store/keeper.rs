@@ -1,11 +1,15 @@
 //! What the store holds, what may go when it grows, and whether it is sound.
 
-use super::{Store, StoreError};
+use super::error::StoreError;
+use super::folder::Store;
 use crate::own;
 use crate::past;
 use stage::Hash;
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
+
+/// Runs whose records are kept if nothing else is said; there may be twice as many for a while.
+pub const KEPT_RECORDS: usize = 200;
 
 /// Where parts and checkpoints lie, and lay before they were bound to their keys.
 const PARTS: [&str; 2] = ["parts", "part"];

@@ -1,7 +1,8 @@
 //! Parts and checkpoints of work that is not finished: found again after a kill.
 
+use super::error::StoreError;
 use super::files::{self, Care};
-use super::{Store, StoreError};
+use super::folder::Store;
 use stage::Hash;
 
 impl Store {

@@ -1,6 +1,7 @@
 //! Names that a user gives to runs: what a named run made or found stays when the store is swept.
 
-use super::{Store, StoreError};
+use super::error::StoreError;
+use super::folder::Store;
 use crate::own;
 
 /// Why a run cannot be pinned.

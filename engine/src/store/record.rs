@@ -1,7 +1,6 @@
 //! Records: what was made under a key, from what, and how long it took.
 
-use super::files::{self, Care};
-use super::{Store, StoreError};
+use super::metrics::MetricText;
 use serde::{Deserialize, Serialize};
 use stage::{Hash, Metric};
 
@@ -31,7 +30,7 @@ struct Written {
     content: String,
     bytes: u64,
     seconds: f64,
-    metrics: Vec<(String, f64, String)>,
+    metrics: Vec<MetricText>,
     warnings: Vec<String>,
 }
 
@@ -43,74 +42,38 @@ struct Version {
     version: u32,
 }
 
-impl Store {
-    /// The record of a key. What is torn, corrupt, another key's or of another version is a miss.
-    pub fn record(&self, key: Hash) -> Option<Record> {
-        self.read_record(key).ok()
-    }
-
-    /// Whether the record of a key is what it says, as far as this version of the program knows.
-    pub(super) fn is_sound(&self, key: Hash) -> bool {
-        !matches!(self.read_record(key), Err(Unread::Corrupt))
-    }
-
-    /// What is corrupt is put aside; what another version of the program wrote is left as it is.
-    fn read_record(&self, key: Hash) -> Result<Record, Unread> {
-        let path = self.place("ac", key);
-        let file = std::fs::read(&path).map_err(|_| Unread::Absent)?;
-        // The key is the hash of the story, and the story is in what was hashed.
-        let own = |record: Record| match record.key() == key {
-            true => Ok(record),
-            false => Err(Unread::Corrupt),
-        };
-        let read = parse(&file).and_then(own);
-        if let Err(Unread::Corrupt) = read {
-            self.quarantine(&path);
-        }
-        read
-    }
-
-    /// Writes the record of a key: the last step of publishing a result.
-    pub fn write_record(&self, key: Hash, record: &Record) -> Result<(), StoreError> {
-        let metric = |m: &Metric| (m.name.clone(), m.value, m.unit.clone());
-        let written = Written {
-            version: VERSION,
-            story: record.story.clone(),
-            content: record.content.to_hex().to_string(),
-            bytes: record.bytes,
-            seconds: record.seconds,
-            metrics: record.metrics.iter().map(metric).collect(),
-            warnings: record.warnings.clone(),
-        };
-        let body = serde_json::to_string_pretty(&written).expect("bug: a record JSON cannot hold");
-        let file = format!(
-            "{}\n{body}\n",
-            blake3::hash(format!("{body}\n").as_bytes()).to_hex()
-        );
-        let (tmp, path) = (self.fresh(), self.place("ac", key));
-        let care = Care::worth(record.seconds);
-        files::publish(self.disk(), &tmp, &path, file.as_bytes(), care)?;
-        self.note_made(key, record);
-        Ok(())
-    }
-}
-
 impl Record {
     /// The key that it is of.
-    fn key(&self) -> Hash {
+    pub(super) fn key(&self) -> Hash {
         crate::key::of(&self.story)
+    }
+
+    /// The bytes of its file.
+    pub(super) fn file(&self) -> String {
+        let written = Written {
+            version: VERSION,
+            story: self.story.clone(),
+            content: self.content.to_hex().to_string(),
+            bytes: self.bytes,
+            seconds: self.seconds,
+            metrics: self.metrics.iter().map(MetricText::of).collect(),
+            warnings: self.warnings.clone(),
+        };
+        let body = serde_json::to_string_pretty(&written).expect("bug: a record JSON cannot hold");
+        let hash = blake3::hash(format!("{body}\n").as_bytes()).to_hex();
+        format!("{hash}\n{body}\n")
     }
 }
 
 /// Why a file gives no record.
-enum Unread {
+pub(super) enum Unread {
     Absent,
     Corrupt,
     OtherVersion,
 }
 
 /// A record from the bytes of its file.
-fn parse(file: &[u8]) -> Result<Record, Unread> {
+pub(super) fn parse(file: &[u8]) -> Result<Record, Unread> {
     let end = file.iter().position(|b| *b == b'\n');
     let (hash, body) = file.split_at(end.ok_or(Unread::Corrupt)?);
     let body = &body[1..];
@@ -127,13 +90,16 @@ fn parse(file: &[u8]) -> Result<Record, Unread> {
     if written.version != VERSION {
         return Err(Unread::OtherVersion);
     }
-    let metric = |(name, value, unit)| Metric { name, value, unit };
     Ok(Record {
         story: written.story,
         content: Hash::from_hex(&written.content).map_err(|_| Unread::Corrupt)?,
         bytes: written.bytes,
         seconds: written.seconds,
-        metrics: written.metrics.into_iter().map(metric).collect(),
+        metrics: written
+            .metrics
+            .into_iter()
+            .map(MetricText::metric)
+            .collect(),
         warnings: written.warnings,
     })
 }

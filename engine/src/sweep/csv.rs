@@ -1,6 +1,6 @@
 //! Tables of points: `node.param` at the head of each column, one point a line.
 
-use super::axes::{Axis, AxisError};
+use super::axis::{Axis, AxisError};
 use crate::recipe::parse_value;
 use std::path::Path;
 

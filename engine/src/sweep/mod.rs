@@ -12,6 +12,7 @@
 //! ```
 
 pub mod axes;
+mod axis;
 mod busy;
 mod csv;
 mod outlook;
@@ -21,7 +22,7 @@ mod run;
 mod table;
 
 pub use crate::tells::{entries, untellable};
-pub use axes::{Axis, AxisError};
+pub use axis::{Axis, AxisError};
 pub use outlook::{Outlook, outlook};
 pub use page::page;
 pub use points::{Point, Points};

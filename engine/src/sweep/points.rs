@@ -1,6 +1,6 @@
 //! The points of a sweep: a grid of axes, crossed with variants; none is written out before its turn.
 
-use super::axes::Axis;
+use super::axis::Axis;
 use crate::graph::Graph;
 use crate::recipe::Overrides;
 use stage::Value;

@@ -162,6 +162,6 @@ fn an_inherited_sweep_goes_over_shared_params_and_one_that_lost_a_node_is_left_o
     };
     assert_eq!(sweeps("extends = \"base.toml\"\n"), 1);
     assert_eq!(sweeps("extends = \"base.toml\"\ngoal = \"final\"\n"), 0);
-    let other = "[node.other]\nstage = \"toy.half\"\nfrom = { text = \"clean\" }\n";
+    let other = "[node.other]\nstage = \"toy.mid\"\nfrom = { text = \"clean\" }\n";
     assert_eq!(sweeps(&format!("extends = \"base.toml\"\n{other}")), 0);
 }

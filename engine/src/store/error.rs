@@ -1,0 +1,41 @@
+//! A store that cannot be used.
+
+use std::path::PathBuf;
+
+/// A store that cannot be used.
+#[derive(Debug, thiserror::Error)]
+pub enum StoreError {
+    /// The disk says no.
+    #[error("the cache at {}: {why}; make room or make it writable, or give another with --cache", path.display())]
+    Disk {
+        /// The file or folder.
+        path: PathBuf,
+        /// What the system says.
+        why: std::io::Error,
+    },
+    /// Written by another version of the program.
+    #[error("the cache at {} has another layout ({found}): another version of the program made it, use that or give another folder with --cache", root.display())]
+    Format {
+        /// The store.
+        root: PathBuf,
+        /// What it says of itself.
+        found: String,
+    },
+    /// Somebody else's folder.
+    #[error(
+        "{} is not empty and is no cache ({} is not of one): nothing was written; \
+         give another folder, or an empty one, with --cache", root.display(), strange.display()
+    )]
+    Strange {
+        /// The folder.
+        root: PathBuf,
+        /// What no store has.
+        strange: PathBuf,
+    },
+    /// A folder of the store that lies elsewhere.
+    #[error("{} is a link, and nothing is removed through a link: nothing was removed; put the folder itself there", .0.display())]
+    Link(PathBuf),
+    /// Not to be swept now.
+    #[error("a run is using the cache at {}: nothing was removed; say it again when the run is done", .0.display())]
+    Busy(PathBuf),
+}

@@ -1,0 +1,119 @@
+//! The folder of a store: its mark, its shelves, names of its files.
+
+use super::ahead::Ahead;
+use super::disk::{Disk, Real};
+use super::error::StoreError;
+use super::files::{self, Care};
+use super::index::Index;
+use crate::own::{self, place};
+use stage::Hash;
+use std::path::{Path, PathBuf};
+use std::sync::{Mutex, MutexGuard, OnceLock};
+
+const FORMAT: &str = "tailor store 1\n";
+
+/// A store on disk.
+pub struct Store {
+    root: PathBuf,
+    pub(super) disk: Box<dyn Disk>,
+    /// Read when somebody asks it first.
+    index: OnceLock<Mutex<Index>>,
+}
+
+impl Store {
+    /// Opens a store; makes it if there is none.
+    pub fn open(root: &Path) -> Result<Store, StoreError> {
+        Store::with(root, Box::new(Real), OnceLock::new())
+    }
+
+    /// As [`Store::open`], with what was read ahead of it.
+    pub fn open_after(root: &Path, ahead: Ahead) -> Result<Store, StoreError> {
+        Store::with(root, Box::new(Real), Mutex::new(ahead.index()).into())
+    }
+
+    pub(super) fn with(
+        root: &Path,
+        disk: Box<dyn Disk>,
+        index: OnceLock<Mutex<Index>>,
+    ) -> Result<Store, StoreError> {
+        let store = Store {
+            root: root.to_owned(),
+            disk,
+            index,
+        };
+        let mark = root.join("format");
+        let found = std::fs::read(&mark).unwrap_or_default();
+        if found == FORMAT.as_bytes() {
+            return Ok(store);
+        }
+        // A loss of power may leave a file without all that was written, whose layout was this one.
+        let zeros = found.iter().rev().take_while(|byte| **byte == 0).count();
+        if !FORMAT.as_bytes().starts_with(&found[..found.len() - zeros]) {
+            let found = String::from_utf8_lossy(&found);
+            return Err(StoreError::Format {
+                root: root.into(),
+                found: found.trim().chars().take(40).collect(),
+            });
+        }
+        // What killed processes and a loss of power leave is of our own form.
+        if let Some(strange) = own::stranger(root) {
+            let root = root.to_owned();
+            return Err(StoreError::Strange { root, strange });
+        }
+        files::folder(&*store.disk, root)?;
+        // Whole or not there: what it says decides over all else.
+        let (tmp, care) = (store.fresh(), Care::Durable);
+        files::publish(store.disk(), &tmp, &mark, FORMAT.as_bytes(), care)?;
+        Ok(store)
+    }
+
+    pub(super) fn disk(&self) -> (&dyn Disk, &Path) {
+        (&*self.disk, &self.root)
+    }
+
+    pub(super) fn index(&self) -> MutexGuard<'_, Index> {
+        let load = || Mutex::new(Index::load(&self.root.join("index")));
+        self.index.get_or_init(load).lock().expect("bug: poisoned")
+    }
+
+    /// Where it lies.
+    pub fn root(&self) -> &Path {
+        &self.root
+    }
+
+    /// Writes a file of the store by its name, over what was there. It is not synced: what lies
+    /// outside of the shelves is of use, but nothing depends on it.
+    pub fn write(&self, name: &str, bytes: &[u8]) -> Result<(), StoreError> {
+        files::publish(
+            self.disk(),
+            &self.fresh(),
+            &self.root.join(name),
+            bytes,
+            Care::Cheap,
+        )
+    }
+
+    /// The file of a hash under a shelf: `cas/ab/abcdef…`.
+    pub(super) fn place(&self, shelf: &str, hash: Hash) -> PathBuf {
+        place(&self.root, shelf, hash)
+    }
+
+    /// A name in `tmp` that nobody else has.
+    pub(super) fn fresh(&self) -> PathBuf {
+        use std::sync::atomic::{AtomicU64, Ordering};
+        static COUNT: AtomicU64 = AtomicU64::new(0);
+        let count = COUNT.fetch_add(1, Ordering::Relaxed);
+        let (id, now) = (std::process::id(), crate::clock::now_ns());
+        self.root.join("tmp").join(format!("{id}-{count}-{now:x}"))
+    }
+
+    /// Puts what is corrupt aside, so that it is a miss from now on.
+    pub(super) fn quarantine(&self, path: &Path) {
+        let folder = self.root.join("quarantine");
+        let name = path.file_name().unwrap_or_default();
+        let made = files::folder(&*self.disk, &folder).is_ok();
+        if !made || self.disk.rename(path, &folder.join(name)).is_err() {
+            let _ = self.disk.remove(path);
+        }
+    }
+}

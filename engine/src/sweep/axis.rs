@@ -1,0 +1,41 @@
+//! Params that vary together, and why what varies cannot be told.
+
+use stage::Value;
+
+/// Params that vary together, and the values that they take: one row a step.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Axis {
+    /// Node and param.
+    pub params: Vec<(String, String)>,
+    /// One value a param in each row.
+    pub rows: Vec<Vec<Value>>,
+}
+
+/// What varies cannot be told.
+#[derive(Debug, thiserror::Error)]
+pub enum AxisError {
+    /// Of unequal length.
+    #[error("{0} go side by side, but take {1} values: give each the same number")]
+    Unequal(String, String),
+    /// A table of points.
+    #[error("{file}: {why}")]
+    Table {
+        /// The file.
+        file: String,
+        /// What is wrong.
+        why: String,
+    },
+    /// On the command line.
+    #[error(
+        "`--sweep {0}`: say NODE.PARAM=2,3,4 or NODE.PARAM=2..8/4 (4 values from 2 to 8), with `log` behind it for equal ratios"
+    )]
+    Said(String),
+    /// A range without the number of its values.
+    #[error("`--sweep {0}`: say how many values: {0}/5 is five, with both ends")]
+    HowMany(String),
+    /// A sample of what is no range.
+    #[error(
+        "a sample takes values from `over`; `zip` and `csv` say which go together, so leave one of them out"
+    )]
+    SampleOfTable,
+}
