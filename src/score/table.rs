@@ -50,6 +50,18 @@ pub fn text(score: &Score) -> String {
             part("trunk", trunk);
         }
     }
+    text += &girths(score);
+    text += &at_told_planes(score);
+    if text.is_empty() {
+        text +=
+            "nothing to compare: neither cameras, masks, a surface nor girths are on both sides\n";
+    }
+    text
+}
+
+/// The girths beside their truth.
+fn girths(score: &Score) -> String {
+    let mut text = String::new();
     if !score.girths.is_empty() {
         let _ = writeln!(
             text,
@@ -82,11 +94,6 @@ pub fn text(score: &Score) -> String {
                 or_dash(g.level_mm, 1),
             );
         }
-    }
-    text += &at_told_planes(score);
-    if text.is_empty() {
-        text +=
-            "nothing to compare: neither cameras, masks, a surface nor girths are on both sides\n";
     }
     text
 }

@@ -3,9 +3,9 @@
 use crate::field::{BRICK, Lattice, evaluate};
 use crate::silhouettes::{Silhouette, bounds, consensus};
 use crate::surface::{largest, surface};
-use nalgebra::Point3;
+use nalgebra::{Point3, Vector3};
 use rayon::prelude::*;
-use shape::{Cameras, Image, Mask, Masks, Mesh, seen_by_half, signed_distance};
+use shape::{Cameras, Image, Mask, Masks, Mesh, View, seen_by_half, signed_distance};
 use stage::{Cancelled, Ctx, Stage, Stop};
 use std::sync::Arc;
 
@@ -99,23 +99,7 @@ impl Stage for Carve {
             return Err(CarveError::TooFew(views.len()).into());
         }
         for (_, mask, view) in &views {
-            let share = mask.area() as f64 / mask.data.len().max(1) as f64;
-            let what = if share < 1e-4 {
-                "empty"
-            } else if share > 0.95 || framed(mask) > 0.9 {
-                "full, or inverted"
-            } else if (mask.width as u32, mask.height as u32)
-                != (view.camera.lens.width, view.camera.lens.height)
-            {
-                "of another size than the photo"
-            } else {
-                continue;
-            };
-            return Err(CarveError::Mask {
-                name: view.name.clone(),
-                what,
-            }
-            .into());
+            sound(mask, view)?;
         }
         let prepared: Vec<Silhouette> = views
             .par_iter()
@@ -135,22 +119,7 @@ impl Stage for Carve {
         let cylinder = seen_by_half(&input.cameras).ok_or_else(nothing)?;
         let (lo, hi) = bounds(&prepared, dissent, &cylinder, ground).ok_or_else(nothing)?;
         let lattice = Lattice::over(lo, hi, p.voxel_mm);
-        let size = hi - lo;
-        let need = need_mb(
-            2.0 * (size.x * size.y + size.y * size.z + size.z * size.x),
-            p.voxel_mm,
-        );
-        if need > p.memory_mb {
-            // Rounded up to what is printed, so that what is said to fit does.
-            let fits = (p.voxel_mm * (need / p.memory_mb).sqrt() * 10.2).ceil() / 10.0;
-            return Err(CarveError::Memory {
-                voxel_mm: p.voxel_mm,
-                need,
-                most: p.memory_mb,
-                fits,
-            }
-            .into());
-        }
+        fits(p, &(hi - lo))?;
         // Beyond the lattice nothing is solid: half a cell within, the solid ends.
         let [first, last] = [[0; 3], lattice.bricks.map(|b| b * BRICK)];
         let [first, last] = [first, last].map(|[x, y, z]| lattice.corner(x, y, z));
@@ -185,6 +154,41 @@ impl Stage for Carve {
         ctx.metric("cells looked into", cells as f64 / 1e6, "million");
         Ok(mesh)
     }
+}
+
+/// Whether a mask can be one of a subject before a room.
+fn sound(mask: &Mask, view: &View) -> Result<(), CarveError> {
+    let share = mask.area() as f64 / mask.data.len().max(1) as f64;
+    let lens = &view.camera.lens;
+    let what = if share < 1e-4 {
+        "empty"
+    } else if share > 0.95 || framed(mask) > 0.9 {
+        "full, or inverted"
+    } else if (mask.width as u32, mask.height as u32) != (lens.width, lens.height) {
+        "of another size than the photo"
+    } else {
+        return Ok(());
+    };
+    Err(CarveError::Mask {
+        name: view.name.clone(),
+        what,
+    })
+}
+
+/// Whether the lattice of a box of this size fits into memory. \[mm\]
+fn fits(p: &CarveParams, size: &Vector3<f64>) -> Result<(), CarveError> {
+    let surface = 2.0 * (size.x * size.y + size.y * size.z + size.z * size.x);
+    let need = need_mb(surface, p.voxel_mm);
+    if need <= p.memory_mb {
+        return Ok(());
+    }
+    Err(CarveError::Memory {
+        voxel_mm: p.voxel_mm,
+        need,
+        most: p.memory_mb,
+        // Rounded up to what is printed, so that what is said to fit does.
+        fits: (p.voxel_mm * (need / p.memory_mb).sqrt() * 10.2).ceil() / 10.0,
+    })
 }
 
 /// Share of the outermost pixels that are body. A subject never fills the frame all around.

@@ -2,7 +2,7 @@
 
 use crate::lengths::Lengths;
 use crate::tables::escaped;
-use shape::Girths;
+use shape::{Girth, Girths};
 use std::fmt::Write;
 
 /// A girth that changes by more than this from one height to the next jumps.
@@ -52,23 +52,11 @@ pub(crate) fn svg(girths: &Girths, ground_mm: f64, lengths: Lengths) -> String {
             zcm = tick(z),
         );
     }
-    for girth in girths
-        .girths
-        .iter()
-        .filter(|g| g.plane.normal[2].abs() > 0.999)
-    {
+    let level = |g: &&Girth| g.plane.normal[2].abs() > 0.999;
+    for girth in girths.girths.iter().filter(level) {
         let z = girth.plane.point_mm[2] - ground_mm;
         if (low..=high).contains(&z) && (narrowest..=widest * 1.02).contains(&girth.tape_mm) {
-            let _ = write!(
-                svg,
-                "<line class=\"mark\" x1=\"{left}\" x2=\"{:.1}\" y1=\"{zy:.1}\" y2=\"{zy:.1}\"/>\
-                 <text class=\"mark\" x=\"{tx}\" y=\"{ty:.1}\">{}</text>",
-                x(girth.tape_mm),
-                escaped(&girth.name),
-                tx = left + 4.0,
-                ty = y(z) - 3.0,
-                zy = y(z),
-            );
+            mark(&mut svg, &girth.name, left, [x(girth.tape_mm), y(z)]);
         }
     }
     for pair in pairs.windows(2) {
@@ -77,13 +65,10 @@ pub(crate) fn svg(girths: &Girths, ground_mm: f64, lengths: Lengths) -> String {
             true => "curve jump",
             false => "curve",
         };
+        let [x0, y0, x1, y1] = [x(g0), y(z0), x(g1), y(z1)];
         let _ = write!(
             svg,
-            "<path class=\"{class}\" d=\"M{:.1},{:.1}L{:.1},{:.1}\"/>",
-            x(g0),
-            y(z0),
-            x(g1),
-            y(z1)
+            "<path class=\"{class}\" d=\"M{x0:.1},{y0:.1}L{x1:.1},{y1:.1}\"/>"
         );
     }
     let _ = write!(
@@ -96,4 +81,16 @@ pub(crate) fn svg(girths: &Girths, ground_mm: f64, lengths: Lengths) -> String {
         unit = lengths.word(),
     );
     svg
+}
+
+/// A line from the left to a girth's place on the curve, with its name.
+fn mark(svg: &mut String, name: &str, left: f64, [x, y]: [f64; 2]) {
+    let _ = write!(
+        svg,
+        "<line class=\"mark\" x1=\"{left}\" x2=\"{x:.1}\" y1=\"{y:.1}\" y2=\"{y:.1}\"/>\
+         <text class=\"mark\" x=\"{tx}\" y=\"{ty:.1}\">{}</text>",
+        escaped(name),
+        tx = left + 4.0,
+        ty = y - 3.0,
+    );
 }

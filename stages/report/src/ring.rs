@@ -32,27 +32,11 @@ pub(crate) fn svg(cameras: &Cameras) -> String {
             let up = if side { p.z - (low + high) / 2.0 } else { p.y };
             (panel + 210.0 + p.x * scale, 205.0 - up * scale)
         };
-        let (cx, cy) = map(&Point3::new(0.0, 0.0, 0.0));
-        if side {
-            let _ = write!(
-                svg,
-                "<rect class=\"disk\" x=\"{:.1}\" y=\"{cy:.1}\" width=\"{:.1}\" height=\"4\"/>\
-                 <rect class=\"cyl\" x=\"{:.1}\" y=\"{:.1}\" width=\"{:.1}\" height=\"{:.1}\"/>",
-                cx - disk * scale,
-                2.0 * disk * scale,
-                cx - radius * scale,
-                cy - high * scale,
-                2.0 * radius * scale,
-                (high - low) * scale,
-            );
-        } else {
-            let _ = write!(
-                svg,
-                "<circle class=\"disk\" cx=\"{cx:.1}\" cy=\"{cy:.1}\" r=\"{:.1}\"/>\
-                 <circle class=\"cyl\" cx=\"{cx:.1}\" cy=\"{cy:.1}\" r=\"{:.1}\"/>",
-                disk * scale,
-                radius * scale,
-            );
+        let at = map(&Point3::new(0.0, 0.0, 0.0));
+        let [disk, radius, low, high] = [disk, radius, low, high].map(|mm| mm * scale);
+        match side {
+            true => from_the_side(&mut svg, at, disk, radius, [low, high]),
+            false => from_above(&mut svg, at, disk, radius),
         }
         let mut path = String::new();
         for ((label, centre), view) in centres.iter().zip(cameras.views.values()) {
@@ -87,6 +71,31 @@ pub(crate) fn svg(cameras: &Cameras) -> String {
         );
     }
     svg + "</svg>"
+}
+
+/// Disk and cylinder from the side, in the drawing's units.
+fn from_the_side(svg: &mut String, (x, y): (f64, f64), disk: f64, radius: f64, z: [f64; 2]) {
+    let [low, high] = z;
+    let _ = write!(
+        svg,
+        "<rect class=\"disk\" x=\"{:.1}\" y=\"{y:.1}\" width=\"{:.1}\" height=\"4\"/>\
+         <rect class=\"cyl\" x=\"{:.1}\" y=\"{:.1}\" width=\"{:.1}\" height=\"{:.1}\"/>",
+        x - disk,
+        2.0 * disk,
+        x - radius,
+        y - high,
+        2.0 * radius,
+        high - low,
+    );
+}
+
+/// Disk and cylinder from above.
+fn from_above(svg: &mut String, (x, y): (f64, f64), disk: f64, radius: f64) {
+    let _ = write!(
+        svg,
+        "<circle class=\"disk\" cx=\"{x:.1}\" cy=\"{y:.1}\" r=\"{disk:.1}\"/>\
+         <circle class=\"cyl\" cx=\"{x:.1}\" cy=\"{y:.1}\" r=\"{radius:.1}\"/>"
+    );
 }
 
 /// The ends of a camera's view at its photo's four corners. \[mm\]

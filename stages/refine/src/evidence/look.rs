@@ -105,6 +105,14 @@ impl Look {
                 }
             }
         }
+        self.normalise::<SLOPE>(window, count);
+        true
+    }
+
+    /// Takes the mean (and slope across the patch) out, weights the brightness and makes its norm 1;
+    /// the derivative follows.
+    #[inline(always)]
+    fn normalise<const SLOPE: bool>(&mut self, window: &Window, count: usize) {
         flatten(&mut self.z[..count], window);
         if SLOPE {
             flatten(&mut self.slope[..count], window);
@@ -124,7 +132,6 @@ impl Look {
             let both = slope.iter_mut().zip(z.iter());
             both.for_each(|(s, z)| *s -= z * radial);
         }
-        true
     }
 
     /// Normalised cross-correlation of two looks.

@@ -164,8 +164,12 @@ fn sights(
             toward: [toward.x as f32, toward.y as f32, toward.z as f32],
         });
     }
-    // A picture that agrees with none of the others is not believed: a hand in front, a highlight.
-    let count = window.len();
+    doubt(&mut sights, &looks, window.len(), rules);
+    sights
+}
+
+/// A picture that agrees with none of the others is not believed: a hand in front, a highlight.
+fn doubt(sights: &mut [Sight], looks: &[Look], count: usize, rules: &Sighting) {
     let trust: Vec<f32> = (0..sights.len())
         .map(|i| {
             let others = (0..sights.len())
@@ -180,5 +184,4 @@ fn sights(
         .iter_mut()
         .zip(trust)
         .for_each(|(s, t)| s.weight *= t);
-    sights
 }

@@ -1,8 +1,9 @@
 //! One round of settling: who sees what is looked at anew, then steps are taken while the energy falls.
 
+use crate::evidence::agreement::Agreement;
 use crate::evidence::outside::outside;
 use crate::evidence::patch::Pairing;
-use crate::evidence::rims::pulls;
+use crate::evidence::rims::{Pull, pulls};
 use crate::evidence::sights::{Sighting, Sights};
 use crate::geometry::curvature::Laplacian;
 use crate::geometry::remesh::relax;
@@ -55,17 +56,14 @@ pub(crate) fn one_round(
         }
         let normals = mesh.normals();
         let pulls = pulls(mesh, &around, &normals, pictures, 3.0);
-        let outside = if p.bound > 0.0 {
-            outside(mesh, &normals, pictures, p.slack_px, footprint)
-        } else {
-            vec![]
+        let outside = match p.bound > 0.0 {
+            true => outside(mesh, &normals, pictures, p.slack_px, footprint),
+            false => vec![],
         };
         let laplacian = Laplacian::new(mesh, &around);
         // A typical pair-stiffness of 0.04 a pixel² balances the plate at the length asked for.
         let plate = 0.04 * p.smooth_px.powi(4) * footprint.powi(2);
-        let x: Vec<Vector3<f64>> = (0..mesh.positions.len() as u32)
-            .map(|v| mesh.point(v).coords)
-            .collect();
+        let x = positions(mesh);
         let rest = Rest::new(&laplacian, &x, &normals, p.rest_rings as usize);
         let forces = Forces {
             rest: &rest,
@@ -84,16 +82,11 @@ pub(crate) fn one_round(
         };
         let still = vec![0.0; x.len()];
         let seen = forces.agreements::<true>(&still);
-        let (score, weight) = seen
-            .iter()
-            .fold((0.0, 0.0), |s, a| (s.0 + a.score, s.1 + a.weight));
-        told.consistency = score / f64::max(weight, 1e-9);
+        told.consistency = consistency(&seen);
         if step == 0 {
             told.before = told.consistency;
         }
-        let gaps: f64 = pulls.iter().map(|p| p.weight * p.gap * p.gap).sum();
-        told.gap_px =
-            (gaps / pulls.iter().map(|p| p.weight).sum::<f64>().max(1e-9)).sqrt() / footprint;
+        told.gap_px = gap(&pulls) / footprint;
         let before = forces.energy(&seen, &still, &x);
         let mut springs = forces.springs(&seen);
         if searching {
@@ -112,20 +105,50 @@ pub(crate) fn one_round(
         let d = settle(&springs, &laplacian, &x, &normals, &rest, plate, 60);
         let most = if searching { p.reach_px } else { 3.0 } * footprint;
         let d: Vec<f64> = d.iter().map(|d| d.clamp(-most, most)).collect();
-        let taken = if searching {
-            1.0
-        } else {
-            forces.falls(&x, &d, before)
+        let taken = match searching {
+            true => 1.0,
+            false => forces.falls(&x, &d, before),
         };
         if taken == 0.0 {
             break;
         }
-        for (v, d) in d.iter().enumerate() {
-            let to = x[v] + normals[v] * (d * taken);
-            mesh.positions[v] = [to.x as f32, to.y as f32, to.z as f32];
-        }
+        step_along(mesh, &x, &normals, &d, taken);
         relax(mesh);
     }
     part(mesh, &start, &around);
     Ok(told)
+}
+
+/// Moves the vertices along their normals by a share of `d`. \[mm\]
+fn step_along(
+    mesh: &mut Mesh,
+    x: &[Vector3<f64>],
+    normals: &[Vector3<f64>],
+    d: &[f64],
+    share: f64,
+) {
+    for (v, d) in d.iter().enumerate() {
+        let to = x[v] + normals[v] * (d * share);
+        mesh.positions[v] = [to.x as f32, to.y as f32, to.z as f32];
+    }
+}
+
+/// Where the vertices are. \[mm\]
+fn positions(mesh: &Mesh) -> Vec<Vector3<f64>> {
+    let vertices = 0..mesh.positions.len() as u32;
+    vertices.map(|v| mesh.point(v).coords).collect()
+}
+
+/// Mean agreement of the photos over the surface.
+fn consistency(seen: &[Agreement]) -> f64 {
+    let sum = |s: (f64, f64), a: &Agreement| (s.0 + a.score, s.1 + a.weight);
+    let (score, weight) = seen.iter().fold((0.0, 0.0), sum);
+    score / f64::max(weight, 1e-9)
+}
+
+/// Distance of the occluding contours from the silhouettes, root of the mean square. \[mm\]
+fn gap(pulls: &[Pull]) -> f64 {
+    let gaps: f64 = pulls.iter().map(|p| p.weight * p.gap * p.gap).sum();
+    let weight: f64 = pulls.iter().map(|p| p.weight).sum();
+    (gaps / weight.max(1e-9)).sqrt()
 }

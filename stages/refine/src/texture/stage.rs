@@ -4,7 +4,7 @@ use crate::pictures::picture::Picture;
 use crate::pictures::turn::{PhotoSize, TurnInput};
 use crate::texture::atlas::{Sheet, charts, packed};
 use crate::texture::labels::{NOWHERE, labels};
-use nalgebra::{Point2, Vector3};
+use nalgebra::{Point2, SVector, Vector3};
 use rayon::prelude::*;
 use shape::{Adjacency, Camera, Mesh, PhotoId, Photos, Rgb, Textured};
 use stage::{Ctx, Stage, Stop};
@@ -71,19 +71,12 @@ impl Stage for Texture {
         let labels = labels(&mesh, &small, p.rounds as usize);
         let charts = charts(&mesh, &labels);
         let (own, mean) = vertex_colours(&mesh, &labels, &input.photos, &views, &small)?;
-        let sheets: Vec<Sheet<'_>> = charts
-            .iter()
-            .map(|c| Sheet::new(&mesh, c, &views))
-            .collect();
-        let boxes: Vec<[Point2<f64>; 2]> = charts
-            .iter()
-            .zip(&sheets)
-            .map(|(c, sheet)| sheet.bounds(&mesh, c))
-            .collect();
-        let sizes: Vec<[f64; 2]> = boxes
-            .iter()
-            .map(|[lo, hi]| [hi.x - lo.x, hi.y - lo.y])
-            .collect();
+        let sheet = |c| Sheet::new(&mesh, c, &views);
+        let sheets: Vec<Sheet<'_>> = charts.iter().map(sheet).collect();
+        let both = charts.iter().zip(&sheets);
+        let boxes: Vec<[Point2<f64>; 2]> = both.map(|(c, s)| s.bounds(&mesh, c)).collect();
+        let size = |[lo, hi]: &[Point2<f64>; 2]| [hi.x - lo.x, hi.y - lo.y];
+        let sizes: Vec<[f64; 2]> = boxes.iter().map(size).collect();
         let side = p.atlas_px as usize;
         let (places, scale) = packed(&sizes, side, MARGIN);
         let mut atlas = Rgb::filled(side, side, [128; 3]);
@@ -91,49 +84,37 @@ impl Stage for Texture {
         let steps = ctx.steps("photos", views.len() + 1);
         let ids = views.iter().map(|(id, _)| Some(*id)).chain([None]);
         for (k, id) in ids.enumerate() {
-            let photo = match id {
-                Some(id) => Some(
-                    input
-                        .photos
-                        .get(id)
-                        .expect("bug: filtered above")
-                        .decode()?,
-                ),
-                None => None,
-            };
+            let photo = id.and_then(|id| input.photos.get(id));
+            let photo = photo.map(|photo| photo.decode()).transpose()?;
             let label = if photo.is_some() { k as u16 } else { NOWHERE };
             for (c, chart) in charts.iter().enumerate().filter(|(_, c)| c.photo == label) {
+                let lo = boxes[c][0];
+                let place = |q: &Point2<f64>| {
+                    [
+                        (q.x - lo.x) * scale + places[c][0] as f64,
+                        (q.y - lo.y) * scale + places[c][1] as f64,
+                    ]
+                };
                 for f in &chart.faces {
                     let face = mesh.faces[*f as usize];
                     let at_px = face.map(|v| sheets[c].at(&mesh.point(v)));
-                    let lo = boxes[c][0];
-                    let on = at_px.map(|q| {
-                        [
-                            (q.x - lo.x) * scale + places[c][0] as f64,
-                            (q.y - lo.y) * scale + places[c][1] as f64,
-                        ]
-                    });
+                    let on = at_px.each_ref().map(place);
                     corners[*f as usize] = on.map(|q| q.map(|x| ((x + 0.5) / side as f64) as f32));
-                    let shift = [0, 1, 2].map(|i| {
-                        let (mean, own) = (mean[face[i] as usize], own[*f as usize][i]);
-                        if p.even && label != NOWHERE {
-                            mean - own
-                        } else {
-                            Vector3::zeros()
-                        }
-                    });
                     let flat = face.map(|v| mean[v as usize]);
-                    paint(&mut atlas, on, |weights| match &photo {
+                    let shift = [0, 1, 2].map(|i| match p.even {
+                        true => flat[i] - own[*f as usize][i],
+                        false => Vector3::zeros(),
+                    });
+                    let photo = photo.as_ref();
+                    paint(&mut atlas, on, |weights| match photo {
                         Some(photo) => {
-                            let q = at_px[0].coords * weights[0]
-                                + at_px[1].coords * weights[1]
-                                + at_px[2].coords * weights[2];
+                            let q = blend(&at_px.map(|q| q.coords), weights);
                             sample(photo, q.x, q.y)
                                 + shift[0] * weights[0]
                                 + shift[1] * weights[1]
                                 + shift[2] * weights[2]
                         }
-                        None => flat[0] * weights[0] + flat[1] * weights[1] + flat[2] * weights[2],
+                        None => blend(&flat, weights),
                     });
                 }
             }
@@ -149,6 +130,11 @@ impl Stage for Texture {
             atlas,
         })
     }
+}
+
+/// The weighted sum of what a face's corners have.
+fn blend<const N: usize>(corners: &[SVector<f64, N>; 3], weights: [f64; 3]) -> SVector<f64, N> {
+    corners[0] * weights[0] + corners[1] * weights[1] + corners[2] * weights[2]
 }
 
 /// The colour of each face's corners on the face's own photo, and the mean over all photos of faces
