@@ -105,6 +105,10 @@ fn make(folder: &Path) -> Result<(), DeliveryError> {
 }
 
 /// Writes files for the owner only: one to `path`, several into the folder `path`.
+///
+/// # Errors
+///
+/// The disk refuses.
 pub fn write(path: &Path, files: &[(String, Vec<u8>)]) -> Result<(), DeliveryError> {
     for (name, bytes) in files {
         let (folder, name) = match (name.is_empty(), path.parent(), path.file_name()) {
@@ -122,6 +126,10 @@ pub fn write(path: &Path, files: &[(String, Vec<u8>)]) -> Result<(), DeliveryErr
 }
 
 /// Whether results can be delivered into a folder, which may not be there yet.
+///
+/// # Errors
+///
+/// It holds what no run of ours wrote.
 pub fn check(folder: &Path) -> Result<(), DeliveryError> {
     let wrong = |path: &Path, why: std::io::Error| DeliveryError::Disk {
         path: path.into(),
@@ -164,6 +172,10 @@ pub fn is_of_another(folder: &Path, of: &str) -> bool {
 
 impl Delivery {
     /// Into a folder, which is made if need be; waits while somebody else delivers.
+    ///
+    /// # Errors
+    ///
+    /// It cannot be made, or holds what is not ours.
     pub fn open(folder: &Path, of: &str) -> Result<Delivery, DeliveryError> {
         make(folder)?;
         let held = File::open(folder).map_err(|why| DeliveryError::Disk {
@@ -187,6 +199,10 @@ impl Delivery {
     }
 
     /// Says whose the folder is before anything else is in it.
+    ///
+    /// # Errors
+    ///
+    /// The disk refuses.
     pub fn begin(&mut self) -> Result<(), DeliveryError> {
         let run = json!({ "of": self.of, "files": self.before, "unfinished": true });
         self.write_run(&run)
@@ -198,6 +214,10 @@ impl Delivery {
     }
 
     /// Writes files: one of this name, or several into the folder of this name.
+    ///
+    /// # Errors
+    ///
+    /// The disk refuses, or a name is taken by somebody else's file.
     pub fn put(&mut self, name: &str, files: &[(String, Vec<u8>)]) -> Result<(), DeliveryError> {
         for (below, bytes) in files {
             let name = match (name.is_empty(), below.is_empty()) {
@@ -245,6 +265,10 @@ impl Delivery {
 
     /// Writes the run down. What earlier deliveries left and this one did not write is removed if
     /// that is wanted, and told in any case.
+    ///
+    /// # Errors
+    ///
+    /// The disk refuses.
     pub fn finish(self, run: Value, clean: bool) -> Result<Left, DeliveryError> {
         let mut told = Left::default();
         let mut left = BTreeMap::new();

@@ -36,6 +36,10 @@ pub fn json(graph: &Graph, plan: &[Option<Planned>]) -> Value {
 }
 
 /// The drawing in a format: `dot`, `mermaid` or `svg`.
+///
+/// # Errors
+///
+/// No such format.
 pub fn draw(graph: &Graph, plan: &[Option<Planned>], format: &str) -> Result<String, String> {
     let color = |i: usize| color(plan[i].as_ref().map(|p| &p.state));
     let source = |s: &Source| match s {

@@ -78,6 +78,8 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
+#![warn(clippy::missing_errors_doc)]
+
 mod agenda;
 pub mod cli;
 pub mod clock;
@@ -96,6 +98,7 @@ pub mod lasttime;
 mod memory;
 mod nofollow;
 pub mod out;
+mod outcome;
 mod own;
 pub mod page;
 pub mod past;
@@ -116,6 +119,5 @@ pub mod walk;
 pub mod why;
 
 pub use kind::{Catalog, Kind};
-pub use session::{
-    EngineError, Options, Outcome, ResultError, inputs, run, run_in, runs, said_inputs, threads,
-};
+pub use outcome::{Outcome, ResultError};
+pub use session::{EngineError, Options, inputs, run, run_in, runs, said_inputs, threads};

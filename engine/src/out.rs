@@ -49,6 +49,10 @@ pub fn beside(graph: &Graph, node: usize) -> Option<usize> {
 
 /// Files of an artifact in a format, the usual one if none is said. `raw` gives the bytes of the
 /// artifact's own file.
+///
+/// # Errors
+///
+/// No such format, or the kind's writer fails.
 pub fn files(
     catalog: &Catalog,
     artifact: AnyArtifact,

@@ -1,18 +1,17 @@
 //! The engine as a library: hash the inputs, walk, write the run down, read results.
 
-use crate::graph::{Bound, Graph, InputDecl};
+use crate::graph::{Graph, InputDecl};
 use crate::history::{self, Told};
 use crate::journal::Journal;
+use crate::outcome::Outcome;
 use crate::past;
 use crate::run_one::{Pool, Surroundings};
 use crate::source::{self, Memo, SourceError};
-use crate::store::{InUse, Store, StoreError};
-use crate::walk::{Done, Fate, Job, Watch, walk};
-use serde_json::Value;
-use stage::{AnyArtifact, AnyStage, Artifact, Corrupt, Files, Hash};
+use crate::store::{Store, StoreError};
+use crate::walk::{Job, Watch, walk};
+use stage::{Files, Hash};
 use std::collections::{HashMap, HashSet};
 use std::path::PathBuf;
-use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
 
 pub use crate::past::runs;
@@ -50,22 +49,11 @@ pub enum EngineError {
     Unknown(String),
 }
 
-/// A run that came to an end.
-pub struct Outcome {
-    /// One entry a node, in the graph's order; `None` for those that were not wanted.
-    pub nodes: Vec<Option<Done>>,
-    /// The whole run took so long. \[s\]
-    pub seconds: f64,
-    /// The name and the stage of each node.
-    names: Vec<(String, &'static dyn AnyStage)>,
-    /// The content of each input.
-    inputs: Vec<Hash>,
-    store: Store,
-    /// Results stay as long as somebody may read them.
-    _using: InUse,
-}
-
 /// The files of each input, hashed; what was hashed is remembered in the store.
+///
+/// # Errors
+///
+/// An input has no folder, is unknown, or cannot be read.
 pub fn inputs(
     graph: &Graph,
     said: &[(String, PathBuf)],
@@ -79,6 +67,10 @@ pub fn inputs(
 }
 
 /// As [`inputs`], `None` for those for which no folder is said.
+///
+/// # Errors
+///
+/// An input is unknown, or cannot be read.
 pub fn said_inputs(
     graph: &Graph,
     said: &[(String, PathBuf)],
@@ -110,6 +102,10 @@ pub fn said_inputs(
 }
 
 /// Runs the wanted nodes of a graph.
+///
+/// # Errors
+///
+/// Store or inputs cannot be used. A node that fails is in the outcome.
 pub fn run(
     graph: &Graph,
     folders: &[(String, PathBuf)],
@@ -123,6 +119,10 @@ pub fn run(
 }
 
 /// As [`run`], in a store that is open already.
+///
+/// # Errors
+///
+/// As [`run`].
 pub fn run_in(
     store: Store,
     graph: &Graph,
@@ -187,112 +187,3 @@ pub fn threads(options: &Options) -> usize {
 
 /// More threads than this cost memory and gain nothing.
 const THREADS_A_CORE: usize = 4;
-
-/// Why there is no result of a node to be read.
-#[derive(Debug, thiserror::Error)]
-pub enum ResultError {
-    /// No node of that name.
-    #[error("{0}")]
-    Unknown(String),
-    /// It was not wanted, failed, or was not reached.
-    #[error("`{0}` has no result: it was not wanted, or it did not come to its end")]
-    Missing(String),
-    /// Not in the store any more.
-    #[error("the result of `{0}` went out of the cache; run it again")]
-    Gone(String),
-    /// Not whole.
-    #[error("the result of `{node}` cannot be read")]
-    Corrupt {
-        /// The node.
-        node: String,
-        /// What is wrong with it.
-        source: Corrupt,
-    },
-    /// Another kind than was asked for.
-    #[error("`{node}` makes {kind}, not {asked}")]
-    Kind {
-        /// The node.
-        node: String,
-        /// What it makes.
-        kind: &'static str,
-        /// What was asked for.
-        asked: &'static str,
-    },
-}
-
-impl Outcome {
-    /// The result of the node of a name.
-    ///
-    /// # Errors
-    /// Where there is no such node, or no result of it, or it is of another kind.
-    pub fn read<A: Artifact>(&self, name: &str) -> Result<Arc<A>, ResultError> {
-        let Some(at) = self.names.iter().position(|(node, _)| node == name) else {
-            let known: Vec<&str> = self.names.iter().map(|(node, _)| node.as_str()).collect();
-            return Err(ResultError::Unknown(stage::unknown("node", name, &known)));
-        };
-        let (node, stage) = (name.to_owned(), self.names[at].1);
-        let Some(content) = self.nodes[at].as_ref().and_then(|done| done.content) else {
-            return Err(ResultError::Missing(node));
-        };
-        let Some(blob) = self.store.blob(content) else {
-            return Err(ResultError::Gone(node));
-        };
-        let artifact = match stage.read(&blob) {
-            Ok(artifact) => artifact,
-            Err(source) => return Err(ResultError::Corrupt { node, source }),
-        };
-        let (kind, asked) = (stage.yields(), A::KIND);
-        artifact
-            .downcast()
-            .ok_or(ResultError::Kind { node, kind, asked })
-    }
-
-    /// The result of a node, out of the store.
-    pub fn artifact(&self, graph: &Graph, node: usize) -> Option<AnyArtifact> {
-        let content = self.nodes[node].as_ref()?.content?;
-        graph.nodes[node]
-            .stage
-            .read(&self.store.blob(content)?)
-            .ok()
-    }
-
-    /// The bytes of a node's result, out of the store.
-    pub fn bytes(&self, node: usize) -> Option<Vec<u8>> {
-        let content = self.nodes[node].as_ref()?.content?;
-        Some(self.store.blob(content)?.to_vec())
-    }
-
-    /// The first failure: node and why.
-    pub fn failure<'a>(&'a self, graph: &'a Graph) -> Option<(&'a str, &'a str)> {
-        self.failures(graph).into_iter().next()
-    }
-
-    /// All failures: node and why.
-    pub fn failures<'a>(&'a self, graph: &'a Graph) -> Vec<(&'a str, &'a str)> {
-        let nodes = self.nodes.iter().zip(&graph.nodes);
-        let why = |(done, node): (&'a Option<Done>, &'a Bound)| match &done.as_ref()?.fate {
-            Fate::Failed(why) => Some((node.name.as_str(), why.as_str())),
-            _ => None,
-        };
-        nodes.filter_map(why).collect()
-    }
-
-    /// Whether the user asked to stop before all was done.
-    pub fn cancelled(&self) -> bool {
-        self.nodes
-            .iter()
-            .flatten()
-            .any(|done| done.fate == Fate::Cancelled)
-    }
-
-    /// The run with its provenance, for `run.json`.
-    pub fn json(&self, graph: &Graph) -> Value {
-        let told = Told {
-            graph,
-            nodes: &self.nodes,
-            inputs: &self.inputs,
-            seconds: self.seconds,
-        };
-        serde_json::to_value(told.record()).expect("bug: JSON")
-    }
-}

@@ -63,6 +63,10 @@ struct Stamp {
 const RACY_NS: i128 = 2_000_000_000;
 
 /// The files of an input in natural order.
+///
+/// # Errors
+///
+/// No file fits, one cannot be read, or changed while it was hashed.
 pub fn files(folder: &Path, input: &InputDecl, memo: &mut Memo) -> Result<Files, SourceError> {
     let unreadable = |path: &Path| {
         let path = path.to_owned();

@@ -3,7 +3,8 @@
 
 use crate::graph::{Graph, Source};
 use crate::key::{self, Digest};
-use crate::session::{self, EngineError, Options, Outcome};
+use crate::outcome::Outcome;
+use crate::session::{self, EngineError, Options};
 use crate::store::Store;
 use stage::{AnyArtifact, Ctx, Hash, Host};
 use std::path::PathBuf;
@@ -29,6 +30,10 @@ impl Host for Fresh<'_> {
 
 /// Runs every stage of a finished run once more; `told` hears each node's name before. The
 /// results of the run must still be there (see [`crate::walk::all`]).
+///
+/// # Errors
+///
+/// Store or inputs cannot be used.
 pub fn verify(
     graph: &Graph,
     folders: &[(String, PathBuf)],

@@ -5,7 +5,7 @@ use super::program::GlobalArgs;
 use super::result::there;
 use crate::delivery::{self, Delivery, Left};
 use crate::graph::Graph;
-use crate::session::Outcome;
+use crate::outcome::Outcome;
 use crate::{out, pattern};
 use std::path::{Path, PathBuf};
 
@@ -42,6 +42,10 @@ pub fn whose(folders: &[(String, PathBuf)]) -> String {
 }
 
 /// Says what is wrong with a folder for results before anything runs.
+///
+/// # Errors
+///
+/// Results would lie in a folder that is read, or over files that are not ours.
 pub fn check(out: &Path, graph: &Graph, folders: &[(String, PathBuf)]) -> Result<(), Fault> {
     for (name, folder) in folders {
         let input = graph.inputs.iter().find(|i| i.name == *name);
@@ -67,6 +71,10 @@ pub fn inside(out: &Path, folder: &Path) -> Fault {
 }
 
 /// Writes the run down, and tells what earlier runs left.
+///
+/// # Errors
+///
+/// The folder cannot be written.
 pub fn finish(
     delivery: Delivery,
     graph: &Graph,

@@ -30,6 +30,10 @@ pub(crate) fn open(wanted: &Wanted, global: &GlobalArgs) -> Result<(Graph, Vec<u
 }
 
 /// The node of a name.
+///
+/// # Errors
+///
+/// There is no such node.
 pub fn node(graph: &Graph, name: &str) -> Result<usize, Fault> {
     graph.node(name).ok_or_else(|| {
         let names: Vec<&str> = graph.nodes.iter().map(|n| n.name.as_str()).collect();
@@ -38,6 +42,10 @@ pub fn node(graph: &Graph, name: &str) -> Result<usize, Fault> {
 }
 
 /// A pipeline file or a built-in pipeline, the program's own if none is said, with what the command line changes.
+///
+/// # Errors
+///
+/// None is said and the program has none, or all mistakes of the pipeline.
 pub fn open_pipeline(
     file: Option<&Path>,
     change: &Change,
@@ -56,6 +64,10 @@ pub fn open_pipeline(
 }
 
 /// `NAME=FOLDER` as a pair.
+///
+/// # Errors
+///
+/// A text without `=`.
 pub fn folders(change: &Change) -> Result<Vec<(String, PathBuf)>, Fault> {
     let pair = |text: &String| {
         let (name, folder) = text

@@ -4,7 +4,7 @@ use super::fault::Fault;
 use super::size::bytes;
 use crate::graph::Graph;
 use crate::kind::Catalog;
-use crate::session::Outcome;
+use crate::outcome::Outcome;
 use clap::{ArgMatches, Args, Command};
 use stage::Metric;
 use std::num::NonZeroUsize;

@@ -3,11 +3,15 @@
 use super::fault::Fault;
 use crate::graph::Graph;
 use crate::out;
-use crate::session::Outcome;
+use crate::outcome::Outcome;
 use stage::AnyArtifact;
 
 /// A result that must be there, for somebody wants to write it; and the bytes of its own file
 /// where that is what is written.
+///
+/// # Errors
+///
+/// It went out of the cache meanwhile.
 pub fn there(
     graph: &Graph,
     outcome: &Outcome,

@@ -10,8 +10,9 @@ use super::speech::CANCEL;
 use crate::delivery::Delivery;
 use crate::graph::Graph;
 use crate::lasttime::History;
+use crate::outcome::Outcome;
 use crate::past::Of;
-use crate::session::{self, Outcome};
+use crate::session;
 use crate::store::Store;
 use crate::{out, verify, walk};
 use clap::Args;
@@ -42,6 +43,10 @@ pub(crate) struct Run {
 }
 
 /// Runs in a store, and turns failures into faults; `again` is the command that repeats a failed node.
+///
+/// # Errors
+///
+/// A wanted node failed, the user stopped, or inputs and store cannot be read.
 pub fn execute(
     store: Store,
     graph: &Graph,

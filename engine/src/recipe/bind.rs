@@ -13,6 +13,10 @@ use std::collections::HashMap;
 
 /// Binds a recipe to the stages of a catalog. A `strict` one may hold no node that its goal
 /// does not need.
+///
+/// # Errors
+///
+/// All mistakes at once.
 pub fn bind(
     recipe: &Recipe,
     catalog: &'static Catalog,

@@ -8,6 +8,10 @@ use stage::{Value, unknown};
 use std::ops::Range;
 
 /// The recipe with its variants and sets applied.
+///
+/// # Errors
+///
+/// Every variant, node or param that is not there.
 pub fn vary(recipe: &Recipe, overrides: &Overrides) -> Result<Recipe, Vec<Mistake>> {
     let mut varied = recipe.clone();
     let mut mistakes = Vec::new();

@@ -18,6 +18,10 @@ impl std::ops::Deref for Blob {
 impl Store {
     /// Keeps bytes that took so long to make; returns their hash. Bytes that are there already
     /// are not written again. \[s\]
+    ///
+    /// # Errors
+    ///
+    /// The disk refuses.
     pub fn keep(&self, bytes: &[u8], seconds: f64) -> Result<Hash, StoreError> {
         let hash = blake3::hash(bytes);
         let (path, care) = (self.place("cas", hash), Care::worth(seconds));

@@ -22,11 +22,19 @@ pub struct Store {
 
 impl Store {
     /// Opens a store; makes it if there is none.
+    ///
+    /// # Errors
+    ///
+    /// It cannot be made, is of another version, or somebody else's folder.
     pub fn open(root: &Path) -> Result<Store, StoreError> {
         Store::with(root, Box::new(Real), OnceLock::new())
     }
 
     /// As [`Store::open`], with what was read ahead of it.
+    ///
+    /// # Errors
+    ///
+    /// As [`Store::open`].
     pub fn open_after(root: &Path, ahead: Ahead) -> Result<Store, StoreError> {
         Store::with(root, Box::new(Real), Mutex::new(ahead.index()).into())
     }
@@ -83,6 +91,10 @@ impl Store {
 
     /// Writes a file of the store by its name, over what was there. It is not synced: what lies
     /// outside of the shelves is of use, but nothing depends on it.
+    ///
+    /// # Errors
+    ///
+    /// The disk refuses.
     pub fn write(&self, name: &str, bytes: &[u8]) -> Result<(), StoreError> {
         files::publish(
             self.disk(),

@@ -100,6 +100,10 @@ fn derived(links: &[Link], seeds: &BTreeSet<String>) -> BTreeSet<usize> {
 /// Removes all that came of the files of a folder or below it: results with their records, parts,
 /// records of runs and their pins, and what is remembered of the files themselves. Not while a run
 /// uses the store.
+///
+/// # Errors
+///
+/// A run uses the store, or the disk refuses.
 pub fn forget(store: &Store, folder: &Path) -> Result<Forgotten, StoreError> {
     let root = store.root();
     if let Some(link) = own::link(root) {

@@ -91,6 +91,10 @@ pub struct Swept {
 ///
 /// Records of results stay: the content of what went is still known, so that it is made again only
 /// when somebody reads it. Nothing goes while a run uses the store.
+///
+/// # Errors
+///
+/// A run uses the store, or the disk refuses.
 pub fn gc(store: &Store, budget: &Budget, dry_run: bool) -> Result<Swept, StoreError> {
     if let Some(link) = own::link(store.root()) {
         return Err(StoreError::Link(link));

@@ -8,6 +8,10 @@ use stage::Hash;
 impl Store {
     /// Remembers bytes under a key, over what was there: first a hash of the key and them, to tell
     /// whole from torn, and this key's from another's.
+    ///
+    /// # Errors
+    ///
+    /// The disk refuses.
     pub fn remember(&self, key: Hash, bytes: &[u8]) -> Result<(), StoreError> {
         let mut file = bound(key, bytes).as_bytes().to_vec();
         file.extend_from_slice(bytes);

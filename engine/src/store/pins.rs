@@ -20,6 +20,10 @@ pub enum PinError {
 
 impl Store {
     /// Gives a run a name, over what had it before.
+    ///
+    /// # Errors
+    ///
+    /// There is no such run, the name is no name, or the disk refuses.
     pub fn pin(&self, name: &str, run: &str) -> Result<(), PinError> {
         if !own::is_pin(name) {
             return Err(PinError::Name(name.into()));

@@ -34,6 +34,10 @@ impl Store {
     }
 
     /// Writes the record of a key: the last step of publishing a result.
+    ///
+    /// # Errors
+    ///
+    /// The disk refuses.
     pub fn write_record(&self, key: Hash, record: &Record) -> Result<(), StoreError> {
         let file = record.file();
         let (tmp, path) = (self.fresh(), self.place("ac", key));

@@ -6,6 +6,10 @@ use crate::recipe::{Over, Sample, Stretch, Sweep, between, parse_value, values, 
 use std::path::Path;
 
 /// The axes of a declared sweep; a table of points lies in `folder`.
+///
+/// # Errors
+///
+/// Params that go side by side take unequally many values, or a table of points cannot be read.
 pub fn axes(sweep: &Sweep, folder: &Path) -> Result<Vec<Axis>, AxisError> {
     if let Some(sample) = &sweep.sample {
         if sweep.csv.is_some() || !sweep.zip.is_empty() {
@@ -107,6 +111,10 @@ fn hypercube(sweep: &Sweep, sample: Sample) -> Axis {
 }
 
 /// `NODE.PARAM=2,3,4` or `NODE.PARAM=2..8/4` (`log` behind it for equal ratios).
+///
+/// # Errors
+///
+/// The text says no values.
 pub fn said(text: &str) -> Result<Axis, AxisError> {
     let wrong = || AxisError::Said(text.into());
     let (place, values_said) = text.split_once('=').ok_or_else(wrong)?;

@@ -4,7 +4,8 @@ use super::busy::Busy;
 use super::points::Point;
 use crate::graph::{Graph, Source};
 use crate::key;
-use crate::session::{self, EngineError, Options, Outcome};
+use crate::outcome::Outcome;
+use crate::session::{self, EngineError, Options};
 use crate::store::Store;
 use crate::tells::BESIDE;
 use crate::walk::{Fate, Watch, needed};
@@ -76,6 +77,10 @@ pub struct Sweeping<'a> {
 
 /// Runs points in order; `done` is told each row as it comes. A point that fails does not stop the
 /// others, and what failed is not tried again for the points that share it.
+///
+/// # Errors
+///
+/// Store or inputs cannot be used. A point that fails is in its row.
 pub fn run(
     sweeping: &Sweeping<'_>,
     points: impl Iterator<Item = Point>,

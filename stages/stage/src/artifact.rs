@@ -29,6 +29,10 @@ pub trait Artifact: Send + Sync + Sized + 'static {
     /// To metadata and sections. Equal content must give equal bytes.
     fn pack(&self, to: &mut Packer);
     /// Back. Must check all it relies on: the bytes may come from anywhere.
+    ///
+    /// # Errors
+    ///
+    /// The bytes are not those of this kind, or are cut short.
     fn unpack(from: &Unpacker<'_>) -> Result<Self, Corrupt>;
 }
 
@@ -79,11 +83,19 @@ pub struct Unpacker<'a> {
 
 impl Unpacker<'_> {
     /// The typed metadata.
+    ///
+    /// # Errors
+    ///
+    /// The metadata is of another form.
     pub fn meta<T: DeserializeOwned>(&self) -> Result<T, Corrupt> {
         codec::decode(&self.header.meta)
     }
 
     /// An array of plain numbers.
+    ///
+    /// # Errors
+    ///
+    /// There is no such section, or its length is no multiple of an entry's.
     pub fn section<T: Pod>(&self, name: &str) -> Result<Vec<T>, Corrupt> {
         let section = self.header.sections.iter().find(|s| s.name == name);
         let section = section.ok_or_else(|| Corrupt(format!("no section `{name}`")))?;
@@ -138,6 +150,10 @@ pub fn to_bytes<A: Artifact>(artifact: &A) -> Vec<u8> {
 }
 
 /// The artifact from the bytes of its file, every length checked before it is used.
+///
+/// # Errors
+///
+/// The bytes are no artifact, of another kind, or corrupt.
 pub fn from_bytes<A: Artifact>(bytes: &[u8]) -> Result<A, Corrupt> {
     let bad = |what: &str| Corrupt(what.into());
     let at = |range: std::ops::Range<usize>| bytes.get(range).ok_or_else(|| bad("too short"));

@@ -66,6 +66,10 @@ impl<'a> Ctx<'a> {
     }
 
     /// Fails when the user asked to stop. Call it between strides of the work.
+    ///
+    /// # Errors
+    ///
+    /// The user asked to stop.
     pub fn check(&self) -> Result<(), Cancelled> {
         if self.host.cancelled() {
             Err(Cancelled)
@@ -102,6 +106,10 @@ impl<'a> Ctx<'a> {
     /// Part of the work, such as one photo's, remembered on its own: it is found again when
     /// the stage, its params, `label` and `depends` are equal, whatever else the inputs hold.
     /// `depends` must be the content of all that `make` reads.
+    ///
+    /// # Errors
+    ///
+    /// `make` stopped or failed.
     pub fn part<T: Artifact>(
         &self,
         label: &str,
@@ -155,6 +163,10 @@ pub struct Steps<'a> {
 
 impl Steps<'_> {
     /// One more is done. Fails when the user asked to stop.
+    ///
+    /// # Errors
+    ///
+    /// The user asked to stop.
     pub fn tick(&self) -> Result<(), Cancelled> {
         let done = self.done.fetch_add(1, Ordering::Relaxed) + 1;
         self.host.progress(self.label, done, self.of);

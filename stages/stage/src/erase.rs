@@ -44,11 +44,19 @@ pub trait AnyStage: Sync {
     /// What may be tuned.
     fn params(&self) -> Vec<ParamSpec>;
     /// Reads params; all mistakes at once.
+    ///
+    /// # Errors
+    ///
+    /// Every param that is unknown, or does not fit its type or range.
     fn check(&self, said: &BTreeMap<String, Value>) -> Result<Checked, Vec<Mistake>>;
     /// See [`Stage::memory`]; nothing where the inputs are wrong, which [`AnyStage::run`] tells.
     /// \[bytes\]
     fn memory(&self, params: &Checked, inputs: &[Option<AnyArtifact>]) -> u64;
     /// Runs: one input a port, in order.
+    ///
+    /// # Errors
+    ///
+    /// The stage stopped or failed, or an input is of another kind than its port.
     fn run(
         &self,
         params: &Checked,
@@ -56,6 +64,10 @@ pub trait AnyStage: Sync {
         ctx: &Ctx<'_>,
     ) -> Result<Made, Stop>;
     /// Reads back what [`AnyStage::run`] made.
+    ///
+    /// # Errors
+    ///
+    /// The bytes are not those of the stage's output.
     fn read(&self, bytes: &[u8]) -> Result<AnyArtifact, Corrupt>;
 }
 

@@ -44,6 +44,10 @@ pub enum FilesError {
 
 impl Files {
     /// The file's bytes, if they still are what was hashed when the run began.
+    ///
+    /// # Errors
+    ///
+    /// The file cannot be read, or is no longer what was hashed.
     pub fn read(&self, entry: &FileEntry) -> Result<Vec<u8>, FilesError> {
         let path = self.root.join(&entry.name);
         let shown = || path.display().to_string();

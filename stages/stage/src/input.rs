@@ -36,6 +36,10 @@ pub trait Port: Sized {
     /// Whether it may stay open.
     const OPTIONAL: bool;
     /// From what the engine hands over.
+    ///
+    /// # Errors
+    ///
+    /// Nothing is there, or it is of another kind.
     fn take(name: &'static str, from: Option<AnyArtifact>) -> Result<Self, Wrong>;
 }
 
@@ -71,6 +75,10 @@ pub trait Input: Sized + Send {
     /// Every port, in order.
     fn ports() -> Vec<PortSpec>;
     /// From what the engine hands over: one entry a port, in order.
+    ///
+    /// # Errors
+    ///
+    /// A port is open that must not be, or is given another kind.
     fn take(from: Vec<Option<AnyArtifact>>) -> Result<Self, Wrong>;
 }
 

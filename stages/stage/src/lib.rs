@@ -11,6 +11,8 @@
 //!
 //! What is in the right column comes through [`Ctx`], which cannot enter a key.
 
+#![warn(clippy::missing_errors_doc)]
+
 mod any;
 mod artifact;
 mod choice;
@@ -69,6 +71,10 @@ pub trait Stage: 'static {
     }
 
     /// Does the work. Must be deterministic: the same arguments give the same bytes.
+    ///
+    /// # Errors
+    ///
+    /// Whatever the stage says is wrong with its inputs, or that the user asked to stop.
     fn run(params: &Self::Params, input: Self::Input, ctx: &Ctx<'_>) -> Result<Self::Output, Stop>;
 }
 
