@@ -107,6 +107,10 @@ fn filled(
 
 /// Evaluates `value` \[mm, 1-Lipschitz or nearly so\] where its zero runs. `tick` is called for each
 /// layer of bricks and may end the work.
+///
+/// # Errors
+///
+/// What `tick` says: the user asked to stop.
 pub fn evaluate<E: Send>(
     lattice: &Lattice,
     value: &(impl Fn(&Point3<f64>) -> f32 + Sync),

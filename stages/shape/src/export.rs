@@ -114,6 +114,10 @@ pub fn mesh_to_ply(mesh: &Mesh) -> Vec<u8> {
 }
 
 /// A mesh from a PLY file. Polygons become fans of triangles.
+///
+/// # Errors
+///
+/// The bytes are no PLY that holds a mesh, or the mesh is not sound.
 pub fn mesh_from_ply(bytes: &[u8]) -> Result<Mesh, ExportError> {
     let error = |e: String| ExportError(e);
     let mut from = Cursor::new(bytes);

@@ -32,6 +32,10 @@ pub fn gray_to_png(image: &Image<u8>) -> Vec<u8> {
 }
 
 /// An image file as shades of gray.
+///
+/// # Errors
+///
+/// The file cannot be decoded.
 pub fn gray_from_file(bytes: &[u8]) -> Result<Image<u8>, String> {
     let gray = image::load_from_memory(bytes)
         .map_err(|e| e.to_string())?

@@ -54,6 +54,10 @@ fn features(picture: &mut Rgb, by: f32, features: &Features) {
 }
 
 /// Each photo with its features drawn on it, named as the photo.
+///
+/// # Errors
+///
+/// A photo cannot be decoded.
 pub fn keypoints_to_png(
     found: &Keypoints,
     photos: &Photos,
@@ -67,6 +71,10 @@ pub fn keypoints_to_png(
 
 /// Each photo with lines from where points are seen on it to where they are seen on the next one,
 /// named as the photo. Long lines are red: they are the first to be looked at.
+///
+/// # Errors
+///
+/// A photo cannot be decoded.
 pub fn tracks_to_png(
     tracks: &Tracks,
     photos: &Photos,

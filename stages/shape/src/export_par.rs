@@ -19,6 +19,10 @@ const MOST_PX: f64 = 1.0;
 /// `_par.txt` of the Middlebury multi-view benchmark: how many cameras, then for each its image,
 /// K row by row, R row by row, t; in millimetres, `x_in_camera = R x_in_world + t`. Blanks in names
 /// become `_`. An error for a lens with distortion.
+///
+/// # Errors
+///
+/// A lens has distortion, which the format cannot hold.
 pub fn cameras_to_middlebury(cameras: &Cameras) -> Result<String, Distorted> {
     let mut text = format!("{}\n", cameras.views.len());
     for view in cameras.views.values() {

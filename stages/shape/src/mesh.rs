@@ -101,12 +101,13 @@ impl Mesh {
     }
 
     /// Checks what any mesh must keep to, closed or not.
+    ///
+    /// # Errors
+    ///
+    /// A position is not finite, or a face names a vertex that is not there, or one twice.
     pub fn validate(&self) -> Result<(), MeshFault> {
-        if let Some(v) = self
-            .positions
-            .iter()
-            .position(|p| p.iter().any(|x| !x.is_finite()))
-        {
+        let wild = |p: &[f32; 3]| p.iter().any(|x| !x.is_finite());
+        if let Some(v) = self.positions.iter().position(wild) {
             return Err(MeshFault::NotFinite(v));
         }
         for (f, &[a, b, c]) in self.faces.iter().enumerate() {
@@ -124,6 +125,10 @@ impl Mesh {
     }
 
     /// Checks that the mesh is closed, consistently oriented and manifold.
+    ///
+    /// # Errors
+    ///
+    /// As [`Mesh::validate`], or an edge does not belong to two faces that run along it in opposite directions.
     pub fn validate_closed(&self) -> Result<(), MeshFault> {
         self.validate()?;
         let edges = |&[a, b, c]: &[u32; 3]| [(a, b), (b, c), (c, a)];

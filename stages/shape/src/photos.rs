@@ -41,6 +41,10 @@ pub struct PhotoError {
 
 impl Photo {
     /// The pixels, upright.
+    ///
+    /// # Errors
+    ///
+    /// The file cannot be decoded, or is of another size than said.
     pub fn decode(&self) -> Result<Rgb, PhotoError> {
         let error = |why: String| PhotoError {
             name: self.name.clone(),

@@ -106,6 +106,10 @@ impl LevelModel {
     }
 
     /// Reads a model file; `name` is what errors call it.
+    ///
+    /// # Errors
+    ///
+    /// The text is no model of levels, or is cut short.
     pub fn read(name: &str, text: &str) -> Result<LevelModel, ModelError> {
         let raw: Raw = toml::from_str(text).map_err(|e| ModelError::Syntax {
             name: name.into(),

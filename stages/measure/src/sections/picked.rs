@@ -31,6 +31,10 @@ const HAND_MM: f64 = 3.0;
 
 /// The girth through points picked around a limb or the trunk, by the paper's procedure. How sure it is
 /// tells of the hand alone: how the tape changes where it is taken a little beside.
+///
+/// # Errors
+///
+/// Too few points, or points that give no plane with a section.
 pub fn picked(mesh: &Mesh, points: &[Vec<f64>]) -> Result<Girth, BadPoints> {
     let points: Vec<Point3<f64>> = points
         .iter()

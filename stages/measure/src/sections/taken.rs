@@ -17,6 +17,10 @@ use nalgebra::{Point3, Vector3};
 use shape::{Landmark, Mesh, Part, Plane, Region};
 
 /// Takes the section of a landmark.
+///
+/// # Errors
+///
+/// Why there is no section there that is the part's.
 pub fn taken(mesh: &Mesh, body: Option<&Body>, landmark: &Landmark) -> Result<Taken, Why> {
     match (landmark.part, body) {
         // A forearm stands clear of the trunk, or its limb was not followed.

@@ -32,6 +32,10 @@ pub enum RefineError {
 }
 
 /// Checks a mesh before anything is done to it.
+///
+/// # Errors
+///
+/// The mesh is empty or not closed.
 pub fn check(mesh: &Mesh) -> Result<(), RefineError> {
     mesh.validate_closed()?;
     if mesh.faces.is_empty() {
@@ -60,6 +64,10 @@ pub fn taken<'a>(photos: &Photos, cameras: &'a Cameras) -> Vec<(PhotoId, &'a Vie
 
 /// The photos that have a camera, at one level: each halved until it has at most `most_mpx`
 /// million pixels, then `level` times more, 500 pixels left. `check` fails when the user asked to stop.
+///
+/// # Errors
+///
+/// A photo cannot be decoded, fewer than two have cameras, or what `check` says.
 pub fn pictures<E: From<RefineError> + From<PhotoError> + Send>(
     photos: &Photos,
     cameras: &Cameras,

@@ -32,6 +32,10 @@ pub struct Limbs<'a> {
 
 impl Limbs<'_> {
     /// The arm of a side (1 left, -1 right).
+    ///
+    /// # Errors
+    ///
+    /// Why there is no arm on that side.
     pub fn arm(&self, side: f64) -> Result<&Limb, Refusal> {
         self.arms[usize::from(side < 0.0)].as_ref().map_err(|r| *r)
     }
@@ -42,6 +46,10 @@ impl Limbs<'_> {
     }
 
     /// The leg of a side.
+    ///
+    /// # Errors
+    ///
+    /// Why there is no leg on that side.
     pub fn leg(&self, side: f64) -> Result<&Limb, Refusal> {
         self.legs[usize::from(side < 0.0)].as_ref().map_err(|r| *r)
     }
