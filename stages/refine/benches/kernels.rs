@@ -3,9 +3,9 @@
 //! thread and on all.
 
 use nalgebra::{Matrix3x4, Point3, Rotation3, Vector3};
+use refine::evidence::contours::pulls;
 use refine::evidence::patch::{Pairing, Window};
-use refine::evidence::rims::pulls;
-use refine::evidence::sights::{Sighting, Sights};
+use refine::evidence::visibility::{Visibility, VisibilityRules};
 use refine::geometry::curvature::{Laplacian, shape_operators};
 use refine::geometry::remesh::{relax, remesh};
 use refine::pictures::depth::DepthMap;
@@ -154,19 +154,19 @@ fn main() {
         );
     };
     let window = Window::new(4, true);
-    let rules = Sighting::new(65.0, Pairing::between(3.0, 50.0), 4.0);
+    let rules = VisibilityRules::new(65.0, Pairing::between(3.0, 50.0), 4.0);
     let around = Adjacency::new(&mesh);
     let normals = mesh.normals();
     let x: Vec<_> = (0..count as u32).map(|v| mesh.point(v).coords).collect();
     let laplacian = Laplacian::new(&mesh, &around);
     let rest = Rest::new(&laplacian, &x, &normals, 20);
-    let sights = Sights::new(&mesh, &around, &pictures, &window, &rules);
+    let visible = Visibility::new(&mesh, &around, &pictures, &window, &rules);
     let rims = pulls(&mesh, &around, &normals, &pictures, 3.0);
     let footprint = 3000.0 / 4500.0;
-    let plate = 0.04 * 8f64.powi(4) * footprint * footprint;
+    let bending = 0.04 * 8f64.powi(4) * footprint * footprint;
     let forces = Forces {
         pictures: &pictures,
-        sights: &sights,
+        visible: &visible,
         rules: &rules,
         window: &window,
         pulls: &rims,
@@ -176,12 +176,12 @@ fn main() {
         footprint,
         rim: 0.3,
         rest: &rest,
-        plate,
+        bending,
         anchor: 1e-4,
     };
     let still = vec![0.0; count];
     let seen = forces.agreements::<true>(&still);
-    let springs = forces.springs(&seen);
+    let data_term = forces.data_term(&seen);
     tell("halving one photo", &|| drop(halved(&pictures[0].gray)));
     tell("depth map of one photo", &|| {
         drop(DepthMap::new(&mesh, &pictures[0], 2.0));
@@ -190,7 +190,7 @@ fn main() {
         drop(shape_operators(&mesh, &around, &normals, 0.1));
     });
     tell("visibility and weights", &|| {
-        drop(Sights::new(&mesh, &around, &pictures, &window, &rules));
+        drop(Visibility::new(&mesh, &around, &pictures, &window, &rules));
     });
     tell("consistency", &|| drop(forces.agreements::<false>(&still)));
     tell("consistency and its slope", &|| {
@@ -204,17 +204,19 @@ fn main() {
         drop(Rest::new(&laplacian, &x, &normals, 20));
     });
     tell("settling, 60 rounds of CG", &|| {
-        drop(settle(&springs, &laplacian, &x, &normals, &rest, plate, 60));
+        drop(settle(
+            &data_term, &laplacian, &x, &normals, &rest, bending, 60,
+        ));
     });
     tell("weighted median", &|| {
-        let mut springs = springs.clone();
+        let mut data_term = data_term.clone();
         let weights = (1.0, 1.0);
         ring_median(
             &mesh,
             &around,
             &laplacian,
             &normals,
-            &mut springs,
+            &mut data_term,
             weights,
             footprint,
         );

@@ -4,21 +4,21 @@ mod turn;
 
 use nalgebra::Vector3;
 use refine::evidence::agreement::agreement;
+use refine::evidence::contours::{Pull, pulls};
 use refine::evidence::outside::outside;
 use refine::evidence::patch::{Pairing, Window};
-use refine::evidence::rims::{Pull, pulls};
-use refine::evidence::sights::{Sighting, Sights};
+use refine::evidence::visibility::{Visibility, VisibilityRules};
 use refine::geometry::curvature::Laplacian;
 use refine::pictures::picture::Picture;
 use refine::pictures::prepare::{footprint, pictures};
 use refine::surface::energy::Forces;
-use refine::surface::step::{Rest, Springs, settle};
+use refine::surface::step::{DataTerm, Rest, settle};
 use shape::{Adjacency, Mesh};
 use stage::Stop;
 use turn::{RADIUS, ball, turn};
 
-fn rules() -> Sighting {
-    Sighting::new(65.0, Pairing::between(3.0, 50.0), 4.0)
+fn rules() -> VisibilityRules {
+    VisibilityRules::new(65.0, Pairing::between(3.0, 50.0), 4.0)
 }
 
 /// The ball's photos.
@@ -42,9 +42,9 @@ fn bumpy() -> (Mesh, Vec<Vector3<f64>>) {
 
 /// Everything that [`Forces`] borrows.
 struct Held {
-    sights: Sights,
+    visible: Visibility,
     window: Window,
-    rules: Sighting,
+    rules: VisibilityRules,
     pulls: Vec<Pull>,
     outside: Vec<f64>,
     laplacian: Laplacian,
@@ -62,7 +62,7 @@ fn held(level: bool) -> Held {
     let (window, rules) = (Window::new(4, level), rules());
     let laplacian = Laplacian::new(&mesh, &around);
     Held {
-        sights: Sights::new(&mesh, &around, &pictures, &window, &rules),
+        visible: Visibility::new(&mesh, &around, &pictures, &window, &rules),
         pulls: pulls(&mesh, &around, &normals, &pictures, 3.0),
         rest: Rest::new(&laplacian, &x, &normals, 5),
         outside: outside(&mesh, &normals, &pictures, 0.2, footprint(&mesh, &pictures)),
@@ -77,10 +77,10 @@ fn held(level: bool) -> Held {
 }
 
 impl Held {
-    fn forces(&self, rim: f64, bound: f64, plate: f64) -> Forces<'_> {
+    fn forces(&self, rim: f64, bound: f64, bending: f64) -> Forces<'_> {
         Forces {
             pictures: &self.pictures,
-            sights: &self.sights,
+            visible: &self.visible,
             rules: &self.rules,
             window: &self.window,
             pulls: &self.pulls,
@@ -90,7 +90,7 @@ impl Held {
             footprint: self.footprint,
             rim,
             rest: &self.rest,
-            plate,
+            bending,
             anchor: 0.0,
         }
     }
@@ -104,16 +104,18 @@ fn the_slope_of_consistency_is_its_derivative() {
         let held = held(level);
         let (mut off, mut far, mut count) = (0.0, 0, 0);
         for v in 0..held.x.len() {
-            let (sights, frame) = (held.sights.of(v), &held.sights.frames[v]);
-            if sights.len() < 2 {
+            let (visible, frame) = (held.visible.of(v), &held.visible.frames[v]);
+            if visible.len() < 2 {
                 continue;
             }
             let pairing = held.rules.pairing;
             let at = |d: f64| {
-                let a = agreement::<false>(&held.pictures, sights, frame, d, &held.window, pairing);
+                let a =
+                    agreement::<false>(&held.pictures, visible, frame, d, &held.window, pairing);
                 a.score
             };
-            let told = agreement::<true>(&held.pictures, sights, frame, 0.0, &held.window, pairing);
+            let told =
+                agreement::<true>(&held.pictures, visible, frame, 0.0, &held.window, pairing);
             assert!((told.score - at(0.0)).abs() < 1e-6 * told.weight.max(1.0));
             assert!(told.stiffness >= 0.0 && told.score <= told.weight * 1.0001);
             let h = 4e-3;
@@ -130,7 +132,7 @@ fn the_slope_of_consistency_is_its_derivative() {
     }
 }
 
-/// The pull on all vertices at once is minus the slope of the whole energy, rims, bound and plate included.
+/// The pull on all vertices at once is minus the slope of the whole energy, rims, bound and bending included.
 #[test]
 fn the_pull_on_the_surface_is_minus_the_slope_of_the_energy() {
     let held = held(true);
@@ -138,19 +140,19 @@ fn the_pull_on_the_surface_is_minus_the_slope_of_the_energy() {
     let mut dice = proof::Dice(4);
     let out = held.outside.iter().filter(|o| **o > 0.0).count();
     assert!(out > 20, "{out} vertices show outside");
-    for (rim, bound, plate) in [
+    for (rim, bound, bending) in [
         (0.0, 0.0, 0.0),
         (3.0, 0.0, 0.0),
         (0.0, 3.0, 0.0),
         (0.3, 10.0, 40.0),
     ] {
-        let forces = held.forces(rim, bound, plate);
+        let forces = held.forces(rim, bound, bending);
         let still = vec![0.0; held.x.len()];
-        let springs = forces.springs(&forces.agreements::<true>(&still));
-        // Against very stiff springs the step is the pull over the stiffness: plate included.
+        let data_term = forces.data_term(&forces.agreements::<true>(&still));
+        // Against very stiff data terms the step is the pull over the stiffness: bending included.
         let stiff = 1e9;
-        let hard = Springs {
-            pull: springs.pull.clone(),
+        let hard = DataTerm {
+            pull: data_term.pull.clone(),
             stiffness: vec![stiff; still.len()],
         };
         let step = settle(
@@ -159,7 +161,7 @@ fn the_pull_on_the_surface_is_minus_the_slope_of_the_energy() {
             &held.x,
             &held.normals,
             &held.rest,
-            plate,
+            bending,
             3,
         );
         for _ in 0..5 {
@@ -174,16 +176,16 @@ fn the_pull_on_the_surface_is_minus_the_slope_of_the_energy() {
             let size: f64 = step.iter().map(|s| (s * stiff).powi(2)).sum::<f64>().sqrt();
             assert!(
                 (told - want).abs() < 0.02 * size,
-                "rim {rim}, bound {bound}, plate {plate}: {told} against {want}, of {size}"
+                "rim {rim}, bound {bound}, bending {bending}: {told} against {want}, of {size}"
             );
         }
     }
 }
 
-/// Mean curvature and a plain plate shrink what is round; this plate must not: a tube of 100 mm
+/// Mean curvature and a plain thin plate shrink what is round; the bending term must not: a tube of 100 mm
 /// girth, and one of 1 m, bare of texture and rims, keep their girth within 0.02 % a step.
 #[test]
-fn the_plate_does_not_shrink_a_cylinder() {
+fn the_bending_term_does_not_shrink_a_cylinder() {
     for radius in [16.0, 160.0] {
         let (around, along) = (60usize, 120usize);
         let edge = std::f64::consts::TAU * radius / around as f64;
@@ -221,12 +223,12 @@ fn the_plate_does_not_shrink_a_cylinder() {
             .map(|v| mesh.point(v).coords)
             .collect();
         let rest = Rest::new(&laplacian, &x, &normals, 20);
-        let springs = Springs {
+        let data_term = DataTerm {
             pull: vec![0.0; x.len()],
             stiffness: vec![1e-4 / (edge * edge); x.len()],
         };
-        let plate = 10.0 * edge * edge;
-        let d = settle(&springs, &laplacian, &x, &normals, &rest, plate, 100);
+        let bending = 10.0 * edge * edge;
+        let d = settle(&data_term, &laplacian, &x, &normals, &rest, bending, 100);
         let middle = &d[at(along / 2, 0) as usize..at(along / 2, 0) as usize + around];
         let mean = middle.iter().sum::<f64>() / around as f64;
         assert!(mean.abs() < 2e-4 * radius, "{mean} mm of {radius} mm");
@@ -234,7 +236,7 @@ fn the_plate_does_not_shrink_a_cylinder() {
         let plain = Rest {
             wanted: vec![0.0; x.len()],
         };
-        let d = settle(&springs, &laplacian, &x, &normals, &plain, plate, 100);
+        let d = settle(&data_term, &laplacian, &x, &normals, &plain, bending, 100);
         assert!(d[at(along / 2, 0) as usize] < -1e-3 * radius);
     }
 }

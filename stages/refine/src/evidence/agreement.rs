@@ -1,7 +1,7 @@
 //! How well the pictures that see a patch agree there.
 
 use crate::evidence::look::{Look, dot};
-use crate::evidence::patch::{Frame, MOST_SIGHTS, Pairing, Sight, Window};
+use crate::evidence::patch::{Frame, MOST_VIEWS, Pairing, VisibleView, Window};
 use crate::pictures::picture::Picture;
 
 /// How well the pictures agree at a vertex (paper, eq. 1), and how that changes outward.
@@ -17,30 +17,30 @@ pub struct Agreement {
     pub stiffness: f64,
 }
 
-/// Compares all pairs of sights at a vertex moved outward by `offset` mm. With `SLOPE` the
-/// derivative and the stiffness too: exact for this very score, weights, frame and sights held.
+/// Compares all pairs of visible at a vertex moved outward by `offset` mm. With `SLOPE` the
+/// derivative and the stiffness too: exact for this very score, weights, frame and visible held.
 pub fn agreement<const SLOPE: bool>(
     pictures: &[Picture],
-    sights: &[Sight],
+    visible: &[VisibleView],
     frame: &Frame,
     offset: f64,
     window: &Window,
     pairing: Pairing,
 ) -> Agreement {
-    let mut looks = [Look::EMPTY; MOST_SIGHTS];
-    let mut seen = [false; MOST_SIGHTS];
-    for (i, sight) in sights.iter().enumerate().take(MOST_SIGHTS) {
+    let mut looks = [Look::EMPTY; MOST_VIEWS];
+    let mut seen = [false; MOST_VIEWS];
+    for (i, sight) in visible.iter().enumerate().take(MOST_VIEWS) {
         let picture = &pictures[sight.picture as usize];
         seen[i] = looks[i].read::<SLOPE>(picture, frame, offset, &frame.normal, window);
     }
     let mut sum = Agreement::default();
     let count = window.len();
-    for i in 0..sights.len().min(MOST_SIGHTS) {
-        for j in i + 1..sights.len().min(MOST_SIGHTS) {
-            if !pairing.takes(&sights[i], &sights[j]) {
+    for i in 0..visible.len().min(MOST_VIEWS) {
+        for j in i + 1..visible.len().min(MOST_VIEWS) {
+            if !pairing.takes(&visible[i], &visible[j]) {
                 continue;
             }
-            let w = f64::from(sights[i].weight * sights[j].weight);
+            let w = f64::from(visible[i].weight * visible[j].weight);
             sum.weight += w;
             if !(seen[i] && seen[j]) {
                 continue;

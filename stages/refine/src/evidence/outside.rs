@@ -1,6 +1,6 @@
 //! The visual hull as a bound: what shows on the background of a photo is no body, seen or hidden.
 //!
-//! Rims alone do not hold it: where arm and trunk nearly touch, neither has a rim of its own, and a web
+//! Contours alone do not hold it: where arm and trunk nearly touch, neither has a contour of its own, and a web
 //! across the gap lies before the background of the one photo that looks through.
 
 use crate::pictures::picture::Picture;

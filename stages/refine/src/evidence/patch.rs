@@ -13,7 +13,7 @@ pub const LANES: usize = 8;
 pub const MOST_POINTS: usize = 128;
 
 /// Most pictures that are compared at a vertex.
-pub const MOST_SIGHTS: usize = 10;
+pub const MOST_VIEWS: usize = 10;
 
 /// The points of a patch, in units of its spacing, and their weights, which sum to 1. Filled up to
 /// whole lanes by points in the middle of no weight.
@@ -70,7 +70,7 @@ impl Window {
         self.weights.len()
     }
 
-    /// Never.
+    /// Whether it has no points, which no window has.
     pub fn is_empty(&self) -> bool {
         self.weights.is_empty()
     }
@@ -93,8 +93,8 @@ pub struct Frame {
 
 /// One picture that sees a vertex.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Sight {
-    /// Which.
+pub struct VisibleView {
+    /// The picture.
     pub picture: u16,
     /// How much it counts.
     pub weight: f32,
@@ -124,7 +124,7 @@ impl Pairing {
 
     /// Whether two pictures are compared.
     #[inline]
-    pub fn takes(&self, a: &Sight, b: &Sight) -> bool {
+    pub fn takes(&self, a: &VisibleView, b: &VisibleView) -> bool {
         let cosine: f32 = (0..3).map(|i| a.toward[i] * b.toward[i]).sum();
         cosine >= self.cosine[0] && cosine <= self.cosine[1]
     }

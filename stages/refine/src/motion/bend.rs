@@ -1,7 +1,7 @@
 //! The stage that finds how the body bent between photos.
 
-use crate::evidence::rims::pulls;
-use crate::evidence::sights::Sights;
+use crate::evidence::contours::pulls;
+use crate::evidence::visibility::Visibility;
 use crate::geometry::remesh::remesh;
 use crate::motion::field::{Stiff, Ties, seen_off};
 use crate::motion::params::LookParams;
@@ -16,7 +16,7 @@ stage::params! {
         /// What is looked at.
         #[group(flat)]
         look: LookParams = LookParams::at(1),
-        /// Weight of a point of the silhouettes' rim, against one that is known to a pixel.
+        /// Weight of a point of the silhouettes' contour, against one that is known to a pixel.
         #[range(0.0..=100.0)]
         rim: f64 = 0.2,
         /// Distance of the field's nodes, in pixels of the level.
@@ -78,9 +78,11 @@ impl Stage for Bend {
                 .zip(&warps)
                 .map(|(b, w)| b.unbent(w, b.gray.width as u32))
                 .collect();
-            let sights = Sights::new(&mesh, &around, &unbent, &window, &rules);
-            let rims = pulls(&mesh, &around, &normals, &unbent, 6.0);
-            let ties = Ties::new(&mesh, &unbent, &sights, &rims, &window, &stiff, footprint);
+            let visible = Visibility::new(&mesh, &around, &unbent, &window, &rules);
+            let contours = pulls(&mesh, &around, &normals, &unbent, 6.0);
+            let ties = Ties::new(
+                &mesh, &unbent, &visible, &contours, &window, &stiff, footprint,
+            );
             warps = ties.solve(&warps, &stiff);
             steps.tick()?;
         }

@@ -6,25 +6,25 @@
 //! is no bending: the share of the pulls at a vertex that its motion along the normal would still is
 //! taken out first.
 
+use crate::evidence::contours::Pull;
 use crate::evidence::look::Look;
-use crate::evidence::patch::{MOST_SIGHTS, Window};
-use crate::evidence::rims::Pull;
-use crate::evidence::sights::Sights;
+use crate::evidence::patch::{MOST_VIEWS, Window};
+use crate::evidence::visibility::Visibility;
 use crate::geometry::gradients::conjugate_gradients;
-use crate::motion::tugs::{PointTug, tugs_at};
+use crate::motion::normal_equations::{PointTug, normal_equations_at};
 use crate::pictures::picture::Picture;
 use nalgebra::{Point3, Vector3};
 use rayon::prelude::*;
 use shape::{Mesh, Warp};
 
-/// What is expected of bending, and how well a rim is believed.
+/// What is expected of bending, and how well a contour is believed.
 #[derive(Debug, Clone, Copy)]
 pub struct Stiff {
     /// Standard deviation of an offset. \[px\]
     pub shift_px: f64,
     /// Standard deviation of the difference of two neighbouring nodes. \[px\]
     pub differ_px: f64,
-    /// How much a point of a rim says, against one that is known to a pixel.
+    /// How much a point of a contour says, against one that is known to a pixel.
     pub rim: f64,
 }
 
@@ -41,26 +41,27 @@ struct Tie {
 pub struct Ties(Vec<Vec<Tie>>);
 
 impl Ties {
-    /// From brightness and rims, on pictures that are unbent as far as is known.
+    /// From brightness and contours, on pictures that are unbent as far as is known.
     pub fn new(
         mesh: &Mesh,
         pictures: &[Picture],
-        sights: &Sights,
-        rims: &[Pull],
+        visible: &Visibility,
+        contours: &[Pull],
         window: &Window,
         stiff: &Stiff,
         footprint: f64,
     ) -> Self {
         let chunk = 512;
-        let chunks: Vec<Vec<PointTug>> = (0..sights.frames.len().div_ceil(chunk))
+        let chunks: Vec<Vec<PointTug>> = (0..visible.frames.len().div_ceil(chunk))
             .into_par_iter()
             .map(|c| {
-                let mut looks = [[Look::EMPTY; 2]; MOST_SIGHTS];
+                let mut looks = [[Look::EMPTY; 2]; MOST_VIEWS];
                 let mut all = vec![];
-                for v in c * chunk..((c + 1) * chunk).min(sights.frames.len()) {
-                    let mut tugs = tugs_at(v, pictures, sights, window, footprint, &mut looks);
-                    without_depth(&mut tugs, &sights.frames[v].normal);
-                    all.extend(tugs);
+                for v in c * chunk..((c + 1) * chunk).min(visible.frames.len()) {
+                    let mut equations =
+                        normal_equations_at(v, pictures, visible, window, footprint, &mut looks);
+                    without_depth(&mut equations, &visible.frames[v].normal);
+                    all.extend(equations);
                 }
                 all
             })
@@ -69,13 +70,13 @@ impl Ties {
         for t in chunks.iter().flatten() {
             ties.add(pictures, t);
         }
-        for p in rims {
+        for p in contours {
             ties.add(
                 pictures,
                 &PointTug {
                     picture: p.picture,
                     x: mesh.point(p.vertex),
-                    direction: sights.frames[p.vertex as usize].normal * -p.slope,
+                    direction: visible.frames[p.vertex as usize].normal * -p.slope,
                     gap: p.gap,
                     stiffness: p.weight * stiff.rim / (footprint * footprint),
                 },
@@ -110,16 +111,16 @@ impl Ties {
 }
 
 /// Takes the share of a vertex' pulls out that a motion of the surface along its normal explains.
-fn without_depth(tugs: &mut [PointTug], normal: &Vector3<f64>) {
+fn without_depth(equations: &mut [PointTug], normal: &Vector3<f64>) {
     let (mut pull, mut stiff) = (0.0, 0.0);
-    for t in tugs.iter() {
+    for t in equations.iter() {
         let share = normal.dot(&t.direction);
         pull += t.stiffness * share * t.gap;
         stiff += t.stiffness * share * share;
     }
     if stiff > 0.0 {
         let depth = pull / stiff;
-        for t in tugs {
+        for t in equations {
             t.gap -= depth * normal.dot(&t.direction);
         }
     }

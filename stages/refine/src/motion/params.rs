@@ -2,7 +2,7 @@
 
 use crate::evidence::params::PatchParams;
 use crate::evidence::patch::Pairing;
-use crate::evidence::sights::Sighting;
+use crate::evidence::visibility::VisibilityRules;
 use crate::pictures::turn::PhotoSize;
 
 stage::params! {
@@ -37,7 +37,7 @@ impl LookParams {
     }
 
     /// Which pictures see a vertex, every two of which are compared.
-    pub(crate) fn rules(&self) -> Sighting {
-        Sighting::new(self.patches.tilt_deg, Pairing::ALL, self.noise_gain)
+    pub(crate) fn rules(&self) -> VisibilityRules {
+        VisibilityRules::new(self.patches.tilt_deg, Pairing::ALL, self.noise_gain)
     }
 }

@@ -1,10 +1,13 @@
 //! The stage that holds a swaying body still: cameras as seen from the body instead of the disk.
 
-use crate::evidence::rims::pulls;
-use crate::evidence::sights::Sights;
+use crate::evidence::contours::pulls;
+use crate::evidence::visibility::Visibility;
 use crate::geometry::remesh::remesh;
 use crate::motion::params::LookParams;
-use crate::motion::sway::{Leash, Tug, add_tugs_of_rims, moved, tugs_of_brightness, without_gauge};
+use crate::motion::sway::{
+    MotionPrior, NormalEquations, add_equations_of_contours, equations_of_brightness, moved,
+    without_gauge,
+};
 use crate::pictures::picture::Picture;
 use crate::pictures::prepare::{footprint, taken};
 use crate::pictures::turn::TurnInput;
@@ -20,7 +23,7 @@ stage::params! {
         look: LookParams = LookParams::at(2),
         /// Whether brightness is used, or silhouettes alone.
         brightness: bool = true,
-        /// Weight of a point of the silhouettes' rim, against a patch that fits.
+        /// Weight of a point of the silhouettes' contour, against a patch that fits.
         #[range(0.0..=100.0)]
         rim: f64 = 0.05,
         /// Shift at the ankles that is expected, one standard deviation.
@@ -62,7 +65,7 @@ impl Stage for Steady {
         let footprint = footprint(&input.mesh, &pictures);
         let mesh = remesh(&input.mesh, p.look.edge_px * footprint, 3);
         let around = Adjacency::new(&mesh);
-        let leash = Leash {
+        let prior = MotionPrior {
             shift_mm: p.shift_mm,
             turn: p.turn_deg.to_radians(),
             pivot: Point3::new(0.0, 0.0, cameras.ground_mm),
@@ -80,7 +83,7 @@ impl Stage for Steady {
                 &around,
                 &mut pictures,
                 &still,
-                &leash,
+                &prior,
                 &mut motions,
             );
             steps.tick()?;
@@ -88,15 +91,15 @@ impl Stage for Steady {
         // Once, at the end: a step is the best one only together with what it shares.
         let centres: Vec<_> = still.iter().map(Camera::centre).collect();
         without_gauge(&mut motions, &centres);
-        let top = mesh.bounds().map_or(0.0, |(_, hi)| hi.z) - leash.pivot.z;
-        let chest = Point3::new(0.0, 0.0, leash.pivot.z + 0.75 * top);
+        let top = mesh.bounds().map_or(0.0, |(_, hi)| hi.z) - prior.pivot.z;
+        let chest = Point3::new(0.0, 0.0, prior.pivot.z + 0.75 * top);
         let far: Vec<f64> = still
             .iter()
             .zip(&motions)
             .map(|(c, m)| {
                 let (a, b) = (
                     c.pose.apply(&chest),
-                    moved(c, m, &leash.pivot).pose.apply(&chest),
+                    moved(c, m, &prior.pivot).pose.apply(&chest),
                 );
                 (a - b).norm()
             })
@@ -112,7 +115,7 @@ impl Stage for Steady {
         tell("last change", last);
         for (((id, _), camera), motion) in taken.iter().zip(&still).zip(&motions) {
             let view = cameras.views.get_mut(*id).expect("bug: listed above");
-            view.camera = moved(camera, motion, &leash.pivot);
+            view.camera = moved(camera, motion, &prior.pivot);
         }
         Ok(cameras)
     }
@@ -125,28 +128,28 @@ fn one_round(
     around: &Adjacency,
     pictures: &mut [Picture],
     still: &[Camera],
-    leash: &Leash,
+    prior: &MotionPrior,
     motions: &mut [Vector6<f64>],
 ) -> f64 {
     let window = p.look.patches.window();
     let rules = p.look.rules();
     let normals = mesh.normals();
-    let sights = Sights::new(mesh, around, pictures, &window, &rules);
-    let mut tugs = if p.brightness {
-        tugs_of_brightness(pictures, &sights, &window, leash)
+    let visible = Visibility::new(mesh, around, pictures, &window, &rules);
+    let mut equations = if p.brightness {
+        equations_of_brightness(pictures, &visible, &window, prior)
     } else {
-        vec![Tug::NONE; pictures.len()]
+        vec![NormalEquations::NONE; pictures.len()]
     };
     let pulls = pulls(mesh, around, &normals, pictures, 6.0);
-    add_tugs_of_rims(&mut tugs, mesh, &normals, &pulls, leash);
+    add_equations_of_contours(&mut equations, mesh, &normals, &pulls, prior);
     let before = motions.to_vec();
-    for (m, tug) in motions.iter_mut().zip(&tugs) {
-        let step = tug.solve(leash, m);
+    for (m, equations) in motions.iter_mut().zip(&equations) {
+        let step = equations.solve(prior, m);
         // All photos move at once, each to where the others were: a full step would swap neighbours.
         *m += step * 0.5;
     }
     for ((picture, camera), motion) in pictures.iter_mut().zip(still).zip(motions.iter()) {
-        picture.moved(&moved(camera, motion, &leash.pivot));
+        picture.moved(&moved(camera, motion, &prior.pivot));
     }
     let change = before.iter().zip(motions.iter()).map(|(b, m)| {
         let d = m - b;

@@ -2,13 +2,13 @@
 //!
 //! A body that sways moves, nearly as a whole, about its ankles. Each photo's motion is what
 //! carries the surface onto that photo: brightness of the photo against the mean of the others'
-//! wherever the surface carries texture, and the silhouette's rim everywhere.
+//! wherever the surface carries texture, and the silhouette's contour everywhere.
 
+use crate::evidence::contours::Pull;
 use crate::evidence::look::Look;
-use crate::evidence::patch::{MOST_SIGHTS, Window};
-use crate::evidence::rims::Pull;
-use crate::evidence::sights::Sights;
-use crate::motion::tugs::tugs_at;
+use crate::evidence::patch::{MOST_VIEWS, Window};
+use crate::evidence::visibility::Visibility;
+use crate::motion::normal_equations::normal_equations_at;
 use crate::pictures::picture::Picture;
 use nalgebra::{Matrix3, Matrix6, Point3, Rotation3, Vector3, Vector6};
 use rayon::prelude::*;
@@ -16,14 +16,14 @@ use shape::{Camera, Mesh, Pose};
 
 /// How strictly motions are held.
 #[derive(Debug, Clone, Copy)]
-pub struct Leash {
+pub struct MotionPrior {
     /// Standard deviation of the shift expected beforehand. \[mm\]
     pub shift_mm: f64,
     /// Standard deviation of the turn expected beforehand. \[rad\]
     pub turn: f64,
     /// What the body turns about. \[mm\]
     pub pivot: Point3<f64>,
-    /// How many points of a rim say as much as one that is known to a pixel.
+    /// How many points of a contour say as much as one that is known to a pixel.
     pub rim: f64,
     /// What a pixel covers on the surface. \[mm\]
     pub footprint: f64,
@@ -31,14 +31,14 @@ pub struct Leash {
 
 /// Where a photo's motion is pulled: normal equations of six numbers, turn first, then shift.
 #[derive(Debug, Clone, Copy)]
-pub struct Tug {
+pub struct NormalEquations {
     matrix: Matrix6<f64>,
     vector: Vector6<f64>,
 }
 
-impl Tug {
-    /// No tug.
-    pub const NONE: Tug = Tug {
+impl NormalEquations {
+    /// No equations.
+    pub const NONE: NormalEquations = NormalEquations {
         matrix: Matrix6::from_array_storage(nalgebra::ArrayStorage([[0.0; 6]; 6])),
         vector: Vector6::from_array_storage(nalgebra::ArrayStorage([[0.0; 6]; 1])),
     };
@@ -46,13 +46,13 @@ impl Tug {
     /// A point that should move by `gap` along `direction`, so stiffly.
     fn add(
         &mut self,
-        leash: &Leash,
+        prior: &MotionPrior,
         x: &Point3<f64>,
         direction: &Vector3<f64>,
         gap: f64,
         stiffness: f64,
     ) {
-        let turn = (x - leash.pivot).cross(direction);
+        let turn = (x - prior.pivot).cross(direction);
         let row = Vector6::new(
             turn.x,
             turn.y,
@@ -65,9 +65,9 @@ impl Tug {
         self.vector += row * (gap * stiffness);
     }
 
-    /// The motion that gives in to the tug, held by the leash; `now` is the motion so far.
-    pub fn solve(&self, leash: &Leash, now: &Vector6<f64>) -> Vector6<f64> {
-        let (turn, shift) = (leash.turn.powi(-2), leash.shift_mm.powi(-2));
+    /// The motion that gives in to the equation, held by the prior; `now` is the motion so far.
+    pub fn solve(&self, prior: &MotionPrior, now: &Vector6<f64>) -> Vector6<f64> {
+        let (turn, shift) = (prior.turn.powi(-2), prior.shift_mm.powi(-2));
         let held = Vector6::new(turn, turn, turn, shift, shift, shift);
         let matrix = self.matrix + Matrix6::from_diagonal(&held);
         let vector = self.vector - held.component_mul(now);
@@ -78,30 +78,32 @@ impl Tug {
 }
 
 /// What brightness says of each photo's motion.
-pub fn tugs_of_brightness(
+pub fn equations_of_brightness(
     pictures: &[Picture],
-    sights: &Sights,
+    visible: &Visibility,
     window: &Window,
-    leash: &Leash,
-) -> Vec<Tug> {
+    prior: &MotionPrior,
+) -> Vec<NormalEquations> {
     let chunk = 512;
-    let chunks: Vec<Vec<Tug>> = (0..sights.frames.len().div_ceil(chunk))
+    let chunks: Vec<Vec<NormalEquations>> = (0..visible.frames.len().div_ceil(chunk))
         .into_par_iter()
         .map(|c| {
-            let mut tugs = vec![Tug::NONE; pictures.len()];
-            let mut looks = [[Look::EMPTY; 2]; MOST_SIGHTS];
-            for v in c * chunk..((c + 1) * chunk).min(sights.frames.len()) {
-                for t in tugs_at(v, pictures, sights, window, leash.footprint, &mut looks) {
-                    let tug = &mut tugs[t.picture as usize];
-                    tug.add(leash, &t.x, &t.direction, t.gap, t.stiffness);
+            let mut equations = vec![NormalEquations::NONE; pictures.len()];
+            let mut looks = [[Look::EMPTY; 2]; MOST_VIEWS];
+            for v in c * chunk..((c + 1) * chunk).min(visible.frames.len()) {
+                for t in
+                    normal_equations_at(v, pictures, visible, window, prior.footprint, &mut looks)
+                {
+                    let equation = &mut equations[t.picture as usize];
+                    equation.add(prior, &t.x, &t.direction, t.gap, t.stiffness);
                 }
             }
-            tugs
+            equations
         })
         .collect();
-    let mut sum = vec![Tug::NONE; pictures.len()];
-    for tugs in chunks {
-        for (s, t) in sum.iter_mut().zip(tugs) {
+    let mut sum = vec![NormalEquations::NONE; pictures.len()];
+    for equations in chunks {
+        for (s, t) in sum.iter_mut().zip(equations) {
             s.matrix += t.matrix;
             s.vector += t.vector;
         }
@@ -109,21 +111,21 @@ pub fn tugs_of_brightness(
     sum
 }
 
-/// What the rims say of each photo's motion, added to `tugs`.
-pub fn add_tugs_of_rims(
-    tugs: &mut [Tug],
+/// What the contours say of each photo's motion, added to `equations`.
+pub fn add_equations_of_contours(
+    equations: &mut [NormalEquations],
     mesh: &Mesh,
     normals: &[Vector3<f64>],
     pulls: &[Pull],
-    leash: &Leash,
+    prior: &MotionPrior,
 ) {
-    let stiffness = leash.rim / (leash.footprint * leash.footprint);
+    let stiffness = prior.rim / (prior.footprint * prior.footprint);
     for p in pulls {
         let n = normals[p.vertex as usize];
         // The whole surface moving by s along the normal changes the gap by slope * s.
-        let tug = &mut tugs[p.picture as usize];
-        tug.add(
-            leash,
+        let equation = &mut equations[p.picture as usize];
+        equation.add(
+            prior,
             &mesh.point(p.vertex),
             &(n * -p.slope),
             p.gap,

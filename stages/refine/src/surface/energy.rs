@@ -1,43 +1,43 @@
-//! What the photos, the silhouettes and the plate say of a surface: energy, pulls, stiffness.
+//! What the photos, the silhouettes and the bending term say of a surface: energy, pulls, stiffness.
 
 use crate::evidence::agreement::{Agreement, agreement};
+use crate::evidence::contours::Pull;
 use crate::evidence::patch::Window;
-use crate::evidence::rims::Pull;
-use crate::evidence::sights::{Sighting, Sights};
+use crate::evidence::visibility::{Visibility, VisibilityRules};
 use crate::geometry::curvature::Laplacian;
 use crate::pictures::picture::Picture;
-use crate::surface::step::{Rest, Springs};
+use crate::surface::step::{DataTerm, Rest};
 use nalgebra::Vector3;
 use rayon::prelude::*;
 
 /// A surface under its forces, visibility and frames held: the energy is
-/// `Σ_v a_v (Σ_pairs w (1 − M) + ½ rim (gap/φ)² + ½ bound (out/φ)²) + ½ plate Σ_v area_v (n·L x − rest)²` with `a = area/φ²`,
+/// `Σ_v a_v (Σ_pairs w (1 − M) + ½ rim (gap/φ)² + ½ bound (out/φ)²) + ½ bending Σ_v area_v (n·L x − rest)²` with `a = area/φ²`,
 /// φ the pixel's footprint; so its balance is the same at every scale.
 pub struct Forces<'a> {
     /// The pictures.
     pub pictures: &'a [Picture],
     /// Who sees whom, and the patches' frames.
-    pub sights: &'a Sights,
+    pub visible: &'a Visibility,
     /// Which pictures are compared.
-    pub rules: &'a Sighting,
+    pub rules: &'a VisibilityRules,
     /// The patch.
     pub window: &'a Window,
     /// The silhouettes' pulls.
     pub pulls: &'a [Pull],
-    /// The plate.
+    /// What resists bending.
     pub laplacian: &'a Laplacian,
     /// What a pixel covers on the surface. \[mm\]
     pub footprint: f64,
-    /// Weight of a rim that is a pixel off, against a pair that does not agree at all.
+    /// Weight of a contour that is a pixel off, against a pair that does not agree at all.
     pub rim: f64,
     /// How far inward each vertex has to go to show inside of all silhouettes \[mm\]; may be empty.
     pub outside: &'a [f64],
     /// Weight of a vertex that has a pixel to go.
     pub bound: f64,
-    /// The plate's rest shape.
+    /// The bending term's rest shape.
     pub rest: &'a Rest,
-    /// The plate's stiffness. \[mm²\]
-    pub plate: f64,
+    /// The bending term's stiffness. \[mm²\]
+    pub bending: f64,
     /// Pull back to where the vertex is, where nobody knows better.
     pub anchor: f64,
 }
@@ -51,13 +51,13 @@ impl Forces<'_> {
     /// How the pictures agree at each vertex, displaced by `d` mm, with derivatives.
     pub fn agreements<const SLOPE: bool>(&self, d: &[f64]) -> Vec<Agreement> {
         let one = |v: usize| {
-            let (sights, frame) = (self.sights.of(v), &self.sights.frames[v]);
-            if sights.len() < 2 {
+            let (visible, frame) = (self.visible.of(v), &self.visible.frames[v]);
+            if visible.len() < 2 {
                 return Agreement::default();
             }
             agreement::<SLOPE>(
                 self.pictures,
-                sights,
+                visible,
                 frame,
                 d[v],
                 self.window,
@@ -72,29 +72,29 @@ impl Forces<'_> {
     }
 
     /// The photos' and the silhouettes' pull on each vertex where it is.
-    pub fn springs(&self, seen: &[Agreement]) -> Springs {
-        let mut springs = Springs {
+    pub fn data_term(&self, seen: &[Agreement]) -> DataTerm {
+        let mut data_term = DataTerm {
             pull: vec![0.0; seen.len()],
             stiffness: vec![0.0; seen.len()],
         };
         let inverse = 1.0 / (self.footprint * self.footprint);
         for (v, a) in seen.iter().enumerate() {
             let area = self.area(v);
-            springs.pull[v] = area * a.slope;
-            springs.stiffness[v] = area * (a.stiffness + self.anchor * inverse);
+            data_term.pull[v] = area * a.slope;
+            data_term.stiffness[v] = area * (a.stiffness + self.anchor * inverse);
         }
         for p in self.pulls {
             let v = p.vertex as usize;
             let weight = self.area(v) * self.rim * p.weight * inverse;
-            springs.pull[v] -= weight * p.gap * p.slope;
-            springs.stiffness[v] += weight * p.slope * p.slope;
+            data_term.pull[v] -= weight * p.gap * p.slope;
+            data_term.stiffness[v] += weight * p.slope * p.slope;
         }
         for (v, gap) in self.outside.iter().enumerate().filter(|o| *o.1 > 0.0) {
             let weight = self.area(v) * self.bound * inverse;
-            springs.pull[v] -= weight * gap;
-            springs.stiffness[v] += weight;
+            data_term.pull[v] -= weight * gap;
+            data_term.stiffness[v] += weight;
         }
-        springs
+        data_term
     }
 
     /// The energy with the vertices displaced by `d` mm along their normals.
@@ -115,13 +115,13 @@ impl Forces<'_> {
         let bounds: f64 = drawn
             .map(|(v, gap)| self.area(v) * self.bound * (gap + d[v]).powi(2) * inverse)
             .sum();
-        let frames = &self.sights.frames;
+        let frames = &self.visible.frames;
         let moved: Vec<_> = (0..d.len())
             .map(|v| x[v] + frames[v].normal * d[v])
             .collect();
         let normals: Vec<_> = frames.iter().map(|f| f.normal).collect();
         let bent = self.rest.energy(self.laplacian, &moved, &normals);
-        photo + 0.5 * (rims + bounds) + self.plate * bent
+        photo + 0.5 * (rims + bounds) + self.bending * bent
     }
     /// The longest of a few shares of a step that lowers the energy; 0 where none does.
     pub fn falls(&self, x: &[Vector3<f64>], d: &[f64], before: f64) -> f64 {

@@ -2,7 +2,7 @@
 
 use crate::evidence::agreement::{Agreement, agreement};
 use crate::evidence::patch::Pairing;
-use crate::evidence::sights::{Sighting, Sights};
+use crate::evidence::visibility::{Visibility, VisibilityRules};
 use crate::geometry::curvature::Laplacian;
 use crate::geometry::remesh::{relax, remesh};
 use crate::pictures::picture::Picture;
@@ -62,18 +62,18 @@ impl Stage for Evolve {
         }
         for look in state.done..=looks {
             let left = p.iterations - (look * p.look_every).min(p.iterations);
-            let told = some_steps(
+            let stats = some_steps(
                 p,
                 &mut state.mesh,
                 &pictures,
                 footprint,
                 left.min(p.look_every),
             );
-            if told.seen == 0.0 {
+            if stats.seen == 0.0 {
                 return Err(RefineError::Unseen.into());
             }
-            state.seen = told.seen;
-            state.keep(told.before, &told.start);
+            state.seen = stats.seen;
+            state.keep(stats.before, &stats.start);
             state.done = look + 1;
             ctx.checkpoint("look", &state);
             steps.tick()?;
@@ -90,7 +90,7 @@ impl Stage for Evolve {
 }
 
 /// What was found before some steps were made.
-struct Told {
+struct StepStats {
     before: f64,
     seen: f64,
     start: Mesh,
@@ -103,42 +103,42 @@ fn some_steps(
     pictures: &[Picture],
     footprint: f64,
     count: u32,
-) -> Told {
+) -> StepStats {
     let window = p.patches.window();
     let pairing = Pairing {
         cosine: [p.pair_to_deg.to_radians().cos() as f32 - 1e-6, 1.0],
     };
-    let rules = Sighting::new(p.patches.tilt_deg, pairing, 1.0);
+    let rules = VisibilityRules::new(p.patches.tilt_deg, pairing, 1.0);
     let around = Adjacency::new(mesh);
     let start = mesh.clone();
-    let mut sights = Sights::new(mesh, &around, pictures, &window, &rules);
+    let mut visible = Visibility::new(mesh, &around, pictures, &window, &rules);
     let mut before = None;
     for step in 0..=count {
-        for (v, frame) in sights.frames.iter_mut().enumerate() {
+        for (v, frame) in visible.frames.iter_mut().enumerate() {
             frame.x = mesh.point(v as u32);
         }
-        let told: Vec<Agreement> = (0..sights.frames.len())
+        let agreements: Vec<Agreement> = (0..visible.frames.len())
             .into_par_iter()
             .with_min_len(128)
             .map(|v| {
                 agreement::<true>(
                     pictures,
-                    sights.of(v),
-                    &sights.frames[v],
+                    visible.of(v),
+                    &visible.frames[v],
                     0.0,
                     &window,
                     rules.pairing,
                 )
             })
             .collect();
-        before.get_or_insert_with(|| consistency(&told));
+        before.get_or_insert_with(|| consistency(&agreements));
         if step == count {
             break;
         }
         let laplacian = Laplacian::new(mesh, &around);
         let normals = mesh.normals();
         let curvature = laplacian.mean_curvature(mesh, &normals);
-        let own: Vec<f64> = told.iter().map(|a| a.slope).collect();
+        let own: Vec<f64> = agreements.iter().map(|a| a.slope).collect();
         let psi = match p.flow {
             Flow::Rigid => own,
             Flow::WeightedMedian => medians(
@@ -160,16 +160,16 @@ fn some_steps(
         }
     }
     relax(mesh);
-    Told {
+    StepStats {
         before: before.unwrap_or(0.0),
-        seen: sights.share(),
+        seen: visible.share(),
         start,
     }
 }
 
 /// Mean correlation of all pairs, by their weights.
-fn consistency(told: &[Agreement]) -> f64 {
-    let (score, weight) = told
+fn consistency(agreements: &[Agreement]) -> f64 {
+    let (score, weight) = agreements
         .iter()
         .fold((0.0, 0.0), |s, a| (s.0 + a.score, s.1 + a.weight));
     score / f64::max(weight, 1e-9)

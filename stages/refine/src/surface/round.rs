@@ -1,10 +1,10 @@
 //! One round of settling: who sees what is looked at anew, then steps are taken while the energy falls.
 
 use crate::evidence::agreement::Agreement;
+use crate::evidence::contours::{Pull, pulls};
 use crate::evidence::outside::outside;
 use crate::evidence::patch::Pairing;
-use crate::evidence::rims::{Pull, pulls};
-use crate::evidence::sights::{Sighting, Sights};
+use crate::evidence::visibility::{Visibility, VisibilityRules};
 use crate::geometry::curvature::Laplacian;
 use crate::geometry::remesh::relax;
 use crate::mend::crossing::part;
@@ -21,14 +21,14 @@ use shape::{Adjacency, Mesh};
 
 /// What a round found.
 #[derive(Debug, Clone, Copy, Default, Serialize, Deserialize)]
-pub(crate) struct Told {
+pub(crate) struct RoundStats {
     /// Consistency of what came in.
     pub before: f64,
     /// Consistency before the last step.
     pub consistency: f64,
     /// Share of the surface that two photos see.
     pub seen: f64,
-    /// Distance of the rims from the silhouettes, root of the mean square. \[px\]
+    /// Distance of the contours from the silhouettes, root of the mean square. \[px\]
     pub gap_px: f64,
 }
 
@@ -39,19 +39,19 @@ pub(crate) fn one_round(
     pictures: &[Picture],
     footprint: f64,
     begin: bool,
-) -> Result<Told, RefineError> {
+) -> Result<RoundStats, RefineError> {
     let window = p.patches.window();
     let pairing = Pairing::between(p.pair_from_deg, p.pair_to_deg);
-    let rules = Sighting::new(p.patches.tilt_deg, pairing, p.noise_gain);
+    let rules = VisibilityRules::new(p.patches.tilt_deg, pairing, p.noise_gain);
     let around = Adjacency::new(mesh);
     let start = mesh.positions.clone();
-    let mut told = Told::default();
+    let mut stats = RoundStats::default();
     let searches = usize::from(begin && p.reach_px > 0.0);
     for step in 0..p.steps as usize + searches {
         let searching = step < searches;
-        let sights = Sights::new(mesh, &around, pictures, &window, &rules);
-        told.seen = sights.share();
-        if told.seen == 0.0 {
+        let visible = Visibility::new(mesh, &around, pictures, &window, &rules);
+        stats.seen = visible.share();
+        if stats.seen == 0.0 {
             return Err(RefineError::Unseen);
         }
         let normals = mesh.normals();
@@ -61,14 +61,14 @@ pub(crate) fn one_round(
             false => vec![],
         };
         let laplacian = Laplacian::new(mesh, &around);
-        // A typical pair-stiffness of 0.04 a pixel² balances the plate at the length asked for.
-        let plate = 0.04 * p.smooth_px.powi(4) * footprint.powi(2);
+        // A typical pair-stiffness of 0.04 a pixel² balances the bending term at the length asked for.
+        let bending = 0.04 * p.smooth_px.powi(4) * footprint.powi(2);
         let x = positions(mesh);
         let rest = Rest::new(&laplacian, &x, &normals, p.rest_rings as usize);
         let forces = Forces {
             rest: &rest,
             pictures,
-            sights: &sights,
+            visible: &visible,
             rules: &rules,
             window: &window,
             pulls: &pulls,
@@ -77,32 +77,32 @@ pub(crate) fn one_round(
             footprint,
             rim: p.rim,
             bound: p.bound,
-            plate,
+            bending,
             anchor: 1e-4,
         };
         let still = vec![0.0; x.len()];
         let seen = forces.agreements::<true>(&still);
-        told.consistency = consistency(&seen);
+        stats.consistency = consistency(&seen);
         if step == 0 {
-            told.before = told.consistency;
+            stats.before = stats.consistency;
         }
-        told.gap_px = gap(&pulls) / footprint;
+        stats.gap_px = gap(&pulls) / footprint;
         let before = forces.energy(&seen, &still, &x);
-        let mut springs = forces.springs(&seen);
+        let mut data_term = forces.data_term(&seen);
         if searching {
-            sweep::follow(&forces, &around, p.reach_px, &seen, &mut springs);
+            sweep::follow(&forces, &around, p.reach_px, &seen, &mut data_term);
         } else if p.flow == Flow::WeightedMedian {
             ring_median(
                 mesh,
                 &around,
                 &laplacian,
                 &normals,
-                &mut springs,
+                &mut data_term,
                 (p.eta, p.kappa),
                 footprint,
             );
         }
-        let d = settle(&springs, &laplacian, &x, &normals, &rest, plate, 60);
+        let d = settle(&data_term, &laplacian, &x, &normals, &rest, bending, 60);
         let most = if searching { p.reach_px } else { 3.0 } * footprint;
         let d: Vec<f64> = d.iter().map(|d| d.clamp(-most, most)).collect();
         let taken = match searching {
@@ -116,7 +116,7 @@ pub(crate) fn one_round(
         relax(mesh);
     }
     part(mesh, &start, &around);
-    Ok(told)
+    Ok(stats)
 }
 
 /// Moves the vertices along their normals by a share of `d`. \[mm\]

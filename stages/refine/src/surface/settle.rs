@@ -7,7 +7,7 @@ use crate::mend::repair::mend;
 use crate::pictures::prepare::{footprint, unbend};
 use crate::pictures::turn::TurnInput;
 use crate::surface::params::SettleParams;
-use crate::surface::round::{Told, one_round};
+use crate::surface::round::{RoundStats, one_round};
 use shape::{Cameras, Masks, Mesh, Photos, Warps};
 use stage::{Ctx, Stage, Stop};
 use std::sync::Arc;
@@ -21,7 +21,7 @@ stage::inputs! {
         photos: Arc<Photos>,
         /// Where they were taken, the body standing still.
         cameras: Arc<Cameras>,
-        /// Silhouettes; without them rims are left to the plate.
+        /// Silhouettes; without them contours are left to the bending term.
         masks: Option<Arc<Masks>>,
         /// How the body bent; without them it did not.
         warps: Option<Arc<Warps>>,
@@ -82,30 +82,32 @@ impl Stage for Settle {
         let mut state = Checkpoint {
             mesh,
             done: 0,
-            told: Told::default(),
+            stats: RoundStats::default(),
         };
         if let Some(left) = ctx.resume::<Checkpoint>("round") {
             state = left;
             (0..state.done).try_for_each(|_| steps.tick())?;
         }
         for round in state.done..p.rounds {
-            let before = state.told.before;
-            state.told = one_round(p, &mut state.mesh, &pictures, footprint, round < p.searches)?;
+            let before = state.stats.before;
+            state.stats = one_round(p, &mut state.mesh, &pictures, footprint, round < p.searches)?;
             if round > 0 {
-                state.told.before = before;
+                state.stats.before = before;
             }
             state.done = round + 1;
             ctx.checkpoint("round", &state);
             steps.tick()?;
         }
-        let Checkpoint { mut mesh, told, .. } = state;
-        if told.seen < 0.5 {
+        let Checkpoint {
+            mut mesh, stats, ..
+        } = state;
+        if stats.seen < 0.5 {
             ctx.warn(format!(
                 "only {:.0} % of the surface is seen by two photos or more",
-                told.seen * 100.0
+                stats.seen * 100.0
             ));
         }
-        if told.consistency < told.before - 0.02 {
+        if stats.consistency < stats.before - 0.02 {
             ctx.warn("the photos agree less on the settled surface than on the one that came in");
         }
         if p.neck_edges > 0 {
@@ -115,9 +117,9 @@ impl Stage for Settle {
         if crossed > 0 {
             ctx.warn(format!("{crossed} pairs of faces pass through each other"));
         }
-        ctx.metric("consistency", told.consistency, "");
-        ctx.metric("seen twice", told.seen, "");
-        ctx.metric("rim gap", told.gap_px, "px");
+        ctx.metric("consistency", stats.consistency, "");
+        ctx.metric("seen twice", stats.seen, "");
+        ctx.metric("rim gap", stats.gap_px, "px");
         ctx.metric("crossing faces", crossed as f64, "pairs");
         ctx.metric("faces", mesh.faces.len() as f64, "");
         Ok(mesh)
@@ -128,19 +130,19 @@ impl Stage for Settle {
 struct Checkpoint {
     mesh: Mesh,
     done: u32,
-    told: Told,
+    stats: RoundStats,
 }
 
 impl stage::Artifact for Checkpoint {
     const KIND: &'static str = "settle.checkpoint";
     const FORMAT: u32 = 1;
     fn pack(&self, to: &mut stage::Packer) {
-        to.meta(&(self.done, self.told));
+        to.meta(&(self.done, self.stats));
         self.mesh.pack(to);
     }
     fn unpack(from: &stage::Unpacker<'_>) -> Result<Self, stage::Corrupt> {
-        let (done, told) = from.meta()?;
+        let (done, stats) = from.meta()?;
         let mesh = Mesh::unpack(from)?;
-        Ok(Checkpoint { mesh, done, told })
+        Ok(Checkpoint { mesh, done, stats })
     }
 }

@@ -2,7 +2,7 @@
 
 use crate::geometry::curvature::Laplacian;
 use crate::surface::median::{weight, weighted_median};
-use crate::surface::step::Springs;
+use crate::surface::step::DataTerm;
 use nalgebra::Vector3;
 use shape::{Adjacency, Mesh};
 
@@ -57,22 +57,22 @@ pub fn ring_median(
     around: &Adjacency,
     laplacian: &Laplacian,
     normals: &[Vector3<f64>],
-    springs: &mut Springs,
+    data_term: &mut DataTerm,
     weights: (f64, f64),
     length: f64,
 ) {
     let curvature = laplacian.mean_curvature(mesh, normals);
-    let wanted: Vec<f64> = springs
+    let wanted: Vec<f64> = data_term
         .pull
         .iter()
-        .zip(&springs.stiffness)
+        .zip(&data_term.stiffness)
         .map(|(p, s)| if *s > 0.0 { p / s } else { 0.0 })
         .collect();
     let medians = medians(mesh, around, &curvature, &wanted, 2, weights, length);
-    springs
+    data_term
         .pull
         .iter_mut()
-        .zip(&springs.stiffness)
+        .zip(&data_term.stiffness)
         .zip(medians)
         .for_each(|((p, s), m)| *p = m * s);
 }

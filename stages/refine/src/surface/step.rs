@@ -1,5 +1,5 @@
 //! One step of all vertices along their normals, by conjugate gradients: the data's pull, the
-//! silhouettes' and a thin plate's balance.
+//! silhouettes' and a bending term's balance.
 
 use crate::geometry::curvature::Laplacian;
 use crate::geometry::gradients::conjugate_gradients;
@@ -8,17 +8,17 @@ use rayon::prelude::*;
 
 /// Pulls on each vertex, and how stiff they are: energy `½ stiffness d² − pull d` a vertex.
 #[derive(Debug, Clone, Default)]
-pub struct Springs {
+pub struct DataTerm {
     /// Pull outward. \[1/mm\]
     pub pull: Vec<f64>,
     /// Stiffness, 0 or more. \[1/mm²\]
     pub stiffness: Vec<f64>,
 }
 
-/// How curved the surface is, against how curved it is round about: what the plate straightens.
+/// How curved the surface is, against how curved it is round about: what the bending term straightens.
 ///
 /// Mean curvature (eq. 3) and a plain thin plate both shrink what is round: a cylinder of radius R
-/// by 1/R and 1/R³. This plate's rest shape is the surface's own curvature, averaged over the
+/// by 1/R and 1/R³. This bending term's rest shape is the surface's own curvature, averaged over the
 /// neighbourhood, so that a cylinder and a sphere of any size rest, and only dents are straightened.
 pub struct Rest {
     /// Wanted `n · L x` of each vertex. \[1/mm\]
@@ -71,15 +71,15 @@ impl Rest {
     }
 }
 
-/// Minimises `Σ (½ stiffness d² − pull d) + ½ plate Σ area (n · L (x + d n) − rest)²` over the
-/// displacements `d` along the normals \[mm\]. `plate` in mm².
+/// Minimises `Σ (½ stiffness d² − pull d) + ½ bending Σ area (n · L (x + d n) − rest)²` over the
+/// displacements `d` along the normals \[mm\]. `bending` in mm².
 pub fn settle(
-    springs: &Springs,
+    data_term: &DataTerm,
     laplacian: &Laplacian,
     x: &[Vector3<f64>],
     normals: &[Vector3<f64>],
     rest: &Rest,
-    plate: f64,
+    bending: f64,
     rounds: usize,
 ) -> Vec<f64> {
     let count = x.len();
@@ -88,7 +88,7 @@ pub fn settle(
         let bent = laplacian.apply(y);
         let along = |v: usize| {
             let less = rest.map_or(0.0, |r| r.wanted[v]);
-            normals[v] * ((bent[v].dot(&normals[v]) - less) * laplacian.areas[v] * plate)
+            normals[v] * ((bent[v].dot(&normals[v]) - less) * laplacian.areas[v] * bending)
         };
         let range = (0..count).into_par_iter().with_min_len(4096);
         let strained: Vec<_> = range.map(along).collect();
@@ -98,7 +98,7 @@ pub fn settle(
         let moved: Vec<_> = d.iter().zip(normals).map(|(d, n)| n * *d).collect();
         let mut out = bend(&moved, None);
         for v in 0..count {
-            out[v] += springs.stiffness[v] * d[v];
+            out[v] += data_term.stiffness[v] * d[v];
         }
         out
     };
@@ -112,13 +112,13 @@ pub fn settle(
             };
             let others: f64 = laplacian.row(v).map(beside).sum();
             let bent = laplacian.areas[v] * own * own + others;
-            let diagonal = springs.stiffness[v] + plate * bent;
+            let diagonal = data_term.stiffness[v] + bending * bent;
             if diagonal > 0.0 { 1.0 / diagonal } else { 0.0 }
         })
         .collect();
     let mut r = bend(x, Some(rest));
     for v in 0..count {
-        r[v] = springs.pull[v] - r[v];
+        r[v] = data_term.pull[v] - r[v];
     }
     conjugate_gradients(matrix, &inverse, r, rounds)
 }
@@ -170,11 +170,11 @@ mod tests {
                 .collect();
             let (laplacian, normals) = (Laplacian::new(mesh, &around), mesh.normals());
             let rest = Rest::new(&laplacian, &x, &normals, 20);
-            let springs = Springs {
+            let data_term = DataTerm {
                 pull: vec![0.0; x.len()],
                 stiffness: vec![1e-4; x.len()],
             };
-            settle(&springs, &laplacian, &x, &normals, &rest, 40.0, 80)
+            settle(&data_term, &laplacian, &x, &normals, &rest, 40.0, 80)
         };
         let drift = step(&mesh);
         let mean = drift.iter().sum::<f64>() / drift.len() as f64;

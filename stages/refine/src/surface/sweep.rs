@@ -3,7 +3,7 @@
 
 use crate::evidence::agreement::{Agreement, agreement};
 use crate::surface::energy::Forces;
-use crate::surface::step::Springs;
+use crate::surface::step::DataTerm;
 use rayon::prelude::*;
 use shape::Adjacency;
 
@@ -18,21 +18,21 @@ pub fn sweep(
     outward: usize,
     step_mm: f64,
 ) -> Vec<(f64, f64)> {
-    let count = forces.sights.frames.len();
+    let count = forces.visible.frames.len();
     let steps = inward + outward + 1;
     let mut scores: Vec<f32> = (0..count)
         .into_par_iter()
         .with_min_len(64)
         .flat_map_iter(|v| {
-            let (sights, frame) = (forces.sights.of(v), &forces.sights.frames[v]);
+            let (visible, frame) = (forces.visible.of(v), &forces.visible.frames[v]);
             (0..steps).map(move |k| {
-                if sights.len() < 2 {
+                if visible.len() < 2 {
                     return 0.0;
                 }
                 let offset = (k as f64 - inward as f64) * step_mm;
                 let a = agreement::<false>(
                     forces.pictures,
-                    sights,
+                    visible,
                     frame,
                     offset,
                     forces.window,
@@ -86,7 +86,7 @@ pub fn follow(
     around: &Adjacency,
     reach_px: f64,
     seen: &[Agreement],
-    springs: &mut Springs,
+    data_term: &mut DataTerm,
 ) {
     let step = forces.footprint;
     let places = sweep(
@@ -99,7 +99,7 @@ pub fn follow(
     for (v, (offset, sure)) in places.iter().enumerate() {
         let photo = forces.area(v) * seen[v].slope;
         let stiff = forces.area(v) * seen[v].stiffness;
-        springs.pull[v] += stiff * sure * offset - photo;
-        springs.stiffness[v] += stiff * (sure - 1.0);
+        data_term.pull[v] += stiff * sure * offset - photo;
+        data_term.stiffness[v] += stiff * (sure - 1.0);
     }
 }

@@ -1,7 +1,7 @@
 //! V_x: which pictures see each vertex, and how much each of them counts (paper, III-D 1).
 
 use crate::evidence::look::Look;
-use crate::evidence::patch::{Frame, MOST_SIGHTS, Pairing, Sight, Window};
+use crate::evidence::patch::{Frame, MOST_VIEWS, Pairing, VisibleView, Window};
 use crate::geometry::curvature::{shape_operators, tangents};
 use crate::pictures::depth::DepthMap;
 use crate::pictures::picture::Picture;
@@ -11,7 +11,7 @@ use shape::{Adjacency, Mesh};
 
 /// What decides whether a picture is compared at a vertex.
 #[derive(Debug, Clone, Copy)]
-pub struct Sighting {
+pub struct VisibilityRules {
     /// Greatest angle between the normal and the line of sight. \[rad\]
     pub most_tilt: f64,
     /// Distance of a patch's points in pixels of the nearest picture. \[px\]
@@ -22,10 +22,10 @@ pub struct Sighting {
     pub noise_gain: f64,
 }
 
-impl Sighting {
+impl VisibilityRules {
     /// A patch's points a pixel apart; the greatest tilt in degrees.
     pub fn new(tilt_deg: f64, pairing: Pairing, noise_gain: f64) -> Self {
-        Sighting {
+        VisibilityRules {
             most_tilt: tilt_deg.to_radians(),
             spacing_px: 1.0,
             pairing,
@@ -35,21 +35,21 @@ impl Sighting {
 }
 
 /// The frames of all vertices and the pictures that see them.
-pub struct Sights {
+pub struct Visibility {
     /// One a vertex.
     pub frames: Vec<Frame>,
     starts: Vec<u32>,
-    sights: Vec<Sight>,
+    visible: Vec<VisibleView>,
 }
 
-impl Sights {
+impl Visibility {
     /// Looks at a mesh from all pictures.
     pub fn new(
         mesh: &Mesh,
         around: &Adjacency,
         pictures: &[Picture],
         window: &Window,
-        rules: &Sighting,
+        rules: &VisibilityRules,
     ) -> Self {
         let normals = mesh.normals();
         let maps: Vec<_> = pictures
@@ -58,7 +58,7 @@ impl Sights {
             .collect();
         let edge = mesh.mean_edge();
         let shapes = shape_operators(mesh, around, &normals, 1.0 / (2.0 * edge));
-        let looked: Vec<(Frame, Vec<Sight>)> = (0..mesh.positions.len())
+        let looked: Vec<(Frame, Vec<VisibleView>)> = (0..mesh.positions.len())
             .into_par_iter()
             .with_min_len(256)
             .map(|v| {
@@ -69,27 +69,27 @@ impl Sights {
                     shape: shapes[v],
                     spacing: 1.0,
                 };
-                let sights = sights(&mut frame, pictures, &maps, window, rules);
-                (frame, sights)
+                let visible = visible(&mut frame, pictures, &maps, window, rules);
+                (frame, visible)
             })
             .collect();
-        let mut all = Sights {
+        let mut all = Visibility {
             frames: vec![],
             starts: vec![0],
-            sights: vec![],
+            visible: vec![],
         };
-        for (frame, sights) in looked {
+        for (frame, visible) in looked {
             all.frames.push(frame);
-            all.sights.extend(sights);
-            all.starts.push(all.sights.len() as u32);
+            all.visible.extend(visible);
+            all.starts.push(all.visible.len() as u32);
         }
         all
     }
 
     /// The pictures that see a vertex, in their order.
     #[inline]
-    pub fn of(&self, v: usize) -> &[Sight] {
-        &self.sights[self.starts[v] as usize..self.starts[v + 1] as usize]
+    pub fn of(&self, v: usize) -> &[VisibleView] {
+        &self.visible[self.starts[v] as usize..self.starts[v + 1] as usize]
     }
 
     /// Share of the vertices that at least two pictures see.
@@ -100,13 +100,13 @@ impl Sights {
 }
 
 /// The pictures that see one vertex; sets the spacing of its patch.
-fn sights(
+fn visible(
     frame: &mut Frame,
     pictures: &[Picture],
     maps: &[DepthMap],
     window: &Window,
-    rules: &Sighting,
-) -> Vec<Sight> {
+    rules: &VisibilityRules,
+) -> Vec<VisibleView> {
     if frame.normal == Vector3::zeros() {
         return vec![];
     }
@@ -127,7 +127,7 @@ fn sights(
             continue;
         }
         let footprint = picture.footprint(depth);
-        // The patch may reach over the rim a little: what lies there is another surface.
+        // The patch may reach over the contour a little: what lies there is another surface.
         let inside = picture.inside.as_ref();
         if inside.is_some_and(|m| {
             m.sample(at[0] as f32, at[1] as f32) < (0.6 * radius * cosine + 0.5) as f32
@@ -142,45 +142,45 @@ fn sights(
         found.push((i, cosine, toward));
     }
     found.sort_by(|a, b| b.1.total_cmp(&a.1));
-    found.truncate(MOST_SIGHTS);
+    found.truncate(MOST_VIEWS);
     found.sort_by_key(|f| f.0);
     if found.len() < 2 {
         return vec![];
     }
     frame.spacing = spacing;
     let mut looks = Vec::new();
-    let mut sights = Vec::new();
+    let mut visible = Vec::new();
     for (i, cosine, toward) in found {
         let mut look = Look::EMPTY;
         if !look.read::<false>(&pictures[i], frame, 0.0, &frame.normal, window) {
             continue;
         }
         let floor = rules.noise_gain * f64::from(pictures[i].noise).powi(2);
-        let told = f64::from(look.variance) / (f64::from(look.variance) + floor);
+        let contrast = f64::from(look.variance) / (f64::from(look.variance) + floor);
         looks.push(look);
-        sights.push(Sight {
+        visible.push(VisibleView {
             picture: i as u16,
-            weight: (cosine * told) as f32,
+            weight: (cosine * contrast) as f32,
             toward: [toward.x as f32, toward.y as f32, toward.z as f32],
         });
     }
-    doubt(&mut sights, &looks, window.len(), rules);
-    sights
+    doubt(&mut visible, &looks, window.len(), rules);
+    visible
 }
 
 /// A picture that agrees with none of the others is not believed: a hand in front, a highlight.
-fn doubt(sights: &mut [Sight], looks: &[Look], count: usize, rules: &Sighting) {
-    let trust: Vec<f32> = (0..sights.len())
+fn doubt(visible: &mut [VisibleView], looks: &[Look], count: usize, rules: &VisibilityRules) {
+    let trust: Vec<f32> = (0..visible.len())
         .map(|i| {
-            let others = (0..sights.len())
-                .filter(|j| *j != i && rules.pairing.takes(&sights[i], &sights[*j]));
+            let others = (0..visible.len())
+                .filter(|j| *j != i && rules.pairing.takes(&visible[i], &visible[*j]));
             let best = others
                 .map(|j| looks[i].agrees(&looks[j], count))
                 .fold(-1.0f32, f32::max);
             (best / 0.6).clamp(0.1, 1.0)
         })
         .collect();
-    sights
+    visible
         .iter_mut()
         .zip(trust)
         .for_each(|(s, t)| s.weight *= t);

@@ -1,4 +1,4 @@
-//! The silhouette force: where the surface's rim should run, and where it runs.
+//! The silhouette force: where the surface's occluding contour should run, and where it runs.
 //!
 //! A picture's horizon, along which lines of sight graze the surface, is the one place where
 //! consistency of brightness says nothing and the silhouette says all (Hernández and Schmitt 2004,
@@ -10,7 +10,7 @@ use nalgebra::{Point3, Vector3};
 use rayon::prelude::*;
 use shape::{Adjacency, Mesh};
 
-/// One pull on a vertex: the rim lies `gap + slope * d` mm inside of the silhouette's border when
+/// One pull on a vertex: the contour lies `gap + slope * d` mm inside of the silhouette's border when
 /// the vertex has moved outward by `d` mm.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Pull {
@@ -20,7 +20,7 @@ pub struct Pull {
     pub picture: u16,
     /// Its share, 0..=1.
     pub weight: f64,
-    /// How far inside of the border the rim lies. \[mm\]
+    /// How far inside of the border the contour lies. \[mm\]
     pub gap: f64,
     /// How the gap changes as the vertex moves outward; about −1.
     pub slope: f64,
@@ -76,7 +76,7 @@ pub fn pulls(
     pictures.par_iter().enumerate().flat_map_iter(one).collect()
 }
 
-/// Weight, gap and slope at one point of the rim. [`None`] where it is not the outermost.
+/// Weight, gap and slope at one point of the contour. [`None`] where it is not the outermost.
 fn pull(
     picture: &Picture,
     inside: &shape::Gray,
@@ -96,7 +96,7 @@ fn pull(
     }
     let out = [dx / length, dy / length];
     let beside = |px: f64| [at[0] + out[0] * px, at[1] + out[1] * px];
-    // Surface beside the rim: an arm before the trunk has a rim, but the silhouette does not show it.
+    // Surface beside the contour: an arm before the trunk has a contour, but the silhouette does not show it.
     if [3.0, 5.0, 8.0]
         .iter()
         .any(|px| map.at(beside(*px)).is_finite())

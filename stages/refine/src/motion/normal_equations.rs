@@ -2,8 +2,8 @@
 //! against the mean of the others.
 
 use crate::evidence::look::{Look, dot};
-use crate::evidence::patch::{MOST_POINTS, MOST_SIGHTS, Window};
-use crate::evidence::sights::Sights;
+use crate::evidence::patch::{MOST_POINTS, MOST_VIEWS, Window};
+use crate::evidence::visibility::Visibility;
 use crate::geometry::curvature::tangents;
 use crate::pictures::picture::Picture;
 use nalgebra::{Point3, Vector3};
@@ -24,22 +24,22 @@ pub struct PointTug {
 }
 
 /// Room for the looks at one point, used again for the next.
-pub type Looks = [[Look; 2]; MOST_SIGHTS];
+pub type Looks = [[Look; 2]; MOST_VIEWS];
 
-/// All tugs at a vertex, two a photo at most, in order. None where a photo cannot be read.
-pub fn tugs_at(
+/// All equations at a vertex, two a photo at most, in order. None where a photo cannot be read.
+pub fn normal_equations_at(
     v: usize,
     pictures: &[Picture],
-    sights: &Sights,
+    visible: &Visibility,
     window: &Window,
     footprint: f64,
     looks: &mut Looks,
 ) -> Vec<PointTug> {
     let count = window.len();
-    let (frame, seen) = (&sights.frames[v], sights.of(v));
-    let mut tugs = vec![];
+    let (frame, seen) = (&visible.frames[v], visible.of(v));
+    let mut equations = vec![];
     if seen.len() < 2 {
-        return tugs;
+        return equations;
     }
     let across: Vec<[Vector3<f64>; 2]> = seen
         .iter()
@@ -50,7 +50,7 @@ pub fn tugs_at(
         (0..2).all(|k| looks[i][k].read::<true>(picture, frame, 0.0, &across[i][k], window))
     });
     if !fine {
-        return tugs;
+        return equations;
     }
     for (i, sight) in seen.iter().enumerate() {
         let mut others = [0.0f32; MOST_POINTS];
@@ -90,7 +90,7 @@ pub fn tugs_at(
             let gap = pull / values[k];
             // A shift of many pixels is none that this look can tell.
             let sure = (2.0 * footprint / gap.abs().max(1e-9)).min(1.0);
-            tugs.push(PointTug {
+            equations.push(PointTug {
                 picture: sight.picture,
                 x: frame.x,
                 direction: across[i][0] * vectors[k][0] + across[i][1] * vectors[k][1],
@@ -99,7 +99,7 @@ pub fn tugs_at(
             });
         }
     }
-    tugs
+    equations
 }
 
 /// Eigenvalues and unit eigenvectors of a symmetric 2 × 2 matrix.
