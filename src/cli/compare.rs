@@ -29,7 +29,7 @@ pub(crate) struct CompareArgs {
     no_photos: bool,
 }
 
-/// Does it.
+/// Compares two or more sides and writes the page.
 pub(crate) fn compare_sides(args: &CompareArgs, global: &GlobalArgs) -> Result<(), Fault> {
     let pipeline = args.what.iter().find(|w| w.ends_with(".toml"));
     let what: Vec<&String> = args.what.iter().filter(|w| !w.ends_with(".toml")).collect();

@@ -59,7 +59,7 @@ impl Host for Heard {
     }
 }
 
-/// Does it.
+/// Writes a marker mat to print.
 pub(crate) fn mat(args: &MatArgs, global: &GlobalArgs) -> Result<(), Fault> {
     let ending = args.o.extension().and_then(|e| e.to_str()).unwrap_or("");
     let ending = ending.to_lowercase();

@@ -23,7 +23,7 @@ pub(crate) struct Scoring {
     require_surface: Vec<String>,
 }
 
-/// Does it.
+/// Scores a result against ground truth.
 pub(crate) fn scoring(args: &Scoring, global: &GlobalArgs) -> Result<(), Fault> {
     let scores: Result<Vec<_>, _> = args.results.iter().map(|r| score(r, &args.truth)).collect();
     let scores = scores.map_err(Fault::input)?;

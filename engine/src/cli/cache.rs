@@ -71,7 +71,7 @@ fn say(global: &GlobalArgs, json: Value, lines: impl FnOnce() -> Vec<String>) {
     }
 }
 
-/// Does it.
+/// Answers about the store, or removes from it.
 pub(crate) fn cache(cache: &Cache, global: &GlobalArgs) -> Result<(), Fault> {
     if !global.cache.join("format").exists() {
         let place = global.cache.display();

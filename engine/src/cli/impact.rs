@@ -20,7 +20,7 @@ pub(crate) struct ImpactArgs {
     change: Change,
 }
 
-/// Does it.
+/// Says which nodes a param reaches.
 pub(crate) fn impact(args: &ImpactArgs, global: &GlobalArgs) -> Result<(), Fault> {
     let (files, asked): (Vec<_>, Vec<_>) = args
         .what

@@ -40,7 +40,7 @@ pub struct Verb {
     pub name: &'static str,
     /// Adds its arguments and its help.
     pub arguments: fn(Command) -> Command,
-    /// Does it.
+    /// What it runs.
     pub run: fn(&ArgMatches, &GlobalArgs) -> Result<(), Fault>,
     /// Whether it runs stages: then the cache is swept after it if it is over its size.
     pub runs: bool,

@@ -139,7 +139,7 @@ fn verify(
     }
 }
 
-/// Does it.
+/// Runs a pipeline and writes its results.
 pub(crate) fn run(run: &Run, global: &GlobalArgs) -> Result<(), Fault> {
     let ahead = ahead(&run.wanted, global);
     let (graph, wanted) = open(&run.wanted, global)?;

@@ -18,7 +18,7 @@ use std::sync::atomic::Ordering;
 /// More points than this ask for `--yes`.
 const MANY: u128 = 1000;
 
-/// Does it.
+/// Runs the points of a sweep and writes the table.
 pub(crate) fn sweep(args: &SweepArgs, global: &GlobalArgs) -> Result<(), Fault> {
     if let Some(out) = &args.out {
         delivery::check(out).map_err(Fault::input)?;

@@ -2,7 +2,7 @@
 
 use crate::derive::{compress, derive, no_density, profile};
 use crate::features::body::{Body, body};
-use crate::sections::one::Taken;
+use crate::sections::one::SectionMeasurement;
 use crate::sections::picked::picked;
 use crate::sections::taken::taken;
 use crate::uncertainty::interval::{Level, level_spread};
@@ -76,7 +76,7 @@ impl Stage for Measure {
             ..Girths::default()
         };
         let steps = ctx.steps("girths", 2 * landmarks.found.len());
-        let mut all: Vec<(&Landmark, Taken, Seen)> = Vec::new();
+        let mut all: Vec<(&Landmark, SectionMeasurement, Seen)> = Vec::new();
         for landmark in &landmarks.found {
             match taken(mesh, body.as_ref(), landmark) {
                 Ok(here) => {
@@ -128,7 +128,12 @@ fn refuse(landmark: &Landmark, reason: Refusal, girths: &mut Girths, ctx: &Ctx<'
 }
 
 /// What outlines tell of a section.
-fn seen(body: Option<&Body>, landmark: &Landmark, here: &Taken, input: &GirthInput) -> Seen {
+fn seen(
+    body: Option<&Body>,
+    landmark: &Landmark,
+    here: &SectionMeasurement,
+    input: &GirthInput,
+) -> Seen {
     let (cameras, masks) = (input.cameras.as_deref(), input.masks.as_deref());
     let (Some(body), Some((cameras, masks))) = (body, cameras.zip(masks)) else {
         return Seen {
@@ -145,7 +150,11 @@ fn seen(body: Option<&Body>, landmark: &Landmark, here: &Taken, input: &GirthInp
 
 /// What is known of the surface's error; how far it stands off the silhouettes' girths is an even
 /// error along its normal.
-fn sure<'a>(p: &GirthParams, input: &'a GirthInput, all: &[(&Landmark, Taken, Seen)]) -> Sure<'a> {
+fn sure<'a>(
+    p: &GirthParams,
+    input: &'a GirthInput,
+    all: &[(&Landmark, SectionMeasurement, Seen)],
+) -> Sure<'a> {
     let off: Vec<f64> = all
         .iter()
         .filter_map(|(_, here, s)| Some((here.tape_mm - s.support.as_ref()?.girth) / TAU))

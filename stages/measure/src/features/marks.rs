@@ -2,7 +2,7 @@
 
 use crate::features::body::Body;
 use crate::features::extent::{breadth, depth};
-use crate::features::reach::{Reach, reach};
+use crate::features::reach::{BodyExtents, reach};
 use crate::geometry::slices::Slice;
 
 /// Heights above the ground that the outline of an upright body marks, and how its arms hang. \[mm\]
@@ -30,7 +30,7 @@ pub struct Marks {
     /// Half the trunk's tape where it is least between hip and bust, as a length across. \[mm\]
     pub girth: f64,
     /// How far the outline reaches between hip and neck.
-    pub reach: Reach,
+    pub reach: BodyExtents,
 }
 
 /// Reads the marks. `None` without legs or neck.

@@ -2,7 +2,7 @@
 
 use crate::features::body::Body;
 use crate::features::neck_tube::{Tube, tube};
-use crate::features::throat::{Throat, throat};
+use crate::features::throat::{NeckProfile, throat};
 use shape::Mesh;
 
 /// What tells where the girth of a neck is taken, and the surface that it is taken on.
@@ -12,7 +12,7 @@ use shape::Mesh;
 #[derive(Debug, Clone)]
 pub struct NeckFeatures {
     pub(crate) tube: Tube,
-    pub(crate) throat: Throat,
+    pub(crate) throat: NeckProfile,
     /// Crown above the middle of the tightest section. \[mm\]
     pub(crate) head: f64,
 }

@@ -33,7 +33,7 @@ pub(crate) fn between<const N: usize>(rows: &[Row<N>], z: f64) -> [f64; N] {
 ///
 /// Forward and back are from the middle of the hip's own section. \[mm\]
 #[derive(Debug, Clone, PartialEq, Default)]
-pub struct Reach {
+pub struct BodyExtents {
     hip: f64,
     long: f64,
     /// Back, front, the trunk's breadth, the full breadth.
@@ -42,7 +42,7 @@ pub struct Reach {
 
 /// Reads the reaches between a little below the hip and a little above the neck; heights in the
 /// body's frame. `None` where there is no trunk.
-pub fn reach(body: &Body, hip: f64, neck: f64) -> Option<Reach> {
+pub fn reach(body: &Body, hip: f64, neck: f64) -> Option<BodyExtents> {
     let long = neck - hip;
     let mut levels = Vec::new();
     for slice in body.between(hip - 0.05 * long, neck + 0.05 * long) {
@@ -56,7 +56,7 @@ pub fn reach(body: &Body, hip: f64, neck: f64) -> Option<Reach> {
             reach: [back, front, high - low, breadth(slice, &body.left)?],
         });
     }
-    let mut reach = Reach { hip, long, levels };
+    let mut reach = BodyExtents { hip, long, levels };
     let [back, front, ..] = reach.at(0.0);
     for level in &mut reach.levels {
         level.reach[0] -= (back + front) / 2.0;
@@ -65,7 +65,7 @@ pub fn reach(body: &Body, hip: f64, neck: f64) -> Option<Reach> {
     (reach.levels.len() > 20).then_some(reach)
 }
 
-impl Reach {
+impl BodyExtents {
     fn at(&self, share: f64) -> [f64; 4] {
         between(&self.levels, self.hip + share * self.long)
     }

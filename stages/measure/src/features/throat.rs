@@ -4,7 +4,7 @@ use crate::features::neck_tube::Tube;
 
 /// The outline and its marks; offsets are along the neck's axis from its tightest section. \[mm\]
 #[derive(Debug, Clone, PartialEq, Default)]
-pub(crate) struct Throat {
+pub(crate) struct NeckProfile {
     /// Where it is read, rising.
     pub(crate) at: Vec<f64>,
     /// How far it reaches before the axis there.
@@ -27,7 +27,7 @@ const ROW: f64 = 0.02;
 const LEAST: usize = 20;
 
 /// Reads the outline. `None` where it has gaps.
-pub(crate) fn throat(tube: &Tube) -> Option<Throat> {
+pub(crate) fn throat(tube: &Tube) -> Option<NeckProfile> {
     let row = ROW * tube.diameter();
     let reach = reaches(tube, row);
     // From the tightest section, unbroken.
@@ -47,11 +47,11 @@ pub(crate) fn throat(tube: &Tube) -> Option<Throat> {
             .collect()
     };
     let at = range.clone().map(|k| (k as f64 - ROWS as f64) * row);
-    let mut throat = Throat {
+    let mut throat = NeckProfile {
         at: at.collect(),
         front: smooth(&|r| r.1),
         back: smooth(&|r| r.0),
-        ..Throat::default()
+        ..NeckProfile::default()
     };
     marks(&mut throat, low);
     Some(throat)
@@ -97,7 +97,7 @@ fn reaches(tube: &Tube, row: f64) -> Vec<(f64, f64)> {
 }
 
 /// Finds the marks; `amid` is the row of the tightest section.
-fn marks(t: &mut Throat, amid: usize) {
+fn marks(t: &mut NeckProfile, amid: usize) {
     let last = t.at.len() - 1;
     let farthest = |reach: &[f64]| {
         let far = (amid..=last).max_by(|a, b| reach[*a].total_cmp(&reach[*b]));
@@ -138,11 +138,11 @@ mod tests {
             u => 118.0 - 0.3 * (u - 60.0),
         };
         let at: Vec<f64> = (-75..=75).map(|k| 2.0 * f64::from(k)).collect();
-        let mut t = Throat {
+        let mut t = NeckProfile {
             front: at.iter().map(|u| front(*u)).collect(),
             back: at.iter().map(|u| -60.0 - 0.3 * (u - 10.0).abs()).collect(),
             at,
-            ..Throat::default()
+            ..NeckProfile::default()
         };
         marks(&mut t, 75);
         assert_eq!((t.hollow.0, t.angle.0, t.nape), (-50.0, 40.0, 10.0));

@@ -46,7 +46,7 @@ stage::params! {
 pub enum BadName {
     /// A name of the table.
     #[error("`[girth.{0}]`: the girth {0} is there already; choose another name")]
-    Taken(String),
+    SectionMeasurement(String),
     /// Two of the user's that meet once sides are added.
     #[error("`[girth.{0}]`: another girth's left or right is called so; choose another name")]
     Twice(String),
@@ -65,7 +65,7 @@ fn wanted(declared: &BTreeMap<String, OwnGirth>) -> Result<Vec<Wanted<'_>>, BadN
     let mut all: Vec<Wanted<'_>> = Vec::new();
     for (name, girth) in declared {
         if GirthId::named(name).is_some() {
-            return Err(BadName::Taken(name.clone()));
+            return Err(BadName::SectionMeasurement(name.clone()));
         }
         let sides: &[Option<Side>] = match girth.part {
             OwnPart::Trunk => &[None],
@@ -210,7 +210,7 @@ mod tests {
             let all = declared.collect();
             wanted(&all).map(|w| w.into_iter().map(|w| w.full).collect::<Vec<_>>())
         };
-        assert_eq!(told(&["WC"]), Err(BadName::Taken("WC".into())));
+        assert_eq!(told(&["WC"]), Err(BadName::SectionMeasurement("WC".into())));
         assert_eq!(told(&["TC"]), Err(BadName::Twice("TC".into())));
         assert_eq!(told(&["a", "b"]).unwrap(), ["a_L", "a_R", "b_L", "b_R"]);
     }

@@ -8,8 +8,8 @@ use crate::features::limb::away;
 use crate::geometry::crop::slab;
 use crate::geometry::section::{axes, clipped, flat, hull, tape};
 use crate::geometry::slices::{Ring, rings};
-use crate::sections::arm_told::{Told, completed, held, onward};
-use crate::sections::one::{FUSED, Taken, Why, nearest, plain};
+use crate::sections::arm_told::{InferredSection, completed, held, onward};
+use crate::sections::one::{FUSED, SectionMeasurement, Why, nearest, plain};
 use nalgebra::{Matrix3, Point3, Vector3};
 use shape::{Landmark, Mesh, Plane};
 use std::f64::consts::{PI, TAU};
@@ -46,7 +46,7 @@ fn support(points: &[[f64; 2]], n: [f64; 2]) -> f64 {
 }
 
 /// An arm's outline freed of what hangs on its inner half.
-pub(crate) struct Freed {
+pub(crate) struct CompletedArm {
     outline: Vec<[f64; 2]>,
     /// Share of directions that the clear section told.
     told: f64,
@@ -57,7 +57,11 @@ pub(crate) struct Freed {
 
 /// Frees an arm's outline by a clear section. Both lie about their middles; `outward` points away from
 /// the trunk. `None` if the two disagree in size, or in shape where the inner half is not to be seen.
-pub(crate) fn freed(here: &[[f64; 2]], clear: &[[f64; 2]], outward: [f64; 2]) -> Option<Freed> {
+pub(crate) fn freed(
+    here: &[[f64; 2]],
+    clear: &[[f64; 2]],
+    outward: [f64; 2],
+) -> Option<CompletedArm> {
     let radius = tape(clear) / TAU;
     // Of a ring that the trunk is part of, only what is near can be the arm.
     let close = |p: &&[f64; 2]| p[0].hypot(p[1]) < 1.6 * radius;
@@ -115,7 +119,7 @@ pub(crate) fn freed(here: &[[f64; 2]], clear: &[[f64; 2]], outward: [f64; 2]) ->
             told += 1;
         }
     }
-    (outline.len() >= 8).then_some(Freed {
+    (outline.len() >= 8).then_some(CompletedArm {
         outline,
         told: told as f64 / WAYS as f64,
         misfit,
@@ -127,7 +131,7 @@ fn first_freed(
     all: &[Vec<[f64; 2]>],
     clear: &[[f64; 2]],
     outward: [f64; 2],
-) -> Option<(usize, Freed)> {
+) -> Option<(usize, CompletedArm)> {
     let mut tried = all.iter().enumerate();
     tried.find_map(|(i, ring)| Some((i, freed(ring, clear, outward)?)))
 }
@@ -142,7 +146,7 @@ pub(crate) fn across_arm(
     body: &Body,
     landmark: &Landmark,
     side: f64,
-) -> Result<Taken, Why> {
+) -> Result<SectionMeasurement, Why> {
     let plane = &landmark.plane;
     let down = Vector3::from(plane.normal).normalize();
     let step = 0.004 * body.stature;
@@ -203,7 +207,7 @@ pub(crate) fn across_arm(
     let told = match first_freed(&flats, &reference, outward) {
         Some((at, free)) if free.told == 0.0 => return plain(mesh, plane, all[at].clone()),
         Some((_, free)) => {
-            let told = Told {
+            let told = InferredSection {
                 doubt: (DOUBT * free.told).hypot(MISFIT_DOUBT * free.misfit),
                 share: free.told,
                 outline: free.outline,

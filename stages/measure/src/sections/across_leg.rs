@@ -8,7 +8,7 @@ use crate::geometry::slices::{Ring, rings};
 use crate::geometry::spline::closed_spline_length;
 use crate::planes::limbs::webbed;
 use crate::sections::hands::holds_hand;
-use crate::sections::one::{FUSED, HAND, NOTHING, Taken, Why, nearest, plain};
+use crate::sections::one::{FUSED, HAND, NOTHING, SectionMeasurement, Why, nearest, plain};
 use nalgebra::{Point3, Vector3};
 use shape::{GirthId, Landmark, Mesh, Plane};
 
@@ -26,7 +26,7 @@ pub(crate) fn across_leg(
     body: &Body,
     landmark: &Landmark,
     side: f64,
-) -> Result<Taken, Why> {
+) -> Result<SectionMeasurement, Why> {
     let ring = nearest(mesh, &landmark.plane).ok_or(NOTHING)?;
     if holds_hand(body, &ring, side) {
         return Err(HAND);
@@ -83,7 +83,12 @@ fn below(mesh: &Mesh, body: &Body, plane: &Plane, side: f64) -> Option<(Ring, f6
 }
 
 /// What of a ring lies beyond a place along a direction.
-fn half(ring: &Ring, plane: &Plane, left: &Vector3<f64>, middle: f64) -> Option<Taken> {
+fn half(
+    ring: &Ring,
+    plane: &Plane,
+    left: &Vector3<f64>,
+    middle: f64,
+) -> Option<SectionMeasurement> {
     let (u, v) = axes(plane);
     let origin = Point3::from(plane.point_mm);
     // left · (origin + u x + v y) >= middle
@@ -112,7 +117,7 @@ fn half(ring: &Ring, plane: &Plane, left: &Vector3<f64>, middle: f64) -> Option<
         .step_by((count / 48).max(1))
         .copied()
         .collect();
-    Some(Taken {
+    Some(SectionMeasurement {
         contour: outline
             .iter()
             .map(|p| origin + u * p[0] + v * p[1])
@@ -121,7 +126,7 @@ fn half(ring: &Ring, plane: &Plane, left: &Vector3<f64>, middle: f64) -> Option<
         tape_mm,
         spline_mm: closed_spline_length(&even).unwrap_or(contour_mm),
         carried: cut / tape_mm,
-        doubt_mm: DOUBT * cut,
+        sigma_mm: DOUBT * cut,
     })
 }
 

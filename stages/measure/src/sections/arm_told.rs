@@ -4,12 +4,12 @@
 use crate::features::marks::slope;
 use crate::geometry::section::{axes, length, tape};
 use crate::geometry::spline::closed_spline_length;
-use crate::sections::one::Taken;
+use crate::sections::one::SectionMeasurement;
 use nalgebra::Point3;
 use shape::Plane;
 
 /// An arm's section as it was told from others.
-pub(crate) struct Told {
+pub(crate) struct InferredSection {
     pub(crate) outline: Vec<[f64; 2]>,
     /// Share of the way around that was.
     pub(crate) share: f64,
@@ -27,7 +27,7 @@ const ONWARD: (f64, f64) = (0.35, 0.015);
 const EXPECTED: (f64, f64) = (0.06, 0.12);
 
 /// A section held against the one that those farther down alone tell.
-pub(crate) fn held(mut told: Told, other: Option<Told>) -> Told {
+pub(crate) fn held(mut told: InferredSection, other: Option<InferredSection>) -> InferredSection {
     let Some(other) = other else { return told };
     let tape_mm = tape(&told.outline);
     let wider = 1.0 - tape(&other.outline) / tape_mm;
@@ -49,7 +49,11 @@ pub(crate) fn held(mut told: Told, other: Option<Told>) -> Told {
 
 /// The section told from clear ones farther down alone: `clear`, taken so many steps down, grown as their
 /// tapes, (steps down, mm), grow up the arm.
-pub(crate) fn onward(tapes: &[(f64, f64)], steps: f64, clear: &[[f64; 2]]) -> Option<Told> {
+pub(crate) fn onward(
+    tapes: &[(f64, f64)],
+    steps: f64,
+    clear: &[[f64; 2]],
+) -> Option<InferredSection> {
     if tapes.len() < 5 {
         return None;
     }
@@ -65,14 +69,18 @@ pub(crate) fn onward(tapes: &[(f64, f64)], steps: f64, clear: &[[f64; 2]]) -> Op
         return None;
     }
     let outline = clear.iter().map(|p| p.map(|x| x * grown)).collect();
-    Some(Told {
+    Some(InferredSection {
         outline,
         share: 1.0,
         doubt: (ONWARD.0 * (here - first) / here).hypot(ONWARD.1),
     })
 }
 
-pub(crate) fn completed(told: Told, origin: Point3<f64>, plane: &Plane) -> Taken {
+pub(crate) fn completed(
+    told: InferredSection,
+    origin: Point3<f64>,
+    plane: &Plane,
+) -> SectionMeasurement {
     let (u, v) = axes(plane);
     let outline = told.outline;
     let tape_mm = tape(&outline);
@@ -82,7 +90,7 @@ pub(crate) fn completed(told: Told, origin: Point3<f64>, plane: &Plane) -> Taken
         .copied()
         .collect();
     let contour_mm = length(&outline);
-    Taken {
+    SectionMeasurement {
         contour: outline
             .iter()
             .map(|p| origin + u * p[0] + v * p[1])
@@ -91,7 +99,7 @@ pub(crate) fn completed(told: Told, origin: Point3<f64>, plane: &Plane) -> Taken
         tape_mm,
         spline_mm: closed_spline_length(&even).unwrap_or(contour_mm),
         carried: told.share,
-        doubt_mm: told.doubt * tape_mm,
+        sigma_mm: told.doubt * tape_mm,
     }
 }
 
@@ -122,7 +130,7 @@ mod tests {
 
     #[test]
     fn a_section_far_from_what_those_below_tell_is_drawn_half_the_way_to_it() {
-        let told = |radius: f64| Told {
+        let told = |radius: f64| InferredSection {
             outline: disk(radius),
             share: 0.3,
             doubt: 0.01,

@@ -8,7 +8,7 @@ use shape::{Mesh, Plane, Refusal};
 
 /// What one section gives.
 #[derive(Debug, Clone)]
-pub struct Taken {
+pub struct SectionMeasurement {
     /// The curve around the part alone. \[mm\]
     pub contour: Vec<Point3<f64>>,
     /// Its length. \[mm\]
@@ -20,7 +20,7 @@ pub struct Taken {
     /// Share of the way around that another limb hides: bridged, or carried over from a clear section.
     pub carried: f64,
     /// Standard deviation of what the hidden part adds. \[mm\]
-    pub doubt_mm: f64,
+    pub sigma_mm: f64,
 }
 
 /// Why a section gives no girth.
@@ -40,15 +40,15 @@ pub(crate) fn nearest(mesh: &Mesh, plane: &Plane) -> Option<Ring> {
     all.into_iter().find(|r| far(r) <= least + 3.0)
 }
 
-pub(crate) fn plain(mesh: &Mesh, plane: &Plane, ring: Ring) -> Result<Taken, Why> {
+pub(crate) fn plain(mesh: &Mesh, plane: &Plane, ring: Ring) -> Result<SectionMeasurement, Why> {
     let points = flat(&ring.curve, plane);
     let contour_mm = length(&points);
-    Ok(Taken {
+    Ok(SectionMeasurement {
         contour_mm,
         tape_mm: tape(&points),
         spline_mm: paper_girth(mesh, &ring.curve).unwrap_or(contour_mm),
         contour: ring.curve,
         carried: 0.0,
-        doubt_mm: 0.0,
+        sigma_mm: 0.0,
     })
 }

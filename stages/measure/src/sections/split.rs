@@ -11,7 +11,7 @@ pub struct Parted {
     /// Share of that outline that is bridge.
     pub share: f64,
     /// Half the span between the shortest and the longest bridge that a convex trunk allows. \[mm\]
-    pub doubt_mm: f64,
+    pub sigma_mm: f64,
 }
 
 /// Points that an outline is resampled to.
@@ -149,7 +149,7 @@ pub fn parted(outline: &[[f64; 2]], middle: [f64; 2], sides: &[f64]) -> Option<P
     if crate::geometry::section::area(&points) < 0.0 {
         points.reverse();
     }
-    let (mut share, mut doubt_mm) = (0.0, 0.0);
+    let (mut share, mut sigma_mm) = (0.0, 0.0);
     let mut cuts = Vec::new();
     for side in sides {
         let front = seam(&points, middle, *side, 1.0)?;
@@ -163,7 +163,7 @@ pub fn parted(outline: &[[f64; 2]], middle: [f64; 2], sides: &[f64]) -> Option<P
         };
         let (arc, doubt) = bridge(points[from.at], from.way, points[to.at], to.way);
         cuts.push((from.at, to.at, arc));
-        doubt_mm += doubt;
+        sigma_mm += doubt;
     }
     let n = points.len();
     let inside = |i: usize| {
@@ -194,7 +194,7 @@ pub fn parted(outline: &[[f64; 2]], middle: [f64; 2], sides: &[f64]) -> Option<P
     (share < 0.5 && out.len() > n / 4).then_some(Parted {
         points: out,
         share,
-        doubt_mm,
+        sigma_mm,
     })
 }
 

@@ -11,7 +11,9 @@ use crate::geometry::spline::closed_spline_length;
 use crate::sections::across_arm::across_arm;
 use crate::sections::across_leg::across_leg;
 use crate::sections::hands::{holds, holds_hand};
-use crate::sections::one::{FUSED, HAND, NO_ARMS, NOTHING, Taken, Why, nearest, plain};
+use crate::sections::one::{
+    FUSED, HAND, NO_ARMS, NOTHING, SectionMeasurement, Why, nearest, plain,
+};
 use crate::sections::split::parted;
 use nalgebra::{Point3, Vector3};
 use shape::{Landmark, Mesh, Part, Plane, Region};
@@ -21,7 +23,11 @@ use shape::{Landmark, Mesh, Part, Plane, Region};
 /// # Errors
 ///
 /// Why there is no section there that is the part's.
-pub fn taken(mesh: &Mesh, body: Option<&Body>, landmark: &Landmark) -> Result<Taken, Why> {
+pub fn taken(
+    mesh: &Mesh,
+    body: Option<&Body>,
+    landmark: &Landmark,
+) -> Result<SectionMeasurement, Why> {
     match (landmark.part, body) {
         // A forearm stands clear of the trunk, or its limb was not followed.
         (Part::ArmLeft | Part::ArmRight, Some(_)) if landmark.region == Region::Forearm => plain(
@@ -43,11 +49,11 @@ pub fn taken(mesh: &Mesh, body: Option<&Body>, landmark: &Landmark) -> Result<Ta
 }
 
 /// From points about an origin in a plane.
-fn completed(origin: Point3<f64>, plane: &Plane, whole: Carried) -> Taken {
+fn completed(origin: Point3<f64>, plane: &Plane, whole: Carried) -> SectionMeasurement {
     let (u, v) = axes(plane);
     let knots: Vec<[f64; 2]> = whole.points.iter().step_by(5).copied().collect();
     let contour_mm = length(&whole.points);
-    Taken {
+    SectionMeasurement {
         contour: whole
             .points
             .iter()
@@ -57,7 +63,7 @@ fn completed(origin: Point3<f64>, plane: &Plane, whole: Carried) -> Taken {
         tape_mm: tape(&whole.points),
         spline_mm: closed_spline_length(&knots).unwrap_or(contour_mm),
         carried: whole.share,
-        doubt_mm: 0.06 * whole.share * tape(&whole.points),
+        sigma_mm: 0.06 * whole.share * tape(&whole.points),
     }
 }
 
@@ -102,7 +108,7 @@ fn beside(body: &Body) -> Vec<Beside> {
     [1.0, -1.0].into_iter().filter_map(one).collect()
 }
 
-fn trunk(mesh: &Mesh, body: &Body, landmark: &Landmark) -> Result<Taken, Why> {
+fn trunk(mesh: &Mesh, body: &Body, landmark: &Landmark) -> Result<SectionMeasurement, Why> {
     let plane = &landmark.plane;
     let z = plane.point_mm[2];
     let ring = rings(mesh, plane).into_iter().next().ok_or(NOTHING)?;
@@ -151,7 +157,7 @@ fn trunk(mesh: &Mesh, body: &Body, landmark: &Landmark) -> Result<Taken, Why> {
 }
 
 /// The trunk with its arms cut off at the seams that its own outline shows.
-fn cut_off(body: &Body, fused: &[&Beside], ring: &Ring) -> Option<Taken> {
+fn cut_off(body: &Body, fused: &[&Beside], ring: &Ring) -> Option<SectionMeasurement> {
     let (u, v) = (&body.left, &body.front);
     let arms = body.trunk(ring.centre.z).map_or(ring.centre, |r| r.centre);
     let flat = |p: &Point3<f64>| [(p - arms).dot(u), (p - arms).dot(v)];
@@ -160,7 +166,7 @@ fn cut_off(body: &Body, fused: &[&Beside], ring: &Ring) -> Option<Taken> {
     let free = parted(&outline, [0.0, 0.0], &sides)?;
     let knots: Vec<[f64; 2]> = free.points.iter().step_by(8).copied().collect();
     let contour_mm = length(&free.points);
-    Some(Taken {
+    Some(SectionMeasurement {
         contour: free
             .points
             .iter()
@@ -171,7 +177,7 @@ fn cut_off(body: &Body, fused: &[&Beside], ring: &Ring) -> Option<Taken> {
         spline_mm: closed_spline_length(&knots).unwrap_or(contour_mm),
         carried: free.share,
         // Anywhere between the shortest and the longest that a convex outline allows.
-        doubt_mm: free.doubt_mm / 3f64.sqrt(),
+        sigma_mm: free.sigma_mm / 3f64.sqrt(),
     })
 }
 

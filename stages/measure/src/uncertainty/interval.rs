@@ -1,7 +1,7 @@
 //! How sure a girth is, from what it was made of.
 
 use crate::features::body::Body;
-use crate::sections::one::Taken;
+use crate::sections::one::SectionMeasurement;
 use crate::sections::taken::taken;
 use nalgebra::{Point3, Rotation3, Unit, Vector3};
 use shape::{Landmark, Mesh, Plane, PlaneRule};
@@ -24,7 +24,12 @@ pub(crate) struct Level {
 /// How much a tape changes by where it is taken: root mean square of a standard deviation's step to
 /// either side along the normal, and of its tilt. Of a neck the tilt must be known; that of other
 /// planes, where nobody tells it, is in their levels' scatter.
-pub(crate) fn level_spread(mesh: &Mesh, body: &Body, landmark: &Landmark, here: &Taken) -> Level {
+pub(crate) fn level_spread(
+    mesh: &Mesh,
+    body: &Body,
+    landmark: &Landmark,
+    here: &SectionMeasurement,
+) -> Level {
     let beside = Beside {
         mesh,
         body,
@@ -49,7 +54,7 @@ struct Beside<'a> {
     mesh: &'a Mesh,
     body: &'a Body,
     landmark: &'a Landmark,
-    here: &'a Taken,
+    here: &'a SectionMeasurement,
 }
 
 impl Beside<'_> {

@@ -1,7 +1,7 @@
 //! How sure a girth is, part by part.
 
 pub(crate) mod interval;
-pub(crate) mod keel;
 pub(crate) mod outlines;
 pub(crate) mod silhouette;
 pub(crate) mod told;
+pub(crate) mod unobserved;

@@ -2,9 +2,9 @@
 
 use crate::features::body::Body;
 use crate::geometry::slices::Ring;
-use crate::sections::one::Taken;
-use crate::uncertainty::keel::{clear_sights, unconfirmed};
+use crate::sections::one::SectionMeasurement;
 use crate::uncertainty::silhouette::{Support, Tangent, support_girth, tangents};
+use crate::uncertainty::unobserved::{clear_sights, unconfirmed};
 use nalgebra::Point3;
 use rayon::prelude::*;
 use shape::{Cameras, Landmark, Masks, Part};
@@ -13,7 +13,7 @@ use shape::{Cameras, Landmark, Masks, Part};
 pub(crate) fn by_silhouettes(
     body: &Body,
     landmark: &Landmark,
-    taken: &Taken,
+    taken: &SectionMeasurement,
     cameras: &Cameras,
     masks: &Masks,
 ) -> Option<Support> {
@@ -36,7 +36,7 @@ pub(crate) fn by_silhouettes(
 }
 
 /// Whether a section is a level one of the trunk alone, of which nothing is hidden.
-fn is_whole(landmark: &Landmark, taken: &Taken) -> bool {
+fn is_whole(landmark: &Landmark, taken: &SectionMeasurement) -> bool {
     let level = landmark.part == Part::Trunk && landmark.plane.normal[2].abs() > 0.999;
     level && taken.carried == 0.0
 }
@@ -58,7 +58,12 @@ fn limbs<'a>(body: &'a Body, z: f64, curve: &[Point3<f64>], origin: Point3<f64>)
 const PASSED: f64 = 0.07;
 
 /// How much of a section's tape no photo's outline confirms, see [`unconfirmed`]. \[mm\]
-pub(crate) fn open_mm(body: &Body, landmark: &Landmark, taken: &Taken, cameras: &Cameras) -> f64 {
+pub(crate) fn open_mm(
+    body: &Body,
+    landmark: &Landmark,
+    taken: &SectionMeasurement,
+    cameras: &Cameras,
+) -> f64 {
     if !is_whole(landmark, taken) {
         return 0.0;
     }

@@ -1,7 +1,7 @@
 //! A girth with all that is known of how sure it is, or a refusal where that is too little.
 
 use crate::geometry::spline::has_left;
-use crate::sections::one::Taken;
+use crate::sections::one::SectionMeasurement;
 use crate::uncertainty::interval::{Level, NINE_IN_TEN, interval, together, too_wide};
 use crate::uncertainty::outlines::{shared_border, surface_by_cameras};
 use crate::uncertainty::silhouette::Support;
@@ -71,7 +71,7 @@ impl Sure<'_> {
     pub(crate) fn girth(
         &self,
         landmark: &Landmark,
-        here: Taken,
+        here: SectionMeasurement,
         seen: &Seen,
         level: Level,
     ) -> Result<Girth, Refusal> {
@@ -89,7 +89,7 @@ impl Sure<'_> {
             level_mm: level.against_definition,
             surface_mm: Some(width),
             scale_mm: self.scale(here.tape_mm),
-            split_mm: Some(here.doubt_mm),
+            split_mm: Some(here.sigma_mm),
             // Where outlines tell the girth, they tell of corners, too.
             cover_mm: match seen.support {
                 Some(_) => Some(0.0),
@@ -97,7 +97,7 @@ impl Sure<'_> {
             },
         };
         let interval_mm = told(here.tape_mm, mean, &sigmas)?;
-        let again = level.again.map(|mm| mm.hypot(width).hypot(here.doubt_mm));
+        let again = level.again.map(|mm| mm.hypot(width).hypot(here.sigma_mm));
         Ok(Girth {
             contour_mm: here.contour_mm,
             spline_mm: here.spline_mm,
@@ -141,7 +141,7 @@ fn told(tape: f64, mean: f64, sigmas: &Sigmas) -> Result<Option<[f64; 2]>, Refus
 }
 
 /// What the user should know of a section.
-fn notes(landmark: &Landmark, here: &Taken, seen: &Seen) -> Vec<Note> {
+fn notes(landmark: &Landmark, here: &SectionMeasurement, seen: &Seen) -> Vec<Note> {
     let mut notes = Vec::new();
     let open = seen.open_mm.unwrap_or(0.0) / here.tape_mm;
     if open > OPEN {

@@ -125,7 +125,7 @@ fn meeting(a: &Line, b: &Line) -> Option<Point3<f64>> {
 }
 
 /// A statement about two places x, y on a line: a x + b y = c, give or take sigma.
-pub(crate) struct Told {
+pub(crate) struct Constraint {
     pub(crate) a: f64,
     pub(crate) b: f64,
     pub(crate) c: f64,
@@ -133,7 +133,7 @@ pub(crate) struct Told {
 }
 
 /// Two places and their covariance (xx, xy, yy) from statements, by least squares.
-pub(crate) fn places(told: &[Told]) -> Option<([f64; 2], [f64; 3])> {
+pub(crate) fn places(told: &[Constraint]) -> Option<([f64; 2], [f64; 3])> {
     let (mut n, mut r) = ([0.0f64; 3], [0.0f64; 2]);
     for t in told {
         let w = t.sigma.powi(-2);
@@ -200,7 +200,7 @@ mod tests {
 
     #[test]
     fn places_weigh_what_is_told_of_them() {
-        let told = |a, b, c, sigma| Told { a, b, c, sigma };
+        let told = |a, b, c, sigma| Constraint { a, b, c, sigma };
         let ([x, y], cov) = places(&[told(1.0, 0.0, 3.0, 1.0), told(-1.0, 1.0, 4.0, 2.0)]).unwrap();
         proof::near(x, 3.0, 1e-9);
         proof::near(y, 7.0, 1e-9);

@@ -1,7 +1,7 @@
 //! Joints of a leg along its line: ankle, knee, hip.
 
 use crate::features::limb::arm::narrowest;
-use crate::features::limb::bend::{Told, bend, line, places};
+use crate::features::limb::bend::{Constraint, bend, line, places};
 use crate::features::limb::one::{Joint, Limb};
 
 /// Height of the middle of the kneecap against the crotch's, of 6068 men and women (ANSUR II, 2012).
@@ -42,20 +42,20 @@ pub(crate) fn joints(limb: &mut Limb, ground: f64, stature: f64) -> Option<()> {
     let mut told = vec![
         match stands {
             // x = sole + r (y - sole)
-            true => Told {
+            true => Constraint {
                 a: 1.0,
                 b: -KNEE.0,
                 c: sole * (1.0 - KNEE.0),
                 sigma: KNEE.1 * CROTCH.0 * stature,
             },
-            false => Told {
+            false => Constraint {
                 a: -1.0,
                 b: 1.0,
                 c: ABOVE_KNEE.0 * stature,
                 sigma: ABOVE_KNEE.1 * stature,
             },
         },
-        Told {
+        Constraint {
             a: 0.0,
             b: 1.0,
             c: sole + CROTCH.0 * stature,
@@ -63,7 +63,7 @@ pub(crate) fn joints(limb: &mut Limb, ground: f64, stature: f64) -> Option<()> {
         },
     ];
     if end - sole > ONE * stature {
-        told.push(Told {
+        told.push(Constraint {
             a: 0.0,
             b: 1.0,
             c: end,
@@ -71,7 +71,7 @@ pub(crate) fn joints(limb: &mut Limb, ground: f64, stature: f64) -> Option<()> {
         });
     }
     if let Some(bend) = &bend {
-        told.push(Told {
+        told.push(Constraint {
             a: 1.0,
             b: 0.0,
             c: bend.s,
