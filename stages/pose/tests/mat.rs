@@ -329,7 +329,7 @@ fn tags_that_nobody_told_of_are_told_and_their_layout_follows_from_one_size() {
     assert_eq!(told.len(), 1, "{told:?}");
     for says in [
         "numbers 0 to 11",
-        "9 of 9 photos",
+        "9 of 9 photos that were searched",
         "12 tags on a ring of 3.1",
         "--mat-tag",
     ] {

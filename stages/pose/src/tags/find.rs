@@ -141,7 +141,7 @@ fn untold(tags: &Tags) -> Option<String> {
         None => "they do not lie as a mat of `tailor mat` does: tell of them in `[mat]` of capture.toml, or cover them".into(),
     };
     Some(format!(
-        "marker tags (family 36h11, numbers {first} to {last}) are seen on {seen} of {} photos, but nothing is said of them, so they are not used; {layout}",
+        "marker tags (family 36h11, numbers {first} to {last}) are seen on {seen} of {} photos that were searched, but nothing is said of them, so they are not used; {layout}",
         tags.views.len()
     ))
 }
