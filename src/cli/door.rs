@@ -212,8 +212,6 @@ fn one(
     // What is written must be there, the goal or not.
     let mut wanted = graph.goal.clone();
     wanted.extend(written(&graph));
-    // Photos are looked at first; it stops the run where nothing will come of them.
-    wanted.extend(graph.node("look"));
     // Files are called after the photos.
     wanted.extend(photos_node(&graph));
     let store = Store::open(&global.cache).map_err(Fault::input)?;

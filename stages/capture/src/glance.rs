@@ -9,8 +9,8 @@ const STILL: f32 = 9.0;
 /// A row or column at the border is reached where so much of it does not stand still.
 const REACHED: f64 = 0.04;
 
-/// A photo does not belong where it is if one far away in order is so much more like it than its neighbours.
-const STRANGE: f64 = 0.65;
+/// Light is about this power of what files hold (sRGB).
+const GAMMA: f64 = 2.2;
 /// Fewer pixels that stand still tell no exposure.
 const FIRM: usize = 60;
 
@@ -61,8 +61,9 @@ pub struct Together {
     pub exposure_ev: Vec<f64>,
     /// How much each photo differs from the next, the last from the first, where something moves. \[levels\]
     pub steps: Vec<f64>,
-    /// Photos that are far more like one far away in order than like their neighbours.
-    pub strangers: Vec<usize>,
+    /// How each photo differs from the one far away in order that it is most like, against the same of those near it:
+    /// below 1 it is more like the former.
+    pub astray: Vec<f64>,
     /// Sides of the picture that what moves reaches: top, bottom, left, right.
     pub reached: [bool; 4],
 }
@@ -111,30 +112,29 @@ pub fn together(all: &[Glance]) -> Together {
     };
     let firm: Vec<usize> = clear.into_iter().filter(|i| still[*i]).collect();
     let exposure_ev = match firm.len() >= FIRM {
-        true => all.iter().map(|g| gain(g, &firm).log2()).collect(),
+        true => all.iter().map(|g| GAMMA * gain(g, &firm).log2()).collect(),
         false => vec![],
     };
     let n = all.len();
     let steps = (0..n)
         .map(|i| apart(&even[i], &even[(i + 1) % n]))
         .collect();
-    let stranger = |i: &usize| {
+    let astray = |i: usize| {
         let far = |j: &usize| i.abs_diff(*j).min(n - i.abs_diff(*j)) > 2;
-        let like = |near: bool| {
-            let others = (0..n).filter(|j| j != i && far(j) != near);
-            let all = others.map(|j| apart(&even[*i], &even[j]));
-            all.reduce(f64::min)
+        let least = |of_far: bool| {
+            let others = (0..n).filter(|j| *j != i && far(j) == of_far);
+            others.map(|j| apart(&even[i], &even[j])).reduce(f64::min)
         };
-        // A body that is alike from two sides, or a mat, is no stranger.
-        like(false)
-            .zip(like(true))
-            .is_some_and(|(far, near)| far < STRANGE * near)
+        match (least(true), least(false)) {
+            (Some(far), Some(near)) if near > 0.0 => far / near,
+            _ => f64::MAX,
+        }
     };
     Together {
         still: still.iter().filter(|s| **s).count() as f64 / pixels.max(1) as f64,
         exposure_ev,
         steps,
-        strangers: (0..n).filter(stranger).collect(),
+        astray: (0..n).map(astray).collect(),
         reached: reached(&still, all[0].small.width),
     }
 }
@@ -192,7 +192,7 @@ mod tests {
         let told = together(&turn(0));
         assert!((0.5..0.75).contains(&told.still), "{}", told.still);
         assert_eq!(told.reached, [false, true, false, false]);
-        assert_eq!(told.strangers, Vec::<usize>::new());
+        assert!(told.astray.iter().all(|a| *a > 1.0), "{:?}", told.astray);
         assert!(told.exposure_ev.iter().all(|ev| ev.abs() < 0.02));
         let walk = together(&turn(3));
         assert!(walk.still < 0.1, "{}", walk.still);
@@ -204,11 +204,13 @@ mod tests {
         all[4] = turned(std::f64::consts::TAU * 4.0 / 18.0, 0.8, 0);
         all.swap(9, 15);
         let told = together(&all);
-        proof::near(told.exposure_ev[4], 0.8f64.log2(), 0.05);
+        proof::near(told.exposure_ev[4], 2.2 * 0.8f64.log2(), 0.1);
+        let astray = |i: usize| told.astray[i] < 0.65;
+        assert!(astray(9) && astray(15), "{:?}", told.astray);
         assert!(
-            told.strangers.contains(&9) && told.strangers.contains(&15),
-            "{told:?}"
+            (0..18).filter(|i| astray(*i)).count() < 7,
+            "{:?}",
+            told.astray
         );
-        assert!(told.strangers.len() < 7, "{:?}", told.strangers);
     }
 }

@@ -108,7 +108,7 @@ const GLANCE: f64 = 2.0;
 /// Whether tags show on some photos, spread over the turn: three of one photo are no chance.
 fn glanced(all: &[(PhotoId, &Photo)], p: &TagsParams, ctx: &Ctx<'_>) -> Result<bool, Stop> {
     let quick = TagsParams {
-        decimate: p.decimate * GLANCE,
+        decimate: p.decimate.max(GLANCE),
         correct_bits: 0,
         most: 0,
     };
