@@ -70,6 +70,7 @@ impl Stage for Copy {
 static CATALOG: Catalog = Catalog {
     program: "bench",
     rooms: &[&[&erase::<Load>(), &erase::<Copy>()]],
+    pipelines: &[],
     kinds: &[],
 };
 

@@ -30,6 +30,25 @@ pub static CATALOG: Catalog = Catalog {
     program: concat!("tailor ", env!("CARGO_PKG_VERSION")),
     rooms: ROOMS,
     kinds: KINDS,
+    pipelines: &[
+        ("body", include_str!("../pipelines/body.toml")),
+        ("own-masks", include_str!("../pipelines/own-masks.toml")),
+        (
+            "external-cameras",
+            include_str!("../pipelines/external-cameras.toml"),
+        ),
+        ("any-order", include_str!("../pipelines/any-order.toml")),
+        ("hull", include_str!("../pipelines/hull.toml")),
+        ("surface", include_str!("../pipelines/surface.toml")),
+        ("walk", include_str!("../pipelines/walk.toml")),
+        ("phone", include_str!("../pipelines/phone.toml")),
+        ("doctor", include_str!("../pipelines/doctor.toml")),
+        ("evolutions", include_str!("../pipelines/evolutions.toml")),
+        ("paper", include_str!("../pipelines/paper.toml")),
+        ("synth", include_str!("../pipelines/synth.toml")),
+        ("paper-synth", include_str!("../pipelines/paper-synth.toml")),
+        ("fit-levels", include_str!("../pipelines/fit-levels.toml")),
+    ],
 };
 
 /// Every stage.

@@ -53,17 +53,6 @@ const KNOWN: &[&[&str]] = &[
     ],
     &["engine/src/cli/deliver.rs", "engine/src/cli/run_verb.rs"],
     &[
-        "engine/src/recipe/arrange.rs",
-        "engine/src/recipe/bind.rs",
-        "engine/src/recipe/mod.rs",
-        "engine/src/recipe/read.rs",
-        "engine/src/recipe/sections.rs",
-        "engine/src/recipe/stretch.rs",
-        "engine/src/recipe/sweep_check.rs",
-        "engine/src/recipe/variant.rs",
-    ],
-    &["engine/src/recipe/plain.rs", "engine/src/recipe/tree.rs"],
-    &[
         "engine/src/store/files.rs",
         "engine/src/store/index.rs",
         "engine/src/store/mod.rs",

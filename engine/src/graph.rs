@@ -39,6 +39,9 @@ pub struct InputDecl {
     pub files: Vec<String>,
 }
 
+/// What stands for a node where shared params are changed: `--set params.cell_mm=2`.
+pub const SHARED: &str = "params";
+
 /// A pipeline that can run. Made by binding a recipe; nodes stand in topological order.
 #[derive(Clone)]
 pub struct Graph {
@@ -52,6 +55,8 @@ pub struct Graph {
     pub about: String,
     /// Where it comes from; no part of any key.
     pub origin: Origin,
+    /// Shared params, each with a node that reads it.
+    pub shared: Vec<(String, String)>,
     /// The stages that it is made of, and the kinds that flow.
     pub catalog: &'static Catalog,
 }
@@ -69,5 +74,15 @@ impl Graph {
     /// The place of the node of a name.
     pub fn node(&self, name: &str) -> Option<usize> {
         self.nodes.iter().position(|node| node.name == name)
+    }
+
+    /// The places of the nodes that a param reaches at once: the node that has it, or with
+    /// `params` for a node all that share it.
+    pub fn holders(&self, node: &str, param: &str) -> Vec<usize> {
+        if node != SHARED {
+            return self.node(node).into_iter().collect();
+        }
+        let readers = self.shared.iter().filter(|(shared, _)| shared == param);
+        readers.filter_map(|(_, node)| self.node(node)).collect()
     }
 }

@@ -11,6 +11,8 @@ pub struct Catalog {
     pub rooms: &'static [&'static [&'static dyn AnyStage]],
     /// The kinds of which there is something to be known; others may flow as well.
     pub kinds: &'static [Kind],
+    /// Pipelines that the program brings along: name and text. Their names stand for a file.
+    pub pipelines: &'static [(&'static str, &'static str)],
 }
 
 /// Files of an artifact: names and bytes. One nameless file, or several in a folder.
@@ -47,6 +49,12 @@ impl Catalog {
     /// The stage of a name.
     pub fn find(&self, name: &str) -> Option<&'static dyn AnyStage> {
         self.stages().find(|stage| stage.name() == name)
+    }
+
+    /// The built-in pipeline of a name, with `.toml` or without: its name and text.
+    pub fn pipeline(&self, name: &str) -> Option<(&'static str, &'static str)> {
+        let name = name.strip_suffix(".toml").unwrap_or(name);
+        self.pipelines.iter().find(|(n, _)| *n == name).copied()
     }
 
     /// The kind of a name, if there is something to be known of it.

@@ -38,6 +38,7 @@
 //! static CATALOG: Catalog = Catalog {
 //!     program: "toys 1",
 //!     rooms: &[&[&erase::<Square>()]],
+//!     pipelines: &[],
 //!     kinds: &[],
 //! };
 //! let text = "goal = \"four\"\n[node.four]\nstage = \"toy.square\"\nwith = { n = 2 }\n\

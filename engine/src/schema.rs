@@ -31,17 +31,24 @@ pub fn schema<'a>(stages: impl Iterator<Item = &'a dyn AnyStage>) -> Value {
         "$schema": "https://json-schema.org/draft/2020-12/schema",
         "title": "A pipeline of tailor",
         "type": "object",
-        "required": ["goal", "node"],
+        "if": { "not": { "required": ["extends"] } },
+        "then": {
+            "required": ["goal", "node"],
+            "properties": { "node": named(json!({ "required": ["stage"] })) },
+        },
         "additionalProperties": false,
         "properties": {
             "about": about,
+            "extends": { "type": "string", "description": "The pipeline that this one changes: a file beside it, or a built-in one" },
+            "without": text_or_texts,
+            "params": with,
             "goal": text_or_texts,
             "input": named(json!({
                 "type": "object", "required": ["files"], "additionalProperties": false,
                 "properties": { "about": about, "files": text_or_texts },
             })),
             "node": named(json!({
-                "type": "object", "required": ["stage"], "additionalProperties": false,
+                "type": "object", "additionalProperties": false,
                 "properties": { "stage": stage, "from": from, "with": { "type": "object" } },
                 "allOf": by_stage,
             })),
@@ -115,6 +122,9 @@ fn rule(stage: &dyn AnyStage) -> Value {
     })
 }
 
+/// A text that names a shared param.
+const SHARED: &str = "^\\$[A-Za-z0-9_-]+$";
+
 fn param(spec: &ParamSpec) -> Value {
     let mut rule = json!({ "description": spec.doc, "default": plain(&spec.default) });
     if let Some(fields) = &spec.entry {
@@ -129,16 +139,21 @@ fn param(spec: &ParamSpec) -> Value {
             "required": required.collect::<Vec<_>>(), "additionalProperties": false,
         });
     } else if !spec.choices.is_empty() {
-        rule["enum"] = json!(spec.choices);
+        let shared = json!({ "type": "string", "pattern": SHARED });
+        rule["anyOf"] = json!([{ "enum": spec.choices }, shared]);
     } else {
-        rule["type"] = json!(match &spec.default {
+        let own = match &spec.default {
             stage::Value::Bool(_) => "boolean",
             stage::Value::Int(_) => "integer",
             stage::Value::Float(_) => "number",
             stage::Value::Text(_) => "string",
             stage::Value::List(_) => "array",
             stage::Value::Table(_) => "object",
-        });
+        };
+        rule["type"] = json!([own, "string"]);
+        if own != "string" {
+            rule["pattern"] = json!(SHARED);
+        }
     }
     if let Some((least, greatest)) = spec.range {
         rule["minimum"] = json!(least);

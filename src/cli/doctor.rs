@@ -13,9 +13,6 @@ use shape::{Document, Photos, Tags};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-/// The pipeline that looks.
-const DOCTOR: &str = include_str!("../../pipelines/doctor.toml");
-
 /// Arguments of `tailor doctor`.
 #[derive(Args)]
 pub(crate) struct Doctor {
@@ -49,7 +46,7 @@ pub(super) fn look(
 ) -> Result<Look, Fault> {
     let looked = folder::look(capture, facts, recursive)?;
     let said: Vec<_> = facts.said()?.into_iter().chain(looked.more).collect();
-    let mut graph = opened("pipelines/doctor.toml", DOCTOR, None, &said, &[])?;
+    let mut graph = opened("doctor", None, &said, &[])?;
     folder::widen(&mut graph, &looked.patterns);
     let folders = [("photos".to_owned(), capture.to_owned())];
     let store = Store::open(&global.cache).map_err(Fault::input)?;

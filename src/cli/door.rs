@@ -16,12 +16,6 @@ use serde_json::{Value, json};
 use shape::{Cameras, Girths};
 use std::path::{Path, PathBuf};
 
-/// The product's pipeline, so that the binary works alone.
-pub(super) const BODY: &str = include_str!("../../pipelines/body.toml");
-
-/// The same with masks that somebody else made.
-const OWN_MASKS: &str = include_str!("../../pipelines/own-masks.toml");
-
 /// The folder of a capture that holds such masks.
 const MASKS: &str = "masks";
 
@@ -172,13 +166,13 @@ fn pipeline(
     sets.extend(measure.set.iter().cloned());
     let mut folders = vec![("photos".to_owned(), capture.to_owned())];
     let masks = capture.join(MASKS);
-    let (name, text) = if masks.is_dir() {
+    let name = if masks.is_dir() {
         folders.push((MASKS.to_owned(), masks));
-        ("pipelines/own-masks.toml", OWN_MASKS)
+        "own-masks"
     } else {
-        ("pipelines/body.toml", BODY)
+        "body"
     };
-    let graph = opened(name, text, measure.variant.clone(), said, &sets)?;
+    let graph = opened(name, measure.variant.clone(), said, &sets)?;
     Ok((graph, folders))
 }
 

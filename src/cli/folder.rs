@@ -126,7 +126,7 @@ fn wanted(said: &[String], file: &toml::Table) -> Vec<String> {
 /// A pattern for each folder that holds photos, in natural order of their paths.
 fn below(photos: &[&String]) -> Vec<String> {
     let folder = |name: &&String| name.rsplit_once('/').map_or("", |(f, _)| f).to_owned();
-    let mut folders: Vec<String> = photos.iter().map(|n| folder(n)).collect();
+    let mut folders: Vec<String> = photos.iter().map(folder).collect();
     folders.sort_by_key(|f| natural(f));
     folders.dedup();
     let endings = READ.join(",");

@@ -24,7 +24,7 @@ use std::process::ExitCode;
 static TAILOR: Program = Program {
     cache_env: "TAILOR_CACHE",
     size_env: "TAILOR_MAX_SIZE",
-    pipeline: Some(("pipelines/body.toml", door::BODY)),
+    pipeline: Some("body"),
     verbs: &[
         Verb {
             name: "measure",

@@ -1,7 +1,8 @@
 //! Flags as changes of a pipeline.
 
+use crate::catalog::CATALOG;
 use crate::graph::Graph;
-use crate::recipe::{Overrides, open_text};
+use crate::recipe::{Overrides, Pipeline};
 use engine::cli::Fault;
 
 /// The node that reads the photos, and its param that takes facts.
@@ -31,7 +32,6 @@ impl All {
 /// as it was said.
 pub(super) fn opened(
     name: &str,
-    text: &str,
     variant: Option<String>,
     said: &[Said],
     sets: &[String],
@@ -41,7 +41,7 @@ pub(super) fn opened(
         variant,
         sets: facts.chain(sets.iter().cloned()).collect(),
     };
-    let graph = open_text(name, text, &overrides, &crate::catalog::CATALOG);
+    let graph = Pipeline::built_in(name, &CATALOG).and_then(|p| p.graph(&overrides));
     graph.map_err(|mistakes| {
         let as_said = |text: String, s: &Said| text.replace(&format!("--set {}", s.set), &s.flag);
         Fault::input(said.iter().fold(mistakes.to_string(), as_said))

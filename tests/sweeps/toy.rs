@@ -74,6 +74,7 @@ impl Stage for Add {
 pub(crate) static CATALOG: Catalog = Catalog {
     program: "toys 1",
     rooms: &[&[&erase::<Read>(), &erase::<Add>()]],
+    pipelines: &[],
     kinds: &[],
 };
 

@@ -151,6 +151,7 @@ fn facts(artifact: AnyArtifact) -> Vec<Metric> {
 pub(crate) static CATALOG: Catalog = Catalog {
     program: "words 1",
     rooms: &[&[&erase::<Count>(), &erase::<Tell>()]],
+    pipelines: &[],
     kinds: &[
         Kind {
             name: Counts::KIND,

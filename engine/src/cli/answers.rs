@@ -5,7 +5,7 @@ use super::fault::Fault;
 use super::open::{ahead, folders, node, open};
 use crate::graph::Graph;
 use crate::plan::{self, Planned, State};
-use crate::recipe::{self, Overrides};
+use crate::recipe::{self, Overrides, Pipeline};
 use crate::store::Store;
 use crate::{drawing, key, session, why};
 use clap::Args;
@@ -194,6 +194,37 @@ pub(crate) fn stages(name: Option<&str>, global: &GlobalArgs) -> Result<(), Faul
         found
             .iter()
             .for_each(|s| crate::out!("{}", crate::reference::text(*s)));
+    }
+    Ok(())
+}
+
+/// `tailor pipelines`: all with what they are for, or the text of one.
+pub(crate) fn pipelines(name: Option<&str>, global: &GlobalArgs) -> Result<(), Fault> {
+    let catalog = global.catalog();
+    if let Some(name) = name {
+        let known: Vec<&str> = catalog.pipelines.iter().map(|(n, _)| *n).collect();
+        let found = catalog.pipeline(name);
+        let (name, text) =
+            found.ok_or_else(|| Fault::input(stage::unknown("pipeline", name, &known)))?;
+        match global.json {
+            true => crate::outln!("{}", json!({ "name": name, "text": text })),
+            false => crate::out!("{text}"),
+        }
+        return Ok(());
+    }
+    let mut all = Vec::new();
+    for (name, _) in catalog.pipelines {
+        let pipeline = Pipeline::built_in(name, catalog).map_err(Fault::mistakes)?;
+        all.push((*name, pipeline.recipe().about.clone()));
+    }
+    if global.json {
+        let one = |(name, about): &(&str, String)| json!({ "name": name, "about": about });
+        crate::outln!("{}", all.iter().map(one).collect::<Value>());
+        return Ok(());
+    }
+    let width = all.iter().map(|(name, _)| name.len()).max().unwrap_or(0);
+    for (name, about) in all {
+        crate::outln!("{name:<width$}  {about}");
     }
     Ok(())
 }

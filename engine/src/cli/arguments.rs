@@ -45,7 +45,7 @@ impl GlobalArgs {
 /// What is to be run, and with what changed.
 #[derive(Args, Clone)]
 pub struct Wanted {
-    /// The pipeline file
+    /// The pipeline file, or the name of a built-in one
     pub pipeline: PathBuf,
     /// Nodes that are wanted instead of the pipeline's goal
     pub nodes: Vec<String>,

@@ -21,7 +21,10 @@ pub(crate) struct ImpactArgs {
 
 /// Does it.
 pub(crate) fn impact(args: &ImpactArgs, global: &GlobalArgs) -> Result<(), Fault> {
-    let (files, asked): (Vec<_>, Vec<_>) = args.what.iter().partition(|w| w.ends_with(".toml"));
+    let (files, asked): (Vec<_>, Vec<_>) = args
+        .what
+        .iter()
+        .partition(|w| w.ends_with(".toml") || global.catalog().pipeline(w).is_some());
     if files.len() > 1 {
         return Err(Fault::input("one pipeline at a time"));
     }

@@ -3,7 +3,7 @@
 //! ```no_run
 //! use engine::{Catalog, cli};
 //!
-//! static CATALOG: Catalog = Catalog { program: "words 1", rooms: &[], kinds: &[] };
+//! static CATALOG: Catalog = Catalog { program: "words 1", rooms: &[], kinds: &[], pipelines: &[] };
 //! static WORDS: cli::Program = cli::Program::new("words", "1", "Counts words.", &CATALOG);
 //!
 //! fn main() -> std::process::ExitCode {
@@ -99,8 +99,13 @@ enum Own {
     },
     /// All mistakes of a pipeline at once
     Check {
-        /// The pipeline file
+        /// The pipeline file, or the name of a built-in one
         pipeline: PathBuf,
+    },
+    /// The built-in pipelines, or one of them printed: their names stand for a file in every verb
+    Pipelines {
+        /// The one to print
+        name: Option<String>,
     },
     /// The store: ls, du, runs, pin, unpin, pins, gc, forget, verify
     Cache(cache::Cache),
@@ -178,6 +183,7 @@ fn done(
             false => answers::stages(name.as_deref(), global),
         },
         Own::Check { pipeline } => answers::check(pipeline, global),
+        Own::Pipelines { name } => answers::pipelines(name.as_deref(), global),
         Own::Cache(verb) => cache::cache(verb, global),
     }
 }

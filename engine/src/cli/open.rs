@@ -36,7 +36,7 @@ pub fn node(graph: &Graph, name: &str) -> Result<usize, Fault> {
     })
 }
 
-/// A pipeline file, the program's own if none is said, with what the command line changes.
+/// A pipeline file or a built-in pipeline, the program's own if none is said, with what the command line changes.
 pub fn open_pipeline(
     file: Option<&Path>,
     change: &Change,
@@ -47,12 +47,11 @@ pub fn open_pipeline(
         sets: change.set.clone(),
     };
     let catalog = global.catalog();
-    let graph = match (file, global.program().pipeline) {
-        (Some(file), _) => recipe::open(file, &overrides, catalog),
-        (None, Some((name, text))) => recipe::open_text(name, text, &overrides, catalog),
-        (None, None) => return Err(Fault::input("say which pipeline: give its file")),
+    let file = match file.or(global.program().pipeline.map(Path::new)) {
+        Some(file) => file,
+        None => return Err(Fault::input("say which pipeline: give its file")),
     };
-    graph.map_err(Fault::mistakes)
+    recipe::open(file, &overrides, catalog).map_err(Fault::mistakes)
 }
 
 /// `NAME=FOLDER` as a pair.

@@ -23,8 +23,8 @@ pub struct Program {
     pub cache_env: &'static str,
     /// The variable of the environment that says how much the cache may hold.
     pub size_env: &'static str,
-    /// The pipeline that is meant where none is said: its name and its text.
-    pub pipeline: Option<(&'static str, &'static str)>,
+    /// The built-in pipeline that is meant where none is said.
+    pub pipeline: Option<&'static str>,
     /// Verbs of its own, before the engine's.
     pub verbs: &'static [Verb],
     /// What a page in HTML that a run writes gets from the run: its warnings, how it was made.

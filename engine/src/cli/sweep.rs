@@ -8,7 +8,7 @@ use super::sweep_asked::{Asked, SweepArgs, asked, checked};
 use crate::graph::Graph;
 use crate::lasttime::History;
 use crate::past::Of;
-use crate::recipe::{self, Mistakes, Overrides};
+use crate::recipe::{Overrides, Pipeline};
 use crate::session::Outcome;
 use crate::sweep::{self, End, Errors, Point, Row, Sweeping};
 use crate::walk::Watch;
@@ -20,7 +20,6 @@ const MANY: u128 = 1000;
 
 /// Does it.
 pub(crate) fn sweep(args: &SweepArgs, global: &GlobalArgs) -> Result<(), Fault> {
-    let file = args.pipeline.display().to_string();
     if let Some(out) = &args.out {
         delivery::check(out).map_err(Fault::input)?;
     }
@@ -28,15 +27,10 @@ pub(crate) fn sweep(args: &SweepArgs, global: &GlobalArgs) -> Result<(), Fault> 
         variant: args.change.variant.clone(),
         sets: args.change.set.clone(),
     };
-    let base = recipe::open(&args.pipeline, &all, global.catalog()).map_err(Fault::mistakes)?;
-    let text = std::fs::read_to_string(&args.pipeline).map_err(Fault::input)?;
-    let recipe =
-        recipe::read(&text).map_err(|m| Fault::mistakes(Mistakes::new(&file, &text, m)))?;
-    let asked = asked(args, &recipe, &base)?;
-    let at = |point: &Point| {
-        let overrides = point.overrides(&all);
-        recipe::open_text(&file, &text, &overrides, global.catalog())
-    };
+    let pipeline = Pipeline::read(&args.pipeline, global.catalog()).map_err(Fault::mistakes)?;
+    let base = pipeline.graph(&all).map_err(Fault::mistakes)?;
+    let asked = asked(args, &pipeline, &base)?;
+    let at = |point: &Point| pipeline.graph(&point.overrides(&all));
     checked(args, &base, &asked, &at)?;
     let wanted: Vec<usize> = match asked.nodes.is_empty() {
         true => base.goal.clone(),

@@ -4,10 +4,10 @@ use super::arguments::Change;
 use super::fault::Fault;
 use super::open::node;
 use crate::graph::Graph;
-use crate::recipe::{Mistakes, Recipe, Sweep};
+use crate::recipe::{Mistakes, Pipeline, Sweep};
 use crate::sweep::{self, Axis, Point, Points, axes};
 use clap::Args;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 /// Arguments of `tailor sweep`.
 #[derive(Args)]
@@ -49,7 +49,8 @@ pub(super) struct Asked {
 }
 
 /// The sweep by its name, with what the command line adds.
-pub(super) fn asked(args: &SweepArgs, recipe: &Recipe, base: &Graph) -> Result<Asked, Fault> {
+pub(super) fn asked(args: &SweepArgs, pipeline: &Pipeline, base: &Graph) -> Result<Asked, Fault> {
+    let recipe = pipeline.recipe();
     let known: Vec<&str> = recipe
         .sweeps
         .iter()
@@ -71,9 +72,8 @@ pub(super) fn asked(args: &SweepArgs, recipe: &Recipe, base: &Graph) -> Result<A
             Some(found.ok_or_else(|| Fault::input(stage::unknown("sweep", name, &known)))?)
         }
     };
-    let folder = args.pipeline.parent().unwrap_or(Path::new("."));
     let mut all: Vec<Axis> = match declared {
-        Some(sweep) => axes::axes(sweep, folder).map_err(Fault::input)?,
+        Some(sweep) => axes::axes(sweep, &pipeline.folder(&sweep.name)).map_err(Fault::input)?,
         None => vec![],
     };
     for text in &args.over {

@@ -1,7 +1,8 @@
 //! What the goal needs, and in which order.
 
-use super::bind::Binder;
-use super::{Mistake, Recipe};
+use super::binder::Binder;
+use super::mistake::Mistake;
+use super::written::{Input, Recipe};
 use crate::graph::{Bound, Graph, InputDecl, Origin, Source};
 use crate::kind::Catalog;
 
@@ -71,7 +72,7 @@ pub(super) fn arranged(
         Some(node)
     };
     let arranged = order.iter().filter_map(arrange).collect();
-    let input = |i: &super::Input| InputDecl {
+    let input = |i: &Input| InputDecl {
         name: i.name.value.clone(),
         about: i.about.clone(),
         files: i.files.clone(),
@@ -82,6 +83,7 @@ pub(super) fn arranged(
         goal: goal.iter().map(|g| place[*g]).collect(),
         about: recipe.about.clone(),
         origin: Origin::default(),
+        shared: vec![],
         catalog,
     }
 }

@@ -1,15 +1,15 @@
 //! Recipe → Graph: names mean something, or every mistake with its place.
 
 use super::arrange::arranged;
-use super::sections::sections_of;
-use super::{Mistake, Node, Recipe};
+use super::binder::{Binder, Known};
+use super::mistake::Mistake;
+use super::written::{Node, Recipe};
 use crate::graph::{Bound, Graph, Source};
 use crate::kind::Catalog;
 use petgraph::algo::{tarjan_scc, toposort};
 use petgraph::graph::DiGraph;
-use stage::{AnyStage, PortSpec, unknown};
+use stage::unknown;
 use std::collections::HashMap;
-use std::sync::Arc;
 
 /// Binds a recipe to the stages of a catalog. A `strict` one may hold no node that its goal
 /// does not need.
@@ -55,50 +55,7 @@ pub fn bind(
     Ok(arranged(recipe, catalog, bound, &goal, &order))
 }
 
-/// A recipe on its way to a graph, and what is wrong with it.
-pub(super) struct Binder<'a> {
-    pub(super) recipe: &'a Recipe,
-    pub(super) catalog: &'static Catalog,
-    pub(super) mistakes: Vec<Mistake>,
-    pub(super) places: HashMap<&'a str, Source>,
-    pub(super) inputs: HashMap<&'a str, Source>,
-    /// What stages' names mean: many nodes have the same.
-    known: HashMap<&'a str, Option<Known>>,
-}
-
-/// A stage with its ports.
-#[derive(Clone)]
-pub(super) struct Known {
-    pub(super) stage: &'static dyn AnyStage,
-    pub(super) ports: Arc<[PortSpec]>,
-    /// The sections that it takes.
-    pub(super) sections: Arc<[&'static str]>,
-}
-
 impl<'a> Binder<'a> {
-    fn stage(&mut self, node: &'a Node) -> Option<Known> {
-        let catalog = self.catalog;
-        let known = self.known.entry(&node.stage.value).or_insert_with(|| {
-            let stage = catalog.find(&node.stage.value)?;
-            let ports = stage.ports().into();
-            let sections = sections_of(&stage.params()).into();
-            Some(Known {
-                stage,
-                ports,
-                sections,
-            })
-        });
-        if known.is_none() && !node.stage.value.is_empty() {
-            let known: Vec<&str> = self.catalog.stages().map(|s| s.name()).collect();
-            self.mistakes.push(Mistake::at(
-                &node.stage.span,
-                unknown("stage", &node.stage.value, &known),
-            ));
-            return None;
-        }
-        known.clone()
-    }
-
     fn node(&mut self, node: &'a Node, known: &Known, stages: &[Option<Known>]) -> Option<Bound> {
         let Known { stage, ports, .. } = known;
         let mut from: Vec<Option<Source>> = vec![None; ports.len()];
@@ -151,12 +108,6 @@ impl<'a> Binder<'a> {
                 None
             }
         }
-    }
-
-    /// Whether a node's stage is one that there is.
-    pub(super) fn is_known(&self, node: usize) -> bool {
-        let stage = self.recipe.nodes[node].stage.value.as_str();
-        matches!(self.known.get(stage), Some(Some(_)))
     }
 
     fn goal(&mut self) -> Vec<usize> {

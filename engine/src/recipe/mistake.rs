@@ -10,7 +10,7 @@ use std::ops::Range;
 pub struct Mistake {
     /// What is wrong, and what would fit.
     pub what: String,
-    /// Where in the file. \[bytes\] `None` for the command line.
+    /// Where in the texts. \[bytes\] `None` for the command line.
     pub span: Option<Range<usize>>,
 }
 
@@ -23,6 +23,13 @@ impl Mistake {
         }
     }
 
+    /// Its place behind so many bytes of other texts.
+    pub(super) fn moved(&mut self, by: usize) {
+        if let Some(span) = &mut self.span {
+            *span = span.start + by..span.end + by;
+        }
+    }
+
     /// A mistake on the command line.
     pub fn said(what: impl Into<String>) -> Self {
         Mistake {
@@ -32,32 +39,30 @@ impl Mistake {
     }
 }
 
-/// All mistakes, in the order of the file.
+/// The text of a pipeline file, behind those that were read before it.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Mistakes {
-    file: String,
-    text: String,
-    /// The mistakes.
-    pub all: Vec<Mistake>,
+pub struct Text {
+    /// What it is called.
+    pub name: String,
+    /// How many bytes of other texts stand before it.
+    pub start: usize,
+    /// The text.
+    pub text: String,
 }
 
-impl std::error::Error for Mistakes {}
-
-impl Mistakes {
-    /// Of a file with this text.
-    pub fn new(file: &str, text: &str, mut all: Vec<Mistake>) -> Self {
-        all.sort_by_key(|m| m.span.as_ref().map_or(0, |s| s.start));
-        all.dedup();
-        Mistakes {
-            file: file.into(),
-            text: text.into(),
-            all,
+impl Text {
+    /// Behind the last one.
+    pub(super) fn behind(last: Option<&Text>, name: &str, text: String) -> Text {
+        Text {
+            name: name.to_owned(),
+            start: last.map_or(0, Text::end),
+            text,
         }
     }
 
-    /// A file that cannot be read.
-    pub fn unreadable(file: &str, what: String) -> Self {
-        Mistakes::new(file, "", vec![Mistake::said(format!("{file} {what}"))])
+    /// Where the next one starts.
+    pub(super) fn end(&self) -> usize {
+        self.start + self.text.len() + 1
     }
 
     /// Line and column of a byte, from 1.
@@ -68,27 +73,68 @@ impl Mistakes {
         (line, before[start..].chars().count() + 1)
     }
 
-    /// A place as whole letters, at least one if there is one.
+    /// A place as whole letters of this text, at least one if there is one.
     fn whole(&self, span: &Range<usize>) -> Range<usize> {
         let start = self.letter(span.start);
-        let next = (start + 1).max(span.end).min(self.text.len());
+        let end = span.end.saturating_sub(self.start);
+        let next = (start + 1).max(end).min(self.text.len());
         let end = (next..).find(|at| self.text.is_char_boundary(*at));
         start..end.unwrap_or(next)
     }
 
-    /// Where the letter of a byte begins.
+    /// Where in this text the letter of a byte begins.
     fn letter(&self, at: usize) -> usize {
+        let at = at.saturating_sub(self.start);
         let back = (0..=at.min(self.text.len())).rev();
         let mut begins = back.filter(|at| self.text.is_char_boundary(*at));
         begins.next().unwrap_or(0)
+    }
+}
+
+/// The text that a place is in.
+pub(super) fn text_of<'a>(texts: &'a [Text], span: &Range<usize>) -> &'a Text {
+    let found = texts.iter().find(|t| span.start < t.end());
+    found.or(texts.last()).expect("bug: a place in no text")
+}
+
+/// All mistakes, in the order of the files.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Mistakes {
+    texts: Vec<Text>,
+    /// The mistakes.
+    pub all: Vec<Mistake>,
+}
+
+impl std::error::Error for Mistakes {}
+
+impl Mistakes {
+    /// Of a file with this text.
+    pub fn new(file: &str, text: &str, all: Vec<Mistake>) -> Self {
+        Mistakes::of(vec![Text::behind(None, file, text.to_owned())], all)
+    }
+
+    /// Of several texts, each behind the one before.
+    pub(super) fn of(texts: Vec<Text>, mut all: Vec<Mistake>) -> Self {
+        all.sort_by_key(|m| m.span.as_ref().map_or(0, |s| s.start));
+        all.dedup();
+        Mistakes { texts, all }
+    }
+
+    /// A file that cannot be read.
+    pub fn unreadable(file: &str, what: String) -> Self {
+        Mistakes::new(file, "", vec![Mistake::said(format!("{file} {what}"))])
     }
 
     /// For other programs.
     pub fn json(&self) -> Value {
         let one = |m: &Mistake| {
-            let place = m.span.as_ref().map(|s| self.place(s.start));
+            let text = m
+                .span
+                .as_ref()
+                .map_or(&self.texts[0], |s| text_of(&self.texts, s));
+            let place = m.span.as_ref().map(|s| text.place(s.start));
             json!({
-                "file": self.file, "what": m.what,
+                "file": text.name, "what": m.what,
                 "line": place.map(|p| p.0), "column": place.map(|p| p.1),
             })
         };
@@ -106,9 +152,10 @@ impl fmt::Display for Mistakes {
                 write!(f, "error: {}", mistake.what)?;
                 continue;
             };
-            let source = Snippet::source(&self.text)
-                .path(&self.file)
-                .annotation(AnnotationKind::Primary.span(self.whole(span)));
+            let text = text_of(&self.texts, span);
+            let source = Snippet::source(&text.text)
+                .path(&text.name)
+                .annotation(AnnotationKind::Primary.span(text.whole(span)));
             let group = Level::ERROR
                 .primary_title(mistake.what.as_str())
                 .element(source);

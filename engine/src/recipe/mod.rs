@@ -1,231 +1,35 @@
-//! A pipeline as it is written: every name and value with its place in the file.
+//! From a pipeline file to a [`Graph`](crate::graph::Graph): reading, extending, varying, binding.
 //!
-//! [`open`] reads a file, applies a variant and `--set`s, and binds it to a
-//! [`Graph`], or says all mistakes at once.
+//! [`Pipeline::read`] reads a file with those that it extends; [`Pipeline::graph`] applies variants
+//! and `--set`s and binds it, or says all mistakes at once.
 
 mod arrange;
 mod bind;
+mod binder;
+mod extend;
 mod mistake;
+mod origins;
+mod pipeline;
 mod plain;
 mod read;
 mod sections;
+mod shared;
 mod stretch;
 mod sweep_check;
 mod sweeps;
+mod toml_text;
 mod tree;
+mod values;
 mod variant;
+mod variants;
 mod wire;
+mod written;
 
 pub use bind::bind;
-pub use mistake::{Mistake, Mistakes};
+pub use mistake::{Mistake, Mistakes, Text};
+pub use pipeline::{Pipeline, open, open_text};
 pub use read::read;
-pub use sections::Section;
 pub(crate) use stretch::{between, values, written};
-pub use variant::{parse_value, vary};
-
-use crate::graph::{Graph, Origin};
-use crate::kind::Catalog;
-use read::read_some;
-use stage::Value;
-use std::borrow::Cow;
-use std::ops::Range;
-use std::path::Path;
-
-/// Something written, and where. \[bytes of the file\]
-#[derive(Debug, Clone, PartialEq)]
-pub struct Said<T> {
-    /// What was written.
-    pub value: T,
-    /// Where.
-    pub span: Range<usize>,
-}
-
-/// Where a node's ports read from, as written.
-#[derive(Debug, Clone, PartialEq)]
-pub enum From {
-    /// `from = ["photos", "masks"]`: each port is called like what it reads.
-    List(Vec<Said<String>>),
-    /// `from = { mesh = "hull" }`: port, then what it reads.
-    Table(Vec<(Said<String>, Said<String>)>),
-}
-
-/// `with = { voxel_mm = 2.0 }`.
-pub type With = Vec<(Said<String>, Said<Value>)>;
-
-/// `[node.NAME]`.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Node {
-    /// Its name.
-    pub name: Said<String>,
-    /// Its stage.
-    pub stage: Said<String>,
-    /// What it reads.
-    pub from: From,
-    /// Its params.
-    pub with: With,
-}
-
-/// `[input.NAME]`.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Input {
-    /// Its name.
-    pub name: Said<String>,
-    /// What it is.
-    pub about: String,
-    /// Patterns of its files.
-    pub files: Vec<String>,
-}
-
-/// `[variant.NAME]`: the same pipeline, otherwise.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Variant {
-    /// Its name.
-    pub name: Said<String>,
-    /// What it is for.
-    pub about: String,
-    /// Params by node.
-    pub with: Vec<(Said<String>, With)>,
-    /// Another stage for a node.
-    pub stage: Vec<(Said<String>, Said<String>)>,
-    /// Other sources for a node.
-    pub from: Vec<(Said<String>, From)>,
-    /// Nodes left out: their readers read what they read.
-    pub without: Vec<Said<String>>,
-}
-
-/// The values that a param takes in a sweep.
-#[derive(Debug, Clone, PartialEq)]
-pub enum Over {
-    /// `[2.0, 3.0, 4.0]`.
-    List(Vec<Said<Value>>),
-    /// `{ from = 1.0, to = 8.0, steps = 4, log = true }`.
-    Range(Said<Stretch>),
-}
-
-/// Values from one number to another.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Stretch {
-    /// The first.
-    pub from: f64,
-    /// The last.
-    pub to: f64,
-    /// How many; none where a sample says it.
-    pub steps: Option<usize>,
-    /// Whether equal steps are equal ratios.
-    pub log: bool,
-    /// Whether both ends were written as whole numbers.
-    pub whole: bool,
-}
-
-/// `sample = { points = 40, seed = 1 }`: a Latin hypercube instead of the grid.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Sample {
-    /// How many points.
-    pub points: usize,
-    /// Which of all samples.
-    pub seed: u64,
-}
-
-/// `[sweep.NAME]`: a grid of params, or a sample of it.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Sweep {
-    /// Its name.
-    pub name: Said<String>,
-    /// The question it answers.
-    pub about: String,
-    /// Node, param and the values it takes.
-    pub over: Vec<(Said<String>, Said<String>, Over)>,
-    /// Params that go side by side instead of crosswise: `node.param`.
-    pub zip: Vec<Vec<Said<String>>>,
-    /// A table of points: a file beside the pipeline, `node.param` at the head of each column.
-    pub csv: Option<Said<String>>,
-    /// A sample instead of the grid.
-    pub sample: Option<Said<Sample>>,
-    /// Variants to be crossed with the grid; none is the pipeline as it is.
-    pub with: Vec<Said<String>>,
-    /// Metrics to be told: `node.metric`.
-    pub tell: Vec<Said<String>>,
-    /// The nodes that are wanted at each point; none is the pipeline's goal.
-    pub goal: Vec<Said<String>>,
-}
-
-/// A pipeline as written.
-#[derive(Debug, Clone, PartialEq, Default)]
-pub struct Recipe {
-    /// What it is for.
-    pub about: String,
-    /// The nodes that are wanted.
-    pub goal: Vec<Said<String>>,
-    /// The user's files.
-    pub inputs: Vec<Input>,
-    /// The nodes.
-    pub nodes: Vec<Node>,
-    /// Entries of sections.
-    pub sections: Vec<Section>,
-    /// The same, otherwise.
-    pub variants: Vec<Variant>,
-    /// Grids of params.
-    pub sweeps: Vec<Sweep>,
-}
-
-/// What the command line changes.
-#[derive(Debug, Clone, Default)]
-pub struct Overrides {
-    /// A variant, or several separated by commas, applied in order.
-    pub variant: Option<String>,
-    /// `NODE.PARAM=VALUE`, applied after variants.
-    pub sets: Vec<String>,
-}
-
-/// Reads, varies and binds a pipeline file.
-pub fn open(
-    path: &Path,
-    overrides: &Overrides,
-    catalog: &'static Catalog,
-) -> Result<Graph, Mistakes> {
-    let name = path.display().to_string();
-    let text = std::fs::read_to_string(path)
-        .map_err(|e| Mistakes::unreadable(&name, format!("cannot be read: {e}")))?;
-    open_text(&name, &text, overrides, catalog)
-}
-
-/// As [`open`], for a text with a name and a catalog of stages.
-pub fn open_text(
-    name: &str,
-    text: &str,
-    overrides: &Overrides,
-    catalog: &'static Catalog,
-) -> Result<Graph, Mistakes> {
-    let (recipe, mut mistakes) = read_some(text).map_err(|m| Mistakes::new(name, text, m))?;
-    let as_it_is = recipe.variants.is_empty() && overrides.variant.is_none();
-    let varied = match as_it_is && overrides.sets.is_empty() {
-        true => Ok(Cow::Borrowed(&recipe)),
-        false => vary(&recipe, overrides).map(Cow::Owned),
-    };
-    let varied = varied.unwrap_or_else(|wrong| {
-        mistakes.extend(wrong);
-        Cow::Borrowed(&recipe)
-    });
-    mistakes.extend(
-        sweep_check::check(&recipe, catalog)
-            .err()
-            .into_iter()
-            .flatten(),
-    );
-    let strict = overrides.variant.is_none() && mistakes.is_empty();
-    match bind(&varied, catalog, strict) {
-        Ok(mut graph) if mistakes.is_empty() => {
-            let there = Path::new(name).canonicalize();
-            graph.origin = Origin {
-                pipeline: there.map_or_else(|_| name.to_owned(), |p| p.display().to_string()),
-                variant: overrides.variant.clone(),
-            };
-            Ok(graph)
-        }
-        bound => {
-            mistakes.extend(bound.err().into_iter().flatten());
-            let mistakes = variant::of_sets(mistakes, &overrides.sets);
-            Err(Mistakes::new(name, text, mistakes))
-        }
-    }
-}
+pub use values::parse_value;
+pub use variant::vary;
+pub use written::*;

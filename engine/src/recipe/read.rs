@@ -1,22 +1,46 @@
 //! TOML → [`Recipe`]: knows the grammar, not what names mean.
 
-use super::tree::{Item, Key, Spot, Table, tree};
-use super::{From, Input, Mistake, Node, Recipe, Said, Section, Variant, With};
+use super::mistake::Mistake;
+use super::toml_text::tree;
+use super::tree::{Item, Key, Spot, Table, moved};
+use super::written::KEYS;
+use super::written::{From, Input, Node, Recipe, Said, Section, With};
 use stage::{Value, unknown};
 use std::ops::Range;
 
-/// Reads a pipeline. All mistakes of grammar come at once.
+/// Reads a pipeline, and not what it extends.
+///
+/// # Errors
+///
+/// All mistakes of grammar at once.
 pub fn read(text: &str) -> Result<Recipe, Vec<Mistake>> {
-    match read_some(text)? {
-        (recipe, mistakes) if mistakes.is_empty() => Ok(recipe),
-        (_, mistakes) => Err(mistakes),
+    let (recipe, mut mistakes) = read_at(text, 0)?;
+    if recipe.extends.is_none() {
+        mistakes.extend(without_stage(&recipe));
+    }
+    match mistakes.is_empty() {
+        true => Ok(recipe),
+        false => Err(mistakes),
     }
 }
 
-/// What can be read of a pipeline, and what is wrong with the rest; nothing of what is no TOML.
-pub(super) fn read_some(text: &str) -> Result<(Recipe, Vec<Mistake>), Vec<Mistake>> {
-    let (root, mistakes) = tree(text);
+/// Nodes that have no stage, and get none from a pipeline that is extended.
+pub(super) fn without_stage(recipe: &Recipe) -> impl Iterator<Item = Mistake> {
+    let bare = recipe.nodes.iter().filter(|n| n.stage.value.is_empty());
+    bare.map(|Node { name, .. }| {
+        Mistake::at(&name.span, format!("node `{}` has no `stage`", name.value))
+    })
+}
+
+/// What can be read of a pipeline whose text stands behind `start` bytes of others, and what is
+/// wrong with the rest; nothing of what is no TOML.
+pub(super) fn read_at(text: &str, start: usize) -> Result<(Recipe, Vec<Mistake>), Vec<Mistake>> {
+    let (mut root, mut mistakes) = tree(text);
     let whole = mistakes.is_empty();
+    if start > 0 {
+        moved(&mut root, start);
+        mistakes.iter_mut().for_each(|m| m.moved(start));
+    }
     let mut reader = Reader { mistakes };
     let recipe = reader.recipe(&root);
     match whole {
@@ -127,6 +151,9 @@ impl Reader {
             match &*key.name {
                 "about" => recipe.about = self.text(value, "`about`").value,
                 "goal" => recipe.goal = self.texts(value, "a goal"),
+                "extends" => recipe.extends = Some(self.text(value, "`extends`")),
+                "without" => recipe.without = self.texts(value, "a node"),
+                "params" => recipe.params = self.with_of(value, "`params`"),
                 "input" => {
                     for (name, value) in self.table(value, "`input`") {
                         self.name(name);
@@ -167,7 +194,7 @@ impl Reader {
                         recipe.sections.push(section);
                     }
                 }
-                _ => self.unknown_key(key, &["about", "goal", "input", "node", "variant", "sweep"]),
+                _ => self.unknown_key(key, &KEYS),
             }
         }
         recipe
@@ -215,12 +242,9 @@ impl Reader {
                 _ => self.unknown_key(key, &["stage", "from", "with"]),
             }
         }
-        let stage = stage.unwrap_or_else(|| {
-            self.wrong(&name.span, format!("node `{}` has no `stage`", name.value));
-            Said {
-                value: String::new(),
-                span: name.span.clone(),
-            }
+        let stage = stage.unwrap_or_else(|| Said {
+            value: String::new(),
+            span: name.span.clone(),
         });
         Node {
             name,
@@ -230,7 +254,7 @@ impl Reader {
         }
     }
 
-    fn from(&mut self, value: &Spot<'_>) -> From {
+    pub(super) fn from(&mut self, value: &Spot<'_>) -> From {
         match &value.item {
             Item::Table(table) => {
                 let wire = |(k, v): &(Key<'_>, _)| (k.said(), self.text(v, "a source"));
@@ -240,52 +264,12 @@ impl Reader {
         }
     }
 
-    fn with(&mut self, value: &Spot<'_>) -> With {
+    pub(super) fn with(&mut self, value: &Spot<'_>) -> With {
         self.with_of(value, "`with`")
     }
 
     fn with_of(&mut self, value: &Spot<'_>, what: &str) -> With {
         let entries = self.table(value, what).iter();
         entries.map(|(k, v)| (k.said(), self.value(v))).collect()
-    }
-
-    fn variant(&mut self, name: Said<String>, value: &Spot<'_>) -> Variant {
-        let mut v = Variant {
-            name,
-            about: String::new(),
-            with: vec![],
-            stage: vec![],
-            from: vec![],
-            without: vec![],
-        };
-        for (key, value) in self.table(value, "a variant") {
-            match &*key.name {
-                "about" => v.about = self.text(value, "`about`").value,
-                "without" => v.without = self.texts(value, "a node"),
-                "with" => {
-                    let nodes = self.table(value, "`with` of a variant");
-                    v.with = nodes
-                        .iter()
-                        .map(|(node, w)| (node.said(), self.with(w)))
-                        .collect();
-                }
-                "stage" => {
-                    let nodes = self.table(value, "`stage` of a variant");
-                    v.stage = nodes
-                        .iter()
-                        .map(|(n, s)| (n.said(), self.text(s, "a stage")))
-                        .collect();
-                }
-                "from" => {
-                    let nodes = self.table(value, "`from` of a variant");
-                    v.from = nodes
-                        .iter()
-                        .map(|(node, f)| (node.said(), self.from(f)))
-                        .collect();
-                }
-                _ => self.unknown_key(key, &["about", "with", "without", "stage", "from"]),
-            }
-        }
-        v
     }
 }

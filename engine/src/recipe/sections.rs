@@ -1,55 +1,14 @@
 //! Sections: `[girth.mid_thigh]` fills the param `girth` of every node whose stage has one of that
 //! name. What sections there are is told by the stages: the engine knows none.
 
-use super::bind::{Binder, Known};
-use super::{Mistake, Node, Said, With};
+use super::binder::{Binder, Known, sections_of};
+use super::mistake::Mistake;
+use super::values::{merged, within};
+use super::written::{KEYS, Node, Section};
 use crate::graph::Bound;
 use stage::{ParamSpec, Value, unknown};
 use std::collections::BTreeMap;
 use std::ops::Range;
-
-/// `[KIND.NAME]`: one entry of a section.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Section {
-    /// The param that it fills.
-    pub kind: Said<String>,
-    /// Its own name.
-    pub name: Said<String>,
-    /// What it says.
-    pub keys: With,
-}
-
-/// The keys of the grammar itself.
-const KEYS: [&str; 6] = ["about", "goal", "input", "node", "variant", "sweep"];
-
-/// Two values as one: of tables, the entries of both, `over` where both speak.
-pub(super) fn merged(under: Value, over: Value) -> Value {
-    let (Value::Table(mut table), Value::Table(more)) = (under, over.clone()) else {
-        return over;
-    };
-    for (name, value) in more {
-        let value = match table.remove(&name) {
-            Some(old) => merged(old, value),
-            None => value,
-        };
-        table.insert(name, value);
-    }
-    Value::Table(table)
-}
-
-/// A value at a place within tables: `["a", "b"]` and 1 are `{ a = { b = 1 } }`.
-pub(super) fn nested(path: &[&str], value: Value) -> Value {
-    let wrap = |value, part: &&str| Value::Table([((*part).to_owned(), value)].into());
-    path.iter().rev().fold(value, wrap)
-}
-
-/// The value at a place within tables.
-fn within<'a>(value: &'a Value, path: &[&str]) -> Option<&'a Value> {
-    path.iter().try_fold(value, |at, part| match at {
-        Value::Table(table) => table.get(*part),
-        _ => None,
-    })
-}
 
 impl Binder<'_> {
     /// All that a node is told: entries of the sections that its stage takes, and over them what it
@@ -165,29 +124,5 @@ impl Binder<'_> {
                 self.mistakes.push(Mistake::at(&section.name.span, what));
             }
         }
-    }
-}
-
-/// The names of the sections among params.
-pub(super) fn sections_of(specs: &[ParamSpec]) -> Vec<&'static str> {
-    let sections = specs.iter().filter(|p| p.entry.is_some());
-    sections.map(|p| p.name).collect()
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn tables_are_merged_all_the_way_down() {
-        let under = nested(&["a", "at"], Value::Float(0.5));
-        let over = nested(&["a", "part"], Value::Text("thigh".into()));
-        let both = merged(under.clone(), over);
-        let text = "{ \"a\" = { \"at\" = 0.5, \"part\" = \"thigh\" } }";
-        assert_eq!(both.to_string(), text);
-        let other = merged(both, nested(&["a", "at"], Value::Int(1)));
-        assert_eq!(within(&other, &["a", "at"]), Some(&Value::Int(1)));
-        assert_eq!(within(&other, &["a", "at", "x"]), None);
-        assert_eq!(merged(under, Value::Int(1)), Value::Int(1));
     }
 }

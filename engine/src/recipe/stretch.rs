@@ -1,6 +1,6 @@
 //! The values from one number to another.
 
-use super::Stretch;
+use super::written::Stretch;
 use stage::Value;
 
 /// The values of a range; without steps, its ends.

@@ -1,6 +1,10 @@
 //! Whether a declared sweep can be: its nodes, params, values, variants and what is to be told.
 
-use super::{Mistake, Over, Overrides, Recipe, Said, Sweep, vary};
+use super::mistake::Mistake;
+use super::shared;
+use super::variant::vary;
+use super::written::{Node, Over, Overrides, Recipe, Said, Sweep};
+use crate::graph::SHARED;
 use crate::kind::Catalog;
 use crate::tells::{entries, untellable};
 use stage::{Value, unknown};
@@ -17,122 +21,162 @@ pub(super) fn check(recipe: &Recipe, catalog: &'static Catalog) -> Result<(), Ve
     }
 }
 
+fn wrong(mistakes: &mut Vec<Mistake>, at: &Said<String>, what: String) {
+    mistakes.push(Mistake::at(&at.span, what));
+}
+
 fn one(recipe: &Recipe, sweep: &Sweep, catalog: &'static Catalog, mistakes: &mut Vec<Mistake>) {
-    let mut wrong = |at: &Said<String>, what: String| mistakes.push(Mistake::at(&at.span, what));
-    let names: Vec<&str> = recipe.nodes.iter().map(|n| n.name.value.as_str()).collect();
-    let variants: Vec<&str> = recipe
-        .variants
-        .iter()
-        .map(|v| v.name.value.as_str())
-        .collect();
     if sweep.over.is_empty() && sweep.csv.is_none() && sweep.with.is_empty() {
         let what = "a sweep needs `over`, `csv` or `with`";
-        wrong(&sweep.name, format!("`{}`: {what}", sweep.name.value));
+        let what = format!("`{}`: {what}", sweep.name.value);
+        wrong(mistakes, &sweep.name, what);
     }
+    let recipes = varied(recipe, sweep, mistakes);
+    let names: Vec<&str> = recipe.nodes.iter().map(|n| n.name.value.as_str()).collect();
+    for (node, param, over) in &sweep.over {
+        if node.value != SHARED && !names.contains(&node.value.as_str()) {
+            wrong(mistakes, node, unknown("node", &node.value, &names));
+            continue;
+        }
+        let values = values_of(over, sweep, mistakes);
+        if values.is_empty() {
+            wrong(mistakes, param, format!("`{}` takes no value", param.value));
+        }
+        for recipe in &recipes {
+            over_one(recipe, (node, param, &values), catalog, mistakes);
+        }
+    }
+    let full = |(n, p, _): &(Said<String>, Said<String>, Over)| format!("{}.{}", n.value, p.value);
+    let params: Vec<String> = sweep.over.iter().map(full).collect();
+    for said in sweep.zip.iter().flatten() {
+        if !params.contains(&said.value) {
+            let known: Vec<&str> = params.iter().map(String::as_str).collect();
+            let what = unknown("param of this sweep", &said.value, &known);
+            wrong(mistakes, said, what);
+        }
+    }
+    for said in &sweep.goal {
+        if !names.contains(&said.value.as_str()) {
+            wrong(mistakes, said, unknown("node", &said.value, &names));
+        }
+    }
+    for said in &sweep.tell {
+        if let Some(what) = untold_by_all(&recipes, said, &names, catalog) {
+            wrong(mistakes, said, what);
+        }
+    }
+}
+
+/// The recipe in each of the sweep's variants; as it is, where it names none.
+fn varied(recipe: &Recipe, sweep: &Sweep, mistakes: &mut Vec<Mistake>) -> Vec<Recipe> {
+    if sweep.with.is_empty() {
+        return vec![recipe.clone()];
+    }
+    let variants = recipe.variants.iter();
+    let variants: Vec<&str> = variants.map(|v| v.name.value.as_str()).collect();
     let mut recipes = Vec::new();
     for said in &sweep.with {
         if !variants.contains(&said.value.as_str()) {
-            wrong(said, unknown("variant", &said.value, &variants));
+            wrong(mistakes, said, unknown("variant", &said.value, &variants));
             continue;
         }
         let variant = Some(said.value.clone());
         let sets = vec![];
         recipes.extend(vary(recipe, &Overrides { variant, sets }).ok());
     }
-    if sweep.with.is_empty() {
-        recipes.push(recipe.clone());
-    }
-    let params: Vec<String> = sweep
-        .over
-        .iter()
-        .map(|(n, p, _)| format!("{}.{}", n.value, p.value))
-        .collect();
-    for (node, param, over) in &sweep.over {
-        if !names.contains(&node.value.as_str()) {
-            wrong(node, unknown("node", &node.value, &names));
-            continue;
-        }
-        let values: Vec<Said<Value>> = match over {
-            Over::List(list) => list.clone(),
-            Over::Range(said) => {
-                if said.value.steps.is_none() && sweep.sample.is_none() {
-                    let at = Said {
-                        value: String::new(),
-                        span: said.span.clone(),
-                    };
-                    wrong(&at, "a range needs `steps`, or the sweep a `sample`".into());
-                }
-                let values = super::stretch::values(&said.value);
-                let here = |value| Said {
-                    value,
-                    span: said.span.clone(),
-                };
-                values.into_iter().map(here).collect()
+    recipes
+}
+
+/// The values that a param takes, each with its place.
+fn values_of(over: &Over, sweep: &Sweep, mistakes: &mut Vec<Mistake>) -> Vec<Said<Value>> {
+    match over {
+        Over::List(list) => list.clone(),
+        Over::Range(said) => {
+            if said.value.steps.is_none() && sweep.sample.is_none() {
+                let what = "a range needs `steps`, or the sweep a `sample`";
+                mistakes.push(Mistake::at(&said.span, what));
             }
+            let here = |value| Said {
+                value,
+                span: said.span.clone(),
+            };
+            let values = super::stretch::values(&said.value);
+            values.into_iter().map(here).collect()
+        }
+    }
+}
+
+/// Whether a recipe has the param, and it can take the values.
+fn over_one(
+    recipe: &Recipe,
+    (node, param, values): (&Said<String>, &Said<String>, &[Said<Value>]),
+    catalog: &'static Catalog,
+    mistakes: &mut Vec<Mistake>,
+) {
+    let shared = node.value == SHARED;
+    let holders: Vec<(&Node, &Said<String>)> = match shared {
+        true => shared::readers(recipe, &param.value).collect(),
+        false => {
+            let nodes = recipe.nodes.iter().filter(|n| n.name.value == node.value);
+            nodes.map(|n| (n, param)).collect()
+        }
+    };
+    // A variant may leave the node out: then it takes no part.
+    if holders.is_empty() {
+        let what = match shared {
+            true => format!("no node reads the shared param `{}`", param.value),
+            false => format!("a variant of this sweep leaves `{}` out", node.value),
         };
-        if values.is_empty() {
-            wrong(param, format!("`{}` takes no value", param.value));
-        }
-        for recipe in &recipes {
-            // A variant may leave the node out: then it is told that it takes no part.
-            let Some(there) = recipe.nodes.iter().find(|n| n.name.value == node.value) else {
-                wrong(
-                    node,
-                    format!("a variant of this sweep leaves `{}` out", node.value),
-                );
-                continue;
-            };
-            let Some(stage) = catalog.find(&there.stage.value) else {
-                continue;
-            };
-            for value in &values {
-                let said = [(param.value.clone(), value.value.clone())].into();
-                for w in stage.check(&said).err().into_iter().flatten() {
-                    let known = stage.params().iter().any(|p| p.name == param.value);
-                    let span = if known { &value.span } else { &param.span };
-                    let at = Said {
-                        value: String::new(),
-                        span: span.clone(),
-                    };
-                    match known {
-                        true => wrong(&at, format!("`{}` {}", param.value, w.what)),
-                        false => wrong(&at, format!("{}: {}", stage.name(), w.what)),
-                    }
-                }
-            }
+        wrong(mistakes, node, what);
+    }
+    for (holder, name) in holders {
+        mistakes.extend(unfit(holder, name, param, values, catalog));
+    }
+}
+
+/// Why a metric can be told in none of the variants.
+fn untold_by_all(
+    recipes: &[Recipe],
+    said: &Said<String>,
+    names: &[&str],
+    catalog: &'static Catalog,
+) -> Option<String> {
+    match said.value.split_once('.').map(|(node, _)| node) {
+        None => Some("say node.metric, such as \"hull.volume\"".into()),
+        Some("error") => None,
+        Some(node) if !names.contains(&node) => Some(unknown("node", node, names)),
+        Some(node) => {
+            let all = recipes.iter().map(|r| untold(r, node, said, catalog));
+            // It is enough that one variant tells it.
+            let all: Option<Vec<String>> = all.collect();
+            all?.into_iter().next()
         }
     }
-    for said in sweep.zip.iter().flatten() {
-        if !params.contains(&said.value) {
-            let known: Vec<&str> = params.iter().map(String::as_str).collect();
-            wrong(said, unknown("param of this sweep", &said.value, &known));
-        }
-    }
-    for said in sweep
-        .goal
-        .iter()
-        .filter(|g| !names.contains(&g.value.as_str()))
-    {
-        wrong(said, unknown("node", &said.value, &names));
-    }
-    for said in &sweep.tell {
-        let node = said.value.split_once('.').map(|(node, _)| node);
-        match node {
-            None => wrong(said, "say node.metric, such as \"hull.volume\"".into()),
-            Some("error") => {}
-            Some(node) if !names.contains(&node) => wrong(said, unknown("node", node, &names)),
-            Some(node) => {
-                let all = recipes
-                    .iter()
-                    .map(|recipe| untold(recipe, node, said, catalog));
-                // It is enough that one variant tells it.
-                let all: Option<Vec<String>> = all.collect();
-                all.and_then(|all| all.into_iter().next())
-                    .into_iter()
-                    .for_each(|what| wrong(said, what));
-            }
-        }
-    }
+}
+
+/// What is wrong with the values that a sweep gives to the param `name` of a node; they are written
+/// for `param`.
+fn unfit(
+    holder: &Node,
+    name: &Said<String>,
+    param: &Said<String>,
+    values: &[Said<Value>],
+    catalog: &'static Catalog,
+) -> Vec<Mistake> {
+    let Some(stage) = catalog.find(&holder.stage.value) else {
+        return vec![];
+    };
+    let known = stage.params().iter().any(|p| p.name == name.value);
+    let one = |value: &Said<Value>| {
+        let said = [(name.value.clone(), value.value.clone())].into();
+        let wrong = stage.check(&said).err().unwrap_or_default();
+        let told = wrong.into_iter().map(|w| match known {
+            true => Mistake::at(&value.span, format!("`{}` {}", name.value, w.what)),
+            false => Mistake::at(&param.span, format!("{}: {}", stage.name(), w.what)),
+        });
+        told.collect::<Vec<_>>()
+    };
+    values.iter().flat_map(one).collect()
 }
 
 /// What is wrong with asking a node of a recipe for a number.

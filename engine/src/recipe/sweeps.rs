@@ -2,7 +2,7 @@
 
 use super::read::Reader;
 use super::tree::{Item, Spot};
-use super::{Over, Said, Sample, Stretch, Sweep};
+use super::written::{Over, Said, Sample, Stretch, Sweep};
 use stage::Value;
 
 impl Reader {

@@ -1,7 +1,9 @@
 //! Recipe → Recipe: variants, `--set`, and nodes left out.
 
-use super::sections::{merged, nested};
-use super::{From, Mistake, Overrides, Recipe, Said, Variant};
+use super::mistake::Mistake;
+use super::values::{merged, nested, parse_value};
+use super::written::{From, Overrides, Recipe, Said, Variant};
+use crate::graph::SHARED;
 use stage::{Value, unknown};
 use std::ops::Range;
 
@@ -41,7 +43,7 @@ pub fn vary(recipe: &Recipe, overrides: &Overrides) -> Result<Recipe, Vec<Mistak
 fn apply(recipe: &mut Recipe, variant: &Variant, mistakes: &mut Vec<Mistake>) {
     let names: Vec<String> = recipe.nodes.iter().map(|n| n.name.value.clone()).collect();
     let known: Vec<&str> = names.iter().map(String::as_str).collect();
-    let mut find = |name: &Said<String>| {
+    let find = |name: &Said<String>, mistakes: &mut Vec<Mistake>| {
         let at = names.iter().position(|n| *n == name.value);
         if at.is_none() {
             mistakes.push(Mistake::at(
@@ -52,17 +54,23 @@ fn apply(recipe: &mut Recipe, variant: &Variant, mistakes: &mut Vec<Mistake>) {
         at
     };
     for (node, stage) in &variant.stage {
-        if let Some(i) = find(node) {
+        if let Some(i) = find(node, mistakes) {
             recipe.nodes[i].stage = stage.clone();
         }
     }
     for (node, from) in &variant.from {
-        if let Some(i) = find(node) {
+        if let Some(i) = find(node, mistakes) {
             recipe.nodes[i].from = from.clone();
         }
     }
     for (node, with) in &variant.with {
-        if let Some(i) = find(node) {
+        if node.value == SHARED {
+            for (param, value) in with {
+                if let Err(what) = set_shared(recipe, param.clone(), value.clone()) {
+                    mistakes.push(Mistake::at(&param.span, what));
+                }
+            }
+        } else if let Some(i) = find(node, mistakes) {
             for (param, value) in with {
                 set(recipe, i, param.clone(), value.clone());
             }
@@ -71,7 +79,7 @@ fn apply(recipe: &mut Recipe, variant: &Variant, mistakes: &mut Vec<Mistake>) {
     let gone: Vec<Said<String>> = variant
         .without
         .iter()
-        .filter(|n| find(n).is_some())
+        .filter(|n| find(n, mistakes).is_some())
         .cloned()
         .collect();
     for node in gone {
@@ -85,8 +93,21 @@ fn set(recipe: &mut Recipe, node: usize, param: Said<String>, value: Said<Value>
     with.push((param, value));
 }
 
+/// Gives a shared param another value.
+fn set_shared(recipe: &mut Recipe, name: Said<String>, value: Said<Value>) -> Result<(), String> {
+    let names: Vec<&str> = recipe
+        .params
+        .iter()
+        .map(|(n, _)| n.value.as_str())
+        .collect();
+    let at = names.iter().position(|n| *n == name.value);
+    let at = at.ok_or_else(|| unknown("shared param", &name.value, &names))?;
+    recipe.params[at].1 = value;
+    Ok(())
+}
+
 /// Takes a node out: who read it reads what it read first.
-fn leave_out(recipe: &mut Recipe, name: &Said<String>, mistakes: &mut Vec<Mistake>) {
+pub(super) fn leave_out(recipe: &mut Recipe, name: &Said<String>, mistakes: &mut Vec<Mistake>) {
     let Some(at) = recipe.nodes.iter().position(|n| n.name.value == name.value) else {
         return;
     };
@@ -146,6 +167,18 @@ fn apply_set(recipe: &mut Recipe, text: &str, i: usize) -> Result<(), String> {
     let shape = || "say NODE.PARAM=VALUE, such as hull.voxel_mm=2".to_owned();
     let (place, value) = text.split_once('=').ok_or_else(shape)?;
     let (node, param) = place.trim().split_once('.').ok_or_else(shape)?;
+    let here = on_command_line(i);
+    let said = |value: &str| Said {
+        value: value.to_owned(),
+        span: here.clone(),
+    };
+    if node == SHARED {
+        let value = Said {
+            value: parse_value(value.trim()),
+            span: here.clone(),
+        };
+        return set_shared(recipe, said(param), value);
+    }
     let names: Vec<&str> = recipe.nodes.iter().map(|n| n.name.value.as_str()).collect();
     let at = names.iter().position(|n| *n == node);
     let at = at.ok_or_else(|| unknown("node", node, &names))?;
@@ -155,33 +188,10 @@ fn apply_set(recipe: &mut Recipe, text: &str, i: usize) -> Result<(), String> {
     if let Some((_, old)) = with.find(|(name, _)| path.len() > 1 && name.value == path[0]) {
         value = merged(old.value.clone(), value);
     }
-    let here = on_command_line(i);
-    let said = Said {
-        value: path[0].to_owned(),
+    let value = Said {
+        value,
         span: here.clone(),
     };
-    set(recipe, at, said, Said { value, span: here });
+    set(recipe, at, said(path[0]), value);
     Ok(())
-}
-
-/// A TOML value; what is none is a text.
-pub fn parse_value(text: &str) -> Value {
-    let line = format!("x = {text}");
-    let parsed: Option<toml::Table> = line.parse().ok();
-    fn convert(value: &toml::Value) -> Option<Value> {
-        Some(match value {
-            toml::Value::Boolean(b) => Value::Bool(*b),
-            toml::Value::Integer(i) => Value::Int(*i),
-            toml::Value::Float(x) => Value::Float(*x),
-            toml::Value::String(t) => Value::Text(t.clone()),
-            toml::Value::Table(t) => {
-                let entry = |(k, v): (&String, _)| Some((k.clone(), convert(v)?));
-                Value::Table(t.iter().map(entry).collect::<Option<_>>()?)
-            }
-            toml::Value::Array(l) => Value::List(l.iter().map(convert).collect::<Option<_>>()?),
-            _ => return None,
-        })
-    }
-    let value = parsed.as_ref().and_then(|t| t.get("x")).and_then(convert);
-    value.unwrap_or_else(|| Value::Text(text.to_owned()))
 }

@@ -1,7 +1,8 @@
 //! Which port of a node reads what.
 
-use super::bind::{Binder, Known};
-use super::{From, Mistake, Node, Said};
+use super::binder::{Binder, Known};
+use super::mistake::Mistake;
+use super::written::{From, Node, Said};
 use crate::graph::Source;
 use stage::{PortSpec, unknown};
 

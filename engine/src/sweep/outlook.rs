@@ -28,10 +28,11 @@ pub fn outlook(
     let mut combinations = vec![points.variants.len() as u128; graph.nodes.len()];
     for axis in &points.axes {
         let mut reached = vec![false; graph.nodes.len()];
-        for (node, _) in &axis.params {
-            let at = graph.node(node);
-            for i in at.map_or(vec![], |at| impact::reached(graph, wanted, at)) {
-                reached[i] = true;
+        for (node, param) in &axis.params {
+            for at in graph.holders(node, param) {
+                for i in impact::reached(graph, wanted, at) {
+                    reached[i] = true;
+                }
             }
         }
         for (count, _) in combinations.iter_mut().zip(&reached).filter(|(_, r)| **r) {

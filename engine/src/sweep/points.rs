@@ -33,7 +33,7 @@ impl Points {
             kept.push(axis);
         }
         let first = |axis: &Axis| {
-            let places = axis.params.iter().filter_map(|(n, _)| graph.node(n));
+            let places = axis.params.iter().flat_map(|(n, p)| graph.holders(n, p));
             places.min().unwrap_or(usize::MAX)
         };
         kept.sort_by_key(first);

@@ -2,6 +2,7 @@
 
 mod cutoff;
 mod document;
+mod extends;
 mod faults;
 mod laws;
 mod place;

@@ -187,5 +187,6 @@ const STAGES: &[&dyn AnyStage] = &[
 pub(crate) static CATALOG: Catalog = Catalog {
     program: "toys 1",
     rooms: &[STAGES],
+    pipelines: &[],
     kinds: &[],
 };

@@ -2,6 +2,10 @@
 
 use exif::{In, Tag, Value};
 use std::io::Cursor;
+use std::ops::RangeInclusive;
+
+/// Focal lengths on film that a camera for people may have; some write 0 or 65 535 for "unknown". \[mm\]
+const FOCALS_MM: RangeInclusive<f64> = 10.0..=300.0;
 
 /// What was found; all of it may be missing.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -33,8 +37,8 @@ pub(crate) fn read(file: &[u8]) -> Exif {
         found.orientation = turn as u8;
     }
     found.focal_35mm = number(Tag::FocalLengthIn35mmFilm)
-        .filter(|mm| *mm > 0)
-        .map(f64::from);
+        .map(f64::from)
+        .filter(|mm| FOCALS_MM.contains(mm));
     let text = |tag| match exif.get_field(tag, In::PRIMARY).map(|f| &f.value) {
         Some(Value::Ascii(lines)) => {
             let line = lines

@@ -3,6 +3,7 @@
 //! ```text
 //! photos ─ [`Sift`] → keypoints ─ [`Follow`] → tracks ─┐
 //! photos ─ [`FindTags`] → tags ────────────────────────┴─ [`Calibrate`] → cameras ─ [`Frame`] → cameras in millimetres
+//! photos ─ [`Sift`] → keypoints ─ [`LinkUp`] → tracks ── [`Walk`] ──────┘
 //! ```
 //!
 //! Folders, each knowing only those below it:
@@ -12,6 +13,7 @@
 //! | `calibrate` | the stage: with a mat, or without one | `mat`, `ring` |
 //! | `mat` | cameras from a marker mat; the mat on paper | `calibration`, `two_view` |
 //! | `ring` | cameras from features alone | `calibration`, `two_view`, `frame` |
+//! | `walk` | cameras that were walked around a subject | `two_view`, `features`, `adjust`, `frame` |
 //! | `features` | features and tracks | `calibration`, `two_view` |
 //! | `calibration` | params, what is believed, what is warned of | `adjust` |
 //! | `adjust` | bundle adjustment | |
@@ -30,6 +32,7 @@ mod mat;
 mod ring;
 mod tags;
 mod two_view;
+mod walk;
 
 pub use adjust::bundle::{Fit, adjust};
 pub use adjust::lens::{LENS, LensPrior};
@@ -70,6 +73,12 @@ pub use tags::find::{FindTags, NoDetector, TagsInput, TagsParams};
 pub use two_view::epipolar::{agreeing, agreeing_through, fundamental, sampson};
 pub use two_view::five_point::{Both, essentials};
 pub use two_view::room_shift::{RoomShift, room_shift};
+pub use walk::adjust::{Terms, settle};
+pub use walk::error::WalkError;
+pub use walk::link::{LinkInput, LinkParams, LinkUp};
+pub use walk::model::{Model as WalkModel, Shot, Spot};
+pub use walk::stage::{Walk, WalkInput, WalkParams};
+pub use walk::world::{World as WalkWorld, world as walk_world};
 
 /// Every stage of this room, in the order in which data flows through it.
 pub const STAGES: &[&dyn stage::AnyStage] = &[
@@ -77,6 +86,8 @@ pub const STAGES: &[&dyn stage::AnyStage] = &[
     &stage::erase::<Follow>(),
     &stage::erase::<FindTags>(),
     &stage::erase::<Calibrate>(),
+    &stage::erase::<LinkUp>(),
+    &stage::erase::<Walk>(),
     &stage::erase::<Frame>(),
     &stage::erase::<Import>(),
     &stage::erase::<PrintMat>(),

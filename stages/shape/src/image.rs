@@ -64,6 +64,23 @@ impl Rgb {
 }
 
 impl Gray {
+    /// Reduced by a whole factor, means of blocks.
+    pub fn reduced(&self, by: usize) -> Gray {
+        let (width, height) = (self.width / by, self.height / by);
+        let mut small = Gray::filled(width, height, 0.0);
+        for y in 0..height {
+            for x in 0..width {
+                let mut sum = 0.0;
+                for dy in 0..by {
+                    let row = self.row(y * by + dy);
+                    sum += row[x * by..(x + 1) * by].iter().sum::<f32>();
+                }
+                *small.at_mut(x, y) = sum / (by * by) as f32;
+            }
+        }
+        small
+    }
+
     /// The brightness between pixels, bilinear; outside, that of the nearest border pixel.
     #[inline]
     pub fn sample(&self, x: f32, y: f32) -> f32 {

@@ -2,13 +2,14 @@
 
 use crate::boxed::Rectangle;
 use crate::doubt::doubtful;
+use crate::level::{Level, exposed_alike, on_each_other, on_plate};
 use crate::means::Means;
 use crate::params::{CutError, GrabCutParams};
 use crate::scene::{Scene, Shot, full_side};
 use crate::segment::{Settings, reduced};
 use crate::turn::{standing, without_plate};
 use rayon::prelude::*;
-use shape::{Camera, Cameras, Image, Photo, PhotoError, PhotoId, Photos, Rgb};
+use shape::{Camera, Cameras, Image, Photo, PhotoError, PhotoId, Photos, Placed, Rgb};
 use stage::Hash;
 use std::collections::BTreeMap;
 
@@ -60,6 +61,97 @@ impl Told {
     }
 }
 
+/// How each photo lies in the common place.
+pub(crate) type Levels = BTreeMap<PhotoId, Level>;
+
+/// A photo with its camera.
+type Known<'a> = (PhotoId, &'a Photo, Camera);
+
+/// Photos, reduced, brought to one place and one exposure, and how each lay.
+fn levelled<E: From<PhotoError> + Send>(
+    coarse_px: usize,
+    known: &[Known<'_>],
+    check: &(impl Fn() -> Result<(), E> + Sync),
+) -> Result<(Vec<Shot>, Levels), E> {
+    let factor = |pixels: &Rgb| factor(pixels, coarse_px);
+    let first = |(_, photo, _): &Known<'_>| {
+        check()?;
+        let pixels = photo.decode()?;
+        Ok(reduced(&pixels, factor(&pixels)))
+    };
+    let smalls: Vec<Rgb> = known.par_iter().map(first).collect::<Result<_, E>>()?;
+    let placed = on_each_other(&smalls);
+    // What moves is moved at full size, where no detail is lost.
+    let again = |((known, small), placed): ((&Known<'_>, Rgb), &Placed)| {
+        let by = f64::from(known.1.width) / small.width as f64;
+        let level = Level {
+            placed: placed.enlarged(by.floor()),
+            levels: None,
+        };
+        if placed.lies() {
+            return Ok((small, level));
+        }
+        check()?;
+        let there = level.brought(known.1.decode()?);
+        Ok((reduced(&there, factor(&there)), level))
+    };
+    let all: Vec<(Rgb, Level)> = known
+        .par_iter()
+        .zip(smalls)
+        .zip(&placed)
+        .map(again)
+        .collect::<Result<_, E>>()?;
+    let (smalls, mut levels): (Vec<Rgb>, Vec<Level>) = all.into_iter().unzip();
+    let exposed = exposed_alike(&smalls, &placed);
+    levels
+        .iter_mut()
+        .zip(exposed)
+        .for_each(|(l, e)| l.levels = e);
+    let shot = |((small, (id, _, camera)), level): ((Rgb, &Known<'_>), &Level)| Shot {
+        id: *id,
+        camera: level
+            .camera(camera)
+            .resized(small.width as u32, small.height as u32),
+        small: level.relit(small),
+    };
+    let shots = smalls
+        .into_iter()
+        .zip(known)
+        .zip(&levels)
+        .map(shot)
+        .collect();
+    let ids = known.iter().map(|k| k.0);
+    Ok((shots, ids.zip(levels).collect()))
+}
+
+/// By how much a photo is reduced.
+fn factor(pixels: &Rgb, coarse_px: usize) -> usize {
+    let longest = pixels.width.max(pixels.height);
+    longest.div_ceil(coarse_px.max(1)).max(1)
+}
+
+/// How photos lie on the plate.
+pub(crate) fn on_the_plate<E: From<PhotoError> + Send>(
+    coarse_px: usize,
+    photos: &Photos,
+    plate: &Rgb,
+    check: impl Fn() -> Result<(), E> + Sync,
+) -> Result<Levels, E> {
+    let factor = plate
+        .width
+        .max(plate.height)
+        .div_ceil(coarse_px.max(1))
+        .max(1);
+    let still = reduced(plate, factor).gray();
+    let all: Vec<(PhotoId, &Photo)> = photos.iter().collect();
+    let one = |(id, photo): &(PhotoId, &Photo)| {
+        check()?;
+        let small = reduced(&photo.decode()?, factor);
+        Ok((*id, on_plate(&small, &still, factor)))
+    };
+    all.par_iter().map(one).collect()
+}
+
 /// The empty scene out of all photos that have a camera. `check` fails when the user asked to stop.
 pub(crate) fn empty_scene<E: From<CutError> + From<PhotoError> + Send>(
     p: &GrabCutParams,
@@ -67,29 +159,13 @@ pub(crate) fn empty_scene<E: From<CutError> + From<PhotoError> + Send>(
     photos: &Photos,
     cameras: &Cameras,
     check: impl Fn() -> Result<(), E> + Sync,
-) -> Result<(Empty, Told), E> {
-    let known: Vec<(PhotoId, &Photo, Camera)> = photos
+) -> Result<(Empty, Levels, Told), E> {
+    let known: Vec<Known<'_>> = photos
         .iter()
         .filter_map(|(id, photo)| Some((id, photo, cameras.views.get(id)?.camera)))
         .collect();
-    let shots: Vec<Shot> = known
-        .par_iter()
-        .map(|(id, photo, camera)| {
-            check()?;
-            let pixels = photo.decode()?;
-            let longest = pixels.width.max(pixels.height);
-            let small = reduced(
-                &pixels,
-                longest.div_ceil(p.coarse_px.max(1) as usize).max(1),
-            );
-            let camera = camera.resized(small.width as u32, small.height as u32);
-            Ok(Shot {
-                id: *id,
-                small,
-                camera,
-            })
-        })
-        .collect::<Result<_, E>>()?;
+    let (shots, levels) = levelled(p.coarse_px as usize, &known, &check)?;
+    check()?;
     let stands = standing(&shots) * 100.0;
     if stands < STANDS {
         return Err(CutError::Moves(stands).into());
@@ -107,7 +183,8 @@ pub(crate) fn empty_scene<E: From<CutError> + From<PhotoError> + Send>(
     let shares = doubtful(&shots, &cuts, radius);
     let doubtful = shots.iter().zip(shares).filter(|(_, s)| *s > DOUBTFUL);
     let doubtful = doubtful.map(|(shot, _)| shot.id).collect();
-    let all: Vec<Camera> = known.iter().map(|k| k.2).collect();
+    let brought = |(id, _, camera): &Known<'_>| levels[id].camera(camera);
+    let all: Vec<Camera> = known.iter().map(brought).collect();
     let mut means = Means::new(
         width as usize,
         height as usize,
@@ -121,15 +198,17 @@ pub(crate) fn empty_scene<E: From<CutError> + From<PhotoError> + Send>(
             .par_iter()
             .map(|((_, photo, _), _)| photo.decode())
             .collect::<Result<_, PhotoError>>()?;
-        for (pixels, ((_, photo, camera), cut)) in decoded.iter().zip(some) {
+        for (pixels, ((id, photo, camera), cut)) in decoded.into_iter().zip(some) {
+            let level = &levels[id];
+            let (pixels, camera) = (level.brought(pixels), level.camera(camera));
             let cut: &Image<bool> = cut
                 .as_ref()
                 .ok_or_else(|| CutError::Empty(photo.name.clone()))?;
-            means.add(pixels, camera, cut);
+            means.add(&pixels, &camera, cut);
         }
     }
     let ids = known.iter().map(|k| k.0);
     let cuts = ids.zip(cuts).filter_map(|(id, cut)| Some((id, cut?)));
     let scene = Empty::Turn(means.scene(), cuts.collect());
-    Ok((scene, Told { stands, doubtful }))
+    Ok((scene, levels, Told { stands, doubtful }))
 }

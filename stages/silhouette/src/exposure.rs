@@ -31,6 +31,11 @@ pub type Levels = [[u8; 256]; 3];
 /// Levels of the plate as the photo would show them. `None` if they are exposed alike, or share too
 /// little to tell.
 pub fn exposure(photo: &Rgb, plate: &Rgb) -> Option<Levels> {
+    exposure_beyond(photo, plate, SAME)
+}
+
+/// The same; ratios that are off one by less than `same` are the same exposure.
+pub(crate) fn exposure_beyond(photo: &Rgb, plate: &Rgb, same: f32) -> Option<Levels> {
     if (photo.width, photo.height) != (plate.width, plate.height) {
         return None;
     }
@@ -44,7 +49,7 @@ pub fn exposure(photo: &Rgb, plate: &Rgb) -> Option<Levels> {
             .collect();
         let gain = ratio(&pairs)?;
         let curve = curve(&pairs, gain);
-        alike &= (gain - 1.0).abs() < SAME;
+        alike &= (gain - 1.0).abs() < same;
         for (level, to) in levels.iter_mut().enumerate() {
             *to = (gain * level as f32 + between(&curve, level)).round() as u8;
         }

@@ -4,14 +4,15 @@ use crate::backdrop::Backdrop;
 use crate::background::{expected, plate_turn};
 use crate::boxed::{Rectangle, by_colors};
 use crate::coherence::agreed;
-use crate::empty::{Empty, empty_scene, everything};
+use crate::empty::{Empty, empty_scene, everything, on_the_plate};
 use crate::exposure::{exposure, relit};
 use crate::gmm::Gmm;
+use crate::level::Level;
 use crate::params::{CutError, GrabCutParams};
 use crate::photo_cut::{Prepared, coarse, fine, prepare};
 use crate::segment::Settings;
 use rayon::prelude::*;
-use shape::{Camera, Cameras, Image, Mask, Masks, Photo, PhotoId, Photos, Rgb};
+use shape::{Camera, Cameras, Image, Mask, Masks, Photo, PhotoId, Photos, Rgb, View};
 use stage::{Ctx, Stage, Stop};
 use std::sync::Arc;
 
@@ -30,7 +31,7 @@ pub struct GrabCut;
 
 impl Stage for GrabCut {
     const NAME: &'static str = "silhouette.grabcut";
-    const VERSION: u32 = 12;
+    const VERSION: u32 = 13;
     const ABOUT: &'static str = "Cuts the body out of each photo by graph cuts, seeded by the plate, or by what stands still, and the disk.";
     type Params = GrabCutParams;
     type Input = GrabCutInput;
@@ -44,22 +45,26 @@ impl Stage for GrabCut {
             rounds: p.rounds as usize,
             clusters: p.clusters as usize,
         };
-        let (empty, told) = match (&input.photos.plate, &input.cameras) {
-            (Some(plate), _) => (Empty::Plate(plate.decode()?), plate.content()),
+        let check = || ctx.check().map_err(Stop::from);
+        let (empty, levels, told) = match (&input.photos.plate, &input.cameras) {
+            (Some(plate), _) => {
+                let pixels = plate.decode()?;
+                let levels = on_the_plate(p.coarse_px as usize, &input.photos, &pixels, check)?;
+                (Empty::Plate(pixels), levels, plate.content())
+            }
             (None, Some(cameras)) => {
-                let check = || ctx.check().map_err(Stop::from);
                 match empty_scene(p, &settings, &input.photos, cameras, check) {
                     Err(Stop::Failed(why)) if !p.box_px.is_empty() && moves(&*why) => {
                         ctx.warn(format!("{why}; so photos are cut by colours alone"));
                         return alone(p, &settings, &input.photos, ctx);
                     }
                     Err(stop) => return Err(stop),
-                    Ok((empty, told)) => {
+                    Ok((empty, levels, told)) => {
                         ctx.metric("stands still", told.stands, "%");
                         told.warnings(&input.photos)
                             .into_iter()
                             .for_each(|w| ctx.warn(w));
-                        (empty, everything(&input.photos, cameras))
+                        (empty, levels, everything(&input.photos, cameras))
                     }
                 }
             }
@@ -68,8 +73,22 @@ impl Stage for GrabCut {
             }
             (None, None) => return Err(CutError::NoPlate.into()),
         };
+        let level = |id| levels.get(&id).unwrap_or(&Level::NONE);
+        // Cameras as they would be where all photos lie alike.
+        let brought = |(id, view): (PhotoId, &View)| {
+            let camera = level(id).camera(&view.camera);
+            let view = View {
+                camera,
+                ..view.clone()
+            };
+            (id, view)
+        };
+        let cameras = input.cameras.as_deref().map(|cameras| Cameras {
+            views: cameras.views.iter().map(brought).collect(),
+            ..cameras.clone()
+        });
         let camera = |id| {
-            let cameras = input.cameras.as_ref();
+            let cameras = cameras.as_ref();
             cameras.and_then(|c| c.views.get(id)).map(|v| v.camera)
         };
         let jobs: Vec<OnePhoto<'_>> = input
@@ -79,6 +98,7 @@ impl Stage for GrabCut {
                 id,
                 photo,
                 camera: camera(id),
+                level: level(id),
                 radius,
                 empty: &empty,
                 told,
@@ -99,7 +119,7 @@ impl Stage for GrabCut {
                 Ok((job.id, mask))
             })
             .collect::<Result<_, Stop>>()?;
-        let together = match &input.cameras {
+        let together = match &cameras {
             // Without a plate the photos have agreed already.
             Some(cameras) if p.coherence && input.photos.plate.is_some() => agreed(&first, cameras),
             _ => Default::default(),
@@ -113,7 +133,8 @@ impl Stage for GrabCut {
                     let (pixels, without, mut ready) = job.ready(p)?;
                     ready.agree(agreed.into_iter().flatten(), &[]);
                     let (sides, gmm) = job.checked(job.cut(&ready, &settings))?;
-                    Ok(fine(&pixels, &without, &ready, &sides, &gmm, &settings))
+                    let mask = fine(&pixels, &without, &ready, &sides, &gmm, &settings);
+                    Ok(job.level.returned(mask))
                 })?;
                 steps.tick()?;
                 Ok((job.id, mask))
@@ -158,7 +179,9 @@ fn alone(
 struct OnePhoto<'a> {
     id: PhotoId,
     photo: &'a Photo,
+    /// Its camera, where all photos lie alike.
     camera: Option<Camera>,
+    level: &'a Level,
     radius: Option<f64>,
     empty: &'a Empty,
     /// Hash of all that the empty scene follows from.
@@ -169,7 +192,7 @@ impl OnePhoto<'_> {
     /// The photo, what it would show without the subject, and what follows from both.
     fn ready(&self, p: &GrabCutParams) -> Result<(Rgb, Backdrop, Prepared), Stop> {
         let disk = self.camera.as_ref().zip(self.radius);
-        let pixels = self.photo.decode()?;
+        let pixels = self.level.brought(self.photo.decode()?);
         let without = match (self.empty, &self.camera) {
             (Empty::Plate(plate), _) => {
                 let lit = exposure(&pixels, plate).map(|levels| relit(plate, &levels));

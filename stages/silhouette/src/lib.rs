@@ -17,6 +17,7 @@ mod exposure;
 mod gmm;
 mod grabcut;
 mod import;
+mod level;
 mod maxflow;
 mod means;
 mod nearby;

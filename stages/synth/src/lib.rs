@@ -4,7 +4,7 @@
 //! solid ─┬─ girths ─────────┬─ score, against what a pipeline found
 //!        └─ body ─┬─ masks ─┘
 //! ring ─┬─────────┤
-//!       └─ sway ──┴─ turn ─ photos, as capture.load gives them
+//!       └─ sway ──┴─ turn ─ photos, as capture.load gives them ─ phone ─ photos, as a phone takes them
 //! ```
 
 mod anatomy;
@@ -19,6 +19,7 @@ mod frame;
 mod girths;
 mod masks;
 mod noise;
+mod phone;
 mod photograph;
 mod raster;
 mod ring;
@@ -38,6 +39,7 @@ pub use field::Field;
 pub use frame::turn_between;
 pub use girths::{FormulaGirths, FormulaInput};
 pub use masks::{MaskInput, MaskParams, TrueMasks};
+pub use phone::stage::{Phone, PhoneInput, PhoneParams};
 pub use raster::{Seen, cast};
 pub use ring::{MakeRing, RingInput, RingParams, looking};
 pub use score::{Score, ScoreInput};
@@ -53,6 +55,7 @@ pub const STAGES: &[&dyn stage::AnyStage] = &[
     &stage::erase::<MakeRing>(),
     &stage::erase::<MakeSway>(),
     &stage::erase::<TakePhotos>(),
+    &stage::erase::<Phone>(),
     &stage::erase::<TrueMasks>(),
     &stage::erase::<FormulaGirths>(),
     &stage::erase::<Score>(),

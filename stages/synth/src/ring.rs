@@ -2,7 +2,7 @@
 
 use crate::dice::Dice;
 use nalgebra::{Matrix3, Point3, Rotation3, Vector3};
-use shape::{Camera, Cameras, Intrinsics, PhotoId, Pose, Scale, View};
+use shape::{Camera, Cameras, Intrinsics, PhotoId, Pose, Scale, View, film_to_px};
 use stage::{Ctx, Stage, Stop};
 
 stage::params! {
@@ -17,7 +17,7 @@ stage::params! {
         /// Height of a photo in pixels.
         #[range(16..=8000)]
         height: u32 = 1200,
-        /// Focal length as if the longer side were 36 mm of film.
+        /// Focal length as if on 36 × 24 mm film, by the diagonal.
         #[range(10.0..=500.0)]
         focal_35mm: f64 = 50.0,
         /// Distance of the camera from the axis.
@@ -62,7 +62,7 @@ pub struct MakeRing;
 
 impl Stage for MakeRing {
     const NAME: &'static str = "synth.ring";
-    const VERSION: u32 = 1;
+    const VERSION: u32 = 2;
     const ABOUT: &'static str =
         "Sets up the true cameras of one turn: one fixed camera before a disk that turns.";
     type Params = RingParams;
@@ -71,7 +71,11 @@ impl Stage for MakeRing {
 
     fn run(p: &RingParams, _: RingInput, _: &Ctx<'_>) -> Result<Cameras, Stop> {
         let longer = f64::from(p.width.max(p.height));
-        let mut lens = Intrinsics::simple(p.width, p.height, p.focal_35mm / 36.0 * longer);
+        let mut lens = Intrinsics::simple(
+            p.width,
+            p.height,
+            film_to_px(p.focal_35mm, p.width, p.height),
+        );
         lens.centre = lens.centre.map(|c| c + p.off_centre * longer);
         lens.radial = [p.k1, p.k2];
         let fixed = looking(

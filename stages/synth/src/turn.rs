@@ -6,8 +6,8 @@ use crate::room::Room;
 use crate::skin::Look;
 use rayon::prelude::*;
 use shape::{
-    Camera, Cameras, Mat, Mesh, Photo, PhotoId, Photos, Rgb, Rig, Rim, Sway, rgb_to_jpeg,
-    rgb_to_png,
+    Camera, Cameras, Mat, Mesh, Photo, PhotoId, Photos, Rgb, Rig, Rim, Sway, px_to_film,
+    rgb_to_jpeg, rgb_to_png,
 };
 use stage::{Ctx, Stage, Stop};
 use std::path::Path;
@@ -76,7 +76,7 @@ pub struct TakePhotos;
 
 impl Stage for TakePhotos {
     const NAME: &'static str = "synth.turn";
-    const VERSION: u32 = 2;
+    const VERSION: u32 = 3;
     const ABOUT: &'static str =
         "Takes the photos of a turn of any mesh: textured, lit, on a disk in a furnished room.";
     type Params = TurnParams;
@@ -168,8 +168,7 @@ fn photo(p: &TurnParams, name: &str, rgb: &Rgb, camera: &Camera) -> Photo {
         0 => ("png", rgb_to_png(rgb)),
         quality => ("jpg", rgb_to_jpeg(rgb, quality as u8)),
     };
-    let longer = f64::from(camera.lens.width.max(camera.lens.height));
-    let focal = camera.lens.focal[0] / longer * 36.0;
+    let focal = px_to_film(camera.lens.focal[0], camera.lens.width, camera.lens.height);
     let name = Path::new(name).with_extension(ending);
     Photo {
         name: name.to_string_lossy().into_owned(),

@@ -1,7 +1,7 @@
 //! The plain reader beside the whole one, on a text changed in thousands of ways.
 
 use super::tree;
-use crate::recipe::tree::whole;
+use crate::recipe::toml_text::whole;
 
 const PLAIN: &str = "about = \"größer\" # a comment\ngoal = [\"a\", \"b\",\n \"c\"]\n\n[input.s-1]\n\
     files = \"*.{jpg,png}\"\n[node.a]\nstage = \"x.y\"\nfrom = { t = \"@s-1\", u = \"b\" }\n\

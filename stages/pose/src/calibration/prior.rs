@@ -3,22 +3,20 @@
 use crate::adjust::lens::{LensPrior, lens_values};
 use crate::adjust::scene::Settings;
 use crate::calibration::params::CalibrateParams;
-use shape::{Intrinsics, Photos, Rig};
+use shape::{Intrinsics, Photos, Rig, film_to_px};
 
 /// Whether a focal length is known, be it EXIF's or a calibration's.
 pub(crate) fn knows_focal(rig: &Rig) -> bool {
     rig.focal_35mm.is_some() || rig.focal_px.is_some()
 }
 
-/// The lens that capture.toml gives, or EXIF: 36 mm of film lie along the photo's longer side.
-/// Without a focal length, that of a usual lens: its longer side times 1.2.
+/// The lens that capture.toml gives, or EXIF. Without a focal length, that of a usual lens: the
+/// photo's longer side times 1.2.
 pub(crate) fn first_lens(photos: &Photos) -> Intrinsics {
     let first = &photos.photos[0];
     let longer = f64::from(first.width.max(first.height));
-    let focal = photos
-        .rig
-        .focal_35mm
-        .map_or(1.2 * longer, |mm| mm / 36.0 * longer);
+    let on_film = |mm| film_to_px(mm, first.width, first.height);
+    let focal = photos.rig.focal_35mm.map_or(1.2 * longer, on_film);
     let focal = photos.rig.focal_px.unwrap_or(focal);
     let simple = Intrinsics::simple(first.width, first.height, focal);
     Intrinsics {
@@ -36,10 +34,34 @@ pub(crate) fn focals(photos: &Photos, lens: &Intrinsics) -> Vec<f64> {
     [0.8, 1.1, 1.5, 2.1, 3.0].map(|k| k * longer).into()
 }
 
-/// The belief about the lens, around what EXIF says.
-pub(crate) fn lens_prior(lens: &Intrinsics, known_focal: bool, p: &CalibrateParams) -> LensPrior {
+/// Standard deviation of a number that was rounded to a whole one: 1/√12.
+const ROUNDED: f64 = 0.289;
+/// A photo longer than this many times its width was cropped, or is a frame of a video.
+const CROPPED: f64 = 1.6;
+/// Some cameras keep the focal length of the whole sensor for a crop (16:9 of 4:3: 8.2 % less than
+/// the crop's own), others do not. Standard deviation, as a share.
+const CROP_SIGMA: f64 = 0.05;
+
+/// How sure the focal length is before anything is seen, as a share of it. EXIF rounds to whole
+/// millimetres, and a crop may keep the number of the whole sensor.
+pub(crate) fn focal_sigma(rig: &Rig, lens: &Intrinsics, p: &CalibrateParams) -> f64 {
+    let Some(mm) = rig.focal_35mm else {
+        return if rig.focal_px.is_some() {
+            p.focal_sigma
+        } else {
+            0.5
+        };
+    };
+    let rounded = if mm.fract() == 0.0 { ROUNDED / mm } else { 0.0 };
+    let (width, height) = (f64::from(lens.width), f64::from(lens.height));
+    let long = width.max(height) / width.min(height).max(1.0);
+    let crop = if long > CROPPED { CROP_SIGMA } else { 0.0 };
+    p.focal_sigma.hypot(rounded).hypot(crop)
+}
+
+/// The belief about the lens: `focal_sigma` is a share of its focal length.
+pub(crate) fn lens_prior(lens: &Intrinsics, focal_sigma: f64, p: &CalibrateParams) -> LensPrior {
     let longer = f64::from(lens.width.max(lens.height));
-    let focal_sigma = if known_focal { p.focal_sigma } else { 0.5 };
     let c = p.centre_sigma * longer;
     LensPrior {
         mean: lens_values(lens),
@@ -71,5 +93,28 @@ pub(crate) fn settings(p: &CalibrateParams) -> Settings {
         loss: p.loss,
         steps: p.steps as usize,
         gain: 1e-7,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn sigma(focal_35mm: Option<f64>, width: u32, height: u32) -> f64 {
+        let rig = Rig {
+            focal_35mm,
+            ..Rig::default()
+        };
+        let lens = Intrinsics::simple(width, height, 1000.0);
+        focal_sigma(&rig, &lens, &CalibrateParams::default())
+    }
+
+    #[test]
+    fn a_whole_number_is_rounded_and_a_crop_may_keep_the_sensors() {
+        assert_eq!(sigma(Some(26.5), 3000, 4000), 0.01);
+        let rounded = sigma(Some(26.0), 3000, 4000);
+        assert!((rounded - 0.01494).abs() < 1e-4, "{rounded}");
+        assert!(sigma(Some(26.5), 1080, 1920) > 0.05);
+        assert_eq!(sigma(None, 3000, 4000), 0.5);
     }
 }

@@ -69,7 +69,8 @@ pub(crate) fn warnings(
         ));
     }
     let off = (scene.lens.focal[0] / prior.mean[0] - 1.0).abs();
-    if knows_focal(&photos.rig) && off > 0.03 {
+    let sure = prior.sigma[0] / prior.mean[0];
+    if knows_focal(&photos.rig) && off > (3.0 * sure).max(0.03) {
         warnings.push(format!(
             "the focal length came out {:.1} % from what EXIF or capture.toml says: check `focal_35mm` or `focal_px`",
             off * 100.0

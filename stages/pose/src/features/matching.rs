@@ -6,7 +6,8 @@ use shape::{Features, Keypoint};
 /// Pairs of features: places in the two lists.
 pub type Pairs = Vec<(u32, u32)>;
 
-fn likeness(a: &[u8; 128], b: &[u8; 128]) -> i32 {
+/// Of two descriptions: their product.
+pub(crate) fn likeness(a: &[u8; 128], b: &[u8; 128]) -> i32 {
     a.iter()
         .zip(b)
         .map(|(x, y)| i32::from(*x) * i32::from(*y))

@@ -5,6 +5,8 @@ pub(crate) mod describe;
 pub(crate) mod detect;
 pub(crate) mod gradients;
 pub(crate) mod matching;
+pub(crate) mod moving;
 pub(crate) mod pyramid;
+pub(crate) mod quota;
 pub(crate) mod sift;
 pub(crate) mod tracks;

@@ -3,9 +3,11 @@
 use crate::features::describe::describe;
 use crate::features::detect::{Extremum, extrema, orientations};
 use crate::features::gradients::fading;
+use crate::features::moving::moving;
 use crate::features::pyramid::octaves;
+use crate::features::quota::{FAINT, Spot, kept, within};
 use rayon::prelude::*;
-use shape::{Features, Gray, Keypoint, Keypoints, Photo, PhotoId, Photos};
+use shape::{Features, Gray, Image, Keypoint, Keypoints, Photo, PhotoId, Photos};
 use stage::{Ctx, Stage, Stop};
 use std::sync::Arc;
 
@@ -18,7 +20,8 @@ stage::params! {
         /// Greatest ratio of curvatures: beyond, a point lies on an edge.
         #[range(1.5..=100.0)]
         edge: f64 = 10.0,
-        /// Most features a photo, the strongest.
+        /// Most features a photo: where the room stands still while things turn three quarters of them
+        /// there, spread over what is seen; else the strongest.
         #[range(50..=100000)]
         most: u32 = 6000,
         /// Longest side at which features are searched; larger photos are reduced by whole factors.
@@ -62,7 +65,7 @@ pub struct Sift;
 
 impl Stage for Sift {
     const NAME: &'static str = "pose.sift";
-    const VERSION: u32 = 2;
+    const VERSION: u32 = 3;
     const ABOUT: &'static str =
         "Finds scale-invariant features (Lowe 2004) and describes them (RootSIFT).";
     type Params = SiftParams;
@@ -85,11 +88,18 @@ impl Stage for Sift {
             return Ok(Keypoints::default());
         }
         let all: Vec<(PhotoId, &Photo)> = input.photos.iter().collect();
+        let regions = moving(&input.photos)?;
+        ctx.check()?;
         let steps = ctx.steps("photos", all.len());
         let one = |(id, photo): &(PhotoId, &Photo)| -> Result<(PhotoId, Features), Stop> {
-            let found: Keypoints = ctx.part("features", &[photo.content()], || {
+            let region = regions.as_ref().map(|r| &r[id.0 as usize]);
+            let told = region.map(|r| r.data.iter().map(|t| u8::from(*t)).collect::<Vec<u8>>());
+            let depends = [photo.content(), stage::hash(&told.unwrap_or_default())];
+            let found: Keypoints = ctx.part("features", &depends, || {
                 let gray = photo.decode()?.gray();
-                let views = [(PhotoId(0), features(&gray, p))].into_iter().collect();
+                let views = [(PhotoId(0), features_in(&gray, p, region))]
+                    .into_iter()
+                    .collect();
                 Ok(Keypoints { views })
             })?;
             steps.tick()?;
@@ -114,10 +124,15 @@ impl Stage for Sift {
 
 /// The features of one image, the strongest first.
 pub fn features(gray: &Gray, p: &SiftParams) -> Features {
+    features_in(gray, p, None)
+}
+
+/// The same; where a region tells of what turns, most of them lie there, fainter ones too.
+fn features_in(gray: &Gray, p: &SiftParams, region: Option<&Image<bool>>) -> Features {
     let longest = gray.width.max(gray.height);
     let factor = longest.div_ceil(p.longest_px as usize).max(1);
     let reduced = if factor > 1 {
-        reduce(gray, factor)
+        gray.reduced(factor)
     } else {
         gray.clone()
     };
@@ -126,22 +141,40 @@ pub fn features(gray: &Gray, p: &SiftParams) -> Features {
     let fine = reduced.width.max(reduced.height) <= p.fine_px as usize;
     let octaves = octaves(&reduced, fine);
     let (contrast, edge) = (p.contrast as f32, p.edge as f32);
+    let least = if region.is_some() { FAINT } else { 1.0 } * contrast;
     let all: Vec<Vec<Extremum>> = octaves
         .iter()
-        .map(|(_, octave)| extrema(octave, contrast, edge))
+        .map(|(_, octave)| extrema(octave, least, edge))
         .collect();
-    // Those that cannot be among the strongest of all are not described.
-    let mut strong: Vec<f32> = all.iter().flatten().map(|e| e.contrast).collect();
-    strong.sort_by(|a, b| b.total_cmp(a));
-    let bar = strong.get(p.most as usize).copied().unwrap_or(0.0);
+    let at = |unit: f32, v: f32| (v * unit + 0.5) * factor as f32 - 0.5;
+    let mut chosen = match region {
+        Some(region) => {
+            let spot = |unit: f32, e: &Extremum| Spot {
+                at: [at(unit, e.x), at(unit, e.y)],
+                contrast: e.contrast,
+            };
+            let each = octaves.iter().zip(&all);
+            let spots = each.flat_map(|((unit, _), es)| es.iter().map(|e| spot(*unit, e)));
+            let spots: Vec<Spot> = spots.collect();
+            let size = [gray.width, gray.height];
+            kept(&spots, p.most as usize, size, contrast, &|place| {
+                within(region, place, size)
+            })
+        }
+        None => strongest(&all, p.most as usize),
+    }
+    .into_iter();
     for ((unit, octave), points) in octaves.iter().zip(&all) {
-        for e in points.iter().filter(|e| e.contrast >= bar) {
+        for e in points {
+            // Those that are not among the chosen are not described.
+            if chosen.next() != Some(true) {
+                continue;
+            }
             let image = &octave.blurred[e.layer];
             for angle in orientations(image, e, &fading) {
-                let full = |v: f32| (v * unit + 0.5) * factor as f32 - 0.5;
                 let point = Keypoint {
-                    x: full(e.x),
-                    y: full(e.y),
+                    x: at(*unit, e.x),
+                    y: at(*unit, e.y),
                     scale: e.scale * unit * factor as f32,
                     angle,
                 };
@@ -163,24 +196,12 @@ pub fn features(gray: &Gray, p: &SiftParams) -> Features {
     }
 }
 
-/// An image reduced by a whole factor, pixels averaged.
-fn reduce(gray: &Gray, factor: usize) -> Gray {
-    let (width, height) = (gray.width / factor, gray.height / factor);
-    let mut small = Gray::filled(width, height, 0.0);
-    for y in 0..height {
-        for x in 0..width {
-            let rows = y * factor..(y + 1) * factor;
-            let sum: f32 = rows
-                .map(|row| {
-                    gray.row(row)[x * factor..(x + 1) * factor]
-                        .iter()
-                        .sum::<f32>()
-                })
-                .sum();
-            *small.at_mut(x, y) = sum / (factor * factor) as f32;
-        }
-    }
-    small
+/// Whether each of all is among the strongest.
+fn strongest(all: &[Vec<Extremum>], most: usize) -> Vec<bool> {
+    let mut strong: Vec<f32> = all.iter().flatten().map(|e| e.contrast).collect();
+    strong.sort_by(|a, b| b.total_cmp(a));
+    let bar = strong.get(most).copied().unwrap_or(0.0);
+    all.iter().flatten().map(|e| e.contrast >= bar).collect()
 }
 
 #[cfg(test)]

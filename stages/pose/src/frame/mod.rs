@@ -5,4 +5,3 @@ pub(crate) mod circle;
 pub(crate) mod disk_edge;
 pub(crate) mod stage;
 pub(crate) mod stature;
-pub(crate) mod still;

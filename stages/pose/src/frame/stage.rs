@@ -3,10 +3,9 @@
 use crate::frame::circle::moved;
 use crate::frame::disk_edge::{DiskEdge, disk_edge};
 use crate::frame::stature::{Stature, stature};
-use crate::frame::still::{median, reduced};
 use nalgebra::{Point3, Rotation3};
 use rayon::prelude::*;
-use shape::{Cameras, Gray, Masks, PhotoError, Photos, Rig, Scale};
+use shape::{Cameras, Gray, Masks, PhotoError, Photos, Rig, Scale, median, registered};
 use stage::{Ctx, Stage, Stop};
 use std::sync::Arc;
 
@@ -246,13 +245,13 @@ fn both(a: Option<f64>, b: Option<f64>) -> f64 {
     [a, b].into_iter().flatten().fold(0.0, f64::hypot)
 }
 
-/// What stands still, reduced.
+/// What stands still, reduced: the plate, or the median of photos laid on each other.
 fn still(photos: &Photos, search_px: u32) -> Result<Option<Gray>, PhotoError> {
     let Some(first) = photos.photos.first() else {
         return Ok(None);
     };
     let by = (first.width.max(first.height) / search_px).max(1) as usize;
-    let one = |photo: &shape::Photo| Ok(reduced(&photo.decode()?.gray(), by));
+    let one = |photo: &shape::Photo| Ok(photo.decode()?.gray().reduced(by));
     let fits = |plate: &&shape::Photo| (plate.width, plate.height) == (first.width, first.height);
     if let Some(plate) = photos.plate.as_ref().filter(fits) {
         return one(plate).map(Some);
@@ -260,7 +259,8 @@ fn still(photos: &Photos, search_px: u32) -> Result<Option<Gray>, PhotoError> {
     let every = photos.photos.len().div_ceil(9).max(1);
     let some: Vec<_> = photos.photos.iter().step_by(every).collect();
     let pictures: Vec<Gray> = some.into_par_iter().map(one).collect::<Result<_, _>>()?;
-    Ok(median(&pictures))
+    // Where there is nothing to lay photos on each other by, they lie as they are.
+    Ok(registered(&pictures).1.or_else(|| median(&pictures)))
 }
 
 /// The disk's edge near the soles, or anywhere below the camera.

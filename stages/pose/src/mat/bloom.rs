@@ -205,7 +205,7 @@ mod tests {
             ..crate::CalibrateParams::default()
         };
         let beliefs = Beliefs {
-            lens: lens_prior(&lens, true, &params),
+            lens: lens_prior(&lens, params.focal_sigma, &params),
             steps: None,
             rim: None,
         };

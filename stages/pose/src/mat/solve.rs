@@ -11,7 +11,7 @@ use crate::adjust::rim::RimBelief;
 use crate::adjust::scene::{Beliefs, Scene, Sight};
 use crate::calibration::found::Found;
 use crate::calibration::params::CalibrateParams;
-use crate::calibration::prior::{as_given, knows_focal, lens_prior, settings};
+use crate::calibration::prior::{as_given, focal_sigma, lens_prior, settings};
 use crate::calibration::trust::{median_px, nudged, uneven, view, warnings};
 use crate::mat::bloom::adjust_tags;
 use crate::mat::corners::mat_corners;
@@ -73,7 +73,7 @@ pub(crate) fn calibrate(
     }
     let (mut scene, mut sights) = laid_out(lens, mat, &placed, p);
     let prior = as_given(
-        lens_prior(lens, knows_focal(&photos.rig), p),
+        lens_prior(lens, focal_sigma(&photos.rig, lens, p), p),
         &photos.rig,
         p,
     );

@@ -4,7 +4,7 @@ use crate::adjust::bundle::{Fit, adjust};
 use crate::adjust::scene::{Beliefs, Scene, Sight, Steps};
 use crate::calibration::found::Found;
 use crate::calibration::params::{CalibrateParams, Motion};
-use crate::calibration::prior::{as_given, focals, knows_focal, lens_prior, settings};
+use crate::calibration::prior::{as_given, focal_sigma, focals, knows_focal, lens_prior, settings};
 use crate::calibration::trust::median_px;
 use crate::ring::any_order::grown;
 use crate::ring::cameras::{Solved, told};
@@ -179,7 +179,7 @@ fn beliefs(
     let sign = sign.unwrap_or(1.0).signum();
     Beliefs {
         lens: as_given(
-            lens_prior(lens, knows_focal(&photos.rig), p),
+            lens_prior(lens, focal_sigma(&photos.rig, lens, p), p),
             &photos.rig,
             p,
         ),

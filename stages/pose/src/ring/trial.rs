@@ -60,7 +60,7 @@ pub(crate) fn tried_out(
         rim: None,
     };
     let mut beliefs = Beliefs {
-        lens: lens_prior(lens, true, p),
+        lens: lens_prior(lens, p.focal_sigma, p),
         steps: None,
         rim: None,
     };

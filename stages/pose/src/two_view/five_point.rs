@@ -124,7 +124,7 @@ fn product(a: &[f64], b: &[f64]) -> Vec<f64> {
 }
 
 /// Real roots, by the eigenvalues of the companion matrix.
-fn roots(polynomial: &[f64]) -> Vec<f64> {
+pub(crate) fn roots(polynomial: &[f64]) -> Vec<f64> {
     let largest = polynomial.iter().fold(0.0f64, |m, c| m.max(c.abs()));
     let degree = polynomial.iter().rposition(|c| c.abs() > 1e-12 * largest);
     let Some(n) = degree.filter(|n| *n > 0 && largest.is_finite()) else {

@@ -1,0 +1,66 @@
+//! A recipe on its way to a graph.
+
+use super::mistake::Mistake;
+use super::written::{Node, Recipe};
+use crate::graph::Source;
+use crate::kind::Catalog;
+use stage::{AnyStage, ParamSpec, PortSpec, unknown};
+use std::collections::HashMap;
+use std::sync::Arc;
+
+/// A recipe on its way to a graph, and what is wrong with it.
+pub(super) struct Binder<'a> {
+    pub(super) recipe: &'a Recipe,
+    pub(super) catalog: &'static Catalog,
+    pub(super) mistakes: Vec<Mistake>,
+    pub(super) places: HashMap<&'a str, Source>,
+    pub(super) inputs: HashMap<&'a str, Source>,
+    /// What stages' names mean: many nodes have the same.
+    pub(super) known: HashMap<&'a str, Option<Known>>,
+}
+
+/// A stage with its ports.
+#[derive(Clone)]
+pub(super) struct Known {
+    pub(super) stage: &'static dyn AnyStage,
+    pub(super) ports: Arc<[PortSpec]>,
+    /// The sections that it takes.
+    pub(super) sections: Arc<[&'static str]>,
+}
+
+impl<'a> Binder<'a> {
+    pub(super) fn stage(&mut self, node: &'a Node) -> Option<Known> {
+        let catalog = self.catalog;
+        let known = self.known.entry(&node.stage.value).or_insert_with(|| {
+            let stage = catalog.find(&node.stage.value)?;
+            let ports = stage.ports().into();
+            let sections = sections_of(&stage.params()).into();
+            Some(Known {
+                stage,
+                ports,
+                sections,
+            })
+        });
+        if known.is_none() && !node.stage.value.is_empty() {
+            let known: Vec<&str> = self.catalog.stages().map(|s| s.name()).collect();
+            self.mistakes.push(Mistake::at(
+                &node.stage.span,
+                unknown("stage", &node.stage.value, &known),
+            ));
+            return None;
+        }
+        known.clone()
+    }
+
+    /// Whether a node's stage is one that there is.
+    pub(super) fn is_known(&self, node: usize) -> bool {
+        let stage = self.recipe.nodes[node].stage.value.as_str();
+        matches!(self.known.get(stage), Some(Some(_)))
+    }
+}
+
+/// The names of the sections among params.
+pub(super) fn sections_of(specs: &[ParamSpec]) -> Vec<&'static str> {
+    let sections = specs.iter().filter(|p| p.entry.is_some());
+    sections.map(|p| p.name).collect()
+}

@@ -1,0 +1,90 @@
+//! Where the texts of pipelines come from: files, and what the program brings along.
+
+use super::mistake::{Mistake, Text};
+use super::written::Said;
+use crate::kind::Catalog;
+use std::path::{Path, PathBuf};
+
+/// Where a text comes from.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) enum Place {
+    File(PathBuf),
+    BuiltIn(&'static str),
+}
+
+impl Place {
+    pub(super) fn name(&self) -> String {
+        match self {
+            Place::File(path) => path.display().to_string(),
+            Place::BuiltIn(name) => format!("built-in {name}.toml"),
+        }
+    }
+}
+
+/// Where texts are looked for.
+pub(super) struct Origins {
+    pub(super) catalog: &'static Catalog,
+}
+
+impl Origins {
+    /// The file at a path, else the built-in pipeline that is called like it. Else why not.
+    pub(super) fn at(&self, path: &Path) -> Result<(Place, String), String> {
+        let built_in = path.to_str().and_then(|name| self.built_in(name));
+        match built_in.filter(|_| !path.is_file()) {
+            Some(found) => Ok(found),
+            None => {
+                let text = std::fs::read_to_string(path).map_err(|e| self.unreadable(&e))?;
+                Ok((Place::File(path.to_owned()), text))
+            }
+        }
+    }
+
+    pub(super) fn built_in(&self, name: &str) -> Option<(Place, String)> {
+        let (name, text) = self.catalog.pipeline(name)?;
+        Some((Place::BuiltIn(name), text.to_owned()))
+    }
+
+    fn unreadable(&self, error: &std::io::Error) -> String {
+        let names: Vec<&str> = self
+            .catalog
+            .pipelines
+            .iter()
+            .map(|(name, _)| *name)
+            .collect();
+        match names.is_empty() {
+            true => format!("cannot be read: {error}"),
+            false => format!(
+                "cannot be read: {error}; built-in pipelines are {}",
+                names.join(", ")
+            ),
+        }
+    }
+
+    /// What a text extends: a file beside it, else a built-in pipeline.
+    pub(super) fn extended(
+        &self,
+        said: &Said<String>,
+        by: &Place,
+        texts: &[Text],
+    ) -> Result<(Place, String), Mistake> {
+        let found = match by {
+            Place::File(path) => {
+                let beside = path.parent().unwrap_or(Path::new("")).join(&said.value);
+                let built_in = self.built_in(&said.value);
+                built_in
+                    .filter(|_| !beside.is_file())
+                    .map_or_else(|| self.at(&beside), Ok)
+            }
+            Place::BuiltIn(_) => self
+                .built_in(&said.value)
+                .ok_or_else(|| "is no built-in pipeline".to_owned()),
+        };
+        let (place, text) =
+            found.map_err(|why| Mistake::at(&said.span, format!("`{}` {why}", said.value)))?;
+        if texts.iter().any(|t| t.name == place.name()) {
+            let what = format!("`{}` extends this pipeline in turn", said.value);
+            return Err(Mistake::at(&said.span, what));
+        }
+        Ok((place, text))
+    }
+}

@@ -1,0 +1,82 @@
+//! `[params]`: values that several nodes share. `voxel_mm = "$cell_mm"` reads one.
+
+use super::mistake::Mistake;
+use super::written::{Node, Recipe, Said};
+use crate::graph::SHARED;
+use stage::{Value, unknown};
+
+/// The shared param that a value names; `$$` begins a text with a `$` of its own.
+fn named(value: &Value) -> Option<&str> {
+    match value {
+        Value::Text(text) => text.strip_prefix('$').filter(|name| !name.starts_with('$')),
+        _ => None,
+    }
+}
+
+/// Which node reads which shared param.
+pub(super) fn references(recipe: &Recipe) -> impl Iterator<Item = (&Node, &str)> {
+    let nodes = recipe.nodes.iter();
+    nodes.flat_map(|node| {
+        let said = node.with.iter();
+        said.filter_map(move |(_, v)| Some((node, named(&v.value)?)))
+    })
+}
+
+/// The params of nodes that read a shared one.
+pub(super) fn readers<'a>(
+    recipe: &'a Recipe,
+    shared: &'a str,
+) -> impl Iterator<Item = (&'a Node, &'a Said<String>)> {
+    let of = move |node: &'a Node| {
+        let reads = move |(_, v): &&(_, Said<Value>)| named(&v.value) == Some(shared);
+        node.with
+            .iter()
+            .filter(reads)
+            .map(move |(param, _)| (node, param))
+    };
+    recipe.nodes.iter().flat_map(of)
+}
+
+/// Puts the values of shared params where they are read. A value stands where it was written, so
+/// that a mistake in it is found there. A `strict` pipeline has none that nobody reads.
+pub(super) fn resolve(recipe: &mut Recipe, strict: bool, mistakes: &mut Vec<Mistake>) {
+    let names: Vec<&str> = recipe
+        .params
+        .iter()
+        .map(|(n, _)| n.value.as_str())
+        .collect();
+    let mut read = vec![false; names.len()];
+    for node in &mut recipe.nodes {
+        if node.name.value == SHARED {
+            let what = "`params` stands for the shared params: call the node otherwise";
+            mistakes.push(Mistake::at(&node.name.span, what));
+        }
+        for (_, value) in &mut node.with {
+            if let Value::Text(text) = &mut value.value
+                && text.starts_with("$$")
+            {
+                text.remove(0);
+                continue;
+            }
+            let Some(name) = named(&value.value) else {
+                continue;
+            };
+            match names.iter().position(|n| *n == name) {
+                Some(at) => {
+                    read[at] = true;
+                    *value = recipe.params[at].1.clone();
+                }
+                None => {
+                    let what = unknown("shared param", name, &names);
+                    mistakes.push(Mistake::at(&value.span, what));
+                }
+            }
+        }
+    }
+    if strict {
+        for ((name, _), _) in recipe.params.iter().zip(read).filter(|(_, read)| !*read) {
+            let what = format!("no node reads the shared param `{}`", name.value);
+            mistakes.push(Mistake::at(&name.span, what));
+        }
+    }
+}

@@ -1,0 +1,172 @@
+//! A pipeline as it is written: every name and value with its place.
+
+use stage::Value;
+use std::ops::Range;
+
+/// The keys of the grammar itself.
+pub(super) const KEYS: [&str; 9] = [
+    "about", "goal", "extends", "without", "params", "input", "node", "variant", "sweep",
+];
+
+/// Something written, and where. \[bytes of the file, behind those of the files read before\]
+#[derive(Debug, Clone, PartialEq)]
+pub struct Said<T> {
+    /// What was written.
+    pub value: T,
+    /// Where.
+    pub span: Range<usize>,
+}
+
+/// Where a node's ports read from, as written.
+#[derive(Debug, Clone, PartialEq)]
+pub enum From {
+    /// `from = ["photos", "masks"]`: each port is called like what it reads.
+    List(Vec<Said<String>>),
+    /// `from = { mesh = "hull" }`: port, then what it reads.
+    Table(Vec<(Said<String>, Said<String>)>),
+}
+
+/// `with = { voxel_mm = 2.0 }`.
+pub type With = Vec<(Said<String>, Said<Value>)>;
+
+/// `[node.NAME]`.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Node {
+    /// Its name.
+    pub name: Said<String>,
+    /// Its stage.
+    pub stage: Said<String>,
+    /// What it reads.
+    pub from: From,
+    /// Its params.
+    pub with: With,
+}
+
+/// `[input.NAME]`.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Input {
+    /// Its name.
+    pub name: Said<String>,
+    /// What it is.
+    pub about: String,
+    /// Patterns of its files.
+    pub files: Vec<String>,
+}
+
+/// `[KIND.NAME]`: one entry of a section.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Section {
+    /// The param that it fills.
+    pub kind: Said<String>,
+    /// Its own name.
+    pub name: Said<String>,
+    /// What it says.
+    pub keys: With,
+}
+
+/// `[variant.NAME]`: the same pipeline, otherwise.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Variant {
+    /// Its name.
+    pub name: Said<String>,
+    /// What it is for.
+    pub about: String,
+    /// Params by node; `params` are the shared ones.
+    pub with: Vec<(Said<String>, With)>,
+    /// Another stage for a node.
+    pub stage: Vec<(Said<String>, Said<String>)>,
+    /// Other sources for a node.
+    pub from: Vec<(Said<String>, From)>,
+    /// Nodes left out: their readers read what they read.
+    pub without: Vec<Said<String>>,
+}
+
+/// The values that a param takes in a sweep.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Over {
+    /// `[2.0, 3.0, 4.0]`.
+    List(Vec<Said<Value>>),
+    /// `{ from = 1.0, to = 8.0, steps = 4, log = true }`.
+    Range(Said<Stretch>),
+}
+
+/// Values from one number to another.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Stretch {
+    /// The first.
+    pub from: f64,
+    /// The last.
+    pub to: f64,
+    /// How many; none where a sample says it.
+    pub steps: Option<usize>,
+    /// Whether equal steps are equal ratios.
+    pub log: bool,
+    /// Whether both ends were written as whole numbers.
+    pub whole: bool,
+}
+
+/// `sample = { points = 40, seed = 1 }`: a Latin hypercube instead of the grid.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Sample {
+    /// How many points.
+    pub points: usize,
+    /// Which of all samples.
+    pub seed: u64,
+}
+
+/// `[sweep.NAME]`: a grid of params, or a sample of it.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Sweep {
+    /// Its name.
+    pub name: Said<String>,
+    /// The question it answers.
+    pub about: String,
+    /// Node (or `params`), param and the values it takes.
+    pub over: Vec<(Said<String>, Said<String>, Over)>,
+    /// Params that go side by side instead of crosswise: `node.param`.
+    pub zip: Vec<Vec<Said<String>>>,
+    /// A table of points: a file beside the pipeline, `node.param` at the head of each column.
+    pub csv: Option<Said<String>>,
+    /// A sample instead of the grid.
+    pub sample: Option<Said<Sample>>,
+    /// Variants to be crossed with the grid; none is the pipeline as it is.
+    pub with: Vec<Said<String>>,
+    /// Metrics to be told: `node.metric`.
+    pub tell: Vec<Said<String>>,
+    /// The nodes that are wanted at each point; none is the pipeline's goal.
+    pub goal: Vec<Said<String>>,
+}
+
+/// A pipeline as written.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Recipe {
+    /// What it is for.
+    pub about: String,
+    /// The nodes that are wanted.
+    pub goal: Vec<Said<String>>,
+    /// The user's files.
+    pub inputs: Vec<Input>,
+    /// The nodes.
+    pub nodes: Vec<Node>,
+    /// `extends`: the pipeline that this one changes.
+    pub extends: Option<Said<String>>,
+    /// Nodes of that one that are left out: their readers read what they read.
+    pub without: Vec<Said<String>>,
+    /// `[params]`: values that several nodes share.
+    pub params: With,
+    /// Entries of sections.
+    pub sections: Vec<Section>,
+    /// The same, otherwise.
+    pub variants: Vec<Variant>,
+    /// Grids of params.
+    pub sweeps: Vec<Sweep>,
+}
+
+/// What the command line changes.
+#[derive(Debug, Clone, Default)]
+pub struct Overrides {
+    /// A variant, or several separated by commas, applied in order.
+    pub variant: Option<String>,
+    /// `NODE.PARAM=VALUE`, applied after variants.
+    pub sets: Vec<String>,
+}

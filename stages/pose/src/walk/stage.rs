@@ -1,0 +1,258 @@
+//! The stage that finds the cameras of a walk.
+
+use crate::frame::circle::moved;
+use crate::walk::adjust::Terms;
+use crate::walk::error::WalkError;
+use crate::walk::finish::{Finished, finished};
+use crate::walk::groups::{Groups, Widths, stored, upright};
+use crate::walk::grow::{Growth, grown};
+use crate::walk::model::Seen;
+use crate::walk::points::offs;
+use crate::walk::world::{nearby, turn, world};
+use nalgebra::Point3;
+use shape::{ByPhoto, Camera, Cameras, PhotoId, Photos, Scale, Tracks, View};
+use stage::{Ctx, Stage, Stop};
+use std::sync::Arc;
+
+stage::params! {
+    /// What is believed before anything is seen, and what holds a camera.
+    pub struct WalkParams {
+        /// How sure EXIF's focal length is, as a share of it: phones crop and stabilise.
+        #[range(0.0005..=0.5)]
+        focal_sigma: f64 = 0.15,
+        /// How sure a focal length in pixels of capture.toml is, as a share of it.
+        #[range(0.00001..=0.1)]
+        given_focal: f64 = 0.0005,
+        /// How far the principal point may be from the photo's middle, as a share of its longer side.
+        #[range(0.0001..=0.2)]
+        centre_sigma: f64 = 0.01,
+        /// How sure a principal point of capture.toml is.
+        #[range(0.01..=100.0)]
+        given_centre_px: f64 = 0.5,
+        /// How strong radial distortion may be.
+        #[range(0.0001..=1.0)]
+        radial_sigma: f64 = 0.1,
+        /// How far focusing may change the focal length from photo to photo, as a share.
+        #[range(0.000001..=0.1)]
+        zoom_sigma: f64 = 0.0005,
+        /// Least standard deviation of a feature.
+        #[range(0.05..=5.0)]
+        feature_px: f64 = 0.5,
+        /// Residuals beyond this many standard deviations lose weight.
+        #[range(0.5..=20.0)]
+        loss: f64 = 1.0,
+        /// Features further from where they should be are left out; in proportion more on photos of
+        /// more than 2400 pixels.
+        #[range(0.5..=50.0)]
+        near_px: f64 = 4.0,
+        /// Features that lie further from where they should (root mean square) are not believed; in
+        /// proportion more on photos of more than 2400 pixels.
+        #[range(0.1..=100.0)]
+        most_px: f64 = 2.0,
+        /// Fewest points that hold a camera.
+        #[range(6..=1000)]
+        least: u32 = 20,
+        /// Least share of the points a photo shows that must agree with its camera.
+        #[range(0.01..=1.0)]
+        least_share: f64 = 0.25,
+        /// Least share of the photos that must have a camera.
+        #[range(0.1..=1.0)]
+        least_photos: f64 = 0.75,
+        /// Most samples of a photo's RANSAC.
+        #[range(10..=100000)]
+        rounds: u32 = 1000,
+        /// Seed of RANSAC.
+        seed: i64 = 1,
+        /// Most points that are adjusted while cameras are added.
+        #[range(100..=100000)]
+        grow_tracks: u32 = 3000,
+        /// Most points that are adjusted at the end.
+        #[range(100..=1000000)]
+        most_tracks: u32 = 6000,
+        /// Most steps of the last adjustments.
+        #[range(1..=1000)]
+        steps: u32 = 30,
+    }
+}
+
+stage::inputs! {
+    /// What was seen.
+    pub struct WalkInput {
+        /// The photos: their size, focal length, how they are turned.
+        photos: Arc<Photos>,
+        /// Features followed over the photos.
+        tracks: Arc<Tracks>,
+    }
+}
+
+/// `pose.walk`: photos, tracks → cameras.
+pub struct Walk;
+
+impl Stage for Walk {
+    const NAME: &'static str = "pose.walk";
+    const VERSION: u32 = 1;
+    const ABOUT: &'static str = "Finds cameras that were walked around a subject in a room that stands still with it: from two photos on, one more at a time; z up, the origin where all of them look.";
+    type Params = WalkParams;
+    type Input = WalkInput;
+    type Output = Cameras;
+    const METRICS: &'static [&'static str] = &[
+        "cameras",
+        "reprojection",
+        "focal",
+        "focal sigma",
+        "points",
+        "floor",
+        "nearest camera",
+        "farthest camera",
+    ];
+
+    fn run(p: &WalkParams, input: WalkInput, ctx: &Ctx<'_>) -> Result<Cameras, Stop> {
+        let photos = &*input.photos;
+        if photos.photos.is_empty() {
+            return Err(WalkError::NoBeginning.into());
+        }
+        let groups = Groups::new(photos, &widths(p));
+        let to_file = |id: PhotoId, at| stored(&photos.photos[id.0 as usize], at);
+        let seen = Seen::new(&input.tracks, photos.photos.len(), to_file);
+        let growth = growth(p, photos, &groups);
+        let grown = grown(&seen, &groups, &growth).ok_or(WalkError::NoBeginning)?;
+        ctx.check()?;
+        let missing = grown.missing();
+        enough(photos, &missing, p)?;
+        let done = finished(grown, &growth, p.most_tracks as usize, p.steps as usize);
+        let most = p.most_px * size(photos);
+        if done.rms_px > most {
+            return Err(WalkError::Loose {
+                rms: done.rms_px,
+                most,
+            }
+            .into());
+        }
+        for id in &missing {
+            ctx.warn(format!(
+                "{} (photo {}) shares too little with the others and has no camera",
+                photos.photos[id.0 as usize].name, id.0
+            ));
+        }
+        let cameras = placed(photos, &done, ctx)?;
+        ctx.metric("cameras", cameras.views.len() as f64, "");
+        ctx.metric("reprojection", done.rms_px, "px");
+        let lens = done.model.shots.first().map_or(0, |s| s.lens);
+        ctx.metric("focal", done.model.lenses[lens].focal[0], "px");
+        if let Some(sure) = &done.sure {
+            ctx.metric("focal sigma", sure.focals_px[lens], "px");
+        }
+        ctx.metric("points", done.model.spots.len() as f64, "");
+        Ok(cameras)
+    }
+}
+
+fn widths(p: &WalkParams) -> Widths {
+    Widths {
+        focal: p.focal_sigma,
+        given_focal: p.given_focal,
+        centre: p.centre_sigma,
+        given_centre_px: p.given_centre_px,
+        radial: p.radial_sigma,
+    }
+}
+
+/// How many times more pixels the photos have along a side than what bounds in pixels are for.
+fn size(photos: &Photos) -> f64 {
+    let longest = photos.photos.iter().map(|p| p.width.max(p.height)).max();
+    (f64::from(longest.unwrap_or(0)) / 2400.0).max(1.0)
+}
+
+fn growth(p: &WalkParams, photos: &Photos, groups: &Groups) -> Growth {
+    Growth {
+        near_px: p.near_px * size(photos),
+        least: p.least as usize,
+        share: p.least_share,
+        rounds: p.rounds as usize,
+        seed: p.seed as u64,
+        most: p.grow_tracks as usize,
+        terms: Terms {
+            lenses: groups.priors.clone(),
+            zoom_sigma: p.zoom_sigma,
+            sigma_px: p.feature_px,
+            loss: p.loss,
+            steps: 12,
+        },
+    }
+}
+
+/// Refuses when too few photos have a camera.
+fn enough(photos: &Photos, missing: &[PhotoId], p: &WalkParams) -> Result<(), WalkError> {
+    let of = photos.photos.len();
+    let found = of - missing.len();
+    if found >= 3 && found as f64 >= p.least_photos * of as f64 {
+        return Ok(());
+    }
+    let name = |id: &PhotoId| photos.photos[id.0 as usize].name.as_str();
+    Err(WalkError::Few {
+        found,
+        of,
+        names: missing
+            .iter()
+            .take(5)
+            .map(name)
+            .collect::<Vec<_>>()
+            .join(", "),
+    })
+}
+
+/// What cameras are called when nothing tells of millimetres: their mean distance from the axis.
+const RING_MM: f64 = 1000.0;
+
+/// The cameras of upright photos, in the frame of the walk.
+fn placed(photos: &Photos, done: &Finished, ctx: &Ctx<'_>) -> Result<Cameras, WalkError> {
+    let model = &done.model;
+    let offs = offs(model);
+    let view = |(s, shot): (usize, &crate::walk::model::Shot)| {
+        let photo = &photos.photos[shot.photo.0 as usize];
+        let mut own: Vec<f64> = offs.iter().filter(|o| o.0 == s).map(|o| o.1).collect();
+        own.sort_by(f64::total_cmp);
+        let view = View {
+            name: photo.name.clone(),
+            camera: upright(photo, &model.camera(s)),
+            sigma_mm: done.sure.as_ref().map(|sure| sure.centres[s]),
+            rms_px: own.get(own.len() / 2).copied(),
+            points: own.len() as u32,
+        };
+        (shot.photo, view)
+    };
+    let views: ByPhoto<View> = model.shots.iter().enumerate().map(view).collect();
+    let list: Vec<Camera> = views.values().map(|v| v.camera).collect();
+    let points: Vec<Point3<f64>> = model.spots.iter().map(|s| s.at).collect();
+    let world = world(&list, &points).ok_or(WalkError::NoBeginning)?;
+    let cameras = Cameras {
+        views,
+        scale: Scale::Nothing,
+        scale_sigma: None,
+        disk_radius_mm: None,
+        ground_mm: 0.0,
+        points: points
+            .iter()
+            .map(|p| p.coords.map(|x| x as f32).into())
+            .collect(),
+    };
+    let size = RING_MM / world.radius;
+    let mut cameras = moved(&cameras, &turn(&world, &list[0]), &world.origin, size);
+    if let Some(floor) = world.floor {
+        cameras.ground_mm = floor * size;
+        ctx.metric("floor", floor * size, "mm");
+    }
+    nearby(&mut cameras, RING_MM);
+    let far: Vec<f64> = list
+        .iter()
+        .map(|c| (c.centre() - world.origin).norm() * size)
+        .collect();
+    let least = far.iter().copied().fold(f64::INFINITY, f64::min);
+    ctx.metric("nearest camera", least, "mm");
+    ctx.metric(
+        "farthest camera",
+        far.iter().copied().fold(0.0, f64::max),
+        "mm",
+    );
+    Ok(cameras)
+}

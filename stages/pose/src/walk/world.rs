@@ -1,0 +1,274 @@
+//! The frame of a walk: the origin where all cameras look, z up.
+
+use nalgebra::{Matrix3, Point3, Rotation3, Vector3};
+use shape::{Camera, Cameras};
+
+/// Where cameras look, and what is up.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct World {
+    /// The point nearest to what all cameras look at.
+    pub origin: Point3<f64>,
+    /// Up, unit.
+    pub up: Vector3<f64>,
+    /// Whether a floor was found.
+    pub floor: Option<f64>,
+    /// Mean distance of cameras from the line through the origin that goes up.
+    pub radius: f64,
+}
+
+/// How strongly the photos' own upright counts against their horizontals: it decides only where
+/// horizontals leave it open.
+const OWN: f64 = 0.01;
+/// Rounds of reweighting.
+const ROUNDS: usize = 10;
+
+/// The frame of cameras whose photos are upright, and of points around them. None for cameras that
+/// all look in one direction.
+pub fn world(cameras: &[Camera], points: &[Point3<f64>]) -> Option<World> {
+    let origin = fixation(cameras)?;
+    let tilted = upward(cameras)?;
+    let floor = floor(points, &origin, &tilted, cameras);
+    let up = floor.map_or(tilted, |f| f.0);
+    let out = |c: &Camera| {
+        let d = c.centre() - origin;
+        (d - up * up.dot(&d)).norm()
+    };
+    let radius = cameras.iter().map(out).sum::<f64>() / cameras.len() as f64;
+    let floor = floor.map(|(up, on)| (on - origin).dot(&up));
+    (radius > 0.0).then_some(World {
+        origin,
+        up,
+        floor,
+        radius,
+    })
+}
+
+/// The point nearest to all axes of view: argmin Σ w ‖(I − ddᵀ)(x − c)‖², those that look elsewhere
+/// weighing less.
+fn fixation(cameras: &[Camera]) -> Option<Point3<f64>> {
+    let axis = |c: &Camera| {
+        let d = c.pose.rotation.inverse() * Vector3::z();
+        (Matrix3::identity() - d * d.transpose(), c.centre().coords)
+    };
+    let all: Vec<(Matrix3<f64>, Vector3<f64>)> = cameras.iter().map(axis).collect();
+    let mut weights = vec![1.0; all.len()];
+    let mut at = Vector3::zeros();
+    for _ in 0..ROUNDS {
+        let (mut normal, mut right) = (Matrix3::zeros(), Vector3::zeros());
+        for ((across, centre), w) in all.iter().zip(&weights) {
+            normal += across * *w;
+            right += across * centre * *w;
+        }
+        let least = normal.symmetric_eigenvalues().min();
+        if least < 1e-6 * normal.trace() {
+            return None;
+        }
+        at = normal.try_inverse()? * right;
+        let off: Vec<f64> = all.iter().map(|(m, c)| (m * (at - c)).norm()).collect();
+        let usual = median(&off).max(1e-12);
+        weights = off
+            .iter()
+            .map(|o| 1.0 / (1.0 + (o / usual / 2.0).powi(2)))
+            .collect();
+    }
+    Some(at.into())
+}
+
+/// What is level in photos is level in the world: up is across most of the photos' x axes.
+fn upward(cameras: &[Camera]) -> Option<Vector3<f64>> {
+    let turned = |axis: Vector3<f64>| {
+        let of = move |c: &Camera| c.pose.rotation.inverse() * axis;
+        cameras.iter().map(of).collect::<Vec<_>>()
+    };
+    let (level, own) = (turned(Vector3::x()), turned(-Vector3::y()));
+    let own = own.iter().sum::<Vector3<f64>>().try_normalize(1e-6)?;
+    let mut weights = vec![1.0; level.len()];
+    let mut up = own;
+    for _ in 0..ROUNDS {
+        let mut normal = Matrix3::zeros();
+        for (x, w) in level.iter().zip(&weights) {
+            normal += x * x.transpose() * *w;
+        }
+        let own_weight = OWN * weights.iter().sum::<f64>();
+        normal += Matrix3::identity() * own_weight;
+        up = (normal.try_inverse()? * own * own_weight).try_normalize(1e-12)?;
+        let off: Vec<f64> = level.iter().map(|x| x.dot(&up).abs()).collect();
+        let usual = median(&off).max(0.01);
+        weights = off
+            .iter()
+            .map(|o| 1.0 / (1.0 + (o / usual / 2.0).powi(2)))
+            .collect();
+    }
+    Some(up)
+}
+
+/// How far the floor may be from level as the photos have it. \[rad\]
+const TILT: f64 = 0.12;
+/// How thick a floor is, as a share of the cameras' distance.
+const THICK: f64 = 0.01;
+/// Least share of the points near the subject that lie on the floor, and of those under it at most.
+const SHARE: [f64; 2] = [0.08, 0.03];
+/// Fewest points of a floor.
+const FEW: usize = 50;
+
+/// The lowest plane that is nearly level and holds many points about the subject, as its normal and
+/// a point on it.
+fn floor(
+    points: &[Point3<f64>],
+    origin: &Point3<f64>,
+    up: &Vector3<f64>,
+    cameras: &[Camera],
+) -> Option<(Vector3<f64>, Point3<f64>)> {
+    let far: Vec<f64> = cameras
+        .iter()
+        .map(|c| (c.centre() - origin).norm())
+        .collect();
+    let reach = median(&far);
+    let near: Vec<Point3<f64>> = points
+        .iter()
+        .filter(|p| (**p - origin).norm() < reach)
+        .copied()
+        .collect();
+    if near.len() < 4 * FEW {
+        return None;
+    }
+    let thick = THICK * reach;
+    let height = |p: &Point3<f64>, normal: &Vector3<f64>| (p - origin).dot(normal);
+    let mut dice = 1u64;
+    let mut draw = || {
+        dice = dice
+            .wrapping_mul(6_364_136_223_846_793_005)
+            .wrapping_add(1_442_695_040_888_963_407);
+        near[((dice >> 33) as usize) % near.len()]
+    };
+    let mut best: Option<(usize, Vector3<f64>, f64)> = None;
+    for _ in 0..4000 {
+        let (a, b, c) = (draw(), draw(), draw());
+        let Some(mut normal) = (b - a).cross(&(c - a)).try_normalize(1e-12) else {
+            continue;
+        };
+        normal *= normal.dot(up).signum();
+        let at = height(&a, &normal);
+        if normal.angle(up) > TILT || at > 0.0 {
+            continue;
+        }
+        let on = near
+            .iter()
+            .filter(|p| (height(p, &normal) - at).abs() < thick);
+        let count = on.count();
+        if best.is_none_or(|(most, ..)| count > most) {
+            best = Some((count, normal, at));
+        }
+    }
+    let (_, mut normal, mut at) = best?;
+    for _ in 0..5 {
+        let on = |p: &&Point3<f64>| (height(p, &normal) - at).abs() < thick;
+        let on: Vec<Vector3<f64>> = near.iter().filter(on).map(|p| p.coords).collect();
+        let mean = on.iter().sum::<Vector3<f64>>() / on.len().max(1) as f64;
+        let spread: Matrix3<f64> = on.iter().map(|p| (p - mean) * (p - mean).transpose()).sum();
+        let eigen = spread.symmetric_eigen();
+        let least: Vector3<f64> = eigen.eigenvectors.column(eigen.eigenvalues.imin()).into();
+        normal = least * least.dot(up).signum();
+        at = height(&mean.into(), &normal);
+    }
+    let on = near
+        .iter()
+        .filter(|p| (height(p, &normal) - at).abs() < thick)
+        .count();
+    let under = near
+        .iter()
+        .filter(|p| height(p, &normal) < at - 2.0 * thick)
+        .count();
+    let share = |count: usize| count as f64 / near.len() as f64;
+    let holds = on >= FEW && share(on) >= SHARE[0] && share(under) <= SHARE[1];
+    (holds && normal.angle(up) <= TILT).then(|| (normal, origin + normal * at))
+}
+
+fn median(all: &[f64]) -> f64 {
+    let mut all = all.to_vec();
+    all.sort_by(f64::total_cmp);
+    all.get(all.len() / 2).copied().unwrap_or(0.0)
+}
+
+/// The turn to the frame: z up, the first camera looks along +y.
+pub(crate) fn turn(world: &World, first: &Camera) -> Rotation3<f64> {
+    let z = world.up;
+    let inward = world.origin - first.centre();
+    let y = (inward - z * z.dot(&inward))
+        .try_normalize(1e-9)
+        .unwrap_or_else(|| {
+            Rotation3::rotation_between(&Vector3::z(), &z)
+                .map_or(Vector3::y(), |r| r * Vector3::y())
+        });
+    let rows = [y.cross(&z).transpose(), y.transpose(), z.transpose()];
+    Rotation3::from_matrix_unchecked(Matrix3::from_rows(&rows))
+}
+
+/// Leaves points out that are further from the axis than the cameras: the room behind.
+pub(crate) fn nearby(cameras: &mut Cameras, radius: f64) {
+    cameras
+        .points
+        .retain(|p| f64::from(p[0]).hypot(f64::from(p[1])) < radius);
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use shape::{Intrinsics, Pose};
+
+    /// Cameras about a point, that look at it from different heights and distances, rolled a little.
+    fn around(origin: &Point3<f64>, tilt: &Rotation3<f64>) -> Vec<Camera> {
+        let mut dice = proof::Dice(5);
+        (0..20)
+            .map(|k| {
+                let angle = f64::from(k) * 0.31;
+                let far = dice.within(2.0, 3.0);
+                let from =
+                    Vector3::new(far * angle.cos(), far * angle.sin(), dice.within(-0.5, 0.8));
+                let forward = -from.normalize();
+                let right = forward.cross(&Vector3::z()).normalize();
+                let rows = [right, forward.cross(&right), forward].map(|r| r.transpose());
+                let rotation = Rotation3::from_euler_angles(0.0, 0.0, 0.03 * dice.normal())
+                    * Rotation3::from_matrix_unchecked(Matrix3::from_rows(&rows))
+                    * tilt.inverse();
+                let centre = origin + tilt * from;
+                Camera {
+                    lens: Intrinsics::simple(600, 800, 700.0),
+                    pose: Pose {
+                        rotation,
+                        translation: -(rotation * centre.coords),
+                    },
+                }
+            })
+            .collect()
+    }
+
+    #[test]
+    fn up_and_middle_are_found_and_a_floor_makes_up_exact() {
+        let tilt = Rotation3::from_euler_angles(0.7, -0.4, 0.2);
+        let origin = Point3::new(4.0, -2.0, 7.0);
+        let cameras = around(&origin, &tilt);
+        let found = world(&cameras, &[]).unwrap();
+        assert!((found.origin - origin).norm() < 1e-6);
+        assert!(found.up.angle(&(tilt * Vector3::z())) < 0.02);
+        assert_eq!(found.floor, None);
+        let mut dice = proof::Dice(6);
+        let mut points = Vec::new();
+        for k in 0..600 {
+            let mut x = || dice.within(-1.2, 1.2);
+            let z = if k % 3 == 0 { -0.9 } else { 0.6 * x() };
+            points.push(origin + tilt * Vector3::new(x(), x(), z));
+        }
+        let found = world(&cameras, &points).unwrap();
+        proof::near(found.floor.unwrap(), -0.9, 1e-3);
+        assert!(found.up.angle(&(tilt * Vector3::z())) < 1e-3);
+    }
+
+    #[test]
+    fn cameras_that_look_one_way_have_no_middle() {
+        let mut cameras = around(&Point3::origin(), &Rotation3::identity());
+        let first = cameras[0].pose.rotation;
+        cameras.iter_mut().for_each(|c| c.pose.rotation = first);
+        assert_eq!(world(&cameras, &[]), None);
+    }
+}

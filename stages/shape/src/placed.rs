@@ -1,0 +1,184 @@
+//! How a photo of a fixed camera lies on another: a stabiliser shifts and rolls the picture.
+
+use crate::{Camera, Gray, Image, Rgb};
+use nalgebra::{Rotation3, Vector3};
+use rayon::prelude::*;
+
+/// How a picture lies on another of the same camera.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Placed {
+    /// How far what the other shows lies right of and below there. \[px\]
+    pub shift: [f64; 2],
+    /// How far it is turned about the picture's middle, clockwise as one looks at it. \[rad\]
+    pub roll: f64,
+    /// How much brighter it is.
+    pub gain: f64,
+    /// And by how much besides. \[levels\]
+    pub bias: f64,
+}
+
+impl Placed {
+    /// Just as the other.
+    pub const SAME: Placed = Placed {
+        shift: [0.0; 2],
+        roll: 0.0,
+        gain: 1.0,
+        bias: 0.0,
+    };
+
+    /// Where a pixel of the other lies on the picture, of a size. \[px\]
+    #[inline]
+    pub fn of(&self, [x, y]: [f64; 2], [width, height]: [usize; 2]) -> [f64; 2] {
+        let (dx, dy) = (
+            x - (width as f64 - 1.0) / 2.0,
+            y - (height as f64 - 1.0) / 2.0,
+        );
+        // A small turn: its cosine is one.
+        [
+            x + self.shift[0] - self.roll * dy,
+            y + self.shift[1] + self.roll * dx,
+        ]
+    }
+
+    /// The longest way of a corner. \[px\]
+    pub fn way(&self, width: usize, height: usize) -> f64 {
+        let half = (width as f64).hypot(height as f64) / 2.0;
+        self.shift[0].hypot(self.shift[1]) + self.roll.abs() * half
+    }
+
+    /// Whether it lies just where the other does.
+    pub fn lies(&self) -> bool {
+        self.shift == [0.0; 2] && self.roll == 0.0
+    }
+
+    /// The same for pictures so many times as large.
+    pub fn enlarged(&self, factor: f64) -> Placed {
+        Placed {
+            shift: self.shift.map(|s| s * factor),
+            ..*self
+        }
+    }
+
+    /// From the picture to the other.
+    pub fn inverse(&self) -> Placed {
+        Placed {
+            shift: self.shift.map(|s| -s),
+            roll: -self.roll,
+            gain: 1.0 / self.gain,
+            bias: -self.bias / self.gain,
+        }
+    }
+
+    /// What a picture in colours shows where the other shows it (Catmull and Rom's cubic).
+    pub fn brought(&self, picture: &Rgb) -> Rgb {
+        let size = [picture.width, picture.height];
+        let rows = (0..picture.height).into_par_iter().flat_map_iter(|y| {
+            (0..picture.width).map(move |x| {
+                let at = self.of([x as f64, y as f64], size);
+                cubic(picture, at.map(|v| v as f32))
+            })
+        });
+        Image {
+            width: picture.width,
+            height: picture.height,
+            data: rows.collect(),
+        }
+    }
+
+    /// The same in one channel, linear between pixels.
+    pub fn brought_gray(&self, picture: &Gray) -> Gray {
+        let size = [picture.width, picture.height];
+        let mut out = picture.clone();
+        for (i, to) in out.data.iter_mut().enumerate() {
+            let at = self.of([(i % size[0]) as f64, (i / size[0]) as f64], size);
+            *to = picture.sample(at[0] as f32, at[1] as f32);
+        }
+        out
+    }
+
+    /// The camera of the picture, as it would be where the other was taken.
+    pub fn brought_camera(&self, camera: &Camera) -> Camera {
+        let mut lens = camera.lens;
+        let size = [lens.width as usize, lens.height as usize];
+        let [dx, dy] = [0, 1].map(|i| lens.centre[i] - (size[i] as f64 - 1.0) / 2.0);
+        // The middle of the lens goes back by the shift, and turns about the picture's.
+        lens.centre = [
+            lens.centre[0] - self.shift[0] + self.roll * dy,
+            lens.centre[1] - self.shift[1] - self.roll * dx,
+        ];
+        let turn = Rotation3::from_axis_angle(&Vector3::z_axis(), -self.roll);
+        let mut pose = camera.pose;
+        pose.rotation = turn * pose.rotation;
+        pose.translation = turn * pose.translation;
+        Camera { lens, pose }
+    }
+}
+
+/// Weights of four neighbours for a place so far from the second (Catmull and Rom 1974).
+pub fn cubic_weights(t: f32) -> [f32; 4] {
+    let (t2, t3) = (t * t, t * t * t);
+    [
+        -0.5 * t + t2 - 0.5 * t3,
+        1.0 - 2.5 * t2 + 1.5 * t3,
+        0.5 * t + 2.0 * t2 - 1.5 * t3,
+        -0.5 * t2 + 0.5 * t3,
+    ]
+}
+
+/// A colour between pixels; outside, that of the nearest border pixel.
+fn cubic(image: &Rgb, at: [f32; 2]) -> [u8; 3] {
+    let base = at.map(f32::floor);
+    let [across, down] = [0, 1].map(|i| cubic_weights(at[i] - base[i]));
+    let inside = |v: f32, size: usize| v.clamp(0.0, (size - 1) as f32) as usize;
+    let mut sum = [0.0f32; 3];
+    for (j, v) in down.iter().enumerate() {
+        let row = image.row(inside(base[1] + j as f32 - 1.0, image.height));
+        for (i, u) in across.iter().enumerate() {
+            let p = row[inside(base[0] + i as f32 - 1.0, image.width)];
+            (0..3).for_each(|c| sum[c] += u * v * f32::from(p[c]));
+        }
+    }
+    sum.map(|s| s.round().clamp(0.0, 255.0) as u8)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{Intrinsics, Pose};
+    use nalgebra::Point3;
+
+    #[test]
+    fn a_point_lies_where_the_brought_camera_sees_it() {
+        let mut lens = Intrinsics::simple(600, 800, 900.0);
+        lens.centre = [310.0, 380.0];
+        let rotation = Rotation3::from_euler_angles(0.1, -0.2, 0.05);
+        let translation = Vector3::new(30.0, -20.0, 1500.0);
+        let pose = Pose {
+            rotation,
+            translation,
+        };
+        let camera = Camera { lens, pose };
+        let placed = Placed {
+            shift: [3.0, -2.0],
+            roll: 0.002,
+            ..Placed::SAME
+        };
+        let other = placed.brought_camera(&camera);
+        for at in [
+            [0.0, 0.0, 0.0],
+            [300.0, -200.0, 100.0],
+            [-200.0, 400.0, -50.0],
+        ] {
+            let point = Point3::from(at);
+            let (p, q) = (camera.project(&point), other.project(&point));
+            let (p, q) = (p.unwrap(), q.unwrap());
+            let there = placed.of([q.x, q.y], [600, 800]);
+            assert!(
+                (there[0] - p.x).hypot(there[1] - p.y) < 0.01,
+                "{there:?} {p}"
+            );
+            let back = placed.inverse().of(there, [600, 800]);
+            assert!((back[0] - q.x).hypot(back[1] - q.y) < 0.01);
+        }
+    }
+}

@@ -1,0 +1,251 @@
+//! Photos of one fixed camera laid onto each other, though a body turns in them and automatic exposure
+//! changes their brightness.
+//!
+//! Gauss-Newton steps on shift, roll, gain and bias together, coarse to fine, with Tukey's weights: what
+//! moves and what is lit otherwise has none.
+
+use crate::{Gray, Image, Placed};
+use nalgebra::{SMatrix, SVector};
+
+/// Longest side of the coarsest picture that is laid on another. \[px\]
+const COARSEST: usize = 100;
+/// Steps at each size.
+const STEPS: usize = 12;
+/// Steps below this are the last. \[px\]
+const SMALL: f64 = 0.002;
+/// Share of the pixels whose residuals tell the noise: at least so many stand still.
+const QUIET: f64 = 0.4;
+/// Tukey's bound in standard deviations.
+const BOUND: f64 = 4.685;
+/// Least standard deviation of a pixel. \[levels\]
+const LEAST_NOISE: f64 = 0.3;
+/// A picture does not lie on another where less than this share of the pixels has half their weight.
+const SHARED: f64 = 0.15;
+/// Longest way of a corner that is believed, as a share of the picture's longer side.
+const FAR: f64 = 0.05;
+
+/// Ways of corners below this are none: photos that lie where they should stay as they are. \[px\]
+const LEAST_WAY: f64 = 0.03;
+/// How a picture lies on another of its size. `None` where they share too little.
+pub fn register(picture: &Gray, other: &Gray) -> Option<Placed> {
+    laid(&pyramid(picture), &pyramid(other), Placed::SAME).map(|p| settled(p, picture))
+}
+
+/// Where it is unless it went some way.
+pub(crate) fn settled(placed: Placed, picture: &Gray) -> Placed {
+    if placed.way(picture.width, picture.height) >= LEAST_WAY {
+        return placed;
+    }
+    Placed {
+        gain: placed.gain,
+        bias: placed.bias,
+        ..Placed::SAME
+    }
+}
+
+/// From the size itself to the coarsest, each softened.
+pub(crate) fn pyramid(picture: &Gray) -> Vec<Gray> {
+    let mut all = vec![softened(picture)];
+    while let Some(last) = all.last()
+        && last.width.max(last.height) >= 2 * COARSEST
+    {
+        let half = last.reduced(2);
+        all.push(softened(&half));
+    }
+    all
+}
+
+/// Softened by 1 2 1 along both sides: what is between pixels is then nearly linear.
+fn softened(picture: &Gray) -> Gray {
+    let (w, h) = (picture.width, picture.height);
+    let along = |from: &Gray, across: bool| {
+        let at = |i: usize| {
+            let (x, y) = (i % w, i / w);
+            let near = |d: i64| {
+                let (u, v) = if across {
+                    ((x as i64 + d).clamp(0, w as i64 - 1) as usize, y)
+                } else {
+                    (x, (y as i64 + d).clamp(0, h as i64 - 1) as usize)
+                };
+                from.at(u, v)
+            };
+            0.25 * (near(-1) + near(1)) + 0.5 * near(0)
+        };
+        Image {
+            width: w,
+            height: h,
+            data: (0..w * h).map(at).collect(),
+        }
+    };
+    along(&along(picture, true), false)
+}
+
+/// Coarse to fine from a first guess at full size.
+pub(crate) fn laid(picture: &[Gray], other: &[Gray], first: Placed) -> Option<Placed> {
+    let fits = |a: &Gray, b: &Gray| (a.width, a.height) == (b.width, b.height);
+    if !fits(picture.first()?, other.first()?) {
+        return None;
+    }
+    let mut placed = first.enlarged(0.5f64.powi(picture.len() as i32 - 1));
+    let mut shared = 0.0;
+    for (level, (a, b)) in picture.iter().zip(other).enumerate().rev() {
+        for _ in 0..STEPS {
+            let (better, step, share) = stepped(a, b, &placed)?;
+            (placed, shared) = (better, share);
+            let longest = a.width.max(a.height) as f64;
+            if placed.way(a.width, a.height) > FAR * longest {
+                return None;
+            }
+            if step < SMALL {
+                break;
+            }
+        }
+        if level > 0 {
+            placed = placed.enlarged(2.0);
+        }
+    }
+    (shared >= SHARED).then_some(placed)
+}
+
+/// One step: the better place, how far a corner went \[px\], and the share of the pixels that tell it.
+fn stepped(picture: &Gray, other: &Gray, from: &Placed) -> Option<(Placed, f64, f64)> {
+    let (w, h) = (other.width, other.height);
+    // Of large pictures every second pixel in both directions does.
+    let every = if w.max(h) > 500 { 2 } else { 1 };
+    let rim = 2 + from.way(w, h).ceil() as usize;
+    if w.min(h) < 2 * rim + 8 {
+        return None;
+    }
+    let mut residuals = Vec::new();
+    let places = || {
+        (rim..h - rim)
+            .step_by(every)
+            .flat_map(move |y| (rim..w - rim).step_by(every).map(move |x| (x, y)))
+    };
+    for (x, y) in places() {
+        let at = from.of([x as f64, y as f64], [w, h]);
+        let seen = f64::from(picture.sample(at[0] as f32, at[1] as f32));
+        residuals.push(seen - from.gain * f64::from(other.at(x, y)) - from.bias);
+    }
+    let mut far: Vec<f64> = residuals.iter().map(|r| r.abs()).collect();
+    let quiet = (far.len() as f64 * QUIET) as usize;
+    let (_, quiet, _) = far.select_nth_unstable_by(quiet, f64::total_cmp);
+    // Two fifths of a normal distribution lie within 0.524 standard deviations.
+    let bound = BOUND * (*quiet / 0.5244).max(LEAST_NOISE);
+    let middle = [(w as f64 - 1.0) / 2.0, (h as f64 - 1.0) / 2.0];
+    let half = middle[0].hypot(middle[1]);
+    let (mut normal, mut right) = (SMatrix::<f64, 5, 5>::zeros(), SVector::<f64, 5>::zeros());
+    let mut kept = 0usize;
+    for ((x, y), r) in places().zip(&residuals) {
+        let u = r / bound;
+        if u.abs() >= 1.0 {
+            continue;
+        }
+        let weight = (1.0 - u * u) * (1.0 - u * u);
+        kept += usize::from(weight > 0.5);
+        let slope = |dx: usize, dy: usize| {
+            let (a, b) = (other.at(x + dx, y + dy), other.at(x - dx, y - dy));
+            from.gain * f64::from(a - b) / 2.0
+        };
+        let (gx, gy) = (slope(1, 0), slope(0, 1));
+        let (dx, dy) = (x as f64 - middle[0], y as f64 - middle[1]);
+        // The roll is told by the way of a corner, so that all columns are of one size.
+        let row = SVector::<f64, 5>::from([
+            gx,
+            gy,
+            (gy * dx - gx * dy) / half,
+            -f64::from(other.at(x, y)) / 100.0,
+            -1.0,
+        ]);
+        normal += row * row.transpose() * weight;
+        right -= row * (weight * r);
+    }
+    let step = normal.cholesky()?.solve(&right);
+    let placed = Placed {
+        shift: [from.shift[0] + step[0], from.shift[1] + step[1]],
+        roll: from.roll + step[2] / half,
+        gain: from.gain + step[3] / 100.0,
+        bias: from.bias + step[4],
+    };
+    if !(0.2..5.0).contains(&placed.gain) {
+        return None;
+    }
+    let way = step[0].hypot(step[1]) + step[2].abs();
+    Some((placed, way, kept as f64 / residuals.len() as f64))
+}
+
+#[cfg(test)]
+pub(crate) mod tests {
+    use super::*;
+
+    /// A room of blobs, with a disk of other blobs amid it that stands at an angle.
+    pub(crate) fn photo(placed: &Placed, angle: f64, dice: &mut proof::Dice) -> Gray {
+        let (w, h) = (240usize, 320usize);
+        let room = |x: f64, y: f64| {
+            120.0 + 40.0 * (x / 9.0).sin() * (y / 7.0).cos() + 30.0 * ((x + 2.0 * y) / 23.0).sin()
+        };
+        let mut image = Gray::filled(w, h, 0.0);
+        for i in 0..w * h {
+            let at = [(i % w) as f64, (i / w) as f64];
+            let [x, y] = placed.inverse().of(at, [w, h]);
+            let (dx, dy) = (x - 120.0, y - 170.0);
+            let (s, c) = angle.sin_cos();
+            let shown = if (dx / 60.0).hypot(dy / 110.0) < 1.0 {
+                room(300.0 + c * dx - s * dy, 500.0 + s * dx + c * dy)
+            } else {
+                room(x, y)
+            };
+            image.data[i] = (placed.gain * shown + placed.bias + dice.normal()) as f32;
+        }
+        image
+    }
+
+    pub(crate) fn off(a: &Placed, b: &Placed) -> f64 {
+        let by = Placed {
+            shift: [a.shift[0] - b.shift[0], a.shift[1] - b.shift[1]],
+            roll: a.roll - b.roll,
+            ..*a
+        };
+        by.way(240, 320)
+    }
+
+    #[test]
+    fn shift_roll_and_exposure_are_found_though_a_third_turns() {
+        let mut dice = proof::Dice(2);
+        let other = photo(&Placed::SAME, 0.0, &mut dice);
+        for (shift, roll, gain, bias) in [
+            ([0.0, 0.0], 0.0, 1.0, 0.0),
+            ([0.31, -0.22], 0.0, 1.06, -3.0),
+            ([5.3, 2.8], 0.004, 0.85, 5.0),
+        ] {
+            let true_one = Placed {
+                shift,
+                roll,
+                gain,
+                bias,
+            };
+            let found = register(&photo(&true_one, 0.7, &mut dice), &other).unwrap();
+            assert!(off(&found, &true_one) < 0.04, "{found:?} {true_one:?}");
+            assert!((found.gain / gain - 1.0).abs() < 0.004, "{found:?}");
+        }
+    }
+
+    #[test]
+    fn another_room_is_not_registered() {
+        let mut dice = proof::Dice(3);
+        let mut noise = || {
+            let mut image = Gray::filled(240, 320, 0.0);
+            image
+                .data
+                .iter_mut()
+                .for_each(|v| *v = dice.within(0.0, 255.0) as f32);
+            image
+        };
+        let (a, b) = (noise(), noise());
+        let found = register(&a, &b);
+        assert!(
+            found.is_none_or(|p| (p.gain - 1.0).abs() > 0.5),
+            "{found:?}"
+        );
+    }
+}

@@ -1,0 +1,133 @@
+//! All photos of a turn laid on each other, and what stands still in them.
+
+use crate::register::{laid, pyramid, settled};
+use crate::{Gray, Placed};
+use rayon::prelude::*;
+
+/// Rounds in which all photos of a turn are laid on the median of all.
+const ROUNDS: usize = 2;
+
+/// How each photo of a turn lies on what stands still in all of them, and that: their median once all
+/// are laid on each other and exposed alike. Photos that do not share it have none.
+pub fn registered(pictures: &[Gray]) -> (Vec<Option<Placed>>, Option<Gray>) {
+    let all: Vec<Vec<Gray>> = pictures.par_iter().map(pyramid).collect();
+    let Some(first) = all.first() else {
+        return (vec![], None);
+    };
+    let mut reference = first.clone();
+    let mut placed = vec![None; all.len()];
+    let mut still = None;
+    for _ in 0..ROUNDS {
+        placed = all
+            .par_iter()
+            .zip(&placed)
+            .map(|(p, before): (_, &Option<Placed>)| {
+                laid(p, &reference, before.unwrap_or(Placed::SAME))
+            })
+            .collect();
+        centred(&mut placed);
+        let all = placed.iter_mut().flatten().zip(pictures);
+        all.for_each(|(p, picture)| *p = settled(*p, picture));
+        let shown: Vec<Gray> = pictures
+            .par_iter()
+            .zip(&placed)
+            .filter_map(|(picture, placed)| Some(levelled(picture, placed.as_ref()?)))
+            .collect();
+        still = median(&shown);
+        reference = pyramid(still.as_ref().unwrap_or(&pictures[0]));
+    }
+    (placed, still)
+}
+
+/// A photo as the others lie and are exposed.
+fn levelled(picture: &Gray, placed: &Placed) -> Gray {
+    let mut out = placed.brought_gray(picture);
+    let (gain, bias) = (placed.gain as f32, placed.bias as f32);
+    out.data.iter_mut().for_each(|v| *v = (*v - bias) / gain);
+    out
+}
+
+/// Moved so that the middle one of all shifts, rolls, gains and biases is none: photos of a camera that
+/// stood still but once stay where they are.
+fn centred(placed: &mut [Option<Placed>]) {
+    let middle = |of: &dyn Fn(&Placed) -> f64| {
+        let mut all: Vec<f64> = placed.iter().flatten().map(of).collect();
+        all.sort_by(f64::total_cmp);
+        all.get(all.len() / 2).copied()
+    };
+    let shift = [0, 1].map(|i| middle(&|p| p.shift[i]));
+    let (roll, gain) = (middle(&|p| p.roll), middle(&|p| p.gain));
+    let ([Some(dx), Some(dy)], Some(roll), Some(gain)) = (shift, roll, gain) else {
+        return;
+    };
+    let Some(bias) = middle(&|p| p.bias) else {
+        return;
+    };
+    for p in placed.iter_mut().flatten() {
+        // I = g B + b, B = (C - bias) / gain.
+        let own = p.gain / gain;
+        *p = Placed {
+            shift: [p.shift[0] - dx, p.shift[1] - dy],
+            roll: p.roll - roll,
+            gain: own,
+            bias: p.bias - own * bias,
+        };
+    }
+}
+
+/// The median of each pixel over pictures of one size; `None` without pictures.
+pub fn median(pictures: &[Gray]) -> Option<Gray> {
+    let first = pictures.first()?;
+    let mut out = first.clone();
+    let mut all = vec![0.0; pictures.len()];
+    for (i, value) in out.data.iter_mut().enumerate() {
+        for (a, p) in all.iter_mut().zip(pictures) {
+            *a = p.data[i];
+        }
+        all.sort_by(f32::total_cmp);
+        *value = all[all.len() / 2];
+    }
+    Some(out)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::register::tests::{off, photo};
+
+    #[test]
+    fn a_turn_is_laid_on_what_stands_still_and_photos_that_lie_there_stay() {
+        let mut dice = proof::Dice(4);
+        let shifts: Vec<Placed> = (0..9)
+            .map(|k| Placed {
+                shift: if k % 3 == 1 { [1.2, -0.7] } else { [0.0; 2] },
+                gain: if k % 4 == 3 { 1.05 } else { 1.0 },
+                ..Placed::SAME
+            })
+            .collect();
+        let turned = |(k, p): (usize, &Placed)| photo(p, 0.7 * k as f64, &mut dice);
+        let photos: Vec<Gray> = shifts.iter().enumerate().map(turned).collect();
+        let (found, still) = registered(&photos);
+        for (found, true_one) in found.iter().zip(&shifts) {
+            let found = found.unwrap();
+            assert!(off(&found, true_one) < 0.05, "{found:?} {true_one:?}");
+            assert!((found.gain / true_one.gain - 1.0).abs() < 0.01, "{found:?}");
+        }
+        let clean = photo(&Placed::SAME, 0.0, &mut dice);
+        let still = still.unwrap();
+        assert!((still.at(20, 20) - clean.at(20, 20)).abs() < 4.0);
+    }
+
+    #[test]
+    fn what_passes_by_is_not_in_the_median() {
+        let pictures: Vec<Gray> = (0..5)
+            .map(|i| {
+                let mut g = Gray::filled(8, 8, 10.0);
+                *g.at_mut(i, 3) = 200.0;
+                g
+            })
+            .collect();
+        assert_eq!(median(&pictures).unwrap(), Gray::filled(8, 8, 10.0));
+        assert_eq!(pictures[0].reduced(2).at(0, 1), 57.5);
+    }
+}
