@@ -52,7 +52,7 @@ fn told(findings: &[Finding], ctx: &Ctx<'_>) -> Result<(), Hopeless> {
         };
         ctx.warn(format!("{names}{}; {}", f.what, f.mend));
     }
-    match findings.iter().find(|f| f.grade == Grade::Stop) {
+    match findings.iter().find(|f| f.grade == Grade::Hopeless) {
         Some(Finding { what, mend, .. }) => Err(Hopeless {
             what: what.clone(),
             mend: mend.clone(),

@@ -73,7 +73,7 @@ fn order(seen: &Seen<'_>, told: &mut Findings<'_>) {
     let tagged = seen.photos.rig.tagged();
     if !camera_stood(together) {
         let grade = match together.still < MOVED && !tagged {
-            true => Grade::Stop,
+            true => Grade::Hopeless,
             false => Grade::Doubt,
         };
         told.put(
@@ -90,7 +90,11 @@ fn order(seen: &Seen<'_>, told: &mut Findings<'_>) {
     let mut likeness = together.astray.clone();
     likeness.sort_by(f64::total_cmp);
     if likeness[count / 2] < SHUFFLED {
-        let grade = if tagged { Grade::Doubt } else { Grade::Stop };
+        let grade = if tagged {
+            Grade::Doubt
+        } else {
+            Grade::Hopeless
+        };
         told.put(
             grade,
             "photos are more like others far away in order than like their neighbours: they are not in turning order",
