@@ -58,6 +58,9 @@ pub(crate) struct Measure {
     /// What the screen and the report show lengths in; files stay in centimetres
     #[arg(long, value_enum, default_value = "cm")]
     unit: Shown,
+    /// The camera was walked around somebody who stood still; a mask of each photo lies in the folder's `masks`
+    #[arg(long)]
+    walk: bool,
     /// Take the photos in folders below, too, in the order of their paths
     #[arg(long)]
     recursive: bool,
@@ -166,12 +169,21 @@ fn pipeline(
     sets.extend(measure.set.iter().cloned());
     let mut folders = vec![("photos".to_owned(), capture.to_owned())];
     let masks = capture.join(MASKS);
-    let name = if masks.is_dir() {
-        folders.push((MASKS.to_owned(), masks));
-        "own-masks"
-    } else {
-        "body"
+    let name = match (measure.walk, masks.is_dir()) {
+        (true, true) => "walk",
+        (true, false) => {
+            return Err(Fault::input(format!(
+                "--walk: {} is not there: behind a camera that walks nothing stands still, so nothing but masks tells the body from the room; \
+                 put one of each photo there, named as it is: 0003.png for 0003.jpg, body white",
+                masks.display()
+            )));
+        }
+        (false, true) => "own-masks",
+        (false, false) => "body",
     };
+    if name != "body" {
+        folders.push((MASKS.to_owned(), masks));
+    }
     let graph = opened(name, measure.variant.clone(), said, &sets)?;
     Ok((graph, folders))
 }
@@ -194,7 +206,7 @@ fn one(
     let more: Vec<Said> = said.iter().chain(&more).cloned().collect();
     let (mut graph, folders) = pipeline(measure, capture, &more)?;
     let (out, shown) = place_of_results(capture, out)?;
-    if let Some(few) = few {
+    if let Some(few) = few.filter(|_| !measure.walk) {
         return Err(Fault::input(few));
     }
     folder::widen(&mut graph, &patterns);

@@ -159,7 +159,10 @@ fn list(
         match is_folder {
             false => names.push(name),
             true if skipped || entry.path().join("run.json").exists() => {}
-            true if recursive || into.contains(&base.as_str()) => {
+            // A link may lead back to where it lies.
+            true if into.contains(&base.as_str())
+                || recursive && !entry.file_type()?.is_symlink() =>
+            {
                 list(root, &name, &[], recursive, names)?;
             }
             true => {}

@@ -51,6 +51,7 @@ fn flags_that_cannot_be_are_told_as_they_were_said_before_anything_runs() {
         ("--fact subject.hight_cm=178", "did you mean `height_cm`"),
         ("--images ../other/*.jpg", "leads out of turn"),
         ("--unit ell", "ell"),
+        ("--walk", "turn/masks is not there"),
     ] {
         let said = place.run(&format!("measure turn {flags}")).code(2);
         assert!(said.err.contains(says), "{flags}: {}", said.err);
@@ -199,4 +200,28 @@ fn a_mat_tells_of_itself_at_its_foot_and_beside_it() {
             sets.join(" ")
         ))
         .code(0);
+}
+
+#[test]
+fn of_more_photos_than_are_of_use_the_sharpest_of_even_stretches_are_taken() {
+    let place = turn();
+    place.write("turn/capture.toml", "step_deg = 20.0\n");
+    let run = "run load.toml --input files=turn --set photos.most=3 --out out";
+    let said = place.run(run).code(0).err;
+    assert!(said.contains("6 photos are more than are of use"), "{said}");
+    let taken = std::fs::read_dir(place.path("out/photos/images")).unwrap();
+    let mut names: Vec<String> = taken
+        .map(|e| e.unwrap().file_name().into_string().unwrap())
+        .collect();
+    names.sort();
+    assert_eq!(names.len(), 3);
+    for (name, pair) in names
+        .iter()
+        .zip([["0000", "0001"], ["0002", "0003"], ["0004", "0005"]])
+    {
+        assert!(pair.iter().any(|p| name.starts_with(p)), "{names:?}");
+    }
+    // Steps between them are no longer even, so none is told.
+    let told = std::fs::read_to_string(place.path("out/photos/capture.toml")).unwrap();
+    assert!(!told.contains("step_deg"), "{told}");
 }

@@ -3,6 +3,7 @@
 mod answers;
 mod bad_input;
 mod causes;
+mod doctor;
 mod facts;
 mod keeping;
 mod limits;

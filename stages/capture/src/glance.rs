@@ -9,13 +9,16 @@ const STILL: f32 = 9.0;
 /// A row or column at the border is reached where so much of it does not stand still.
 const REACHED: f64 = 0.04;
 
+/// Light is about this power of what files hold (sRGB).
+const GAMMA: f64 = 2.2;
+/// Fewer pixels that stand still tell no exposure.
+const FIRM: usize = 60;
+
 /// One photo at a glance.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Glance {
     /// Brightness in few pixels, 0..=255.
     pub small: Gray,
-    /// Mean brightness, 0..=255.
-    pub light: f64,
     /// Share of pixels that are as white as white can be in some colour.
     pub burnt: f64,
     /// Share of pixels that are as black as black can be in all colours.
@@ -43,7 +46,6 @@ pub fn glance(photo: &Rgb) -> Glance {
         count as f64 / photo.data.len().max(1) as f64
     };
     Glance {
-        light: small.data.iter().map(|v| f64::from(*v)).sum::<f64>() / (w * h).max(1) as f64,
         burnt: share(|p| p.iter().any(|c| *c >= 254)),
         black: share(|p| p.iter().all(|c| *c <= 2)),
         small,
@@ -55,12 +57,13 @@ pub fn glance(photo: &Rgb) -> Glance {
 pub struct Together {
     /// Share of the picture that stands still.
     pub still: f64,
-    /// Exposure of each photo against the middle one, by what stands still; by all where next to nothing does. \[EV\]
+    /// Exposure of each photo against the middle one, by what stands still; empty where too little does to tell. \[EV\]
     pub exposure_ev: Vec<f64>,
     /// How much each photo differs from the next, the last from the first, where something moves. \[levels\]
     pub steps: Vec<f64>,
-    /// Photos that are most like one that is not near them in order.
-    pub strangers: Vec<usize>,
+    /// How each photo differs from the one far away in order that it is most like, against the same of those near it:
+    /// below 1 it is more like the former.
+    pub astray: Vec<f64>,
     /// Sides of the picture that what moves reaches: top, bottom, left, right.
     pub reached: [bool; 4],
 }
@@ -73,20 +76,20 @@ fn median(mut all: Vec<f64>) -> f64 {
 /// Photos of one size, in order; at least two.
 pub fn together(all: &[Glance]) -> Together {
     let pixels = all[0].small.data.len();
-    let usual = median(all.iter().map(|g| g.light).collect());
-    // Exposure by the middle of all ratios: half of a picture may move.
     let middle: Vec<f64> = (0..pixels)
         .map(|i| median(all.iter().map(|g| f64::from(g.small.data[i])).collect()))
         .collect();
-    let gain = |g: &Glance| {
-        let ratio = |(v, m): (&f32, &f64)| (*m > 12.0 && *m < 243.0).then(|| f64::from(*v) / m);
-        let ratios: Vec<f64> = g.small.data.iter().zip(&middle).filter_map(ratio).collect();
-        match ratios.is_empty() {
-            true => g.light / usual.max(1.0),
-            false => median(ratios).max(0.05),
+    // By the middle of the ratios of pixels that are neither black nor white.
+    let clear = |i: &usize| middle[*i] > 12.0 && middle[*i] < 243.0;
+    let gain = |g: &Glance, of: &[usize]| {
+        let ratio = |i: &usize| f64::from(g.small.data[*i]) / middle[*i];
+        match of.is_empty() {
+            true => 1.0,
+            false => median(of.iter().map(ratio).collect()).max(0.05),
         }
     };
-    let gains: Vec<f64> = all.iter().map(gain).collect();
+    let clear: Vec<usize> = (0..pixels).filter(clear).collect();
+    let gains: Vec<f64> = all.iter().map(|g| gain(g, &clear)).collect();
     let even: Vec<Vec<f32>> = all
         .iter()
         .zip(&gains)
@@ -107,21 +110,31 @@ pub fn together(all: &[Glance]) -> Together {
         });
         sum / count.max(1) as f64
     };
+    let firm: Vec<usize> = clear.into_iter().filter(|i| still[*i]).collect();
+    let exposure_ev = match firm.len() >= FIRM {
+        true => all.iter().map(|g| GAMMA * gain(g, &firm).log2()).collect(),
+        false => vec![],
+    };
     let n = all.len();
     let steps = (0..n)
         .map(|i| apart(&even[i], &even[(i + 1) % n]))
         .collect();
-    let stranger = |i: &usize| {
-        let others = (0..n).filter(|j| j != i);
-        let nearest = others
-            .min_by(|a, b| apart(&even[*i], &even[*a]).total_cmp(&apart(&even[*i], &even[*b])));
-        nearest.is_some_and(|j| i.abs_diff(j).min(n - i.abs_diff(j)) > 2)
+    let astray = |i: usize| {
+        let far = |j: &usize| i.abs_diff(*j).min(n - i.abs_diff(*j)) > 2;
+        let least = |of_far: bool| {
+            let others = (0..n).filter(|j| *j != i && far(j) == of_far);
+            others.map(|j| apart(&even[i], &even[j])).reduce(f64::min)
+        };
+        match (least(true), least(false)) {
+            (Some(far), Some(near)) if near > 0.0 => far / near,
+            _ => f64::MAX,
+        }
     };
     Together {
         still: still.iter().filter(|s| **s).count() as f64 / pixels.max(1) as f64,
-        exposure_ev: gains.iter().map(|g| g.log2()).collect(),
+        exposure_ev,
         steps,
-        strangers: (0..n).filter(stranger).collect(),
+        astray: (0..n).map(astray).collect(),
         reached: reached(&still, all[0].small.width),
     }
 }
@@ -179,7 +192,7 @@ mod tests {
         let told = together(&turn(0));
         assert!((0.5..0.75).contains(&told.still), "{}", told.still);
         assert_eq!(told.reached, [false, true, false, false]);
-        assert_eq!(told.strangers, Vec::<usize>::new());
+        assert!(told.astray.iter().all(|a| *a > 1.0), "{:?}", told.astray);
         assert!(told.exposure_ev.iter().all(|ev| ev.abs() < 0.02));
         let walk = together(&turn(3));
         assert!(walk.still < 0.1, "{}", walk.still);
@@ -191,11 +204,13 @@ mod tests {
         all[4] = turned(std::f64::consts::TAU * 4.0 / 18.0, 0.8, 0);
         all.swap(9, 15);
         let told = together(&all);
-        proof::near(told.exposure_ev[4], 0.8f64.log2(), 0.05);
+        proof::near(told.exposure_ev[4], 2.2 * 0.8f64.log2(), 0.1);
+        let astray = |i: usize| told.astray[i] < 0.65;
+        assert!(astray(9) && astray(15), "{:?}", told.astray);
         assert!(
-            told.strangers.contains(&9) && told.strangers.contains(&15),
-            "{told:?}"
+            (0..18).filter(|i| astray(*i)).count() < 7,
+            "{:?}",
+            told.astray
         );
-        assert!(told.strangers.len() < 7, "{:?}", told.strangers);
     }
 }

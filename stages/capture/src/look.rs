@@ -1,9 +1,9 @@
 //! The stage that looks at a capture before minutes are spent on it.
 
 use crate::glance::{Glance, glance, together};
-use crate::odd::findings;
+use crate::odd::{seen_in_facts, seen_in_pictures};
 use crate::sharpness::sharpness;
-use crate::verdict::{Seen, camera_stood, can, lengths};
+use crate::verdict::{Finding, Grade, Seen, camera_stood, can, lengths};
 use rayon::prelude::*;
 use serde_json::{Map, Value, json};
 use shape::{Document, Photo, Photos, Tags};
@@ -11,8 +11,12 @@ use stage::{Ctx, Stage, Stop};
 use std::sync::Arc;
 
 stage::params! {
-    /// Nothing is to be tuned.
-    pub struct LookParams {}
+    /// What is to become of what is odd.
+    pub struct LookParams {
+        /// Whether a capture of which nothing will come is an error, and what is odd about pictures a
+        /// warning.
+        stop: bool = false,
+    }
 }
 
 stage::inputs! {
@@ -30,6 +34,33 @@ stage::inputs! {
 #[error("there are {0} photos: a turn has at least three")]
 pub(crate) struct TooFew(usize);
 
+/// Why nothing will come of a capture.
+#[derive(Debug, thiserror::Error)]
+#[error("{what}; {mend} (if you are sure of the photos: --set look.stop=false)")]
+struct Hopeless {
+    what: String,
+    mend: String,
+}
+
+/// Warns of what is odd; fails where nothing will come of it.
+fn told(findings: &[Finding], ctx: &Ctx<'_>) -> Result<(), Hopeless> {
+    for f in findings.iter().filter(|f| f.grade == Grade::Doubt) {
+        let names = match f.photos.len() {
+            0 => String::new(),
+            1..=5 => format!("{}: ", f.photos.join(", ")),
+            more => format!("{}, … ({more} photos): ", f.photos[..3].join(", ")),
+        };
+        ctx.warn(format!("{names}{}; {}", f.what, f.mend));
+    }
+    match findings.iter().find(|f| f.grade == Grade::Hopeless) {
+        Some(Finding { what, mend, .. }) => Err(Hopeless {
+            what: what.clone(),
+            mend: mend.clone(),
+        }),
+        None => Ok(()),
+    }
+}
+
 /// `capture.look`: photos, tags → document (JSON).
 pub struct Look;
 
@@ -42,7 +73,7 @@ impl Stage for Look {
     type Output = Document;
     const METRICS: &'static [&'static str] = &["stands still", "findings"];
 
-    fn run(_: &LookParams, input: LookInput, ctx: &Ctx<'_>) -> Result<Document, Stop> {
+    fn run(p: &LookParams, input: LookInput, ctx: &Ctx<'_>) -> Result<Document, Stop> {
         let photos = &*input.photos;
         if photos.photos.len() < 3 {
             return Err(TooFew(photos.photos.len()).into());
@@ -73,7 +104,12 @@ impl Stage for Look {
             sharpness: &sharpness,
             tags: tags.map(|t| t.views.values().map(Vec::len).sum()),
         };
-        let findings = findings(&seen);
+        let mut findings = seen_in_pictures(&seen);
+        if p.stop {
+            told(&findings, ctx)?;
+        }
+        findings.extend(seen_in_facts(&seen));
+        findings.sort_by_key(|f| f.grade as u8);
         ctx.metric("stands still", 100.0 * together.still, "%");
         ctx.metric("findings", findings.len() as f64, "");
         let can: Map<String, Value> = can(&seen, &findings)
@@ -88,7 +124,7 @@ impl Stage for Look {
                 json!({
                     "name": photo.name,
                     "sharpness": round(sharpness[i], 1e3),
-                    "exposure_ev": round(together.exposure_ev[i], 1e3),
+                    "exposure_ev": together.exposure_ev.get(i).map(|ev| round(*ev, 1e3)),
                     "overexposed_pct": round(100.0 * glances[i].burnt, 1e2),
                     "to_next": round(together.steps[i], 1e2),
                     "tags": tags.and_then(|t| t.views.get(id)).map(Vec::len),

@@ -4,10 +4,19 @@ use crate::glance::Glance;
 use crate::verdict::{Finding, Grade, Seen, camera_stood, lengths};
 use shape::Photos;
 
-/// A photo is blurred that is less sharp than this share of the middle one.
+/// Less than this of the picture stands still: nothing will come of it without a mat.
+const MOVED: f64 = 0.03;
+/// Photos are not in turning order where the middle one of all is so much more like one far away in order than
+/// like its neighbours: 0.70 shuffled, 1.05 to 1.8 in order, on seven captures.
+const SHUFFLED: f64 = 0.88;
+/// A photo is not where it belongs if the same is true of it: a body that is alike from two sides, or a mat, is not.
+const STRANGE: f64 = 0.65;
+/// So many photos to each side tell how sharp one should be.
+const AROUND: usize = 3;
+/// A photo is blurred that is less sharp than this share of the middle one around it.
 const BLURRED: f64 = 0.45;
 /// Exposures are uneven that differ by more than this. \[EV\]
-const UNEVEN_EV: f64 = 0.12;
+const UNEVEN_EV: f64 = 0.25;
 /// A photo is burnt, or drowned, by more than this share of it.
 const LOST: f64 = 0.1;
 /// A step is a gap, or none, where it is so many times the middle one.
@@ -34,8 +43,8 @@ impl Findings<'_> {
     }
 }
 
-/// All that is odd, the worst first.
-pub(crate) fn findings(seen: &Seen<'_>) -> Vec<Finding> {
+/// What is odd about the pictures, the worst first.
+pub(crate) fn seen_in_pictures(seen: &Seen<'_>) -> Vec<Finding> {
     let mut told = Findings {
         photos: seen.photos,
         all: vec![],
@@ -43,39 +52,66 @@ pub(crate) fn findings(seen: &Seen<'_>) -> Vec<Finding> {
     order(seen, &mut told);
     pictures(seen, &mut told);
     frame(seen, &mut told);
+    told.all.sort_by_key(|f| f.grade as u8);
+    told.all
+}
+
+/// What is odd about what is known, the worst first.
+pub(crate) fn seen_in_facts(seen: &Seen<'_>) -> Vec<Finding> {
+    let mut told = Findings {
+        photos: seen.photos,
+        all: vec![],
+    };
     facts(seen, &mut told);
-    let rank = |grade: Grade| grade as u8;
-    told.all.sort_by_key(|f| rank(f.grade));
+    told.all.sort_by_key(|f| f.grade as u8);
     told.all
 }
 
 /// Whether photos follow each other around a turn.
 fn order(seen: &Seen<'_>, told: &mut Findings<'_>) {
     let (together, count) = (seen.together, seen.photos.photos.len());
+    let tagged = seen.photos.rig.tagged();
     if !camera_stood(together) {
+        let grade = match together.still < MOVED && !tagged {
+            true => Grade::Hopeless,
+            false => Grade::Doubt,
+        };
         told.put(
-            Grade::Doubt,
-            format!("only {:.0} % of the picture stands still: the camera, or all behind the subject, moved between the photos", 100.0 * together.still),
-            "a turn wants one camera on a tripod and the subject on a disk; is this a walk around somebody who stands still, then `pipelines/walk.toml` is for it",
+            grade,
+            format!(
+                "only {:.0} % of the picture stands still: the camera, or all behind the subject, moved between the photos",
+                100.0 * together.still
+            ),
+            "a turn wants one camera on a tripod and the subject on a disk; is this a walk around somebody who stands still? Then say --walk, with a mask of each photo in the folder's `masks`",
             &[],
         );
         return;
     }
-    if 3 * together.strangers.len() > count {
+    let mut likeness = together.astray.clone();
+    likeness.sort_by(f64::total_cmp);
+    if likeness[count / 2] < SHUFFLED {
+        let grade = if tagged {
+            Grade::Doubt
+        } else {
+            Grade::Hopeless
+        };
         told.put(
-            Grade::Stop,
-            format!("{} of {count} photos are most like one that is far from them in order: they are not in turning order", together.strangers.len()),
+            grade,
+            "photos are more like others far away in order than like their neighbours: they are not in turning order",
             "name photos in turning order, or list them with `images = [...]`; `tailor run pipelines/any-order.toml` finds cameras without an order",
             &[],
         );
         return;
     }
-    if !together.strangers.is_empty() {
+    let strangers: Vec<usize> = (0..count)
+        .filter(|i| together.astray[*i] < STRANGE)
+        .collect();
+    if !strangers.is_empty() {
         told.put(
             Grade::Doubt,
-            "most like one that is far away in order",
+            "far more like one far away in order than like its neighbours",
             "look whether these photos are in their place",
-            &together.strangers,
+            &strangers,
         );
     }
     let inner = &together.steps[..count - 1];
@@ -112,7 +148,15 @@ fn pictures(seen: &Seen<'_>, told: &mut Findings<'_>) {
     let places = |of: &dyn Fn(usize) -> bool| -> Vec<usize> {
         (0..seen.glances.len()).filter(|i| of(*i)).collect()
     };
-    let blurred = places(&|i| seen.sharpness[i] < BLURRED);
+    // Against those around it: a body shows more edges from one side than from another.
+    let around = |i: usize| {
+        let n = seen.sharpness.len();
+        let near = (0..n).filter(|j| i.abs_diff(*j).min(n - i.abs_diff(*j)) <= AROUND);
+        let mut all: Vec<f64> = near.map(|j| seen.sharpness[j]).collect();
+        all.sort_by(f64::total_cmp);
+        all[all.len() / 2]
+    };
+    let blurred = places(&|i| seen.sharpness[i] < BLURRED * around(i));
     if !blurred.is_empty() {
         told.put(
             Grade::Doubt,
@@ -140,7 +184,7 @@ fn pictures(seen: &Seen<'_>, told: &mut Findings<'_>) {
         }
     }
     let ev = &seen.together.exposure_ev;
-    let uneven = places(&|i| ev[i].abs() > UNEVEN_EV);
+    let uneven = places(&|i| ev.get(i).is_some_and(|ev| ev.abs() > UNEVEN_EV));
     if !uneven.is_empty() && camera_stood(seen.together) {
         let span = |pick: fn(f64, f64) -> f64| ev.iter().copied().reduce(pick).unwrap_or(0.0);
         told.put(
@@ -195,16 +239,7 @@ fn frame(seen: &Seen<'_>, told: &mut Findings<'_>) {
 /// What is known, and what would tell more.
 fn facts(seen: &Seen<'_>, told: &mut Findings<'_>) {
     let (rig, count) = (&seen.photos.rig, seen.photos.photos.len());
-    let tags = seen.tags.unwrap_or(0);
-    if tags > 0 && !rig.tagged() {
-        told.put(
-            Grade::Doubt,
-            "marker tags are seen, but nothing is said of them",
-            "say --mat-tag with the edge length of a printed tag's black square, or --mat with the mat's file",
-            &[],
-        );
-    }
-    if tags == 0 && rig.tagged() {
+    if seen.tags == Some(0) && rig.tagged() {
         told.put(
             Grade::Doubt,
             "a mat is told of, but no tag of it was found",

@@ -8,7 +8,8 @@ use shape::{Photos, Rig};
 #[serde(rename_all = "lowercase")]
 pub enum Grade {
     /// Nothing will come of it.
-    Stop,
+    #[serde(rename = "stop")]
+    Hopeless,
     /// Results will be worse, or wrong.
     Doubt,
     /// More could be had.
@@ -72,7 +73,7 @@ pub(crate) fn lengths(rig: &Rig) -> Option<&'static str> {
 /// What can be measured: a name and how.
 pub(crate) fn can(seen: &Seen<'_>, findings: &[Finding]) -> Vec<(&'static str, String)> {
     let rig = &seen.photos.rig;
-    let stopped = findings.iter().any(|f| f.grade == Grade::Stop);
+    let stopped = findings.iter().any(|f| f.grade == Grade::Hopeless);
     let cameras = match (stopped, rig.tagged() && seen.tags.unwrap_or(0) > 0, camera_stood(seen.together)) {
         (true, ..) => "no, as it is: see above".to_owned(),
         (_, true, _) => "from the mat, photo by photo".into(),

@@ -15,7 +15,7 @@ pub enum TracksError {
     },
     /// What was found explains too little.
     #[error(
-        "no turn about one axis explains the features: only {share:.0} % of them fit; did the camera move, are the photos out of order, or does the background fill them? A marker mat (`tailor mat`) on the disk helps"
+        "no turn about one axis explains the features: only {share:.0} % of them fit; did the camera move (is this a walk around? --walk), are the photos out of order, or does the background fill them? A marker mat (`tailor mat`) on the disk helps"
     )]
     Unexplained {
         /// How much it explains. [%]
@@ -23,7 +23,7 @@ pub enum TracksError {
     },
     /// Features that fit no better than by chance.
     #[error(
-        "features lie {rms:.1} px from where they should (at most {most:.1} px is to be trusted), so the cameras are not: too little texture, a subject that moved, or photos out of order; put a patterned cloth or a marker mat (`tailor mat`) on the disk"
+        "features lie {rms:.1} px from where they should (at most {most:.1} px is to be trusted), so the cameras are not: too little texture, a subject that moved, photos out of order, or a walk around (then --walk); put a patterned cloth or a marker mat (`tailor mat`) on the disk"
     )]
     Loose {
         /// Root mean square, outliers left out. \[px\]
@@ -33,7 +33,7 @@ pub enum TracksError {
     },
     /// Photos that hold on to nothing.
     #[error(
-        "{few} of {of} photos hold on to fewer than {least} features ({names}), so nothing tells where their cameras stood: are they in turning order, at steps below 30°? A patterned cloth or a marker mat (`tailor mat`) on the disk helps"
+        "{few} of {of} photos hold on to fewer than {least} features ({names}), so nothing tells where their cameras stood: are they in turning order, at steps below 30°? Is this a walk around somebody who stands still (--walk)? A patterned cloth or a marker mat (`tailor mat`) on the disk helps"
     )]
     Adrift {
         /// How many do.
@@ -52,7 +52,7 @@ pub enum TracksError {
     NoBeginning,
     /// Cameras that stand on no ring.
     #[error(
-        "the cameras came out {off:.1} % off a ring, so they are not to be trusted: are the photos in turning order and the steps below 25°? `focal_35mm` and `step_deg` in capture.toml or a marker mat (`tailor mat`) on the disk help"
+        "the cameras came out {off:.1} % off a ring, so they are not to be trusted: is this a walk around somebody who stands still (then --walk)? Are the photos in turning order and the steps below 25°? `focal_35mm` and `step_deg` in capture.toml or a marker mat (`tailor mat`) on the disk help"
     )]
     NoRing {
         /// Root mean square, of the ring's radius. [%]

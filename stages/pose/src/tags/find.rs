@@ -108,7 +108,7 @@ const GLANCE: f64 = 2.0;
 /// Whether tags show on some photos, spread over the turn: three of one photo are no chance.
 fn glanced(all: &[(PhotoId, &Photo)], p: &TagsParams, ctx: &Ctx<'_>) -> Result<bool, Stop> {
     let quick = TagsParams {
-        decimate: p.decimate * GLANCE,
+        decimate: p.decimate.max(GLANCE),
         correct_bits: 0,
         most: 0,
     };
@@ -141,7 +141,7 @@ fn untold(tags: &Tags) -> Option<String> {
         None => "they do not lie as a mat of `tailor mat` does: tell of them in `[mat]` of capture.toml, or cover them".into(),
     };
     Some(format!(
-        "marker tags (family 36h11, numbers {first} to {last}) are seen on {seen} of {} photos, but nothing is said of them, so they are not used; {layout}",
+        "marker tags (family 36h11, numbers {first} to {last}) are seen on {seen} of {} photos that were searched, but nothing is said of them, so they are not used; {layout}",
         tags.views.len()
     ))
 }

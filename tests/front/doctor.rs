@@ -1,0 +1,132 @@
+//! A capture looked at before minutes are spent, and the capture.toml that follows from it.
+
+use crate::place::Place;
+
+/// A turn of twelve photos of the sample, all of one half of the turn.
+fn turn() -> Place {
+    let place = Place::new();
+    place.photos("turn", 12);
+    place
+}
+
+#[test]
+fn what_is_odd_is_told_by_photo_and_what_can_be_measured() {
+    let place = turn();
+    let told = place.run("doctor turn --json").code(0).json();
+    assert_eq!(told["photos"], 12);
+    assert_eq!(told["motion"], "turn");
+    assert_eq!(told["findings"][0]["grade"], "doubt", "{told}");
+    let warned = told["warnings"].to_string();
+    assert!(
+        warned.contains("numbers 0 to 11") && warned.contains("--mat-tag"),
+        "{warned}"
+    );
+    let lengths = |told: &serde_json::Value| told["can"]["lengths"].as_str().unwrap().to_owned();
+    assert!(lengths(&told).starts_with("relative"), "{told}");
+    let known = place
+        .run("doctor turn --json --mat-tag 60 --stature 81")
+        .code(0)
+        .json();
+    assert!(lengths(&known).contains("the marker mat"), "{known}");
+    assert_eq!(known["warnings"].as_array().unwrap().len(), 0, "{known}");
+    // One photo blurred, one brighter.
+    let spoil = |name: &str, how: &dyn Fn(&mut shape::Rgb)| {
+        let path = place.path("turn").join(name);
+        let photo = shape::Photo {
+            name: name.into(),
+            width: 800,
+            height: 1200,
+            orientation: 1,
+            focal_35mm: None,
+            device: String::new(),
+            time_s: None,
+            file: std::fs::read(&path).unwrap().into(),
+        };
+        let mut pixels = photo.decode().unwrap();
+        how(&mut pixels);
+        std::fs::write(path, shape::rgb_to_jpeg(&pixels, 92)).unwrap();
+    };
+    spoil("0003.jpg", &|p| {
+        let sharp = p.clone();
+        for y in 3..p.height - 3 {
+            for x in 3..p.width - 3 {
+                let near = (0..49).map(|k| sharp.at(x + k % 7 - 3, y + k / 7 - 3));
+                let sum = near.fold([0u32; 3], |s, v| [0, 1, 2].map(|c| s[c] + u32::from(v[c])));
+                *p.at_mut(x, y) = sum.map(|s| (s / 49) as u8);
+            }
+        }
+    });
+    spoil("0008.jpg", &|p| {
+        p.data
+            .iter_mut()
+            .for_each(|v| *v = v.map(|c| (u32::from(c) * 3 / 4) as u8));
+    });
+    let told = place.run("doctor turn").code(0).out;
+    let line = |words: &str| {
+        told.lines()
+            .find(|l| l.contains(words))
+            .unwrap_or_default()
+            .to_owned()
+    };
+    assert!(line("blurred").contains("0003.jpg: "), "{told}");
+    assert!(line("exposed from").contains("0008.jpg: "), "{told}");
+    assert!(told.contains("what can be measured"), "{told}");
+}
+
+#[test]
+fn a_shuffled_turn_is_stopped_in_seconds_by_measure_too() {
+    let place = Place::new();
+    let sample = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("samples/mannequin/images");
+    for i in 0..18 {
+        let photo = std::fs::read(sample.join(format!("{:04}.jpg", i * 7 % 18))).unwrap();
+        place.write(&format!("turn/{i:04}.jpg"), photo);
+    }
+    let told = place.run("doctor turn --json").code(1).json();
+    assert_eq!(told["findings"][0]["grade"], "stop", "{told}");
+    assert!(told["can"]["girths"] == "no", "{told}");
+    let said = place.run("measure turn").code(1).err;
+    for says in [
+        "look failed",
+        "not in turning order",
+        "any-order.toml",
+        "look.stop=false",
+    ] {
+        assert!(said.contains(says), "{says}: {said}");
+    }
+    assert!(!place.has("masks", "done", "made"));
+}
+
+#[test]
+fn init_writes_what_photos_say_once_and_measure_reads_it() {
+    let place = turn();
+    let said = place
+        .run("init turn --stature 5ft10in --mat-tag 59.7")
+        .code(0)
+        .out;
+    let text = std::fs::read_to_string(place.path("turn/capture.toml")).unwrap();
+    assert!(said.contains(&text), "{said}");
+    let file: toml::Table = text.parse().unwrap();
+    assert_eq!(file["views"].as_integer(), Some(12));
+    assert_eq!(file["subject"]["height_cm"].as_float(), Some(177.8));
+    assert_eq!(file["mat"]["tag_size_mm"].as_float(), Some(59.7));
+    for says in [
+        "marker tags 0 to 11, 12 on a ring",
+        "EXIF says 50 mm",
+        "# weight_kg",
+        "# plate",
+    ] {
+        assert!(text.contains(says), "{says}: {text}");
+    }
+    let told = place.run("doctor turn --json").code(0).json();
+    assert_eq!(
+        told["warnings"].as_array().unwrap().len(),
+        0,
+        "every key is known: {told}"
+    );
+    // What somebody wrote is never touched.
+    place.write("turn/capture.toml", "name = \"mine\"\n");
+    let said = place.run("init turn").code(2).err;
+    assert!(said.contains("is there already"), "{said}");
+    let kept = std::fs::read_to_string(place.path("turn/capture.toml")).unwrap();
+    assert_eq!(kept, "name = \"mine\"\n");
+}
