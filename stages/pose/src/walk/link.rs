@@ -173,7 +173,7 @@ fn compare(
     pairs.par_iter().map(one).collect()
 }
 
-/// Refuses photos that do not hang together.
+/// Refuses photos whose camera stood still, and those that do not hang together.
 fn hangs_together(
     photos: usize,
     pairs: &[(usize, usize)],
@@ -181,13 +181,13 @@ fn hangs_together(
     moved: usize,
     name: &dyn Fn(usize) -> String,
 ) -> Result<(), WalkError> {
+    if still > moved {
+        return Err(WalkError::StoodStill { still, moved });
+    }
     let parts = parts(photos, pairs);
     let most = parts.first().map_or(0, Vec::len);
     if most >= 3 && 4 * most >= 3 * photos {
         return Ok(());
-    }
-    if still > moved {
-        return Err(WalkError::StoodStill { still, moved });
     }
     let alone: Vec<usize> = parts.iter().skip(1).flatten().copied().collect();
     Err(WalkError::Apart {
