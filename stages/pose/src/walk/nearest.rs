@@ -210,7 +210,7 @@ mod tests {
         // Half of the first, a little changed.
         for i in 0..150 {
             let mut d = a.descriptors[i];
-            (0..128).for_each(|k| d[k] = d[k].saturating_add((7 * (i + k) % 40) as u8));
+            (0..128).for_each(|k| d[k] = d[k].saturating_add(((i + k) % 7) as u8));
             b.descriptors.push(d);
             b.points.push(a.points[149 - i]);
         }
