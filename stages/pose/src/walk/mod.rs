@@ -1,5 +1,5 @@
 //! Cameras of a walk around a subject that stands still with its room: features followed over photos
-//! in any order (`link`, a stage → `pairs`, `nearest`, `chains`), then cameras (`walk`, a stage →
+//! in any order (`link`, a stage → `pairs` → `nearest`, `guided`; `chains`), then cameras (`walk`, a stage →
 //! `grow` → `begin`, `next` → `register`, `points`, `adjust`; `finish`; `world` → `floor`).
 
 pub(crate) mod adjust;
@@ -10,6 +10,7 @@ pub(crate) mod finish;
 pub(crate) mod floor;
 pub(crate) mod groups;
 pub(crate) mod grow;
+pub(crate) mod guided;
 pub(crate) mod link;
 pub(crate) mod model;
 pub(crate) mod nearest;
