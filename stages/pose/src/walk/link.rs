@@ -37,6 +37,9 @@ stage::params! {
         /// Features that move less between two photos tell nothing of a camera that walks.
         #[range(0.0..=50.0)]
         still_px: f64 = 1.5,
+        /// Least share of what photos have in common that must move in the picture.
+        #[range(0.0..=1.0)]
+        least_moving: f64 = 0.5,
         /// Fewest matches that hold two photos together.
         #[range(8..=1000)]
         least: u32 = 20,
@@ -144,7 +147,10 @@ impl Stage for LinkUp {
             photo.map_or(String::new(), |p| p.name.clone())
         };
         let held: Vec<(usize, usize)> = links.iter().map(|l| l.photos).collect();
-        hangs_together(n, &held, still, moved, &name)?;
+        if (moved as f64) < p.least_moving * (moved + still) as f64 {
+            return Err(WalkError::StoodStill { still, moved }.into());
+        }
+        hangs_together(n, &held, &name)?;
         let tracks = chained(&views, &links);
         ctx.metric("tracks", tracks.points.len() as f64, "");
         Ok(tracks)
@@ -173,17 +179,12 @@ fn compare(
     pairs.par_iter().map(one).collect()
 }
 
-/// Refuses photos whose camera stood still, and those that do not hang together.
+/// Refuses photos that do not hang together.
 fn hangs_together(
     photos: usize,
     pairs: &[(usize, usize)],
-    still: usize,
-    moved: usize,
     name: &dyn Fn(usize) -> String,
 ) -> Result<(), WalkError> {
-    if still > moved {
-        return Err(WalkError::StoodStill { still, moved });
-    }
     let parts = parts(photos, pairs);
     let most = parts.first().map_or(0, Vec::len);
     if most >= 3 && 4 * most >= 3 * photos {
