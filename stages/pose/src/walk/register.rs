@@ -137,7 +137,11 @@ mod tests {
             let Some(at) = camera.project(&point).filter(|at| camera.holds(*at)) else {
                 continue;
             };
-            let wrong = if known.len() % 2 == 0 { 200.0 } else { 0.4 };
+            let wrong = if known.len().is_multiple_of(2) {
+                200.0
+            } else {
+                0.4
+            };
             known.push((
                 point,
                 [at.x + wrong * dice.normal(), at.y + wrong * dice.normal()],
