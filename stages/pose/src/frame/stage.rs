@@ -12,6 +12,8 @@ use std::sync::Arc;
 stage::params! {
     /// What is taken for a disk's edge, and how far scales may disagree.
     pub struct FrameParams {
+        /// Whether the edge of a disk is searched: a walk has none.
+        disk: bool = true,
         /// How far the step of brightness at the disk's edge must stand out from that of other
         /// circles.
         #[range(1.0..=100.0)]
@@ -77,7 +79,7 @@ impl Stage for Frame {
         let (cameras, rig) = (&*input.cameras, &input.photos.rig);
         let body = body(cameras, input.masks.as_deref());
         let placed = matches!(cameras.scale, Scale::Mat | Scale::Given);
-        let edge = if placed {
+        let edge = if placed || !p.disk {
             None
         } else {
             ctx.check()?;

@@ -1,9 +1,10 @@
 //! The last adjustments: all points, sightings as sure as they turn out to be.
 
 use crate::walk::adjust::{Free, Sureness, Terms, adjusted, sureness};
-use crate::walk::grow::{Grown, Growth};
+use crate::walk::grow::Grown;
 use crate::walk::model::Model;
 use crate::walk::points::offs;
+use crate::walk::rules::Growth;
 
 /// How many rounds.
 const ROUNDS: usize = 4;

@@ -7,39 +7,16 @@ use crate::walk::adjust::{Free, Terms, adjusted};
 use crate::walk::begin::begun;
 use crate::walk::groups::Groups;
 use crate::walk::model::{Model, Seen, Shot, Spot};
+use crate::walk::next::State;
 use crate::walk::points::{offs, places, spots};
-use crate::walk::register::{Known, Placed, Samples, registered};
+use crate::walk::rules::Growth;
 use rayon::prelude::*;
 use shape::{Intrinsics, PhotoId};
 
-/// How cameras grow.
-#[derive(Debug, Clone)]
-pub(crate) struct Growth {
-    /// Points further from where they were seen are left out. \[px\]
-    pub(crate) near_px: f64,
-    /// Fewest points that hold a camera.
-    pub(crate) least: usize,
-    /// Least share of the points a photo shows that must agree with its camera.
-    pub(crate) share: f64,
-    /// Most samples of a photo's RANSAC.
-    pub(crate) rounds: usize,
-    /// Seed.
-    pub(crate) seed: u64,
-    /// Most points of an adjustment while cameras grow.
-    pub(crate) most: usize,
-    /// How adjustments go, and what is believed of lenses.
-    pub(crate) terms: Terms,
-}
-
-/// Cameras found so far, with points by track.
+/// Cameras found so far.
 #[derive(Clone)]
 pub(crate) struct Grown<'a> {
-    seen: &'a Seen,
-    groups: &'a Groups,
-    rules: &'a Growth,
-    /// Without its points.
-    model: Model,
-    spots: Vec<Option<Spot>>,
+    state: State<'a>,
     /// How many shots there were when all were adjusted.
     settled: usize,
 }
@@ -66,11 +43,13 @@ pub(crate) fn grown<'a>(
         let lenses: Vec<Intrinsics> = groups.lenses.iter().map(longer).collect();
         let model = begun(seen, groups, &lenses, rules.near_px)?;
         let mut grown = Grown {
-            seen,
-            groups,
-            rules,
-            model,
-            spots: vec![None; seen.tracks.len()],
+            state: State {
+                seen,
+                groups,
+                rules,
+                model,
+                spots: vec![None; seen.tracks.len()],
+            },
             settled: 0,
         };
         grown.settle_all(2);
@@ -87,10 +66,10 @@ pub(crate) fn grown<'a>(
     let (_, mut grown) = best?;
     // What did not fit before may fit when all the others stand.
     loop {
-        let before = grown.model.shots.len();
+        let before = grown.state.model.shots.len();
         grown.grow(usize::MAX);
         grown.settle_all(2);
-        if grown.model.shots.len() == before {
+        if grown.state.model.shots.len() == before {
             return Some(grown);
         }
     }
@@ -99,7 +78,7 @@ pub(crate) fn grown<'a>(
 impl Grown<'_> {
     /// How much of what the shots show is explained, and how well.
     fn score(&self) -> f64 {
-        let sigma = self.rules.terms.sigma_px;
+        let sigma = self.state.rules.terms.sigma_px;
         let all = offs(&self.with_spots(usize::MAX).0);
         let one = |(_, off): &(usize, f64)| 1.0 / (1.0 + (off / sigma).powi(2));
         all.iter().map(one).sum()
@@ -107,46 +86,53 @@ impl Grown<'_> {
 
     /// The model with at most so many points, longer tracks first, and whose tracks they are.
     pub(crate) fn with_spots(&self, most: usize) -> (Model, Vec<usize>) {
-        let mut of: Vec<usize> = (0..self.spots.len())
-            .filter(|t| self.spots[*t].is_some())
+        let mut of: Vec<usize> = (0..self.state.spots.len())
+            .filter(|t| self.state.spots[*t].is_some())
             .collect();
         if of.len() > most {
             let mixed = |t: usize| (t as u64).wrapping_mul(0x9E37_79B9_7F4A_7C15);
-            let long = |t: usize| self.spots[t].as_ref().map_or(0, |s| s.sights.len().min(8));
+            let long = |t: usize| {
+                self.state.spots[t]
+                    .as_ref()
+                    .map_or(0, |s| s.sights.len().min(8))
+            };
             of.sort_by_key(|t| (std::cmp::Reverse(long(*t)), mixed(*t)));
             of.truncate(most);
             of.sort_unstable();
         }
-        let spots = of.iter().filter_map(|t| self.spots[*t].clone()).collect();
+        let spots = of
+            .iter()
+            .filter_map(|t| self.state.spots[*t].clone())
+            .collect();
         let model = Model {
             spots,
-            ..self.model.clone()
+            ..self.state.model.clone()
         };
         (model, of)
     }
 
     /// Points of all tracks, as the shots there are see them.
     pub(crate) fn look_again(&mut self, near_px: f64) {
-        let all: Vec<usize> = (0..self.seen.tracks.len()).collect();
-        self.spots = spots(&self.model, self.seen, &all, near_px);
+        let all: Vec<usize> = (0..self.state.seen.tracks.len()).collect();
+        self.state.spots = spots(&self.state.model, self.state.seen, &all, near_px);
     }
 
     /// Adjusts all so many times, points looked up anew before each.
     fn settle_all(&mut self, times: usize) {
         // Two photos know little of a lens, three not much more.
-        let tight = if self.model.shots.len() < 3 {
+        let tight = if self.state.model.shots.len() < 3 {
             1e-3
         } else {
             1.0
         };
         for k in (1..=times).rev() {
-            self.look_again(self.rules.near_px * k as f64);
+            self.look_again(self.state.rules.near_px * k as f64);
             let terms = Terms {
                 lenses: self.priors(tight),
                 steps: 12,
-                ..self.rules.terms.clone()
+                ..self.state.rules.terms.clone()
             };
-            let (mut model, _) = self.with_spots(self.rules.most);
+            let (mut model, _) = self.with_spots(self.state.rules.most);
             let free = Free {
                 lenses: true,
                 shots: None,
@@ -154,8 +140,8 @@ impl Grown<'_> {
             adjusted(&mut model, &terms, &free);
             self.take(model);
         }
-        self.look_again(self.rules.near_px);
-        self.settled = self.model.shots.len();
+        self.look_again(self.state.rules.near_px);
+        self.settled = self.state.model.shots.len();
     }
 
     /// What is believed of lenses; `tight` beliefs are about what they are now.
@@ -167,13 +153,18 @@ impl Grown<'_> {
             },
             false => *prior,
         };
-        let both = self.model.lenses.iter().zip(&self.rules.terms.lenses);
+        let both = self
+            .state
+            .model
+            .lenses
+            .iter()
+            .zip(&self.state.rules.terms.lenses);
         both.map(one).collect()
     }
 
     /// Takes lenses and shots over; points are looked up again.
     fn take(&mut self, model: Model) {
-        self.model = Model {
+        self.state.model = Model {
             spots: vec![],
             ..model
         };
@@ -181,21 +172,21 @@ impl Grown<'_> {
 
     /// Adds photos until there are `until`, or none holds on.
     fn grow(&mut self, until: usize) {
-        while self.model.shots.len() < until {
-            let Some((photo, lens, placed)) = self.next() else {
+        while self.state.model.shots.len() < until {
+            let Some((photo, lens, placed)) = self.state.next() else {
                 return;
             };
             if let Some(own) = lens {
-                self.model.lenses[self.groups.of[photo.0 as usize]] = own;
+                self.state.model.lenses[self.state.groups.of[photo.0 as usize]] = own;
             }
-            self.model.shots.push(Shot {
+            self.state.model.shots.push(Shot {
                 photo,
-                lens: self.groups.of[photo.0 as usize],
+                lens: self.state.groups.of[photo.0 as usize],
                 pose: placed.pose,
                 zoom: 0.0,
             });
             self.look_around(photo);
-            let now = self.model.shots.len();
+            let now = self.state.model.shots.len();
             match now <= FIRST || now as f64 >= MORE * self.settled as f64 {
                 true => self.settle_all(1),
                 false => self.settle_near(),
@@ -205,20 +196,25 @@ impl Grown<'_> {
 
     /// Points of the tracks that a photo shows.
     fn look_around(&mut self, photo: PhotoId) {
-        let own = &self.seen.by_photo[photo.0 as usize];
+        let own = &self.state.seen.by_photo[photo.0 as usize];
         let which: Vec<usize> = own.iter().map(|(t, _)| *t).collect();
-        let found = spots(&self.model, self.seen, &which, self.rules.near_px);
+        let found = spots(
+            &self.state.model,
+            self.state.seen,
+            &which,
+            self.state.rules.near_px,
+        );
         for (t, spot) in which.into_iter().zip(found) {
-            self.spots[t] = spot;
+            self.state.spots[t] = spot;
         }
     }
 
     /// Adjusts the last shot with those that see most of what it sees, lenses held.
     fn settle_near(&mut self) {
-        let last = self.model.shots.len() - 1;
+        let last = self.state.model.shots.len() - 1;
         let mut shared = vec![0usize; last + 1];
         let sees = |s: &&Spot| s.sights.iter().any(|(shot, _)| *shot == last);
-        for spot in self.spots.iter().flatten().filter(sees) {
+        for spot in self.state.spots.iter().flatten().filter(sees) {
             spot.sights.iter().for_each(|(s, _)| shared[*s] += 1);
         }
         let mut order: Vec<usize> = (0..last).collect();
@@ -229,15 +225,15 @@ impl Grown<'_> {
         let (mut model, _) = self.with_spots(usize::MAX);
         let near = |s: &Spot| s.sights.iter().any(|(shot, _)| free[*shot]);
         model.spots.retain(near);
-        model.spots.truncate(self.rules.most);
+        model.spots.truncate(self.state.rules.most);
         let terms = Terms {
             lenses: self.priors(1.0),
             steps: 8,
-            ..self.rules.terms.clone()
+            ..self.state.rules.terms.clone()
         };
         let photos: Vec<PhotoId> = (0..=last)
             .filter(|s| free[*s])
-            .map(|s| self.model.shots[s].photo)
+            .map(|s| self.state.model.shots[s].photo)
             .collect();
         let free = Free {
             lenses: false,
@@ -248,66 +244,9 @@ impl Grown<'_> {
         photos.into_iter().for_each(|photo| self.look_around(photo));
     }
 
-    /// The photo that is best added next, with its lens where that is new.
-    fn next(&self) -> Option<(PhotoId, Option<Intrinsics>, Placed)> {
-        let places = places(&self.model, self.seen.by_photo.len());
-        let open = (0..places.len()).filter(|p| places[*p].is_none());
-        let mut next: Vec<(usize, usize)> = open
-            .map(|p| (spread(&self.known(p), self.lens(p)), p))
-            .filter(|(score, _)| *score > 0)
-            .collect();
-        next.sort_by_key(|(score, p)| (std::cmp::Reverse(*score), *p));
-        next.into_iter().find_map(|(_, p)| self.placed(p))
-    }
-
-    fn lens(&self, photo: usize) -> &Intrinsics {
-        &self.model.lenses[self.groups.of[photo]]
-    }
-
-    /// The points that a photo shows.
-    fn known(&self, photo: usize) -> Vec<Known> {
-        let one = |(t, px): &(usize, [f64; 2])| Some((self.spots[*t].as_ref()?.at, *px));
-        self.seen.by_photo[photo].iter().filter_map(one).collect()
-    }
-
-    /// A photo's camera, if enough agrees with it.
-    fn placed(&self, photo: usize) -> Option<(PhotoId, Option<Intrinsics>, Placed)> {
-        let known = self.known(photo);
-        if known.len() < self.rules.least {
-            return None;
-        }
-        let samples = Samples {
-            near_px: 2.0 * self.rules.near_px,
-            rounds: self.rules.rounds,
-            seed: self.rules.seed,
-        };
-        let group = self.groups.of[photo];
-        let new = self.model.shots.iter().all(|s| s.lens != group);
-        let factors = if new {
-            &self.groups.factors[..]
-        } else {
-            &[1.0]
-        };
-        let mut best: Option<(Intrinsics, Placed)> = None;
-        for factor in factors {
-            let mut lens = *self.lens(photo);
-            lens.focal = lens.focal.map(|f| f * factor);
-            let found = registered(&lens, &known, &samples);
-            if let Some(found) = found
-                && best.as_ref().is_none_or(|(_, b)| found.agree > b.agree)
-            {
-                best = Some((lens, found));
-            }
-        }
-        let (lens, placed) = best?;
-        let enough = placed.agree >= self.rules.least
-            && placed.agree as f64 >= self.rules.share * known.len() as f64;
-        enough.then(|| (PhotoId(photo as u32), new.then_some(lens), placed))
-    }
-
     /// Photos without a camera.
     pub(crate) fn missing(&self) -> Vec<PhotoId> {
-        let places = places(&self.model, self.seen.by_photo.len());
+        let places = places(&self.state.model, self.state.seen.by_photo.len());
         let open = (0..places.len()).filter(|p| places[*p].is_none());
         open.map(|p| PhotoId(p as u32)).collect()
     }
@@ -317,22 +256,4 @@ impl Grown<'_> {
         self.take(model);
         self.look_again(near_px);
     }
-}
-
-/// How many points there are and how well they are spread over the photo: cells of three grids that
-/// hold one, those of finer grids worth more (Schönberger and Frahm 2016, §4.2).
-fn spread(known: &[Known], lens: &Intrinsics) -> usize {
-    let mut score = 0;
-    for cells in [2usize, 4, 8] {
-        let mut held = vec![false; cells * cells];
-        for (_, [x, y]) in known {
-            let cell = |v: f64, size: u32| {
-                let at = (v / f64::from(size) * cells as f64).max(0.0) as usize;
-                at.min(cells - 1)
-            };
-            held[cell(*y, lens.height) * cells + cell(*x, lens.width)] = true;
-        }
-        score += held.iter().filter(|h| **h).count() * cells * cells;
-    }
-    score
 }

@@ -17,6 +17,10 @@ stage::params! {
         /// Fewest matches that must agree before two photos are compared in full.
         #[range(8..=1000)]
         preview_least: u32 = 20,
+        /// How many of them are compared with those of a photo that holds on; then all features are,
+        /// along epipolar lines.
+        #[range(100..=100000)]
+        search: u32 = 4000,
         /// Most photos with which a photo is compared in full: those that share most with it.
         #[range(1..=200)]
         partners: u32 = 12,
@@ -33,14 +37,15 @@ stage::params! {
         /// Features that move less between two photos tell nothing of a camera that walks.
         #[range(0.0..=50.0)]
         still_px: f64 = 1.5,
+        /// Least share of what photos have in common that must move in the picture.
+        #[range(0.0..=1.0)]
+        least_moving: f64 = 0.5,
         /// Fewest matches that hold two photos together.
         #[range(8..=1000)]
         least: u32 = 20,
         /// Photos of which no such share of the matches agrees have nothing in common.
         #[range(0.0..=1.0)]
         least_share: f64 = 0.3,
-        /// Whether photos that hold together are searched once more along epipolar lines.
-        guided: bool = true,
         /// Most samples of a pair's RANSAC.
         #[range(10..=100000)]
         rounds: u32 = 1500,
@@ -117,9 +122,9 @@ impl Stage for LinkUp {
         let counts = every.iter().zip(&previews);
         let counts: Vec<_> = counts.map(|(p, s)| (*p, s.matches.len())).collect();
         let pairs = chosen(n, &counts, p.partners as usize, p.neighbours as usize);
-        let all = |(_, f): &(PhotoId, &Features)| (0..f.points.len() as u32).collect();
-        let all: Vec<Vec<u32>> = views.iter().map(all).collect();
-        let shared = compare(&pairs, &views, &all, &full, p.guided, ctx)?;
+        let some = |(_, f): &(PhotoId, &Features)| largest(f, p.search as usize);
+        let some: Vec<Vec<u32>> = views.iter().map(some).collect();
+        let shared = compare(&pairs, &views, &some, &full, true, ctx)?;
         let (still, moved) = shared
             .iter()
             .fold((0, 0), |(s, m), c| (s + c.still, m + c.matches.len()));
@@ -142,7 +147,10 @@ impl Stage for LinkUp {
             photo.map_or(String::new(), |p| p.name.clone())
         };
         let held: Vec<(usize, usize)> = links.iter().map(|l| l.photos).collect();
-        hangs_together(n, &held, still, moved, &name)?;
+        if (moved as f64) < p.least_moving * (moved + still) as f64 {
+            return Err(WalkError::StoodStill { still, moved }.into());
+        }
+        hangs_together(n, &held, &name)?;
         let tracks = chained(&views, &links);
         ctx.metric("tracks", tracks.points.len() as f64, "");
         Ok(tracks)
@@ -175,17 +183,12 @@ fn compare(
 fn hangs_together(
     photos: usize,
     pairs: &[(usize, usize)],
-    still: usize,
-    moved: usize,
     name: &dyn Fn(usize) -> String,
 ) -> Result<(), WalkError> {
     let parts = parts(photos, pairs);
     let most = parts.first().map_or(0, Vec::len);
     if most >= 3 && 4 * most >= 3 * photos {
         return Ok(());
-    }
-    if still > moved {
-        return Err(WalkError::StoodStill { still, moved });
     }
     let alone: Vec<usize> = parts.iter().skip(1).flatten().copied().collect();
     Err(WalkError::Apart {

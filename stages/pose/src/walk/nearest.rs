@@ -3,14 +3,14 @@
 //! Likenesses are products of matrices in single precision. Descriptions are whole numbers of length
 //! 512, so that no sum reaches 2²⁴ and every machine finds the same numbers in whatever order it adds.
 
-use crate::features::matching::{Pairs, likeness};
-use nalgebra::{DMatrix, Matrix3, Vector3};
+use crate::features::matching::Pairs;
+use nalgebra::DMatrix;
 use shape::Features;
 
 /// A description's likeness to itself.
-const SAME: f32 = 512.0 * 512.0;
+pub(crate) const SAME: f32 = 512.0 * 512.0;
 /// Features nearer to each other than this are one place with several directions. \[px\]
-const PLACE_PX: f32 = 2.0;
+pub(crate) const PLACE_PX: f32 = 2.0;
 /// How many features are compared at once.
 const STRIDE: usize = 128;
 
@@ -23,15 +23,25 @@ fn columns(features: &Features, which: &[u32]) -> DMatrix<f32> {
 }
 
 /// The two best so far.
-struct Best {
-    first: f32,
-    at: usize,
-    second: f32,
+pub(crate) struct Best {
+    pub(crate) first: f32,
+    pub(crate) at: usize,
+    pub(crate) second: f32,
+}
+
+impl Default for Best {
+    fn default() -> Self {
+        Best {
+            first: f32::MIN,
+            at: usize::MAX,
+            second: f32::MIN,
+        }
+    }
 }
 
 impl Best {
     /// Looks at one more; what lies where the best lies is no second.
-    fn see(&mut self, j: usize, alike: f32, elsewhere: &impl Fn(usize, usize) -> bool) {
+    pub(crate) fn see(&mut self, j: usize, alike: f32, elsewhere: &impl Fn(usize, usize) -> bool) {
         if alike <= self.second {
             return;
         }
@@ -68,11 +78,7 @@ pub(crate) fn nearest([a, b]: [&Features; 2], [of_a, of_b]: [&[u32]; 2], ratio: 
         part.gemm(1.0, &right, &left.columns(from, count), 0.0);
         for (k, column) in part.column_iter().enumerate() {
             let i = from + k;
-            let mut best = Best {
-                first: f32::MIN,
-                at: usize::MAX,
-                second: f32::MIN,
-            };
+            let mut best = Best::default();
             for ((j, &s), back) in column.iter().enumerate().zip(&mut back) {
                 if s > back.0 {
                     *back = (s, i);
@@ -91,67 +97,10 @@ pub(crate) fn nearest([a, b]: [&Features; 2], [of_a, of_b]: [&[u32]; 2], ratio: 
 
 /// Whether the nearest is nearer than `ratio` times the next; descriptions have length 512, so that
 /// squared distances are 2 (512² - likeness).
-fn ahead(best: &Best, ratio: f64) -> bool {
+pub(crate) fn ahead(best: &Best, ratio: f64) -> bool {
     let distance = |s: f32| f64::from(2.0 * (SAME - s).max(0.0)).sqrt();
     best.at != usize::MAX
         && (best.second == f32::MIN || distance(best.first) < ratio * distance(best.second))
-}
-
-/// Least likeness of what lies on one epipolar line: distance 0.7 of descriptions of length one, as
-/// COLMAP has it.
-const ON_LINE: f32 = SAME * (1.0 - 0.7 * 0.7 / 2.0);
-
-/// As [`nearest`] of all features, among those that lie within `band_px` of the epipolar line,
-/// `bᵀ F a = 0`: where a photo shows many alike, few of them lie there.
-pub(crate) fn guided(
-    [a, b]: [&Features; 2],
-    motion: &Matrix3<f64>,
-    band_px: f64,
-    ratio: f64,
-) -> Pairs {
-    let [xs, ys]: [Vec<f32>; 2] = [
-        b.points.iter().map(|k| k.x).collect(),
-        b.points.iter().map(|k| k.y).collect(),
-    ];
-    let elsewhere = |i: usize, j: usize| (xs[i] - xs[j]).hypot(ys[i] - ys[j]) >= PLACE_PX;
-    let mut back = vec![(f32::MIN, usize::MAX); b.points.len()];
-    let mut there: Vec<(usize, usize)> = Vec::new();
-    let mut near: Vec<usize> = Vec::new();
-    for (i, k) in a.points.iter().enumerate() {
-        let line = motion * Vector3::new(f64::from(k.x), f64::from(k.y), 1.0);
-        let line = (line / line.xy().norm().max(1e-12)).map(|v| v as f32);
-        near.clear();
-        let off = xs
-            .iter()
-            .zip(&ys)
-            .map(|(x, y)| line.x * x + line.y * y + line.z);
-        near.extend(
-            off.enumerate()
-                .filter(|(_, off)| off.abs() < band_px as f32)
-                .map(|(j, _)| j),
-        );
-        let mut best = Best {
-            first: f32::MIN,
-            at: usize::MAX,
-            second: f32::MIN,
-        };
-        for j in near.iter().copied() {
-            if !(0.4..2.5).contains(&(b.points[j].scale / k.scale)) {
-                continue;
-            }
-            let alike = likeness(&a.descriptors[i], &b.descriptors[j]) as f32;
-            if alike > back[j].0 {
-                back[j] = (alike, i);
-            }
-            best.see(j, alike, &elsewhere);
-        }
-        if best.first >= ON_LINE && ahead(&best, ratio) {
-            there.push((i, best.at));
-        }
-    }
-    there.retain(|(i, j)| back[*j].1 == *i);
-    let of = |(i, j): (usize, usize)| (i as u32, j as u32);
-    there.into_iter().map(of).collect()
 }
 
 #[cfg(test)]
@@ -159,32 +108,6 @@ mod tests {
     use super::*;
     use crate::features::matching::mutual;
     use shape::Keypoint;
-
-    #[test]
-    fn of_many_alike_the_one_on_the_line_is_found() {
-        let mut dice = proof::Dice(4);
-        let mut at = |x: f64, y: f64| Keypoint {
-            x: x as f32,
-            y: (y + 0.1 * dice.normal()) as f32,
-            scale: 3.0,
-            angle: 0.0,
-        };
-        // A row of equal things above another; the camera moved sideways.
-        let (mut a, mut b) = (Features::default(), Features::default());
-        for row in 0..20 {
-            a.points.push(at(100.0, 40.0 * f64::from(row)));
-            b.points.push(at(130.0, 40.0 * f64::from(row)));
-        }
-        let mut same = [0u8; 128];
-        same[..64].fill(64);
-        a.descriptors = vec![same; 20];
-        b.descriptors = vec![same; 20];
-        let all: Vec<u32> = (0..20).collect();
-        assert!(nearest([&a, &b], [&all, &all], 0.8).is_empty());
-        let sideways = Vector3::x().cross_matrix();
-        let found = guided([&a, &b], &sideways, 2.0, 0.8);
-        assert_eq!(found, (0..20).map(|i| (i, i)).collect::<Vec<_>>());
-    }
 
     #[test]
     fn it_finds_what_comparing_one_by_one_finds() {
@@ -210,7 +133,7 @@ mod tests {
         // Half of the first, a little changed.
         for i in 0..150 {
             let mut d = a.descriptors[i];
-            (0..128).for_each(|k| d[k] = d[k].saturating_add((7 * (i + k) % 40) as u8));
+            (0..128).for_each(|k| d[k] = d[k].saturating_add(((i + k) % 7) as u8));
             b.descriptors.push(d);
             b.points.push(a.points[149 - i]);
         }

@@ -4,7 +4,8 @@
 use crate::features::matching::Pairs;
 use crate::two_view::epipolar::{agreeing, fundamental};
 use crate::two_view::five_point::Both;
-use crate::walk::nearest::{guided, nearest};
+use crate::walk::guided::guided;
+use crate::walk::nearest::nearest;
 use shape::Features;
 
 /// How pairs are compared.

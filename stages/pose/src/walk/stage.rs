@@ -5,10 +5,11 @@ use crate::walk::adjust::Terms;
 use crate::walk::error::WalkError;
 use crate::walk::finish::{Finished, finished};
 use crate::walk::groups::{Groups, Widths, stored, upright};
-use crate::walk::grow::{Growth, grown};
+use crate::walk::grow::grown;
 use crate::walk::model::Seen;
 use crate::walk::points::offs;
-use crate::walk::world::{nearby, turn, world};
+use crate::walk::rules::Growth;
+use crate::walk::world::{nearby, on_side, turn, world};
 use nalgebra::Point3;
 use shape::{ByPhoto, Camera, Cameras, PhotoId, Photos, Scale, Tracks, View};
 use stage::{Ctx, Stage, Stop};
@@ -225,6 +226,9 @@ fn placed(photos: &Photos, done: &Finished, ctx: &Ctx<'_>) -> Result<Cameras, Wa
     let list: Vec<Camera> = views.values().map(|v| v.camera).collect();
     let points: Vec<Point3<f64>> = model.spots.iter().map(|s| s.at).collect();
     let world = world(&list, &points).ok_or(WalkError::NoBeginning)?;
+    if on_side(&list) {
+        ctx.warn("the photos lie on their side; which end of the subject is up was guessed from where the cameras look down: turn the photos upright to be sure");
+    }
     let cameras = Cameras {
         views,
         scale: Scale::Nothing,

@@ -1,5 +1,6 @@
 //! The frame of a walk: the origin where all cameras look, z up.
 
+use crate::walk::floor::{floor, median};
 use nalgebra::{Matrix3, Point3, Rotation3, Vector3};
 use shape::{Camera, Cameras};
 
@@ -19,6 +20,8 @@ pub struct World {
 /// How strongly the photos' own upright counts against their horizontals: it decides only where
 /// horizontals leave it open.
 const OWN: f64 = 0.01;
+/// Axes whose spread lies to this share along one direction point one way.
+const ONE_WAY: f64 = 0.9;
 /// Rounds of reweighting.
 const ROUNDS: usize = 10;
 
@@ -27,7 +30,11 @@ const ROUNDS: usize = 10;
 pub fn world(cameras: &[Camera], points: &[Point3<f64>]) -> Option<World> {
     let origin = fixation(cameras)?;
     let tilted = upward(cameras)?;
-    let floor = floor(points, &origin, &tilted, cameras);
+    let far: Vec<f64> = cameras
+        .iter()
+        .map(|c| (c.centre() - origin).norm())
+        .collect();
+    let floor = floor(points, &origin, &tilted, median(&far));
     let up = floor.map_or(tilted, |f| f.0);
     let out = |c: &Camera| {
         let d = c.centre() - origin;
@@ -74,14 +81,39 @@ fn fixation(cameras: &[Camera]) -> Option<Point3<f64>> {
     Some(at.into())
 }
 
-/// What is level in photos is level in the world: up is across most of the photos' x axes.
-fn upward(cameras: &[Camera]) -> Option<Vector3<f64>> {
-    let turned = |axis: Vector3<f64>| {
-        let of = move |c: &Camera| c.pose.rotation.inverse() * axis;
-        cameras.iter().map(of).collect::<Vec<_>>()
+/// Axes of the cameras in the world.
+fn axes(cameras: &[Camera], axis: Vector3<f64>) -> Vec<Vector3<f64>> {
+    let of = |c: &Camera| c.pose.rotation.inverse() * axis;
+    cameras.iter().map(of).collect()
+}
+
+/// Whether photos lie on their side: their x axes all point one way, and their y axes do not.
+pub(crate) fn on_side(cameras: &[Camera]) -> bool {
+    let one_way = |axis: Vector3<f64>| {
+        let spread: Matrix3<f64> = axes(cameras, axis).iter().map(|a| a * a.transpose()).sum();
+        spread.symmetric_eigenvalues().max() > ONE_WAY * cameras.len() as f64
     };
-    let (level, own) = (turned(Vector3::x()), turned(-Vector3::y()));
-    let own = own.iter().sum::<Vector3<f64>>().try_normalize(1e-6)?;
+    one_way(Vector3::x()) && !one_way(Vector3::y())
+}
+
+/// What is level in photos is level in the world: up is across most of the photos' x axes. Of photos
+/// that lie on their side it is across the y axes, and cameras look down rather than up.
+fn upward(cameras: &[Camera]) -> Option<Vector3<f64>> {
+    let mean = |all: &[Vector3<f64>]| all.iter().sum::<Vector3<f64>>().try_normalize(1e-6);
+    let (level, own) = match on_side(cameras) {
+        false => (
+            axes(cameras, Vector3::x()),
+            mean(&axes(cameras, -Vector3::y()))?,
+        ),
+        true => {
+            let up = mean(&axes(cameras, Vector3::x()))?;
+            let ahead: f64 = axes(cameras, Vector3::z()).iter().map(|z| z.dot(&up)).sum();
+            (
+                axes(cameras, Vector3::y()),
+                if ahead > 0.0 { -up } else { up },
+            )
+        }
+    };
     let mut weights = vec![1.0; level.len()];
     let mut up = own;
     for _ in 0..ROUNDS {
@@ -94,100 +126,10 @@ fn upward(cameras: &[Camera]) -> Option<Vector3<f64>> {
         up = (normal.try_inverse()? * own * own_weight).try_normalize(1e-12)?;
         let off: Vec<f64> = level.iter().map(|x| x.dot(&up).abs()).collect();
         let usual = median(&off).max(0.01);
-        weights = off
-            .iter()
-            .map(|o| 1.0 / (1.0 + (o / usual / 2.0).powi(2)))
-            .collect();
+        let weight = |o: &f64| 1.0 / (1.0 + (o / usual / 2.0).powi(2));
+        weights = off.iter().map(weight).collect();
     }
     Some(up)
-}
-
-/// How far the floor may be from level as the photos have it. \[rad\]
-const TILT: f64 = 0.12;
-/// How thick a floor is, as a share of the cameras' distance.
-const THICK: f64 = 0.01;
-/// Least share of the points near the subject that lie on the floor, and of those under it at most.
-const SHARE: [f64; 2] = [0.08, 0.03];
-/// Fewest points of a floor.
-const FEW: usize = 50;
-
-/// The lowest plane that is nearly level and holds many points about the subject, as its normal and
-/// a point on it.
-fn floor(
-    points: &[Point3<f64>],
-    origin: &Point3<f64>,
-    up: &Vector3<f64>,
-    cameras: &[Camera],
-) -> Option<(Vector3<f64>, Point3<f64>)> {
-    let far: Vec<f64> = cameras
-        .iter()
-        .map(|c| (c.centre() - origin).norm())
-        .collect();
-    let reach = median(&far);
-    let near: Vec<Point3<f64>> = points
-        .iter()
-        .filter(|p| (**p - origin).norm() < reach)
-        .copied()
-        .collect();
-    if near.len() < 4 * FEW {
-        return None;
-    }
-    let thick = THICK * reach;
-    let height = |p: &Point3<f64>, normal: &Vector3<f64>| (p - origin).dot(normal);
-    let mut dice = 1u64;
-    let mut draw = || {
-        dice = dice
-            .wrapping_mul(6_364_136_223_846_793_005)
-            .wrapping_add(1_442_695_040_888_963_407);
-        near[((dice >> 33) as usize) % near.len()]
-    };
-    let mut best: Option<(usize, Vector3<f64>, f64)> = None;
-    for _ in 0..4000 {
-        let (a, b, c) = (draw(), draw(), draw());
-        let Some(mut normal) = (b - a).cross(&(c - a)).try_normalize(1e-12) else {
-            continue;
-        };
-        normal *= normal.dot(up).signum();
-        let at = height(&a, &normal);
-        if normal.angle(up) > TILT || at > 0.0 {
-            continue;
-        }
-        let on = near
-            .iter()
-            .filter(|p| (height(p, &normal) - at).abs() < thick);
-        let count = on.count();
-        if best.is_none_or(|(most, ..)| count > most) {
-            best = Some((count, normal, at));
-        }
-    }
-    let (_, mut normal, mut at) = best?;
-    for _ in 0..5 {
-        let on = |p: &&Point3<f64>| (height(p, &normal) - at).abs() < thick;
-        let on: Vec<Vector3<f64>> = near.iter().filter(on).map(|p| p.coords).collect();
-        let mean = on.iter().sum::<Vector3<f64>>() / on.len().max(1) as f64;
-        let spread: Matrix3<f64> = on.iter().map(|p| (p - mean) * (p - mean).transpose()).sum();
-        let eigen = spread.symmetric_eigen();
-        let least: Vector3<f64> = eigen.eigenvectors.column(eigen.eigenvalues.imin()).into();
-        normal = least * least.dot(up).signum();
-        at = height(&mean.into(), &normal);
-    }
-    let on = near
-        .iter()
-        .filter(|p| (height(p, &normal) - at).abs() < thick)
-        .count();
-    let under = near
-        .iter()
-        .filter(|p| height(p, &normal) < at - 2.0 * thick)
-        .count();
-    let share = |count: usize| count as f64 / near.len() as f64;
-    let holds = on >= FEW && share(on) >= SHARE[0] && share(under) <= SHARE[1];
-    (holds && normal.angle(up) <= TILT).then(|| (normal, origin + normal * at))
-}
-
-fn median(all: &[f64]) -> f64 {
-    let mut all = all.to_vec();
-    all.sort_by(f64::total_cmp);
-    all.get(all.len() / 2).copied().unwrap_or(0.0)
 }
 
 /// The turn to the frame: z up, the first camera looks along +y.
@@ -262,6 +204,21 @@ mod tests {
         let found = world(&cameras, &points).unwrap();
         proof::near(found.floor.unwrap(), -0.9, 1e-3);
         assert!(found.up.angle(&(tilt * Vector3::z())) < 1e-3);
+    }
+
+    #[test]
+    fn photos_that_lie_on_their_side_are_told_from_upright_ones() {
+        let origin = Point3::new(4.0, -2.0, 7.0);
+        let mut cameras = around(&origin, &Rotation3::identity());
+        assert!(!on_side(&cameras));
+        let quarter = Rotation3::from_euler_angles(0.0, 0.0, -std::f64::consts::FRAC_PI_2);
+        for camera in &mut cameras {
+            camera.pose.rotation = quarter * camera.pose.rotation;
+            camera.pose.translation = quarter * camera.pose.translation;
+        }
+        assert!(on_side(&cameras));
+        let found = world(&cameras, &[]).unwrap();
+        assert!(found.up.angle(&Vector3::z()) < 0.05, "{}", found.up);
     }
 
     #[test]

@@ -1,0 +1,87 @@
+//! The floor that a subject stands on: a nearly level plane under which there is next to nothing.
+
+use nalgebra::{Matrix3, Point3, Vector3};
+
+/// How far the floor may be from level as the photos have it. \[rad\]
+const TILT: f64 = 0.12;
+/// How thick a floor is, as a share of the cameras' distance.
+const THICK: f64 = 0.01;
+/// Least share of the points near the subject that lie on the floor, and of those under it at most.
+const SHARE: [f64; 2] = [0.08, 0.03];
+/// Fewest points of a floor.
+const FEW: usize = 50;
+
+/// The lowest plane that is nearly level and holds many points within `reach` of the origin, as its
+/// normal and a point on it.
+pub(crate) fn floor(
+    points: &[Point3<f64>],
+    origin: &Point3<f64>,
+    up: &Vector3<f64>,
+    reach: f64,
+) -> Option<(Vector3<f64>, Point3<f64>)> {
+    let near: Vec<Point3<f64>> = points
+        .iter()
+        .filter(|p| (**p - origin).norm() < reach)
+        .copied()
+        .collect();
+    if near.len() < 4 * FEW {
+        return None;
+    }
+    let thick = THICK * reach;
+    let height = |p: &Point3<f64>, normal: &Vector3<f64>| (p - origin).dot(normal);
+    let mut dice = 1u64;
+    let mut draw = || {
+        dice = dice
+            .wrapping_mul(6_364_136_223_846_793_005)
+            .wrapping_add(1_442_695_040_888_963_407);
+        near[((dice >> 33) as usize) % near.len()]
+    };
+    let mut best: Option<(usize, Vector3<f64>, f64)> = None;
+    for _ in 0..4000 {
+        let (a, b, c) = (draw(), draw(), draw());
+        let Some(mut normal) = (b - a).cross(&(c - a)).try_normalize(1e-12) else {
+            continue;
+        };
+        normal *= normal.dot(up).signum();
+        let at = height(&a, &normal);
+        if normal.angle(up) > TILT || at > 0.0 {
+            continue;
+        }
+        let on = near
+            .iter()
+            .filter(|p| (height(p, &normal) - at).abs() < thick);
+        let count = on.count();
+        if best.is_none_or(|(most, ..)| count > most) {
+            best = Some((count, normal, at));
+        }
+    }
+    let (_, mut normal, mut at) = best?;
+    for _ in 0..5 {
+        let on = |p: &&Point3<f64>| (height(p, &normal) - at).abs() < thick;
+        let on: Vec<Vector3<f64>> = near.iter().filter(on).map(|p| p.coords).collect();
+        let mean = on.iter().sum::<Vector3<f64>>() / on.len().max(1) as f64;
+        let spread: Matrix3<f64> = on.iter().map(|p| (p - mean) * (p - mean).transpose()).sum();
+        let eigen = spread.symmetric_eigen();
+        let least: Vector3<f64> = eigen.eigenvectors.column(eigen.eigenvalues.imin()).into();
+        normal = least * least.dot(up).signum();
+        at = height(&mean.into(), &normal);
+    }
+    let on = near
+        .iter()
+        .filter(|p| (height(p, &normal) - at).abs() < thick)
+        .count();
+    let under = near
+        .iter()
+        .filter(|p| height(p, &normal) < at - 2.0 * thick)
+        .count();
+    let share = |count: usize| count as f64 / near.len() as f64;
+    let holds = on >= FEW && share(on) >= SHARE[0] && share(under) <= SHARE[1];
+    (holds && normal.angle(up) <= TILT).then(|| (normal, origin + normal * at))
+}
+
+/// The middle one.
+pub(crate) fn median(all: &[f64]) -> f64 {
+    let mut all = all.to_vec();
+    all.sort_by(f64::total_cmp);
+    all.get(all.len() / 2).copied().unwrap_or(0.0)
+}

@@ -1,0 +1,22 @@
+//! What holds a camera, and how adjustments go.
+
+use crate::walk::adjust::Terms;
+
+/// How cameras grow.
+#[derive(Debug, Clone)]
+pub(crate) struct Growth {
+    /// Points further from where they were seen are left out. \[px\]
+    pub(crate) near_px: f64,
+    /// Fewest points that hold a camera.
+    pub(crate) least: usize,
+    /// Least share of the points a photo shows that must agree with its camera.
+    pub(crate) share: f64,
+    /// Most samples of a photo's RANSAC.
+    pub(crate) rounds: usize,
+    /// Seed.
+    pub(crate) seed: u64,
+    /// Most points of an adjustment while cameras grow.
+    pub(crate) most: usize,
+    /// How adjustments go, and what is believed of lenses.
+    pub(crate) terms: Terms,
+}
