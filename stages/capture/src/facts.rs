@@ -1,46 +1,12 @@
 //! What is said beside `capture.toml`, by its keys: on the command line, in a pipeline. It wins.
 
-use crate::rig::{RigFile, read_table};
-use stage::{Mistake, ParamType, Value};
+use stage::Value;
 use std::collections::BTreeMap;
 use toml::Table;
 
 /// Keys of `capture.toml` with their values.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Facts(pub BTreeMap<String, Value>);
-
-impl ParamType for Facts {
-    const NAME: &'static str = "a table of capture.toml's keys";
-
-    fn read(value: &Value) -> Option<Self> {
-        let mut mistakes = Vec::new();
-        let read = Self::read_within("", value, &mut mistakes)?;
-        mistakes.is_empty().then_some(read)
-    }
-
-    /// Every value is checked here; what is missing may stand in the file.
-    fn read_within(name: &str, value: &Value, mistakes: &mut Vec<Mistake>) -> Option<Self> {
-        let mut wrong = |what: String| {
-            let name = name.to_owned();
-            mistakes.push(Mistake { name, what });
-        };
-        let Value::Table(said) = value else {
-            wrong(format!("wants {}, but {value} is none", Self::NAME));
-            return None;
-        };
-        let facts = Facts(said.clone());
-        match read_table(facts.table()) {
-            Ok(RigFile { unknown, .. }) => unknown.into_iter().for_each(wrong),
-            Err(error) if error.missing => {}
-            Err(error) => wrong(error.what),
-        }
-        Some(facts)
-    }
-
-    fn value(&self) -> Value {
-        Value::Table(self.0.clone())
-    }
-}
 
 impl Facts {
     /// As a table of TOML.
@@ -95,62 +61,5 @@ fn plain(value: &Value) -> toml::Value {
         Value::Text(t) => t.clone().into(),
         Value::List(l) => toml::Value::Array(l.iter().map(plain).collect()),
         Value::Table(t) => Facts(t.clone()).table().into(),
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::rig::read_rig;
-
-    fn facts(text: &str) -> Value {
-        fn value(v: &toml::Value) -> Value {
-            match v {
-                toml::Value::Table(t) => {
-                    Value::Table(t.iter().map(|(k, v)| (k.clone(), value(v))).collect())
-                }
-                toml::Value::Array(l) => Value::List(l.iter().map(value).collect()),
-                toml::Value::Float(x) => Value::Float(*x),
-                toml::Value::Integer(i) => Value::Int(*i),
-                toml::Value::String(t) => Value::Text(t.clone()),
-                other => panic!("{other}"),
-            }
-        }
-        value(&toml::Value::Table(text.parse().unwrap()))
-    }
-
-    #[test]
-    fn what_is_said_wins_over_the_file_and_the_rest_stays() {
-        let file = "step_deg = 20.0\n[subject]\nheight_cm = 165\nweight_kg = 56\n[camera]\nfocal_px = 900\n\
-                    [reference]\nkind = \"subject_height\"\nlength_mm = 1650";
-        let said = facts("[subject]\nheight_cm = 178\n[camera]\nfocal_35mm = 26");
-        let rig = read_rig(file, &Facts::read(&said).unwrap()).unwrap().rig;
-        assert_eq!((rig.stature_mm, rig.weight_kg), (Some(1780.0), Some(56.0)));
-        assert_eq!((rig.focal_35mm, rig.focal_px), (Some(26.0), None));
-        assert_eq!(rig.reference, None, "the file's reference is the stature");
-        proof::near(rig.step.unwrap().to_degrees(), 20.0, 1e-12);
-    }
-
-    #[test]
-    fn what_is_wrong_is_told_before_anything_is_read() {
-        let told = |text: &str| {
-            let mut mistakes = Vec::new();
-            Facts::read_within("facts", &facts(text), &mut mistakes);
-            mistakes
-        };
-        for (text, says) in [
-            (
-                "subject.height_cm = 1780",
-                "`subject.height_cm` wants a number from 10 to 300",
-            ),
-            ("subject.hight_cm = 178", "did you mean `height_cm`"),
-            ("stepdeg = 20", "did you mean `step_deg`"),
-        ] {
-            let mistakes = told(text);
-            assert_eq!(mistakes.len(), 1, "{mistakes:?}");
-            assert!(mistakes[0].what.contains(says), "{mistakes:?}");
-        }
-        // The rest of a mat may stand in the file.
-        assert_eq!(told("mat.ring_radius_mm = 187"), []);
     }
 }

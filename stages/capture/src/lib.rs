@@ -6,6 +6,7 @@ mod alike;
 mod error;
 mod exif;
 mod facts;
+mod facts_param;
 mod folder;
 mod glance;
 mod keys;

@@ -1,6 +1,6 @@
 //! What was measured, with intervals, what they are made of, and curves.
 
-use crate::{GirthId, Landmark, Missing, Note, Plane, Region, Sigmas, Split};
+use crate::{GirthId, Landmark, Missing, Note, Plane, Region, Sigmas, Split, Unit};
 use serde::{Deserialize, Serialize};
 use stage::{Artifact, Corrupt, Packer, Unpacker};
 
@@ -84,42 +84,6 @@ impl Girth {
         });
         let notes = self.notes.iter().map(Note::sentence);
         split.into_iter().chain(unknown).chain(notes).collect()
-    }
-}
-
-/// What the numbers mean.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
-pub enum Unit {
-    /// Millimetres are millimetres.
-    #[default]
-    Metric,
-    /// Nothing of known length was given: 1000 "mm" are the radius of the camera ring.
-    Relative,
-}
-
-impl Unit {
-    /// A length to be told: millimetres, or shares of the camera ring's radius; with its unit.
-    pub fn length(self, mm: f64) -> (f64, &'static str) {
-        match self {
-            Unit::Metric => (mm, "mm"),
-            Unit::Relative => (mm / 1000.0, "relative"),
-        }
-    }
-
-    /// A volume to be told: litres, or shares of the cube of the camera ring's radius; with its unit.
-    pub fn volume(self, mm3: f64) -> (f64, &'static str) {
-        match self {
-            Unit::Metric => (mm3 * 1e-6, "l"),
-            Unit::Relative => (mm3 * 1e-9, "relative"),
-        }
-    }
-
-    /// A length in a sentence: `12 mm`, or `0.0120 of the camera ring's radius`.
-    pub fn words(self, mm: f64) -> String {
-        match self {
-            Unit::Metric => format!("{mm:.0} mm"),
-            Unit::Relative => format!("{:.4} of the camera ring's radius", mm / 1000.0),
-        }
     }
 }
 
