@@ -9,6 +9,8 @@ use shape::{Camera, Gray, Image, Mask, Placed, Rgb, register, registered};
 
 /// Photos of a turn are of the same exposure where ratios are off one by less than this.
 const SAME: f32 = 0.003;
+/// Levels that tell whether exposures differ.
+const TOLD: std::ops::Range<usize> = 40..248;
 
 /// How a photo lies in the common place, and what its levels are there.
 #[derive(Debug, Clone, PartialEq)]
@@ -83,8 +85,14 @@ pub(crate) fn on_each_other(photos: &[Rgb]) -> Vec<Placed> {
 /// What brings photos to the exposure of the middle one, once they are laid on each other.
 pub(crate) fn exposed_alike(photos: &[Rgb], placed: &[Placed]) -> Vec<Option<Levels>> {
     let reference = middle(photos, placed);
-    let alike = |photo: &Rgb| exposure_beyond(&reference, photo, SAME);
+    let alike = |photo: &Rgb| exposure_beyond(&reference, photo, SAME).filter(changes);
     photos.par_iter().map(alike).collect()
+}
+
+/// Whether levels change by half a level in the mean of a channel, those left out that are dark or cut off.
+fn changes(levels: &Levels) -> bool {
+    let off = |of: &[u8; 256]| -> u32 { TOLD.map(|v| u32::from(of[v].abs_diff(v as u8))).sum() };
+    levels.iter().any(|of| 2 * off(of) >= TOLD.len() as u32)
 }
 
 /// The middle of all photos, channel by channel, once their brightness is the same.
@@ -188,7 +196,7 @@ mod tests {
         assert!(placed.iter().all(Placed::lies), "{placed:?}");
         assert!(exposed_alike(&photos, &placed).iter().all(Option::is_none));
         let level = on_plate(&photos[0], &photos[1].gray(), 1);
-        assert_eq!(level, Level::NONE);
+        assert!(level.placed.lies(), "{level:?}");
     }
 
     #[test]
