@@ -25,7 +25,7 @@ const SHARED: f64 = 0.15;
 const FAR: f64 = 0.05;
 
 /// Ways of corners below this are none: photos that lie where they should stay as they are. \[px\]
-const LEAST_WAY: f64 = 0.03;
+const LEAST_WAY: f64 = 0.06;
 /// How a picture lies on another of its size. `None` where they share too little.
 pub fn register(picture: &Gray, other: &Gray) -> Option<Placed> {
     laid(&pyramid(picture), &pyramid(other), Placed::SAME).map(|p| settled(p, picture))
@@ -33,13 +33,20 @@ pub fn register(picture: &Gray, other: &Gray) -> Option<Placed> {
 
 /// Where it is unless it went some way.
 pub(crate) fn settled(placed: Placed, picture: &Gray) -> Placed {
-    if placed.way(picture.width, picture.height) >= LEAST_WAY {
-        return placed;
-    }
+    let half = (picture.width as f64).hypot(picture.height as f64) / 2.0;
+    let [dx, dy] = placed.shift;
     Placed {
-        gain: placed.gain,
-        bias: placed.bias,
-        ..Placed::SAME
+        shift: if dx.hypot(dy) < LEAST_WAY {
+            [0.0; 2]
+        } else {
+            placed.shift
+        },
+        roll: if placed.roll.abs() * half < LEAST_WAY {
+            0.0
+        } else {
+            placed.roll
+        },
+        ..placed
     }
 }
 

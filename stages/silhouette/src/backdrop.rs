@@ -2,6 +2,7 @@
 //!
 //! Pixels that never change are the room's, unless what changes encloses them.
 
+use rayon::prelude::*;
 use shape::{Image, Rgb};
 
 /// What the photos of a turn show behind the subject.
@@ -23,10 +24,12 @@ impl Backdrop {
 
 /// Colours nearer to each other than this are one. \[levels\]
 const SAME: u8 = 4;
+/// And by so much of the contrast around that all photos share: cameras tremble, and some are less sharp.
+const TREMBLE: f32 = 0.15;
 
 /// How many of a pixel's colours are alike: those around the one that has most others near.
-fn alike(colors: &[[u8; 3]]) -> usize {
-    let near = |a: &[u8; 3], b: &[u8; 3]| (0..3).all(|c| a[c].abs_diff(b[c]) <= SAME);
+fn alike(colors: &[[u8; 3]], same: u8) -> usize {
+    let near = |a: &[u8; 3], b: &[u8; 3]| (0..3).all(|c| a[c].abs_diff(b[c]) <= same);
     let fans = |a: &[u8; 3]| colors.iter().filter(|b| near(a, b)).count();
     colors.iter().map(fans).max().unwrap_or(0)
 }
@@ -56,22 +59,66 @@ pub fn middle(photos: &[Rgb], covered: &[Image<bool>]) -> Backdrop {
     middle
 }
 
+/// The greatest difference of a channel between a pixel and those beside it. \[levels\]
+fn contrast(photo: &Rgb) -> Vec<u8> {
+    let (w, h) = (photo.width, photo.height);
+    let one = |i: usize| {
+        let (x, y) = (i % w, i / w);
+        let beside = [
+            (x > 0).then(|| i - 1),
+            (x + 1 < w).then(|| i + 1),
+            (y > 0).then(|| i - w),
+            (y + 1 < h).then(|| i + w),
+        ];
+        let off = |j: usize| (0..3).map(move |c| photo.data[i][c].abs_diff(photo.data[j][c]));
+        beside
+            .into_iter()
+            .flatten()
+            .flat_map(off)
+            .max()
+            .unwrap_or(0)
+    };
+    (0..w * h).map(one).collect()
+}
+
 /// Pixels that all photos but one show alike; those that the moving ones enclose apart: what never
 /// changes amid the turn may be a plain body that covers it all the time.
 ///
 /// Returns for each pixel whether it stands still as background (`Some(true)`), is enclosed by the
 /// turn and may always show the body (`Some(false)`), or changes.
 pub fn still(photos: &[Rgb]) -> Image<Option<bool>> {
-    let (w, h) = photos.first().map_or((0, 0), |p| (p.width, p.height));
-    let mut colors = Vec::with_capacity(photos.len());
-    let mut fixed = Image::filled(w, h, false);
-    for i in 0..w * h {
-        colors.clear();
-        colors.extend(photos.iter().map(|p| p.data[i]));
-        fixed.data[i] = alike(&colors) + 1 >= photos.len();
+    let fixed = fixed(photos);
+    let apart = enclosed(&fixed);
+    let verdict = |i: usize| fixed.data[i].then(|| !apart.data[i]);
+    Image {
+        width: fixed.width,
+        height: fixed.height,
+        data: (0..fixed.data.len()).map(verdict).collect(),
     }
+}
+
+/// Pixels that all photos but one show alike.
+fn fixed(photos: &[Rgb]) -> Image<bool> {
+    let (w, h) = photos.first().map_or((0, 0), |p| (p.width, p.height));
+    let rough: Vec<Vec<u8>> = photos.par_iter().map(contrast).collect();
+    let one = |i: usize| {
+        let colors: Vec<[u8; 3]> = photos.iter().map(|p| p.data[i]).collect();
+        let shared = rough.iter().map(|r| r[i]).min().unwrap_or(0);
+        let same = SAME + (TREMBLE * f32::from(shared)) as u8;
+        alike(&colors, same) + 1 >= photos.len()
+    };
+    Image {
+        width: w,
+        height: h,
+        data: (0..w * h).into_par_iter().map(one).collect(),
+    }
+}
+
+/// Which fixed pixels cannot be reached from the photo's border over fixed ones: they lie amid what changes.
+fn enclosed(fixed: &Image<bool>) -> Image<bool> {
+    let (w, h) = (fixed.width, fixed.height);
     // Gaps of three pixels in the ring of change around the body are closed.
-    let open = thinned(&fixed, 2);
+    let open = thinned(fixed, 2);
     let mut reached = Image::filled(w, h, false);
     let border = (0..w).flat_map(|x| [(x, 0), (x, h.saturating_sub(1))]);
     let sides = (0..h).flat_map(|y| [(0, y), (w.saturating_sub(1), y)]);
@@ -89,11 +136,11 @@ pub fn still(photos: &[Rgb]) -> Image<Option<bool>> {
     }
     // What was thinned away beside what was reached belongs to it.
     let near = thinned(&reached.map(|r| !r), 3);
-    let verdict = |i: usize| fixed.data[i].then(|| !near.data[i]);
+    let apart = |i: usize| fixed.data[i] && near.data[i];
     Image {
         width: w,
         height: h,
-        data: (0..w * h).map(verdict).collect(),
+        data: (0..w * h).map(apart).collect(),
     }
 }
 

@@ -9,6 +9,8 @@ use shape::{Camera, Gray, Image, Mask, Placed, Rgb, register, registered};
 
 /// Photos of a turn are of the same exposure where ratios are off one by less than this.
 const SAME: f32 = 0.003;
+/// Levels that tell whether exposures differ.
+const TOLD: std::ops::Range<usize> = 40..248;
 
 /// How a photo lies in the common place, and what its levels are there.
 #[derive(Debug, Clone, PartialEq)]
@@ -83,8 +85,14 @@ pub(crate) fn on_each_other(photos: &[Rgb]) -> Vec<Placed> {
 /// What brings photos to the exposure of the middle one, once they are laid on each other.
 pub(crate) fn exposed_alike(photos: &[Rgb], placed: &[Placed]) -> Vec<Option<Levels>> {
     let reference = middle(photos, placed);
-    let alike = |photo: &Rgb| exposure_beyond(&reference, photo, SAME);
+    let alike = |photo: &Rgb| exposure_beyond(&reference, photo, SAME).filter(changes);
     photos.par_iter().map(alike).collect()
+}
+
+/// Whether levels change by half a level in the mean of a channel, those left out that are dark or cut off.
+fn changes(levels: &Levels) -> bool {
+    let off = |of: &[u8; 256]| -> u32 { TOLD.map(|v| u32::from(of[v].abs_diff(v as u8))).sum() };
+    levels.iter().any(|of| 2 * off(of) >= TOLD.len() as u32)
 }
 
 /// The middle of all photos, channel by channel, once their brightness is the same.
@@ -106,5 +114,103 @@ fn middle(photos: &[Rgb], placed: &[Placed]) -> Rgb {
         width: w,
         height: h,
         data: (0..w * h).into_par_iter().map(one).collect(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Photos of a patterned wall before which a plain block goes to and fro, each shifted and exposed
+    /// otherwise; the wall, and how each lies.
+    fn turn() -> (Rgb, Vec<Rgb>, Vec<[f64; 2]>) {
+        let wave = |x: f64, y: f64, c: f64| {
+            110.0 + 35.0 * (x / 5.0 + c).sin() * (y / 4.0).cos() + 20.0 * ((x - y) / 11.0 + c).sin()
+        };
+        let wall = |[dx, dy]: [f64; 2], gains: [f64; 3], left: Option<f64>| {
+            let mut image = Rgb::filled(160, 200, [0; 3]);
+            for (i, p) in image.data.iter_mut().enumerate() {
+                let (x, y) = ((i % 160) as f64 - dx, (i / 160) as f64 - dy);
+                let block = left.is_some_and(|l| (l..l + 40.0).contains(&x) && y > 50.0);
+                *p = [0, 1, 2].map(|c| {
+                    let shown = if block { 180.0 } else { wave(x, y, c as f64) };
+                    (gains[c] * shown).round() as u8
+                });
+            }
+            image
+        };
+        let shifts: Vec<[f64; 2]> = (0..9)
+            .map(|k| f64::from(k) * 1.3)
+            .map(|t| [0.8 * t.sin(), 0.6 * t.cos()])
+            .collect();
+        let photo = |(k, shift): (usize, &[f64; 2])| {
+            let t = k as f64 * 0.9;
+            let (light, warm) = (1.0 + 0.06 * t.sin(), 0.02 * t.cos());
+            let gains = [light * (1.0 + warm), light, light * (1.0 - warm)];
+            wall(*shift, gains, Some(50.0 + 15.0 * t.sin()))
+        };
+        let photos = shifts.iter().enumerate().map(photo).collect();
+        (wall([0.0; 2], [1.0; 3], None), photos, shifts)
+    }
+
+    #[test]
+    fn photos_of_a_phone_show_the_room_alike_once_they_are_brought_together() {
+        let (_, photos, _) = turn();
+        let placed = on_each_other(&photos);
+        let there: Vec<Rgb> = photos
+            .iter()
+            .zip(&placed)
+            .map(|(photo, at)| at.brought(photo))
+            .collect();
+        let levels = exposed_alike(&there, &placed);
+        let alike: Vec<Rgb> = there
+            .into_iter()
+            .zip(&levels)
+            .map(|(photo, levels)| match levels {
+                Some(levels) => relit(&photo, levels),
+                None => photo,
+            })
+            .collect();
+        // How far photos are apart where the block never is, nine in ten.
+        let apart = |photos: &[Rgb]| {
+            let places = (8..40).flat_map(|y| (8..152).map(move |x| (x, y)));
+            let spread = |(x, y): (usize, usize)| {
+                let all = photos.iter().map(|p| p.at(x, y)[0]);
+                all.clone().max().unwrap() - all.min().unwrap()
+            };
+            let mut all: Vec<u8> = places.map(spread).collect();
+            all.sort_unstable();
+            all[all.len() * 9 / 10]
+        };
+        assert!(apart(&photos) > 15, "{}", apart(&photos));
+        assert!(apart(&alike) <= 4, "{}", apart(&alike));
+    }
+
+    #[test]
+    fn photos_that_lie_and_are_exposed_alike_stay_as_they_are() {
+        let (wall, ..) = turn();
+        let mut dice = proof::Dice(3);
+        let mut noisy = || wall.map(|p| p.map(|v| (f64::from(v) + dice.normal()).round() as u8));
+        let photos: Vec<Rgb> = (0..6).map(|_| noisy()).collect();
+        let placed = on_each_other(&photos);
+        assert!(placed.iter().all(Placed::lies), "{placed:?}");
+        assert!(exposed_alike(&photos, &placed).iter().all(Option::is_none));
+        let level = on_plate(&photos[0], &photos[1].gray(), 1);
+        assert!(level.placed.lies(), "{level:?}");
+    }
+
+    #[test]
+    fn a_mask_comes_back_to_where_the_photo_was() {
+        let level = Level {
+            placed: Placed {
+                shift: [3.0, -2.0],
+                ..Placed::SAME
+            },
+            levels: None,
+        };
+        let mut mask = Mask::filled(60, 50, 0);
+        *mask.at_mut(20, 20) = 255;
+        let back = level.returned(mask);
+        assert_eq!((back.at(23, 18), back.at(20, 20)), (255, 0));
     }
 }

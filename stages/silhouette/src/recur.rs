@@ -17,6 +17,10 @@ const OUTLIER: f32 = 3.5;
 const NOISE: (f32, f32) = (0.4, 12.0);
 /// Share of a patch's own contrast by which it may differ: cameras tremble by a part of a pixel.
 const TREMBLE: f32 = 0.005;
+/// Where photos are not equally sharp that is [`OUTLIER`] times what most places of such a contrast differ
+/// by, and at most so much. \[levels²\]
+const STEEP: f32 = 200.0;
+const BLURRED: f32 = 0.06;
 /// Photos that show the same differ by noise alone, so they agree by so much in the mean. Where those
 /// that agree do so barely, a body looks nearly alike from several sides: the crown of a head.
 const ALIKE: f32 = 0.45;
@@ -132,8 +136,18 @@ pub fn recurring(photos: &[Rgb], hidden: Option<&[Image<bool>]>, least: f32) -> 
             usual.sort_by(f32::total_cmp);
             let noise = usual.get(usual.len() * 2 / 5).copied().unwrap_or(0.0);
             let noise = noise.clamp(NOISE.0, NOISE.1);
+            let steep = |i: usize| rough[*a][i].min(rough[*b][i]);
+            let mut edges: Vec<f32> = (0..w * h)
+                .step_by(3)
+                .filter(|i| both(i) && steep(*i) > STEEP)
+                .map(|i| (far[i] - noise).max(0.0) / steep(i))
+                .collect();
+            edges.sort_by(f32::total_cmp);
+            // Some photos are less sharp than others.
+            let blur = edges.get(edges.len() * 2 / 5).copied().unwrap_or(0.0);
+            let tremble = TREMBLE.max((OUTLIER * blur).min(BLURRED));
             let one = |i: usize| {
-                let most = OUTLIER * noise + TREMBLE * rough[*a][i].min(rough[*b][i]);
+                let most = OUTLIER * noise + tremble * steep(i);
                 let share = if both(&i) { 1.0 - far[i] / most } else { 0.0 };
                 (share.max(0.0) * 255.0) as u8
             };

@@ -68,7 +68,7 @@ struct Measure {
 
 impl Stage for Frame {
     const NAME: &'static str = "pose.frame";
-    const VERSION: u32 = 5;
+    const VERSION: u32 = 6;
     const ABOUT: &'static str = "Puts the origin on the disk and scales to millimetres: by the mat, a reference length, the disk, or the stature.";
     type Params = FrameParams;
     type Input = FrameInput;
