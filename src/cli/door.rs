@@ -158,6 +158,8 @@ fn pipeline(
     said: &[Said],
 ) -> Result<(Graph, Vec<(String, PathBuf)>), Fault> {
     let mut sets = Vec::new();
+    // A turn is looked at while it is read; a walk is none.
+    sets.push(format!("photos.stop={}", !measure.walk));
     for (asked, set) in [
         (measure.no_photos, "report.photos=false"),
         (measure.blur_face, "report.blur_face=true"),

@@ -86,14 +86,14 @@ fn a_shuffled_turn_is_stopped_in_seconds_by_measure_too() {
     assert!(told["can"]["girths"] == "no", "{told}");
     let said = place.run("measure turn").code(1).err;
     for says in [
-        "look failed",
+        "photos failed",
         "not in turning order",
         "any-order.toml",
-        "look.stop=false",
+        "photos.stop=false",
     ] {
         assert!(said.contains(says), "{says}: {said}");
     }
-    assert!(!place.has("masks", "done", "made"));
+    assert!(!place.has("keypoints", "done", "made"));
 }
 
 #[test]

@@ -71,6 +71,9 @@ pub enum CaptureError {
         /// What the decoder says.
         why: String,
     },
+    /// Photos of which nothing will come.
+    #[error("{0} (if you are sure of the photos: --set photos.stop=false)")]
+    Hopeless(String),
     /// A plate that is not there.
     #[error("capture.toml names the plate {0}, but there is no such file")]
     NoPlate(String),

@@ -3,10 +3,13 @@
 use crate::alike::{one_size, other_cameras, out_of_order, two_turns};
 use crate::error::CaptureError;
 use crate::facts::Facts;
+use crate::glance::{Glance, glance, together};
 use crate::names::{Sorted, sorted, twins};
+use crate::odd::seen_in_pictures;
 use crate::photo::{header, photo};
 use crate::rig::{RigFile, read_rig};
 use crate::sharpness::{best, sharpness};
+use crate::verdict::{Grade, Seen, against_the_middle};
 use rayon::prelude::*;
 use shape::{Photo, Photos};
 use stage::{Ctx, FileEntry, Files, Stage, Stop};
@@ -28,6 +31,9 @@ stage::params! {
         /// Of more photos than this the sharpest of as many even stretches are taken.
         #[range(3..=5000)]
         most: u32 = 200,
+        /// Whether photos of which nothing will come as a turn are an error, and what is odd about them
+        /// a warning.
+        stop: bool = false,
         /// What is known of the capture, by the keys of `capture.toml`, over what the file says:
         /// `facts.subject.height_cm`.
         facts: Facts = Facts::default(),
@@ -69,21 +75,23 @@ impl Stage for Load {
         let heads = |(entry, name): &(&FileEntry, &String)| -> Result<Photo, Stop> {
             Ok(header(&entry.name, name, files.read(entry)?)?)
         };
-        let mut photos: Vec<Photo> = places.par_iter().map(heads).collect::<Result<_, _>>()?;
+        let photos: Vec<Photo> = places.par_iter().map(heads).collect::<Result<_, _>>()?;
         let plate = plate
             .map(|entry| -> Result<Photo, Stop> {
                 let name = entry.name.rsplit('/').next().unwrap_or(&entry.name);
-                Ok(photo(header(&entry.name, name, files.read(entry)?)?)?)
+                Ok(photo(header(&entry.name, name, files.read(entry)?)?)?.0)
             })
             .transpose()?;
         one_size(&photos, plate.as_ref())?;
         let steps = ctx.steps("photos", photos.len());
-        let read = |head: Photo| -> Result<Photo, Stop> {
-            let photo = photo(head)?;
+        let read = |head: Photo| -> Result<(Photo, Option<(Glance, f64)>), Stop> {
+            let (photo, pixels) = photo(head)?;
+            let seen = p.stop.then(|| (glance(&pixels), sharpness(&pixels)));
             steps.tick()?;
-            Ok(photo)
+            Ok((photo, seen))
         };
-        photos = photos.into_par_iter().map(read).collect::<Result<_, _>>()?;
+        let read: Vec<_> = photos.into_par_iter().map(read).collect::<Result<_, _>>()?;
+        let (mut photos, seen): (Vec<Photo>, Vec<_>) = read.into_iter().unzip();
         other_cameras(&photos).iter().for_each(|w| ctx.warn(w));
         let times = photos.iter().filter_map(|p| p.time_s);
         let start = times.fold(f64::MAX, f64::min);
@@ -99,7 +107,29 @@ impl Stage for Load {
         ctx.metric("photos", photos.len() as f64, "");
         ctx.metric("width", f64::from(photos[0].width), "px");
         ctx.metric("height", f64::from(photos[0].height), "px");
-        Ok(Photos { photos, plate, rig })
+        let photos = Photos { photos, plate, rig };
+        if let Some(seen) = seen.into_iter().collect::<Option<Vec<_>>>() {
+            looked_at(&photos, seen, ctx)?;
+        }
+        Ok(photos)
+    }
+}
+
+/// Warns of what is odd about photos; fails where nothing will come of them.
+fn looked_at(photos: &Photos, seen: Vec<(Glance, f64)>, ctx: &Ctx<'_>) -> Result<(), CaptureError> {
+    let (glances, sharp): (Vec<Glance>, Vec<f64>) = seen.into_iter().unzip();
+    let findings = seen_in_pictures(&Seen {
+        photos,
+        glances: &glances,
+        together: &together(&glances),
+        sharpness: &against_the_middle(&sharp),
+        tags: None,
+    });
+    let of = |grade: Grade| findings.iter().filter(move |f| f.grade == grade);
+    of(Grade::Doubt).for_each(|f| ctx.warn(f.sentence()));
+    match of(Grade::Hopeless).next() {
+        Some(f) => Err(CaptureError::Hopeless(f.sentence())),
+        None => Ok(()),
     }
 }
 

@@ -3,7 +3,7 @@
 use crate::glance::{Glance, glance, together};
 use crate::odd::{seen_in_facts, seen_in_pictures};
 use crate::sharpness::sharpness;
-use crate::verdict::{Finding, Grade, Seen, camera_stood, can, lengths};
+use crate::verdict::{Seen, against_the_middle, camera_stood, can, lengths};
 use rayon::prelude::*;
 use serde_json::{Map, Value, json};
 use shape::{Document, Photo, Photos, Tags};
@@ -11,12 +11,8 @@ use stage::{Ctx, Stage, Stop};
 use std::sync::Arc;
 
 stage::params! {
-    /// What is to become of what is odd.
-    pub struct LookParams {
-        /// Whether a capture of which nothing will come is an error, and what is odd about pictures a
-        /// warning.
-        stop: bool = false,
-    }
+    /// Nothing is to be tuned.
+    pub struct LookParams {}
 }
 
 stage::inputs! {
@@ -34,33 +30,6 @@ stage::inputs! {
 #[error("there are {0} photos: a turn has at least three")]
 pub(crate) struct TooFew(usize);
 
-/// Why nothing will come of a capture.
-#[derive(Debug, thiserror::Error)]
-#[error("{what}; {mend} (if you are sure of the photos: --set look.stop=false)")]
-struct Hopeless {
-    what: String,
-    mend: String,
-}
-
-/// Warns of what is odd; fails where nothing will come of it.
-fn told(findings: &[Finding], ctx: &Ctx<'_>) -> Result<(), Hopeless> {
-    for f in findings.iter().filter(|f| f.grade == Grade::Doubt) {
-        let names = match f.photos.len() {
-            0 => String::new(),
-            1..=5 => format!("{}: ", f.photos.join(", ")),
-            more => format!("{}, … ({more} photos): ", f.photos[..3].join(", ")),
-        };
-        ctx.warn(format!("{names}{}; {}", f.what, f.mend));
-    }
-    match findings.iter().find(|f| f.grade == Grade::Hopeless) {
-        Some(Finding { what, mend, .. }) => Err(Hopeless {
-            what: what.clone(),
-            mend: mend.clone(),
-        }),
-        None => Ok(()),
-    }
-}
-
 /// `capture.look`: photos, tags → document (JSON).
 pub struct Look;
 
@@ -73,7 +42,7 @@ impl Stage for Look {
     type Output = Document;
     const METRICS: &'static [&'static str] = &["stands still", "findings"];
 
-    fn run(p: &LookParams, input: LookInput, ctx: &Ctx<'_>) -> Result<Document, Stop> {
+    fn run(_: &LookParams, input: LookInput, ctx: &Ctx<'_>) -> Result<Document, Stop> {
         let photos = &*input.photos;
         if photos.photos.len() < 3 {
             return Err(TooFew(photos.photos.len()).into());
@@ -92,10 +61,7 @@ impl Stage for Look {
             .collect::<Result<_, _>>()?;
         let (glances, sharp): (Vec<Glance>, Vec<f64>) = seen.into_iter().unzip();
         let together = together(&glances);
-        let mut sorted = sharp.clone();
-        sorted.sort_by(f64::total_cmp);
-        let middle = sorted[sorted.len() / 2].max(1e-12);
-        let sharpness: Vec<f64> = sharp.iter().map(|s| s / middle).collect();
+        let sharpness = against_the_middle(&sharp);
         let tags = input.tags.as_ref();
         let seen = Seen {
             photos,
@@ -105,9 +71,6 @@ impl Stage for Look {
             tags: tags.map(|t| t.views.values().map(Vec::len).sum()),
         };
         let mut findings = seen_in_pictures(&seen);
-        if p.stop {
-            told(&findings, ctx)?;
-        }
         findings.extend(seen_in_facts(&seen));
         findings.sort_by_key(|f| f.grade as u8);
         ctx.metric("stands still", 100.0 * together.still, "%");

@@ -2,7 +2,7 @@
 
 use crate::error::CaptureError;
 use crate::exif;
-use shape::Photo;
+use shape::{Photo, Rgb};
 
 fn no_picture(name: &str, why: impl ToString) -> CaptureError {
     CaptureError::NoPicture {
@@ -43,8 +43,8 @@ pub(crate) fn header(path: &str, name: &str, bytes: Vec<u8>) -> Result<Photo, Ca
     })
 }
 
-/// The photo, decoded once to see that it is whole and shows something.
-pub(crate) fn photo(photo: Photo) -> Result<Photo, CaptureError> {
+/// The photo, decoded once to see that it is whole and shows something; and its pixels.
+pub(crate) fn photo(photo: Photo) -> Result<(Photo, Rgb), CaptureError> {
     let pixels = photo.decode().map_err(|e| no_picture(&photo.name, e.why))?;
     let (mut lo, mut hi, mut white) = ([255u8; 3], [0u8; 3], 0usize);
     for p in &pixels.data {
@@ -62,6 +62,6 @@ pub(crate) fn photo(photo: Photo) -> Result<Photo, CaptureError> {
             name: photo.name.clone(),
             what,
         }),
-        None => Ok(photo),
+        None => Ok((photo, pixels)),
     }
 }

@@ -29,6 +29,26 @@ pub struct Finding {
     pub photos: Vec<String>,
 }
 
+impl Finding {
+    /// As a sentence: which photos, what, and what would mend it.
+    pub(crate) fn sentence(&self) -> String {
+        let names = match self.photos.len() {
+            0 => String::new(),
+            1..=5 => format!("{}: ", self.photos.join(", ")),
+            more => format!("{}, … ({more} photos): ", self.photos[..3].join(", ")),
+        };
+        format!("{names}{}; {}", self.what, self.mend)
+    }
+}
+
+/// How sharp photos are against the middle one.
+pub(crate) fn against_the_middle(sharp: &[f64]) -> Vec<f64> {
+    let mut sorted = sharp.to_vec();
+    sorted.sort_by(f64::total_cmp);
+    let middle = sorted.get(sorted.len() / 2).map_or(1.0, |m| m.max(1e-12));
+    sharp.iter().map(|s| s / middle).collect()
+}
+
 /// What was seen of the photos.
 pub(crate) struct Seen<'a> {
     pub(crate) photos: &'a Photos,
