@@ -142,17 +142,21 @@ pub fn together(all: &[Glance]) -> Together {
 /// Which sides of the picture are reached by what moves.
 fn reached(still: &[bool], width: usize) -> [bool; 4] {
     let height = still.len() / width.max(1);
+    if width < 4 || height < 4 {
+        return [false; 4];
+    }
     let moves = |places: Vec<usize>| {
         let moving = places.iter().filter(|i| !still[**i]).count();
         moving as f64 > REACHED * places.len() as f64
     };
     let row = |y: usize| (0..width).map(|x| y * width + x).collect::<Vec<_>>();
     let column = |x: usize| (0..height).map(|y| y * width + x).collect::<Vec<_>>();
+    // Not the outermost ones: there a picture that was shifted a little ends.
     [
-        moves(row(0)),
-        moves(row(height - 1)),
-        moves(column(0)),
-        moves(column(width - 1)),
+        moves(row(1)),
+        moves(row(height - 2)),
+        moves(column(1)),
+        moves(column(width - 2)),
     ]
 }
 
