@@ -1,7 +1,7 @@
 //! Which photo has how much of each fault.
 
 use crate::dice::Dice;
-use crate::phone::stage::PhoneParams;
+use crate::phone::params::PhoneParams;
 use std::f64::consts::TAU;
 
 /// The faults of one photo that others do not share.

@@ -3,4 +3,5 @@
 pub(crate) mod draw;
 pub(crate) mod finish;
 pub(crate) mod lens;
+pub(crate) mod params;
 pub(crate) mod stage;
