@@ -12,6 +12,8 @@ const CHANGES: (f32, f32) = (5.0, 6.0);
 const QUIET: f64 = 0.4;
 /// Reach to which what changes is joined, as a share of the longer side.
 const JOINED: f64 = 0.02;
+/// Longest gap in a row that is closed, as a share of the longer side.
+const GAP: f64 = 0.15;
 /// Shares of a photo that may change: less is noise, more is a camera that moved.
 const SHARE: std::ops::RangeInclusive<f64> = 0.01..=0.6;
 
@@ -53,8 +55,8 @@ fn regions(smalls: &[Gray]) -> Option<Vec<Image<bool>>> {
             }
         })
         .collect();
-    // What most photos show otherwise than the middle one of all is never the room.
-    let often = |i: usize| 2 * changes.iter().filter(|c| c.data[i]).count() >= changes.len();
+    // What a quarter of the photos show otherwise than the middle one of all is swept by what turns.
+    let often = |i: usize| 4 * changes.iter().filter(|c| c.data[i]).count() >= changes.len();
     let core: Vec<bool> = (0..still.data.len()).map(often).collect();
     let whole = |changes: &Image<bool>| {
         let data = changes.data.iter().zip(&core).map(|(a, b)| *a || *b);
@@ -76,7 +78,24 @@ fn joined(changes: &Image<bool>) -> Image<bool> {
     let reach = ((changes.width.max(changes.height) as f64 * JOINED) as usize).max(1);
     let kept = spread(&spread(changes, 1, false), 1, true);
     let wide = spread(&kept, reach, true);
-    filled(&wide)
+    filled(&bridged(&wide))
+}
+
+/// Gaps of a row that are shorter than a trunk is wide are closed: crown and soles never change.
+fn bridged(from: &Image<bool>) -> Image<bool> {
+    let longest = from.width.max(from.height) as f64;
+    let mut out = from.clone();
+    for y in 0..from.height {
+        let mut last: Option<usize> = None;
+        for x in (0..from.width).filter(|x| from.at(*x, y)) {
+            let gap = last.map_or(0..0, |l| l + 1..x);
+            if (gap.len() as f64) < GAP * longest {
+                gap.for_each(|x| *out.at_mut(x, y) = true);
+            }
+            last = Some(x);
+        }
+    }
+    out
 }
 
 /// Pixels whose neighbourhood, `reach` to each side, holds `kind`, take it.

@@ -65,7 +65,7 @@ pub struct Sift;
 
 impl Stage for Sift {
     const NAME: &'static str = "pose.sift";
-    const VERSION: u32 = 3;
+    const VERSION: u32 = 4;
     const ABOUT: &'static str =
         "Finds scale-invariant features (Lowe 2004) and describes them (RootSIFT).";
     type Params = SiftParams;

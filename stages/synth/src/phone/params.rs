@@ -1,4 +1,4 @@
-//! The faults of a phone's camera, one param each.
+//! How large each fault of a made phone is.
 
 stage::params! {
     /// The faults of a phone's camera; each is off at 0.
