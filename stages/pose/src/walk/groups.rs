@@ -3,7 +3,7 @@
 
 use crate::adjust::lens::{LensPrior, lens_values};
 use nalgebra::{Matrix3, Rotation3};
-use shape::{Camera, Intrinsics, Photo, Photos, Pose};
+use shape::{Camera, Intrinsics, Photo, Photos, Pose, film_to_px};
 
 /// How wide beliefs about a lens are.
 #[derive(Debug, Clone, Copy)]
@@ -33,8 +33,6 @@ pub(crate) struct Groups {
     pub(crate) factors: Vec<f64>,
 }
 
-/// Diagonal of 36 × 24 mm film: 35 mm equivalents are by the diagonal (CIPA DCG-001). \[mm\]
-const FILM_MM: f64 = 43.27;
 /// Standard deviation of a focal length of which nothing is known, as a share.
 const UNKNOWN: f64 = 0.5;
 
@@ -127,7 +125,7 @@ impl Groups {
             let longer = w.max(h);
             let like_first = stored_size(firsts[0]) == (width, height);
             let given = rig.focal_px.filter(|_| like_first);
-            let by_film = knows(first).map(|mm| mm / FILM_MM * w.hypot(h));
+            let by_film = knows(first).map(|mm| film_to_px(mm, width, height));
             let mut lens = Intrinsics::simple(width, height, 1.2 * longer);
             let focal = match (given, by_film) {
                 (Some(px), _) => (px, widths.given_focal),
@@ -222,6 +220,6 @@ mod tests {
         };
         let groups = Groups::new(&photos, &widths);
         assert_eq!(groups.of, [0, 0, 1]);
-        proof::near(groups.lenses[0].focal[0], 26.0 / 43.27 * 500.0, 1e-9);
+        proof::near(groups.lenses[0].focal[0], film_to_px(26.0, 400, 300), 1e-9);
     }
 }
