@@ -5,8 +5,8 @@ use std::path::Path;
 use std::sync::Mutex;
 use std::sync::atomic::AtomicBool;
 use tailor::engine::{self, Options, Outcome};
-use tailor::graph::Graph;
-use tailor::recipe::{Overrides, open};
+use tailor::graph::{Bound, Graph, Source};
+use tailor::recipe::{Overrides, Pipeline, open};
 use tailor::walk::{Done, Fate, Watch};
 
 /// A doll of 60 cm on a disk with a marker mat, twelve photos of a fifth of a megapixel.
@@ -120,57 +120,38 @@ const OTHERWISE: [&str; 1] = ["photos"];
 
 #[test]
 fn the_synthetic_turn_goes_through_the_very_product() {
-    let read = |file: &str| {
-        let path = Path::new(env!("CARGO_MANIFEST_DIR"))
-            .join("pipelines")
-            .join(file);
-        tailor::recipe::read(&std::fs::read_to_string(path).unwrap()).unwrap()
+    let bound = |name: &str| {
+        let pipeline = Pipeline::built_in(name, &tailor::catalog::CATALOG).unwrap();
+        pipeline.graph(&Overrides::default()).unwrap()
     };
-    let (product, synth) = (read("body.toml"), read("synth.toml"));
+    let (product, synth) = (bound("body"), bound("synth"));
     let mut compared = 0;
-    for node in product
-        .nodes
-        .iter()
-        .filter(|n| !OTHERWISE.contains(&n.name.value.as_str()))
-    {
-        let name = &node.name.value;
-        let same = synth.nodes.iter().find(|n| n.name.value == *name);
-        let same = same.unwrap_or_else(|| panic!("synth.toml has no node `{name}`"));
-        assert_eq!(same.stage.value, node.stage.value, "stage of `{name}`");
-        assert_eq!(said(&same.with), said(&node.with), "params of `{name}`");
-        assert_eq!(wires(&same.from), wires(&node.from), "sources of `{name}`");
+    for node in &product.nodes {
+        if OTHERWISE.contains(&node.name.as_str()) {
+            continue;
+        }
+        let same = synth.node(&node.name);
+        let same = &synth.nodes[same.unwrap_or_else(|| panic!("no node `{}`", node.name))];
+        assert_eq!(same.stage.name(), node.stage.name(), "{}", node.name);
+        assert_eq!(same.params.values, node.params.values, "{}", node.name);
+        assert_eq!(
+            sources(&synth, same),
+            sources(&product, node),
+            "{}",
+            node.name
+        );
         compared += 1;
     }
     assert!(compared >= 15, "only {compared} nodes were compared");
 }
 
-/// Params as they are written, in the order of their names.
-fn said(with: &tailor::recipe::With) -> Vec<(String, String)> {
-    let pairs = with
-        .iter()
-        .map(|(k, v)| (k.value.clone(), v.value.to_string()));
-    let mut pairs: Vec<_> = pairs.collect();
-    pairs.sort();
-    pairs
-}
-
-/// Sources as they are written, those of tables in the order of the ports.
-fn wires(from: &tailor::recipe::From) -> Vec<(String, String)> {
-    use tailor::recipe::From;
-    match from {
-        From::List(list) => list
-            .iter()
-            .map(|s| (String::new(), s.value.clone()))
-            .collect(),
-        From::Table(table) => {
-            let pairs = table
-                .iter()
-                .map(|(p, s)| (p.value.clone(), s.value.clone()));
-            let mut pairs: Vec<_> = pairs.collect();
-            pairs.sort();
-            pairs
-        }
-    }
+/// The names of what a node reads, port by port.
+fn sources<'a>(graph: &'a Graph, node: &Bound) -> Vec<Option<&'a str>> {
+    let name = |source: &Source| match source {
+        Source::Node(at) => graph.nodes[*at].name.as_str(),
+        Source::Input(at) => graph.inputs[*at].name.as_str(),
+    };
+    node.from.iter().map(|s| s.as_ref().map(name)).collect()
 }
 
 #[test]

@@ -17,7 +17,7 @@ pub(crate) struct Facts {
     /// The subject's weight: 80 (kg), 176lb
     #[arg(long, value_name = "WEIGHT")]
     weight: Option<String>,
-    /// Focal length as if on 36 mm wide film \[mm\], where photos do not tell
+    /// Focal length as if on 36 × 24 mm film, by the diagonal \[mm\], where photos do not tell
     #[arg(long, value_name = "MM")]
     focal: Option<f64>,
     /// Focal length as a calibration of this lens gave it, photo at full size \[px\]

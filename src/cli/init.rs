@@ -124,7 +124,7 @@ fn draft(name: &str, seen: &Look, images: &[String]) -> String {
             mm,
         ),
         (None, _) => (
-            "the photos do not tell: as if on 36 mm wide film".into(),
+            "the photos do not tell: as if on 36 × 24 mm film".into(),
             26.0,
         ),
     };
