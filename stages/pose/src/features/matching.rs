@@ -1,5 +1,6 @@
 //! Features of two photos that look alike, each other's nearest, well ahead of the next.
 
+use crate::features::best::{Best, PLACE_PX};
 use rayon::prelude::*;
 use shape::{Features, Keypoint};
 
@@ -14,12 +15,8 @@ pub(crate) fn likeness(a: &[u8; 128], b: &[u8; 128]) -> i32 {
         .sum()
 }
 
-/// A description's likeness to itself.
-const SAME: i32 = 512 * 512;
 /// Least likeness of one thing seen twice from one place.
-const ALIKE: i32 = SAME / 100 * 88;
-/// Features nearer to each other than this are one place with several directions. \[px\]
-const PLACE_PX: f32 = 2.0;
+const ALIKE: i32 = 512 * 512 / 100 * 88;
 
 /// Features in the order of their rows.
 struct Rows<'a> {
@@ -114,28 +111,26 @@ pub fn mutual(
     let rows = Rows::new(b, &left_out[1]);
     let mut back = vec![(i32::MIN, u32::MAX); b.points.len()];
     // Descriptors have length 512, so the squared distance is 2 (512² - likeness).
-    let distance = |likeness: i32| f64::from(2 * (SAME - likeness).max(0)).sqrt();
     let mut there = Vec::new();
     for (i, (k, d)) in a.points.iter().zip(&a.descriptors).enumerate() {
         if left_out[0].get(i).copied().unwrap_or(false) {
             continue;
         }
-        let (first, second) = two_nearest(&rows, k, d, rise_px, |j, alike| {
+        let best = two_nearest(&rows, k, d, rise_px, |j, alike| {
             let best = &mut back[j as usize];
             if alike > best.0 {
                 *best = (alike, i as u32);
             }
         });
-        let ahead = second == i32::MIN || distance(first.0) < ratio * distance(second);
-        if first.1 != u32::MAX && ahead {
-            there.push((i as u32, first.1));
+        if best.ahead(ratio) {
+            there.push((i as u32, best.at as u32));
         }
     }
     there.retain(|(i, j)| back[*j as usize].1 == *i);
     there
 }
 
-/// The likeness and place of the nearest, and the likeness of the next one elsewhere; tells `see`
+/// The nearest and the next one elsewhere; tells `see`
 /// of each that was looked at.
 fn two_nearest(
     rows: &Rows<'_>,
@@ -143,9 +138,13 @@ fn two_nearest(
     d: &[u8; 128],
     rise_px: f32,
     mut see: impl FnMut(u32, i32),
-) -> ((i32, u32), i32) {
+) -> Best {
     let b = rows.features;
-    let (mut first, mut second) = ((i32::MIN, u32::MAX), i32::MIN);
+    let elsewhere = |i: usize, j: usize| {
+        let (p, q) = (&b.points[i], &b.points[j]);
+        (p.x - q.x).hypot(p.y - q.y) >= PLACE_PX
+    };
+    let mut best = Best::default();
     for j in rows.near(k.y, rise_px) {
         let other = &b.points[*j as usize];
         if !(0.4..2.5).contains(&(other.scale / k.scale)) {
@@ -153,31 +152,17 @@ fn two_nearest(
         }
         let alike = likeness(d, &b.descriptors[*j as usize]);
         see(*j, alike);
-        if alike <= second {
-            continue;
-        }
-        let elsewhere = first.1 != u32::MAX && {
-            let f = &b.points[first.1 as usize];
-            (f.x - other.x).hypot(f.y - other.y) >= PLACE_PX
-        };
-        if alike > first.0 {
-            if elsewhere {
-                second = first.0;
-            }
-            first = (alike, *j);
-        } else if elsewhere {
-            second = alike;
-        }
+        best.see(*j as usize, alike as f32, &elsewhere);
     }
-    (first, second)
+    best
 }
 
 #[cfg(test)]
-mod tests {
+pub(crate) mod tests {
     use super::*;
 
     /// Features at random places with random descriptions.
-    fn features(dice: &mut proof::Dice, count: usize) -> Features {
+    pub(crate) fn features(dice: &mut proof::Dice, count: usize) -> Features {
         let mut all = Features::default();
         for _ in 0..count {
             let mut d = [0.0f64; 128];

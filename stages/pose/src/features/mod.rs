@@ -1,6 +1,7 @@
 //! Features of photos: `sift` (a stage) → `detect`, `describe` → `pyramid`, `gradients`; followed from
-//! photo to photo by `tracks` (a stage) → `matching` and `two_view`.
+//! photo to photo by `tracks` (a stage) → `matching` (`best`) and `two_view`.
 
+pub(crate) mod best;
 pub(crate) mod describe;
 pub(crate) mod detect;
 pub(crate) mod gradients;

@@ -1,7 +1,7 @@
 //! Features along epipolar lines: where a photo shows many alike, few of them lie there.
 
+use crate::features::best::{Best, PLACE_PX, SAME};
 use crate::features::matching::{Pairs, likeness};
-use crate::walk::nearest::{Best, PLACE_PX, SAME, ahead};
 use nalgebra::{Matrix3, Vector3};
 use shape::{Features, Keypoint};
 
@@ -105,7 +105,7 @@ pub(crate) fn guided(
             }
             best.see(j, alike, &elsewhere);
         }
-        if best.first >= ON_LINE && ahead(&best, ratio) {
+        if best.first >= ON_LINE && best.ahead(ratio) {
             there.push((i, best.at));
         }
     }

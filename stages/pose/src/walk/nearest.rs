@@ -3,14 +3,11 @@
 //! Likenesses are products of matrices in single precision. Descriptions are whole numbers of length
 //! 512, so that no sum reaches 2²⁴ and every machine finds the same numbers in whatever order it adds.
 
+use crate::features::best::{Best, PLACE_PX};
 use crate::features::matching::Pairs;
 use nalgebra::DMatrix;
 use shape::Features;
 
-/// A description's likeness to itself.
-pub(crate) const SAME: f32 = 512.0 * 512.0;
-/// Features nearer to each other than this are one place with several directions. \[px\]
-pub(crate) const PLACE_PX: f32 = 2.0;
 /// How many features are compared at once.
 const STRIDE: usize = 128;
 
@@ -20,41 +17,6 @@ fn columns(features: &Features, which: &[u32]) -> DMatrix<f32> {
     DMatrix::from_fn(128, which.len(), |r, c| {
         f32::from(descriptions[which[c] as usize][r])
     })
-}
-
-/// The two best so far.
-pub(crate) struct Best {
-    pub(crate) first: f32,
-    pub(crate) at: usize,
-    pub(crate) second: f32,
-}
-
-impl Default for Best {
-    fn default() -> Self {
-        Best {
-            first: f32::MIN,
-            at: usize::MAX,
-            second: f32::MIN,
-        }
-    }
-}
-
-impl Best {
-    /// Looks at one more; what lies where the best lies is no second.
-    pub(crate) fn see(&mut self, j: usize, alike: f32, elsewhere: &impl Fn(usize, usize) -> bool) {
-        if alike <= self.second {
-            return;
-        }
-        let other = self.at != usize::MAX && elsewhere(self.at, j);
-        if alike > self.first {
-            if other {
-                self.second = self.first;
-            }
-            (self.first, self.at) = (alike, j);
-        } else if other {
-            self.second = alike;
-        }
-    }
 }
 
 /// Pairs among some features of each photo that are each other's nearest, and nearer than `ratio`
@@ -85,7 +47,7 @@ pub(crate) fn nearest([a, b]: [&Features; 2], [of_a, of_b]: [&[u32]; 2], ratio: 
                 }
                 best.see(j, s, &elsewhere);
             }
-            if ahead(&best, ratio) {
+            if best.ahead(ratio) {
                 there.push((i, best.at));
             }
         }
@@ -95,41 +57,16 @@ pub(crate) fn nearest([a, b]: [&Features; 2], [of_a, of_b]: [&[u32]; 2], ratio: 
     there.into_iter().map(of).collect()
 }
 
-/// Whether the nearest is nearer than `ratio` times the next; descriptions have length 512, so that
-/// squared distances are 2 (512² - likeness).
-pub(crate) fn ahead(best: &Best, ratio: f64) -> bool {
-    let distance = |s: f32| f64::from(2.0 * (SAME - s).max(0.0)).sqrt();
-    best.at != usize::MAX
-        && (best.second == f32::MIN || distance(best.first) < ratio * distance(best.second))
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::features::matching::mutual;
-    use shape::Keypoint;
+    use crate::features::matching::tests::features;
 
     #[test]
     fn it_finds_what_comparing_one_by_one_finds() {
-        let mut dice = proof::Dice(12);
-        let mut some = |count: usize| {
-            let mut all = Features::default();
-            for _ in 0..count {
-                let mut d = [0.0f64; 128];
-                d.iter_mut().for_each(|d| *d = dice.normal().abs());
-                let length = d.iter().map(|d| d * d).sum::<f64>().sqrt();
-                all.descriptors
-                    .push(d.map(|d| (d / length * 512.0).round().min(255.0) as u8));
-                all.points.push(Keypoint {
-                    x: dice.within(0.0, 900.0) as f32,
-                    y: dice.within(0.0, 900.0) as f32,
-                    scale: 3.0,
-                    angle: 0.0,
-                });
-            }
-            all
-        };
-        let (a, mut b) = (some(300), some(200));
+        let dice = &mut proof::Dice(12);
+        let (a, mut b) = (features(dice, 300), features(dice, 200));
         // Half of the first, a little changed.
         for i in 0..150 {
             let mut d = a.descriptors[i];
