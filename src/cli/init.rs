@@ -88,7 +88,7 @@ fn draft(name: &str, seen: &Look, images: &[String]) -> String {
         "views",
         Some(count.to_string()),
         "",
-        "so many photos are there; one that gets lost is then told",
+        "so many photos are there; one that gets lost is then named",
     );
     if !images.is_empty() {
         let list = toml::Value::Array(images.iter().cloned().map(toml::Value::from).collect());
@@ -109,7 +109,7 @@ fn draft(name: &str, seen: &Look, images: &[String]) -> String {
         &even,
         "if steps were even: 360° by the number of photos of a full turn",
     );
-    let plate = seen.told["plate"].as_str().map(quoted);
+    let plate = seen.findings["plate"].as_str().map(quoted);
     line(
         &mut to,
         "plate",

@@ -110,7 +110,7 @@ pub(crate) fn mat(args: &MatArgs, global: &GlobalArgs) -> Result<(), Fault> {
     let document = made.artifact.downcast::<Document>();
     let document = document.expect("bug: a mat is no document");
     let shown = args.o.display().to_string();
-    let told: Vec<String> = heard
+    let lines: Vec<String> = heard
         .0
         .into_inner()
         .expect("bug: a hearer panicked")
@@ -138,7 +138,7 @@ pub(crate) fn mat(args: &MatArgs, global: &GlobalArgs) -> Result<(), Fault> {
             serde_json::json!({ "file": shown, "bytes": document.bytes.len(), "facts": toml });
         engine::outln!("{answer}");
     } else if !global.quiet {
-        engine::outln!("{shown}: {}", told.join(", "));
+        engine::outln!("{shown}: {}", lines.join(", "));
         engine::outln!("print at 100 % and check that the ruler is 100 mm long");
         engine::outln!(
             "what capture.toml needs to say of it stands at each page's foot and in {toml}; or: tailor measure DIR --mat {shown}"

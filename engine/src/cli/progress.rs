@@ -1,7 +1,7 @@
 //! Plain lines while a run goes on; on a terminal also what runs now, and for how long still.
 
 use super::text::short;
-use crate::walk::{Done, Fate, Watch};
+use crate::walk::{Done, Status, Watch};
 use std::collections::{BTreeMap, BTreeSet};
 use std::io::{IsTerminal, Write};
 use std::sync::mpsc::{RecvTimeoutError, Sender, channel};
@@ -37,7 +37,7 @@ struct Running {
 /// How often the last line is drawn while nothing is said.
 const TICK: Duration = Duration::from_millis(500);
 
-/// From so many nodes on, what was found is counted but not told one by one.
+/// From so many nodes on, what was found is counted but not shown one by one.
 const MANY: usize = 60;
 
 impl State {
@@ -193,19 +193,19 @@ impl Watch for Progress {
         if self.quiet {
             return;
         }
-        if done.fate == Fate::Found && state.of > MANY {
+        if done.status == Status::Hit && state.of > MANY {
             state.found += 1;
             if last {
                 let _ = writeln!(std::io::stderr(), "{} of {} found", state.found, state.of);
             }
             return;
         }
-        let fate = match &done.fate {
-            Fate::Found => "found".into(),
-            Fate::Made => format!("made in {:.1} s", done.seconds),
-            Fate::Failed(_) => "FAILED".into(),
-            Fate::Skipped => "skipped".into(),
-            Fate::Cancelled => "stopped".into(),
+        let status = match &done.status {
+            Status::Hit => "found".into(),
+            Status::Executed => format!("made in {:.1} s", done.seconds),
+            Status::Failed(_) => "FAILED".into(),
+            Status::Skipped => "skipped".into(),
+            Status::Cancelled => "stopped".into(),
         };
         if self.terminal {
             let _ = write!(std::io::stderr(), "\r\x1b[K");
@@ -222,7 +222,7 @@ impl Watch for Progress {
             format!("  ({})", numbers.join(", "))
         };
         crate::errln!(
-            "[{:>2}/{}] {node:<12} {fate}{numbers}",
+            "[{:>2}/{}] {node:<12} {status}{numbers}",
             state.done.len(),
             state.of
         );

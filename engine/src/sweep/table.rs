@@ -5,10 +5,10 @@ use super::run::{End, Row};
 use serde_json::{Value, json};
 use std::fmt::Write;
 
-/// A column of what is told: its name and unit.
+/// A column of a metric: its name and unit.
 pub(super) fn columns(rows: &[Row]) -> Vec<(String, String)> {
     let mut columns: Vec<(String, String)> = Vec::new();
-    for (name, metric) in rows.iter().flat_map(|r| &r.told) {
+    for (name, metric) in rows.iter().flat_map(|r| &r.metrics) {
         let at = columns.iter().position(|(n, _)| n == name);
         let at = at.unwrap_or_else(|| {
             columns.push((name.clone(), String::new()));
@@ -23,8 +23,8 @@ pub(super) fn columns(rows: &[Row]) -> Vec<(String, String)> {
 
 /// What a row tells in a column.
 pub(super) fn cell(row: &Row, column: &str) -> Option<f64> {
-    let told = row.told.iter().find(|(name, _)| name == column);
-    told.and_then(|(_, metric)| Some(metric.as_ref()?.value))
+    let metric = row.metrics.iter().find(|(name, _)| name == column);
+    metric.and_then(|(_, metric)| Some(metric.as_ref()?.value))
 }
 
 /// The params of a row as it names them, the variant first if there is one.
@@ -189,7 +189,7 @@ pub fn csv(rows: &[Row]) -> String {
 /// For other programs.
 pub fn json(program: &str, name: &str, about: &str, rows: &[Row]) -> Value {
     let row = |row: &Row| {
-        let told = |(name, metric): &(String, Option<stage::Metric>)| {
+        let cell = |(name, metric): &(String, Option<stage::Metric>)| {
             let m = metric.as_ref();
             json!({ "name": name, "value": m.map(|m| m.value), "unit": m.map(|m| m.unit.clone()) })
         };
@@ -197,7 +197,7 @@ pub fn json(program: &str, name: &str, about: &str, rows: &[Row]) -> Value {
         json!({
             "point": row.point.name(name), "variant": row.point.variant, "set": row.point.sets(),
             "params": params.collect::<serde_json::Map<_, _>>(),
-            "told": row.told.iter().map(told).collect::<Vec<_>>(),
+            "metrics": row.metrics.iter().map(cell).collect::<Vec<_>>(),
             "done": row.end == End::Done, "why": trouble(row),
             "made": row.made, "found": row.found, "seconds": row.seconds,
             "alone_seconds": row.alone, "work_seconds": row.work, "engine_seconds": row.engine,
