@@ -4,6 +4,7 @@ use super::arguments::Wanted;
 use super::fault::Fault;
 use super::open::{folders, node, open, prefetch};
 use super::program::GlobalArgs;
+use super::text;
 use crate::graph::Graph;
 use crate::plan::{self, Planned, State};
 use crate::recipe::{self, Overrides, Pipeline};
@@ -223,10 +224,11 @@ pub(crate) fn pipelines(name: Option<&str>, global: &GlobalArgs) -> Result<(), F
         crate::outln!("{}", all.iter().map(one).collect::<Value>());
         return Ok(());
     }
-    let width = all.iter().map(|(name, _)| name.len()).max().unwrap_or(0);
+    let mut table = text::table();
     for (name, about) in all {
-        crate::outln!("{name:<width$}  {about}");
+        table.add_row([name, &about]);
     }
+    crate::outln!("{}", text::lines(&mut table));
     Ok(())
 }
 
