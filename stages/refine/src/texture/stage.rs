@@ -70,7 +70,8 @@ impl Stage for Texture {
         let small = input.pictures(&SMALL, || ctx.check().map_err(Stop::from))?;
         let labels = labels(&mesh, &small, p.rounds as usize);
         let charts = charts(&mesh, &labels);
-        let VertexColours { own, mean } = vertex_colours(&mesh, &labels, &input.photos, &views, &small)?;
+        let VertexColours { own, mean } =
+            vertex_colours(&mesh, &labels, &input.photos, &views, &small)?;
         let sheet = |c| Sheet::new(&mesh, c, &views);
         let sheets: Vec<Sheet<'_>> = charts.iter().map(sheet).collect();
         let both = charts.iter().zip(&sheets);
