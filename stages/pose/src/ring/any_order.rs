@@ -4,7 +4,7 @@
 use crate::adjust::bundle::{Fit, adjust};
 use crate::adjust::scene::{Beliefs, Scene, Settings, Sight};
 use crate::calibration::params::CalibrateParams;
-use crate::calibration::prior::{as_given, focal_sigma, focals, lens_prior, settings};
+use crate::calibration::prior::{focals, lens_belief, settings};
 use crate::ring::cameras::Solved;
 use crate::ring::error::TracksError;
 use crate::ring::pairs::chosen;
@@ -99,9 +99,8 @@ pub(crate) fn grown(
 }
 
 fn beliefs(lens: &Intrinsics, photos: &Photos, p: &CalibrateParams) -> Beliefs {
-    let prior = lens_prior(lens, focal_sigma(&photos.rig, lens, p), p);
     Beliefs {
-        lens: as_given(prior, &photos.rig, p),
+        lens: lens_belief(lens, &photos.rig, p),
         steps: None,
         rim: None,
     }
