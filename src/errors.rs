@@ -2,7 +2,7 @@
 
 use crate::engine::Outcome;
 use crate::graph::Graph;
-use crate::{delivery, out, score};
+use crate::{delivery, score};
 use stage::Metric;
 use std::path::Path;
 
@@ -21,7 +21,7 @@ pub(crate) fn errors(
         let Some(artifact) = body(graph, outcome, kind) else {
             continue;
         };
-        let files = out::files(artifact, format, None);
+        let files = io::files(artifact, format, None);
         let files = files.map_err(|e| e.to_string())?;
         delivery::write(&folder.path().join(file), &files).map_err(|e| e.to_string())?;
     }

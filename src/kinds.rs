@@ -1,7 +1,7 @@
 //! The product's kinds: how each is written as files, and the numbers that it tells of itself.
 
-use crate::out::{document_extension, files};
 use engine::Kind;
+use io::{document_extension, files};
 use shape::{
     Cameras, Document, GirthId, Girths, Keypoints, Landmarks, Masks, Mesh, Photos, Side, Tags,
     Textured, Tracks, Unit, Warps,

@@ -7,7 +7,6 @@ pub mod compare;
 mod errors;
 pub mod kinds;
 pub mod measured;
-pub mod out;
 mod photos;
 mod relative;
 pub mod score;

@@ -39,9 +39,9 @@ mod tests {
         assert!(String::from_utf8_lossy(&ply).contains("comment unit relative"));
         let back = shape::mesh_from_ply(&ply).unwrap();
         assert_eq!(back.positions, mesh.positions);
-        let obj = shape::mesh_to_obj(&mesh).remove(0).1;
+        let obj = io::mesh_to_obj(&mesh).remove(0).1;
         assert!(marked(obj).starts_with(b"# unit relative"));
-        let glb = shape::mesh_to_glb(&mesh);
+        let glb = io::mesh_to_glb(&mesh);
         assert_eq!(marked(glb.clone()), glb);
     }
 }

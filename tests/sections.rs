@@ -144,5 +144,5 @@ fn the_table_of_girths_in_the_docs_is_the_one_in_the_code() {
     let docs = std::fs::read_to_string(path).unwrap();
     let table = docs.split("<!-- definitions -->\n").nth(1).unwrap();
     let table = table.split("<!-- /definitions -->").next().unwrap();
-    assert_eq!(table, shape::definitions_to_markdown());
+    assert_eq!(table, io::definitions_to_markdown());
 }

@@ -189,7 +189,7 @@ fn a_synthetic_turn_leaves_as_a_capture_that_is_read_back() {
     let artifact = outcome.artifact(&graph, node).unwrap();
     let first = artifact.clone().downcast::<Photos>().unwrap();
     let folder = place.path().join("capture");
-    let files = tailor::out::files(artifact, "capture", None).unwrap();
+    let files = io::files(artifact, "capture", None).unwrap();
     tailor::delivery::write(&folder, &files).unwrap();
 
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("pipelines/body.toml");

@@ -56,6 +56,76 @@ fn no_file_is_longer_than_three_hundred_lines() {
     );
 }
 
+/// Each function of a file as rustfmt lays it out, and its lines, from `fn` to the brace that closes it.
+fn functions(text: &str) -> Vec<(&str, usize)> {
+    let lines: Vec<&str> = text.lines().collect();
+    let name = |line: &'_ str| -> Option<usize> {
+        let words = [
+            "pub",
+            "pub(crate)",
+            "pub(super)",
+            "const",
+            "async",
+            "unsafe",
+        ];
+        let before = line.split_whitespace().take_while(|w| *w != "fn");
+        let declared = line.trim_start().starts_with("fn ") || line.contains(" fn ");
+        (declared && before.into_iter().all(|w| words.contains(&w))).then(|| line.find("fn "))?
+    };
+    let one = |(first, line): (usize, &&'_ str)| {
+        let at = name(line)? + "fn ".len();
+        let rest = &lines[first][at..];
+        let indent = &line[..line.len() - line.trim_start().len()];
+        let closes = |l: &&str| *l == format!("{indent}}}");
+        // A signature ends where its body begins, or with a semicolon in a trait.
+        let head = lines[first..]
+            .iter()
+            .position(|l| l.ends_with(['{', ';', '}']))?;
+        let body = match lines[first + head].ends_with('{') {
+            true => lines[first + head..].iter().position(closes)?,
+            false => 0,
+        };
+        Some((rest.split(['(', '<']).next()?, head + body + 1))
+    };
+    lines.iter().enumerate().filter_map(one).collect()
+}
+
+#[test]
+fn lines_of_functions_are_counted() {
+    let text = "\
+impl A {
+    pub(crate) fn one(
+        a: u8,
+    ) -> u8 {
+        if a > 1 {
+            return 1;
+        }
+        a
+    }
+
+    fn two(&self) {}
+}
+
+trait B {
+    fn three(&self);
+}
+";
+    assert_eq!(functions(text), [("one", 8), ("two", 1), ("three", 1)]);
+}
+
+#[test]
+fn no_function_is_longer_than_eighty_lines() {
+    // Their own rework parts them.
+    let known = ["recurring", "without_plate"];
+    let mut long = Vec::new();
+    for (path, text) in sources() {
+        let of_file = functions(&text).into_iter();
+        let over = of_file.filter(|(name, lines)| *lines > 80 && !known.contains(name));
+        long.extend(over.map(|(name, lines)| format!("{}: {name}, {lines}", path.display())));
+    }
+    assert_eq!(long, Vec::<String>::new());
+}
+
 #[test]
 fn nothing_is_called_util() {
     let names = ["util", "utils", "common", "helpers", "misc"];

@@ -7,8 +7,11 @@ use stage::Hash;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-/// The store's folders, and whose names are in them.
-const FOLDERS: [(&str, fn(&str) -> bool); 10] = [
+/// Whether a name is of a form.
+type Form = fn(&str) -> bool;
+
+/// The store's folders, and the form of the names in each.
+const FOLDERS: [(&str, Form); 10] = [
     ("cas", is_prefix),
     ("ac", is_prefix),
     ("part", is_prefix),

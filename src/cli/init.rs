@@ -19,7 +19,7 @@ pub(crate) struct Init {
     facts: Facts,
 }
 
-/// Does it; a file that is there is left as it is.
+/// Writes the file; one that is there is left as it is.
 pub(crate) fn init(args: &Init, global: &GlobalArgs) -> Result<(), Fault> {
     let file = args.folder.join("capture.toml");
     let shown = file.display();
@@ -66,57 +66,55 @@ fn line(to: &mut String, key: &str, known: Option<String>, like: &str, note: &st
     let _ = writeln!(to, "{said:<32} # {note}");
 }
 
+/// A number as TOML has it: with a point.
+fn number(x: f64) -> String {
+    format!("{x:?}")
+}
+
+/// A text as TOML has it.
+fn quoted(text: &str) -> String {
+    toml::Value::from(text).to_string()
+}
+
 /// The file's text.
 fn draft(name: &str, seen: &Look, images: &[String]) -> String {
-    let (photos, rig) = (&seen.photos, &seen.photos.rig);
-    let (count, first) = (photos.photos.len(), &photos.photos[0]);
-    let number = |x: f64| format!("{x:?}");
-    let quoted = |text: &str| toml::Value::from(text).to_string();
+    let rig = &seen.photos.rig;
     let mut to = String::from(
         "# What is known of this capture. A line that begins with # says nothing: take the # away where you know.\n\
          # Every key has a flag of `tailor measure`, which wins. `tailor doctor` says what would help.\n",
     );
-    line(
-        &mut to,
-        "name",
-        Some(quoted(rig.name.as_deref().unwrap_or(name))),
-        "",
-        "what the report calls it",
-    );
-    line(
-        &mut to,
-        "views",
-        Some(count.to_string()),
-        "",
-        "so many photos are there; one that gets lost is then named",
-    );
+    turn(&mut to, name, seen, images);
+    camera(&mut to, seen);
+    subject(&mut to, rig);
+    mat(&mut to, seen, rig);
+    to
+}
+
+/// The photos: how many there are, which, and how far apart.
+fn turn(to: &mut String, name: &str, seen: &Look, images: &[String]) {
+    let rig = &seen.photos.rig;
+    let count = seen.photos.photos.len();
+    let name = Some(quoted(rig.name.as_deref().unwrap_or(name)));
+    line(to, "name", name, "", "what the report calls it");
+    let note = "so many photos are there; one that gets lost is then named";
+    line(to, "views", Some(count.to_string()), "", note);
     if !images.is_empty() {
         let list = toml::Value::Array(images.iter().cloned().map(toml::Value::from).collect());
-        line(
-            &mut to,
-            "images",
-            Some(list.to_string()),
-            "",
-            "which photos are the turn",
-        );
+        let list = Some(list.to_string());
+        line(to, "images", list, "", "which photos are the turn");
     }
     let step = rig.step.map(|step| number(step.to_degrees()));
     let even = number((3600.0 / count as f64).round() / 10.0);
-    line(
-        &mut to,
-        "step_deg",
-        step,
-        &even,
-        "if steps were even: 360° by the number of photos of a full turn",
-    );
+    let note = "if steps were even: 360° by the number of photos of a full turn";
+    line(to, "step_deg", step, &even, note);
     let plate = seen.findings["plate"].as_str().map(quoted);
-    line(
-        &mut to,
-        "plate",
-        plate,
-        "\"plate.jpg\"",
-        "the same scene without the subject",
-    );
+    let note = "the same scene without the subject";
+    line(to, "plate", plate, "\"plate.jpg\"", note);
+}
+
+/// The lens.
+fn camera(to: &mut String, seen: &Look) {
+    let (rig, first) = (&seen.photos.rig, &seen.photos.photos[0]);
     let _ = writeln!(to, "\n[camera]");
     let (note, focal) = match (first.focal_35mm, first.device.as_str()) {
         (Some(mm), device) => (
@@ -132,51 +130,28 @@ fn draft(name: &str, seen: &Look, images: &[String]) -> String {
         .focal_35mm
         .filter(|mm| Some(*mm) != first.focal_35mm)
         .map(number);
-    line(&mut to, "focal_35mm", own, &number(focal), &note);
+    line(to, "focal_35mm", own, &number(focal), &note);
     if let Some(px) = rig.focal_px {
-        line(
-            &mut to,
-            "focal_px",
-            Some(number(px)),
-            "",
-            "of a calibration",
-        );
+        line(to, "focal_px", Some(number(px)), "", "of a calibration");
     }
     if let Some([x, y]) = rig.centre_px {
-        line(
-            &mut to,
-            "centre_px",
-            Some(format!("[{x:?}, {y:?}]")),
-            "",
-            "of a calibration",
-        );
+        let centre = Some(format!("[{x:?}, {y:?}]"));
+        line(to, "centre_px", centre, "", "of a calibration");
     }
-    let _ = writeln!(to, "\n[subject]");
+}
+
+/// Who stood on the disk, and the disk.
+fn subject(to: &mut String, rig: &Rig) {
     let cm = |mm: f64| number(mm / 10.0);
-    line(
-        &mut to,
-        "height_cm",
-        rig.stature_mm.map(cm),
-        "178.0",
-        "tells lengths where no mat, reference or disk does",
-    );
-    line(
-        &mut to,
-        "weight_kg",
-        rig.weight_kg.map(number),
-        "80.0",
-        "for the body mass index",
-    );
+    let _ = writeln!(to, "\n[subject]");
+    let note = "tells lengths where no mat, reference or disk does";
+    line(to, "height_cm", rig.stature_mm.map(cm), "178.0", note);
+    let weight = rig.weight_kg.map(number);
+    line(to, "weight_kg", weight, "80.0", "for the body mass index");
     let _ = writeln!(to, "\n[disk]");
-    line(
-        &mut to,
-        "diameter_cm",
-        rig.disk_diameter_mm.map(cm),
-        "70.0",
-        "of the disk that turned",
-    );
-    mat(&mut to, seen, rig);
-    to
+    let diameter = rig.disk_diameter_mm.map(cm);
+    let note = "of the disk that turned";
+    line(to, "diameter_cm", diameter, "70.0", note);
 }
 
 /// What is known of a mat, and what photos show of one.
@@ -210,22 +185,10 @@ fn mat(to: &mut String, seen: &Look, rig: &Rig) {
         "# [mat]\n"
     });
     let note = "edge of a tag's black square, measured on the print; alone it is enough for a mat of `tailor mat`";
-    line(
-        to,
-        "tag_size_mm",
-        known.map(|mm| format!("{mm:?}")),
-        "60.0",
-        note,
-    );
+    line(to, "tag_size_mm", known.map(number), "60.0", note);
     if let Some(mat) = rig.mat {
-        let last = mat.first_id + mat.count - 1;
-        line(
-            to,
-            "ids",
-            Some(format!("[{}, {last}]", mat.first_id)),
-            "",
-            "first and last number",
-        );
+        let ids = format!("[{}, {}]", mat.first_id, mat.first_id + mat.count - 1);
+        line(to, "ids", Some(ids), "", "first and last number");
         line(
             to,
             "count",
@@ -233,13 +196,9 @@ fn mat(to: &mut String, seen: &Look, rig: &Rig) {
             "",
             "how many tags",
         );
-        line(
-            to,
-            "ring_radius_mm",
-            Some(format!("{:?}", mat.ring_mm)),
-            "",
-            "of the circle through their centres",
-        );
+        let ring = Some(number(mat.ring_mm));
+        let note = "of the circle through their centres";
+        line(to, "ring_radius_mm", ring, "", note);
     }
     if let Some(rim) = rig.rim {
         let last = rim.first_id + rim.count - 1;
@@ -250,7 +209,7 @@ fn mat(to: &mut String, seen: &Look, rig: &Rig) {
         );
     }
     if let Some(known) = &rig.reference {
-        let kind = toml::Value::from(known.kind.as_str());
+        let kind = quoted(known.kind.as_str());
         let _ = writeln!(
             to,
             "\n[reference]\nkind = {kind}\nlength_mm = {:?}",

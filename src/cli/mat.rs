@@ -7,7 +7,7 @@ use shape::Document;
 use stage::{Ctx, Host, Metric, Value};
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
-use std::sync::Mutex;
+use std::sync::{Arc, Mutex};
 
 /// Arguments of `tailor mat`.
 #[derive(Args)]
@@ -69,7 +69,38 @@ pub(crate) fn mat(args: &MatArgs, global: &GlobalArgs) -> Result<(), Fault> {
             "{shown}: a mat is written as .pdf or .svg; give the file one of these endings"
         )));
     }
-    let stage = catalog::find("pose.mat").expect("bug: no stage lays out mats");
+    let (document, metrics) = laid_out(args, ending)?;
+    // What capture.toml says of it, as the print itself tells.
+    let toml = beside(&args.o);
+    let facts = super::mat_file::text(&document.bytes).expect("bug: a mat that tells nothing");
+    for (path, bytes) in [
+        (&args.o, document.bytes.clone()),
+        (&toml, facts.into_bytes()),
+    ] {
+        let file = vec![(String::new(), bytes)];
+        crate::delivery::write(path, &file)
+            .map_err(|e| Fault::input(format!("cannot write {}: {e}", path.display())))?;
+    }
+    let shown = args.o.display().to_string();
+    let toml = toml.display().to_string();
+    if global.json {
+        let answer =
+            serde_json::json!({ "file": shown, "bytes": document.bytes.len(), "facts": toml });
+        engine::outln!("{answer}");
+    } else if !global.quiet {
+        let text = |m: &Metric| format!("{} {} {}", m.name, m.value, m.unit);
+        let lines: Vec<String> = metrics.iter().map(|m| text(m).trim().to_owned()).collect();
+        engine::outln!("{shown}: {}", lines.join(", "));
+        engine::outln!("print at 100 % and check that the ruler is 100 mm long");
+        engine::outln!(
+            "what capture.toml needs to say of it stands at each page's foot and in {toml}; or: tailor measure DIR --mat {shown}"
+        );
+    }
+    Ok(())
+}
+
+/// The params of `pose.mat` that the arguments set.
+fn params(args: &MatArgs, ending: String) -> BTreeMap<String, Value> {
     let mut said = BTreeMap::from([
         ("diameter_mm".to_owned(), Value::Float(args.diameter_mm)),
         ("print".to_owned(), Value::Text(ending)),
@@ -93,7 +124,13 @@ pub(crate) fn mat(args: &MatArgs, global: &GlobalArgs) -> Result<(), Fault> {
             said.insert(name.into(), Value::Int(i64::from(value)));
         }
     }
-    let params = stage.check(&said).map_err(|mistakes| {
+    said
+}
+
+/// The mat as the stage lays it out, and what it tells of it.
+fn laid_out(args: &MatArgs, ending: String) -> Result<(Arc<Document>, Vec<Metric>), Fault> {
+    let stage = catalog::find("pose.mat").expect("bug: no stage lays out mats");
+    let params = stage.check(&params(args, ending)).map_err(|mistakes| {
         let all: Vec<String> = mistakes
             .iter()
             .map(|m| format!("{}: {}", m.name, m.what))
@@ -109,40 +146,6 @@ pub(crate) fn mat(args: &MatArgs, global: &GlobalArgs) -> Result<(), Fault> {
     })?;
     let document = made.artifact.downcast::<Document>();
     let document = document.expect("bug: a mat is no document");
-    let shown = args.o.display().to_string();
-    let lines: Vec<String> = heard
-        .0
-        .into_inner()
-        .expect("bug: a hearer panicked")
-        .iter()
-        .map(|m| {
-            format!("{} {} {}", m.name, m.value, m.unit)
-                .trim()
-                .to_owned()
-        })
-        .collect();
-    // What capture.toml says of it, as the print itself tells.
-    let toml = beside(&args.o);
-    let facts = super::mat_file::text(&document.bytes).expect("bug: a mat that tells nothing");
-    for (path, bytes) in [
-        (&args.o, document.bytes.clone()),
-        (&toml, facts.into_bytes()),
-    ] {
-        let file = vec![(String::new(), bytes)];
-        crate::delivery::write(path, &file)
-            .map_err(|e| Fault::input(format!("cannot write {}: {e}", path.display())))?;
-    }
-    let toml = toml.display().to_string();
-    if global.json {
-        let answer =
-            serde_json::json!({ "file": shown, "bytes": document.bytes.len(), "facts": toml });
-        engine::outln!("{answer}");
-    } else if !global.quiet {
-        engine::outln!("{shown}: {}", lines.join(", "));
-        engine::outln!("print at 100 % and check that the ruler is 100 mm long");
-        engine::outln!(
-            "what capture.toml needs to say of it stands at each page's foot and in {toml}; or: tailor measure DIR --mat {shown}"
-        );
-    }
-    Ok(())
+    let heard = heard.0.into_inner().expect("bug: a hearer panicked");
+    Ok((document, heard))
 }

@@ -4,8 +4,10 @@
 use super::render::render;
 use super::side::Side;
 use super::views::View;
+use base64::prelude::{BASE64_STANDARD, Engine as _};
+use io::mask_on_photo;
 use serde_json::{Value, json};
-use shape::{Camera, Mask, Mesh, Rgb, base64, mask_on_photo, rgb_to_jpeg};
+use shape::{Camera, Mask, Mesh, Rgb, rgb_to_jpeg};
 use std::collections::BTreeMap;
 
 /// Most photos on the page, evenly spaced over the turn.
@@ -35,8 +37,10 @@ impl Album {
         let jpeg = rgb_to_jpeg(picture, 78);
         let next = self.uris.len();
         *self.known.entry(jpeg).or_insert_with_key(|jpeg| {
-            self.uris
-                .push(format!("data:image/jpeg;base64,{}", base64(jpeg)));
+            self.uris.push(format!(
+                "data:image/jpeg;base64,{}",
+                BASE64_STANDARD.encode(jpeg)
+            ));
             next
         })
     }

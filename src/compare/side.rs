@@ -4,8 +4,9 @@ use super::read_girths::{ReadGirth, read_girths};
 use super::views::{self, Views};
 use crate::differ::NodeRun;
 use crate::store::Store;
+use io::girths_to_json;
 use serde_json::Value;
-use shape::{Cameras, Girths, Masks, Mesh, Photos, Unit, girths_to_json, mesh_from_ply};
+use shape::{Cameras, Girths, Masks, Mesh, Photos, Unit, mesh_from_ply};
 use stage::{AnyArtifact, Hash};
 use std::path::{Path, PathBuf};
 

@@ -101,7 +101,8 @@ fn camera(view: &Value) -> Option<Camera> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use shape::{ByPhoto, PhotoId, Scale, cameras_to_json};
+    use io::cameras_to_json;
+    use shape::{ByPhoto, PhotoId, Scale};
 
     #[test]
     fn cameras_come_back_from_their_file() {

@@ -41,10 +41,8 @@ pub(crate) fn align(pairs: &[(Point3<f64>, Point3<f64>)], with_scale: bool) -> O
         return None;
     }
     let n = pairs.len() as f64;
-    let mean = |f: fn(&(Point3<f64>, Point3<f64>)) -> Vector3<f64>| {
-        pairs.iter().map(f).sum::<Vector3<f64>>() / n
-    };
-    let (a, b) = (mean(|p| p.0.coords), mean(|p| p.1.coords));
+    let a = pairs.iter().map(|p| p.0.coords).sum::<Vector3<f64>>() / n;
+    let b = pairs.iter().map(|p| p.1.coords).sum::<Vector3<f64>>() / n;
     let (mut covariance, mut spread) = (Matrix3::zeros(), 0.0);
     for (from, to) in pairs {
         let (from, to) = (from.coords - a, to.coords - b);

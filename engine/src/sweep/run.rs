@@ -160,7 +160,7 @@ fn one(sweeping: &Sweeping<'_>, point: Point, failures: &mut Failures) -> Result
         None => End::Done,
     };
     match metrics(sweeping, &graph, &wanted, &outcome, row.end == End::Done) {
-        Ok((metrics, known)) => (row.metrics, row.known) = (metrics, known),
+        Ok(cells) => (row.metrics, row.known) = (cells.metrics, cells.known),
         Err(why) => row.end = End::Wrong(format!("against the truth: {why}")),
     }
     row.seconds = start.elapsed().as_secs_f64();
@@ -199,6 +199,14 @@ fn foreseen(
     None
 }
 
+/// What a row says of its point.
+struct Cells {
+    /// What was asked for, where it is known.
+    metrics: Vec<(String, Option<Metric>)>,
+    /// The names of all that could have been.
+    known: Vec<String>,
+}
+
 /// What was asked for.
 fn metrics(
     sweeping: &Sweeping<'_>,
@@ -206,7 +214,7 @@ fn metrics(
     wanted: &[usize],
     outcome: &Outcome,
     done: bool,
-) -> Result<(Vec<(String, Option<Metric>)>, Vec<String>), String> {
+) -> Result<Cells, String> {
     let mut known: BTreeMap<usize, Vec<Metric>> = BTreeMap::new();
     let plain = |node: usize| -> Vec<Metric> {
         let Some(done) = &outcome.nodes[node] else {
@@ -275,6 +283,6 @@ fn metrics(
         all.iter().map(move |m| format!("{name}.{}", m.name))
     });
     let outside = errors.iter().map(|m| format!("error.{}", m.name));
-    let names = inside.chain(outside).collect();
-    Ok((metrics, names))
+    let known = inside.chain(outside).collect();
+    Ok(Cells { metrics, known })
 }

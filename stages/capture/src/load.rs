@@ -141,14 +141,17 @@ fn known(files: &Files, p: &LoadParams) -> Result<RigFile, Stop> {
     Ok(read_rig(&String::from_utf8_lossy(&text), &p.facts)?)
 }
 
-/// The photos that are taken, in turning order, and the plate; and of how many even steps each is one,
-/// where they are even.
+/// The photos that are taken, in turning order; the plate; and of how many even steps each is one, where
+/// they are even.
+type Chosen<'a> = (Vec<&'a FileEntry>, Option<&'a FileEntry>, Option<usize>);
+
+/// The photos that are taken of those in the folder.
 fn chosen<'a>(
     p: &LoadParams,
     files: &'a Files,
     known: &RigFile,
     ctx: &Ctx<'_>,
-) -> Result<(Vec<&'a FileEntry>, Option<&'a FileEntry>, Option<usize>), Stop> {
+) -> Result<Chosen<'a>, Stop> {
     let (mut turn, plate): Sorted<'a> = sorted(files, known)?;
     for (copy, first) in twins(&mut turn) {
         ctx.warn(format!(

@@ -187,7 +187,7 @@ mod tests {
             rig: rig.clone(),
             ..shape::Photos::default()
         };
-        let files = shape::photos_to_capture(&photos);
+        let files = io::photos_to_capture(&photos);
         let (_, bytes) = files.iter().find(|f| f.0 == "capture.toml").unwrap();
         let back = read(std::str::from_utf8(bytes).unwrap()).unwrap();
         assert_eq!(back.rig, rig);

@@ -9,15 +9,22 @@ use shape::Mesh;
 /// A vertex before it has a number: the lattice edge or cell it belongs to.
 type Name = u64;
 
+/// The surface within one brick.
+struct Part {
+    /// Sorted by name, none twice. \[mm\]
+    vertices: Vec<(Name, [f32; 3])>,
+    triangles: Vec<[Name; 3]>,
+}
+
 /// The surface where the field crosses zero. Beyond the lattice nothing is solid.
 pub fn surface(lattice: &Lattice, bricks: &Bricks) -> Mesh {
     let cases = cases();
-    let parts: Vec<(Vec<(Name, [f32; 3])>, Vec<[Name; 3]>)> = (0..bricks.len())
+    let parts: Vec<Part> = (0..bricks.len())
         .into_par_iter()
         .filter_map(|b| Some(part(lattice, b, bricks[b].as_ref()?, &cases)))
         .collect();
-    let mut vertices: Vec<(Name, [f32; 3])> =
-        parts.iter().flat_map(|p| p.0.iter().copied()).collect();
+    let all = parts.iter().flat_map(|p| p.vertices.iter().copied());
+    let mut vertices: Vec<(Name, [f32; 3])> = all.collect();
     vertices.par_sort_unstable_by_key(|v| v.0);
     vertices.dedup_by_key(|v| v.0);
     let number = |name: &Name| {
@@ -27,7 +34,7 @@ pub fn surface(lattice: &Lattice, bricks: &Bricks) -> Mesh {
     };
     let faces = parts
         .par_iter()
-        .flat_map_iter(|p| p.1.iter().map(|f| f.map(|n| number(&n))))
+        .flat_map_iter(|p| p.triangles.iter().map(|f| f.map(|n| number(&n))))
         .collect();
     Mesh {
         positions: vertices.into_iter().map(|v| v.1).collect(),
@@ -37,16 +44,11 @@ pub fn surface(lattice: &Lattice, bricks: &Bricks) -> Mesh {
 }
 
 /// The vertices and triangles of one brick.
-fn part(
-    lattice: &Lattice,
-    brick: usize,
-    values: &[f32],
-    cases: &[Case],
-) -> (Vec<(Name, [f32; 3])>, Vec<[Name; 3]>) {
+fn part(lattice: &Lattice, brick: usize, values: &[f32], cases: &[Case]) -> Part {
     let base = lattice.place(brick).map(|b| b * BRICK);
     let row = (lattice.bricks[0] * BRICK + 1) as u64;
     let slab = row * (lattice.bricks[1] * BRICK + 1) as u64;
-    let (mut vertices, mut faces) = (Vec::new(), Vec::new());
+    let (mut vertices, mut triangles) = (Vec::new(), Vec::new());
     for z in 0..BRICK {
         for y in 0..BRICK {
             for x in 0..BRICK {
@@ -83,7 +85,7 @@ fn part(
                     (name, Point3::from(sum / ring.len() as f64))
                 };
                 for triangle in &case.triangles {
-                    faces.push(triangle.map(|place| {
+                    triangles.push(triangle.map(|place| {
                         let (name, p) = match place {
                             Place::Edge(e) => on_edge(e),
                             Place::Middle(l) => amid(l),
@@ -97,7 +99,10 @@ fn part(
     }
     vertices.sort_unstable_by_key(|v| v.0);
     vertices.dedup_by_key(|v| v.0);
-    (vertices, faces)
+    Part {
+        vertices,
+        triangles,
+    }
 }
 
 /// The part with the most volume, and the volumes of the others, largest first. \[mm³\]

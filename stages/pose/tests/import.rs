@@ -1,13 +1,13 @@
 //! Cameras leave and come back as they were; files that are broken say so.
 
+use io::{
+    cameras_to_colmap_binary, cameras_to_colmap_text, cameras_to_json, cameras_to_middlebury,
+};
 use nalgebra::{Rotation3, Vector3};
 use pose::{
     Foreign, ForeignError, Ring, from_colmap_binary, from_colmap_text, from_json, from_middlebury,
 };
-use shape::{
-    Camera, Cameras, Intrinsics, PhotoId, Scale, View, cameras_to_colmap_binary,
-    cameras_to_colmap_text, cameras_to_json, cameras_to_middlebury,
-};
+use shape::{Camera, Cameras, Intrinsics, PhotoId, Scale, View};
 
 fn cameras() -> Cameras {
     let ring = Ring {

@@ -121,6 +121,45 @@ fn least<T>(mut once: impl FnMut() -> T) -> f64 {
     (0..3).map(time).fold(f64::INFINITY, f64::min)
 }
 
+/// Times kernels on one thread and on all, a line each.
+struct Timer {
+    pools: [rayon::ThreadPool; 2],
+    vertices: usize,
+}
+
+impl Timer {
+    /// Prints the head of the table.
+    fn new(mesh: &Mesh) -> Timer {
+        let cores = std::thread::available_parallelism().map_or(1, usize::from);
+        let vertices = mesh.positions.len();
+        println!(
+            "{} faces, {vertices} vertices, 18 photos of 1600×2400; milliseconds",
+            mesh.faces.len()
+        );
+        println!(
+            "{:28} {:>9} {:>9} {:>14}",
+            "",
+            "1 thread",
+            format!("{cores} threads"),
+            "ns a vertex, 1"
+        );
+        let pools = [1, cores].map(|n| {
+            let pool = rayon::ThreadPoolBuilder::new().num_threads(n).build();
+            pool.expect("a pool of threads")
+        });
+        Timer { pools, vertices }
+    }
+
+    /// Prints what a kernel costs.
+    fn line(&self, name: &str, run: &(dyn Fn() + Sync)) {
+        let [one, all] = [0, 1].map(|k| least(|| self.pools[k].install(run)));
+        println!(
+            "{name:28} {one:9.1} {all:9.1} {:14.0}",
+            one * 1e6 / self.vertices as f64
+        );
+    }
+}
+
 fn main() {
     let arguments: Vec<String> = std::env::args().collect();
     let thousands = arguments.iter().find_map(|a| a.parse::<f64>().ok());
@@ -130,29 +169,9 @@ fn main() {
     let mesh = ball((area / faces / 0.433).sqrt());
     let pictures: Vec<Picture> = (0..18).map(picture).collect();
     let count = mesh.positions.len();
-    let cores = std::thread::available_parallelism().map_or(1, usize::from);
-    println!(
-        "{} faces, {count} vertices, 18 photos of 1600×2400; milliseconds",
-        mesh.faces.len()
-    );
-    println!(
-        "{:28} {:>9} {:>9} {:>14}",
-        "",
-        "1 thread",
-        format!("{cores} threads"),
-        "ns a vertex, 1"
-    );
-    let pools = [1, cores].map(|n| {
-        let pool = rayon::ThreadPoolBuilder::new().num_threads(n).build();
-        pool.expect("a pool of threads")
-    });
-    let tell = |name: &str, run: &(dyn Fn() + Sync)| {
-        let [one, all] = [0, 1].map(|k| least(|| pools[k].install(run)));
-        println!(
-            "{name:28} {one:9.1} {all:9.1} {:14.0}",
-            one * 1e6 / count as f64
-        );
-    };
+    let timer = Timer::new(&mesh);
+    let tell = |name: &str, run: &(dyn Fn() + Sync)| timer.line(name, run);
+    mesh_and_pictures(&timer, &mesh, &pictures[0]);
     let window = Window::new(4, true);
     let rules = VisibilityRules::new(65.0, Pairing::between(3.0, 50.0), 4.0);
     let around = Adjacency::new(&mesh);
@@ -182,13 +201,6 @@ fn main() {
     let still = vec![0.0; count];
     let seen = forces.agreements::<true>(&still);
     let data_term = forces.data_term(&seen);
-    tell("halving one photo", &|| drop(halved(&pictures[0].gray)));
-    tell("depth map of one photo", &|| {
-        drop(DepthMap::new(&mesh, &pictures[0], 2.0));
-    });
-    tell("shape operators", &|| {
-        drop(shape_operators(&mesh, &around, &normals, 0.1));
-    });
     tell("visibility and weights", &|| {
         drop(Visibility::new(&mesh, &around, &pictures, &window, &rules));
     });
@@ -224,8 +236,22 @@ fn main() {
     tell("search, 9 places", &|| {
         drop(sweep(&forces, &around, 5, 3, footprint))
     });
+}
+
+/// What stands beside the energy: pictures, and the mesh alone.
+fn mesh_and_pictures(timer: &Timer, mesh: &Mesh, picture: &Picture) {
+    let tell = |name: &str, run: &(dyn Fn() + Sync)| timer.line(name, run);
+    let around = Adjacency::new(mesh);
+    let normals = mesh.normals();
+    tell("halving one photo", &|| drop(halved(&picture.gray)));
+    tell("depth map of one photo", &|| {
+        drop(DepthMap::new(mesh, picture, 2.0));
+    });
+    tell("shape operators", &|| {
+        drop(shape_operators(mesh, &around, &normals, 0.1));
+    });
     tell("relaxing", &|| relax(&mut mesh.clone()));
     tell("remeshing to other edges", &|| {
-        drop(remesh(&mesh, mesh.mean_edge() * 0.9, 1));
+        drop(remesh(mesh, mesh.mean_edge() * 0.9, 1));
     });
 }

@@ -1,8 +1,9 @@
 //! A small picture of each photo with the silhouette's outline and the sections over it.
 
 use crate::tables::escaped;
+use base64::prelude::{BASE64_STANDARD, Engine as _};
 use nalgebra::{Point2, Point3};
-use shape::{Camera, Girth, Girths, Mask, Rgb, base64, rgb_to_jpeg};
+use shape::{Camera, Girth, Girths, Mask, Rgb, rgb_to_jpeg};
 use std::fmt::Write;
 
 /// The whole factor by which a photo of some height is reduced to at most `most_px`.
@@ -57,7 +58,7 @@ pub(crate) fn figure(shown: &Shown<'_>, girths: &Girths) -> String {
         let _ = write!(
             svg,
             "<image width=\"{w}\" height=\"{h}\" href=\"data:image/jpeg;base64,{}\"/>",
-            base64(&rgb_to_jpeg(photo, 70))
+            BASE64_STANDARD.encode(rgb_to_jpeg(photo, 70))
         );
     }
     if let Some(mask) = shown.mask {

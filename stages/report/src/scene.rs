@@ -3,8 +3,9 @@
 use crate::lengths::Lengths;
 use crate::packing::{corners, steps};
 use crate::tape;
+use base64::prelude::{BASE64_STANDARD, Engine as _};
 use serde_json::{Value, json};
-use shape::{Camera, Girths, Mesh, Rgb, Textured, base64, rgb_to_jpeg};
+use shape::{Camera, Girths, Mesh, Rgb, Textured, rgb_to_jpeg};
 use std::collections::BTreeMap;
 
 /// Finest step of a coordinate. \[mm\]
@@ -18,7 +19,7 @@ pub(crate) fn mesh(label: &str, mesh: &Mesh) -> Value {
         let colors = order
             .iter()
             .map(|v| mesh.colors[*v as usize].map(i32::from));
-        value["colors"] = json!(base64(&steps(colors)));
+        value["colors"] = json!(BASE64_STANDARD.encode(steps(colors)));
     }
     value
 }
@@ -44,8 +45,11 @@ pub(crate) fn textured(label: &str, body: &Textured, atlas_px: usize) -> Value {
     let mut value = packed(label, &split, &bytes, &order);
     let places = order.iter().map(|v| places[*v as usize]);
     let jpeg = rgb_to_jpeg(&halved(&body.atlas, atlas_px), 80);
-    value["uv"] = json!(base64(&steps(places)));
-    value["atlas"] = json!(format!("data:image/jpeg;base64,{}", base64(&jpeg)));
+    value["uv"] = json!(BASE64_STANDARD.encode(steps(places)));
+    value["atlas"] = json!(format!(
+        "data:image/jpeg;base64,{}",
+        BASE64_STANDARD.encode(&jpeg)
+    ));
     value
 }
 
@@ -113,7 +117,7 @@ fn packed(label: &str, points: &[[f32; 3]], corners: &[u8], order: &[u32]) -> Va
     json!({
         "label": label, "step": step,
         "lo": if points.is_empty() { [0.0; 3] } else { lo },
-        "at": base64(&steps(order.iter().map(at))), "corners": base64(corners),
+        "at": BASE64_STANDARD.encode(steps(order.iter().map(at))), "corners": BASE64_STANDARD.encode(corners),
     })
 }
 

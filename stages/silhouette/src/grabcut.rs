@@ -4,15 +4,16 @@ use crate::backdrop::Backdrop;
 use crate::background::{expected, plate_turn};
 use crate::boxed::{Rectangle, by_colors};
 use crate::coherence::agreed;
-use crate::empty::{Empty, empty_scene, everything, on_the_plate};
+use crate::common_place::where_photos_lie_alike;
+use crate::empty::{Empty, Levels, empty_scene, everything, on_the_plate};
 use crate::exposure::{exposure, relit};
 use crate::gmm::Gmm;
 use crate::level::Level;
 use crate::params::{CutError, GrabCutParams};
 use crate::photo_cut::{Prepared, coarse, fine, prepare};
-use crate::segment::Settings;
+use crate::segment::{Known, Settings};
 use rayon::prelude::*;
-use shape::{Camera, Cameras, Image, Mask, Masks, Photo, PhotoId, Photos, Rgb, View};
+use shape::{Camera, Cameras, Image, Mask, Masks, Photo, PhotoId, Photos, Rgb};
 use stage::{Ctx, Stage, Stop};
 use std::sync::Arc;
 
@@ -45,48 +46,12 @@ impl Stage for GrabCut {
             rounds: p.rounds as usize,
             clusters: p.clusters as usize,
         };
-        let check = || ctx.check().map_err(Stop::from);
-        let (empty, levels, told) = match (&input.photos.plate, &input.cameras) {
-            (Some(plate), _) => {
-                let pixels = plate.decode()?;
-                let levels = on_the_plate(p.coarse_px as usize, &input.photos, &pixels, check)?;
-                (Empty::Plate(pixels), levels, plate.content())
-            }
-            (None, Some(cameras)) => {
-                match empty_scene(p, &settings, &input.photos, cameras, check) {
-                    Err(Stop::Failed(why)) if !p.box_px.is_empty() && moves(&*why) => {
-                        ctx.warn(format!("{why}; so photos are cut by colours alone"));
-                        return alone(p, &settings, &input.photos, ctx);
-                    }
-                    Err(stop) => return Err(stop),
-                    Ok((empty, levels, told)) => {
-                        ctx.metric("stands still", told.stands, "%");
-                        told.warnings(&input.photos)
-                            .into_iter()
-                            .for_each(|w| ctx.warn(w));
-                        (empty, levels, everything(&input.photos, cameras))
-                    }
-                }
-            }
-            (None, None) if !p.box_px.is_empty() => {
-                return alone(p, &settings, &input.photos, ctx);
-            }
-            (None, None) => return Err(CutError::NoPlate.into()),
+        let Some(background) = background(p, &settings, &input, ctx)? else {
+            return alone(p, &settings, &input.photos, ctx);
         };
-        let level = |id| levels.get(&id).unwrap_or(&Level::NONE);
-        // Cameras as they would be where all photos lie alike.
-        let brought = |(id, view): (PhotoId, &View)| {
-            let camera = level(id).camera(&view.camera);
-            let view = View {
-                camera,
-                ..view.clone()
-            };
-            (id, view)
-        };
-        let cameras = input.cameras.as_deref().map(|cameras| Cameras {
-            views: cameras.views.iter().map(brought).collect(),
-            ..cameras.clone()
-        });
+        let level = |id| background.levels.get(&id).unwrap_or(&Level::NONE);
+        let cameras = input.cameras.as_deref();
+        let cameras = cameras.map(|cameras| where_photos_lie_alike(cameras, &background.levels));
         let camera = |id| {
             let cameras = cameras.as_ref();
             cameras.and_then(|c| c.views.get(id)).map(|v| v.camera)
@@ -100,50 +65,83 @@ impl Stage for GrabCut {
                 camera: camera(id),
                 level: level(id),
                 radius,
-                empty: &empty,
-                told,
+                background: &background,
             })
             .filter(|job| job.camera.is_some() || input.photos.plate.is_some())
             .collect();
         let steps = ctx.steps("photos", jobs.len() * 2);
         // First a coarse cut of each photo alone, then again with what all of them say together.
-        let first: Vec<(PhotoId, Mask)> = jobs
-            .par_iter()
-            .map(|job| {
-                let mask = job.remembered(ctx, "coarse", &[], || {
-                    let (_, _, ready) = job.ready(p)?;
-                    let (sides, _) = job.checked(job.cut(&ready, &settings))?;
-                    Ok(sides.map(|b| if *b { 255 } else { 0 }))
-                })?;
-                steps.tick()?;
-                Ok((job.id, mask))
-            })
-            .collect::<Result<_, Stop>>()?;
+        let coarse = |job: &OnePhoto<'_>| {
+            let mask = job.coarse(p, &settings, ctx)?;
+            steps.tick()?;
+            Ok((job.id, mask))
+        };
+        let first: Vec<(PhotoId, Mask)> =
+            jobs.par_iter().map(coarse).collect::<Result<_, Stop>>()?;
         let together = match &cameras {
             // Without a plate the photos have agreed already.
             Some(cameras) if p.coherence && input.photos.plate.is_some() => agreed(&first, cameras),
             _ => Default::default(),
         };
-        let second: Vec<(PhotoId, Mask)> = jobs
-            .par_iter()
-            .map(|job| {
-                let agreed = together.get(&job.id);
-                let said: Vec<u8> = agreed.into_iter().flatten().map(|k| *k as u8).collect();
-                let mask = job.remembered(ctx, "mask", &[stage::hash(&said)], || {
-                    let (pixels, without, mut ready) = job.ready(p)?;
-                    ready.agree(agreed.into_iter().flatten(), &[]);
-                    let (sides, gmm) = job.checked(job.cut(&ready, &settings))?;
-                    let mask = fine(&pixels, &without, &ready, &sides, &gmm, &settings);
-                    Ok(job.level.returned(mask))
-                })?;
-                steps.tick()?;
-                Ok((job.id, mask))
-            })
-            .collect::<Result<_, Stop>>()?;
+        let whole = |job: &OnePhoto<'_>| {
+            let agreed = together.get(&job.id).map_or(&[][..], Vec::as_slice);
+            let mask = job.whole(p, &settings, agreed, ctx)?;
+            steps.tick()?;
+            Ok((job.id, mask))
+        };
+        let second: Vec<(PhotoId, Mask)> =
+            jobs.par_iter().map(whole).collect::<Result<_, Stop>>()?;
         Ok(Masks {
             views: second.into_iter().collect(),
         })
     }
+}
+
+/// What is known of the scene without the subject.
+struct Background {
+    empty: Empty,
+    /// How each photo lies in the common place.
+    levels: Levels,
+    /// Hash of all that it follows from.
+    content: stage::Hash,
+}
+
+/// The scene without the subject, by the plate or by what stands still; `None` where there is neither,
+/// but the user drew a rectangle.
+fn background(
+    p: &GrabCutParams,
+    settings: &Settings,
+    input: &GrabCutInput,
+    ctx: &Ctx<'_>,
+) -> Result<Option<Background>, Stop> {
+    let check = || ctx.check().map_err(Stop::from);
+    let photos = &input.photos;
+    let (empty, levels, content) = match (&photos.plate, &input.cameras) {
+        (Some(plate), _) => {
+            let pixels = plate.decode()?;
+            let levels = on_the_plate(p.coarse_px as usize, photos, &pixels, check)?;
+            (Empty::Plate(pixels), levels, plate.content())
+        }
+        (None, Some(cameras)) => match empty_scene(p, settings, photos, cameras, check) {
+            Err(Stop::Failed(why)) if !p.box_px.is_empty() && moves(&*why) => {
+                ctx.warn(format!("{why}; so photos are cut by colours alone"));
+                return Ok(None);
+            }
+            Err(stop) => return Err(stop),
+            Ok((empty, levels, told)) => {
+                ctx.metric("stands still", told.stands, "%");
+                told.warnings(photos).into_iter().for_each(|w| ctx.warn(w));
+                (empty, levels, everything(photos, cameras))
+            }
+        },
+        (None, None) if !p.box_px.is_empty() => return Ok(None),
+        (None, None) => return Err(CutError::NoPlate.into()),
+    };
+    Ok(Some(Background {
+        empty,
+        levels,
+        content,
+    }))
 }
 
 /// Whether nothing stands still.
@@ -183,17 +181,42 @@ struct OnePhoto<'a> {
     camera: Option<Camera>,
     level: &'a Level,
     radius: Option<f64>,
-    empty: &'a Empty,
-    /// Hash of all that the empty scene follows from.
-    told: stage::Hash,
+    background: &'a Background,
 }
 
 impl OnePhoto<'_> {
+    /// A coarse cut of the photo alone, at the reduced size.
+    fn coarse(&self, p: &GrabCutParams, settings: &Settings, ctx: &Ctx<'_>) -> Result<Mask, Stop> {
+        self.remembered(ctx, "coarse", &[], || {
+            let (_, _, ready) = self.ready(p)?;
+            let (sides, _) = self.checked(self.cut(&ready, settings))?;
+            Ok(sides.map(|b| if *b { 255 } else { 0 }))
+        })
+    }
+
+    /// The mask at full size, with what all photos say together of each reduced pixel.
+    fn whole(
+        &self,
+        p: &GrabCutParams,
+        settings: &Settings,
+        agreed: &[Known],
+        ctx: &Ctx<'_>,
+    ) -> Result<Mask, Stop> {
+        let said: Vec<u8> = agreed.iter().map(|k| *k as u8).collect();
+        self.remembered(ctx, "mask", &[stage::hash(&said)], || {
+            let (pixels, without, mut ready) = self.ready(p)?;
+            ready.agree(agreed.iter(), &[]);
+            let (sides, gmm) = self.checked(self.cut(&ready, settings))?;
+            let mask = fine(&pixels, &without, &ready, &sides, &gmm, settings);
+            Ok(self.level.returned(mask))
+        })
+    }
+
     /// The photo, what it would show without the subject, and what follows from both.
     fn ready(&self, p: &GrabCutParams) -> Result<(Rgb, Backdrop, Prepared), Stop> {
         let disk = self.camera.as_ref().zip(self.radius);
         let pixels = self.level.brought(self.photo.decode()?);
-        let without = match (self.empty, &self.camera) {
+        let without = match (&self.background.empty, &self.camera) {
             (Empty::Plate(plate), _) => {
                 let lit = exposure(&pixels, plate).map(|levels| relit(plate, &levels));
                 let plate = lit.as_ref().unwrap_or(plate);
@@ -218,7 +241,7 @@ impl OnePhoto<'_> {
 
     /// The coarse cut: without a plate that on which all photos agreed.
     fn cut(&self, ready: &Prepared, settings: &Settings) -> Option<(Image<bool>, Gmm)> {
-        let Empty::Turn(_, cuts) = self.empty else {
+        let Empty::Turn(_, cuts) = &self.background.empty else {
             return coarse(ready, settings);
         };
         let sides = cuts.get(&self.id)?;
@@ -242,7 +265,7 @@ impl OnePhoto<'_> {
         let stands = format!("{:?} {:?}", self.camera, self.radius);
         let mut depends = vec![
             self.photo.content(),
-            self.told,
+            self.background.content,
             stage::hash(stands.as_bytes()),
         ];
         depends.extend_from_slice(more);

@@ -9,6 +9,7 @@ mod background;
 mod border;
 mod boxed;
 mod coherence;
+mod common_place;
 mod disk_colors;
 mod disk_top;
 mod doubt;

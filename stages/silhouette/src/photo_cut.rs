@@ -8,6 +8,7 @@ use crate::segment::{Known, Settings, Window, cut, cut_whole, largest, reduced};
 use crate::unary::{FLAT, Ground, Noise, background_cost};
 use nalgebra::{Point2, Point3};
 use shape::{Camera, Image, Mask, Rgb};
+use std::ops::Range;
 
 /// A photo made ready: reduced, with what is known of each pixel.
 pub struct Prepared {
@@ -126,32 +127,14 @@ pub fn fine(
             (false, true) => Known::Body,
         }
     };
-    let side = |i: usize| {
-        let (x, y) = at(i);
-        coarse.at(x, y)
-    };
-    let data = (0..pixels.data.len()).map(side).collect();
+    let side = |(x, y): (usize, usize)| coarse.at(x, y);
     let mut sides = Image {
         width: pixels.width,
         height: pixels.height,
-        data,
+        data: (0..pixels.data.len()).map(|i| side(at(i))).collect(),
     };
-    let tile = 16usize;
-    let (tiles_x, tiles_y) = (coarse.width.div_ceil(tile), coarse.height.div_ceil(tile));
-    for t in 0..tiles_x * tiles_y {
-        let (tx, ty) = ((t % tiles_x) * tile, (t / tiles_x) * tile);
-        let on_band = |x: usize, y: usize| x < coarse.width && y < coarse.height && band.at(x, y);
-        if !(ty..ty + tile).any(|y| (tx..tx + tile).any(|x| on_band(x, y))) {
-            continue;
-        }
-        // A margin of four coarse pixels around the tile is cut too, then thrown away.
-        let (x0, y0) = (tx.saturating_sub(4), ty.saturating_sub(4));
-        let window = Window {
-            x: x0 * factor,
-            y: y0 * factor,
-            width: ((tx + tile + 4).min(coarse.width) - x0) * factor,
-            height: ((ty + tile + 4).min(coarse.height) - y0) * factor,
-        };
+    for tile in tiles(&band) {
+        let window = tile.with_margin(coarse, factor);
         let area = [window.x, window.y, window.width, window.height];
         let mut cost = background_cost(pixels, without, noise, &on, 2, area);
         for (i, cost) in cost.iter_mut().enumerate() {
@@ -161,8 +144,8 @@ pub fn fine(
             }
         }
         let body = cut(pixels, &cost, &window, gmm, settings, &settled);
-        for y in ty * factor..((ty + tile).min(coarse.height)) * factor {
-            for x in tx * factor..((tx + tile).min(coarse.width)) * factor {
+        for y in tile.y.start * factor..tile.y.end * factor {
+            for x in tile.x.start * factor..tile.x.end * factor {
                 *sides.at_mut(x, y) = body[(y - window.y) * window.width + x - window.x];
             }
         }
@@ -173,6 +156,46 @@ pub fn fine(
         [ready.cost[i], ready.explained[i]]
     };
     soft_border(pixels, without, &largest(&sides, &cost), noise)
+}
+
+/// A square of coarse pixels, clipped to the photo.
+struct Tile {
+    x: Range<usize>,
+    y: Range<usize>,
+}
+
+impl Tile {
+    /// What is cut of it at full size: a margin of four coarse pixels around the tile is cut too, then
+    /// thrown away.
+    fn with_margin(&self, coarse: &Image<bool>, factor: usize) -> Window {
+        let widened = |r: &Range<usize>, most: usize| {
+            let (start, end) = (r.start.saturating_sub(4), (r.end + 4).min(most));
+            (start * factor, (end - start) * factor)
+        };
+        let (x, width) = widened(&self.x, coarse.width);
+        let (y, height) = widened(&self.y, coarse.height);
+        Window {
+            x,
+            y,
+            width,
+            height,
+        }
+    }
+}
+
+/// The tiles of 16 pixels in which some of the band lies, row by row.
+fn tiles(band: &Image<bool>) -> Vec<Tile> {
+    const SIDE: usize = 16;
+    let along = |most: usize| {
+        let starts = (0..most).step_by(SIDE);
+        starts.map(move |start| start..(start + SIDE).min(most))
+    };
+    let all = along(band.height).flat_map(|y| along(band.width).map(move |x| (x, y.clone())));
+    let on_band = |tile: &Tile| {
+        let mut rows = tile.y.clone();
+        rows.any(|y| tile.x.clone().any(|x| band.at(x, y)))
+    };
+    all.map(|(x, y)| Tile { x, y }).filter(on_band).collect()
 }
 
 /// The subject's shadow may fall deep on the disk and the floor around it: this many disk radii.

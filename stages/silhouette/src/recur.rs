@@ -27,6 +27,9 @@ const ALIKE: f32 = 0.45;
 /// Photos that each is held against, at most: more of them tell nothing new.
 const PARTNERS: usize = 9;
 
+/// A row of pixels: what recurs, where anything does, and which photos agree there.
+type Row = (Vec<[u8; 3]>, Vec<bool>, Vec<Vec<bool>>);
+
 /// What most photos agree on.
 #[derive(Debug, Clone)]
 pub struct Recurring {
@@ -154,7 +157,7 @@ pub fn recurring(photos: &[Rgb], hidden: Option<&[Image<bool>]>, least: f32) -> 
             (0..w * h).map(one).collect()
         })
         .collect();
-    let rows: Vec<(Vec<[u8; 3]>, Vec<bool>, Vec<Vec<bool>>)> = (0..h)
+    let rows: Vec<Row> = (0..h)
         .into_par_iter()
         .map(|y| {
             let mut row = (

@@ -75,8 +75,13 @@ pub(crate) fn lens_prior(lens: &Intrinsics, focal_sigma: f64, p: &CalibrateParam
     }
 }
 
+/// What is believed of a lens before anything is seen: by EXIF, by capture.toml, by params.
+pub(crate) fn lens_belief(lens: &Intrinsics, rig: &Rig, p: &CalibrateParams) -> LensPrior {
+    as_given(lens_prior(lens, focal_sigma(rig, lens, p), p), rig, p)
+}
+
 /// The belief where capture.toml gives the lens.
-pub(crate) fn as_given(mut prior: LensPrior, rig: &Rig, p: &CalibrateParams) -> LensPrior {
+fn as_given(mut prior: LensPrior, rig: &Rig, p: &CalibrateParams) -> LensPrior {
     if rig.focal_px.is_some() {
         prior.sigma[0] = p.given_focal * prior.mean[0];
     }

@@ -11,7 +11,7 @@ use crate::adjust::rim::RimBelief;
 use crate::adjust::scene::{Beliefs, Scene, Sight};
 use crate::calibration::found::Found;
 use crate::calibration::params::CalibrateParams;
-use crate::calibration::prior::{as_given, focal_sigma, lens_prior, settings};
+use crate::calibration::prior::{lens_belief, settings};
 use crate::calibration::trust::{median_px, nudged, uneven, view, warnings};
 use crate::mat::bloom::adjust_tags;
 use crate::mat::corners::mat_corners;
@@ -59,33 +59,9 @@ pub(crate) fn calibrate(
     tracks: Option<&Tracks>,
     p: &CalibrateParams,
 ) -> Result<Found, MatError> {
-    let placed: Vec<Placed<'_>> = tags
-        .views
-        .iter()
-        .filter_map(|(id, tags)| Some((id, pose(lens, mat, tags)?, tags)))
-        .collect();
-    let of = photos.photos.len();
-    if placed.len() < 3 {
-        return Err(MatError::Unseen {
-            seen: placed.len(),
-            of,
-        });
-    }
+    let placed = placed(lens, mat, tags, photos.photos.len())?;
     let (mut scene, mut sights) = laid_out(lens, mat, &placed, p);
-    let prior = as_given(
-        lens_prior(lens, focal_sigma(&photos.rig, lens, p), p),
-        &photos.rig,
-        p,
-    );
-    let beliefs = Beliefs {
-        lens: prior,
-        steps: None,
-        rim: photos.rig.rim.map(|_| RimBelief {
-            round_mm: p.rim_round_mm,
-            stretch: p.rim_stretch,
-            glue_mm: GLUE_MM,
-        }),
-    };
+    let beliefs = beliefs(lens, photos, p);
     let settings = settings(p);
     let mut fit = adjust_tags(&mut scene, &mut sights, &beliefs, &settings, p.bloom_px);
     if fit.rms_px > 3.0 * p.tag_px.max(0.3) || median_px(&scene, &sights) > 2.0 {
@@ -110,7 +86,7 @@ pub(crate) fn calibrate(
         (used_tracks, points) = add_features(&mut scene, &mut sights, &ids, mat, tracks, p);
         fit = adjust(&mut scene, &sights, &beliefs, &settings);
     }
-    let mut warnings = warnings(photos, &ids, &scene, &fit, &prior);
+    let mut warnings = warnings(photos, &ids, &scene, &fit, &beliefs.lens);
     warnings.extend(nudged(photos, &ids, &scene.poses));
     warnings.extend(uneven(photos, &ids, &scene.poses));
     warnings.extend(rim_warning);
@@ -134,6 +110,38 @@ pub(crate) fn calibrate(
         used_tracks,
         rim_tags,
     })
+}
+
+/// The photos whose tags tell where their cameras stand, of so many.
+fn placed<'a>(
+    lens: &Intrinsics,
+    mat: &Mat,
+    tags: &'a Tags,
+    of: usize,
+) -> Result<Vec<Placed<'a>>, MatError> {
+    let placed: Vec<Placed<'_>> = tags
+        .views
+        .iter()
+        .filter_map(|(id, tags)| Some((id, pose(lens, mat, tags)?, tags)))
+        .collect();
+    let seen = placed.len();
+    match seen {
+        ..3 => Err(MatError::Unseen { seen, of }),
+        _ => Ok(placed),
+    }
+}
+
+/// What is believed of the lens, and of the rim's tags where there are any.
+fn beliefs(lens: &Intrinsics, photos: &Photos, p: &CalibrateParams) -> Beliefs {
+    Beliefs {
+        lens: lens_belief(lens, &photos.rig, p),
+        steps: None,
+        rim: photos.rig.rim.map(|_| RimBelief {
+            round_mm: p.rim_round_mm,
+            stretch: p.rim_stretch,
+            glue_mm: GLUE_MM,
+        }),
+    }
 }
 
 /// What is adjusted and what was seen of it: the corners of the mat's tags, all of them known.

@@ -4,7 +4,7 @@
 use crate::adjust::bundle::{Fit, adjust};
 use crate::adjust::scene::{Beliefs, Scene, Settings, Sight};
 use crate::calibration::params::CalibrateParams;
-use crate::calibration::prior::{as_given, focal_sigma, focals, lens_prior, settings};
+use crate::calibration::prior::{focals, lens_belief, settings};
 use crate::ring::cameras::Solved;
 use crate::ring::error::TracksError;
 use crate::ring::pairs::chosen;
@@ -20,6 +20,9 @@ const LEAST: usize = 12;
 const BEGINNINGS: usize = 8;
 /// Points further from where they were seen are left out while cameras are added. \[px\]
 const NEAR_PX: f64 = 6.0;
+
+/// A point that is triangulated already, and where one more photo shows it. \[mm, px\]
+type KnownPoint = (Point3<f64>, [f64; 2]);
 
 /// Cameras found so far.
 struct Grown {
@@ -96,9 +99,8 @@ pub(crate) fn grown(
 }
 
 fn beliefs(lens: &Intrinsics, photos: &Photos, p: &CalibrateParams) -> Beliefs {
-    let prior = lens_prior(lens, focal_sigma(&photos.rig, lens, p), p);
     Beliefs {
-        lens: as_given(prior, &photos.rig, p),
+        lens: lens_belief(lens, &photos.rig, p),
         steps: None,
         rim: None,
     }
@@ -137,15 +139,14 @@ fn grow(
 ) -> Option<Grown> {
     let mut grown = begun(lens, all, tracks, beliefs, p)?;
     loop {
-        let mut next: Vec<(usize, PhotoId, Vec<(Point3<f64>, [f64; 2])>)> = all
+        let mut next: Vec<(PhotoId, Vec<KnownPoint>)> = all
             .iter()
             .filter(|id| !grown.ids.contains(id))
             .map(|id| (*id, known_points(&grown, *id, tracks)))
-            .map(|(id, known)| (known.len(), id, known))
-            .filter(|(count, ..)| *count >= LEAST)
+            .filter(|(_, known)| known.len() >= LEAST)
             .collect();
-        next.sort_by_key(|(count, id, _)| (std::cmp::Reverse(*count), *id));
-        let added = next.into_iter().find_map(|(_, id, known)| {
+        next.sort_by_key(|(id, known)| (std::cmp::Reverse(known.len()), *id));
+        let added = next.into_iter().find_map(|(id, known)| {
             let near = grown.scene.poses.as_slice();
             let pose = resected(&grown.scene.lens, near, &known, NEAR_PX)?;
             Some((id, pose))
@@ -160,7 +161,7 @@ fn grow(
 }
 
 /// Points that stand by the cameras there are, and where one more photo shows them.
-fn known_points(grown: &Grown, id: PhotoId, tracks: &Tracks) -> Vec<(Point3<f64>, [f64; 2])> {
+fn known_points(grown: &Grown, id: PhotoId, tracks: &Tracks) -> Vec<KnownPoint> {
     let camera = |pose: &Pose| Camera {
         lens: grown.scene.lens,
         pose: *pose,

@@ -4,7 +4,7 @@ use crate::adjust::bundle::{Fit, adjust};
 use crate::adjust::scene::{Beliefs, Scene, Sight, Steps};
 use crate::calibration::found::Found;
 use crate::calibration::params::{CalibrateParams, Motion};
-use crate::calibration::prior::{as_given, focal_sigma, focals, knows_focal, lens_prior, settings};
+use crate::calibration::prior::{focals, knows_focal, lens_belief, settings};
 use crate::calibration::trust::median_px;
 use crate::ring::any_order::grown;
 use crate::ring::cameras::{Solved, told};
@@ -16,6 +16,13 @@ use crate::ring::trial::{filled, spread_px, tried_out};
 use crate::two_view::triangulate::triangulated;
 use shape::{Intrinsics, PhotoId, Photos, Tracks};
 
+/// A turn that explains a few features, before all of them are adjusted.
+struct Beginning {
+    scene: Scene,
+    /// Each photo's place in the turn, in steps.
+    places: Vec<i32>,
+}
+
 /// Calibrates from features that move with the disk.
 pub(crate) fn calibrate(
     photos: &Photos,
@@ -26,30 +33,8 @@ pub(crate) fn calibrate(
     if p.motion == Motion::Any {
         return told(photos, &grown(photos, lens, tracks, p)?, p);
     }
-    let count = photos.photos.len();
     let ids: Vec<PhotoId> = photos.iter().map(|(id, _)| id).collect();
-    let shared = pairs(tracks, count, lens.centre);
-    let neighbours = shared.iter().filter(|p| p.to == p.from + 1).count();
-    if count < 3 || neighbours + 1 < count.div_ceil(2) {
-        return Err(TracksError::Apart {
-            pairs: neighbours,
-            of: count.saturating_sub(1),
-        });
-    }
-    let known_focal = knows_focal(&photos.rig);
-    let known = Known {
-        photos: count,
-        focals_px: focals(photos, lens),
-        free_focal: !known_focal,
-        step: photos.rig.step.map(f64::abs),
-    };
-    let best = best_turn(lens, &shared, &known, &ids, tracks, p);
-    let Some((mut scene, places)) = best else {
-        return Err(TracksError::Apart {
-            pairs: neighbours,
-            of: count - 1,
-        });
-    };
+    let Beginning { mut scene, places } = beginning(photos, lens, &ids, tracks, p)?;
     let many = chosen(tracks, p.most_tracks as usize);
     let mut beliefs = beliefs(lens, photos, &scene, &places, p);
     let mut sigma_px = p.feature_px;
@@ -66,17 +51,7 @@ pub(crate) fn calibrate(
     };
     let swaying = !free && sways(&scene, &sights, &beliefs, p);
     if swaying {
-        // Sway is alike in all features of a photo, so that many of them know no better than one:
-        // they would bend the lens (3 % of focal length at 12 mm of sway) and the steps.
-        let believed = beliefs.lens.sigma;
-        beliefs.lens.sigma = believed.map(|s| s * 1e-3);
-        beliefs.steps.iter_mut().for_each(|s| s.sigma *= 0.01);
-        // What is held is no better known for that, and nothing tells how far sway moved cameras.
-        fit = Fit {
-            lens_sigma: believed,
-            sigma_mm: vec![None; count],
-            ..adjust(&mut scene, &sights, &beliefs, &settings(p))
-        };
+        fit = adjusted_as_believed(&mut scene, &sights, &mut beliefs, p);
     }
     if free {
         scene.ring = None;
@@ -104,7 +79,7 @@ pub(crate) fn calibrate(
         p,
     )?;
     let names: Vec<&str> = photos.photos.iter().map(|p| p.name.as_str()).collect();
-    let step_deg = known.step.unwrap_or(0.0).to_degrees();
+    let step_deg = photos.rig.step.map_or(0.0, f64::abs).to_degrees();
     found
         .warnings
         .extend(out_of_place(&names, &places, step_deg));
@@ -116,8 +91,55 @@ pub(crate) fn calibrate(
     Ok(found)
 }
 
-/// Of all turns that pairs of photos suggest, the one that explains most of a few features, and each
-/// photo's place in it.
+/// The turn from which the adjustment begins; an error where too few neighbours share features.
+fn beginning(
+    photos: &Photos,
+    lens: &Intrinsics,
+    ids: &[PhotoId],
+    tracks: &Tracks,
+    p: &CalibrateParams,
+) -> Result<Beginning, TracksError> {
+    let count = ids.len();
+    let shared = pairs(tracks, count, lens.centre);
+    let neighbours = shared.iter().filter(|p| p.to == p.from + 1).count();
+    let apart = TracksError::Apart {
+        pairs: neighbours,
+        of: count.saturating_sub(1),
+    };
+    if count < 3 || neighbours + 1 < count.div_ceil(2) {
+        return Err(apart);
+    }
+    let known = Known {
+        photos: count,
+        focals_px: focals(photos, lens),
+        free_focal: !knows_focal(&photos.rig),
+        step: photos.rig.step.map(f64::abs),
+    };
+    best_turn(lens, &shared, &known, ids, tracks, p).ok_or(apart)
+}
+
+/// Adjusts cameras of a subject that sways against the disk: lens and steps stay as they are believed.
+///
+/// Sway is alike in all features of a photo, so that many of them know no better than one: they would
+/// bend the lens (3 % of focal length at 12 mm of sway) and the steps.
+fn adjusted_as_believed(
+    scene: &mut Scene,
+    sights: &[Sight],
+    beliefs: &mut Beliefs,
+    p: &CalibrateParams,
+) -> Fit {
+    let believed = beliefs.lens.sigma;
+    beliefs.lens.sigma = believed.map(|s| s * 1e-3);
+    beliefs.steps.iter_mut().for_each(|s| s.sigma *= 0.01);
+    // What is held is no better known for that, and nothing tells how far sway moved cameras.
+    Fit {
+        lens_sigma: believed,
+        sigma_mm: vec![None; scene.poses.len()],
+        ..adjust(scene, sights, beliefs, &settings(p))
+    }
+}
+
+/// Of all turns that pairs of photos suggest, the one that explains most of a few features.
 fn best_turn(
     lens: &Intrinsics,
     shared: &[Pair],
@@ -125,20 +147,20 @@ fn best_turn(
     ids: &[PhotoId],
     tracks: &Tracks,
     p: &CalibrateParams,
-) -> Option<(Scene, Vec<i32>)> {
+) -> Option<Beginning> {
     let few = chosen(tracks, 500);
-    let mut best: Option<(f64, Scene, Vec<i32>)> = None;
+    let mut best: Option<(f64, Beginning)> = None;
     for start in &starts(shared, known) {
         let (start, places) = match known.step {
             Some(_) => placed(shared, start),
             None => (start.clone(), (0..known.photos as i32).collect()),
         };
         let (score, scene) = tried_out(lens, &start, ids, &few, p);
-        if best.as_ref().is_none_or(|(most, ..)| score > *most) {
-            best = Some((score, scene, places));
+        if best.as_ref().is_none_or(|(most, _)| score > *most) {
+            best = Some((score, Beginning { scene, places }));
         }
     }
-    best.map(|(_, scene, places)| (scene, places))
+    best.map(|(_, beginning)| beginning)
 }
 
 /// Features anew, as many as lie within `most_px` of where they should, then one adjustment;
@@ -178,11 +200,7 @@ fn beliefs(
     let sign = scene.ring.as_ref().and_then(|r| r.angles.last().copied());
     let sign = sign.unwrap_or(1.0).signum();
     Beliefs {
-        lens: as_given(
-            lens_prior(lens, focal_sigma(&photos.rig, lens, p), p),
-            &photos.rig,
-            p,
-        ),
+        lens: lens_belief(lens, &photos.rig, p),
         steps: photos.rig.step.map(|step| Steps {
             turns: places
                 .windows(2)

@@ -13,7 +13,7 @@ use crate::pictures::prepare::RefineError;
 use crate::surface::energy::Forces;
 use crate::surface::params::{Flow, SettleParams};
 use crate::surface::smooth::ring_median;
-use crate::surface::step::{Rest, settle};
+use crate::surface::step::{DataTerm, Rest, settle};
 use crate::surface::sweep;
 use nalgebra::Vector3;
 use serde::{Deserialize, Serialize};
@@ -61,8 +61,7 @@ pub(crate) fn one_round(
             false => vec![],
         };
         let laplacian = Laplacian::new(mesh, &around);
-        // A typical pair-stiffness of 0.04 a pixel² balances the bending term at the length asked for.
-        let bending = 0.04 * p.smooth_px.powi(4) * footprint.powi(2);
+        let bending = bending_weight(p.smooth_px, footprint);
         let x = positions(mesh);
         let rest = Rest::new(&laplacian, &x, &normals, p.rest_rings as usize);
         let forces = Forces {
@@ -88,20 +87,10 @@ pub(crate) fn one_round(
         }
         stats.gap_px = gap(&pulls) / footprint;
         let before = forces.energy(&seen, &still, &x);
-        let mut data_term = forces.data_term(&seen);
-        if searching {
-            sweep::follow(&forces, &around, p.reach_px, &seen, &mut data_term);
-        } else if p.flow == Flow::WeightedMedian {
-            ring_median(
-                mesh,
-                &around,
-                &laplacian,
-                &normals,
-                &mut data_term,
-                (p.eta, p.kappa),
-                footprint,
-            );
-        }
+        let data_term = match searching {
+            true => searched(p, &forces, &around, &seen),
+            false => sloped(p, &forces, &around, &seen, mesh, &normals),
+        };
         let d = settle(&data_term, &laplacian, &x, &normals, &rest, bending, 60);
         let most = if searching { p.reach_px } else { 3.0 } * footprint;
         let d: Vec<f64> = d.iter().map(|d| d.clamp(-most, most)).collect();
@@ -117,6 +106,48 @@ pub(crate) fn one_round(
     }
     part(mesh, &start, &around);
     Ok(stats)
+}
+
+/// Weight of the bending term: a typical pair-stiffness of 0.04 a pixel² balances it at the length asked
+/// for. \[mm²\]
+fn bending_weight(smooth_px: f64, footprint: f64) -> f64 {
+    0.04 * smooth_px.powi(4) * footprint.powi(2)
+}
+
+/// What photos ask of the vertices where a search along the normals finds them to agree best.
+fn searched(
+    p: &SettleParams,
+    forces: &Forces<'_>,
+    around: &Adjacency,
+    seen: &[Agreement],
+) -> DataTerm {
+    let mut data_term = forces.data_term(seen);
+    sweep::follow(forces, around, p.reach_px, seen, &mut data_term);
+    data_term
+}
+
+/// What photos ask of the vertices by the slope of their agreement, smoothed where the flow is one of medians.
+fn sloped(
+    p: &SettleParams,
+    forces: &Forces<'_>,
+    around: &Adjacency,
+    seen: &[Agreement],
+    mesh: &Mesh,
+    normals: &[Vector3<f64>],
+) -> DataTerm {
+    let mut data_term = forces.data_term(seen);
+    if p.flow == Flow::WeightedMedian {
+        ring_median(
+            mesh,
+            around,
+            forces.laplacian,
+            normals,
+            &mut data_term,
+            (p.eta, p.kappa),
+            forces.footprint,
+        );
+    }
+    data_term
 }
 
 /// Moves the vertices along their normals by a share of `d`. \[mm\]

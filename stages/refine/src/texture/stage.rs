@@ -70,7 +70,8 @@ impl Stage for Texture {
         let small = input.pictures(&SMALL, || ctx.check().map_err(Stop::from))?;
         let labels = labels(&mesh, &small, p.rounds as usize);
         let charts = charts(&mesh, &labels);
-        let (own, mean) = vertex_colours(&mesh, &labels, &input.photos, &views, &small)?;
+        let VertexColours { own, mean } =
+            vertex_colours(&mesh, &labels, &input.photos, &views, &small)?;
         let sheet = |c| Sheet::new(&mesh, c, &views);
         let sheets: Vec<Sheet<'_>> = charts.iter().map(sheet).collect();
         let both = charts.iter().zip(&sheets);
@@ -137,24 +138,34 @@ fn blend<const N: usize>(corners: &[SVector<f64, N>; 3], weights: [f64; 3]) -> S
     corners[0] * weights[0] + corners[1] * weights[1] + corners[2] * weights[2]
 }
 
-/// The colour of each face's corners on the face's own photo, and the mean over all photos of faces
-/// around each vertex, weighted by how squarely they are seen; both blurred.
+/// Colours at the vertices, blurred. \[0..255\]
+struct VertexColours {
+    /// Of each face's corners on the face's own photo.
+    own: Vec<[Vector3<f64>; 3]>,
+    /// Of each vertex: the mean over all photos that show it, weighted by how squarely they do.
+    mean: Vec<Vector3<f64>>,
+}
+
+/// What a photo shows of a vertex: its colour, and how squarely it is seen (the cosine).
+type SeenColour = (Vector3<f64>, f64);
+
+/// The colours that photos show at the vertices.
 fn vertex_colours(
     mesh: &Mesh,
     labels: &[u16],
     photos: &Photos,
     views: &[(PhotoId, Camera)],
     small: &[Picture],
-) -> Result<(Vec<[Vector3<f64>; 3]>, Vec<Vector3<f64>>), Stop> {
+) -> Result<VertexColours, Stop> {
     let normals = mesh.normals();
-    let reads: Vec<Vec<Option<(Vector3<f64>, f64)>>> = views
+    let reads: Vec<Vec<Option<SeenColour>>> = views
         .par_iter()
         .zip(small)
         .map(|((id, camera), picture)| {
             let photo = photos.get(*id).expect("bug: filtered before").decode()?;
             let reach = (f64::from(camera.lens.width) / 400.0).max(1.0);
             let map = crate::pictures::depth::DepthMap::new(mesh, picture, 1.0);
-            let one = |v: u32| -> Option<(Vector3<f64>, f64)> {
+            let one = |v: u32| -> Option<SeenColour> {
                 let x = mesh.point(v);
                 let cosine = (picture.centre - x).normalize().dot(&normals[v as usize]);
                 let (at, depth) = picture.project(&x)?;
@@ -182,13 +193,14 @@ fn vertex_colours(
         })
         .collect();
     let mean = spread(&Adjacency::new(mesh), seen);
-    let own = labels.iter().zip(&mesh.faces).map(|(label, face)| {
+    let corners = |(label, face): (&u16, &[u32; 3])| {
         face.map(|v| {
             let read = reads.get(*label as usize).and_then(|r| r[v as usize]);
             read.map_or(mean[v as usize], |r| r.0)
         })
-    });
-    Ok((own.collect(), mean))
+    };
+    let own = labels.iter().zip(&mesh.faces).map(corners).collect();
+    Ok(VertexColours { own, mean })
 }
 
 /// Gives vertices that no photo shows, such as the soles, the mean colour of their neighbours, ring

@@ -46,8 +46,8 @@ fn camera(angle: f64) -> Camera {
     }
 }
 
-/// All that the report takes.
-pub(crate) fn input() -> HtmlInput {
+/// Three gray photos.
+fn photos() -> Photos {
     let pixels = Rgb {
         width: 120,
         height: 180,
@@ -63,20 +63,14 @@ pub(crate) fn input() -> HtmlInput {
         time_s: None,
         file: rgb_to_jpeg(&pixels, 80).into(),
     };
-    let photos = Photos {
+    Photos {
         photos: (0..3).map(photo).collect(),
         ..Photos::default()
-    };
-    let mut mask = Mask::filled(120, 180, 0);
-    (40..140).for_each(|y| (45..75).for_each(|x| *mask.at_mut(x, y) = 255));
-    let ids = || (0..3).map(PhotoId);
-    let view = |id: PhotoId| View {
-        name: format!("{:04}.jpg", id.0),
-        camera: camera(f64::from(id.0) * TAU / 3.0),
-        sigma_mm: Some(0.2),
-        rms_px: Some(0.3),
-        points: 90,
-    };
+    }
+}
+
+/// A waist, with all that is known of how sure it is.
+fn waist() -> Girth {
     let contour = (0..60).map(|i| {
         let (s, c) = (i as f32 / 60.0 * std::f32::consts::TAU).sin_cos();
         [80.0 * c, 80.0 * s, 200.0]
@@ -86,7 +80,7 @@ pub(crate) fn input() -> HtmlInput {
         normal: [0.0, 0.0, 1.0],
     };
     let mark = Landmark::new(GirthId::Waist, plane, Part::Trunk);
-    let girth = Girth {
+    Girth {
         label: "waist <natural>".into(),
         definition: "horizontal, at the \"natural\" waist".into(),
         contour_mm: 502.6,
@@ -102,6 +96,20 @@ pub(crate) fn input() -> HtmlInput {
         },
         contour: contour.collect(),
         ..Girth::at(&mark, 502.5)
+    }
+}
+
+/// All that the report takes.
+pub(crate) fn input() -> HtmlInput {
+    let mut mask = Mask::filled(120, 180, 0);
+    (40..140).for_each(|y| (45..75).for_each(|x| *mask.at_mut(x, y) = 255));
+    let ids = || (0..3).map(PhotoId);
+    let view = |id: PhotoId| View {
+        name: format!("{:04}.jpg", id.0),
+        camera: camera(f64::from(id.0) * TAU / 3.0),
+        sigma_mm: Some(0.2),
+        rms_px: Some(0.3),
+        points: 90,
     };
     let profile = Profile {
         height_mm: (0..40).map(|i| f64::from(i) * 10.0).collect(),
@@ -115,7 +123,7 @@ pub(crate) fn input() -> HtmlInput {
         "there is no neck",
     )];
     HtmlInput {
-        photos: Arc::new(photos),
+        photos: Arc::new(photos()),
         masks: Arc::new(Masks {
             views: ids().map(|id| (id, mask.clone())).collect(),
         }),
@@ -135,7 +143,7 @@ pub(crate) fn input() -> HtmlInput {
         other: None,
         landmarks: None,
         girths: Arc::new(Girths {
-            girths: vec![girth],
+            girths: vec![waist()],
             missing,
             profile,
             ..Girths::default()

@@ -1,8 +1,8 @@
 //! A surface from four sides on one picture, to look at.
 
 use crate::lettering::write_on;
-use crate::{Image, Mesh, Rgb};
 use nalgebra::Vector3;
+use shape::{Image, Mesh, Rgb};
 
 /// Height of each view. \[px\]
 const TALL: usize = 900;

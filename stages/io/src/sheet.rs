@@ -2,7 +2,7 @@
 
 use crate::lettering::{text_size, write_on};
 use crate::odd_masks::odd;
-use crate::{Mask, Masks, PhotoError, Photos, Rgb};
+use shape::{Mask, Masks, PhotoError, Photos, Rgb};
 
 /// Width of a photo on the sheet. \[px\]
 const TILE: usize = 320;
@@ -94,7 +94,7 @@ pub fn mask_on_photo(photo: &Rgb, mask: Option<&Mask>, across: usize) -> Rgb {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{Photo, PhotoId, rgb_to_png};
+    use shape::{Photo, PhotoId, rgb_to_png};
 
     #[test]
     fn a_sheet_darkens_what_is_no_body_and_draws_the_border() {

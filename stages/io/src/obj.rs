@@ -1,6 +1,6 @@
 //! Meshes as OBJ with MTL, for programs that read no GLB: in millimetres, z up, as inside.
 
-use crate::{Mesh, Textured, rgb_to_jpeg};
+use shape::{Mesh, Textured, rgb_to_jpeg};
 use std::collections::BTreeMap;
 use std::fmt::Write;
 
@@ -65,7 +65,7 @@ fn files(obj: String, mtl: &str) -> Files {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::Rgb;
+    use shape::Rgb;
 
     fn square() -> Mesh {
         Mesh {

@@ -1,11 +1,11 @@
 //! Photos to the folder that a capture is read from: images, plate, `capture.toml`.
 
-use crate::{Photos, Rig};
+use shape::{Photos, Rig};
 use std::fmt::Write;
 
 /// The files of a capture: `images/` with the photos, the plate, and `capture.toml`. Names and bytes.
 pub fn photos_to_capture(photos: &Photos) -> Vec<(String, Vec<u8>)> {
-    let image = |p: &crate::Photo| (format!("images/{}", p.name), p.file.to_vec());
+    let image = |p: &shape::Photo| (format!("images/{}", p.name), p.file.to_vec());
     let mut files: Vec<_> = photos.photos.iter().map(image).collect();
     files.extend(
         photos

@@ -1,7 +1,7 @@
 //! Cameras as Middlebury's `_par.txt`.
 
-use crate::{Cameras, Intrinsics};
 use nalgebra::Point2;
+use shape::{Cameras, Intrinsics};
 use std::fmt::Write;
 
 /// A lens that bends lines, which the format cannot say.

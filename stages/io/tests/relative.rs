@@ -1,10 +1,11 @@
 //! Where nothing of known length was given, no file of ours names a unit of length.
 
+use io::{cameras_to_json, cameras_to_svg, landmarks_to_json};
 use nalgebra::{Rotation3, Vector3};
 use serde_json::Value;
 use shape::{
     Camera, Cameras, GirthId, Intrinsics, Landmark, Landmarks, Part, PhotoId, Plane, Pose, Scale,
-    Unit, View, cameras_to_json, cameras_to_svg, landmarks_to_json,
+    Unit, View,
 };
 
 fn landmarks(unit: Unit) -> Value {

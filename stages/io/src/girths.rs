@@ -1,7 +1,7 @@
 //! Girths as JSON and CSV.
 
-use crate::{Girth, GirthId, Girths, Missing, Plane, Region, Side, Sigmas, Unit};
 use serde_json::{Map, Value, json};
+use shape::{Girth, GirthId, Girths, Missing, Plane, Region, Side, Sigmas, Unit};
 use std::fmt::Write;
 
 /// How lengths are written: their unit in names of keys and columns, and the numbers themselves.

@@ -1,6 +1,6 @@
 //! Words on pictures: capitals and digits of three by five dots.
 
-use crate::Rgb;
+use shape::Rgb;
 
 /// Rows of the dots from above, three bits each as an octal digit.
 const GLYPHS: &[(char, &str)] = &[

@@ -1,8 +1,8 @@
 //! Landmarks as JSON.
 
-use crate::export_girths::{Written, missed};
-use crate::{Landmark, Landmarks, Unit};
+use crate::girths::{Written, missed};
 use serde_json::{Map, Value, json};
+use shape::{Landmark, Landmarks, Unit};
 
 /// Landmarks: planes, points, what is missing. Lengths are millimetres; where nothing of known length was
 /// given they are relative as in `girths.json`, and keys end in `rel`.

@@ -1,7 +1,6 @@
 //! The table of girths as text: what docs and `tailor show girths --as definitions` print.
 
-use crate::girth_rules::{GirthSet, LevelRule, Measured, PlaneRule};
-use crate::{GirthId, TABLE};
+use shape::{GirthId, GirthSet, LevelRule, Measured, PlaneRule, TABLE};
 use std::fmt::Write;
 
 fn plane(rule: PlaneRule) -> &'static str {

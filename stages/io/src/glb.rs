@@ -1,7 +1,7 @@
 //! Meshes as GLB (glTF 2.0 binary), in metres, y up, as the format says.
 
-use crate::{Mesh, Textured, rgb_to_jpeg};
 use serde_json::{Value, json};
+use shape::{Mesh, Textured, rgb_to_jpeg};
 use std::collections::BTreeMap;
 
 /// World millimetres (z up) to glTF metres (y up).

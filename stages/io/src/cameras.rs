@@ -1,8 +1,8 @@
 //! Cameras as JSON of our own and as a COLMAP text model.
 
-use crate::{Cameras, Unit, View};
 use nalgebra::UnitQuaternion;
 use serde_json::json;
+use shape::{Cameras, Unit, View};
 use std::fmt::Write;
 
 /// `cameras.json`: unit mm, world = turntable frame, `x_in_camera = R x_in_world + t`. An uncertainty

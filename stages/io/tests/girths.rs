@@ -1,9 +1,10 @@
 //! The files that leave the house are what others expect: a schema that holds, a table that opens.
 
+use io::{girths_schema, girths_to_csv, girths_to_json};
 use serde_json::{Value, json};
 use shape::{
     Girth, GirthId, Girths, Landmark, Missing, Note, Part, Plane, Refusal, Side, Sigmas, Split,
-    Unit, girths_schema, girths_to_csv, girths_to_json,
+    Unit,
 };
 
 fn girth(id: GirthId, silhouette_mm: Option<f64>) -> Girth {

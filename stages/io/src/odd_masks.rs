@@ -1,6 +1,6 @@
 //! Masks of a turn that look wrong beside the others.
 
-use crate::Mask;
+use shape::Mask;
 
 /// A border that shows so much more body than this share of its length has cut it off.
 const CUT_OFF: f64 = 0.01;
@@ -13,7 +13,7 @@ const PART: f64 = 0.01;
 ///
 /// A body's outline from one side is that from the other mirrored, and changes slowly: an area that
 /// neither the opposite mask nor the two beside it lead one to expect is odd.
-pub fn odd(masks: &[Option<&Mask>]) -> Vec<Vec<String>> {
+pub(crate) fn odd(masks: &[Option<&Mask>]) -> Vec<Vec<String>> {
     let areas: Vec<Option<f64>> = masks
         .iter()
         .map(|m| m.map(|m| m.area() as f64 / m.data.len().max(1) as f64))

@@ -12,7 +12,7 @@ use std::io::Cursor;
 /// A file that holds no mesh of ours.
 #[derive(Debug, thiserror::Error)]
 #[error("not a PLY mesh: {0}")]
-pub struct ExportError(String);
+pub struct PlyError(String);
 
 /// A vertex or a face, whichever the header says.
 #[derive(Debug, Default, Clone)]
@@ -118,8 +118,8 @@ pub fn mesh_to_ply(mesh: &Mesh) -> Vec<u8> {
 /// # Errors
 ///
 /// The bytes are no PLY that holds a mesh, or the mesh is not sound.
-pub fn mesh_from_ply(bytes: &[u8]) -> Result<Mesh, ExportError> {
-    let error = |e: String| ExportError(e);
+pub fn mesh_from_ply(bytes: &[u8]) -> Result<Mesh, PlyError> {
+    let error = |e: String| PlyError(e);
     let mut from = Cursor::new(bytes);
     let mut ply = Parser::<Element>::new()
         .read_ply(&mut from)

@@ -1,6 +1,6 @@
 //! What was found on photos as pictures to look at.
 
-use crate::{Features, Keypoints, PhotoError, PhotoId, Photos, Rgb, Tracks, rgb_to_png};
+use shape::{Features, Keypoints, PhotoError, PhotoId, Photos, Rgb, Tracks, rgb_to_png};
 
 /// Longer side of the pictures. \[px\]
 const LONGER: usize = 1200;
@@ -132,7 +132,7 @@ mod tests {
     fn a_feature_is_drawn_around_its_place() {
         let mut picture = Rgb::filled(60, 60, [0; 3]);
         let mut own = Features::default();
-        own.points.push(crate::Keypoint {
+        own.points.push(shape::Keypoint {
             x: 60.0,
             y: 60.0,
             scale: 6.0,

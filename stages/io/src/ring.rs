@@ -1,7 +1,7 @@
 //! The cameras around the subject as a drawing.
 
-use crate::{Cameras, Cylinder, Unit, View, bounding_cylinder};
 use nalgebra::{Point3, Vector3};
+use shape::{Cameras, Cylinder, Unit, View, bounding_cylinder};
 use std::fmt::Write;
 
 /// The cameras around the subject, seen from above at a slant: their path, where each looks, the

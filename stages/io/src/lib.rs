@@ -1,0 +1,35 @@
+//! Nouns as files for people and other programs: JSON, CSV, GLB, OBJ, COLMAP, drawings, pictures.
+//!
+//! [`files`] writes any artifact in one of the formats of its kind. PLY, JPEG and PNG, which rooms read
+//! and write as well, are `shape`'s.
+
+mod by_photo;
+mod cameras;
+mod capture;
+mod definitions;
+mod files;
+mod girths;
+mod glb;
+mod landmarks;
+mod lettering;
+mod marks;
+mod middlebury;
+mod obj;
+mod odd_masks;
+mod ring;
+mod sheet;
+mod views;
+
+pub use cameras::{cameras_to_colmap_binary, cameras_to_colmap_text, cameras_to_json};
+pub use capture::photos_to_capture;
+pub use definitions::definitions_to_markdown;
+pub use files::{NamedFiles, NoFormat, WriteError, document_extension, files};
+pub use girths::{girths_schema, girths_to_csv, girths_to_json};
+pub use glb::{mesh_to_glb, textured_to_glb};
+pub use landmarks::landmarks_to_json;
+pub use marks::{keypoints_to_png, tracks_to_png};
+pub use middlebury::{Distorted, cameras_to_middlebury};
+pub use obj::{mesh_to_obj, textured_to_obj};
+pub use ring::cameras_to_svg;
+pub use sheet::{mask_on_photo, masks_to_sheet};
+pub use views::mesh_to_views;
