@@ -13,8 +13,8 @@ use std::sync::atomic::AtomicBool;
 use std::time::Instant;
 use tailor::engine::{self, Catalog, Options};
 use tailor::recipe::{Overrides, open_text};
-use tailor::store::{Ahead, Store};
-use tailor::walk::{Fate, Watch};
+use tailor::store::{Prefetch, Store};
+use tailor::walk::{Status, Watch};
 
 stage::inputs! {
     /// A file.
@@ -121,7 +121,7 @@ fn child(verb: &str, folder: &Path) {
     // As the front door does it.
     let cache = folder.join("cache");
     let path = folder.join("tailor.toml");
-    let ahead = Ahead::of(&cache, std::fs::metadata(&path).unwrap().len());
+    let ahead = Prefetch::of(&cache, std::fs::metadata(&path).unwrap().len());
     let text = std::fs::read_to_string(path).unwrap();
     let graph = open_text("tailor.toml", &text, &Overrides::default(), &CATALOG);
     let graph = graph.unwrap_or_else(|mistakes| panic!("{mistakes}"));
@@ -146,7 +146,7 @@ fn child(verb: &str, folder: &Path) {
         let (goal, cancel) = (&graph.goal, AtomicBool::new(false));
         let outcome = engine::run_in(store, &graph, &folders, goal, &options, &Nobody, &cancel);
         let outcome = outcome.unwrap_or_else(|error| panic!("{error}"));
-        let made = |d: &&tailor::walk::Done| d.fate == Fate::Made;
+        let made = |d: &&tailor::walk::Done| d.status == Status::Executed;
         let made = outcome.nodes.iter().flatten().filter(made).count();
         // As a front door would: nobody waits for memory to be given back.
         std::mem::forget(outcome);

@@ -16,6 +16,6 @@ pub use engine;
 // The engine's modules, under the names by which the product knows them.
 pub(crate) use engine::page;
 pub use engine::{
-    delivery, differ, drawing, graph, history, impact, key, lasttime, past, pattern, plan, recipe,
-    reference, schema, store, story, sweep, verify, walk, why,
+    delivery, differ, drawing, graph, history, impact, key, lasttime, past, pattern, plan,
+    provenance, recipe, reference, schema, store, sweep, verify, walk, why,
 };

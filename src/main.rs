@@ -1,4 +1,4 @@
-//! The front door: an exit code.
+//! The program: an exit code.
 
 fn main() -> std::process::ExitCode {
     tailor::main()

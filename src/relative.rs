@@ -8,7 +8,7 @@ const UNKNOWN: &str = "unit relative: 1000 is the radius of the camera ring";
 
 /// The file of a surface (PLY, OBJ) whose lengths are relative: its first lines say so. Other files stay as
 /// they are.
-pub(crate) fn told(file: Vec<u8>) -> Vec<u8> {
+pub(crate) fn marked(file: Vec<u8>) -> Vec<u8> {
     let head = &file[..file.len().min(200)];
     let text = head.starts_with(b"ply") || head.starts_with(b"#");
     let at = head
@@ -35,13 +35,13 @@ mod tests {
             faces,
             colors: vec![],
         };
-        let ply = told(shape::mesh_to_ply(&mesh));
+        let ply = marked(shape::mesh_to_ply(&mesh));
         assert!(String::from_utf8_lossy(&ply).contains("comment unit relative"));
         let back = shape::mesh_from_ply(&ply).unwrap();
         assert_eq!(back.positions, mesh.positions);
         let obj = io::mesh_to_obj(&mesh).remove(0).1;
-        assert!(told(obj).starts_with(b"# unit relative"));
+        assert!(marked(obj).starts_with(b"# unit relative"));
         let glb = io::mesh_to_glb(&mesh);
-        assert_eq!(told(glb.clone()), glb);
+        assert_eq!(marked(glb.clone()), glb);
     }
 }

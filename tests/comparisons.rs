@@ -6,9 +6,9 @@ use std::path::{Path, PathBuf};
 use tailor::compare::{Side, compare, json as told, markdown, page};
 
 /// A node of a `run.json`.
-fn node(name: &str, stage: &str, content: &str, story: &[(&str, &str)]) -> Value {
-    json!({ "node": name, "stage": stage, "version": 1, "fate": "made", "why": null, "key": "k",
-        "content": content, "story": story, "seconds": 1.5, "bytes": 2_000_000, "metrics": [], "warnings": [] })
+fn node(name: &str, stage: &str, content: &str, provenance: &[(&str, &str)]) -> Value {
+    json!({ "node": name, "stage": stage, "version": 1, "status": "made", "why": null, "key": "k",
+        "content": content, "provenance": provenance, "seconds": 1.5, "bytes": 2_000_000, "metrics": [], "warnings": [] })
 }
 
 /// A cube with this edge. \[mm\]

@@ -226,7 +226,7 @@ fn row(voxel: f64, method: &str, waist: Option<f64>) -> Row {
             Some(_) => End::Done,
             None => End::Failed("hull".into(), "<too> fine".into()),
         },
-        told: vec![("girths.WC".into(), waist.map(metric))],
+        metrics: vec![("girths.WC".into(), waist.map(metric))],
         known: vec![],
         made: 1,
         found: 0,

@@ -7,7 +7,7 @@ use std::sync::atomic::AtomicBool;
 use tailor::engine::{self, Options, Outcome};
 use tailor::graph::{Bound, Graph, Source};
 use tailor::recipe::{Overrides, Pipeline, open};
-use tailor::walk::{Done, Fate, Watch};
+use tailor::walk::{Done, Status, Watch};
 
 /// A doll of 60 cm on a disk with a marker mat, twelve photos of a fifth of a megapixel.
 const SMALL: &[&str] = &[
@@ -40,7 +40,7 @@ fn small(more: &[&str]) -> Graph {
 struct Log(Mutex<Vec<String>>);
 impl Watch for Log {
     fn done(&self, node: &str, done: &Done) {
-        if done.fate == Fate::Made {
+        if done.status == Status::Executed {
             self.0.lock().unwrap().push(node.into());
         }
     }

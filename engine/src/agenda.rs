@@ -1,6 +1,6 @@
 //! The walk's book: what is ready, what waits for what, what is still read. Linear in the graph.
 
-use crate::done::{Done, Fate, Job, needed, sources};
+use crate::done::{Done, Job, Status, needed, sources};
 use crate::graph::{Graph, Source};
 use stage::{AnyArtifact, Hash};
 use std::cmp::Reverse;
@@ -127,10 +127,10 @@ impl<'a> Agenda<'a> {
         done: Done,
         artifact: Option<AnyArtifact>,
     ) -> Vec<usize> {
-        let fate = match (&done.content, &done.fate) {
+        let status = match (&done.content, &done.status) {
             (Some(_), _) => None,
-            (None, Fate::Cancelled) => Some(Fate::Cancelled),
-            (None, _) => Some(Fate::Skipped),
+            (None, Status::Cancelled) => Some(Status::Cancelled),
+            (None, _) => Some(Status::Skipped),
         };
         self.done[node] = Some(done);
         if self.unread[node] > 0 {
@@ -141,7 +141,7 @@ impl<'a> Agenda<'a> {
         let waiting = waiting
             .unwrap_or_else(|| self.readers[self.first[node]..self.first[node + 1]].to_vec());
         let mut skipped = Vec::new();
-        match fate {
+        match status {
             None => {
                 for reader in waiting {
                     self.waits[reader] -= 1;
@@ -151,7 +151,7 @@ impl<'a> Agenda<'a> {
                     }
                 }
             }
-            Some(fate) => self.skip(waiting, &fate, &mut skipped),
+            Some(status) => self.skip(waiting, &status, &mut skipped),
         }
         if first_time {
             let graph = self.graph;
@@ -160,10 +160,10 @@ impl<'a> Agenda<'a> {
         skipped
     }
 
-    fn skip(&mut self, mut open: Vec<usize>, fate: &Fate, skipped: &mut Vec<usize>) {
+    fn skip(&mut self, mut open: Vec<usize>, status: &Status, skipped: &mut Vec<usize>) {
         while let Some(i) = open.pop() {
             if self.done[i].is_none() {
-                self.done[i] = Some(Done::nothing(fate.clone()));
+                self.done[i] = Some(Done::nothing(status.clone()));
                 skipped.push(i);
                 open.extend_from_slice(&self.readers[self.first[i]..self.first[i + 1]]);
                 let graph = self.graph;

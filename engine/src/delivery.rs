@@ -264,22 +264,22 @@ impl Delivery {
     }
 
     /// Writes the run down. What earlier deliveries left and this one did not write is removed if
-    /// that is wanted, and told in any case.
+    /// that is wanted, and reported in any case.
     ///
     /// # Errors
     ///
     /// The disk refuses.
     pub fn finish(self, run: Value, clean: bool) -> Result<Left, DeliveryError> {
-        let mut told = Left::default();
+        let mut leftovers = Left::default();
         let mut left = BTreeMap::new();
         for (name, hash) in &self.before {
             if self.now.contains_key(name) || !self.folder.join(name).is_file() {
                 continue;
             }
             if clean && self.remove(name, hash) {
-                told.removed.push(name.clone());
+                leftovers.removed.push(name.clone());
             } else {
-                told.left.push(name.clone());
+                leftovers.left.push(name.clone());
                 left.insert(name, hash);
             }
         }
@@ -288,6 +288,6 @@ impl Delivery {
         run["files"] = json!(self.now);
         run["left"] = json!(left);
         self.write_run(&run)?;
-        Ok(told)
+        Ok(leftovers)
     }
 }

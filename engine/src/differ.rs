@@ -1,6 +1,6 @@
 //! Where two runs part ways: what was said otherwise, and the first result that came out otherwise.
 
-use crate::story::Story;
+use crate::provenance::PackedProvenance;
 use serde::Deserialize;
 use std::collections::HashMap;
 
@@ -12,12 +12,13 @@ pub struct NodeRun {
     /// Its stage.
     pub stage: String,
     /// What became of it: found, made, failed, skipped, cancelled.
-    pub fate: String,
+    #[serde(alias = "fate")]
+    pub status: String,
     /// The content of its result.
     pub content: Option<String>,
     /// What its result depends on, line by line.
-    #[serde(default)]
-    pub story: Story,
+    #[serde(default, alias = "story")]
+    pub provenance: PackedProvenance,
     /// How long it took: now, or when it was made. \[s\]
     pub seconds: f64,
     /// Size of its result. \[bytes\]
@@ -32,7 +33,7 @@ pub fn by_name(nodes: &[NodeRun]) -> HashMap<&str, &NodeRun> {
     nodes.iter().map(|n| (n.node.as_str(), n)).collect()
 }
 
-/// Something that a node was told otherwise.
+/// A param or an input of a node that differs.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Change {
     /// The node.
@@ -58,7 +59,7 @@ pub struct Difference {
     pub first: Option<String>,
     /// All nodes whose result is another.
     pub diverged: Vec<String>,
-    /// Nodes that read or were told something else, and yet made the same bytes.
+    /// Nodes that have other params or inputs, and yet made the same bytes.
     pub met_again: Vec<String>,
 }
 
@@ -74,7 +75,7 @@ pub fn differ(a: &[NodeRun], b: &[NodeRun]) -> Difference {
         d.changes.extend(changes(node, other));
         if node.content != other.content {
             d.diverged.push(node.node.clone());
-        } else if node.story != other.story {
+        } else if node.provenance != other.provenance {
             d.met_again.push(node.node.clone());
         }
     }
@@ -84,7 +85,7 @@ pub fn differ(a: &[NodeRun], b: &[NodeRun]) -> Difference {
     d
 }
 
-/// Lines of the story that differ, without the contents of ports: those follow from others.
+/// Lines of the provenance that differ, without the contents of ports: those follow from others.
 fn changes(a: &NodeRun, b: &NodeRun) -> Vec<Change> {
     // Whether a port is wired is said; what flows through it is not.
     fn line<'a>((what, value): (&'a str, &'a str)) -> (&'a str, &'a str) {
@@ -93,7 +94,7 @@ fn changes(a: &NodeRun, b: &NodeRun) -> Vec<Change> {
             false => (what, value),
         }
     }
-    let [old, new] = [a, b].map(|node| node.story.lines().map(line).collect::<Vec<_>>());
+    let [old, new] = [a, b].map(|node| node.provenance.lines().map(line).collect::<Vec<_>>());
     let find = |lines: &[(&str, &str)], what: &str| {
         let line = lines.iter().find(|(w, _)| *w == what);
         line.map_or("nothing", |(_, v)| v).to_owned()

@@ -1,15 +1,15 @@
-//! What a walk is given, what becomes of a node, and who is told.
+//! What a walk is given, what becomes of a node, and who hears of it.
 
 use crate::graph::{Graph, Source};
 use stage::{Files, Hash, Metric};
 
 /// What became of a node.
 #[derive(Debug, Clone, PartialEq)]
-pub enum Fate {
+pub enum Status {
     /// Its result was in the store.
-    Found,
+    Hit,
     /// Its stage ran.
-    Made,
+    Executed,
     /// Its stage failed; the text says why. Not cached.
     Failed(String),
     /// It could not run since a node that it reads did not.
@@ -18,15 +18,15 @@ pub enum Fate {
     Cancelled,
 }
 
-impl Fate {
+impl Status {
     /// As one word, for records.
     pub fn word(&self) -> &'static str {
         match self {
-            Fate::Found => "found",
-            Fate::Made => "made",
-            Fate::Failed(_) => "failed",
-            Fate::Skipped => "skipped",
-            Fate::Cancelled => "cancelled",
+            Status::Hit => "found",
+            Status::Executed => "made",
+            Status::Failed(_) => "failed",
+            Status::Skipped => "skipped",
+            Status::Cancelled => "cancelled",
         }
     }
 }
@@ -35,13 +35,13 @@ impl Fate {
 #[derive(Debug, Clone)]
 pub struct Done {
     /// What became of it.
-    pub fate: Fate,
+    pub status: Status,
     /// The key of its result.
     pub key: Option<Hash>,
     /// The content of its result.
     pub content: Option<Hash>,
-    /// What the key was made of; may be empty for what was found ([`crate::key::story`] tells it).
-    pub story: Vec<(String, String)>,
+    /// What the key was made of; may be empty for what was found ([`crate::key::provenance`] tells it).
+    pub provenance: Vec<(String, String)>,
     /// How long it took: now, or when it was made. \[s\]
     pub seconds: f64,
     /// Size of the result. \[bytes\]
@@ -54,13 +54,13 @@ pub struct Done {
 
 impl Done {
     /// A node that made nothing.
-    pub fn nothing(fate: Fate) -> Done {
-        let (metrics, warnings, story) = (vec![], vec![], vec![]);
+    pub fn nothing(status: Status) -> Done {
+        let (metrics, warnings, provenance) = (vec![], vec![], vec![]);
         Done {
-            fate,
+            status,
             key: None,
             content: None,
-            story,
+            provenance,
             seconds: 0.0,
             bytes: 0,
             metrics,
@@ -69,7 +69,7 @@ impl Done {
     }
 }
 
-/// Who is told what happens. All methods may be called from any thread.
+/// Who hears what happens. All methods may be called from any thread.
 pub trait Watch: Sync {
     /// A stage starts to run.
     fn started(&self, _node: &str) {}

@@ -1,7 +1,7 @@
 //! The records of runs: one file a run, with provenance, in lines; a run that found all that an
 //! earlier one had is a line that says so. `past.rs` reads them.
 
-use crate::done::{Done, Fate};
+use crate::done::{Done, Status};
 use crate::graph::{Bound, Graph, Source};
 use crate::key;
 use crate::past::{FileLists, Head, Of, run_file};
@@ -25,10 +25,10 @@ struct NodeRecord<'a> {
     content: Option<String>,
     stage: &'static str,
     version: u32,
-    fate: &'static str,
+    status: &'static str,
     why: Option<&'a str>,
     key: Option<String>,
-    story: Cow<'a, [(String, String)]>,
+    provenance: Cow<'a, [(String, String)]>,
     seconds: f64,
     bytes: u64,
     metrics: Vec<MetricRecord<'a>>,
@@ -43,7 +43,7 @@ struct MetricRecord<'a> {
 }
 
 /// What a run came to.
-pub(crate) struct Told<'a> {
+pub(crate) struct RunSummary<'a> {
     pub(crate) graph: &'a Graph,
     /// One entry a node of the graph.
     pub(crate) nodes: &'a [Option<Done>],
@@ -52,18 +52,18 @@ pub(crate) struct Told<'a> {
     pub(crate) seconds: f64,
 }
 
-impl<'a> Told<'a> {
+impl<'a> RunSummary<'a> {
     /// What a node's key was made of.
-    fn story(&self, node: &Bound, done: &'a Done) -> Cow<'a, [(String, String)]> {
-        if done.key.is_none() || !done.story.is_empty() {
-            return Cow::Borrowed(&done.story);
+    fn provenance(&self, node: &Bound, done: &'a Done) -> Cow<'a, [(String, String)]> {
+        if done.key.is_none() || !done.provenance.is_empty() {
+            return Cow::Borrowed(&done.provenance);
         }
         let content = |source: &Option<Source>| match source.as_ref()? {
             Source::Input(i) => Some(self.inputs[*i]),
             Source::Node(j) => self.nodes[*j].as_ref()?.content,
         };
         let contents: Vec<Option<Hash>> = node.from.iter().map(content).collect();
-        Cow::Owned(key::story(node, &contents).0)
+        Cow::Owned(key::provenance(node, &contents).0)
     }
 
     /// As it is written down.
@@ -81,13 +81,13 @@ impl<'a> Told<'a> {
                 content: hex(done.content),
                 stage: node.stage.name(),
                 version: node.stage.version(),
-                fate: done.fate.word(),
-                why: match &done.fate {
-                    Fate::Failed(why) => Some(why),
+                status: done.status.word(),
+                why: match &done.status {
+                    Status::Failed(why) => Some(why),
                     _ => None,
                 },
                 key: hex(done.key),
-                story: self.story(node, done),
+                provenance: self.provenance(node, done),
                 seconds: done.seconds,
                 bytes: done.bytes,
                 metrics: done.metrics.iter().map(metric).collect(),
@@ -113,25 +113,25 @@ impl<'a> Told<'a> {
 pub(crate) fn write(
     store: &Store,
     id: &str,
-    told: &Told<'_>,
+    summary: &RunSummary<'_>,
     files: &[Files],
 ) -> Result<(), StoreError> {
-    let Told { graph, nodes, .. } = *told;
+    let RunSummary { graph, nodes, .. } = *summary;
     let of = Of::new(graph, files);
-    let fates = || nodes.iter().flatten().map(|d| &d.fate);
-    let count = |fits: fn(&Fate) -> bool| fates().filter(|f| fits(f)).count();
-    let failed = count(|f| matches!(f, Fate::Failed(_)));
+    let statuses = || nodes.iter().flatten().map(|d| &d.status);
+    let count = |fits: fn(&Status) -> bool| statuses().filter(|f| fits(f)).count();
+    let failed = count(|f| matches!(f, Status::Failed(_)));
     let mut head = Head {
         program: graph.catalog.program.into(),
         about: graph.about.clone(),
-        seconds: told.seconds,
-        made: count(|f| *f == Fate::Made),
-        found: count(|f| *f == Fate::Found),
+        seconds: summary.seconds,
+        made: count(|f| *f == Status::Executed),
+        found: count(|f| *f == Status::Hit),
         failed,
         same_as: None,
         of,
     };
-    let all_found = fates().all(|f| *f == Fate::Found);
+    let all_found = statuses().all(|f| *f == Status::Hit);
     let digest = digest(graph, nodes, &head.of);
     let last_file = store.root().join("last-run");
     let last = all_found
@@ -147,7 +147,7 @@ pub(crate) fn write(
         store.write(&format!("runs/{id}.json"), &lines)
     } else {
         lines.extend(line(&file_lists(graph, files)));
-        for node in told.record().nodes {
+        for node in summary.record().nodes {
             lines.extend(line(&node));
         }
         store

@@ -1,10 +1,10 @@
 //! The event log of a run: one JSON object a line in `runs/ID.jsonl`, written as things happen.
 //!
 //! `{"t":1.25,"event":"started","node":"hull"}`, and likewise `progress` (with `label`,
-//! `done`, `of`) and `done` (with `fate`, `seconds`, `bytes`, and `why` of a failure); `t` is in
+//! `done`, `of`) and `done` (with `status`, `seconds`, `bytes`, and `why` of a failure); `t` is in
 //! seconds from the start of the run. A run that makes nothing leaves no log.
 
-use crate::done::{Done, Fate, Watch};
+use crate::done::{Done, Status, Watch};
 use serde_json::{Value, json};
 use std::fs::File;
 use std::io::Write;
@@ -28,7 +28,7 @@ struct Log {
     given_up: bool,
     found: usize,
     /// Time of the last progress that was written. \[s\]
-    told: f64,
+    last_line: f64,
 }
 
 impl<'a> Journal<'a> {
@@ -89,8 +89,8 @@ impl Watch for Journal<'_> {
     fn progress(&self, node: &str, label: &str, done: usize, of: usize) {
         let mut log = self.log.lock().expect("bug: poisoned");
         let t = self.start.elapsed().as_secs_f64();
-        if t - log.told > 0.2 || done == of {
-            log.told = t;
+        if t - log.last_line > 0.2 || done == of {
+            log.last_line = t;
             let more = json!({ "label": label, "done": done, "of": of });
             self.write(&mut log, "progress", node, more);
         }
@@ -100,13 +100,13 @@ impl Watch for Journal<'_> {
 
     fn done(&self, node: &str, done: &Done) {
         let mut log = self.log.lock().expect("bug: poisoned");
-        if done.fate == Fate::Found && log.file.is_none() {
+        if done.status == Status::Hit && log.file.is_none() {
             log.found += 1;
         } else {
             let mut more = json!({
-                "fate": done.fate.word(), "seconds": done.seconds, "bytes": done.bytes,
+                "status": done.status.word(), "seconds": done.seconds, "bytes": done.bytes,
             });
-            if let Fate::Failed(why) = &done.fate {
+            if let Status::Failed(why) = &done.status {
                 more["why"] = why.as_str().into();
             }
             self.write(&mut log, "done", node, more);

@@ -1,7 +1,7 @@
 //! What a result depends on: one walk, two writers.
 //!
 //! The lines that are hashed into the key are the lines that `why` shows, so the reason that a
-//! user is told is the reason there was.
+//! user is shown is the reason there was.
 
 use crate::graph::Bound;
 use stage::Hash;
@@ -67,16 +67,16 @@ impl Digest {
 
 /// The same lines as text, kept beside the result.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
-pub struct Story(pub Vec<(String, String)>);
+pub struct Provenance(pub Vec<(String, String)>);
 
-impl Ledger for Story {
+impl Ledger for Provenance {
     fn line(&mut self, what: &str, value: &str) {
         self.0.push((what.into(), value.into()));
     }
 }
 
-impl Story {
-    /// The key of what has this story.
+impl Provenance {
+    /// The key of what has this provenance.
     pub fn key(&self) -> Hash {
         of(&self.0)
     }
@@ -98,9 +98,9 @@ pub fn key(node: &Bound, inputs: &[Option<Hash>]) -> Hash {
     digest.finish()
 }
 
-/// The story of a node's result.
-pub fn story(node: &Bound, inputs: &[Option<Hash>]) -> Story {
-    let mut story = Story::default();
-    tell(node, inputs, &mut story);
-    story
+/// The provenance of a node's result.
+pub fn provenance(node: &Bound, inputs: &[Option<Hash>]) -> Provenance {
+    let mut provenance = Provenance::default();
+    tell(node, inputs, &mut provenance);
+    provenance
 }

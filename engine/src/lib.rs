@@ -73,8 +73,8 @@
 //!     cancel: &go,
 //! };
 //! let rows = sweep::run(&sweeping, points.iter(), |_| {})?;
-//! let told: Vec<f64> = rows.iter().map(|r| r.told[0].1.as_ref().unwrap().value).collect();
-//! assert_eq!((told, rows[1].made), (vec![4.0, 9.0], 0));
+//! let metrics: Vec<f64> = rows.iter().map(|r| r.metrics[0].1.as_ref().unwrap().value).collect();
+//! assert_eq!((metrics, rows[1].made), (vec![4.0, 9.0], 0));
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
@@ -104,6 +104,7 @@ pub mod page;
 pub mod past;
 pub mod pattern;
 pub mod plan;
+pub mod provenance;
 pub mod recipe;
 pub mod reference;
 pub mod run_one;
@@ -111,7 +112,6 @@ pub mod schema;
 mod session;
 pub mod source;
 pub mod store;
-pub mod story;
 pub mod sweep;
 pub mod tells;
 pub mod verify;

@@ -1,8 +1,8 @@
 //! What came of a run: results by node, failures, the record of the run.
 
-use crate::done::{Done, Fate};
+use crate::done::{Done, Status};
 use crate::graph::{Bound, Graph};
-use crate::history::Told;
+use crate::history::RunSummary;
 use crate::store::{InUse, Store};
 use serde_json::Value;
 use stage::{AnyArtifact, AnyStage, Artifact, Corrupt, Hash};
@@ -106,8 +106,8 @@ impl Outcome {
     /// All failures: node and why.
     pub fn failures<'a>(&'a self, graph: &'a Graph) -> Vec<(&'a str, &'a str)> {
         let nodes = self.nodes.iter().zip(&graph.nodes);
-        let why = |(done, node): (&'a Option<Done>, &'a Bound)| match &done.as_ref()?.fate {
-            Fate::Failed(why) => Some((node.name.as_str(), why.as_str())),
+        let why = |(done, node): (&'a Option<Done>, &'a Bound)| match &done.as_ref()?.status {
+            Status::Failed(why) => Some((node.name.as_str(), why.as_str())),
             _ => None,
         };
         nodes.filter_map(why).collect()
@@ -118,17 +118,17 @@ impl Outcome {
         self.nodes
             .iter()
             .flatten()
-            .any(|done| done.fate == Fate::Cancelled)
+            .any(|done| done.status == Status::Cancelled)
     }
 
     /// The run with its provenance, for `run.json`.
     pub fn json(&self, graph: &Graph) -> Value {
-        let told = Told {
+        let summary = RunSummary {
             graph,
             nodes: &self.nodes,
             inputs: &self.inputs,
             seconds: self.seconds,
         };
-        serde_json::to_value(told.record()).expect("bug: JSON")
+        serde_json::to_value(summary.record()).expect("bug: JSON")
     }
 }

@@ -81,13 +81,15 @@ pub struct NodeLine {
     /// The stage's version.
     pub version: u32,
     /// What became of it.
-    pub fate: String,
+    #[serde(alias = "fate")]
+    pub status: String,
     /// Why it failed.
     pub why: Option<String>,
     /// The key of its result.
     pub key: Option<String>,
     /// What the key was made of.
-    pub story: Vec<(String, String)>,
+    #[serde(alias = "story")]
+    pub provenance: Vec<(String, String)>,
     /// How long it took: now, or when it was made. \[s\]
     pub seconds: f64,
     /// Size of the result. \[bytes\]
@@ -156,7 +158,7 @@ pub fn nodes(store: &Path, id: &str) -> Option<impl Iterator<Item = NodeLine> + 
     let (found, nodes) = nodes_as::<NodeLine>(store, id)?;
     Some(nodes.map(move |mut node| {
         if found {
-            node.fate = "found".into();
+            node.status = "found".into();
         }
         node
     }))
@@ -191,7 +193,7 @@ pub fn node(store: &Path, id: &str, name: &str) -> Option<NodeLine> {
     let line = lines.find(|line| line.as_ref().is_ok_and(|l| l.starts_with(&begin)))?;
     let mut node: NodeLine = serde_json::from_str(&line.ok()?).ok()?;
     if found {
-        node.fate = "found".into();
+        node.status = "found".into();
     }
     Some(node)
 }

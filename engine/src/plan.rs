@@ -72,8 +72,8 @@ pub fn plan(
                     None if !coming.insert(*key.as_bytes()) => (State::May, took(&before())),
                     None => {
                         let before = before();
-                        let story = key::story(node, &inputs);
-                        let changes = changes(&story.0, before.as_ref());
+                        let provenance = key::provenance(node, &inputs);
+                        let changes = changes(&provenance.0, before.as_ref());
                         (State::Stale(changes), took(&before))
                     }
                 }
@@ -117,9 +117,9 @@ fn read_again(graph: &Graph, absent: &[bool], plan: &mut [Option<Planned>]) {
 /// What `why` says of a result that is not there any more.
 const GONE: [(&str, &str, &str); 1] = [("result", "was made", "gone from the cache")];
 
-/// The lines of a story that differ from those of an earlier entry: what, old, new.
+/// The lines of a provenance that differ from those of an earlier entry: what, old, new.
 pub fn changes(
-    story: &[(String, String)],
+    provenance: &[(String, String)],
     before: Option<&NodeLine>,
 ) -> Vec<(String, String, String)> {
     let Some(before) = before else {
@@ -129,19 +129,19 @@ pub fn changes(
             "never made in this cache".into(),
         )];
     };
-    let old = &before.story;
+    let old = &before.provenance;
     let find = |lines: &[(String, String)], what: &str| {
         lines
             .iter()
             .find(|(w, _)| w == what)
             .map_or("nothing".to_owned(), |(_, v)| v.clone())
     };
-    let names = story.iter().chain(
+    let names = provenance.iter().chain(
         old.iter()
-            .filter(|(w, _)| !story.iter().any(|(x, _)| x == w)),
+            .filter(|(w, _)| !provenance.iter().any(|(x, _)| x == w)),
     );
     let changed: Vec<_> = names
-        .map(|(what, _)| (what.clone(), find(old, what), find(story, what)))
+        .map(|(what, _)| (what.clone(), find(old, what), find(provenance, what)))
         .filter(|(_, old, new)| old != new)
         .collect();
     match changed.is_empty() {

@@ -67,12 +67,12 @@ pub fn json(stage: &dyn AnyStage) -> Value {
 }
 
 fn param(p: &ParamSpec) -> Value {
-    let mut told = json!({
+    let mut entry = json!({
         "name": p.name, "doc": p.doc, "type": p.type_name, "choices": p.choices,
         "default": p.default.to_string(), "range": p.range, "required": p.required,
     });
     if let Some(fields) = &p.entry {
-        told["entry"] = fields.iter().map(param).collect();
+        entry["entry"] = fields.iter().map(param).collect();
     }
-    told
+    entry
 }

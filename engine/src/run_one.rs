@@ -1,6 +1,6 @@
 //! One node: found in the store, or its stage is run and the result published.
 
-use crate::done::{Done, Fate, Job, Watch};
+use crate::done::{Done, Job, Status, Watch};
 use crate::graph::{Bound, Source};
 use crate::key::{self, Digest};
 use crate::memory::Memory;
@@ -15,7 +15,7 @@ use std::time::Instant;
 pub struct Surroundings<'a> {
     /// Where results are kept.
     pub store: &'a Store,
-    /// Who is told.
+    /// Who hears what happens.
     pub watch: &'a dyn Watch,
     /// Set when the user asks to stop.
     pub cancel: &'a AtomicBool,
@@ -89,7 +89,7 @@ impl Host for Hosting<'_> {
         self.around.store.recall(key)
     }
     fn remember(&self, key: Hash, bytes: &[u8]) {
-        // Best effort: a disk that is full is told when the result itself is kept.
+        // Best effort: a disk that is full is reported when the result itself is kept.
         let _ = self.around.store.remember(key, bytes);
     }
 }
@@ -114,7 +114,7 @@ pub(crate) fn find(
 ) -> Option<Done> {
     let key = key::key(&job.graph.nodes[node], inputs);
     let found = store.found(key).filter(|f| f.present || !there)?;
-    Some(done(Fate::Found, key, found.record))
+    Some(done(Status::Hit, key, found.record))
 }
 
 /// Finds or makes a node's result; hands on the artifact if it was made.
@@ -127,8 +127,8 @@ pub(crate) fn run_one(
     around: &Surroundings<'_>,
 ) -> Step {
     let bound = &job.graph.nodes[node];
-    let story = key::story(bound, inputs);
-    let key = story.key();
+    let provenance = key::provenance(bound, inputs);
+    let key = provenance.key();
     let lease = match around.store.claim(key) {
         Claim::Busy => return Step::Busy,
         Claim::Mine(lease) => lease,
@@ -147,7 +147,7 @@ pub(crate) fn run_one(
         .install(|| bound.stage.memory(&bound.params, &artifacts));
     let _share = around.pool.memory.take(needs, &|| around.cancelled());
     around.watch.started(&bound.name);
-    let (done, artifact) = make(bound, key, story, artifacts, around);
+    let (done, artifact) = make(bound, key, provenance, artifacts, around);
     drop(lease);
     Step::Done(done, artifact)
 }
@@ -156,15 +156,15 @@ pub(crate) fn run_one(
 fn make(
     bound: &Bound,
     key: Hash,
-    story: key::Story,
+    provenance: key::Provenance,
     artifacts: Vec<Option<AnyArtifact>>,
     around: &Surroundings<'_>,
 ) -> (Done, Option<AnyArtifact>) {
     let start = Instant::now();
     let failed = |why: String| Done {
         key: Some(key),
-        story: story.0.clone(),
-        ..Done::nothing(Fate::Failed(why))
+        provenance: provenance.0.clone(),
+        ..Done::nothing(Status::Failed(why))
     };
     let mut recipe = Digest::default();
     key::tell_recipe(bound, &mut recipe);
@@ -185,7 +185,7 @@ fn make(
     };
     let made = match std::panic::catch_unwind(AssertUnwindSafe(run)) {
         Ok(Ok(made)) => made,
-        Ok(Err(Stop::Cancelled)) => return (Done::nothing(Fate::Cancelled), None),
+        Ok(Err(Stop::Cancelled)) => return (Done::nothing(Status::Cancelled), None),
         Ok(Err(Stop::Failed(error))) => return (failed(chain(error.as_ref())), None),
         Err(panic) => {
             let text = panic.downcast_ref::<String>().map(String::as_str);
@@ -202,7 +202,7 @@ fn make(
     let seconds = start.elapsed().as_secs_f64();
     let published = around.store.keep(&made.bytes, seconds).and_then(|content| {
         let record = Record {
-            story: story.0.clone(),
+            provenance: provenance.0.clone(),
             content,
             bytes: made.bytes.len() as u64,
             seconds,
@@ -213,17 +213,17 @@ fn make(
         Ok(record)
     });
     match published {
-        Ok(record) => (done(Fate::Made, key, record), Some(made.artifact)),
+        Ok(record) => (done(Status::Executed, key, record), Some(made.artifact)),
         Err(error) => (failed(error.to_string()), None),
     }
 }
 
-fn done(fate: Fate, key: Hash, record: Record) -> Done {
+fn done(status: Status, key: Hash, record: Record) -> Done {
     Done {
-        fate,
+        status,
         key: Some(key),
         content: Some(record.content),
-        story: record.story,
+        provenance: record.provenance,
         seconds: record.seconds,
         bytes: record.bytes,
         metrics: record.metrics,

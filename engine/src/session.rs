@@ -1,7 +1,7 @@
 //! The engine as a library: hash the inputs, walk, write the run down, read results.
 
 use crate::graph::{Graph, InputDecl};
-use crate::history::{self, Told};
+use crate::history::{self, RunSummary};
 use crate::journal::Journal;
 use crate::outcome::Outcome;
 use crate::past;
@@ -160,13 +160,13 @@ pub fn run_in(
     let nodes = walk(&job, &around);
     store.save_index();
     let seconds = start.elapsed().as_secs_f64();
-    let told = Told {
+    let summary = RunSummary {
         graph,
         nodes: &nodes,
         inputs: &contents,
         seconds,
     };
-    history::write(&store, &id, &told, &files)?;
+    history::write(&store, &id, &summary, &files)?;
     let names = graph.nodes.iter().map(|n| (n.name.clone(), n.stage));
     Ok(Outcome {
         names: names.collect(),

@@ -23,7 +23,7 @@ pub enum SourceError {
         /// What the system says.
         why: std::io::Error,
     },
-    /// A file that would be left out, or told in a way that misleads.
+    /// A file that would be left out, or named in a way that misleads.
     #[error("{} has a name that {why}; give it another name", shown(path))]
     Name {
         /// The file or folder.

@@ -28,7 +28,7 @@ impl Host for Fresh<'_> {
     }
 }
 
-/// Runs every stage of a finished run once more; `told` hears each node's name before. The
+/// Runs every stage of a finished run once more; `started` is called with each node's name before. The
 /// results of the run must still be there (see [`crate::walk::all`]).
 ///
 /// # Errors
@@ -40,7 +40,7 @@ pub fn verify(
     outcome: &Outcome,
     options: &Options,
     cancel: &AtomicBool,
-    told: &dyn Fn(&str),
+    started: &dyn Fn(&str),
 ) -> Result<Vec<Unsteady>, EngineError> {
     let store = Store::open(&options.cache)?;
     let files = session::inputs(graph, folders, &store)?;
@@ -54,7 +54,7 @@ pub fn verify(
         if cancel.load(Ordering::Relaxed) {
             break;
         }
-        told(&node.name);
+        started(&node.name);
         let input = |source: &Option<Source>| match source.as_ref()? {
             Source::Input(j) => Some(AnyArtifact::new(files[*j].clone())),
             Source::Node(j) => outcome.artifact(graph, *j),

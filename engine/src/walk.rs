@@ -4,7 +4,7 @@ use crate::agenda::Agenda;
 use crate::run_one::{self, Step, Surroundings};
 
 pub(crate) use crate::done::needed;
-pub use crate::done::{Done, Fate, Job, Watch, all};
+pub use crate::done::{Done, Job, Status, Watch, all};
 use std::sync::{Condvar, Mutex};
 use std::time::Duration;
 
@@ -25,13 +25,13 @@ pub fn walk(job: &Job<'_>, around: &Surroundings<'_>) -> Vec<Option<Done>> {
         });
         agenda = shared.into_inner().expect("bug: a worker panicked");
     }
-    let fate = if around.cancelled() {
-        Fate::Cancelled
+    let status = if around.cancelled() {
+        Status::Cancelled
     } else {
-        Fate::Skipped
+        Status::Skipped
     };
     for i in (0..job.graph.nodes.len()).filter(|i| agenda.needed[*i]) {
-        agenda.done[i].get_or_insert_with(|| Done::nothing(fate.clone()));
+        agenda.done[i].get_or_insert_with(|| Done::nothing(status.clone()));
     }
     agenda.done
 }
@@ -95,7 +95,7 @@ fn work(job: &Job<'_>, around: &Surroundings<'_>, shared: &Mutex<Agenda<'_>>, be
         held.running -= 1;
         let skipped = match step {
             Step::Done(done, artifact) => {
-                held.stop |= matches!(done.fate, Fate::Failed(_)) && !job.keep_going;
+                held.stop |= matches!(done.status, Status::Failed(_)) && !job.keep_going;
                 held.finish(node, done, artifact)
             }
             Step::Busy => {
@@ -110,7 +110,7 @@ fn work(job: &Job<'_>, around: &Surroundings<'_>, shared: &Mutex<Agenda<'_>>, be
                     "the result of `{from}` goes out of the cache as soon as it is made; \
                      give it room, or another place with --cache"
                 );
-                let done = Done::nothing(Fate::Failed(why));
+                let done = Done::nothing(Status::Failed(why));
                 around.watch.done(name(node), &done);
                 held.stop |= !job.keep_going;
                 held.finish(node, done, None)

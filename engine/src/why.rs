@@ -130,18 +130,18 @@ fn since(
 ) -> Option<(Vec<Change>, Option<usize>)> {
     let node = &graph.nodes[at];
     let inputs: &[Option<Hash>] = planned.inputs.as_deref()?;
-    let story = key::story(node, inputs);
-    let key = story.key().to_hex().to_string();
+    let provenance = key::provenance(node, inputs);
+    let key = provenance.key().to_hex().to_string();
     let is_now = |line: &NodeLine| line.key.as_ref() == Some(&key);
     let (run, last) = past.find(&node.name, |_| true)?;
     if !is_now(&last) {
-        return Some((changes(&story.0, Some(&last)), Some(run)));
+        return Some((changes(&provenance.0, Some(&last)), Some(run)));
     }
-    if last.fate != "made" {
+    if last.status != "made" {
         return None;
     }
     let (before, line) = past.find(&node.name, |line| !is_now(line))?;
-    Some((changes(&story.0, Some(&line)), Some(before)))
+    Some((changes(&provenance.0, Some(&line)), Some(before)))
 }
 
 /// The files that differ: changed, new, gone.

@@ -73,10 +73,10 @@ fn a_file_that_was_counted_before_is_not_read_again() {
     assert_eq!(files_read(&more), 1.0);
     let counts = more.read::<Counts>("counts").unwrap();
     assert_eq!((counts.files.len(), counts.all()["walk"]), (3, 3));
-    let told = more.read::<Text>("counts").unwrap_err().to_string();
-    assert_eq!(told, "`counts` makes counts, not text");
-    let told = more.read::<Text>("repord").unwrap_err().to_string();
-    assert!(told.contains("did you mean `report`"), "{told}");
+    let error = more.read::<Text>("counts").unwrap_err().to_string();
+    assert_eq!(error, "`counts` makes counts, not text");
+    let error = more.read::<Text>("repord").unwrap_err().to_string();
+    assert!(error.contains("did you mean `report`"), "{error}");
 }
 
 #[test]
@@ -137,7 +137,7 @@ fn ten_lines_have_the_whole_command_line() {
         rows[1].starts_with("1,19,11,") && rows[3].starts_with("5,5,5,"),
         "{table}"
     );
-    // What stands in no catalog is told, with what was meant.
+    // What stands in no catalog is reported, with what was meant.
     assert_eq!(
         said("sweep PIPELINE letters --input INPUT --tell counts.wrds"),
         2

@@ -41,7 +41,7 @@ pub(crate) fn compare_sides(args: &CompareArgs, global: &GlobalArgs) -> Result<(
     if let Some(out) = &args.out {
         delivery::check(out).map_err(Fault::input)?;
     }
-    // A pipeline that cannot be is told before any other runs.
+    // A pipeline that cannot be is refused before any other runs.
     let mut graphs = Vec::new();
     for text in &what {
         graphs.push(match pipeline {
@@ -133,7 +133,9 @@ fn found(text: &str, global: &GlobalArgs) -> Result<Side, Fault> {
             crate::past::nodes_as::<NodeRun>(&global.cache, &id).ok_or_else(gone)?;
         let mut nodes: Vec<NodeRun> = nodes.collect();
         if found {
-            nodes.iter_mut().for_each(|node| node.fate = "found".into());
+            nodes
+                .iter_mut()
+                .for_each(|node| node.status = "found".into());
         }
         return Side::from_nodes(text, nodes, &store).map_err(Fault::input);
     }

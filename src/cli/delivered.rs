@@ -90,8 +90,8 @@ pub(super) fn write(
         let files = out::files(graph.catalog, artifact, || raw, photos, Some(format));
         let mut files = files.map_err(Fault::stage)?;
         if relative {
-            let told = |(name, bytes)| (name, relative::told(bytes));
-            files = files.into_iter().map(told).collect();
+            let marked = |(name, bytes)| (name, relative::marked(bytes));
+            files = files.into_iter().map(marked).collect();
         }
         delivery.put(file, &files).map_err(Fault::stage)?;
     }

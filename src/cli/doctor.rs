@@ -27,8 +27,8 @@ pub(crate) struct Doctor {
 
 /// What was seen.
 pub(super) struct Look {
-    /// What the stage told.
-    pub(super) told: Value,
+    /// What the stage found.
+    pub(super) findings: Value,
     /// What nodes warned of, and what was odd about the folder.
     pub(super) warnings: Vec<String>,
     /// The photos, with what is known of them.
@@ -61,13 +61,13 @@ pub(super) fn look(
     let document = get::<Document>(&graph, &outcome, "look");
     let document = document
         .ok_or_else(|| Fault::stage("what was seen went out of the cache: run it again"))?;
-    let told = serde_json::from_slice(&document.bytes).map_err(Fault::stage)?;
+    let findings = serde_json::from_slice(&document.bytes).map_err(Fault::stage)?;
     let mut warnings = looked.warnings;
     for done in outcome.nodes.iter().flatten() {
         warnings.extend(done.warnings.iter().cloned());
     }
     Ok(Look {
-        told,
+        findings,
         warnings,
         photos: photos(&graph, &outcome),
         tags: get::<Tags>(&graph, &outcome, "tags").unwrap_or_default(),
@@ -77,14 +77,14 @@ pub(super) fn look(
 /// Does it. A capture of which nothing will come ends with 1.
 pub(crate) fn doctor(args: &Doctor, global: &GlobalArgs) -> Result<(), Fault> {
     let look = look(&args.folder, &args.facts, args.recursive, global)?;
-    let stopped = findings(&look.told).any(|f| f["grade"] == "stop");
+    let stopped = entries(&look.findings).any(|f| f["grade"] == "stop");
     if global.json {
-        let mut told = look.told;
-        told["folder"] = args.folder.display().to_string().into();
-        told["warnings"] = look.warnings.into();
+        let mut found = look.findings;
+        found["folder"] = args.folder.display().to_string().into();
+        found["warnings"] = look.warnings.into();
         engine::outln!(
             "{}",
-            serde_json::to_string_pretty(&told).expect("bug: JSON")
+            serde_json::to_string_pretty(&found).expect("bug: JSON")
         );
     } else {
         engine::out!("{}", screen(&args.folder, &look));
@@ -95,8 +95,8 @@ pub(crate) fn doctor(args: &Doctor, global: &GlobalArgs) -> Result<(), Fault> {
     }
 }
 
-fn findings(told: &Value) -> impl Iterator<Item = &Value> {
-    told["findings"].as_array().into_iter().flatten()
+fn entries(found: &Value) -> impl Iterator<Item = &Value> {
+    found["findings"].as_array().into_iter().flatten()
 }
 
 /// Names of photos, the first few.
@@ -116,18 +116,18 @@ fn some(photos: &Value) -> String {
 
 /// The answer for people.
 fn screen(folder: &Path, look: &Look) -> String {
-    let told = &look.told;
-    let text = |key: &str| told[key].as_str().unwrap_or_default();
+    let found = &look.findings;
+    let text = |key: &str| found[key].as_str().unwrap_or_default();
     let mut facts = vec![
         format!(
             "{} photos of {}×{} pixels",
-            told["photos"], told["width"], told["height"]
+            found["photos"], found["width"], found["height"]
         ),
         text("camera").to_owned(),
-        told["focal_35mm"]
+        found["focal_35mm"]
             .as_f64()
             .map_or("focal length unknown".into(), |mm| format!("{mm:.0} mm")),
-        match told["plate"].as_str() {
+        match found["plate"].as_str() {
             Some(plate) => format!("with the empty scene ({plate})"),
             None => "no photo of the empty scene".into(),
         },
@@ -137,14 +137,14 @@ fn screen(folder: &Path, look: &Look) -> String {
     said += &match text("motion") {
         "turn" => format!(
             "the camera stood still ({:.0} % of the picture does)\n",
-            told["still_pct"].as_f64().unwrap_or(0.0)
+            found["still_pct"].as_f64().unwrap_or(0.0)
         ),
         _ => format!(
             "the camera moved ({:.0} % of the picture stand still)\n",
-            told["still_pct"].as_f64().unwrap_or(0.0)
+            found["still_pct"].as_f64().unwrap_or(0.0)
         ),
     };
-    let mut lines: Vec<String> = findings(told)
+    let mut lines: Vec<String> = entries(found)
         .map(|f| {
             let word = |key: &str| f[key].as_str().unwrap_or_default();
             format!(
@@ -166,7 +166,7 @@ fn screen(folder: &Path, look: &Look) -> String {
         said += &lines.concat();
     }
     said += "\nwhat can be measured\n";
-    for (what, how) in told["can"].as_object().into_iter().flatten() {
+    for (what, how) in found["can"].as_object().into_iter().flatten() {
         said += &format!("  {what:<8} {}\n", how.as_str().unwrap_or_default());
     }
     said

@@ -88,7 +88,7 @@ impl Facts {
         &self.images
     }
 
-    /// Whether marker tags are told of.
+    /// Whether marker tags are named.
     pub(super) fn tagged(&self) -> bool {
         let mat = |fact: &String| fact.starts_with("mat.");
         self.mat.is_some() || self.mat_tag.is_some() || self.fact.iter().any(mat)

@@ -78,7 +78,7 @@ pub(super) fn look(capture: &Path, facts: &Facts, recursive: bool) -> Result<Loo
             set: format!("photos.facts.images={list}"),
         });
     }
-    let told = |table: &str| file.contains_key(table);
+    let has = |table: &str| file.contains_key(table);
     let step = file
         .get("step_deg")
         .and_then(|s| s.as_float().or(s.as_integer().map(|i| i as f64)));
@@ -87,7 +87,7 @@ pub(super) fn look(capture: &Path, facts: &Facts, recursive: bool) -> Result<Loo
         .or(step)
         .is_some_and(|s| s.abs() <= WIDEST_DEG);
     let few = (3..FEWEST).contains(&photos.len());
-    if few && looked.patterns.is_empty() && !facts.tagged() && !told("mat") && !near {
+    if few && looked.patterns.is_empty() && !facts.tagged() && !has("mat") && !near {
         looked.few = Some(format!(
             "{shown} holds {} photos: without a marker mat features are followed from photo to photo, which needs a full turn at steps of 30° or less; \
              take 18 to 36 photos, or lay a mat on the disk (`tailor mat`; then say --mat), or say the step between them, such as --step 20",

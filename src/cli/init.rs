@@ -96,7 +96,7 @@ fn turn(to: &mut String, name: &str, seen: &Look, images: &[String]) {
     let count = seen.photos.photos.len();
     let name = Some(quoted(rig.name.as_deref().unwrap_or(name)));
     line(to, "name", name, "", "what the report calls it");
-    let note = "so many photos are there; one that gets lost is then told";
+    let note = "so many photos are there; one that gets lost is then named";
     line(to, "views", Some(count.to_string()), "", note);
     if !images.is_empty() {
         let list = toml::Value::Array(images.iter().cloned().map(toml::Value::from).collect());
@@ -107,7 +107,7 @@ fn turn(to: &mut String, name: &str, seen: &Look, images: &[String]) {
     let even = number((3600.0 / count as f64).round() / 10.0);
     let note = "if steps were even: 360° by the number of photos of a full turn";
     line(to, "step_deg", step, &even, note);
-    let plate = seen.told["plate"].as_str().map(quoted);
+    let plate = seen.findings["plate"].as_str().map(quoted);
     let note = "the same scene without the subject";
     line(to, "plate", plate, "\"plate.jpg\"", note);
 }

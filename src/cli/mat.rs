@@ -88,9 +88,9 @@ pub(crate) fn mat(args: &MatArgs, global: &GlobalArgs) -> Result<(), Fault> {
             serde_json::json!({ "file": shown, "bytes": document.bytes.len(), "facts": toml });
         engine::outln!("{answer}");
     } else if !global.quiet {
-        let told = |m: &Metric| format!("{} {} {}", m.name, m.value, m.unit);
-        let told: Vec<String> = metrics.iter().map(|m| told(m).trim().to_owned()).collect();
-        engine::outln!("{shown}: {}", told.join(", "));
+        let text = |m: &Metric| format!("{} {} {}", m.name, m.value, m.unit);
+        let lines: Vec<String> = metrics.iter().map(|m| text(m).trim().to_owned()).collect();
+        engine::outln!("{shown}: {}", lines.join(", "));
         engine::outln!("print at 100 % and check that the ruler is 100 mm long");
         engine::outln!(
             "what capture.toml needs to say of it stands at each page's foot and in {toml}; or: tailor measure DIR --mat {shown}"

@@ -3,13 +3,13 @@
 mod compare;
 mod delivered;
 mod doctor;
-mod door;
 mod facts;
 mod folder;
 mod init;
 mod length;
 mod mat;
 mod mat_file;
+mod measure_verb;
 mod provenance;
 mod said;
 mod scoring;
@@ -29,9 +29,9 @@ static TAILOR: Program = Program {
         Verb {
             name: "measure",
             arguments: |own| {
-                with::<door::Measure>(own, "Photos of one turn to girths, with a report")
+                with::<measure_verb::Measure>(own, "Photos of one turn to girths, with a report")
             },
-            run: |said, global| door::measure(&read(said)?, global),
+            run: |said, global| measure_verb::measure(&read(said)?, global),
             runs: true,
         },
         Verb {

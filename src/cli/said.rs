@@ -28,7 +28,7 @@ impl All {
     }
 }
 
-/// A built-in pipeline with what is said of the capture, and over it what the user sets himself; a flag is told
+/// A built-in pipeline with what is said of the capture, and over it what the user sets himself; a flag is named
 /// as it was said.
 pub(super) fn opened(
     name: &str,

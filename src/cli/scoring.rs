@@ -18,7 +18,7 @@ pub(crate) struct Scoring {
     #[arg(long)]
     require: Vec<String>,
     /// Fail unless a girth's tape is within so many percent of the true surface's at the plane that was
-    /// told: NAME=PERCENT
+    /// measured: NAME=PERCENT
     #[arg(long)]
     require_surface: Vec<String>,
 }
@@ -53,9 +53,9 @@ pub(crate) fn scoring(args: &Scoring, global: &GlobalArgs) -> Result<(), Fault> 
     }
     for (name, most) in wanted("--require-surface", &args.require_surface)? {
         for score in &scores {
-            let told = score.girths_at_told_planes.get(name);
-            let told = told.and_then(|t| t.as_ref()).map(|t| t.tape_pct);
-            bad.extend(beyond(name, most, told, " at the plane that was told"));
+            let share = score.girths_at_measured_planes.get(name);
+            let share = share.and_then(|t| t.as_ref()).map(|t| t.tape_pct);
+            bad.extend(beyond(name, most, share, " at the plane that was measured"));
         }
     }
     if bad.is_empty() {

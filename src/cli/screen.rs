@@ -63,15 +63,15 @@ pub(crate) fn screen(
     if !girths.missing.is_empty() {
         text += "\nnot measured\n";
     }
-    // One reason is told once, for all that it is the reason of.
-    let mut told: Vec<(Vec<&str>, &str)> = Vec::new();
+    // One reason is shown once, for all that it is the reason of.
+    let mut reasons: Vec<(Vec<&str>, &str)> = Vec::new();
     for missing in &girths.missing {
-        match told.iter_mut().find(|(_, why)| *why == missing.why) {
+        match reasons.iter_mut().find(|(_, why)| *why == missing.why) {
             Some((names, _)) => names.push(&missing.name),
-            None => told.push((vec![&missing.name], &missing.why)),
+            None => reasons.push((vec![&missing.name], &missing.why)),
         }
     }
-    for (names, why) in told {
+    for (names, why) in reasons {
         text += &broken(&format!("  {:<6} {why}", names.join(", ")), 9);
     }
     text
@@ -146,9 +146,9 @@ mod tests {
             ],
             ..Girths::default()
         };
-        let told = screen("a", 3, None, &girths, false);
+        let text = screen("a", 3, None, &girths, false);
         assert_eq!(
-            told,
+            text,
             format!("\nnot measured\n  HC, WC {legs}\n  NC     no neck\n")
         );
     }
@@ -163,14 +163,14 @@ mod tests {
             ground_mm: 0.0,
             points: vec![],
         };
-        let told = screen("a", 3, Some(&cameras), &Girths::default(), false);
-        assert!(told.contains("LENGTHS ARE RELATIVE"), "{told}");
+        let text = screen("a", 3, Some(&cameras), &Girths::default(), false);
+        assert!(text.contains("LENGTHS ARE RELATIVE"), "{text}");
         cameras.scale = Scale::Mat;
-        let told = screen("a", 3, Some(&cameras), &Girths::default(), false);
+        let text = screen("a", 3, Some(&cameras), &Girths::default(), false);
         assert!(
-            told.contains("a: 0 of 3 photos")
-                && told.contains("the marker mat (how sure: unknown)"),
-            "{told}"
+            text.contains("a: 0 of 3 photos")
+                && text.contains("the marker mat (how sure: unknown)"),
+            "{text}"
         );
         cameras.scale_sigma = Some(0.0012);
         assert!(screen("a", 3, Some(&cameras), &Girths::default(), false).contains("(± 0.12 %)"));

@@ -75,21 +75,21 @@ pub fn girths(sides: &[Side], tolerance_mm: Option<f64>) -> Vec<GirthRow> {
             firsts.push(g);
         }
     }
-    let row = |told: &ReadGirth| {
+    let row = |girth: &ReadGirth| {
         let of = |f: fn(&ReadGirth) -> f64| -> Vec<Option<f64>> {
-            let find = |s: &Side| s.girths.iter().find(|g| g.name == told.name).map(f);
+            let find = |s: &Side| s.girths.iter().find(|g| g.name == girth.name).map(f);
             sides.iter().map(find).collect()
         };
         let tape = of(|g| g.tape);
-        let tolerance = tolerance_mm.unwrap_or_else(|| iso_mm(&told.name, told.part.as_deref()));
+        let tolerance = tolerance_mm.unwrap_or_else(|| iso_mm(&girth.name, girth.part.as_deref()));
         let off = |other: &Option<f64>| match unit {
             Unit::Metric => Some((((*other)? - tape[0]?) * 100.0).round() / 10.0),
             Unit::Relative => None,
         };
         let off: Vec<Option<f64>> = tape.iter().skip(1).map(off).collect();
         GirthRow {
-            name: told.name.clone(),
-            label: told.label.clone(),
+            name: girth.name.clone(),
+            label: girth.label.clone(),
             unit,
             contour: of(|g| g.contour),
             same: off

@@ -18,7 +18,7 @@ mod views;
 mod words;
 
 pub use crate::differ::{Change, Difference, NodeRun, differ};
-pub use crate::story::Story;
+pub use crate::provenance::PackedProvenance;
 pub use girths::{GirthRow, girths, mixed};
 pub use page::page;
 pub use read_girths::ReadGirth;

@@ -78,8 +78,8 @@ pub(super) fn pictures(
                 continue;
             }
             let apart = masks[0].zip(masks[i]).and_then(|(a, b)| apart(a, b));
-            let told = apart.map(|(p, iou)| json!({ "picture": album.add(&p), "iou": iou }));
-            push(&mut row["masks_apart"], told);
+            let row_of = apart.map(|(p, iou)| json!({ "picture": album.add(&p), "iou": iou }));
+            push(&mut row["masks_apart"], row_of);
             let colored =
                 seen.map(|(s, c)| render(&s.mesh, &c, &|v| color(s.distances[v], full_mm)));
             push(&mut row["surfaces_apart"], colored.map(|p| album.add(&p)));

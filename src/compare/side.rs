@@ -109,7 +109,7 @@ impl Side {
         let measured = last("girths");
         let mesh = measured.and_then(|g| {
             let reads = |n: &&NodeRun| {
-                g.story
+                g.provenance
                     .lines()
                     .any(|(_, v)| Some(v) == n.content.as_deref())
             };

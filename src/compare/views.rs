@@ -60,9 +60,9 @@ pub(super) fn of_folder(folder: &Path) -> Result<Views, String> {
         let wrong = |why: &dyn std::fmt::Display| format!("{}: {why}", path.display());
         let file: Value = serde_json::from_str(&text).map_err(|e| wrong(&e))?;
         for view in file["views"].as_array().into_iter().flatten() {
-            let told = camera(view).ok_or_else(|| wrong(&"a view is not as `measure` writes it"));
+            let seen = camera(view).ok_or_else(|| wrong(&"a view is not as `measure` writes it"));
             let name = stem(view["image"].as_str().unwrap_or(""));
-            views.entry(name).or_default().camera = Some(told?);
+            views.entry(name).or_default().camera = Some(seen?);
         }
     }
     Ok(views)
@@ -144,7 +144,7 @@ mod tests {
         proof::near(moved.norm(), 0.0, 1e-12);
         assert_eq!(back.pose.translation, camera.pose.translation);
         std::fs::write(folder.path().join("cameras.json"), "{\"views\":[{}]}").unwrap();
-        let told = of_folder(folder.path()).unwrap_err();
-        assert!(told.contains("a view is not"), "{told}");
+        let error = of_folder(folder.path()).unwrap_err();
+        assert!(error.contains("a view is not"), "{error}");
     }
 }

@@ -22,7 +22,7 @@ pub struct GirthScore {
     pub tape_error_mm: Option<f64>,
     /// Whether the tape's interval holds the true tape.
     pub interval_holds: Option<bool>,
-    /// What the surface errs at the plane that was told, where a true surface is known. \[mm\]
+    /// What the surface errs at the plane that was measured, where a true surface is known. \[mm\]
     pub surface_mm: Option<f64>,
     /// What the plane's place adds to that. \[mm\]
     pub level_mm: Option<f64>,

@@ -1,18 +1,18 @@
 //! A result against ground truth: cameras, masks, surface, girths. The truth stays out of results.
 
 mod align;
+mod at_plane;
 mod girths;
 mod surface;
 mod table;
-mod told;
 mod truth;
 
+pub use at_plane::PlaneScore;
 pub use girths::GirthScore;
 use girths::NO_SCALE;
 pub(crate) use girths::{RELATIVE, iso_mm};
 pub use surface::{Part, Surface};
 pub use table::{iso_table, paper_tables, text};
-pub use told::ToldScore;
 pub use truth::Unreadable;
 
 use align::{Motion, align};
@@ -63,7 +63,7 @@ pub struct Score {
     pub girths: BTreeMap<String, Option<GirthScore>>,
     /// Every tape with a plane against the true surface at that plane; `None` where
     /// it misses it, or limbs are one with the trunk there.
-    pub girths_at_told_planes: BTreeMap<String, Option<ToldScore>>,
+    pub girths_at_measured_planes: BTreeMap<String, Option<PlaneScore>>,
 }
 
 /// Scores a folder that `measure` wrote against a folder of truth.
@@ -74,12 +74,12 @@ pub fn score(result: &Path, truth: &Path) -> Result<Score, Unreadable> {
     let found_mesh = truth::mesh(&result.join("body.ply"), 1.0)?;
     let file = result.join("girths.json");
     let mut girths = girths::girths(&file, &known)?;
-    let mut at_told = BTreeMap::new();
+    let mut at_planes = BTreeMap::new();
     let mesh = match (found_mesh, true_mesh) {
         (Some(found), Some(truth)) => match surface::carried(&found, &truth, motion) {
             Some(carry) => {
-                at_told = told::told(&file, &found, &truth, &carry)?;
-                told::split(&mut girths, &at_told);
+                at_planes = at_plane::at_planes(&file, &found, &truth, &carry)?;
+                at_plane::split(&mut girths, &at_planes);
                 surface::surface(&found, &truth, &carry, &known)
             }
             None => None,
@@ -91,7 +91,7 @@ pub fn score(result: &Path, truth: &Path) -> Result<Score, Unreadable> {
         masks: masks(result, truth)?,
         mesh,
         girths,
-        girths_at_told_planes: at_told,
+        girths_at_measured_planes: at_planes,
     })
 }
 

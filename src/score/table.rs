@@ -51,7 +51,7 @@ pub fn text(score: &Score) -> String {
         }
     }
     text += &girths(score);
-    text += &at_told_planes(score);
+    text += &at_planes(score);
     if text.is_empty() {
         text +=
             "nothing to compare: neither cameras, masks, a surface nor girths are on both sides\n";
@@ -98,14 +98,14 @@ fn girths(score: &Score) -> String {
     text
 }
 
-/// Tapes against the true surface at the planes that were told: what the surface errs.
-fn at_told_planes(score: &Score) -> String {
+/// Tapes against the true surface at the planes that were measured: what the surface errs.
+fn at_planes(score: &Score) -> String {
     let mut text = String::new();
-    if !score.girths_at_told_planes.is_empty() {
-        text += "tape at the told plane   truth there cm  tape cm  surface %  surface mm\n";
+    if !score.girths_at_measured_planes.is_empty() {
+        text += "tape at the measured plane   truth there cm  tape cm  surface %  surface mm\n";
     }
-    for (name, told) in &score.girths_at_told_planes {
-        let _ = match told {
+    for (name, plane) in &score.girths_at_measured_planes {
+        let _ = match plane {
             Some(t) => writeln!(
                 text,
                 "{name:<24} {:>14.2} {:>8.2} {:>+10.2} {:>+11.1}",
@@ -263,7 +263,7 @@ mod tests {
             masks: None,
             mesh: None,
             girths: [("WC".to_owned(), Some(girth)), ("NC".to_owned(), None)].into(),
-            girths_at_told_planes: Default::default(),
+            girths_at_measured_planes: Default::default(),
         }
     }
 

@@ -163,9 +163,9 @@ fn runs_are_recorded_with_provenance_and_an_event_log_and_pins_hold() {
     let record = std::fs::read(place.path("out/run.json")).unwrap();
     let record: Value = serde_json::from_slice(&record).unwrap();
     for node in record["nodes"].as_array().unwrap() {
-        assert_eq!(node["fate"], "made");
+        assert_eq!(node["status"], "made");
         assert_eq!(node["key"].as_str().unwrap().len(), 64);
-        assert!(!node["story"].as_array().unwrap().is_empty());
+        assert!(!node["provenance"].as_array().unwrap().is_empty());
     }
     for node in ["solid", "body", "ring", "sway"] {
         assert!(place.has(node, "done", "made"), "{node}");
@@ -189,7 +189,7 @@ fn runs_are_recorded_with_provenance_and_an_event_log_and_pins_hold() {
     let again = place.run("run small.toml --json").code(0).json();
     let nodes = again["nodes"].as_array().unwrap();
     assert!(
-        nodes.iter().all(|n| n["fate"] == "found"),
+        nodes.iter().all(|n| n["status"] == "found"),
         "what is pinned stays"
     );
     let pins = place.run("cache pins").code(0).out;

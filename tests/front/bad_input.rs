@@ -202,7 +202,7 @@ fn a_cache_that_cannot_be_made_or_is_of_another_layout_is_told() {
     let run = place.run("run small.toml --json").code(0).json();
     let nodes = run["nodes"].as_array().unwrap();
     assert!(
-        nodes.iter().all(|n| n["fate"] == "found"),
+        nodes.iter().all(|n| n["status"] == "found"),
         "nothing was lost"
     );
 }

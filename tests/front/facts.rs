@@ -26,7 +26,10 @@ fn facts_are_in_the_key_and_in_the_provenance_and_win_over_the_file() {
     let (plain, said) = (run(""), run("--set photos.facts.subject.height_cm=178"));
     assert_ne!(plain["key"], said["key"]);
     assert_ne!(plain["content"], said["content"]);
-    assert!(said["story"].to_string().contains("height_cm"), "{said}");
+    assert!(
+        said["provenance"].to_string().contains("height_cm"),
+        "{said}"
+    );
     let told = std::fs::read_to_string(place.path("out/photos/capture.toml")).unwrap();
     assert!(told.contains("subject.height_cm = 178.0"), "{told}");
     // The same content from the file instead is another key, with equal results.

@@ -138,7 +138,7 @@ fn a_record_under_another_key_is_none() {
     fs::remove_file(place.path("cache/index")).unwrap();
     let run = place.run("run small.toml --json").code(0).json();
     for node in run["nodes"].as_array().unwrap() {
-        assert_eq!(node["fate"], "made", "{node}");
+        assert_eq!(node["status"], "made", "{node}");
     }
     for (record, bytes) in records.iter().zip(&bytes) {
         let content = |b: &[u8]| {
@@ -154,7 +154,7 @@ fn what_another_version_of_the_program_wrote_stays() {
     let place = Place::new();
     place.run("run small.toml").code(0);
     let record = &shelf(&place, "cache/ac")[0];
-    let body = "{\"version\": 2, \"story\": [], \"of\": \"a later program\"}\n";
+    let body = "{\"version\": 3, \"provenance\": [], \"of\": \"a later program\"}\n";
     let hash = blake3::hash(body.as_bytes()).to_hex();
     fs::write(record, format!("{hash}\n{body}")).unwrap();
     let verified = place.run("cache verify --json").code(0).json();
@@ -177,7 +177,7 @@ fn a_changed_memo_of_sources_is_thrown_away() {
     let other = if &text[at..=at] == "0" { "1" } else { "0" };
     fs::write(&memo, format!("{}{other}{}", &text[..at], &text[at + 1..])).unwrap();
     let run = place.run(&format!("{command} --json")).code(0).json();
-    assert_eq!(run["nodes"][0]["fate"], "found", "{run}");
+    assert_eq!(run["nodes"][0]["status"], "found", "{run}");
     assert_eq!(fs::read_to_string(&memo).unwrap().len(), text.len());
 }
 

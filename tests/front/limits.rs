@@ -40,7 +40,7 @@ fn a_run_with_a_budget_sweeps_at_its_end_and_keeps_its_own() {
     assert!(size(&place) <= most, "{} of {most}", size(&place));
     let run = place.run(&format!("{own} --json")).code(0).json();
     for node in run["nodes"].as_array().unwrap() {
-        assert_eq!(node["fate"], "found", "{node}");
+        assert_eq!(node["status"], "found", "{node}");
     }
     place.sound();
     place.run("run small.toml --max-size lots").code(2);

@@ -7,6 +7,7 @@ mod doctor;
 mod facts;
 mod keeping;
 mod limits;
+mod manual;
 mod outs;
 mod place;
 mod privacy;

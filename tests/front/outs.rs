@@ -197,13 +197,13 @@ fn keep_going_writes_what_succeeded() {
     assert!(last[0].starts_with("to repeat it: "), "{}", said.err);
     assert!(last[1].starts_with("loaded failed: "), "{}", said.err);
     let run = run_json(&place, "out");
-    let fates: Vec<_> = run["nodes"]
+    let statuses: Vec<_> = run["nodes"]
         .as_array()
         .unwrap()
         .iter()
-        .map(|n| &n["fate"])
+        .map(|n| &n["status"])
         .collect();
-    assert!(fates.contains(&&"failed".into()) && fates.contains(&&"skipped".into()));
+    assert!(statuses.contains(&&"failed".into()) && statuses.contains(&&"skipped".into()));
 }
 
 #[test]

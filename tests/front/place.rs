@@ -143,8 +143,8 @@ impl Place {
     }
 
     /// Events of a node.
-    pub(crate) fn has(&self, node: &str, event: &str, fate: &str) -> bool {
-        let fits = |e: &Value| e["node"] == node && e["event"] == event && e["fate"] == fate;
+    pub(crate) fn has(&self, node: &str, event: &str, status: &str) -> bool {
+        let fits = |e: &Value| e["node"] == node && e["event"] == event && e["status"] == status;
         self.events().iter().any(fits)
     }
 

@@ -68,7 +68,7 @@ fn what_is_forgotten_is_gone_and_the_rest_stays() {
     }
     let run = place.run("run small.toml --json").code(0).json();
     for node in run["nodes"].as_array().unwrap() {
-        assert_eq!(node["fate"], "found", "{node}");
+        assert_eq!(node["status"], "found", "{node}");
     }
     assert!(place.run("cache pins").code(0).out.starts_with("talk"));
     place.sound();

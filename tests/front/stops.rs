@@ -36,12 +36,12 @@ fn the_first_ctrl_c_drains_and_the_same_command_goes_on() {
     place.sound();
     let run = place.run("run photos.toml --json").code(0).json();
     for node in run["nodes"].as_array().unwrap() {
-        let fate = if node["node"] == "photos" {
+        let status = if node["node"] == "photos" {
             "made"
         } else {
             "found"
         };
-        assert_eq!(node["fate"], fate, "what was done is kept: {node}");
+        assert_eq!(node["status"], status, "what was done is kept: {node}");
     }
 }
 
@@ -95,7 +95,7 @@ fn a_cache_deleted_while_it_is_in_use_loses_nothing_but_the_cache() {
     }
     let run = place.run("run fine.toml --json").code(0).json();
     let nodes = run["nodes"].as_array().unwrap();
-    assert!(nodes.iter().all(|n| n["fate"] == "found"));
+    assert!(nodes.iter().all(|n| n["status"] == "found"));
 }
 
 #[test]
@@ -116,7 +116,7 @@ fn a_killed_program_leaves_nothing_to_unlock_and_keeps_what_is_done() {
     };
     assert_eq!(of(&plan, "solid", "state"), "cached");
     assert_eq!(of(&plan, "body", "state"), "will run");
-    assert_eq!(of(&run, "solid", "fate"), "found");
-    assert_eq!(of(&run, "body", "fate"), "made");
+    assert_eq!(of(&run, "solid", "status"), "found");
+    assert_eq!(of(&run, "body", "status"), "made");
     place.sound();
 }

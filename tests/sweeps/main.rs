@@ -11,15 +11,15 @@ use tailor::engine::Options;
 use tailor::graph::Graph;
 use tailor::recipe::{Overrides, open_text, read};
 use tailor::sweep::{self, End, Points, Row, Sweeping, axes, outlook};
-use tailor::walk::{Done, Fate, Watch};
+use tailor::walk::{Done, Status, Watch};
 use toy::{CATALOG, PIPELINE};
 
 /// What ran, in order: node and whether it was made, failed, ….
 #[derive(Default)]
-struct Log(Mutex<Vec<(String, Fate)>>);
+struct Log(Mutex<Vec<(String, Status)>>);
 impl Watch for Log {
     fn done(&self, node: &str, done: &Done) {
-        let entry = (node.to_owned(), done.fate.clone());
+        let entry = (node.to_owned(), done.status.clone());
         self.0.lock().unwrap().push(entry);
     }
 }
@@ -36,7 +36,7 @@ impl Place {
     }
 
     /// Runs a sweep as the text declares it; stops after so many points.
-    fn sweep(&self, declared: &str, stop_after: usize) -> (Vec<Row>, Vec<(String, Fate)>) {
+    fn sweep(&self, declared: &str, stop_after: usize) -> (Vec<Row>, Vec<(String, Status)>) {
         let text = format!("{PIPELINE}{declared}");
         let recipe = read(&text).unwrap();
         let declared = &recipe.sweeps[0];
@@ -78,7 +78,7 @@ impl Place {
         let before = outlook(&points, &base, &base.goal, &|_| None).results;
         let rows = rows.unwrap();
         let made: usize = rows.iter().map(|r| r.made).sum();
-        assert!(made as u128 <= before, "no more is made than was foretold");
+        assert!(made as u128 <= before, "no more is made than was predicted");
         (rows, log.0.into_inner().unwrap())
     }
 
@@ -88,9 +88,9 @@ impl Place {
 }
 
 /// How often each node was made.
-fn made(log: &[(String, Fate)]) -> BTreeMap<&str, usize> {
+fn made(log: &[(String, Status)]) -> BTreeMap<&str, usize> {
     let mut made = BTreeMap::new();
-    for (node, _) in log.iter().filter(|(_, fate)| *fate == Fate::Made) {
+    for (node, _) in log.iter().filter(|(_, status)| *status == Status::Executed) {
         *made.entry(node.as_str()).or_default() += 1;
     }
     made
@@ -103,10 +103,10 @@ fn what_points_share_is_made_once_and_upstream_varies_slowest() {
     let place = Place::new();
     let (rows, log) = place.sweep(GRID, 99);
     assert_eq!(made(&log), [("src", 1), ("mid", 2), ("final", 6)].into());
-    let told: Vec<Vec<f64>> = rows
+    let metrics: Vec<Vec<f64>> = rows
         .iter()
         .map(|r| {
-            r.told
+            r.metrics
                 .iter()
                 .map(|(_, m)| m.as_ref().unwrap().value)
                 .collect()
@@ -116,7 +116,7 @@ fn what_points_share_is_made_once_and_upstream_varies_slowest() {
         .into_iter()
         .flat_map(|mid| [50.0, 60.0, 70.0].map(|last| vec![last, mid]))
         .collect();
-    assert_eq!(told, want);
+    assert_eq!(metrics, want);
     // Depth first: the first point is done after three nodes, before anything of the second.
     let first: Vec<&str> = log[..3].iter().map(|(n, _)| n.as_str()).collect();
     assert_eq!(first, ["src", "mid", "final"]);
@@ -138,7 +138,7 @@ fn a_stopped_sweep_goes_on_and_added_points_make_only_what_is_new() {
 }
 
 #[test]
-fn a_failing_point_is_told_tried_once_and_does_not_stop_the_others() {
+fn a_failing_point_is_reported_tried_once_and_does_not_stop_the_others() {
     let place = Place::new();
     let (rows, log) = place.sweep(&GRID.replace("[1, 2]", "[1, 13, 2]"), 99);
     let failed: Vec<bool> = rows.iter().map(|r| r.end != End::Done).collect();
@@ -152,7 +152,7 @@ fn a_failing_point_is_told_tried_once_and_does_not_stop_the_others() {
     }
     let tried = log
         .iter()
-        .filter(|(_, f)| matches!(f, Fate::Failed(_)))
+        .filter(|(_, f)| matches!(f, Status::Failed(_)))
         .count();
     assert_eq!(tried, 1, "three points share the failure");
     let text = sweep::text("?", &rows);
@@ -163,7 +163,7 @@ fn a_failing_point_is_told_tried_once_and_does_not_stop_the_others() {
     );
     // A failure is of this run: it is tried again in the next.
     let (_, log) = place.sweep(&GRID.replace("[1, 2]", "[1, 13, 2]"), 99);
-    assert!(log.iter().any(|(_, f)| matches!(f, Fate::Failed(_))));
+    assert!(log.iter().any(|(_, f)| matches!(f, Status::Failed(_))));
 }
 
 #[test]
@@ -190,15 +190,15 @@ fn variants_cross_with_the_grid_and_zipped_params_go_side_by_side() {
     assert_eq!(names, ["s@1,7", "s@2,8", "s@3,9"]);
     std::fs::write(place.0.path().join("p.csv"), "mid.n,final.n\n4,40\n5,50\n").unwrap();
     let (rows, _) = place.sweep("[sweep.s]\ncsv = \"p.csv\"\ntell = \"final.tenfold\"\n", 99);
-    let told: Vec<String> = sweep::csv(&rows).lines().map(str::to_owned).collect();
+    let lines: Vec<String> = sweep::csv(&rows).lines().map(str::to_owned).collect();
     assert!(
-        told[0].starts_with("mid.n,final.n,final.tenfold mm,made"),
+        lines[0].starts_with("mid.n,final.n,final.tenfold mm,made"),
         "{}",
-        told[0]
+        lines[0]
     );
     assert!(
-        told[1].starts_with("4,40,400,") && told[2].starts_with("5,50,500,"),
-        "{told:?}"
+        lines[1].starts_with("4,40,400,") && lines[2].starts_with("5,50,500,"),
+        "{lines:?}"
     );
 }
 

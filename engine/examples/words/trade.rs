@@ -70,7 +70,7 @@ fn words(text: &str, least_letters: usize) -> BTreeMap<String, u64> {
 }
 
 stage::params! {
-    /// How much is told.
+    /// How much is reported.
     pub struct TellParams {
         /// So many words at most.
         #[range(1..=10000)]

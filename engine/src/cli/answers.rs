@@ -2,8 +2,9 @@
 
 use super::arguments::Wanted;
 use super::fault::Fault;
-use super::open::{ahead, folders, node, open};
+use super::open::{folders, node, open, prefetch};
 use super::program::GlobalArgs;
+use super::text;
 use crate::graph::Graph;
 use crate::plan::{self, Planned, State};
 use crate::recipe::{self, Overrides, Pipeline};
@@ -42,9 +43,9 @@ struct Answer {
 }
 
 fn planned(wanted: &Wanted, global: &GlobalArgs) -> Result<Answer, Fault> {
-    let ahead = ahead(wanted, global);
+    let prefetch = prefetch(wanted, global);
     let (graph, goal) = open(wanted, global)?;
-    let store = Store::open_after(&global.cache, ahead).map_err(Fault::input)?;
+    let store = Store::open_after(&global.cache, prefetch).map_err(Fault::input)?;
     let files = session::inputs(&graph, &folders(&wanted.change)?, &store).map_err(Fault::input)?;
     let plan = plan::plan(&graph, &files, &goal, &store);
     Ok(Answer {
@@ -223,10 +224,11 @@ pub(crate) fn pipelines(name: Option<&str>, global: &GlobalArgs) -> Result<(), F
         crate::outln!("{}", all.iter().map(one).collect::<Value>());
         return Ok(());
     }
-    let width = all.iter().map(|(name, _)| name.len()).max().unwrap_or(0);
+    let mut table = text::table();
     for (name, about) in all {
-        crate::outln!("{name:<width$}  {about}");
+        table.add_row([name, &about]);
     }
+    crate::outln!("{}", text::lines(&mut table));
     Ok(())
 }
 
@@ -237,7 +239,7 @@ pub(crate) fn check(pipeline: &Path, global: &GlobalArgs) -> Result<(), Fault> {
             let recipes: Vec<String> = graph
                 .nodes
                 .iter()
-                .map(|n| key::story(n, &[]).0.len().to_string())
+                .map(|n| key::provenance(n, &[]).0.len().to_string())
                 .collect();
             if global.json {
                 crate::outln!("{}", json!({ "mistakes": [], "nodes": recipes.len() }));

@@ -122,7 +122,7 @@ pub(crate) fn cache(cache: &Cache, global: &GlobalArgs) -> Result<(), Fault> {
                 keep_records: *keep_records,
             };
             let swept = keeper::gc(&store, &budget, *dry_run).map_err(Fault::input)?;
-            told(&swept, *dry_run, global);
+            report_swept(&swept, *dry_run, global);
         }
         Verb::Forget { folder } => {
             let forgotten = forget(&store, folder).map_err(Fault::input)?;
@@ -208,7 +208,7 @@ fn run_of(store: &Store, text: &str) -> Result<String, Fault> {
     found.cloned().ok_or_else(unknown)
 }
 
-fn told(swept: &Swept, dry_run: bool, global: &GlobalArgs) {
+fn report_swept(swept: &Swept, dry_run: bool, global: &GlobalArgs) {
     let results = swept.results.iter();
     let (freed, seconds) = results.fold((0, 0.0), |(b, s), k| (b + k.bytes, s + k.seconds));
     let (n, records, parts) = (swept.results.len(), swept.records, swept.parts_bytes);

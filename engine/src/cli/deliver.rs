@@ -1,4 +1,4 @@
-//! `--out`: what is asked before a run, and what is told after it.
+//! `--out`: what is asked before a run, and what is reported after it.
 
 use super::fault::Fault;
 use super::program::GlobalArgs;

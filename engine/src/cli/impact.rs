@@ -4,6 +4,7 @@ use super::arguments::Change;
 use super::fault::Fault;
 use super::open::open_pipeline;
 use super::program::GlobalArgs;
+use super::text;
 use crate::graph::Graph;
 use crate::impact::{Impact, impacts};
 use crate::lasttime::History;
@@ -70,8 +71,7 @@ pub(crate) fn impact(args: &ImpactArgs, global: &GlobalArgs) -> Result<(), Fault
         );
         return Ok(());
     }
-    let width = |f: &dyn Fn(&Impact) -> String| shown.iter().map(|i| f(i).len()).max().unwrap_or(0);
-    let (names, values) = (width(&full), width(&|i| i.value.to_string()));
+    let mut table = text::table();
     for i in &shown {
         let reached: Vec<&str> = i
             .reaches
@@ -79,14 +79,12 @@ pub(crate) fn impact(args: &ImpactArgs, global: &GlobalArgs) -> Result<(), Fault
             .map(|n| graph.nodes[*n].name.as_str())
             .collect();
         let time = cost(i).map_or("?".into(), |s| format!("{s:.1} s"));
-        crate::outln!(
-            "{:<names$}  {:>values$}  {:>8}  {}",
-            full(i),
-            i.value.to_string(),
-            time,
-            reached.join(" > "),
-        );
+        table.add_row([full(i), i.value.to_string(), time, reached.join(" > ")]);
     }
+    for column in [1, 2] {
+        text::to_the_right(&mut table, column);
+    }
+    crate::outln!("{}", text::lines(&mut table));
     Ok(())
 }
 

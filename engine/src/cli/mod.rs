@@ -18,6 +18,7 @@ mod cache;
 mod deliver;
 mod fault;
 mod impact;
+mod manual;
 mod open;
 mod private;
 mod program;
@@ -110,6 +111,10 @@ enum Own {
         /// The one to print
         name: Option<String>,
     },
+    /// A script that completes arguments in a shell
+    Completions(manual::Completions),
+    /// Pages for `man`
+    Man(manual::Man),
     /// The store: ls, du, runs, pin, unpin, pins, gc, forget, verify
     Cache(cache::Cache),
 }
@@ -135,7 +140,7 @@ pub fn run<A: Into<OsString> + Clone>(
         let own = clap::Command::new(verb.name);
         command = command.subcommand((verb.arguments)(own).display_order(place));
     }
-    let matches = command.get_matches_from(arguments);
+    let matches = command.clone().get_matches_from(arguments);
     let mut global = GlobalArgs::from_arg_matches(&matches).unwrap_or_else(|e| e.exit());
     global.program = Some(program);
     let _ = ctrlc::set_handler(|| {
@@ -153,7 +158,7 @@ pub fn run<A: Into<OsString> + Clone>(
         Some(true) => private::cache().map(|cache| global.cache = cache),
         _ => Ok(()),
     };
-    let done = begun.and_then(|()| done(program, name, (&matches, own), &global));
+    let done = begun.and_then(|()| done(program, command, (&matches, own), &global));
     speech::flush();
     let verb = program.verbs.iter().find(|verb| verb.name == name);
     if verb.is_some_and(|verb| verb.runs) || ["run", "sweep"].contains(&name) {
@@ -165,11 +170,12 @@ pub fn run<A: Into<OsString> + Clone>(
 
 fn done(
     program: &Program,
-    name: &str,
+    command: clap::Command,
     (all, own): (&ArgMatches, &ArgMatches),
     global: &GlobalArgs,
 ) -> Result<(), Fault> {
-    if let Some(verb) = program.verbs.iter().find(|verb| verb.name == name) {
+    let name = all.subcommand_name();
+    if let Some(verb) = program.verbs.iter().find(|v| Some(v.name) == name) {
         return (verb.run)(own, global);
     }
     let cli = Cli::from_arg_matches(all).unwrap_or_else(|error| error.exit());
@@ -187,6 +193,11 @@ fn done(
         },
         Own::Check { pipeline } => answers::check(pipeline, global),
         Own::Pipelines { name } => answers::pipelines(name.as_deref(), global),
+        Own::Completions(verb) => {
+            manual::completions(verb, command);
+            Ok(())
+        }
+        Own::Man(verb) => manual::man(verb, command),
         Own::Cache(verb) => cache::cache(verb, global),
     }
 }

@@ -6,14 +6,14 @@ use super::program::GlobalArgs;
 use crate::graph::Graph;
 use crate::recipe::{self, Overrides};
 use crate::session::Options;
-use crate::store::Ahead;
+use crate::store::Prefetch;
 use std::num::NonZeroUsize;
 use std::path::{Path, PathBuf};
 
 /// Reads what is remembered of the store while the pipeline is read.
-pub(crate) fn ahead(wanted: &Wanted, global: &GlobalArgs) -> Ahead {
+pub(crate) fn prefetch(wanted: &Wanted, global: &GlobalArgs) -> Prefetch {
     let bytes = std::fs::metadata(&wanted.pipeline).map_or(0, |m| m.len());
-    Ahead::of(&global.cache, bytes)
+    Prefetch::of(&global.cache, bytes)
 }
 
 /// Opens the pipeline of some arguments and finds the wanted nodes.

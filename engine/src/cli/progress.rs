@@ -1,10 +1,10 @@
 //! Plain lines while a run goes on; on a terminal also what runs now, and for how long still.
 
 use super::text::short;
-use crate::walk::{Done, Fate, Watch};
+use crate::walk::{Done, Status, Watch};
+use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use std::collections::{BTreeMap, BTreeSet};
-use std::io::{IsTerminal, Write};
-use std::sync::mpsc::{RecvTimeoutError, Sender, channel};
+use std::io::IsTerminal;
 use std::sync::{Arc, Mutex};
 use std::time::{Duration, Instant};
 
@@ -13,8 +13,8 @@ pub(crate) struct Progress {
     quiet: bool,
     terminal: bool,
     state: Arc<Mutex<State>>,
-    /// Draws while no stage says anything; ends when this is dropped.
-    _clock: Option<Sender<()>>,
+    /// The last line of the screen; hidden where there is no terminal.
+    bar: ProgressBar,
 }
 
 struct State {
@@ -22,7 +22,6 @@ struct State {
     done: BTreeSet<String>,
     found: usize,
     running: Vec<Running>,
-    drawn: Instant,
     /// What each node took the last time. \[s\]
     expected: BTreeMap<String, f64>,
 }
@@ -34,10 +33,10 @@ struct Running {
     since: Instant,
 }
 
-/// How often the last line is drawn while nothing is said.
-const TICK: Duration = Duration::from_millis(500);
+/// How often the last line is drawn.
+const TICK: Duration = Duration::from_millis(250);
 
-/// From so many nodes on, what was found is counted but not told one by one.
+/// From so many nodes on, what was found is counted but not shown one by one.
 const MANY: usize = 60;
 
 impl State {
@@ -56,7 +55,7 @@ impl State {
     }
 
     /// The last line of the screen: what runs now, and for how long still.
-    fn draw(&mut self) {
+    fn line(&self) -> String {
         let one = |r: &Running| {
             let spent = r.since.elapsed().as_secs_f64();
             let spent = if spent < 2.0 {
@@ -72,15 +71,7 @@ impl State {
             _ => String::new(),
         };
         let (done, of) = (self.done.len(), self.of);
-        let line = format!("[{done}/{of}]{left} {}", running.join(", "));
-        // A longer line would break, and its first half stay on the screen.
-        let columns = std::env::var("COLUMNS").ok().and_then(|c| c.parse().ok());
-        let line: String = line
-            .chars()
-            .take(columns.unwrap_or(80usize).max(21) - 1)
-            .collect();
-        let _ = write!(std::io::stderr(), "\r\x1b[K{line}");
-        self.drawn = Instant::now();
+        format!("[{done}/{of}]{left} {}", running.join(", "))
     }
 }
 
@@ -102,29 +93,27 @@ impl Progress {
             done: BTreeSet::new(),
             found: 0,
             running: vec![],
-            drawn: Instant::now(),
             expected: BTreeMap::new(),
         };
         let terminal = std::io::stderr().is_terminal();
         let state = Arc::new(Mutex::new(state));
-        let clock = (terminal && !quiet).then(|| {
-            let (clock, ended) = channel();
+        let bar = ProgressBar::new_spinner();
+        if terminal && !quiet {
             let state = Arc::clone(&state);
-            std::thread::spawn(move || {
-                while ended.recv_timeout(TICK) == Err(RecvTimeoutError::Timeout) {
-                    let mut state = state.lock().expect("bug: poisoned");
-                    if !state.running.is_empty() && state.drawn.elapsed() >= TICK {
-                        state.draw();
-                    }
-                }
-            });
-            clock
-        });
+            let line = move |_: &indicatif::ProgressState, to: &mut dyn std::fmt::Write| {
+                let _ = to.write_str(&state.lock().expect("bug: poisoned").line());
+            };
+            let style = ProgressStyle::with_template("{line}").expect("bug: a template");
+            bar.set_style(style.with_key("line", line));
+            bar.enable_steady_tick(TICK);
+        } else {
+            bar.set_draw_target(ProgressDrawTarget::hidden());
+        }
         Progress {
             quiet,
             terminal,
             state,
-            _clock: clock,
+            bar,
         }
     }
 
@@ -138,10 +127,15 @@ impl Progress {
         self.state.lock().expect("bug: poisoned").expected = expected;
     }
 
-    fn draw(&self, state: &mut State) {
-        if self.terminal && !self.quiet {
-            state.draw();
-        }
+    /// Prints lines above the last one.
+    fn say(&self, lines: impl FnOnce()) {
+        self.bar.suspend(lines);
+    }
+}
+
+impl Drop for Progress {
+    fn drop(&mut self) {
+        self.bar.finish_and_clear();
     }
 }
 
@@ -154,24 +148,19 @@ impl Watch for Progress {
             at: String::new(),
             since: Instant::now(),
         });
-        self.draw(&mut state);
     }
 
     fn waits(&self, node: &str) {
         let mut state = self.state.lock().expect("bug: poisoned");
         if !state.running.iter().any(|r| r.node == node) {
             if !self.terminal && !self.quiet {
-                let _ = writeln!(
-                    std::io::stderr(),
-                    "{node}: another process makes it; waiting for that"
-                );
+                crate::errln!("{node}: another process makes it; waiting for that");
             }
             state.running.push(Running {
                 node: node.into(),
                 at: " (made by another process)".into(),
                 since: Instant::now(),
             });
-            self.draw(&mut state);
         }
     }
 
@@ -180,58 +169,53 @@ impl Watch for Progress {
         if let Some(entry) = state.running.iter_mut().find(|r| r.node == node) {
             entry.at = format!(" ({label} {done}/{of})");
         }
-        if state.drawn.elapsed().as_millis() > 100 {
-            self.draw(&mut state);
-        }
     }
 
     fn done(&self, node: &str, done: &Done) {
         let mut state = self.state.lock().expect("bug: poisoned");
         state.running.retain(|r| r.node != node);
         state.done.insert(node.into());
-        let last = state.done.len() == state.of;
         if self.quiet {
             return;
         }
-        if done.fate == Fate::Found && state.of > MANY {
+        let (so_far, of) = (state.done.len(), state.of);
+        if done.status == Status::Hit && of > MANY {
             state.found += 1;
-            if last {
-                let _ = writeln!(std::io::stderr(), "{} of {} found", state.found, state.of);
+            let found = state.found;
+            drop(state);
+            if so_far == of {
+                self.say(|| crate::errln!("{found} of {of} found"));
             }
             return;
         }
-        let fate = match &done.fate {
-            Fate::Found => "found".into(),
-            Fate::Made => format!("made in {:.1} s", done.seconds),
-            Fate::Failed(_) => "FAILED".into(),
-            Fate::Skipped => "skipped".into(),
-            Fate::Cancelled => "stopped".into(),
-        };
-        if self.terminal {
-            let _ = write!(std::io::stderr(), "\r\x1b[K");
-        }
-        let number = |m: &stage::Metric| format!("{} {} {}", m.name, short(m.value), m.unit);
-        let numbers: Vec<String> = done
-            .metrics
-            .iter()
-            .map(|m| number(m).trim_end().to_owned())
-            .collect();
-        let numbers = if numbers.is_empty() {
-            String::new()
-        } else {
-            format!("  ({})", numbers.join(", "))
-        };
-        crate::errln!(
-            "[{:>2}/{}] {node:<12} {fate}{numbers}",
-            state.done.len(),
-            state.of
-        );
-        for warning in &done.warnings {
-            crate::errln!("        warning: {warning}");
-        }
-        self.draw(&mut state);
-        if self.terminal && last {
-            let _ = write!(std::io::stderr(), "\r\x1b[K");
-        }
+        // The line below is drawn from the same state.
+        drop(state);
+        self.say(|| {
+            crate::errln!("[{so_far:>2}/{of}] {node:<12} {}", became(done));
+            for warning in &done.warnings {
+                crate::errln!("        warning: {warning}");
+            }
+        });
+    }
+}
+
+/// What became of a node, with its metrics.
+fn became(done: &Done) -> String {
+    let status = match &done.status {
+        Status::Hit => "found".into(),
+        Status::Executed => format!("made in {:.1} s", done.seconds),
+        Status::Failed(_) => "FAILED".into(),
+        Status::Skipped => "skipped".into(),
+        Status::Cancelled => "stopped".into(),
+    };
+    let number = |m: &stage::Metric| format!("{} {} {}", m.name, short(m.value), m.unit);
+    let numbers: Vec<String> = done
+        .metrics
+        .iter()
+        .map(|m| number(m).trim_end().to_owned())
+        .collect();
+    match numbers.is_empty() {
+        true => status,
+        false => format!("{status}  ({})", numbers.join(", ")),
     }
 }

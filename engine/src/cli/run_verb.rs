@@ -3,7 +3,7 @@
 use super::arguments::Wanted;
 use super::deliver;
 use super::fault::Fault;
-use super::open::{ahead, folders, open, options};
+use super::open::{folders, open, options, prefetch};
 use super::program::GlobalArgs;
 use super::progress::Progress;
 use super::speech::CANCEL;
@@ -120,13 +120,13 @@ fn verify(
     outcome: &Outcome,
     global: &GlobalArgs,
 ) -> Result<(), Fault> {
-    let told = |node: &str| {
+    let started = |node: &str| {
         if !global.quiet && !global.json {
             crate::errln!("{node}: once more");
         }
     };
     let options = options(global, false);
-    let unsteady = verify::verify(graph, folders, outcome, &options, &CANCEL, &told);
+    let unsteady = verify::verify(graph, folders, outcome, &options, &CANCEL, &started);
     let lines: Vec<String> = unsteady
         .map_err(Fault::input)?
         .iter()
@@ -141,13 +141,13 @@ fn verify(
 
 /// Runs a pipeline and writes its results.
 pub(crate) fn run(run: &Run, global: &GlobalArgs) -> Result<(), Fault> {
-    let ahead = ahead(&run.wanted, global);
+    let prefetch = prefetch(&run.wanted, global);
     let (graph, wanted) = open(&run.wanted, global)?;
     let folders = folders(&run.wanted.change)?;
     if let Some(out) = &run.out {
         deliver::check(out, &graph, &folders)?;
     }
-    let store = Store::open_after(&global.cache, ahead).map_err(Fault::input)?;
+    let store = Store::open_after(&global.cache, prefetch).map_err(Fault::input)?;
     let again: Vec<String> = std::env::args().collect();
     let wanted = match run.verify {
         true => walk::all(&graph, &wanted),

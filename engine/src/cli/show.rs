@@ -5,7 +5,7 @@ use super::fault::Fault;
 use super::open::{folders, node, open_pipeline};
 use super::program::GlobalArgs;
 use crate::graph::{Bound, Graph, Source};
-use crate::key::{self, Story};
+use crate::key::{self, Provenance};
 use crate::store::Store;
 use crate::{delivery, out, session, walk};
 use clap::Args;
@@ -39,11 +39,11 @@ fn entry<'a>(run: &'a Value, node: &str) -> Option<&'a Value> {
 /// Whether the node and all that it needs had these stages and params in a run.
 fn fits(run: &Value, graph: &Graph, node: usize) -> bool {
     let same = |node: &Bound| {
-        let mut story = Story::default();
-        key::tell_recipe(node, &mut story);
-        let told = entry(run, &node.name).map(|n| n["story"].clone());
-        let told = serde_json::from_value::<Vec<(String, String)>>(told.unwrap_or_default());
-        told.is_ok_and(|told| told.starts_with(&story.0))
+        let mut provenance = Provenance::default();
+        key::tell_recipe(node, &mut provenance);
+        let lines = entry(run, &node.name).map(|n| n["provenance"].clone());
+        let lines = serde_json::from_value::<Vec<(String, String)>>(lines.unwrap_or_default());
+        lines.is_ok_and(|lines| lines.starts_with(&provenance.0))
     };
     let needed = walk::all(graph, &[node]);
     needed.into_iter().all(|i| same(&graph.nodes[i]))
@@ -57,12 +57,12 @@ fn reads(run: &Value, graph: &Graph, node: usize, contents: &[Option<Hash>]) -> 
             let Some(Source::Input(input)) = source else {
                 return true;
             };
-            let told = |hash: Hash| {
+            let same = |hash: Hash| {
                 let line = json!([format!("from {}", port.name), hash.to_hex().as_str()]);
-                let story = entry(run, &node.name).and_then(|n| n["story"].as_array());
-                story.is_some_and(|story| story.contains(&line))
+                let provenance = entry(run, &node.name).and_then(|n| n["provenance"].as_array());
+                provenance.is_some_and(|provenance| provenance.contains(&line))
             };
-            contents[*input].is_none_or(told)
+            contents[*input].is_none_or(same)
         })
     };
     let needed = walk::all(graph, &[node]);

@@ -100,7 +100,7 @@ fn finish(args: &SweepArgs, global: &GlobalArgs, asked: &Asked, rows: &[Row]) ->
         ),
         false => crate::out!("{}", sweep::text(about, rows)),
     }
-    untold(asked, rows)
+    missing_metrics(asked, rows)
         .iter()
         .for_each(|line| crate::errln!("{line}"));
     if CANCEL.load(Ordering::Relaxed) {
@@ -118,12 +118,12 @@ fn finish(args: &SweepArgs, global: &GlobalArgs, asked: &Asked, rows: &[Row]) ->
 }
 
 /// What was asked for and no point tells.
-fn untold(asked: &Asked, rows: &[Row]) -> Vec<String> {
+fn missing_metrics(asked: &Asked, rows: &[Row]) -> Vec<String> {
     let mut lines = Vec::new();
     let done: Vec<&Row> = rows.iter().filter(|r| r.end == End::Done).collect();
     for name in asked.tell.iter().filter(|_| !done.is_empty()) {
-        let told = |row: &&Row| row.told.iter().any(|(n, m)| n == name && m.is_some());
-        if !done.iter().any(told) {
+        let has = |row: &&Row| row.metrics.iter().any(|(n, m)| n == name && m.is_some());
+        if !done.iter().any(has) {
             let known: Vec<&str> = done[0].known.iter().map(String::as_str).collect();
             lines.push(format!(
                 "no point tells `{name}`; there are {}",

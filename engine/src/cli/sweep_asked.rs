@@ -21,13 +21,13 @@ pub(crate) struct SweepArgs {
     /// A param and its values: NODE.PARAM=2,3,4 or NODE.PARAM=2..8/4 (4 values), or 1..100/3log
     #[arg(long = "sweep")]
     pub(super) over: Vec<String>,
-    /// A number to be told: NODE.METRIC
+    /// A metric to report: NODE.METRIC
     #[arg(long)]
     pub(super) tell: Vec<String>,
     /// Nodes that are wanted instead of the goal of the sweep or the pipeline, separated by commas
     #[arg(long, value_delimiter = ',')]
     pub(super) nodes: Vec<String>,
-    /// Ground truth: errors are told beside
+    /// Ground truth: errors are reported beside
     #[arg(long)]
     pub(super) truth: Option<PathBuf>,
     /// Write sweep.csv, sweep.json and sweep.html into this folder
@@ -111,7 +111,7 @@ pub(super) fn checked(
     for tell in &asked.tell {
         let (of, _) = tell.split_once('.').unwrap_or((tell, ""));
         if of == "error" && args.truth.is_none() {
-            let what = "is told against ground truth: say --truth FOLDER";
+            let what = "needs ground truth: say --truth FOLDER";
             return Err(Fault::input(format!("`{tell}` {what}")));
         }
         if of != "error" && asked.points.variants == [None] {
@@ -119,8 +119,8 @@ pub(super) fn checked(
         }
     }
     tellable(args, asked, at)?;
-    // Each row of each axis alone: a param or a value that cannot be is told before anything runs.
-    let mut told = Vec::new();
+    // Each row of each axis alone: a param or a value that cannot be is refused before anything runs.
+    let mut mistakes = Vec::new();
     for axis in &asked.points.axes {
         for row in axis.rows.iter().take(10_000) {
             let pairs = axis.params.iter().zip(row);
@@ -130,21 +130,21 @@ pub(super) fn checked(
                     .map(|((n, p), v)| (n.clone(), p.clone(), v.clone()))
                     .collect(),
             };
-            if let Err(mistakes) = at(&point) {
-                let text = mistakes.to_string().replace("--set", "--sweep");
-                if !told.contains(&text) {
-                    told.push(text);
+            if let Err(found) = at(&point) {
+                let text = found.to_string().replace("--set", "--sweep");
+                if !mistakes.contains(&text) {
+                    mistakes.push(text);
                 }
             }
         }
     }
-    match told.is_empty() {
+    match mistakes.is_empty() {
         true => Ok(()),
-        false => Err(Fault::input(told.join("\n"))),
+        false => Err(Fault::input(mistakes.join("\n"))),
     }
 }
 
-/// Whether what `--tell` asks for can be told at all; what the file asks for was looked at with it.
+/// Whether what `--tell` asks for is there at all; what the file asks for was looked at with it.
 fn tellable(
     args: &SweepArgs,
     asked: &Asked,

@@ -1,5 +1,7 @@
 //! Texts for people: nothing that steers a terminal, no more digits than matter.
 
+use comfy_table::{CellAlignment, ContentArrangement, Table};
+
 /// A text that steers no terminal: whatever a file's or a person's name brings along is escaped.
 pub fn plain(text: String) -> String {
     let steers = |c: char| c.is_control() && c != '\n' && c != '\t';
@@ -24,6 +26,30 @@ pub fn short(x: f64) -> String {
         true => text.trim_end_matches('0').trim_end_matches('.').to_owned(),
         false => text,
     }
+}
+
+/// A table without lines, two spaces between columns.
+pub(crate) fn table() -> Table {
+    let mut table = Table::new();
+    table
+        .load_style(comfy_table::presets::NOTHING)
+        .set_content_arrangement(ContentArrangement::Disabled);
+    table
+}
+
+/// Numbers stand to the right.
+pub(crate) fn to_the_right(table: &mut Table, column: usize) {
+    if let Some(column) = table.column_mut(column) {
+        column.set_cell_alignment(CellAlignment::Right);
+    }
+}
+
+/// The lines of a table.
+pub(crate) fn lines(table: &mut Table) -> String {
+    table.column_iter_mut().for_each(|column| {
+        column.set_padding((0, 2));
+    });
+    table.trim_fmt()
 }
 
 #[cfg(test)]

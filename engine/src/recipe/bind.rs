@@ -95,7 +95,7 @@ impl<'a> Binder<'a> {
                 ));
             }
         }
-        match stage.check(&self.told(node, known)) {
+        match stage.check(&self.entries(node, known)) {
             Ok(params) => Some(Bound {
                 name: node.name.value.clone(),
                 stage: *stage,

@@ -66,8 +66,8 @@ fn forget(recipe: &mut Recipe, node: &str) {
         variant.from.retain(|(n, _)| n.value != node);
     }
     let asks = |s: &Sweep| {
-        let told = |t: &Said<String>| t.value.split('.').next() == Some(node);
-        s.over.iter().any(|(n, ..)| n.value == node) || s.tell.iter().any(told)
+        let of_node = |t: &Said<String>| t.value.split('.').next() == Some(node);
+        s.over.iter().any(|(n, ..)| n.value == node) || s.tell.iter().any(of_node)
     };
     recipe.sweeps.retain(|s| !asks(s));
 }

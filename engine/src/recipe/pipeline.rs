@@ -104,7 +104,7 @@ impl Pipeline {
             recipe = extended(recipe, over, &mut mistakes);
         }
         mistakes.extend(without_stage(&recipe));
-        // Where what it extends was not found, only that is told.
+        // Where what it extends was not found, only that is reported.
         if mistakes.is_empty() && extends {
             let end = texts[0].end();
             trimmed(&mut recipe, &|said: &Said<String>| said.span.start < end);
@@ -145,7 +145,7 @@ impl Pipeline {
     /// All mistakes of its files and of the command line at once.
     pub fn graph(&self, overrides: &Overrides) -> Result<Graph, Mistakes> {
         let mut mistakes = self.mistakes.clone();
-        // What is missing because of one mistake is not told as another.
+        // What is missing because of one mistake is not reported as another.
         if self.recipe.extends.is_some() && !mistakes.is_empty() {
             return Err(self.wrong(mistakes));
         }

@@ -1,5 +1,5 @@
 //! Sections: `[girth.mid_thigh]` fills the param `girth` of every node whose stage has one of that
-//! name. What sections there are is told by the stages: the engine knows none.
+//! name. What sections there are is said by the stages: the engine knows none.
 
 use super::binder::{Binder, Known, sections_of};
 use super::mistake::Mistake;
@@ -11,31 +11,31 @@ use std::collections::BTreeMap;
 use std::ops::Range;
 
 impl Binder<'_> {
-    /// All that a node is told: entries of the sections that its stage takes, and over them what it
+    /// All that a node is given: entries of the sections that its stage takes, and over them what it
     /// says itself.
-    pub(super) fn told(&self, node: &Node, known: &Known) -> BTreeMap<String, Value> {
+    pub(super) fn entries(&self, node: &Node, known: &Known) -> BTreeMap<String, Value> {
         let said = node.with.iter();
-        let mut told: BTreeMap<String, Value> = said
+        let mut entries: BTreeMap<String, Value> = said
             .map(|(k, v)| (k.value.clone(), v.value.clone()))
             .collect();
         for kind in known.sections.iter() {
-            let entries = self.recipe.sections.iter();
+            let said = self.recipe.sections.iter();
             let mut table = BTreeMap::new();
-            for entry in entries.filter(|s| s.kind.value == *kind) {
+            for entry in said.filter(|s| s.kind.value == *kind) {
                 let keys = entry.keys.iter();
                 let keys = keys.map(|(k, v)| (k.value.clone(), v.value.clone()));
                 table.insert(entry.name.value.clone(), Value::Table(keys.collect()));
             }
             if !table.is_empty() {
                 let table = Value::Table(table);
-                let value = match told.remove(*kind) {
+                let value = match entries.remove(*kind) {
                     Some(own) => merged(table, own),
                     None => table,
                 };
-                told.insert((*kind).to_owned(), value);
+                entries.insert((*kind).to_owned(), value);
             }
         }
-        told
+        entries
     }
 
     /// A mistake of a stage's params, at the place where it was written.

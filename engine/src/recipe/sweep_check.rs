@@ -1,4 +1,4 @@
-//! Whether a declared sweep can be: its nodes, params, values, variants and what is to be told.
+//! Whether a declared sweep can be: its nodes, params, values, variants and which metrics are reported.
 
 use super::mistake::Mistake;
 use super::shared;
@@ -9,7 +9,7 @@ use crate::kind::Catalog;
 use crate::tells::{entries, untellable};
 use stage::{Value, unknown};
 
-/// Whether every sweep means something: nodes, params, values, variants, what is told.
+/// Whether every sweep means something: nodes, params, values, variants, metrics.
 pub(super) fn check(recipe: &Recipe, catalog: &'static Catalog) -> Result<(), Vec<Mistake>> {
     let mut mistakes = Vec::new();
     for sweep in &recipe.sweeps {
@@ -134,7 +134,7 @@ fn over_one(
     }
 }
 
-/// Why a metric can be told in none of the variants.
+/// Why a metric is there in none of the variants.
 fn untold_by_all(
     recipes: &[Recipe],
     said: &Said<String>,
@@ -146,7 +146,9 @@ fn untold_by_all(
         Some("error") => None,
         Some(node) if !names.contains(&node) => Some(unknown("node", node, names)),
         Some(node) => {
-            let all = recipes.iter().map(|r| untold(r, node, said, catalog));
+            let all = recipes
+                .iter()
+                .map(|r| missing_metric(r, node, said, catalog));
             // It is enough that one variant tells it.
             let all: Option<Vec<String>> = all.collect();
             all?.into_iter().next()
@@ -170,17 +172,17 @@ fn unfit(
     let one = |value: &Said<Value>| {
         let said = [(name.value.clone(), value.value.clone())].into();
         let wrong = stage.check(&said).err().unwrap_or_default();
-        let told = wrong.into_iter().map(|w| match known {
+        let reasons = wrong.into_iter().map(|w| match known {
             true => Mistake::at(&value.span, format!("`{}` {}", name.value, w.what)),
             false => Mistake::at(&param.span, format!("{}: {}", stage.name(), w.what)),
         });
-        told.collect::<Vec<_>>()
+        reasons.collect::<Vec<_>>()
     };
     values.iter().flat_map(one).collect()
 }
 
 /// What is wrong with asking a node of a recipe for a number.
-fn untold(
+fn missing_metric(
     recipe: &Recipe,
     node: &str,
     said: &Said<String>,

@@ -11,7 +11,7 @@ use std::ops::Range;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
-/// Reads all of a text; what is no TOML is told, and left out of the tree.
+/// Reads all of a text; what is no TOML is reported, and left out of the tree.
 pub(super) fn tree(text: &str) -> (Table<'_>, Vec<Mistake>) {
     match plain::tree(text) {
         Some(table) => (table, vec![]),

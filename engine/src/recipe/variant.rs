@@ -154,7 +154,7 @@ fn on_command_line(set: usize) -> Range<usize> {
 
 const COMMAND_LINE: usize = usize::MAX / 2;
 
-/// The mistakes with those of `--set`s told as such, and not at a place of the file.
+/// The mistakes with those of `--set`s reported as such, and not at a place of the file.
 pub(super) fn of_sets(mistakes: Vec<Mistake>, sets: &[String]) -> Vec<Mistake> {
     let said = |mistake: Mistake| {
         let at = mistake.span.as_ref().map_or(0, |span| span.start);

@@ -131,7 +131,7 @@ pub struct Sweep {
     pub sample: Option<Said<Sample>>,
     /// Variants to be crossed with the grid; none is the pipeline as it is.
     pub with: Vec<Said<String>>,
-    /// Metrics to be told: `node.metric`.
+    /// Metrics to report: `node.metric`.
     pub tell: Vec<Said<String>>,
     /// The nodes that are wanted at each point; none is the pipeline's goal.
     pub goal: Vec<Said<String>>,

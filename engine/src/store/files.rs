@@ -28,7 +28,7 @@ impl Care {
     }
 }
 
-fn told(path: &Path) -> impl FnOnce(std::io::Error) -> StoreError + '_ {
+fn at(path: &Path) -> impl FnOnce(std::io::Error) -> StoreError + '_ {
     move |why| StoreError::Disk {
         path: path.into(),
         why,
@@ -37,7 +37,7 @@ fn told(path: &Path) -> impl FnOnce(std::io::Error) -> StoreError + '_ {
 
 /// Makes a folder with all above it, mode 0700.
 pub(super) fn folder(disk: &dyn Disk, path: &Path) -> std::result::Result<(), StoreError> {
-    made(disk, path).map_err(told(path))
+    made(disk, path).map_err(at(path))
 }
 
 fn made(disk: &dyn Disk, path: &Path) -> Result<()> {
@@ -105,7 +105,7 @@ pub(super) fn publish(
     })();
     written.map_err(|why| {
         let _ = disk.remove(tmp);
-        told(path)(why)
+        at(path)(why)
     })
 }
 
@@ -116,5 +116,5 @@ pub(super) fn secure(
 ) -> std::result::Result<(), StoreError> {
     let synced = File::open(path).and_then(|file| disk.sync(&file, path));
     let synced = synced.and_then(|()| sync_way(disk, root, path));
-    synced.map_err(told(path))
+    synced.map_err(at(path))
 }

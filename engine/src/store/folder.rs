@@ -1,10 +1,10 @@
 //! The folder of a store: its mark, its shelves, names of its files.
 
-use super::ahead::Ahead;
 use super::disk::{Disk, Real};
 use super::error::StoreError;
 use super::files::{self, Care};
 use super::index::Index;
+use super::prefetch::Prefetch;
 use crate::own::{self, place};
 use stage::Hash;
 use std::path::{Path, PathBuf};
@@ -35,8 +35,8 @@ impl Store {
     /// # Errors
     ///
     /// As [`Store::open`].
-    pub fn open_after(root: &Path, ahead: Ahead) -> Result<Store, StoreError> {
-        Store::with(root, Box::new(Real), Mutex::new(ahead.index()).into())
+    pub fn open_after(root: &Path, prefetch: Prefetch) -> Result<Store, StoreError> {
+        Store::with(root, Box::new(Real), Mutex::new(prefetch.index()).into())
     }
 
     pub(super) fn with(

@@ -55,7 +55,7 @@ impl Store {
     fn links(&self) -> Vec<Link> {
         let link = |key: Hash| {
             let record = self.record(key)?;
-            let from = record.story.into_iter();
+            let from = record.provenance.into_iter();
             let from = from.filter(|(what, _)| what.starts_with("from "));
             Some(Link {
                 key,

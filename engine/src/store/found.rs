@@ -9,7 +9,7 @@ use stage::Hash;
 /// What is known of a key.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Found {
-    /// What was made. Its story is empty where the index knew the answer.
+    /// What was made. Its provenance is empty where the index knew the answer.
     pub record: Record,
     /// Whether the result is there. If not, its content is known all the same, and it need not be
     /// made again before somebody reads it.

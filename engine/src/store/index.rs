@@ -44,7 +44,7 @@ pub(super) struct Entry {
     stamp: Stamp,
     seconds: f64,
     notes: Vec<u8>,
-    /// The blob's stamp as it was seen a moment ago, to be used once; see [`super::ahead`].
+    /// The blob's stamp as it was seen a moment ago, to be used once; see [`super::prefetch`].
     pub(super) seen: Option<Option<Stamp>>,
 }
 
@@ -71,7 +71,7 @@ impl Entry {
             false => serde_json::from_slice(&self.notes).unwrap_or_default(),
         };
         Record {
-            story: vec![],
+            provenance: vec![],
             content: Hash::from_bytes(self.content),
             bytes: self.stamp.0,
             seconds: self.seconds,

@@ -37,7 +37,7 @@ pub fn list(store: &Store) -> Vec<Kept> {
             return None;
         }
         let stage = record
-            .story
+            .provenance
             .first()
             .map_or(String::new(), |(_, value)| value.clone());
         Some(Kept {

@@ -24,16 +24,16 @@ fn results(dice: &mut Dice) -> Vec<Result> {
         let bytes: Vec<u8> = (0..dice.bits() % 4 * 50)
             .map(|i| (i + alike) as u8)
             .collect();
-        let story = vec![("stage".to_owned(), format!("toy v{n}"))];
+        let provenance = vec![("stage".to_owned(), format!("toy v{n}"))];
         let record = Record {
             content: blake3::hash(&bytes),
             bytes: bytes.len() as u64,
             seconds: if dice.unit() < 0.5 { 0.1 } else { 5.0 },
             metrics: vec![],
             warnings: vec![],
-            story,
+            provenance,
         };
-        let key = crate::key::of(&record.story);
+        let key = crate::key::of(&record.provenance);
         Result { key, record, bytes }
     };
     (0..5).map(result).collect()

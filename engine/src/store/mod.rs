@@ -20,7 +20,6 @@
 //! What is read is verified; what is corrupt or missing is a miss. What took long enough to be
 //! worth it is synced to the disk before it gets its name.
 
-mod ahead;
 mod blob;
 mod disk;
 mod error;
@@ -36,16 +35,17 @@ mod losses;
 mod metrics;
 mod part;
 mod pins;
+mod prefetch;
 mod record;
 mod records;
 #[cfg(test)]
 mod simulated;
 
-pub use ahead::Ahead;
 pub use error::StoreError;
 pub use folder::Store;
 pub use forget::{Forgotten, forget};
 pub use found::Found;
 pub use lease::{Claim, InUse, Lease};
 pub use pins::PinError;
+pub use prefetch::Prefetch;
 pub use record::Record;

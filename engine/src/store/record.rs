@@ -8,7 +8,7 @@ use stage::{Hash, Metric};
 #[derive(Debug, Clone, PartialEq)]
 pub struct Record {
     /// What the key was made of, line by line.
-    pub story: Vec<(String, String)>,
+    pub provenance: Vec<(String, String)>,
     /// The result: its blob.
     pub content: Hash,
     /// Its size. \[bytes\]
@@ -26,7 +26,9 @@ pub struct Record {
 #[serde(deny_unknown_fields)]
 struct Written {
     version: u32,
-    story: Vec<(String, String)>,
+    /// `story` in version 1.
+    #[serde(alias = "story")]
+    provenance: Vec<(String, String)>,
     content: String,
     bytes: u64,
     seconds: f64,
@@ -34,7 +36,10 @@ struct Written {
     warnings: Vec<String>,
 }
 
-const VERSION: u32 = 1;
+const VERSION: u32 = 2;
+
+/// Versions that are read.
+const READABLE: std::ops::RangeInclusive<u32> = 1..=VERSION;
 
 /// What every version of a record says first.
 #[derive(Deserialize)]
@@ -45,14 +50,14 @@ struct Version {
 impl Record {
     /// The key that it is of.
     pub(super) fn key(&self) -> Hash {
-        crate::key::of(&self.story)
+        crate::key::of(&self.provenance)
     }
 
     /// The bytes of its file.
     pub(super) fn file(&self) -> String {
         let written = Written {
             version: VERSION,
-            story: self.story.clone(),
+            provenance: self.provenance.clone(),
             content: self.content.to_hex().to_string(),
             bytes: self.bytes,
             seconds: self.seconds,
@@ -83,15 +88,15 @@ pub(super) fn parse(file: &[u8]) -> Result<Record, Unread> {
     let Ok(written) = serde_json::from_slice::<Written>(body) else {
         let version = serde_json::from_slice::<Version>(body).map(|v| v.version);
         return Err(match version {
-            Ok(version) if version != VERSION => Unread::OtherVersion,
+            Ok(version) if !READABLE.contains(&version) => Unread::OtherVersion,
             _ => Unread::Corrupt,
         });
     };
-    if written.version != VERSION {
+    if !READABLE.contains(&written.version) {
         return Err(Unread::OtherVersion);
     }
     Ok(Record {
-        story: written.story,
+        provenance: written.provenance,
         content: Hash::from_hex(&written.content).map_err(|_| Unread::Corrupt)?,
         bytes: written.bytes,
         seconds: written.seconds,

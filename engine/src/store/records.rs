@@ -21,7 +21,7 @@ impl Store {
     fn read_record(&self, key: Hash) -> Result<Record, Unread> {
         let path = self.place("ac", key);
         let file = std::fs::read(&path).map_err(|_| Unread::Absent)?;
-        // The key is the hash of the story, and the story is in what was hashed.
+        // The key is the hash of the provenance, and the provenance is in what was hashed.
         let own = |record: Record| match record.key() == key {
             true => Ok(record),
             false => Err(Unread::Corrupt),

@@ -1,4 +1,4 @@
-//! Params that vary together, and why what varies cannot be told.
+//! Params that vary together, and why what varies cannot be read.
 
 use stage::Value;
 
@@ -11,7 +11,7 @@ pub struct Axis {
     pub rows: Vec<Vec<Value>>,
 }
 
-/// What varies cannot be told.
+/// What varies cannot be read.
 #[derive(Debug, thiserror::Error)]
 pub enum AxisError {
     /// Of unequal length.

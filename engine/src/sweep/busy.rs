@@ -1,6 +1,6 @@
 //! How long at least one stage ran: what is left of a point's time is the engine's.
 
-use crate::walk::{Done, Fate, Watch};
+use crate::walk::{Done, Status, Watch};
 use std::sync::Mutex;
 use std::time::{Duration, Instant};
 
@@ -61,8 +61,8 @@ impl Watch for Busy<'_> {
         let at = state.running.iter().position(|(n, _)| n == node);
         if let Some((_, from)) = at.map(|at| state.running.swap_remove(at)) {
             // The time that the stage itself took: what it took to keep its result is the engine's.
-            let to = match done.fate {
-                Fate::Made => from + Duration::from_secs_f64(done.seconds),
+            let to = match done.status {
+                Status::Executed => from + Duration::from_secs_f64(done.seconds),
                 _ => Instant::now(),
             };
             state.spans.push((from, to));
@@ -92,7 +92,7 @@ mod tests {
         ];
         busy.state.lock().unwrap().spans.extend(spans);
         assert_eq!(busy.seconds(), 5.0);
-        busy.done("found", &Done::nothing(Fate::Found));
+        busy.done("found", &Done::nothing(Status::Hit));
         assert_eq!(busy.seconds(), 5.0, "what did not start did not run");
     }
 }

@@ -71,22 +71,22 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_table_is_read_cell_by_cell_and_told_where_it_breaks() {
+    fn a_table_is_read_cell_by_cell_and_says_where_it_breaks() {
         let axis = parse("a.x, b.y\n# a comment\n1, \"p, q\"\n\n2.5, [1, 2]\n").unwrap();
         assert_eq!(
             axis.params,
             [("a".into(), "x".into()), ("b".into(), "y".into())]
         );
-        let told: Vec<String> = axis.rows.iter().flatten().map(|v| v.to_string()).collect();
-        assert_eq!(told, ["1", "\"p, q\"", "2.5", "[1, 2]"]);
+        let cells: Vec<String> = axis.rows.iter().flatten().map(|v| v.to_string()).collect();
+        assert_eq!(cells, ["1", "\"p, q\"", "2.5", "[1, 2]"]);
         for (text, what) in [
             ("", "is empty"),
             ("ax\n1\n", "`ax` heads"),
             ("a.x\n", "no point"),
             ("a.x,a.y\n1,2\n3\n", "line 3 has 1 cells"),
         ] {
-            let told = parse(text).unwrap_err();
-            assert!(told.contains(what), "{told}");
+            let error = parse(text).unwrap_err();
+            assert!(error.contains(what), "{error}");
         }
     }
 }

@@ -28,11 +28,11 @@
   // --- one plot a param and a number; a line joins points that differ in this param only ---
   const others = (row, p) => row.params.filter((_, q) => q !== p && vary[q]).join(", ");
   const plot = (p, m) => {
-    const shown = rows.filter((r) => r.told[m] !== null);
+    const shown = rows.filter((r) => r.metrics[m] !== null);
     if (!shown.length) return;
-    const x = axis(shown.map((r) => r.params[p])), y = axis(shown.map((r) => r.told[m]));
+    const x = axis(shown.map((r) => r.params[p])), y = axis(shown.map((r) => r.metrics[m]));
     const X = (r) => L + 8 + x.at(r.params[p]) * (W - L - R - 16), Y = (v) => H - B - 6 - y.at(v) * (H - T - B - 12);
-    const values = shown.map((r) => r.told[m]), lo = Math.min(...values), hi = Math.max(...values);
+    const values = shown.map((r) => r.metrics[m]), lo = Math.min(...values), hi = Math.max(...values);
     let svg = `<svg viewBox="0 0 ${W} ${H}" role="img">`;
     for (const v of lo === hi ? [lo] : [lo, (lo + hi) / 2, hi]) svg += `<line class="grid" x1="${L}" x2="${W - R}" y1="${Y(v)}" y2="${Y(v)}"/><text x="${L - 4}" y="${Y(v) + 3}" text-anchor="end">${short(v)}</text>`;
     for (const [t, word] of x.ticks) { const at = L + 8 + x.at(t) * (W - L - R - 16); svg += `<text x="${at}" y="${H - B + 12}" text-anchor="middle">${escape(word)}</text>`; }
@@ -40,21 +40,21 @@
     groups.forEach((g, k) => {
       const color = colors[k % colors.length];
       const line = shown.filter((r) => others(r, p) === g).sort((a, b) => x.at(a.params[p]) - x.at(b.params[p]));
-      svg += `<polyline fill="none" stroke="${color}" stroke-width="1.5" opacity=".75" points="${line.map((r) => `${X(r)},${Y(r.told[m])}`).join(" ")}"/>`;
-      for (const r of line) svg += `<circle data-row="${r.i}" cx="${X(r)}" cy="${Y(r.told[m])}" r="3.2" fill="${color}"><title>${escape(r.name)}: ${r.told[m]}</title></circle>`;
+      svg += `<polyline fill="none" stroke="${color}" stroke-width="1.5" opacity=".75" points="${line.map((r) => `${X(r)},${Y(r.metrics[m])}`).join(" ")}"/>`;
+      for (const r of line) svg += `<circle data-row="${r.i}" cx="${X(r)}" cy="${Y(r.metrics[m])}" r="3.2" fill="${color}"><title>${escape(r.name)}: ${r.metrics[m]}</title></circle>`;
     });
     const figure = document.createElement("figure");
-    figure.innerHTML = `<figcaption><b>${escape(data.told[m])}</b> over ${escape(data.params[p])}${groups.length > 1 && groups.length <= 10 ? "" : groups.length > 10 ? ` <span class="soft">(${groups.length} lines)</span>` : ""}</figcaption>${svg}</svg>`;
+    figure.innerHTML = `<figcaption><b>${escape(data.metrics[m])}</b> over ${escape(data.params[p])}${groups.length > 1 && groups.length <= 10 ? "" : groups.length > 10 ? ` <span class="soft">(${groups.length} lines)</span>` : ""}</figcaption>${svg}</svg>`;
     if (groups.length > 1 && groups.length <= 10) figure.innerHTML += `<div class="legend">${groups.map((g, k) => `<span><i style="background:${colors[k % 10]}"></i>${escape(g)}</span>`).join("")}</div>`;
     plots.append(figure);
   };
-  data.told.forEach((_, m) => data.params.forEach((_, p) => { if (vary[p] && plots.children.length < 60) plot(p, m); }));
-  if (!plots.children.length) legend.textContent = "Nothing varies, or nothing was told.";
+  data.metrics.forEach((_, m) => data.params.forEach((_, p) => { if (vary[p] && plots.children.length < 60) plot(p, m); }));
+  if (!plots.children.length) legend.textContent = "Nothing varies, or no metric was given.";
 
   // --- all columns as parallel axes: a line a point ---
   const place = document.getElementById("parallel");
-  const shown = rows.filter((r) => r.told.some((v) => v !== null));
-  const axes = [...data.params.map((name, p) => ({ name, of: (r) => r.params[p], on: vary[p] })), ...data.told.map((name, m) => ({ name, of: (r) => r.told[m], on: shown.some((r) => r.told[m] !== null) }))].filter((a) => a.on).slice(0, 14);
+  const shown = rows.filter((r) => r.metrics.some((v) => v !== null));
+  const axes = [...data.params.map((name, p) => ({ name, of: (r) => r.params[p], on: vary[p] })), ...data.metrics.map((name, m) => ({ name, of: (r) => r.metrics[m], on: shown.some((r) => r.metrics[m] !== null) }))].filter((a) => a.on).slice(0, 14);
   if (shown.length && axes.length > 1) {
     const w = Math.max(700, axes.length * 110), h = 300, at = (i) => 50 + (i * (w - 110)) / (axes.length - 1);
     const scales = axes.map((a) => axis(shown.map(a.of))), Y = (i, v) => h - 24 - scales[i].at(v) * (h - 70);

@@ -16,12 +16,12 @@ pub fn page(name: &str, about: &str, rows: &[Row]) -> String {
         .into_iter()
         .map(|p| p.0)
         .collect();
-    let told: Vec<String> = columns
+    let metrics: Vec<String> = columns
         .iter()
         .map(|(n, u)| format!("{n} {u}").trim_end().to_owned())
         .collect();
     let mut head = heads.clone();
-    head.extend(told.iter().cloned());
+    head.extend(metrics.iter().cloned());
     head.extend(["made", "time", "trouble"].map(String::from));
     let line = |row: &Row| {
         let mut line: Vec<String> = params(row).into_iter().map(|p| p.1).collect();
@@ -36,11 +36,11 @@ pub fn page(name: &str, about: &str, rows: &[Row]) -> String {
     };
     let lines: Vec<Vec<String>> = rows.iter().map(line).collect();
     let data = json!({
-        "params": heads, "told": told,
+        "params": heads, "metrics": metrics,
         "rows": rows.iter().map(|r| json!({
             "name": r.point.name(name),
             "params": params(r).into_iter().map(|p| p.1).collect::<Vec<_>>(),
-            "told": columns.iter().map(|(n, _)| cell(r, n)).collect::<Vec<_>>(),
+            "metrics": columns.iter().map(|(n, _)| cell(r, n)).collect::<Vec<_>>(),
         })).collect::<Vec<_>>(),
     });
     let title = if about.is_empty() { name } else { about };

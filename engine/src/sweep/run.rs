@@ -8,7 +8,7 @@ use crate::outcome::Outcome;
 use crate::session::{self, EngineError, Options};
 use crate::store::Store;
 use crate::tells::BESIDE;
-use crate::walk::{Fate, Watch, needed};
+use crate::walk::{Status, Watch, needed};
 use stage::{Files, Hash, Metric};
 use std::collections::BTreeMap;
 use std::path::PathBuf;
@@ -35,8 +35,8 @@ pub struct Row {
     /// How it ended.
     pub end: End,
     /// What was asked for, in the order of the columns; `None` where there is none.
-    pub told: Vec<(String, Option<Metric>)>,
-    /// Names of all that could be told of the nodes that were asked.
+    pub metrics: Vec<(String, Option<Metric>)>,
+    /// Names of all that there is of the nodes that were asked.
     pub known: Vec<String>,
     /// How many nodes ran for it.
     pub made: usize,
@@ -67,15 +67,15 @@ pub struct Sweeping<'a> {
     pub options: &'a Options,
     /// `node.metric`; none is all that the wanted nodes tell.
     pub tell: &'a [String],
-    /// Errors of a point's results against ground truth: told as `error.…`.
+    /// Errors of a point's results against ground truth, as `error.…`.
     pub errors: Option<&'a Errors<'a>>,
-    /// Who is told what happens inside a point.
+    /// Who hears what happens inside a point.
     pub watch: &'a dyn Watch,
     /// Set when the user asks to stop.
     pub cancel: &'a AtomicBool,
 }
 
-/// Runs points in order; `done` is told each row as it comes. A point that fails does not stop the
+/// Runs points in order; `done` gets each row as it comes. A point that fails does not stop the
 /// others, and what failed is not tried again for the points that share it.
 ///
 /// # Errors
@@ -106,7 +106,7 @@ fn one(sweeping: &Sweeping<'_>, point: Point, failures: &mut Failures) -> Result
     let mut row = Row {
         point,
         end: End::Done,
-        told: vec![],
+        metrics: vec![],
         known: vec![],
         made: 0,
         found: 0,
@@ -144,13 +144,13 @@ fn one(sweeping: &Sweeping<'_>, point: Point, failures: &mut Failures) -> Result
         sweeping.cancel,
     )?;
     for done in outcome.nodes.iter().flatten() {
-        match &done.fate {
-            Fate::Made => (row.made, row.work) = (row.made + 1, row.work + done.seconds),
-            Fate::Found => row.found += 1,
-            Fate::Failed(why) => {
+        match &done.status {
+            Status::Executed => (row.made, row.work) = (row.made + 1, row.work + done.seconds),
+            Status::Hit => row.found += 1,
+            Status::Failed(why) => {
                 failures.extend(done.key.map(|key| (*key.as_bytes(), why.clone())));
             }
-            Fate::Skipped | Fate::Cancelled => {}
+            Status::Skipped | Status::Cancelled => {}
         }
         row.alone += done.seconds;
     }
@@ -159,8 +159,8 @@ fn one(sweeping: &Sweeping<'_>, point: Point, failures: &mut Failures) -> Result
         None if outcome.cancelled() => End::Stopped,
         None => End::Done,
     };
-    match told(sweeping, &graph, &wanted, &outcome, row.end == End::Done) {
-        Ok(cells) => (row.told, row.known) = (cells.told, cells.known),
+    match metrics(sweeping, &graph, &wanted, &outcome, row.end == End::Done) {
+        Ok(cells) => (row.metrics, row.known) = (cells.metrics, cells.known),
         Err(why) => row.end = End::Wrong(format!("against the truth: {why}")),
     }
     row.seconds = start.elapsed().as_secs_f64();
@@ -202,13 +202,13 @@ fn foreseen(
 /// What a row says of its point.
 struct Cells {
     /// What was asked for, where it is known.
-    told: Vec<(String, Option<Metric>)>,
+    metrics: Vec<(String, Option<Metric>)>,
     /// The names of all that could have been.
     known: Vec<String>,
 }
 
 /// What was asked for.
-fn told(
+fn metrics(
     sweeping: &Sweeping<'_>,
     graph: &Graph,
     wanted: &[usize],
@@ -239,22 +239,22 @@ fn told(
         });
         all.clone()
     };
-    let mut told = Vec::new();
+    let mut metrics = Vec::new();
     for asked in sweeping.tell.iter().filter(|t| !t.starts_with("error.")) {
         let (node, name) = asked.split_once('.').unwrap_or((asked, ""));
         let find = |all: Vec<Metric>| all.into_iter().find(|m| m.name == name);
-        // The result itself is read only for what nobody told of it.
+        // The result itself is read only for what no metric says.
         let metric = graph
             .node(node)
             .and_then(|node| find(plain(node)).or_else(|| find(of(node))));
-        told.push((asked.clone(), metric));
+        metrics.push((asked.clone(), metric));
     }
     if sweeping.tell.is_empty() {
         for node in wanted {
             let name = &graph.nodes[*node].name;
             let plain = |m: &Metric| !m.name.contains('.') && m.name != "bytes";
             let all = of(*node).into_iter().filter(plain);
-            told.extend(all.map(|m| (format!("{name}.{}", m.name), Some(m))));
+            metrics.extend(all.map(|m| (format!("{name}.{}", m.name), Some(m))));
         }
     }
     let asked: Vec<&str> = sweeping
@@ -269,10 +269,10 @@ fn told(
     let all = asked.is_empty();
     for name in &asked {
         let metric = errors.iter().find(|m| m.name == *name).cloned();
-        told.push((format!("error.{name}"), metric));
+        metrics.push((format!("error.{name}"), metric));
     }
     if all {
-        told.extend(
+        metrics.extend(
             errors
                 .iter()
                 .map(|m| (format!("error.{}", m.name), Some(m.clone()))),
@@ -284,5 +284,5 @@ fn told(
     });
     let outside = errors.iter().map(|m| format!("error.{}", m.name));
     let known = inside.chain(outside).collect();
-    Ok(Cells { told, known })
+    Ok(Cells { metrics, known })
 }

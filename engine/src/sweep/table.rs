@@ -5,10 +5,10 @@ use super::run::{End, Row};
 use serde_json::{Value, json};
 use std::fmt::Write;
 
-/// A column of what is told: its name and unit.
+/// A column of a metric: its name and unit.
 pub(super) fn columns(rows: &[Row]) -> Vec<(String, String)> {
     let mut columns: Vec<(String, String)> = Vec::new();
-    for (name, metric) in rows.iter().flat_map(|r| &r.told) {
+    for (name, metric) in rows.iter().flat_map(|r| &r.metrics) {
         let at = columns.iter().position(|(n, _)| n == name);
         let at = at.unwrap_or_else(|| {
             columns.push((name.clone(), String::new()));
@@ -23,8 +23,8 @@ pub(super) fn columns(rows: &[Row]) -> Vec<(String, String)> {
 
 /// What a row tells in a column.
 pub(super) fn cell(row: &Row, column: &str) -> Option<f64> {
-    let told = row.told.iter().find(|(name, _)| name == column);
-    told.and_then(|(_, metric)| Some(metric.as_ref()?.value))
+    let metric = row.metrics.iter().find(|(name, _)| name == column);
+    metric.and_then(|(_, metric)| Some(metric.as_ref()?.value))
 }
 
 /// The params of a row as it names them, the variant first if there is one.
@@ -63,58 +63,31 @@ pub(crate) fn short(x: f64) -> String {
 /// A table for people, and a line that sums up.
 pub fn text(about: &str, rows: &[Row]) -> String {
     let columns = columns(rows);
-    let mut head: Vec<String> = rows
-        .first()
-        .map_or(vec![], params)
-        .into_iter()
-        .map(|p| p.0)
-        .collect();
-    let numbers = head.len();
-    head.extend(
-        columns
-            .iter()
-            .map(|(n, u)| format!("{n} {u}").trim_end().to_owned()),
-    );
-    head.extend(["made".to_owned(), "time".to_owned()]);
-    let mut lines = vec![head];
+    let named = rows.first().map_or(vec![], params);
+    let texts = named.len();
+    let failed = rows.iter().any(|r| r.end != End::Done);
+    let units = columns.iter();
+    let units = units.map(|(n, u)| format!("{n} {u}").trim_end().to_owned());
+    let mut table = crate::cli::text::table();
+    let head = named.into_iter().map(|p| p.0).chain(units);
+    let head = head.chain(["made".to_owned(), "time".to_owned()]);
+    table.add_row(head.chain(failed.then(String::new)));
     for row in rows {
+        let number = |(name, _): &(String, String)| cell(row, name).map_or("-".into(), short);
         let mut line: Vec<String> = params(row).into_iter().map(|p| p.1).collect();
-        match trouble(row) {
-            Some(why) => line.push(why),
-            None => {
-                line.extend(
-                    columns
-                        .iter()
-                        .map(|(n, _)| cell(row, n).map_or("-".into(), short)),
-                );
-                line.extend([row.made.to_string(), format!("{:.1} s", row.seconds)]);
-            }
-        }
-        lines.push(line);
+        line.extend(columns.iter().map(number));
+        line.extend([row.made.to_string(), format!("{:.1} s", row.seconds)]);
+        line.extend(failed.then(|| trouble(row).unwrap_or_default()));
+        table.add_row(line);
     }
-    let full = lines[0].len();
-    let width = |i: usize| {
-        let whole = lines.iter().filter(|l| l.len() == full || i < numbers);
-        whole.map(|l| l[i].chars().count()).max().unwrap_or(0)
-    };
-    let widths: Vec<usize> = (0..full).map(width).collect();
+    for column in texts..texts + columns.len() + 2 {
+        crate::cli::text::to_the_right(&mut table, column);
+    }
     let mut text = String::new();
     if !about.is_empty() {
         let _ = writeln!(text, "{about}");
     }
-    for line in &lines {
-        let mut out = String::new();
-        for (i, cell) in line.iter().enumerate() {
-            let last_of_failed = line.len() != full && i + 1 == line.len();
-            let pad = widths[i].saturating_sub(cell.chars().count());
-            let pad = if last_of_failed { 0 } else { pad };
-            let _ = match i < numbers || last_of_failed {
-                true => write!(out, "{cell}{}  ", " ".repeat(pad)),
-                false => write!(out, "{}{cell}  ", " ".repeat(pad)),
-            };
-        }
-        let _ = writeln!(text, "{}", out.trim_end());
-    }
+    let _ = writeln!(text, "{}", crate::cli::text::lines(&mut table));
     let _ = writeln!(text, "{}", summary(rows));
     text
 }
@@ -142,10 +115,6 @@ pub(super) fn summary(rows: &[Row]) -> String {
 
 /// One line a point.
 pub fn csv(rows: &[Row]) -> String {
-    let quoted = |text: &str| match text.contains([',', '"', '\n']) {
-        true => format!("\"{}\"", text.replace('"', "\"\"")),
-        false => text.to_owned(),
-    };
     let columns = columns(rows);
     let mut head: Vec<String> = rows
         .first()
@@ -182,14 +151,20 @@ pub fn csv(rows: &[Row]) -> String {
         line.push(trouble(row).unwrap_or_default());
         lines.push(line);
     }
-    let line = |l: &Vec<String>| l.iter().map(|c| quoted(c)).collect::<Vec<_>>().join(",") + "\n";
-    lines.iter().map(line).collect()
+    let mut table = ::csv::Writer::from_writer(Vec::new());
+    for line in lines {
+        table
+            .write_record(line)
+            .expect("bug: a row of another length");
+    }
+    let bytes = table.into_inner().expect("bug: memory is full");
+    String::from_utf8(bytes).expect("bug: texts are UTF-8")
 }
 
 /// For other programs.
 pub fn json(program: &str, name: &str, about: &str, rows: &[Row]) -> Value {
     let row = |row: &Row| {
-        let told = |(name, metric): &(String, Option<stage::Metric>)| {
+        let cell = |(name, metric): &(String, Option<stage::Metric>)| {
             let m = metric.as_ref();
             json!({ "name": name, "value": m.map(|m| m.value), "unit": m.map(|m| m.unit.clone()) })
         };
@@ -197,7 +172,7 @@ pub fn json(program: &str, name: &str, about: &str, rows: &[Row]) -> Value {
         json!({
             "point": row.point.name(name), "variant": row.point.variant, "set": row.point.sets(),
             "params": params.collect::<serde_json::Map<_, _>>(),
-            "told": row.told.iter().map(told).collect::<Vec<_>>(),
+            "metrics": row.metrics.iter().map(cell).collect::<Vec<_>>(),
             "done": row.end == End::Done, "why": trouble(row),
             "made": row.made, "found": row.found, "seconds": row.seconds,
             "alone_seconds": row.alone, "work_seconds": row.work, "engine_seconds": row.engine,

@@ -2,7 +2,7 @@
 
 use crate::place::{ALL, Log, NONE, Place, chain, graph};
 use engine::store::{Store, keeper};
-use engine::walk::Fate;
+use engine::walk::Status;
 
 #[test]
 fn all_runs_once_then_nothing() {
@@ -111,8 +111,11 @@ fn a_store_of_another_layout_is_refused() {
     let Err(error) = Store::open(&place.cache()) else {
         panic!("it was opened")
     };
-    let told = error.to_string();
-    assert!(told.contains("another layout (tailor store 99)"), "{told}");
+    let error = error.to_string();
+    assert!(
+        error.contains("another layout (tailor store 99)"),
+        "{error}"
+    );
     // What a loss of power leaves is no layout.
     for torn in [&b""[..], &[0; 15]] {
         std::fs::write(place.cache().join("format"), torn).unwrap();
@@ -160,18 +163,18 @@ fn one_file_more_redoes_one_part_and_a_failed_stage_goes_on_at_its_last_step() {
         let outcome = place.outcome(&graph, &place.cache(), 1, &Log::default());
         let done = outcome.nodes[0].clone().unwrap();
         (
-            done.fate,
+            done.status,
             done.metrics.iter().map(|m| m.value).collect::<Vec<_>>(),
         )
     };
     for i in 0..17 {
         std::fs::write(place.src().join(format!("{i}.txt")), format!("{i}\n")).unwrap();
     }
-    assert_eq!(parts(0), (Fate::Made, vec![18.0, 9.0]));
+    assert_eq!(parts(0), (Status::Executed, vec![18.0, 9.0]));
     std::fs::write(place.src().join("3.txt"), "another\n").unwrap();
     assert_eq!(
         parts(0),
-        (Fate::Made, vec![1.0, 9.0]),
+        (Status::Executed, vec![1.0, 9.0]),
         "one photo of eighteen"
     );
     for part in place.shelf("parts") {
@@ -179,7 +182,7 @@ fn one_file_more_redoes_one_part_and_a_failed_stage_goes_on_at_its_last_step() {
         std::fs::write(&part, &bytes[..bytes.len() * 2 / 3]).unwrap();
     }
     std::fs::write(place.src().join("3.txt"), "a third\n").unwrap();
-    let torn = (Fate::Made, vec![18.0, 9.0]);
+    let torn = (Status::Executed, vec![18.0, 9.0]);
     assert_eq!(parts(0), torn, "torn parts are made again");
     // Each under the key of another: none is what it says.
     let all = place.shelf("parts");
@@ -192,10 +195,10 @@ fn one_file_more_redoes_one_part_and_a_failed_stage_goes_on_at_its_last_step() {
     }
     std::fs::write(place.src().join("3.txt"), "a fourth\n").unwrap();
     assert_eq!(parts(0), torn, "exchanged parts are made again");
-    assert!(matches!(parts(6).0, Fate::Failed(_)));
+    assert!(matches!(parts(6).0, Status::Failed(_)));
     assert_eq!(
         parts(6),
-        (Fate::Made, vec![0.0, 3.0]),
+        (Status::Executed, vec![0.0, 3.0]),
         "from the sixth step"
     );
 }

@@ -42,8 +42,8 @@ fn wrong(own: &str, file: &str, place: [u64; 2], what: &str) {
     let name = Path::new(found["file"].as_str().unwrap());
     assert!(name.ends_with(file), "{mistakes}");
     assert_eq!([&found["line"], &found["column"]], place, "{mistakes}");
-    let told = found["what"].as_str().unwrap();
-    assert!(told.contains(what), "{told}");
+    let error = found["what"].as_str().unwrap();
+    assert!(error.contains(what), "{error}");
 }
 
 /// The names of the nodes, and a param of one.

@@ -4,7 +4,7 @@
 use crate::place::{ALL, Log, NONE, Place, chain, graph};
 use engine::plan;
 use engine::store::keeper;
-use engine::walk::{Fate, Watch};
+use engine::walk::{Status, Watch};
 use engine::{self, EngineError, Options};
 use proof::Dice;
 use std::fs::{File, FileTimes};
@@ -28,7 +28,10 @@ fn random_blobs_may_go_and_only_what_is_read_again_is_made_again() {
             assert_eq!(a.content, b.content);
             let hex = a.content.unwrap().to_hex();
             let was_gone = gone.iter().any(|blob| blob.ends_with(hex.as_str()));
-            assert!(b.fate == Fate::Found || was_gone, "made, but it was there");
+            assert!(
+                b.status == Status::Hit || was_gone,
+                "made, but it was there"
+            );
         }
         for node in &chain(1).goal {
             assert!(
@@ -92,12 +95,12 @@ fn the_store_may_be_deleted_while_it_is_in_use() {
     let place = Place::new("hello\n");
     let graph = chain(1);
     let outcome = place.outcome(&graph, &place.cache(), 1, &Deleter(&place, Mutex::new(0)));
-    let fates = outcome.nodes.iter().flatten().map(|d| &d.fate);
+    let statuses = outcome.nodes.iter().flatten().map(|d| &d.status);
     assert!(
-        fates
+        statuses
             .clone()
-            .all(|f| matches!(f, Fate::Made | Fate::Failed(_))),
-        "{fates:?}"
+            .all(|f| matches!(f, Status::Executed | Status::Failed(_))),
+        "{statuses:?}"
     );
     place.run(1);
     assert_eq!(place.run(1), NONE);
@@ -125,13 +128,16 @@ fn a_run_that_is_stopped_keeps_what_is_done_and_the_next_goes_on() {
     let stopper = Stopper(&cancel);
     let outcome = engine::run(&graph, &folders, &graph.goal, &options, &stopper, &cancel).unwrap();
     assert!(outcome.cancelled() && outcome.failure(&graph).is_none());
-    let fate = |name: &str| {
+    let status = |name: &str| {
         outcome.nodes[graph.node(name).unwrap()]
             .clone()
             .unwrap()
-            .fate
+            .status
     };
-    assert_eq!((fate("mid"), fate("final")), (Fate::Made, Fate::Cancelled));
+    assert_eq!(
+        (status("mid"), status("final")),
+        (Status::Executed, Status::Cancelled)
+    );
     let made = place.run(1);
     assert!(made.contains(&"final".to_owned()) && !made.contains(&"mid".to_owned()));
 }
@@ -236,10 +242,10 @@ fn a_disk_that_takes_no_more_is_told_and_the_next_run_goes_on() {
         bash.output().unwrap()
     };
     let out = run("1");
-    let told =
+    let error =
         String::from_utf8_lossy(&out.stdout).into_owned() + &String::from_utf8_lossy(&out.stderr);
     assert!(!out.status.success());
-    assert!(told.contains("make room"), "{told}");
+    assert!(error.contains("make room"), "{error}");
     assert_eq!(keeper::verify(&place.store()), 0);
     assert!(run("unlimited").status.success());
     assert_eq!(place.run(1), NONE);

@@ -7,7 +7,7 @@ use engine::key;
 use engine::plan::{State, plan};
 use engine::store::{Store, keeper};
 use engine::verify::verify;
-use engine::walk::Fate;
+use engine::walk::Status;
 use proof::Dice;
 use std::collections::BTreeSet;
 use std::sync::atomic::AtomicBool;
@@ -92,9 +92,9 @@ fn a_plan_holds_and_a_run_makes_no_more_than_it_must_and_what_a_fresh_run_would(
                     (run.nodes[i].as_ref().unwrap(), planned[i].as_ref().unwrap());
                 let said = format!(
                     "round {round}, change {change}, {}: {:?} {:?}",
-                    node.name, planned.state, done.fate
+                    node.name, planned.state, done.status
                 );
-                let made = done.fate == Fate::Made;
+                let made = done.status == Status::Executed;
                 // What is lost may come back from a node whose result happens to be equal.
                 let certain = match &planned.state {
                     State::Stale(why) => why.iter().all(|(w, ..)| w != "result") || change != 4,
@@ -191,15 +191,15 @@ fn keys_are_those_of_every_build_and_know_no_layout() {
 #[test]
 fn keys_of_odd_values_are_those_of_every_build() {
     let odd = [-0.0, 0.0, f64::NAN, 0.1 + 0.2, 1e300, 5e-324].map(stage::Value::Float);
-    let mut story = key::Story::default();
+    let mut provenance = key::Provenance::default();
     for (i, value) in odd.iter().enumerate() {
-        key::Ledger::line(&mut story, &format!("with x{i}"), &value.to_string());
+        key::Ledger::line(&mut provenance, &format!("with x{i}"), &value.to_string());
     }
     for text in ["größe", "a\"b", "line\nbreak", "尺"] {
         let value = stage::Value::Text(text.into());
-        key::Ledger::line(&mut story, "with text", &value.to_string());
+        key::Ledger::line(&mut provenance, "with text", &value.to_string());
     }
-    assert_eq!(story.key().to_hex().as_str(), ODD);
+    assert_eq!(provenance.key().to_hex().as_str(), ODD);
 }
 
 const ODD: &str = "e8b4bac4832bc920abddd27d342ee4e6180d66bd5cff566e9cc235455abec3fa";

@@ -4,7 +4,7 @@ use crate::toys;
 use engine::graph::Graph;
 use engine::recipe::{Overrides, open_text};
 use engine::store::Store;
-use engine::walk::{Done, Fate, Watch};
+use engine::walk::{Done, Status, Watch};
 use engine::{self, Options, Outcome};
 use std::path::{Path, PathBuf};
 use std::sync::Mutex;
@@ -33,13 +33,13 @@ pub(crate) const ALL: [&str; 4] = ["clean", "final", "mid", "other"];
 /// Nothing made.
 pub(crate) const NONE: [&str; 0] = [];
 
-/// What became of the nodes, as they were told.
+/// What became of the nodes, as they were reported.
 #[derive(Default)]
-pub(crate) struct Log(pub(crate) Mutex<Vec<(String, Fate)>>);
+pub(crate) struct Log(pub(crate) Mutex<Vec<(String, Status)>>);
 impl Watch for Log {
     fn done(&self, node: &str, done: &Done) {
         let mut log = self.0.lock().unwrap();
-        log.push((node.into(), done.fate.clone()));
+        log.push((node.into(), done.status.clone()));
     }
 }
 
@@ -85,20 +85,22 @@ impl Place {
         let folders = [("src".to_owned(), self.src())];
         engine::run(graph, &folders, &graph.goal, &options, watch, &cancel).unwrap()
     }
-    /// The names of what was made, sorted. Every node is told, and once; what was found is told
+    /// The names of what was made, sorted. Every node is reported, and once; what was found is reported
     /// once more if its result is lost and must be made for a reader.
     pub(crate) fn run_in(&self, graph: &Graph, cache: &Path, threads: usize) -> Vec<String> {
         let log = Log::default();
         let outcome = self.outcome(graph, cache, threads, &log);
-        let told = log.0.into_inner().unwrap();
+        let reported = log.0.into_inner().unwrap();
         let nodes = graph.nodes.iter().zip(&outcome.nodes);
         for (node, _) in nodes.filter(|(_, done)| done.is_some()) {
-            let of_node = told.iter().filter(|t| t.0 == node.name);
-            let fates: Vec<&Fate> = of_node.map(|t| &t.1).collect();
-            let again = fates == [&Fate::Found, &Fate::Made];
-            assert!(fates.len() == 1 || again, "{}: {fates:?}", node.name);
+            let of_node = reported.iter().filter(|t| t.0 == node.name);
+            let statuses: Vec<&Status> = of_node.map(|t| &t.1).collect();
+            let again = statuses == [&Status::Hit, &Status::Executed];
+            assert!(statuses.len() == 1 || again, "{}: {statuses:?}", node.name);
         }
-        let made = told.into_iter().filter(|(_, fate)| *fate == Fate::Made);
+        let made = reported
+            .into_iter()
+            .filter(|(_, status)| *status == Status::Executed);
         let mut made: Vec<String> = made.map(|(name, _)| name).collect();
         made.sort();
         made

@@ -1,11 +1,11 @@
 //! Several processes on one store, and processes that are killed.
 //!
-//! A process is this very test program, told by its environment to do nothing but one run.
+//! A process is this very test program, asked by its environment to do nothing but one run.
 
 use crate::place::{Log, NONE, Place, chain, graph};
 use engine::graph::Graph;
 use engine::store::{Claim, keeper};
-use engine::walk::{Done, Fate, Watch};
+use engine::walk::{Done, Status, Watch};
 use engine::{self, Options};
 use proof::Dice;
 use std::collections::BTreeMap;
@@ -53,7 +53,7 @@ fn job(text: &str) -> Graph {
 struct Tally(std::fs::File);
 impl Watch for Tally {
     fn done(&self, node: &str, done: &Done) {
-        if done.fate == Fate::Made {
+        if done.status == Status::Executed {
             let mut file = &self.0;
             file.write_all(format!("{node}\n").as_bytes()).unwrap();
         }

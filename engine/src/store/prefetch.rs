@@ -10,14 +10,14 @@ const MANY: usize = 2000;
 
 /// The index of a store, read and held against its blobs on threads of its own: for whoever reads
 /// a pipeline meanwhile.
-pub struct Ahead(JoinHandle<Index>);
+pub struct Prefetch(JoinHandle<Index>);
 
-impl Ahead {
+impl Prefetch {
     /// Of the store at a place, if there is one, for a pipeline file of so many bytes: a large
     /// index of which a small pipeline asks little is read only.
-    pub fn of(root: &Path, pipeline_bytes: u64) -> Ahead {
+    pub fn of(root: &Path, pipeline_bytes: u64) -> Prefetch {
         let root: PathBuf = root.into();
-        Ahead(std::thread::spawn(move || {
+        Prefetch(std::thread::spawn(move || {
             let mut index = Index::load(&root.join("index"));
             index.look_around(&root, pipeline_bytes as usize / LEAST_NODE_BYTES);
             index

@@ -1,4 +1,4 @@
-//! `tailor measure`: the one-line door.
+//! `tailor measure`: from a folder of photos to girths and a report.
 
 use super::delivered::{place_of_results, write, written};
 use super::facts::Facts;

@@ -1,4 +1,4 @@
-//! Tapes against the true surface cut by the very planes that were told: the surface's share of an
+//! Tapes against the true surface cut by the very planes that were measured: the surface's share of an
 //! error. What is left of it is the level's.
 
 use crate::catalog::{flat, section, tape};
@@ -12,12 +12,12 @@ use shape::{Mesh, Plane};
 use std::collections::BTreeMap;
 use std::path::Path;
 
-/// One tape against the true surface at the plane that was told.
+/// One tape against the true surface at the plane that was measured.
 #[derive(Debug, Clone, Serialize)]
-pub struct ToldScore {
+pub struct PlaneScore {
     /// The tape around the true surface there. \[cm\]
     pub truth_there_cm: f64,
-    /// The tape that was told. \[cm\]
+    /// The tape that was measured. \[cm\]
     pub tape_cm: f64,
     /// Its relative error: the surface's alone.
     pub tape_pct: f64,
@@ -57,7 +57,7 @@ fn about(curves: Vec<Curve>, point: Point3<f64>, tape_mm: f64) -> Vec<Curve> {
     curves.into_iter().filter(near).collect()
 }
 
-/// The tape of the true surface at a plane that was told: of the curve that is most like the found one
+/// The tape of the true surface at a plane that was measured: of the curve that is most like the found one
 /// in place and length. \[mm\]
 fn there(found: &[Curve], truth: &[Curve], tape_mm: f64) -> Option<f64> {
     let nearest = |a: &&Curve, b: &&Curve| {
@@ -73,19 +73,19 @@ fn there(found: &[Curve], truth: &[Curve], tape_mm: f64) -> Option<f64> {
     };
     let like = truth.iter().min_by(|a, b| off(a).total_cmp(&off(b)));
     // Where the true surface, too, holds a limb there that was parted, it says nothing of the tape.
-    let told = |c: &&Curve| own.is_some() || (c.tape_mm / tape_mm - 1.0).abs() <= PARTED;
-    like.filter(told).map(|c| c.tape_mm)
+    let fits = |c: &&Curve| own.is_some() || (c.tape_mm / tape_mm - 1.0).abs() <= PARTED;
+    like.filter(fits).map(|c| c.tape_mm)
 }
 
 /// Every girth of a `girths.json` that has a plane and a tape; `None` where the plane misses the truth, or
 /// goes through a limb that the true surface joins to the trunk there.
 /// `found` is the surface as it was found, `carry` what brings it onto the truth.
-pub(crate) fn told(
+pub(crate) fn at_planes(
     path: &Path,
     found: &Mesh,
     truth: &Mesh,
     carry: &Motion,
-) -> Result<BTreeMap<String, Option<ToldScore>>, Unreadable> {
+) -> Result<BTreeMap<String, Option<PlaneScore>>, Unreadable> {
     let file = json(path)?.unwrap_or(Value::Null);
     let list = file.get("girths").and_then(Value::as_array);
     let mut scores = BTreeMap::new();
@@ -112,7 +112,7 @@ pub(crate) fn told(
             .for_each(|c| c.middle = carry.apply(&c.middle));
         let truth = about(curves(truth, &carried), carried.point_mm.into(), tape_mm);
         let mm = there(&own, &truth, tape_mm);
-        let score = mm.map(|mm| ToldScore {
+        let score = mm.map(|mm| PlaneScore {
             truth_there_cm: mm / 10.0,
             tape_cm,
             tape_pct: (tape_cm * 10.0 / mm - 1.0) * 100.0,
@@ -123,12 +123,12 @@ pub(crate) fn told(
     Ok(scores)
 }
 
-/// Splits errors of girths: what the surface errs at the told plane, and what the plane adds to it.
+/// Splits errors of girths: what the surface errs at the measured plane, and what the plane adds to it.
 pub(crate) fn split(
     girths: &mut BTreeMap<String, Option<GirthScore>>,
-    told: &BTreeMap<String, Option<ToldScore>>,
+    at_planes: &BTreeMap<String, Option<PlaneScore>>,
 ) {
-    let share = |name: &str| Some(told.get(name)?.as_ref()?.tape_mm);
+    let share = |name: &str| Some(at_planes.get(name)?.as_ref()?.tape_mm);
     for (name, score) in girths {
         // The mean of both sides has no plane of its own.
         let both = || {
@@ -182,7 +182,7 @@ mod tests {
     }
 
     #[test]
-    fn an_error_is_the_surfaces_at_the_told_plane_and_else_the_levels() {
+    fn an_error_is_the_surfaces_at_the_measured_plane_and_else_the_levels() {
         // True: a trunk that narrows upward by 1 mm in 10, and an arm beside it.
         let (mut truth, mut found) = (Mesh::default(), Mesh::default());
         tube([0.0, 0.0], &[(0.0, 150.0), (1000.0, 50.0)], &mut truth);
@@ -203,7 +203,7 @@ mod tests {
         };
         let folder = tempfile::tempdir().unwrap();
         let path = folder.path().join("girths.json");
-        // The waist is told at a height of 500, where the truth is 100 mm thick; it belongs at 520.
+        // The waist is measured at a height of 500, where the truth is 100 mm thick; it belongs at 520.
         let round = |r: f64| 2.0 * 120.0 * r * (TAU / 240.0).sin();
         let girth = |name: &str, x: f64, r: f64| {
             let p = turn * Vector3::new(x, 0.0, 500.0) - shift;
@@ -214,8 +214,8 @@ mod tests {
         };
         let list = [girth("WC", 0.0, 101.0), girth("AC_L", 250.0, 41.0)];
         std::fs::write(&path, serde_json::json!({ "girths": list }).to_string()).unwrap();
-        let told = told(&path, &found, &truth, &carry).unwrap();
-        let of = |name: &str| told[name].as_ref().unwrap();
+        let scores = at_planes(&path, &found, &truth, &carry).unwrap();
+        let of = |name: &str| scores[name].as_ref().unwrap();
         proof::near(of("WC").tape_pct, 1.0, 0.01);
         proof::near(of("AC_L").tape_pct, 2.5, 0.01);
         proof::near(of("WC").tape_mm, round(1.0), 0.02);
@@ -232,7 +232,7 @@ mod tests {
             level_mm: None,
         };
         let mut girths = [("WC".to_owned(), Some(score))].into();
-        split(&mut girths, &told);
+        split(&mut girths, &scores);
         let waist = girths["WC"].as_ref().unwrap();
         proof::near(waist.surface_mm.unwrap(), round(1.0), 0.02);
         proof::near(waist.level_mm.unwrap(), round(2.0), 0.02);
@@ -245,7 +245,7 @@ mod tests {
             middle: Point3::new(x, 0.0, 0.0),
         };
         let point = Point3::new(100.0, 0.0, 0.0);
-        // Found: trunk and upper arm as one, and the other forearm, nearly as thick as what was told, 153 mm.
+        // Found: trunk and upper arm as one, and the other forearm, nearly as thick as what was measured, 153 mm.
         let found = about(vec![at(0.0, 577.0), at(-250.0, 145.0)], point, 153.0);
         assert!(found.is_empty());
         let truth = vec![at(0.0, 496.0), at(101.0, 152.0), at(-250.0, 145.5)];

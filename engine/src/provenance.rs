@@ -1,16 +1,16 @@
-//! The lines of a story in one piece: two runs of many nodes are held in memory at once.
+//! The lines of what a result depends on, in one piece: two runs of many nodes are held in memory at once.
 
 use serde::{Deserialize, Deserializer};
 
 /// What a result depends on, line by line: what, and its value.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
-pub struct Story {
+pub struct PackedProvenance {
     text: Box<str>,
     /// Where each text ends: what and value in turn. \[bytes\]
     ends: Box<[u32]>,
 }
 
-impl Story {
+impl PackedProvenance {
     /// The lines in their order.
     pub fn lines(&self) -> impl Iterator<Item = (&str, &str)> {
         let begin = |i: usize| if i == 0 { 0 } else { self.ends[i - 1] as usize };
@@ -19,22 +19,22 @@ impl Story {
     }
 }
 
-impl<'a> FromIterator<(&'a str, &'a str)> for Story {
-    fn from_iter<I: IntoIterator<Item = (&'a str, &'a str)>>(lines: I) -> Story {
+impl<'a> FromIterator<(&'a str, &'a str)> for PackedProvenance {
+    fn from_iter<I: IntoIterator<Item = (&'a str, &'a str)>>(lines: I) -> PackedProvenance {
         let (mut text, mut ends) = (String::new(), Vec::new());
         for part in lines.into_iter().flat_map(|(what, value)| [what, value]) {
             text += part;
-            ends.push(u32::try_from(text.len()).expect("bug: a story of 4 GB"));
+            ends.push(u32::try_from(text.len()).expect("bug: a provenance of 4 GB"));
         }
-        Story {
+        PackedProvenance {
             text: text.into(),
             ends: ends.into(),
         }
     }
 }
 
-impl<'de> Deserialize<'de> for Story {
-    fn deserialize<D: Deserializer<'de>>(from: D) -> Result<Story, D::Error> {
+impl<'de> Deserialize<'de> for PackedProvenance {
+    fn deserialize<D: Deserializer<'de>>(from: D) -> Result<PackedProvenance, D::Error> {
         let lines = Vec::<(String, String)>::deserialize(from)?;
         Ok(lines
             .iter()
@@ -45,21 +45,21 @@ impl<'de> Deserialize<'de> for Story {
 
 #[cfg(test)]
 mod tests {
-    use super::Story;
+    use super::PackedProvenance;
 
     #[test]
     fn lines_come_back_as_they_were_and_none_passes_for_two() {
-        let told = r#"[["with n","1"],["","größe\nx"],["from a",""]]"#;
-        let story: Story = serde_json::from_str(told).unwrap();
-        let lines: Vec<_> = story.lines().collect();
+        let json = r#"[["with n","1"],["","größe\nx"],["from a",""]]"#;
+        let provenance: PackedProvenance = serde_json::from_str(json).unwrap();
+        let lines: Vec<_> = provenance.lines().collect();
         assert_eq!(lines, [("with n", "1"), ("", "größe\nx"), ("from a", "")]);
-        assert_eq!(story, lines.into_iter().collect());
+        assert_eq!(provenance, lines.into_iter().collect());
         assert_ne!(
-            story,
+            provenance,
             [("with n1", ""), ("größe\nx", "from a")]
                 .into_iter()
                 .collect()
         );
-        assert_eq!(Story::default().lines().count(), 0);
+        assert_eq!(PackedProvenance::default().lines().count(), 0);
     }
 }

@@ -1,0 +1,25 @@
+//! Completions and pages for `man` name every verb, the program's own and the engine's.
+
+use crate::place::Place;
+
+#[test]
+fn every_verb_is_completed_and_has_a_page() {
+    let place = Place::new();
+    place.run("man --out pages").code(0);
+    let script = place.run("completions bash").code(0).out;
+    let main = place.run("man").code(0).out;
+    for verb in ["measure", "doctor", "score", "run", "sweep", "cache"] {
+        assert!(
+            script.contains(&format!("tailor__subcmd__{verb}")),
+            "{verb}"
+        );
+        assert!(main.contains(&format!("tailor\\-{verb}(1)")), "{verb}");
+        let page = std::fs::read_to_string(place.path(&format!("pages/tailor-{verb}.1")));
+        assert!(page.unwrap().contains(".SH OPTIONS"), "{verb}");
+    }
+    assert!(script.contains("--stature"), "flags are completed");
+    place.write("file", "");
+    let wrong = place.run("man --out file").code(2).err;
+    assert!(wrong.contains("cannot write"), "{wrong}");
+    place.run("completions abacus").code(2);
+}
