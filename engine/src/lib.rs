@@ -78,8 +78,6 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
-#![warn(clippy::missing_errors_doc)]
-
 mod agenda;
 pub mod cli;
 pub mod clock;

@@ -53,6 +53,10 @@ fn nodes(name: &str, run: &Value) -> Result<Vec<NodeRun>, SideError> {
 
 impl Side {
     /// Out of a folder that `measure` or `run` wrote. Girths and surface may be missing.
+    ///
+    /// # Errors
+    ///
+    /// No `run.json` there, or a file that cannot be read.
     pub fn from_folder(name: &str, folder: &Path) -> Result<Side, SideError> {
         let read = |file: &str| -> Result<Option<Vec<u8>>, SideError> {
             let path = folder.join(file);
@@ -95,11 +99,19 @@ impl Side {
     }
 
     /// Out of a run whose results lie in a store.
+    ///
+    /// # Errors
+    ///
+    /// A record that is not one of a run, or a result that is no longer in the store.
     pub fn from_run(name: &str, run: &Value, store: &Store) -> Result<Side, SideError> {
         Side::from_nodes(name, nodes(name, run)?, store)
     }
 
     /// Out of the nodes of a run whose results lie in a store.
+    ///
+    /// # Errors
+    ///
+    /// A result that is no longer in the store.
     pub fn from_nodes(name: &str, nodes: Vec<NodeRun>, store: &Store) -> Result<Side, SideError> {
         let yields = |n: &NodeRun, kind: &str| {
             n.content.is_some()

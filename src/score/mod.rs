@@ -67,6 +67,10 @@ pub struct Score {
 }
 
 /// Scores a folder that `measure` wrote against a folder of truth.
+///
+/// # Errors
+///
+/// A file of the result or of the truth that cannot be read.
 pub fn score(result: &Path, truth: &Path) -> Result<Score, Unreadable> {
     let (cameras, motion) = cameras(result, truth)?;
     let known = truth::girths(&truth.join("measurements.json"))?;

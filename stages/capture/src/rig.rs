@@ -22,6 +22,10 @@ pub struct RigFile {
 }
 
 /// Reads a `capture.toml`, and what is said beside it, which wins.
+///
+/// # Errors
+///
+/// Text that is no TOML, a value of the wrong type or beyond its range, tables that contradict each other.
 pub fn read_rig(text: &str, facts: &Facts) -> Result<RigFile, RigError> {
     let table = text.parse();
     let table: Table = table.map_err(|e: toml::de::Error| RigError::wrong(e))?;

@@ -3,7 +3,7 @@
 use nalgebra::{Point3, Rotation3, Vector3};
 use pose::{Calibrate, CalibrateInput, CalibrateParams, Ring, camera_circle};
 use proof::Dice;
-use shape::{Camera, Cameras, Intrinsics, Photo, PhotoId, Photos, Rig, Sighting, Tracks};
+use shape::{Camera, Cameras, Intrinsics, Observation, Photo, PhotoId, Photos, Rig, Tracks};
 use stage::{Ctx, Stage};
 use std::sync::Arc;
 
@@ -62,7 +62,7 @@ fn scattered(cameras: &[Camera], sway_mm: f64, noise_px: f64) -> Tracks {
                 at_px[0] += dice.within(-60.0, 60.0);
             }
             let at_px = at_px.map(|v| v as f32);
-            track.push(Sighting {
+            track.push(Observation {
                 photo: PhotoId(i as u32),
                 at_px,
                 scale_px: 2.0,

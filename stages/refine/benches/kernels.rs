@@ -12,7 +12,7 @@ use refine::pictures::depth::DepthMap;
 use refine::pictures::picture::{Picture, halved};
 use refine::surface::energy::Forces;
 use refine::surface::smooth::ring_median;
-use refine::surface::step::{Rest, settle};
+use refine::surface::step::{Rest, displacements};
 use refine::surface::sweep::sweep;
 use shape::{Adjacency, Gray, Mesh};
 use std::time::Instant;
@@ -180,7 +180,7 @@ fn main() {
     let laplacian = Laplacian::new(&mesh, &around);
     let rest = Rest::new(&laplacian, &x, &normals, 20);
     let visible = Visibility::new(&mesh, &around, &pictures, &window, &rules);
-    let rims = pulls(&mesh, &around, &normals, &pictures, 3.0);
+    let contours = pulls(&mesh, &around, &normals, &pictures, 3.0);
     let footprint = 3000.0 / 4500.0;
     let bending = 0.04 * 8f64.powi(4) * footprint * footprint;
     let forces = Forces {
@@ -188,12 +188,12 @@ fn main() {
         visible: &visible,
         rules: &rules,
         window: &window,
-        pulls: &rims,
+        pulls: &contours,
         outside: &[],
-        bound: 0.0,
+        hull_weight: 0.0,
         laplacian: &laplacian,
         footprint,
-        rim: 0.3,
+        contour_weight: 0.3,
         rest: &rest,
         bending,
         anchor: 1e-4,
@@ -208,15 +208,15 @@ fn main() {
     tell("consistency and its slope", &|| {
         drop(forces.agreements::<true>(&still));
     });
-    tell("rims", &|| {
+    tell("contours", &|| {
         drop(pulls(&mesh, &around, &normals, &pictures, 3.0));
     });
     tell("Laplacian", &|| drop(Laplacian::new(&mesh, &around)));
     tell("rest shape, 20 rings", &|| {
         drop(Rest::new(&laplacian, &x, &normals, 20));
     });
-    tell("settling, 60 rounds of CG", &|| {
-        drop(settle(
+    tell("displacements, 60 rounds of CG", &|| {
+        drop(displacements(
             &data_term, &laplacian, &x, &normals, &rest, bending, 60,
         ));
     });

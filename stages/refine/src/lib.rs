@@ -1,11 +1,11 @@
 //! From a hull to the body's surface: inter-image consistency.
 //!
 //! ```text
-//! mesh, photos, cameras, masks ─┬─ Steady → cameras   the body held still
-//!                               ├─ Bend   → warps     arms, head and chest held still
-//!                               ├─ Settle → mesh      consistency, silhouettes, plate; level by level
-//!                               ├─ Evolve → mesh      the paper's eq. 3 and 5–7
-//!                               └─ Texture → textured colours from the photos
+//! mesh, photos, cameras, masks ─┬─ CompensateMotion    → cameras    the body held still
+//!                               ├─ EstimateDeformation → warps      arms, head and chest held still
+//!                               ├─ OptimizeSurface     → mesh       consistency, silhouettes, a bending term; level by level
+//!                               ├─ Evolve              → mesh       the paper's eq. 3 and 5–7
+//!                               └─ Texture             → textured   colours from the photos
 //! ```
 //!
 //! Folders, each knowing only those below it:
@@ -26,19 +26,21 @@ pub mod pictures;
 pub mod surface;
 pub mod texture;
 
-pub use motion::bend::{Bend, BendInput, BendParams};
-pub use motion::steady::{Steady, SteadyInput, SteadyParams};
+pub use motion::compensate::{CompensateMotion, CompensateMotionInput, CompensateMotionParams};
+pub use motion::deformation::{
+    EstimateDeformation, EstimateDeformationInput, EstimateDeformationParams,
+};
 pub use pictures::prepare::RefineError;
 pub use surface::evolve::{Evolve, EvolveInput};
-pub use surface::params::{EvolveParams, Flow, SettleParams};
-pub use surface::settle::{Settle, SettleInput};
+pub use surface::optimize::{OptimizeSurface, OptimizeSurfaceInput};
+pub use surface::params::{EvolveParams, Flow, OptimizeSurfaceParams};
 pub use texture::stage::{Texture, TextureInput, TextureParams};
 
 /// Every stage of this room, in the order in which data flows through it.
 pub const STAGES: &[&dyn stage::AnyStage] = &[
-    &stage::erase::<Steady>(),
-    &stage::erase::<Bend>(),
-    &stage::erase::<Settle>(),
+    &stage::erase::<CompensateMotion>(),
+    &stage::erase::<EstimateDeformation>(),
+    &stage::erase::<OptimizeSurface>(),
     &stage::erase::<Evolve>(),
     &stage::erase::<Texture>(),
 ];

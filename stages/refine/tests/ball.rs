@@ -4,44 +4,47 @@ mod turn;
 
 use nalgebra::{Point3, Rotation3, Vector3};
 use refine::pictures::prepare::RefineError;
-use refine::{Evolve, EvolveInput, Flow, Settle, SettleInput, Steady, SteadyInput};
+use refine::{
+    CompensateMotion, CompensateMotionInput, Evolve, EvolveInput, Flow, OptimizeSurface,
+    OptimizeSurfaceInput,
+};
 use shape::{Cameras, Mesh, PhotoId};
 use stage::{Ctx, Stage, Stop};
 use std::sync::Arc;
 use turn::{COUNT, RADIUS, ball, camera, off, turn};
 
-fn settled(contrast: f64, masks: bool, radius: f64) -> Result<Mesh, Stop> {
+fn optimized(contrast: f64, masks: bool, radius: f64) -> Result<Mesh, Stop> {
     let (photos, cameras, all) = turn(contrast, &[]);
-    let mut p = <Settle as Stage>::Params::default();
+    let mut p = <OptimizeSurface as Stage>::Params::default();
     (p.edge_px, p.reach_px, p.rounds, p.steps) = (5.0, 0.0, 2, 4);
     let masks = masks.then(|| Arc::new(all));
-    let input = SettleInput {
+    let input = OptimizeSurfaceInput {
         mesh: ball(radius).into(),
         photos: photos.into(),
         cameras: cameras.into(),
         masks,
         warps: None,
     };
-    Settle::run(&p, input, &Ctx::alone())
+    OptimizeSurface::run(&p, input, &Ctx::alone())
 }
 
 #[test]
-fn a_ball_that_is_two_millimetres_too_large_settles_to_its_size() {
-    let mesh = settled(18.0, true, RADIUS + 2.0).unwrap();
+fn a_ball_that_is_two_millimetres_too_large_comes_to_its_size() {
+    let mesh = optimized(18.0, true, RADIUS + 2.0).unwrap();
     assert_eq!(mesh.validate_closed(), Ok(()));
     assert!(off(&mesh) < 0.12, "{} mm off", off(&mesh));
 }
 
 #[test]
 fn silhouettes_alone_hold_a_ball_without_texture() {
-    let mesh = settled(0.0, true, RADIUS + 2.0).unwrap();
+    let mesh = optimized(0.0, true, RADIUS + 2.0).unwrap();
     assert!(mesh.positions.iter().flatten().all(|x| x.is_finite()));
     assert!(off(&mesh) < 0.4, "{} mm off", off(&mesh));
 }
 
 #[test]
 fn a_ball_of_one_flat_colour_without_silhouettes_stays_as_it_is() {
-    let mesh = settled(0.0, false, RADIUS).unwrap();
+    let mesh = optimized(0.0, false, RADIUS).unwrap();
     assert!(off(&mesh) < 0.15, "{} mm off", off(&mesh));
 }
 
@@ -85,21 +88,21 @@ fn a_body_that_shifts_between_photos_is_held_still() {
         (0..COUNT).for_each(|k| shifts[k as usize] -= turn(k) * own / f64::from(COUNT));
     }
     let (photos, cameras, masks) = turn(18.0, &shifts);
-    let mut p = <Steady as Stage>::Params::default();
+    let mut p = <CompensateMotion as Stage>::Params::default();
     (p.look.size.level, p.rounds) = (0, 16);
-    let input = SteadyInput {
+    let input = CompensateMotionInput {
         mesh: ball(RADIUS).into(),
         photos: photos.into(),
         cameras: cameras.into(),
         masks: Some(masks.into()),
     };
-    let steady = Steady::run(&p, input, &Ctx::alone()).unwrap();
+    let compensated = CompensateMotion::run(&p, input, &Ctx::alone()).unwrap();
     let (mut before, mut after) = (0.0, 0.0);
     for (k, shift) in shifts.iter().enumerate() {
-        // Where the middle of the ball was on the photo, and where the steady camera sees it.
+        // Where the middle of the ball was on the photo, and where the compensated camera sees it.
         let true_px = camera(k as u32).project(&Point3::from(*shift)).unwrap();
         let still = camera(k as u32).project(&Point3::origin()).unwrap();
-        let found = steady
+        let found = compensated
             .views
             .get(PhotoId(k as u32))
             .unwrap()
@@ -124,7 +127,11 @@ fn equal_inputs_give_equal_bytes_with_one_thread_and_with_three() {
             .num_threads(threads)
             .build()
             .unwrap();
-        stage::to_bytes(&pool.install(|| settled(18.0, true, RADIUS + 1.0)).unwrap())
+        stage::to_bytes(
+            &pool
+                .install(|| optimized(18.0, true, RADIUS + 1.0))
+                .unwrap(),
+        )
     };
     assert!(with(1) == with(3));
 }
@@ -136,14 +143,14 @@ fn meshes_with_holes_and_photos_without_cameras_are_refused() {
     let (photos, mut cameras, _) = turn(18.0, &[]);
     let photos = Arc::new(photos);
     let run = |mesh: Mesh, cameras: Cameras| {
-        let input = SettleInput {
+        let input = OptimizeSurfaceInput {
             mesh: mesh.into(),
             photos: photos.clone(),
             cameras: cameras.into(),
             masks: None,
             warps: None,
         };
-        match Settle::run(&Default::default(), input, &Ctx::alone()) {
+        match OptimizeSurface::run(&Default::default(), input, &Ctx::alone()) {
             Err(Stop::Failed(error)) => error.downcast::<RefineError>().unwrap().to_string(),
             _ => panic!("it went through"),
         }

@@ -39,7 +39,7 @@ fn what_sticks_out_is_sent_back_as_far_as_it_does() {
     let mesh = ball(RADIUS + 3.0);
     let (far, footprint) = sent(&mesh, &pictures, 0.0);
     let round = mesh.positions.iter().zip(&far);
-    // Twelve cameras look down by 12.7 degrees: about the equator each vertex is near to a rim.
+    // Twelve cameras look down by 12.7 degrees: about the equator each vertex is near to a contour.
     let belt: Vec<f64> = round
         .filter(|(p, _)| p[2].abs() < 10.0)
         .map(|(_, f)| *f)

@@ -12,7 +12,7 @@ use refine::geometry::curvature::Laplacian;
 use refine::pictures::picture::Picture;
 use refine::pictures::prepare::{footprint, pictures};
 use refine::surface::energy::Forces;
-use refine::surface::step::{DataTerm, Rest, settle};
+use refine::surface::step::{DataTerm, Rest, displacements};
 use shape::{Adjacency, Mesh};
 use stage::Stop;
 use turn::{RADIUS, ball, turn};
@@ -77,7 +77,7 @@ fn held(level: bool) -> Held {
 }
 
 impl Held {
-    fn forces(&self, rim: f64, bound: f64, bending: f64) -> Forces<'_> {
+    fn forces(&self, contour_weight: f64, hull_weight: f64, bending: f64) -> Forces<'_> {
         Forces {
             pictures: &self.pictures,
             visible: &self.visible,
@@ -85,10 +85,10 @@ impl Held {
             window: &self.window,
             pulls: &self.pulls,
             outside: &self.outside,
-            bound,
+            hull_weight,
             laplacian: &self.laplacian,
             footprint: self.footprint,
-            rim,
+            contour_weight,
             rest: &self.rest,
             bending,
             anchor: 0.0,
@@ -114,14 +114,14 @@ fn the_slope_of_consistency_is_its_derivative() {
                     agreement::<false>(&held.pictures, visible, frame, d, &held.window, pairing);
                 a.score
             };
-            let told =
+            let given =
                 agreement::<true>(&held.pictures, visible, frame, 0.0, &held.window, pairing);
-            assert!((told.score - at(0.0)).abs() < 1e-6 * told.weight.max(1.0));
-            assert!(told.stiffness >= 0.0 && told.score <= told.weight * 1.0001);
+            assert!((given.score - at(0.0)).abs() < 1e-6 * given.weight.max(1.0));
+            assert!(given.stiffness >= 0.0 && given.score <= given.weight * 1.0001);
             let h = 4e-3;
             let want = (at(h) - at(-h)) / (2.0 * h);
-            let scale = told.stiffness.max(1e-3).sqrt() * told.weight.max(1e-3).sqrt();
-            let error = (told.slope - want).abs() / scale;
+            let scale = given.stiffness.max(1e-3).sqrt() * given.weight.max(1e-3).sqrt();
+            let error = (given.slope - want).abs() / scale;
             off += error;
             far += usize::from(error > 0.05);
             count += 1;
@@ -132,21 +132,21 @@ fn the_slope_of_consistency_is_its_derivative() {
     }
 }
 
-/// The pull on all vertices at once is minus the slope of the whole energy, rims, bound and bending included.
+/// The pull on all vertices at once is minus the slope of the whole energy, contours, hull and bending term included.
 #[test]
 fn the_pull_on_the_surface_is_minus_the_slope_of_the_energy() {
     let held = held(true);
-    assert!(held.pulls.len() > 100, "{} rims", held.pulls.len());
+    assert!(held.pulls.len() > 100, "{} contours", held.pulls.len());
     let mut dice = proof::Dice(4);
     let out = held.outside.iter().filter(|o| **o > 0.0).count();
     assert!(out > 20, "{out} vertices show outside");
-    for (rim, bound, bending) in [
+    for (contour_weight, hull_weight, bending) in [
         (0.0, 0.0, 0.0),
         (3.0, 0.0, 0.0),
         (0.0, 3.0, 0.0),
         (0.3, 10.0, 40.0),
     ] {
-        let forces = held.forces(rim, bound, bending);
+        let forces = held.forces(contour_weight, hull_weight, bending);
         let still = vec![0.0; held.x.len()];
         let data_term = forces.data_term(&forces.agreements::<true>(&still));
         // Against very stiff data terms the step is the pull over the stiffness: bending included.
@@ -155,7 +155,7 @@ fn the_pull_on_the_surface_is_minus_the_slope_of_the_energy() {
             pull: data_term.pull.clone(),
             stiffness: vec![stiff; still.len()],
         };
-        let step = settle(
+        let step = displacements(
             &hard,
             &held.laplacian,
             &held.x,
@@ -172,18 +172,18 @@ fn the_pull_on_the_surface_is_minus_the_slope_of_the_energy() {
             };
             let h = 2e-3;
             let want = (energy(h) - energy(-h)) / (2.0 * h);
-            let told: f64 = step.iter().zip(&way).map(|(s, w)| -s * stiff * w).sum();
+            let given: f64 = step.iter().zip(&way).map(|(s, w)| -s * stiff * w).sum();
             let size: f64 = step.iter().map(|s| (s * stiff).powi(2)).sum::<f64>().sqrt();
             assert!(
-                (told - want).abs() < 0.02 * size,
-                "rim {rim}, bound {bound}, bending {bending}: {told} against {want}, of {size}"
+                (given - want).abs() < 0.02 * size,
+                "contour_weight {contour_weight}, hull_weight {hull_weight}, bending {bending}: {given} against {want}, of {size}"
             );
         }
     }
 }
 
 /// Mean curvature and a plain thin plate shrink what is round; the bending term must not: a tube of 100 mm
-/// girth, and one of 1 m, bare of texture and rims, keep their girth within 0.02 % a step.
+/// girth, and one of 1 m, bare of texture and contours, keep their girth within 0.02 % a step.
 #[test]
 fn the_bending_term_does_not_shrink_a_cylinder() {
     for radius in [16.0, 160.0] {
@@ -228,7 +228,7 @@ fn the_bending_term_does_not_shrink_a_cylinder() {
             stiffness: vec![1e-4 / (edge * edge); x.len()],
         };
         let bending = 10.0 * edge * edge;
-        let d = settle(&data_term, &laplacian, &x, &normals, &rest, bending, 100);
+        let d = displacements(&data_term, &laplacian, &x, &normals, &rest, bending, 100);
         let middle = &d[at(along / 2, 0) as usize..at(along / 2, 0) as usize + around];
         let mean = middle.iter().sum::<f64>() / around as f64;
         assert!(mean.abs() < 2e-4 * radius, "{mean} mm of {radius} mm");
@@ -236,7 +236,7 @@ fn the_bending_term_does_not_shrink_a_cylinder() {
         let plain = Rest {
             wanted: vec![0.0; x.len()],
         };
-        let d = settle(&data_term, &laplacian, &x, &normals, &plain, bending, 100);
+        let d = displacements(&data_term, &laplacian, &x, &normals, &plain, bending, 100);
         assert!(d[at(along / 2, 0) as usize] < -1e-3 * radius);
     }
 }

@@ -78,6 +78,6 @@ pub use sway::Sway;
 pub use tags::{Tag, Tags};
 pub use textured::Textured;
 pub use thin::thinned;
-pub use tracks::{Sighting, Tracks};
+pub use tracks::{Observation, Tracks};
 pub use unit::Unit;
 pub use warps::{Warp, Warps};

@@ -28,11 +28,11 @@ const FAR: f64 = 0.05;
 const LEAST_WAY: f64 = 0.06;
 /// How a picture lies on another of its size. `None` where they share too little.
 pub fn register(picture: &Gray, other: &Gray) -> Option<Placed> {
-    laid(&pyramid(picture), &pyramid(other), Placed::SAME).map(|p| settled(p, picture))
+    laid(&pyramid(picture), &pyramid(other), Placed::SAME).map(|p| or_unmoved(p, picture))
 }
 
-/// Where it is unless it went some way.
-pub(crate) fn settled(placed: Placed, picture: &Gray) -> Placed {
+/// The placement, its shift and roll none where corners go less than [`LEAST_WAY`].
+pub(crate) fn or_unmoved(placed: Placed, picture: &Gray) -> Placed {
     let half = (picture.width as f64).hypot(picture.height as f64) / 2.0;
     let [dx, dy] = placed.shift;
     Placed {

@@ -1,6 +1,6 @@
 //! All photos of a turn laid on each other, and what stands still in them.
 
-use crate::register::{laid, pyramid, settled};
+use crate::register::{laid, or_unmoved, pyramid};
 use crate::{Gray, Placed};
 use rayon::prelude::*;
 
@@ -27,7 +27,7 @@ pub fn registered(pictures: &[Gray]) -> (Vec<Option<Placed>>, Option<Gray>) {
             .collect();
         centred(&mut placed);
         let all = placed.iter_mut().flatten().zip(pictures);
-        all.for_each(|(p, picture)| *p = settled(*p, picture));
+        all.for_each(|(p, picture)| *p = or_unmoved(*p, picture));
         let shown: Vec<Gray> = pictures
             .par_iter()
             .zip(&placed)

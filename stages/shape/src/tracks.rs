@@ -3,9 +3,9 @@
 use crate::PhotoId;
 use stage::{Artifact, Corrupt, Packer, Unpacker};
 
-/// One point on one photo.
+/// Where one photo shows a point.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Sighting {
+pub struct Observation {
     /// On which photo.
     pub photo: PhotoId,
     /// Where. \[px\]
@@ -14,11 +14,11 @@ pub struct Sighting {
     pub scale_px: f32,
 }
 
-/// Points seen on several photos: each list has at least two sightings, on different photos.
+/// Points seen on several photos: each list has at least two observations, on different photos.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Tracks {
     /// One list a point, by photo.
-    pub points: Vec<Vec<Sighting>>,
+    pub points: Vec<Vec<Observation>>,
 }
 
 impl Artifact for Tracks {
@@ -43,13 +43,13 @@ impl Artifact for Tracks {
         let total: usize = lengths.iter().map(|n| *n as usize).sum();
         if total != photos.len() || total != places.len() {
             return Err(Corrupt(
-                "tracks of another length than their sightings".into(),
+                "tracks of another length than their observations".into(),
             ));
         }
         let mut all = photos
             .iter()
             .zip(&places)
-            .map(|(photo, &[x, y, scale_px])| Sighting {
+            .map(|(photo, &[x, y, scale_px])| Observation {
                 photo: PhotoId(*photo),
                 at_px: [x, y],
                 scale_px,

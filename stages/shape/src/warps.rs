@@ -1,4 +1,4 @@
-//! Where each photo shows the body that stands still: how it bent while it was photographed.
+//! Where each photo shows the body that stands still: how it deformed while it was photographed.
 
 use crate::ByPhoto;
 use crate::PhotoId;

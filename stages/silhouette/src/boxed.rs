@@ -37,6 +37,10 @@ pub enum RectangleError {
 
 impl Rectangle {
     /// From `[left, top, right, bottom]`, on a photo of a size; `None` if nothing was said.
+    ///
+    /// # Errors
+    ///
+    /// Other than four numbers; a rectangle that is empty, off the photo, or all of it.
     pub fn read(said: &[f64], width: u32, height: u32) -> Result<Option<Self>, RectangleError> {
         let [left, top, right, bottom] = match said {
             [] => return Ok(None),

@@ -39,6 +39,10 @@ const UNSEEN: f64 = 0.004;
 
 /// The ground of an upright body. Soles that the surface shows and a ground that cameras tell are held
 /// against each other; where they disagree and neither can be trusted, there is none.
+///
+/// # Errors
+///
+/// [`Refusal::NoGround`] where neither is there or to be trusted, or the mesh is empty.
 pub fn ground(mesh: &Mesh, told: Option<&GivenGround>) -> Result<Ground, Refusal> {
     let (low, high) = mesh.bounds().ok_or(Refusal::NoGround)?;
     let (tall, found) = (high.z - low.z, soles(mesh));

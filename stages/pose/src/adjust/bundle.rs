@@ -6,7 +6,7 @@
 //! ρ(s) = c² ln(1 + s/c²), by reweighting.
 
 use crate::adjust::lens::{LENS, lens_values, lens_with};
-use crate::adjust::scene::{Beliefs, Scene, Settings, Sight, cost, look};
+use crate::adjust::scene::{Beliefs, PointObservation, Scene, Settings, cost, look};
 use crate::adjust::system::{System, spread, system};
 use nalgebra::{DVector, Vector3};
 
@@ -27,10 +27,15 @@ pub struct Fit {
 }
 
 /// Adjusts a scene in place.
-pub fn adjust(scene: &mut Scene, sights: &[Sight], beliefs: &Beliefs, settings: &Settings) -> Fit {
-    let mut by_point: Vec<Vec<Sight>> = vec![Vec::new(); scene.points.len()];
-    sights.iter().for_each(|s| by_point[s.point].push(*s));
-    let mut now = cost(scene, sights, beliefs, settings.loss);
+pub fn adjust(
+    scene: &mut Scene,
+    observations: &[PointObservation],
+    beliefs: &Beliefs,
+    settings: &Settings,
+) -> Fit {
+    let mut by_point: Vec<Vec<PointObservation>> = vec![Vec::new(); scene.points.len()];
+    observations.iter().for_each(|s| by_point[s.point].push(*s));
+    let mut now = cost(scene, observations, beliefs, settings.loss);
     let (mut costs, mut damping) = (vec![now], 1e-4);
     for _ in 0..settings.steps {
         let mut system = system(scene, &by_point, beliefs, settings.loss, damping);
@@ -42,7 +47,7 @@ pub fn adjust(scene: &mut Scene, sights: &[Sight], beliefs: &Beliefs, settings: 
             let step = c.solve(&system.right);
             moved(scene, &system, &step)
         });
-        let next = stepped.map(|s| (cost(&s, sights, beliefs, settings.loss), s));
+        let next = stepped.map(|s| (cost(&s, observations, beliefs, settings.loss), s));
         match next {
             Some((better, stepped)) if better < now => {
                 let gain = (now - better) / now.max(f64::MIN_POSITIVE);
@@ -63,7 +68,7 @@ pub fn adjust(scene: &mut Scene, sights: &[Sight], beliefs: &Beliefs, settings: 
     }
     let spread = spread(scene, &by_point, beliefs, settings.loss);
     Fit {
-        rms_px: rms(scene, sights, settings.loss),
+        rms_px: rms(scene, observations, settings.loss),
         costs,
         sigma_mm: spread.centres_mm.into_iter().map(Some).collect(),
         lens_sigma: spread.lens,
@@ -71,8 +76,8 @@ pub fn adjust(scene: &mut Scene, sights: &[Sight], beliefs: &Beliefs, settings: 
     }
 }
 
-fn rms(scene: &Scene, sights: &[Sight], loss: f64) -> f64 {
-    let near = sights.iter().filter_map(|s| {
+fn rms(scene: &Scene, observations: &[PointObservation], loss: f64) -> f64 {
+    let near = observations.iter().filter_map(|s| {
         let r2 = look(scene, s)?.residual.norm_squared();
         (r2.sqrt() < 3.0 * loss).then_some(r2 * s.sigma_px * s.sigma_px)
     });

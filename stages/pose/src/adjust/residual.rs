@@ -6,7 +6,7 @@ use shape::Camera;
 
 /// A residual and its derivatives, in standard deviations.
 pub struct Derivatives {
-    /// Projection minus sighting.
+    /// Projection minus observation.
     pub residual: Vector2<f64>,
     /// By the lens (f, cx, cy, k1, k2), then by the camera: rotation ω with R ← exp(ω) R, translation.
     pub by_unknown: SMatrix<f64, 2, { LENS + 6 }>,
@@ -14,7 +14,7 @@ pub struct Derivatives {
     pub by_point: Matrix2x3<f64>,
 }
 
-/// Residual and derivatives of one sighting. `None` for a point behind the camera.
+/// Residual and derivatives of one observation. `None` for a point behind the camera.
 ///
 /// ```text
 /// x = R X + t,  p = (x, y)/z,  r² = p·p,  u = c + f (1 + k1 r² + k2 r⁴) p

@@ -7,9 +7,9 @@ use crate::adjust::ring::Ring;
 use nalgebra::Point3;
 use shape::{Camera, Intrinsics, Pose};
 
-/// What was seen: a camera, a point, a pixel.
+/// Where a camera sees a point.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Sight {
+pub struct PointObservation {
     /// Which camera.
     pub camera: usize,
     /// Which point.
@@ -68,17 +68,17 @@ pub struct Settings {
     pub gain: f64,
 }
 
-/// Residual of a sighting in standard deviations, with derivatives. `None` behind the camera.
-pub(crate) fn look(scene: &Scene, sight: &Sight) -> Option<Derivatives> {
+/// Residual of an observation in standard deviations, with derivatives. `None` behind the camera.
+pub(crate) fn look(scene: &Scene, observation: &PointObservation) -> Option<Derivatives> {
     let camera = Camera {
         lens: scene.lens,
-        pose: scene.poses[sight.camera],
+        pose: scene.poses[observation.camera],
     };
     derivatives(
         &camera,
-        &scene.points[sight.point],
-        sight.at_px,
-        sight.sigma_px,
+        &scene.points[observation.point],
+        observation.at_px,
+        observation.sigma_px,
     )
 }
 
@@ -86,11 +86,11 @@ pub(crate) fn look(scene: &Scene, sight: &Sight) -> Option<Derivatives> {
 const BEHIND: f64 = 1e6;
 
 /// The cost that is minimised.
-pub fn cost(scene: &Scene, sights: &[Sight], beliefs: &Beliefs, loss: f64) -> f64 {
+pub fn cost(scene: &Scene, observations: &[PointObservation], beliefs: &Beliefs, loss: f64) -> f64 {
     let c2 = loss * loss;
-    let seen: f64 = sights
+    let seen: f64 = observations
         .iter()
-        .map(|sight| match look(scene, sight) {
+        .map(|observation| match look(scene, observation) {
             Some(d) => c2 * (d.residual.norm_squared() / c2).ln_1p(),
             None => BEHIND,
         })

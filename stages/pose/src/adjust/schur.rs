@@ -3,7 +3,7 @@
 
 use crate::adjust::lens::LENS;
 use crate::adjust::residual::Derivatives;
-use crate::adjust::scene::{Scene, Sight, look};
+use crate::adjust::scene::{PointObservation, Scene, look};
 use nalgebra::{DMatrix, DVector, Matrix3, Matrix3xX, SMatrix, Vector3};
 
 type LensBlock = SMatrix<f64, LENS, 3>;
@@ -26,9 +26,14 @@ pub(crate) struct Reduced {
     points: Vec<Eliminated>,
 }
 
-/// Builds the reduced system from the sightings of each point; `loss` is Cauchy's c, `damping`
+/// Builds the reduced system from the observations of each point; `loss` is Cauchy's c, `damping`
 /// that of the points' own blocks.
-pub(crate) fn reduce(scene: &Scene, by_point: &[Vec<Sight>], loss: f64, damping: f64) -> Reduced {
+pub(crate) fn reduce(
+    scene: &Scene,
+    by_point: &[Vec<PointObservation>],
+    loss: f64,
+    damping: f64,
+) -> Reduced {
     let poses = LENS + 6 * scene.poses.len();
     let n = poses + scene.rim.as_ref().map_or(0, |rim| rim.unknowns());
     let mut system = Reduced {
@@ -37,22 +42,22 @@ pub(crate) fn reduce(scene: &Scene, by_point: &[Vec<Sight>], loss: f64, damping:
         points: Vec::with_capacity(scene.points.len() - scene.known),
     };
     let c2 = loss * loss;
-    for (p, sights) in by_point.iter().enumerate() {
+    for (p, observations) in by_point.iter().enumerate() {
         let (mut v, mut right) = (Matrix3::zeros(), Vector3::zeros());
         let mut lens = LensBlock::zeros();
-        let mut cameras = Vec::with_capacity(sights.len());
+        let mut cameras = Vec::with_capacity(observations.len());
         let open = scene.rim.as_ref().and_then(|rim| {
             let corner = p.checked_sub(rim.first).filter(|_| p < scene.known)?;
             Some(rim.by_open(corner))
         });
-        for sight in sights {
-            let Some(d) = look(scene, sight) else {
+        for observation in observations {
+            let Some(d) = look(scene, observation) else {
                 continue;
             };
             let weight = 1.0 / (1.0 + d.residual.norm_squared() / c2);
             let by_lens = d.by_unknown.fixed_columns::<LENS>(0);
             let by_pose = d.by_unknown.fixed_columns::<6>(LENS);
-            let at = LENS + 6 * sight.camera;
+            let at = LENS + 6 * observation.camera;
             let add = |m: &mut DMatrix<f64>, row: usize, block: SMatrix<f64, 6, LENS>| {
                 let mut view = m.fixed_view_mut::<6, LENS>(row, 0);
                 view += block;
@@ -77,7 +82,10 @@ pub(crate) fn reduce(scene: &Scene, by_point: &[Vec<Sight>], loss: f64, damping:
                 v += d.by_point.transpose() * d.by_point * weight;
                 right -= d.by_point.transpose() * d.residual * weight;
                 lens += by_lens.transpose() * d.by_point * weight;
-                cameras.push((sight.camera, by_pose.transpose() * d.by_point * weight));
+                cameras.push((
+                    observation.camera,
+                    by_pose.transpose() * d.by_point * weight,
+                ));
             }
         }
         if p >= scene.known {
@@ -100,7 +108,7 @@ pub(crate) fn reduce(scene: &Scene, by_point: &[Vec<Sight>], loss: f64, damping:
     system
 }
 
-/// Adds what a sighting tells of a rim's open numbers, in the lower half.
+/// Adds what an observation tells of a rim's open numbers, in the lower half.
 fn add_open(
     system: &mut Reduced,
     from: usize,

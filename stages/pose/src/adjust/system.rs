@@ -3,7 +3,7 @@
 
 use crate::adjust::lens::{LENS, lens_values};
 use crate::adjust::ring::Ring;
-use crate::adjust::scene::{Beliefs, Scene, Sight};
+use crate::adjust::scene::{Beliefs, PointObservation, Scene};
 use crate::adjust::schur::{Reduced, reduce};
 use nalgebra::{DMatrix, DVector, Matrix3, SMatrix};
 use shape::Pose;
@@ -23,7 +23,7 @@ const HELD: f64 = 1e8;
 /// Builds it.
 pub(crate) fn system(
     scene: &Scene,
-    by_point: &[Vec<Sight>],
+    by_point: &[Vec<PointObservation>],
     beliefs: &Beliefs,
     loss: f64,
     damping: f64,
@@ -124,7 +124,7 @@ pub(crate) struct Spread {
 /// Those of a scene that is adjusted.
 pub(crate) fn spread(
     scene: &Scene,
-    by_point: &[Vec<Sight>],
+    by_point: &[Vec<PointObservation>],
     beliefs: &Beliefs,
     loss: f64,
 ) -> Spread {

@@ -15,7 +15,7 @@ stage::choice! {
 }
 
 stage::params! {
-    /// What is believed before anything is seen, and how sure sightings are.
+    /// What is believed before anything is seen, and how sure observations are.
     pub struct CalibrateParams {
         /// How sure the focal length of EXIF or capture.toml is, as a share of it.
         #[range(0.0005..=0.5)]

@@ -2,14 +2,14 @@
 
 use crate::adjust::bundle::Fit;
 use crate::adjust::lens::LensPrior;
-use crate::adjust::scene::{Scene, Sight};
+use crate::adjust::scene::{PointObservation, Scene};
 use crate::calibration::prior::knows_focal;
 use nalgebra::Vector3;
 use shape::{Camera, Cameras, PhotoId, Photos, Pose, View};
 
-/// Median distance between sightings and projections. \[px\]
-pub(crate) fn median_px(scene: &Scene, sights: &[Sight]) -> f64 {
-    let off = |s: &Sight| {
+/// Median distance between observations and projections. \[px\]
+pub(crate) fn median_px(scene: &Scene, observations: &[PointObservation]) -> f64 {
+    let off = |s: &PointObservation| {
         let camera = Camera {
             lens: scene.lens,
             pose: scene.poses[s.camera],
@@ -17,7 +17,7 @@ pub(crate) fn median_px(scene: &Scene, sights: &[Sight]) -> f64 {
         let at = camera.project(&scene.points[s.point]);
         at.map_or(f64::MAX, |at| (at.x - s.at_px[0]).hypot(at.y - s.at_px[1]))
     };
-    let mut all: Vec<f64> = sights.iter().map(off).collect();
+    let mut all: Vec<f64> = observations.iter().map(off).collect();
     all.sort_by(f64::total_cmp);
     all.get(all.len() / 2).copied().unwrap_or(0.0)
 }
@@ -28,10 +28,10 @@ pub(crate) fn view(
     id: PhotoId,
     camera: usize,
     scene: &Scene,
-    sights: &[Sight],
+    observations: &[PointObservation],
     fit: &Fit,
 ) -> View {
-    let own: Vec<Sight> = sights
+    let own: Vec<PointObservation> = observations
         .iter()
         .filter(|s| s.camera == camera)
         .copied()

@@ -6,7 +6,7 @@ use crate::two_view::epipolar::{agreeing, agreeing_through};
 use crate::two_view::five_point::Both;
 use crate::two_view::room_shift::room_shift;
 use rayon::prelude::*;
-use shape::{Features, Intrinsics, Keypoints, PhotoId, Photos, Sighting, Tracks};
+use shape::{Features, Intrinsics, Keypoints, Observation, PhotoId, Photos, Tracks};
 use stage::{Ctx, Stage, Stop};
 use std::collections::BTreeMap;
 use std::sync::Arc;
@@ -111,7 +111,9 @@ impl Stage for Follow {
         let all: Vec<_> = pairs.par_iter().map(one).collect::<Result<_, Stop>>()?;
         let still: usize = all.iter().map(|a| a.still).sum();
         let name = |i: usize| input.photos.get(views[i].0).map_or("", |p| p.name.as_str());
-        told(&pairs, &all, &name).iter().for_each(|w| ctx.warn(w));
+        warnings(&pairs, &all, &name)
+            .iter()
+            .for_each(|w| ctx.warn(w));
         let matches: Vec<Match> = pairs
             .iter()
             .zip(&all)
@@ -156,7 +158,7 @@ struct Common {
 }
 
 /// What the user should know of neighbouring photos: a camera that was moved, a photo taken twice.
-fn told<'a>(
+fn warnings<'a>(
     pairs: &[(usize, usize)],
     all: &[Common],
     name: &dyn Fn(usize) -> &'a str,
@@ -257,19 +259,20 @@ fn joined(views: &[(PhotoId, &Features)], matches: &[Match]) -> Tracks {
         let (a, b) = (root(&mut parent, a), root(&mut parent, b));
         parent[a.max(b)] = a.min(b);
     }
-    let mut groups: BTreeMap<usize, Vec<Sighting>> = BTreeMap::new();
+    let mut groups: BTreeMap<usize, Vec<Observation>> = BTreeMap::new();
     for (v, (id, features)) in views.iter().enumerate() {
         for (i, k) in features.points.iter().enumerate() {
             let at = root(&mut parent, first[v] + i);
-            let sighting = Sighting {
+            let observation = Observation {
                 photo: *id,
                 at_px: [k.x, k.y],
                 scale_px: k.scale,
             };
-            groups.entry(at).or_default().push(sighting);
+            groups.entry(at).or_default().push(observation);
         }
     }
-    let single = |t: &Vec<Sighting>| t.len() >= 2 && t.windows(2).all(|w| w[0].photo != w[1].photo);
+    let single =
+        |t: &Vec<Observation>| t.len() >= 2 && t.windows(2).all(|w| w[0].photo != w[1].photo);
     Tracks {
         points: groups.into_values().filter(single).collect(),
     }

@@ -71,6 +71,10 @@ fn foreign(
 }
 
 /// `cameras.txt`, `images.txt` and `points3D.txt`; the last may be empty.
+///
+/// # Errors
+///
+/// A line that is not of the format, an image without a camera, or a lens model that is not known here.
 pub fn from_colmap_text(cameras: &str, images: &str, points: &str) -> Result<Model, ForeignError> {
     let file = "cameras.txt";
     let mut lenses = BTreeMap::new();
@@ -184,6 +188,10 @@ impl Bytes<'_> {
 }
 
 /// `cameras.bin`, `images.bin` and `points3D.bin`; the last may be empty.
+///
+/// # Errors
+///
+/// A file that ends early, an image without a camera, or a lens model that is not known here.
 pub fn from_colmap_binary(
     cameras: &[u8],
     images: &[u8],

@@ -16,6 +16,10 @@ fn numbers(value: &Value) -> Option<Vec<f64>> {
 }
 
 /// `cameras.json`: a list `views` or `cameras` of `{image or name, width, height, K, distortion, R, t}`.
+///
+/// # Errors
+///
+/// Text that is no JSON, a list that is not there, or a view without a key or with a matrix that is none.
 pub fn from_json(file: &str, text: &str) -> Result<Model, ForeignError> {
     let whole: Value = serde_json::from_str(text).map_err(|e| unread(file, e.to_string()))?;
     let list = whole.get("views").or_else(|| whole.get("cameras"));
@@ -72,6 +76,11 @@ pub fn from_json(file: &str, text: &str) -> Result<Model, ForeignError> {
 }
 
 /// Middlebury's multi-view format: a count, then a line a photo: name, K, R, t row by row.
+///
+/// # Errors
+///
+/// A count that is missing or other than that of the lines, a line with other than a name and 21 numbers, or a matrix that is
+/// no rotation.
 pub fn from_middlebury(file: &str, text: &str) -> Result<Model, ForeignError> {
     let mut lines = text.lines().map(str::trim).filter(|l| !l.is_empty());
     let count = lines.next().and_then(|l| l.parse::<usize>().ok());

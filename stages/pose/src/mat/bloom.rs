@@ -6,15 +6,15 @@
 
 use crate::adjust::bundle::{Fit, adjust};
 use crate::adjust::rim::straightened;
-use crate::adjust::scene::{Beliefs, Scene, Settings, Sight};
+use crate::adjust::scene::{Beliefs, PointObservation, Scene, Settings};
 use crate::calibration::trust::median_px;
 use nalgebra::{Matrix2, Vector2};
 use shape::Camera;
 
 /// Most rounds of cameras, then shifts.
 const ROUNDS: usize = 8;
-/// Shifts that change less are settled. \[px\]
-const SETTLED_PX: f64 = 1e-3;
+/// Shifts that change less have converged. \[px\]
+const CONVERGED_PX: f64 = 1e-3;
 
 /// How the corners of a quadrangle move when each side moves outward by one pixel.
 pub fn outward(corners: &[[f64; 2]; 4]) -> [Vector2<f64>; 4] {
@@ -33,45 +33,45 @@ pub fn outward(corners: &[[f64; 2]; 4]) -> [Vector2<f64>; 4] {
     })
 }
 
-/// Adjusts to sightings that are tags' corners, four a tag. Each tag's shift has mean zero and
-/// standard deviation `bloom_px`; it is taken out of the sightings. Their standard deviation
+/// Adjusts to observations that are tags' corners, four a tag. Each tag's shift has mean zero and
+/// standard deviation `bloom_px`; it is taken out of the observations. Their standard deviation
 /// afterwards is what they scatter by, at least what it was.
 pub(crate) fn adjust_tags(
     scene: &mut Scene,
-    sights: &mut [Sight],
+    observations: &mut [PointObservation],
     beliefs: &Beliefs,
     settings: &Settings,
     bloom_px: f64,
 ) -> Fit {
-    let seen: Vec<[f64; 2]> = sights.iter().map(|s| s.at_px).collect();
-    let mut fit = adjust(scene, sights, beliefs, settings);
+    let seen: Vec<[f64; 2]> = observations.iter().map(|s| s.at_px).collect();
+    let mut fit = adjust(scene, observations, beliefs, settings);
     let mut last = vec![0.0; seen.len() / 4];
     let rounds = bloom_px > 0.0 || scene.rim.is_some();
     for _ in 0..if rounds { ROUNDS } else { 0 } {
         let mut change = 0.0f64;
-        for ((tag, seen), last) in sights
+        for ((tag, seen), last) in observations
             .chunks_exact_mut(4)
             .zip(seen.chunks_exact(4))
             .zip(&mut last)
         {
-            let seen = &unbent(scene, &tag[0], seen);
+            let seen = &straight_corners(scene, &tag[0], seen);
             let now = shift(scene, tag, seen, settings.loss, bloom_px);
             change = change.max((now - *last).abs());
             *last = now;
             let out = outward(&[seen[0], seen[1], seen[2], seen[3]]);
-            for ((sight, seen), out) in tag.iter_mut().zip(seen).zip(out) {
-                sight.at_px = [seen[0] - now * out.x, seen[1] - now * out.y];
+            for ((observation, seen), out) in tag.iter_mut().zip(seen).zip(out) {
+                observation.at_px = [seen[0] - now * out.x, seen[1] - now * out.y];
             }
         }
-        fit = adjust(scene, sights, beliefs, settings);
-        if change < SETTLED_PX {
+        fit = adjust(scene, observations, beliefs, settings);
+        if change < CONVERGED_PX {
             break;
         }
     }
     // On the disk and on its rim, corners scatter by what they scatter.
     let on_disk = scene.rim.as_ref().map_or(usize::MAX, |rim| rim.first);
-    let split = sights.partition_point(|s| s.point < on_disk);
-    let (mat, rim) = sights.split_at_mut(split);
+    let split = observations.partition_point(|s| s.point < on_disk);
+    let (mat, rim) = observations.split_at_mut(split);
     let mut more = false;
     for part in [mat, rim] {
         let scatter = scatter_px(scene, part);
@@ -81,22 +81,22 @@ pub(crate) fn adjust_tags(
         }
     }
     if more {
-        fit = adjust(scene, sights, beliefs, settings);
+        fit = adjust(scene, observations, beliefs, settings);
     }
     fit
 }
 
-/// Standard deviation of sightings: the median of a two-dimensional normal distribution's length is
+/// Standard deviation of observations: the median of a two-dimensional normal distribution's length is
 /// 1.18 of them. \[px\]
-pub(crate) fn scatter_px(scene: &Scene, sights: &[Sight]) -> f64 {
-    median_px(scene, sights) / 1.18
+pub(crate) fn scatter_px(scene: &Scene, observations: &[PointObservation]) -> f64 {
+    median_px(scene, observations) / 1.18
 }
 
 /// A tag's corners where they would be seen if its sides were straight: those of a tag on the rim
 /// are arcs.
-fn unbent(scene: &Scene, first: &Sight, seen: &[[f64; 2]]) -> [[f64; 2]; 4] {
+fn straight_corners(scene: &Scene, first: &PointObservation, seen: &[[f64; 2]]) -> [[f64; 2]; 4] {
     let corners = [seen[0], seen[1], seen[2], seen[3]];
-    let bent = scene.rim.as_ref().and_then(|rim| {
+    let off_px = scene.rim.as_ref().and_then(|rim| {
         let at = first.point.checked_sub(rim.first)?;
         let eye = Camera {
             lens: scene.lens,
@@ -104,26 +104,32 @@ fn unbent(scene: &Scene, first: &Sight, seen: &[[f64; 2]]) -> [[f64; 2]; 4] {
         };
         straightened(&eye, rim, at / 4)
     });
-    match bent {
+    match off_px {
         None => corners,
         Some(off) => [0, 1, 2, 3].map(|i| (Vector2::from(corners[i]) - off[i]).into()),
     }
 }
 
 /// The shift of one tag that fits best where its corners project. \[px\]
-fn shift(scene: &Scene, tag: &[Sight], seen: &[[f64; 2]], loss: f64, bloom_px: f64) -> f64 {
+fn shift(
+    scene: &Scene,
+    tag: &[PointObservation],
+    seen: &[[f64; 2]],
+    loss: f64,
+    bloom_px: f64,
+) -> f64 {
     let out = outward(&[seen[0], seen[1], seen[2], seen[3]]);
     let sigma = tag[0].sigma_px;
     let (mut top, mut bottom) = (0.0, (sigma / bloom_px).powi(2));
-    for ((sight, seen), out) in tag.iter().zip(seen).zip(out) {
+    for ((observation, seen), out) in tag.iter().zip(seen).zip(out) {
         let camera = Camera {
             lens: scene.lens,
-            pose: scene.poses[sight.camera],
+            pose: scene.poses[observation.camera],
         };
-        let Some(at) = camera.project(&scene.points[sight.point]) else {
+        let Some(at) = camera.project(&scene.points[observation.point]) else {
             continue;
         };
-        let off = (Vector2::from(sight.at_px) - at.coords) / sigma;
+        let off = (Vector2::from(observation.at_px) - at.coords) / sigma;
         let weight = 1.0 / (1.0 + off.norm_squared() / (loss * loss));
         top += weight * out.dot(&(Vector2::from(*seen) - at.coords));
         bottom += weight * out.norm_squared();
@@ -180,7 +186,7 @@ mod tests {
             known: 0,
             rim: None,
         };
-        let mut sights = vec![];
+        let mut observations = vec![];
         for (camera, pose) in truth.iter().enumerate() {
             for id in 0..mat.count {
                 let points = mat_corners(&mat, id).unwrap();
@@ -189,7 +195,7 @@ mod tests {
                 // Nearer tags bloom more, as they are brighter.
                 let bloom = -0.1 + 0.15 * (px[0][1] - 1700.0) / 300.0;
                 for ((point, px), out) in points.iter().zip(px).zip(outward(&px)) {
-                    sights.push(Sight {
+                    observations.push(PointObservation {
                         camera,
                         point: scene.points.len(),
                         at_px: [px[0] + bloom * out.x, px[1] + bloom * out.y],
@@ -211,8 +217,8 @@ mod tests {
         };
         let settings = crate::calibration::prior::settings(&params);
         let off = |bloom_px: f64| {
-            let (mut scene, mut sights) = (scene.clone(), sights.clone());
-            adjust_tags(&mut scene, &mut sights, &beliefs, &settings, bloom_px);
+            let (mut scene, mut observations) = (scene.clone(), observations.clone());
+            adjust_tags(&mut scene, &mut observations, &beliefs, &settings, bloom_px);
             let off = |(a, b): (&Pose, &Pose)| (a.centre() - b.centre()).norm();
             let worst = scene.poses.iter().zip(&truth).map(off).fold(0.0, f64::max);
             (worst, scene.lens.radial[0].abs())

@@ -62,6 +62,10 @@ pub enum LayoutError {
 
 /// The mat for a disk: tags as large as leaves a dozen or more on a ring near the disk's edge. A
 /// tag size or count of 0 is chosen.
+///
+/// # Errors
+///
+/// Fewer than three tags, more than fit on the disk, or numbers beyond the family.
 pub fn mat_for(disk_mm: f64, tag_mm: f64, count: u32, first_id: u32) -> Result<Mat, LayoutError> {
     let tag_mm = if tag_mm > 0.0 {
         tag_mm

@@ -5,7 +5,7 @@
 
 use crate::adjust::bundle::Fit;
 use crate::adjust::rim::{OnRim, met};
-use crate::adjust::scene::{Beliefs, Scene, Settings, Sight};
+use crate::adjust::scene::{Beliefs, PointObservation, Scene, Settings};
 use crate::calibration::params::CalibrateParams;
 use crate::mat::bloom::{adjust_tags, scatter_px};
 use nalgebra::{Point3, Vector2};
@@ -18,7 +18,7 @@ pub(crate) const GLUE_MM: f64 = 5.0;
 const ASLANT: f64 = 0.45;
 /// And one with a side shorter than this. \[px\]
 const SHORTEST_PX: f64 = 10.0;
-/// Fewest sightings of tags that are worth it.
+/// Fewest observations of tags that are worth it.
 const LEAST: usize = 8;
 /// Corners that scatter more than this are not of the strip that was told of. \[px\]
 const MOST_PX: f64 = 0.4;
@@ -26,7 +26,7 @@ const MOST_PX: f64 = 0.4;
 /// Cameras that know the rim, too.
 pub(crate) struct Better {
     pub(crate) scene: Scene,
-    pub(crate) sights: Vec<Sight>,
+    pub(crate) observations: Vec<PointObservation>,
     pub(crate) fit: Fit,
     /// How many tags were used.
     pub(crate) tags: usize,
@@ -36,7 +36,7 @@ pub(crate) struct Better {
 #[derive(Debug, thiserror::Error)]
 pub(crate) enum RimError {
     #[error(
-        "capture.toml tells of tags on the disk's rim, but only {0} sightings of them are good for anything: check `[rim]` (ids, count, radius), the light on the rim, and that it is in view"
+        "capture.toml tells of tags on the disk's rim, but only {0} observations of them are good for anything: check `[rim]` (ids, count, radius), the light on the rim, and that it is in view"
     )]
     Unseen(usize),
     #[error(
@@ -48,7 +48,7 @@ pub(crate) enum RimError {
 /// Adjusts cameras that follow from the mat once more, to mat and rim. `tags`: those of each camera.
 pub(crate) fn with_rim(
     scene: &Scene,
-    sights: &[Sight],
+    observations: &[PointObservation],
     rim: &Rim,
     tags: &[&Vec<Tag>],
     beliefs: &Beliefs,
@@ -75,15 +75,15 @@ pub(crate) fn with_rim(
     }
     let place: BTreeMap<u32, usize> = middles.keys().copied().zip(0..).collect();
     let first = scene.points.len();
-    let on_rim = OnRim::new(rim, first, middles.values().map(|m| amid(m)).collect());
-    let (mut scene, mut sights) = (scene.clone(), sights.to_vec());
+    let on_rim = OnRim::new(rim, first, middles.values().map(|m| medians(m)).collect());
+    let (mut scene, mut observations) = (scene.clone(), observations.to_vec());
     scene.points.extend(on_rim.corners());
     scene.known = scene.points.len();
     scene.rim = Some(on_rim);
-    let on_disk = sights.len();
+    let on_disk = observations.len();
     for (camera, tag) in seen {
         for (k, at_px) in tag.corners.into_iter().enumerate() {
-            sights.push(Sight {
+            observations.push(PointObservation {
                 camera,
                 point: first + 4 * place[&tag.id] + k,
                 at_px,
@@ -91,17 +91,17 @@ pub(crate) fn with_rim(
             });
         }
     }
-    let fit = adjust_tags(&mut scene, &mut sights, beliefs, settings, p.bloom_px);
+    let fit = adjust_tags(&mut scene, &mut observations, beliefs, settings, p.bloom_px);
     let (mat, rim) = (
-        scatter_px(&scene, &sights[..on_disk]),
-        scatter_px(&scene, &sights[on_disk..]),
+        scatter_px(&scene, &observations[..on_disk]),
+        scatter_px(&scene, &observations[on_disk..]),
     );
     if rim > MOST_PX.max(4.0 * mat) {
         return Err(RimError::Misfit { rim, mat });
     }
     Ok(Better {
         scene,
-        sights,
+        observations,
         fit,
         tags: middles.len(),
     })
@@ -121,7 +121,7 @@ fn middle(eye: &Camera, tag: &Tag, rim: &Rim) -> Option<[f64; 2]> {
 }
 
 /// The median of heights, and of angles about the first.
-fn amid(all: &[[f64; 2]]) -> [f64; 2] {
+fn medians(all: &[[f64; 2]]) -> [f64; 2] {
     use std::f64::consts::{PI, TAU};
     let median = |mut v: Vec<f64>| {
         v.sort_by(f64::total_cmp);

@@ -24,6 +24,11 @@ pub struct Piece {
 
 /// The strip for a disk: tags as tall as its rim allows, as many as go around it. A tag size or
 /// count of 0 is chosen.
+///
+/// # Errors
+///
+/// Tags under 5 mm, taller than the rim or wider than its roundness allows; fewer than three or more than go around it; numbers
+/// beyond the family.
 pub fn rim_for(
     disk_mm: f64,
     thick_mm: f64,

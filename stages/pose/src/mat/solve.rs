@@ -8,7 +8,7 @@
 
 use crate::adjust::bundle::adjust;
 use crate::adjust::rim::RimBelief;
-use crate::adjust::scene::{Beliefs, Scene, Sight};
+use crate::adjust::scene::{Beliefs, PointObservation, Scene};
 use crate::calibration::found::Found;
 use crate::calibration::params::CalibrateParams;
 use crate::calibration::prior::{lens_belief, settings};
@@ -60,22 +60,28 @@ pub(crate) fn calibrate(
     p: &CalibrateParams,
 ) -> Result<Found, MatError> {
     let placed = placed(lens, mat, tags, photos.photos.len())?;
-    let (mut scene, mut sights) = laid_out(lens, mat, &placed, p);
+    let (mut scene, mut observations) = laid_out(lens, mat, &placed, p);
     let beliefs = beliefs(lens, photos, p);
     let settings = settings(p);
-    let mut fit = adjust_tags(&mut scene, &mut sights, &beliefs, &settings, p.bloom_px);
-    if fit.rms_px > 3.0 * p.tag_px.max(0.3) || median_px(&scene, &sights) > 2.0 {
+    let mut fit = adjust_tags(
+        &mut scene,
+        &mut observations,
+        &beliefs,
+        &settings,
+        p.bloom_px,
+    );
+    if fit.rms_px > 3.0 * p.tag_px.max(0.3) || median_px(&scene, &observations) > 2.0 {
         return Err(MatError::Misfit {
-            rms: median_px(&scene, &sights),
+            rms: median_px(&scene, &observations),
         });
     }
     let (mut rim_tags, mut rim_warning) = (0, None);
     if let Some(rim) = &photos.rig.rim {
         let own: Vec<&Vec<Tag>> = placed.iter().map(|(_, _, tags)| *tags).collect();
-        match with_rim(&scene, &sights, rim, &own, &beliefs, &settings, p) {
+        match with_rim(&scene, &observations, rim, &own, &beliefs, &settings, p) {
             Ok(better) => {
                 rim_tags = better.tags;
-                (scene, sights, fit) = (better.scene, better.sights, better.fit);
+                (scene, observations, fit) = (better.scene, better.observations, better.fit);
             }
             Err(why) => rim_warning = Some(why.to_string()),
         }
@@ -83,15 +89,15 @@ pub(crate) fn calibrate(
     let ids: Vec<PhotoId> = placed.iter().map(|(id, ..)| *id).collect();
     let (mut used_tracks, mut points) = (0, vec![]);
     if let Some(tracks) = tracks {
-        (used_tracks, points) = add_features(&mut scene, &mut sights, &ids, mat, tracks, p);
-        fit = adjust(&mut scene, &sights, &beliefs, &settings);
+        (used_tracks, points) = add_features(&mut scene, &mut observations, &ids, mat, tracks, p);
+        fit = adjust(&mut scene, &observations, &beliefs, &settings);
     }
     let mut warnings = warnings(photos, &ids, &scene, &fit, &beliefs.lens);
     warnings.extend(nudged(photos, &ids, &scene.poses));
     warnings.extend(uneven(photos, &ids, &scene.poses));
     warnings.extend(rim_warning);
     let view = |(camera, (id, ..)): (usize, &Placed<'_>)| {
-        (*id, view(photos, *id, camera, &scene, &sights, &fit))
+        (*id, view(photos, *id, camera, &scene, &observations, &fit))
     };
     let views: ByPhoto<View> = placed.iter().enumerate().map(view).collect();
     let disk = photos.rig.disk_diameter_mm.map(|d| d / 2.0);
@@ -150,16 +156,16 @@ fn laid_out(
     mat: &Mat,
     placed: &[Placed<'_>],
     p: &CalibrateParams,
-) -> (Scene, Vec<Sight>) {
+) -> (Scene, Vec<PointObservation>) {
     let mut points = vec![];
-    let mut sights = Vec::new();
+    let mut observations = Vec::new();
     for (camera, (_, _, tags)) in placed.iter().enumerate() {
         for tag in tags.iter() {
             let Some(corners) = mat_corners(mat, tag.id) else {
                 continue;
             };
             for (corner, at_px) in corners.iter().zip(tag.corners) {
-                sights.push(Sight {
+                observations.push(PointObservation {
                     camera,
                     point: points.len(),
                     at_px,
@@ -177,14 +183,14 @@ fn laid_out(
         points,
         rim: None,
     };
-    (scene, sights)
+    (scene, observations)
 }
 
 /// Adds features that move with the disk: all of them where the subject stood still, else those on
 /// the disk. How many, and where all features lie. \[mm\]
 fn add_features(
     scene: &mut Scene,
-    sights: &mut Vec<Sight>,
+    observations: &mut Vec<PointObservation>,
     ids: &[PhotoId],
     mat: &Mat,
     tracks: &Tracks,
@@ -197,8 +203,8 @@ fn add_features(
     let on_disk = |s: &&Seen| s.point.z.abs() < 4.0 && s.point.x.hypot(s.point.y) < radius;
     let keep: Vec<&Seen> = seen.iter().filter(|s| rigid || on_disk(s)).collect();
     for track in &keep {
-        for (camera, at_px) in &track.sights {
-            sights.push(Sight {
+        for (camera, at_px) in &track.observations {
+            observations.push(PointObservation {
                 camera: *camera,
                 point: scene.points.len(),
                 at_px: *at_px,

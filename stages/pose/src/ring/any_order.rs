@@ -2,7 +2,7 @@
 //! Szeliski 2006), adjusted after each.
 
 use crate::adjust::bundle::{Fit, adjust};
-use crate::adjust::scene::{Beliefs, Scene, Settings, Sight};
+use crate::adjust::scene::{Beliefs, PointObservation, Scene, Settings};
 use crate::calibration::params::CalibrateParams;
 use crate::calibration::prior::{focals, lens_belief, settings};
 use crate::ring::cameras::Solved;
@@ -62,15 +62,15 @@ pub(crate) fn grown(
     let many = chosen(tracks, p.most_tracks as usize);
     let beliefs = beliefs(&scene.lens, photos, p);
     let mut sigma_px = p.feature_px;
-    let mut last: Option<(Vec<Sight>, Fit)> = None;
+    let mut last: Option<(Vec<PointObservation>, Fit)> = None;
     for _ in 0..4 {
         let seen = triangulated(&scene.lens, &scene.poses, &ids, &many, 8.0 * sigma_px);
         sigma_px = spread_px(&seen).max(p.feature_px);
-        let sights = filled(&mut scene, &seen, sigma_px);
-        let fit = adjust(&mut scene, &sights, &beliefs, &settings(p));
-        last = Some((sights, fit));
+        let observations = filled(&mut scene, &seen, sigma_px);
+        let fit = adjust(&mut scene, &observations, &beliefs, &settings(p));
+        last = Some((observations, fit));
     }
-    let (sights, fit) = last.expect("bug: no round was adjusted");
+    let (observations, fit) = last.expect("bug: no round was adjusted");
     let share = scene.points.len() as f64 / many.points.len().max(1) as f64;
     // By photo, as everybody expects.
     let mut order: Vec<usize> = (0..ids.len()).collect();
@@ -81,13 +81,13 @@ pub(crate) fn grown(
         .enumerate()
         .for_each(|(new, old)| place[*old] = new);
     scene.poses = order.iter().map(|i| scene.poses[*i]).collect();
-    let moved = |s: &Sight| Sight {
+    let moved = |s: &PointObservation| PointObservation {
         camera: place[s.camera],
         ..*s
     };
     Ok(Solved {
         ids: order.iter().map(|i| ids[*i]).collect(),
-        sights: sights.iter().map(moved).collect(),
+        observations: observations.iter().map(moved).collect(),
         fit: Fit {
             sigma_mm: order.iter().map(|i| fit.sigma_mm[*i]).collect(),
             ..fit
@@ -107,20 +107,20 @@ fn beliefs(lens: &Intrinsics, photos: &Photos, p: &CalibrateParams) -> Beliefs {
 }
 
 /// Adjusts what is there, twice, points triangulated anew.
-fn settled(grown: &mut Grown, tracks: &Tracks, beliefs: &Beliefs, p: &CalibrateParams) {
+fn readjust(grown: &mut Grown, tracks: &Tracks, beliefs: &Beliefs, p: &CalibrateParams) {
     let short = Settings {
         steps: 12,
         ..settings(p)
     };
     for most in [2.0 * NEAR_PX, NEAR_PX] {
         let seen = seen(grown, tracks, most);
-        let sights = filled(&mut grown.scene, &seen, p.feature_px);
-        adjust(&mut grown.scene, &sights, beliefs, &short);
+        let observations = filled(&mut grown.scene, &seen, p.feature_px);
+        adjust(&mut grown.scene, &observations, beliefs, &short);
     }
     let seen = seen(grown, tracks, NEAR_PX);
     grown.score = seen
         .iter()
-        .map(|s| s.sights.len() as f64 / (1.0 + s.rms_px * s.rms_px))
+        .map(|s| s.observations.len() as f64 / (1.0 + s.rms_px * s.rms_px))
         .sum();
 }
 
@@ -156,7 +156,7 @@ fn grow(
         };
         grown.ids.push(id);
         grown.scene.poses.push(pose);
-        settled(&mut grown, tracks, beliefs, p);
+        readjust(&mut grown, tracks, beliefs, p);
     }
 }
 
@@ -167,16 +167,16 @@ fn known_points(grown: &Grown, id: PhotoId, tracks: &Tracks) -> Vec<KnownPoint> 
         pose: *pose,
     };
     let cameras: Vec<Camera> = grown.scene.poses.iter().map(camera).collect();
-    let one = |track: &Vec<shape::Sighting>| {
+    let one = |track: &Vec<shape::Observation>| {
         let here = track.iter().find(|s| s.photo == id)?;
-        let sights: Vec<(usize, [f64; 2])> = track
+        let observations: Vec<(usize, [f64; 2])> = track
             .iter()
             .filter_map(|s| {
                 let at = grown.ids.iter().position(|id| *id == s.photo)?;
                 Some((at, s.at_px.map(f64::from)))
             })
             .collect();
-        let (point, rms) = triangulate(&cameras, &sights)?;
+        let (point, rms) = triangulate(&cameras, &observations)?;
         (rms < NEAR_PX).then_some((point, here.at_px.map(f64::from)))
     };
     tracks.points.iter().filter_map(one).collect()
@@ -221,7 +221,7 @@ fn begun(
         // Two photos know little of a lens.
         let mut held = beliefs.clone();
         held.lens.sigma = held.lens.sigma.map(|s| s * 1e-3);
-        settled(&mut grown, tracks, &held, p);
+        readjust(&mut grown, tracks, &held, p);
         if best.as_ref().is_none_or(|best| grown.score > best.score) {
             best = Some(grown);
         }
@@ -231,7 +231,7 @@ fn begun(
 
 /// Where two photos show the same points.
 fn common(tracks: &Tracks, a: PhotoId, b: PhotoId) -> Vec<[[f64; 2]; 2]> {
-    let one = |track: &Vec<shape::Sighting>| {
+    let one = |track: &Vec<shape::Observation>| {
         let on = |id: PhotoId| track.iter().find(|s| s.photo == id);
         Some([on(a)?.at_px.map(f64::from), on(b)?.at_px.map(f64::from)])
     };

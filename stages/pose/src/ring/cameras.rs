@@ -2,7 +2,7 @@
 
 use crate::adjust::bundle::Fit;
 use crate::adjust::lens::LensPrior;
-use crate::adjust::scene::{Scene, Sight};
+use crate::adjust::scene::{PointObservation, Scene};
 use crate::calibration::found::Found;
 use crate::calibration::params::{CalibrateParams, Motion};
 use crate::calibration::prior::knows_focal;
@@ -17,7 +17,7 @@ pub(crate) struct Solved {
     /// The photo of each camera, rising.
     pub(crate) ids: Vec<PhotoId>,
     pub(crate) scene: Scene,
-    pub(crate) sights: Vec<Sight>,
+    pub(crate) observations: Vec<PointObservation>,
     pub(crate) fit: Fit,
     /// How much of the features it explains.
     pub(crate) share: f64,
@@ -28,7 +28,7 @@ pub(crate) struct Solved {
 const LEAST: u32 = 12;
 
 /// The cameras, on a ring about the z axis, and what the user should know of them.
-pub(crate) fn told(
+pub(crate) fn to_cameras(
     photos: &Photos,
     solved: &Solved,
     p: &CalibrateParams,
@@ -43,7 +43,10 @@ pub(crate) fn told(
         });
     }
     let view = |(camera, id): (usize, &PhotoId)| {
-        (*id, view(photos, *id, camera, scene, &solved.sights, fit))
+        (
+            *id,
+            view(photos, *id, camera, scene, &solved.observations, fit),
+        )
     };
     let views: ByPhoto<View> = solved.ids.iter().enumerate().map(view).collect();
     let points = scene

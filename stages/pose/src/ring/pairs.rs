@@ -2,7 +2,7 @@
 
 use crate::ring::start::Pair;
 use nalgebra::Vector2;
-use shape::{Sighting, Tracks};
+use shape::{Observation, Tracks};
 
 /// How far apart in the turn photos are compared.
 const REACH: usize = 3;
@@ -58,6 +58,6 @@ pub(crate) fn chosen(tracks: &Tracks, most: usize) -> Tracks {
     });
     order.truncate(most);
     order.sort_unstable();
-    let points: Vec<Vec<Sighting>> = order.iter().map(|i| tracks.points[*i].clone()).collect();
+    let points: Vec<Vec<Observation>> = order.iter().map(|i| tracks.points[*i].clone()).collect();
     Tracks { points }
 }

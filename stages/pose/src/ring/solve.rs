@@ -1,13 +1,13 @@
 //! Cameras without a mat: a turn about an unknown axis from features alone, then one adjustment.
 
 use crate::adjust::bundle::{Fit, adjust};
-use crate::adjust::scene::{Beliefs, Scene, Sight, Steps};
+use crate::adjust::scene::{Beliefs, PointObservation, Scene, Steps};
 use crate::calibration::found::Found;
 use crate::calibration::params::{CalibrateParams, Motion};
 use crate::calibration::prior::{focals, knows_focal, lens_belief, settings};
 use crate::calibration::trust::median_px;
 use crate::ring::any_order::grown;
-use crate::ring::cameras::{Solved, told};
+use crate::ring::cameras::{Solved, to_cameras};
 use crate::ring::error::TracksError;
 use crate::ring::pairs::{chosen, pairs};
 use crate::ring::places::{out_of_place, placed};
@@ -31,33 +31,34 @@ pub(crate) fn calibrate(
     p: &CalibrateParams,
 ) -> Result<Found, TracksError> {
     if p.motion == Motion::Any {
-        return told(photos, &grown(photos, lens, tracks, p)?, p);
+        return to_cameras(photos, &grown(photos, lens, tracks, p)?, p);
     }
     let ids: Vec<PhotoId> = photos.iter().map(|(id, _)| id).collect();
     let Beginning { mut scene, places } = beginning(photos, lens, &ids, tracks, p)?;
     let many = chosen(tracks, p.most_tracks as usize);
     let mut beliefs = beliefs(lens, photos, &scene, &places, p);
     let mut sigma_px = p.feature_px;
-    let (mut sights, mut fit) =
+    let (mut observations, mut fit) =
         one_round(&mut scene, &ids, &many, &beliefs, 16.0, &mut sigma_px, p);
     for _ in 0..2 {
         let most = 8.0 * sigma_px;
-        (sights, fit) = one_round(&mut scene, &ids, &many, &beliefs, most, &mut sigma_px, p);
+        (observations, fit) = one_round(&mut scene, &ids, &many, &beliefs, most, &mut sigma_px, p);
     }
     let free = match p.motion {
         Motion::Auto => photos.rig.step.is_none(),
         Motion::Ring => false,
         Motion::Free | Motion::Any => true,
     };
-    let swaying = !free && sways(&scene, &sights, &beliefs, p);
+    let swaying = !free && sways(&scene, &observations, &beliefs, p);
     if swaying {
-        fit = adjusted_as_believed(&mut scene, &sights, &mut beliefs, p);
+        fit = adjusted_as_believed(&mut scene, &observations, &mut beliefs, p);
     }
     if free {
         scene.ring = None;
         for _ in 0..3 {
             let most = 8.0 * sigma_px;
-            (sights, fit) = one_round(&mut scene, &ids, &many, &beliefs, most, &mut sigma_px, p);
+            (observations, fit) =
+                one_round(&mut scene, &ids, &many, &beliefs, most, &mut sigma_px, p);
         }
     }
     let share = scene.points.len() as f64 / many.points.len().max(1) as f64;
@@ -66,12 +67,12 @@ pub(crate) fn calibrate(
             share: share * 100.0,
         });
     }
-    let mut found = told(
+    let mut found = to_cameras(
         photos,
         &Solved {
             ids,
             scene,
-            sights,
+            observations,
             fit,
             share,
             prior: beliefs.lens,
@@ -85,7 +86,7 @@ pub(crate) fn calibrate(
         .extend(out_of_place(&names, &places, step_deg));
     if swaying {
         found.warnings.push(
-            "the subject moved against the disk (free cameras would follow it): lens and steps were held at what EXIF and capture.toml say, and how sure the cameras are cannot be told".into(),
+            "the subject moved against the disk (free cameras would follow it): lens and steps were held at what EXIF and capture.toml say, and how sure the cameras are cannot be to_cameras".into(),
         );
     }
     Ok(found)
@@ -124,7 +125,7 @@ fn beginning(
 /// bend the lens (3 % of focal length at 12 mm of sway) and the steps.
 fn adjusted_as_believed(
     scene: &mut Scene,
-    sights: &[Sight],
+    observations: &[PointObservation],
     beliefs: &mut Beliefs,
     p: &CalibrateParams,
 ) -> Fit {
@@ -135,7 +136,7 @@ fn adjusted_as_believed(
     Fit {
         lens_sigma: believed,
         sigma_mm: vec![None; scene.poses.len()],
-        ..adjust(scene, sights, beliefs, &settings(p))
+        ..adjust(scene, observations, beliefs, &settings(p))
     }
 }
 
@@ -173,20 +174,25 @@ fn one_round(
     most_px: f64,
     sigma_px: &mut f64,
     p: &CalibrateParams,
-) -> (Vec<Sight>, Fit) {
+) -> (Vec<PointObservation>, Fit) {
     let seen = triangulated(&scene.lens, &scene.poses, ids, tracks, most_px);
     *sigma_px = spread_px(&seen).max(p.feature_px);
-    let sights = filled(scene, &seen, *sigma_px);
-    let fit = adjust(scene, &sights, beliefs, &settings(p));
-    (sights, fit)
+    let observations = filled(scene, &seen, *sigma_px);
+    let fit = adjust(scene, &observations, beliefs, &settings(p));
+    (observations, fit)
 }
 
 /// Whether the subject sways: a rigid one is seen as well from a ring as from free cameras.
-fn sways(scene: &Scene, sights: &[Sight], beliefs: &Beliefs, p: &CalibrateParams) -> bool {
+fn sways(
+    scene: &Scene,
+    observations: &[PointObservation],
+    beliefs: &Beliefs,
+    p: &CalibrateParams,
+) -> bool {
     let mut loose = scene.clone();
     loose.ring = None;
-    adjust(&mut loose, sights, beliefs, &settings(p));
-    median_px(scene, sights) > p.sway_ratio * median_px(&loose, sights)
+    adjust(&mut loose, observations, beliefs, &settings(p));
+    median_px(scene, observations) > p.sway_ratio * median_px(&loose, observations)
 }
 
 /// What is believed of lens and ring once the direction of the turn and the photos' places are known.

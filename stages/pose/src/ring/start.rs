@@ -64,7 +64,7 @@ pub(crate) fn essential(axis: &Vector3<f64>, beside: f64, turn: f64) -> Matrix3<
     (c - r * c).cross_matrix() * r.matrix()
 }
 
-/// First-order geometric error of a pair of sightings. \[px\]
+/// First-order geometric error of a pair of observations. \[px\]
 fn sampson(e: &Matrix3<f64>, focal: f64, seen: &[Vector2<f64>; 2]) -> f64 {
     let a = Vector3::new(seen[0].x / focal, seen[0].y / focal, 1.0);
     let b = Vector3::new(seen[1].x / focal, seen[1].y / focal, 1.0);

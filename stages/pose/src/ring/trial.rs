@@ -2,7 +2,7 @@
 
 use crate::adjust::bundle::adjust;
 use crate::adjust::ring::Ring;
-use crate::adjust::scene::{Beliefs, Scene, Sight};
+use crate::adjust::scene::{Beliefs, PointObservation, Scene};
 use crate::calibration::params::CalibrateParams;
 use crate::calibration::prior::{lens_prior, settings};
 use crate::ring::start::{Start, on_axis};
@@ -24,19 +24,19 @@ fn ring_of(start: &Start) -> Ring {
     }
 }
 
-/// A scene's points and sightings from triangulated tracks.
-pub(crate) fn filled(scene: &mut Scene, seen: &[Seen], sigma_px: f64) -> Vec<Sight> {
+/// A scene's points and observations from triangulated tracks.
+pub(crate) fn filled(scene: &mut Scene, seen: &[Seen], sigma_px: f64) -> Vec<PointObservation> {
     scene.points = seen.iter().map(|s| s.point).collect();
-    let sight = |(point, seen): (usize, &Seen)| -> Vec<Sight> {
-        let one = |(camera, at_px): &(usize, [f64; 2])| Sight {
+    let observation = |(point, seen): (usize, &Seen)| -> Vec<PointObservation> {
+        let one = |(camera, at_px): &(usize, [f64; 2])| PointObservation {
             camera: *camera,
             point,
             at_px: *at_px,
             sigma_px,
         };
-        seen.sights.iter().map(one).collect()
+        seen.observations.iter().map(one).collect()
     };
-    seen.iter().enumerate().flat_map(sight).collect()
+    seen.iter().enumerate().flat_map(observation).collect()
 }
 
 /// A candidate after a short adjustment: how much it explains, and its scene.
@@ -71,15 +71,15 @@ pub(crate) fn tried_out(
     };
     for most in [40.0, 20.0] {
         let seen = triangulated(&scene.lens, &scene.poses, ids, tracks, most);
-        let sights = filled(&mut scene, &seen, spread_px(&seen).max(p.feature_px));
-        adjust(&mut scene, &sights, &beliefs, &short);
+        let observations = filled(&mut scene, &seen, spread_px(&seen).max(p.feature_px));
+        adjust(&mut scene, &observations, &beliefs, &short);
     }
     let seen = triangulated(&scene.lens, &scene.poses, ids, tracks, 20.0);
     let score = seen.iter().map(|s| 1.0 / (1.0 + s.rms_px * s.rms_px)).sum();
     (score, scene)
 }
 
-/// Standard deviation of the sightings about their points, by the median. \[px\]
+/// Standard deviation of the observations about their points, by the median. \[px\]
 pub(crate) fn spread_px(seen: &[Seen]) -> f64 {
     crate::two_view::triangulate::median_residual(seen).min(100.0) / 1.18
 }

@@ -86,7 +86,7 @@ impl Stage for FindTags {
         ctx.metric("tags a photo", count as f64 / views.len().max(1) as f64, "");
         let tags = Tags { views };
         if !told {
-            untold(&tags).iter().for_each(|w| ctx.warn(w));
+            unused_tags(&tags).iter().for_each(|w| ctx.warn(w));
         }
         Ok(tags)
     }
@@ -128,7 +128,7 @@ fn glanced(all: &[(PhotoId, &Photo)], p: &TagsParams, ctx: &Ctx<'_>) -> Result<b
 }
 
 /// What is said of tags that nobody told of.
-fn untold(tags: &Tags) -> Option<String> {
+fn unused_tags(tags: &Tags) -> Option<String> {
     let seen = tags.views.values().filter(|v| !v.is_empty()).count();
     let ids = || tags.views.values().flatten().map(|t| t.id);
     let (first, last) = (ids().min()?, ids().max()?);

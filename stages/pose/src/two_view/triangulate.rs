@@ -6,7 +6,7 @@ use shape::{Camera, Intrinsics, PhotoId, Pose, Tracks};
 /// A triangulated track: cameras by their place in the list, pixels.
 pub(crate) struct Seen {
     pub(crate) point: Point3<f64>,
-    pub(crate) sights: Vec<(usize, [f64; 2])>,
+    pub(crate) observations: Vec<(usize, [f64; 2])>,
     pub(crate) rms_px: f64,
 }
 
@@ -28,16 +28,16 @@ pub(crate) fn triangulated(
             pose: *pose,
         })
         .collect();
-    let one = |track: &Vec<shape::Sighting>| {
-        let place = |s: &shape::Sighting| {
+    let one = |track: &Vec<shape::Observation>| {
+        let place = |s: &shape::Observation| {
             let camera = ids.iter().position(|id| *id == s.photo)?;
             Some((camera, s.at_px.map(f64::from)))
         };
-        let sights: Vec<(usize, [f64; 2])> = track.iter().filter_map(place).collect();
-        let (point, rms_px) = triangulate(&cameras, &sights)?;
+        let observations: Vec<(usize, [f64; 2])> = track.iter().filter_map(place).collect();
+        let (point, rms_px) = triangulate(&cameras, &observations)?;
         (rms_px < most_px).then_some(Seen {
             point,
-            sights,
+            observations,
             rms_px,
         })
     };
@@ -47,11 +47,11 @@ pub(crate) fn triangulated(
 /// The point nearest to all rays, then two Gauss–Newton steps on the pixels, and its residual.
 pub(crate) fn triangulate(
     cameras: &[Camera],
-    sights: &[(usize, [f64; 2])],
+    observations: &[(usize, [f64; 2])],
 ) -> Option<(Point3<f64>, f64)> {
     let (mut normal, mut right) = (Matrix3::zeros(), Vector3::zeros());
     let mut rays = Vec::new();
-    for (c, px) in sights {
+    for (c, px) in observations {
         let ray = cameras[*c].ray((*px).into()).into_inner();
         let across = Matrix3::identity() - ray * ray.transpose();
         normal += across;
@@ -68,7 +68,7 @@ pub(crate) fn triangulate(
     let mut point = Point3::from(normal.try_inverse()? * right);
     for _ in 0..2 {
         let (mut h, mut g) = (Matrix3::zeros(), Vector3::zeros());
-        for (c, px) in sights {
+        for (c, px) in observations {
             let (at, j) = cameras[*c].project_with_jacobian(&point)?;
             let off = nalgebra::Vector2::new(at.x - px[0], at.y - px[1]);
             h += j.transpose() * j;
@@ -77,11 +77,11 @@ pub(crate) fn triangulate(
         point -= h.try_inverse()? * g;
     }
     let mut sum = 0.0;
-    for (c, px) in sights {
+    for (c, px) in observations {
         let at = cameras[*c].project(&point)?;
         sum += (at.x - px[0]).powi(2) + (at.y - px[1]).powi(2);
     }
-    Some((point, (sum / sights.len() as f64).sqrt()))
+    Some((point, (sum / observations.len() as f64).sqrt()))
 }
 
 /// Median of the tracks' residuals. \[px\]

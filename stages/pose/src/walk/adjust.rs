@@ -14,7 +14,7 @@ pub struct Terms {
     pub lenses: Vec<LensPrior>,
     /// How far focusing may change a photo's focal length, as a share; standard deviation.
     pub zoom_sigma: f64,
-    /// Standard deviation of a sighting. \[px\]
+    /// Standard deviation of an observation. \[px\]
     pub sigma_px: f64,
     /// Residuals beyond this many standard deviations lose weight (Cauchy's c).
     pub loss: f64,
@@ -39,7 +39,7 @@ const BEHIND: f64 = 1e6;
 
 /// Adjusts all of a model in place and returns the costs, which never rise. The first shot stays,
 /// and so does its distance from the farthest.
-pub fn settle(model: &mut Model, terms: &Terms) -> Vec<f64> {
+pub fn adjust_model(model: &mut Model, terms: &Terms) -> Vec<f64> {
     let free = Free {
         lenses: true,
         shots: None,
@@ -101,7 +101,7 @@ pub(crate) fn cost(model: &Model, terms: &Terms) -> f64 {
                 Some(off) => c2 * ((off / terms.sigma_px).powi(2) / c2).ln_1p(),
                 None => BEHIND,
             };
-            spot.sights.iter().map(one).sum()
+            spot.observations.iter().map(one).sum()
         })
         .collect();
     let seen: f64 = each.iter().sum();

@@ -1,6 +1,6 @@
 //! Matches of pairs of photos joined to points that each photo shows once.
 
-use shape::{Features, PhotoId, Sighting, Tracks};
+use shape::{Features, Observation, PhotoId, Tracks};
 use std::collections::BTreeMap;
 
 /// What two photos have in common: their places in the list of photos, and pairs of features.
@@ -62,12 +62,12 @@ pub(crate) fn chained(views: &[(PhotoId, &Features)], links: &[Link]) -> Tracks 
             sets.join((first[v] + *i as usize, v), (first[w] + *j as usize, w));
         }
     }
-    let mut groups: BTreeMap<usize, Vec<Sighting>> = BTreeMap::new();
+    let mut groups: BTreeMap<usize, Vec<Observation>> = BTreeMap::new();
     for (v, (id, features)) in views.iter().enumerate() {
         for (i, k) in features.points.iter().enumerate() {
             let root = sets.root(first[v] + i);
             if sets.photos.contains_key(&root) {
-                groups.entry(root).or_default().push(Sighting {
+                groups.entry(root).or_default().push(Observation {
                     photo: *id,
                     at_px: [k.x, k.y],
                     scale_px: k.scale,

@@ -1,4 +1,4 @@
-//! The last adjustments: all points, sightings as sure as they turn out to be.
+//! The last adjustments: all points, observations as sure as they turn out to be.
 
 use crate::walk::adjust::{Free, Sureness, Terms, adjusted, sureness};
 use crate::walk::grow::Grown;
@@ -19,7 +19,7 @@ pub(crate) struct Finished {
     pub(crate) rms_px: f64,
 }
 
-/// Adjusts everything with at most `most` points, sightings within what most lie within.
+/// Adjusts everything with at most `most` points, observations within what most lie within.
 pub(crate) fn finished(
     mut grown: Grown<'_>,
     rules: &Growth,
@@ -62,7 +62,7 @@ pub(crate) fn finished(
     }
 }
 
-/// Standard deviation of a sighting along one axis, by the median. \[px\]
+/// Standard deviation of an observation along one axis, by the median. \[px\]
 fn sigma_px(model: &Model) -> f64 {
     let mut all: Vec<f64> = offs(model).into_iter().map(|(_, off)| off).collect();
     all.sort_by(f64::total_cmp);
@@ -80,8 +80,10 @@ fn sorted(model: &Model, order: &[usize]) -> Model {
     let mut sorted = model.clone();
     sorted.shots = order.iter().map(|s| model.shots[*s].clone()).collect();
     for spot in &mut sorted.spots {
-        spot.sights.iter_mut().for_each(|(s, _)| *s = place[*s]);
-        spot.sights.sort_by_key(|(s, _)| *s);
+        spot.observations
+            .iter_mut()
+            .for_each(|(s, _)| *s = place[*s]);
+        spot.observations.sort_by_key(|(s, _)| *s);
     }
     sorted
 }

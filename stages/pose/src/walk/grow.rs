@@ -18,7 +18,7 @@ use shape::{Intrinsics, PhotoId};
 pub(crate) struct Grown<'a> {
     state: State<'a>,
     /// How many shots there were when all were adjusted.
-    settled: usize,
+    adjusted_shots: usize,
 }
 
 /// How many shots are adjusted with a new one.
@@ -50,9 +50,9 @@ pub(crate) fn grown<'a>(
                 model,
                 spots: vec![None; seen.tracks.len()],
             },
-            settled: 0,
+            adjusted_shots: 0,
         };
-        grown.settle_all(2);
+        grown.adjust_all(2);
         grown.grow(FIRST);
         Some((grown.score(), grown))
     };
@@ -68,7 +68,7 @@ pub(crate) fn grown<'a>(
     loop {
         let before = grown.state.model.shots.len();
         grown.grow(usize::MAX);
-        grown.settle_all(2);
+        grown.adjust_all(2);
         if grown.state.model.shots.len() == before {
             return Some(grown);
         }
@@ -94,7 +94,7 @@ impl Grown<'_> {
             let long = |t: usize| {
                 self.state.spots[t]
                     .as_ref()
-                    .map_or(0, |s| s.sights.len().min(8))
+                    .map_or(0, |s| s.observations.len().min(8))
             };
             of.sort_by_key(|t| (std::cmp::Reverse(long(*t)), mixed(*t)));
             of.truncate(most);
@@ -118,7 +118,7 @@ impl Grown<'_> {
     }
 
     /// Adjusts all so many times, points looked up anew before each.
-    fn settle_all(&mut self, times: usize) {
+    fn adjust_all(&mut self, times: usize) {
         // Two photos know little of a lens, three not much more.
         let tight = if self.state.model.shots.len() < 3 {
             1e-3
@@ -141,7 +141,7 @@ impl Grown<'_> {
             self.take(model);
         }
         self.look_again(self.state.rules.near_px);
-        self.settled = self.state.model.shots.len();
+        self.adjusted_shots = self.state.model.shots.len();
     }
 
     /// What is believed of lenses; `tight` beliefs are about what they are now.
@@ -187,9 +187,9 @@ impl Grown<'_> {
             });
             self.look_around(photo);
             let now = self.state.model.shots.len();
-            match now <= FIRST || now as f64 >= MORE * self.settled as f64 {
-                true => self.settle_all(1),
-                false => self.settle_near(),
+            match now <= FIRST || now as f64 >= MORE * self.adjusted_shots as f64 {
+                true => self.adjust_all(1),
+                false => self.adjust_near(),
             }
         }
     }
@@ -210,12 +210,12 @@ impl Grown<'_> {
     }
 
     /// Adjusts the last shot with those that see most of what it sees, lenses held.
-    fn settle_near(&mut self) {
+    fn adjust_near(&mut self) {
         let last = self.state.model.shots.len() - 1;
         let mut shared = vec![0usize; last + 1];
-        let sees = |s: &&Spot| s.sights.iter().any(|(shot, _)| *shot == last);
+        let sees = |s: &&Spot| s.observations.iter().any(|(shot, _)| *shot == last);
         for spot in self.state.spots.iter().flatten().filter(sees) {
-            spot.sights.iter().for_each(|(s, _)| shared[*s] += 1);
+            spot.observations.iter().for_each(|(s, _)| shared[*s] += 1);
         }
         let mut order: Vec<usize> = (0..last).collect();
         order.sort_by_key(|s| (std::cmp::Reverse(shared[*s]), *s));
@@ -223,7 +223,7 @@ impl Grown<'_> {
         free[last] = true;
         order.iter().take(LOCAL).for_each(|s| free[*s] = true);
         let (mut model, _) = self.with_spots(usize::MAX);
-        let near = |s: &Spot| s.sights.iter().any(|(shot, _)| free[*shot]);
+        let near = |s: &Spot| s.observations.iter().any(|(shot, _)| free[*shot]);
         model.spots.retain(near);
         model.spots.truncate(self.state.rules.most);
         let terms = Terms {

@@ -22,7 +22,7 @@ pub struct Spot {
     /// Where it is.
     pub at: Point3<f64>,
     /// What shows it where.
-    pub sights: Vec<(usize, [f64; 2])>,
+    pub observations: Vec<(usize, [f64; 2])>,
 }
 
 /// Lenses, shots and points.
@@ -55,14 +55,14 @@ impl Model {
         (0..self.shots.len()).map(|s| self.camera(s)).collect()
     }
 
-    /// Distance of a sighting from where its point projects; none behind the camera. \[px\]
+    /// Distance of an observation from where its point projects; none behind the camera. \[px\]
     pub(crate) fn off_px(camera: &Camera, at: &Point3<f64>, [x, y]: [f64; 2]) -> Option<f64> {
         let px = camera.project(at)?;
         Some((px.x - x).hypot(px.y - y))
     }
 }
 
-/// Tracks, ready to be looked up: sightings by track, tracks by photo; pixels as photos are stored.
+/// Tracks, ready to be looked up: observations by track, tracks by photo; pixels as photos are stored.
 pub(crate) struct Seen {
     /// Of each track, where which photo shows it.
     pub(crate) tracks: Vec<Vec<(PhotoId, [f64; 2])>>,
@@ -78,7 +78,7 @@ impl Seen {
         stored: impl Fn(PhotoId, [f64; 2]) -> [f64; 2],
     ) -> Seen {
         let mut by_photo = vec![Vec::new(); photos];
-        let one = |(t, track): (usize, &Vec<shape::Sighting>)| {
+        let one = |(t, track): (usize, &Vec<shape::Observation>)| {
             track
                 .iter()
                 .filter(|s| (s.photo.0 as usize) < photos)

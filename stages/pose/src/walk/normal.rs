@@ -56,14 +56,14 @@ pub(crate) struct Reduced {
     points: Vec<Eliminated>,
 }
 
-/// Residual of a sighting in standard deviations, with derivatives by the lens, the shot, the point.
+/// Residual of an observation in standard deviations, with derivatives by the lens, the shot, the point.
 pub(crate) struct Look {
     pub(crate) plain: Derivatives,
     pub(crate) by_lens: SMatrix<f64, 2, LENS>,
     pub(crate) by_shot: SMatrix<f64, 2, SHOT>,
 }
 
-/// That of a sighting; `camera` is the shot's, its focal length zoomed.
+/// That of an observation; `camera` is the shot's, its focal length zoomed.
 pub(crate) fn look(
     camera: &Camera,
     zoom: f64,
@@ -141,7 +141,7 @@ fn gather<const N: usize>(
 }
 
 impl Reduced {
-    /// Adds a point's sightings, the point still in.
+    /// Adds a point's observations, the point still in.
     fn add(
         &mut self,
         model: &Model,
@@ -153,7 +153,7 @@ impl Reduced {
         let c2 = loss * loss;
         let (mut v, mut right) = (Matrix3::zeros(), Vector3::zeros());
         let (mut lenses, mut shots) = (Vec::with_capacity(1), Vec::with_capacity(8));
-        for (s, px) in &spot.sights {
+        for (s, px) in &spot.observations {
             let shot = &model.shots[*s];
             let Some(look) = look(&cameras[*s], shot.zoom, &spot.at, *px, sigma_px) else {
                 continue;

@@ -1,11 +1,11 @@
-//! Tracks as points of a model: those of their sightings that agree.
+//! Tracks as points of a model: those of their observations that agree.
 
 use crate::two_view::triangulate::triangulate;
 use crate::walk::model::{Model, Seen, Spot};
 use rayon::prelude::*;
 use shape::{Camera, PhotoId};
 
-/// Most pairs of sightings of which a point is tried.
+/// Most pairs of observations of which a point is tried.
 const TRIES: usize = 15;
 
 /// Which shot a photo is, by photo.
@@ -28,32 +28,37 @@ pub(crate) fn spots(
     let places = places(model, seen.by_photo.len());
     let one = |t: &usize| {
         let place = |(photo, px): &(PhotoId, [f64; 2])| Some((places[photo.0 as usize]?, *px));
-        let sights: Vec<(usize, [f64; 2])> = seen.tracks[*t].iter().filter_map(place).collect();
-        spot(&cameras, &sights, near_px)
+        let observations: Vec<(usize, [f64; 2])> =
+            seen.tracks[*t].iter().filter_map(place).collect();
+        spot(&cameras, &observations, near_px)
     };
     which.par_iter().map(one).collect()
 }
 
-/// The point with which most sightings agree, at least two and at least half.
-fn spot(cameras: &[Camera], sights: &[(usize, [f64; 2])], near_px: f64) -> Option<Spot> {
+/// The point with which most observations agree, at least two and at least half.
+fn spot(cameras: &[Camera], observations: &[(usize, [f64; 2])], near_px: f64) -> Option<Spot> {
     let near = |at: &nalgebra::Point3<f64>, (c, px): &(usize, [f64; 2])| {
         Model::off_px(&cameras[*c], at, *px).is_some_and(|off| off < near_px)
     };
     let inside = |at: &nalgebra::Point3<f64>| -> Vec<(usize, [f64; 2])> {
-        sights.iter().filter(|s| near(at, s)).copied().collect()
+        observations
+            .iter()
+            .filter(|s| near(at, s))
+            .copied()
+            .collect()
     };
-    if sights.len() < 2 {
+    if observations.len() < 2 {
         return None;
     }
-    if let Some((at, _)) = triangulate(cameras, sights)
-        && sights.iter().all(|s| near(&at, s))
+    if let Some((at, _)) = triangulate(cameras, observations)
+        && observations.iter().all(|s| near(&at, s))
     {
         return Some(Spot {
             at,
-            sights: sights.to_vec(),
+            observations: observations.to_vec(),
         });
     }
-    let n = sights.len();
+    let n = observations.len();
     if n == 2 {
         return None;
     }
@@ -63,7 +68,7 @@ fn spot(cameras: &[Camera], sights: &[(usize, [f64; 2])], near_px: f64) -> Optio
     let stride = pairs.len().div_ceil(TRIES);
     let mut best: Vec<(usize, [f64; 2])> = Vec::new();
     for (i, j) in pairs.into_iter().step_by(stride) {
-        if let Some((at, _)) = triangulate(cameras, &[sights[i], sights[j]]) {
+        if let Some((at, _)) = triangulate(cameras, &[observations[i], observations[j]]) {
             let agree = inside(&at);
             if agree.len() > best.len() {
                 best = agree;
@@ -75,10 +80,13 @@ fn spot(cameras: &[Camera], sights: &[(usize, [f64; 2])], near_px: f64) -> Optio
     }
     let (at, _) = triangulate(cameras, &best)?;
     let agree = inside(&at);
-    (agree.len() >= 2 && 2 * agree.len() >= n).then_some(Spot { at, sights: agree })
+    (agree.len() >= 2 && 2 * agree.len() >= n).then_some(Spot {
+        at,
+        observations: agree,
+    })
 }
 
-/// How far sightings lie from where their points project, with their shots. \[px\]
+/// How far observations lie from where their points project, with their shots. \[px\]
 pub(crate) fn offs(model: &Model) -> Vec<(usize, f64)> {
     let cameras = model.cameras();
     let of = |spot: &Spot| -> Vec<(usize, f64)> {
@@ -86,7 +94,7 @@ pub(crate) fn offs(model: &Model) -> Vec<(usize, f64)> {
             let off = Model::off_px(&cameras[*s], &spot.at, *px);
             (*s, off.unwrap_or(f64::INFINITY))
         };
-        spot.sights.iter().map(one).collect()
+        spot.observations.iter().map(one).collect()
     };
     model.spots.iter().flat_map(of).collect()
 }
@@ -109,18 +117,21 @@ mod tests {
         };
         let cameras: Vec<Camera> = (0..5).map(camera).collect();
         let point = Point3::new(0.2, 0.3, -0.1);
-        let mut sights: Vec<(usize, [f64; 2])> = cameras
+        let mut observations: Vec<(usize, [f64; 2])> = cameras
             .iter()
             .enumerate()
             .map(|(c, camera)| (c, camera.project(&point).unwrap().into()))
             .collect();
-        sights[3].1[1] += 60.0;
-        let found = spot(&cameras, &sights, 3.0).unwrap();
+        observations[3].1[1] += 60.0;
+        let found = spot(&cameras, &observations, 3.0).unwrap();
         assert_eq!(
-            found.sights.iter().map(|s| s.0).collect::<Vec<_>>(),
+            found.observations.iter().map(|s| s.0).collect::<Vec<_>>(),
             [0, 1, 2, 4]
         );
         assert!((found.at - point).norm() < 1e-9);
-        assert_eq!(spot(&cameras, &[sights[0], sights[3]], 3.0), None);
+        assert_eq!(
+            spot(&cameras, &[observations[0], observations[3]], 3.0),
+            None
+        );
     }
 }

@@ -2,7 +2,7 @@
 
 use crate::scene::{FOCAL, aligned, scene, walk};
 use nalgebra::{Rotation3, Vector3};
-use pose::{LensPrior, Shot, Spot, Terms, WalkModel, settle};
+use pose::{LensPrior, Shot, Spot, Terms, WalkModel, adjust_model};
 use proof::Dice;
 use shape::PhotoId;
 
@@ -27,12 +27,12 @@ fn an_adjustment_never_rises_and_comes_back_to_the_truth() {
         spots: vec![],
     };
     for (at, _) in scene().into_iter().take(300) {
-        let sights: Vec<(usize, [f64; 2])> = (0..6)
+        let observations: Vec<(usize, [f64; 2])> = (0..6)
             .filter_map(|s| Some((s, model.camera(s).project(&at)?.into())))
             .filter(|(_, px): &(usize, [f64; 2])| px.iter().all(|v| v.abs() < 2500.0))
             .collect();
-        if sights.len() >= 2 {
-            model.spots.push(Spot { at, sights });
+        if observations.len() >= 2 {
+            model.spots.push(Spot { at, observations });
         }
     }
     let before = model.clone();
@@ -56,7 +56,7 @@ fn an_adjustment_never_rises_and_comes_back_to_the_truth() {
         loss: 2.0,
         steps: 60,
     };
-    let costs = settle(&mut model, &terms);
+    let costs = adjust_model(&mut model, &terms);
     assert!(costs.windows(2).all(|w| w[1] <= w[0]), "{costs:?}");
     proof::near(model.lenses[0].focal[0], FOCAL, 0.5);
     let centres = |m: &WalkModel| m.shots.iter().map(|s| s.pose.centre()).collect::<Vec<_>>();

@@ -59,13 +59,13 @@ fn a_photo_of_something_else_is_named_and_many_are_refused() {
     let without = |gone: &[u32]| {
         let mut tracks = tracks(&truth, 0.4);
         let mut dice = Dice(3);
-        for sighting in tracks
+        for observation in tracks
             .points
             .iter_mut()
             .flatten()
             .filter(|s| gone.contains(&s.photo.0))
         {
-            sighting.at_px = [
+            observation.at_px = [
                 dice.within(0.0, 1199.0) as f32,
                 dice.within(0.0, 1199.0) as f32,
             ];

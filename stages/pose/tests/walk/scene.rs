@@ -3,7 +3,7 @@
 use nalgebra::{Matrix3, Point3, Rotation3, Vector3};
 use pose::{Walk, WalkInput, WalkParams};
 use proof::Dice;
-use shape::{Camera, Cameras, Intrinsics, Photo, PhotoId, Photos, Pose, Sighting, Tracks};
+use shape::{Camera, Cameras, Intrinsics, Observation, Photo, PhotoId, Photos, Pose, Tracks};
 use stage::{Ctx, Host, Metric, Stage, Stop, hash};
 use std::sync::{Arc, Mutex};
 
@@ -92,7 +92,7 @@ pub(crate) fn scene() -> Vec<(Point3<f64>, Option<Vector3<f64>>)> {
     points
 }
 
-/// Where photos show points, to `noise_px`; one sighting in twenty is elsewhere.
+/// Where photos show points, to `noise_px`; one observation in twenty is elsewhere.
 pub(crate) fn tracks(cameras: &[Camera], noise_px: f64) -> Tracks {
     let mut dice = Dice(9);
     let mut points = Vec::new();
@@ -111,7 +111,7 @@ pub(crate) fn tracks(cameras: &[Camera], noise_px: f64) -> Tracks {
                 at_px = at_px.map(|v| v + dice.within(-80.0, 80.0));
             }
             if dice.unit() < 0.6 {
-                track.push(Sighting {
+                track.push(Observation {
                     photo: PhotoId(i as u32),
                     at_px: at_px.map(|v| v as f32),
                     scale_px: 2.0,

@@ -29,8 +29,8 @@ pub fn agreement<const SLOPE: bool>(
 ) -> Agreement {
     let mut looks = [Look::EMPTY; MOST_VIEWS];
     let mut seen = [false; MOST_VIEWS];
-    for (i, sight) in visible.iter().enumerate().take(MOST_VIEWS) {
-        let picture = &pictures[sight.picture as usize];
+    for (i, view) in visible.iter().enumerate().take(MOST_VIEWS) {
+        let picture = &pictures[view.picture as usize];
         seen[i] = looks[i].read::<SLOPE>(picture, frame, offset, &frame.normal, window);
     }
     let mut sum = Agreement::default();

@@ -1,4 +1,4 @@
-//! What every stage that compares patches is told of them.
+//! Params of every stage that compares patches.
 
 use crate::evidence::patch::Window;
 

@@ -1,9 +1,9 @@
-//! How the body bent between two photos: a smooth field of offsets a photo.
+//! How the body deformed between two photos: a smooth field of offsets a photo.
 //!
 //! Six numbers a photo carry the body as a whole; arms that swing, a head that turns and a chest
 //! that breathes are left. What is left is small and smooth, so a coarse grid over the photo holds it
 //! (as in Zhou and Koltun 2014, sec. 4, there for colour). What the surface itself could explain
-//! is no bending: the share of the pulls at a vertex that its motion along the normal would still is
+//! is no deformation: the share of the pulls at a vertex that its motion along the normal would still is
 //! taken out first.
 
 use crate::evidence::contours::Pull;
@@ -11,48 +11,48 @@ use crate::evidence::look::Look;
 use crate::evidence::patch::{MOST_VIEWS, Window};
 use crate::evidence::visibility::Visibility;
 use crate::geometry::gradients::conjugate_gradients;
-use crate::motion::normal_equations::{PointTug, normal_equations_at};
+use crate::motion::normal_equations::{PointShift, normal_equations_at};
 use crate::pictures::picture::Picture;
 use nalgebra::{Point3, Vector3};
 use rayon::prelude::*;
 use shape::{Mesh, Warp};
 
-/// What is expected of bending, and how well a contour is believed.
+/// What is expected of a deformation, and how well a contour is believed.
 #[derive(Debug, Clone, Copy)]
-pub struct Stiff {
+pub struct FieldPrior {
     /// Standard deviation of an offset. \[px\]
     pub shift_px: f64,
     /// Standard deviation of the difference of two neighbouring nodes. \[px\]
     pub differ_px: f64,
     /// How much a point of a contour says, against one that is known to a pixel.
-    pub rim: f64,
+    pub contour_weight: f64,
 }
 
-/// A pull on a photo's field: what is seen at `at` should lie `gap` farther along `way`.
+/// A constraint on a photo's field: what is seen at `at` should lie `gap` farther along `way`.
 #[derive(Debug, Clone, Copy)]
-struct Tie {
+struct Constraint {
     at: [f64; 2],
     way: [f64; 2],
     gap: f64,
     stiffness: f64,
 }
 
-/// All pulls on the photos' fields, one list a picture, in pixels of the pictures.
-pub struct Ties(Vec<Vec<Tie>>);
+/// All constraints on the photos' fields, one list a picture, in pixels of the pictures.
+pub struct Constraints(Vec<Vec<Constraint>>);
 
-impl Ties {
-    /// From brightness and contours, on pictures that are unbent as far as is known.
+impl Constraints {
+    /// From brightness and contours, on pictures that are undeformed as far as is known.
     pub fn new(
         mesh: &Mesh,
         pictures: &[Picture],
         visible: &Visibility,
         contours: &[Pull],
         window: &Window,
-        stiff: &Stiff,
+        prior: &FieldPrior,
         footprint: f64,
     ) -> Self {
         let chunk = 512;
-        let chunks: Vec<Vec<PointTug>> = (0..visible.frames.len().div_ceil(chunk))
+        let chunks: Vec<Vec<PointShift>> = (0..visible.frames.len().div_ceil(chunk))
             .into_par_iter()
             .map(|c| {
                 let mut looks = [[Look::EMPTY; 2]; MOST_VIEWS];
@@ -66,26 +66,26 @@ impl Ties {
                 all
             })
             .collect();
-        let mut ties = Ties(pictures.iter().map(|_| vec![]).collect());
+        let mut constraints = Constraints(pictures.iter().map(|_| vec![]).collect());
         for t in chunks.iter().flatten() {
-            ties.add(pictures, t);
+            constraints.add(pictures, t);
         }
         for p in contours {
-            ties.add(
+            constraints.add(
                 pictures,
-                &PointTug {
+                &PointShift {
                     picture: p.picture,
                     x: mesh.point(p.vertex),
                     direction: visible.frames[p.vertex as usize].normal * -p.slope,
                     gap: p.gap,
-                    stiffness: p.weight * stiff.rim / (footprint * footprint),
+                    stiffness: p.weight * prior.contour_weight / (footprint * footprint),
                 },
             );
         }
-        ties
+        constraints
     }
 
-    fn add(&mut self, pictures: &[Picture], t: &PointTug) {
+    fn add(&mut self, pictures: &[Picture], t: &PointShift) {
         let picture = &pictures[t.picture as usize];
         let Some((at, _)) = picture.project(&t.x) else {
             return;
@@ -93,7 +93,7 @@ impl Ties {
         let [x, y] = picture.jacobian(&t.x).map(|row| row.dot(&t.direction));
         let long = x.hypot(y);
         if long > 0.0 {
-            self.0[t.picture as usize].push(Tie {
+            self.0[t.picture as usize].push(Constraint {
                 at,
                 way: [x / long, y / long],
                 gap: t.gap * long,
@@ -102,16 +102,17 @@ impl Ties {
         }
     }
 
-    /// The fields that give in to the pulls, `now` being those that the pictures were unbent by. All
+    /// The fields that give in to the constraints, `now` being those that the pictures were undeformed by. All
     /// photos move at once, each to where the others were: only half of the way is gone.
-    pub fn solve(&self, now: &[Warp], stiff: &Stiff) -> Vec<Warp> {
+    pub fn solve(&self, now: &[Warp], prior: &FieldPrior) -> Vec<Warp> {
         let each = self.0.par_iter().zip(now);
-        each.map(|(ties, warp)| solve(ties, warp, stiff)).collect()
+        each.map(|(constraints, warp)| solve(constraints, warp, prior))
+            .collect()
     }
 }
 
 /// Takes the share of a vertex' pulls out that a motion of the surface along its normal explains.
-fn without_depth(equations: &mut [PointTug], normal: &Vector3<f64>) {
+fn without_depth(equations: &mut [PointShift], normal: &Vector3<f64>) {
     let (mut pull, mut stiff) = (0.0, 0.0);
     for t in equations.iter() {
         let share = normal.dot(&t.direction);
@@ -127,11 +128,11 @@ fn without_depth(equations: &mut [PointTug], normal: &Vector3<f64>) {
 }
 
 /// One photo's field: `Σ stiffness (way · o(at) − gap)² + Σ_edges |o_a − o_b|² / differ² + Σ |o|² / shift²`.
-fn solve(ties: &[Tie], now: &Warp, stiff: &Stiff) -> Warp {
+fn solve(constraints: &[Constraint], now: &Warp, prior: &FieldPrior) -> Warp {
     let nodes = now.offsets.len();
     let (columns, rows) = (now.columns, now.rows());
-    let (mesh, hold) = (stiff.differ_px.powi(-2), stiff.shift_px.powi(-2));
-    let places: Vec<_> = ties.iter().map(|t| now.around(t.at)).collect();
+    let (mesh, hold) = (prior.differ_px.powi(-2), prior.shift_px.powi(-2));
+    let places: Vec<_> = constraints.iter().map(|t| now.around(t.at)).collect();
     let edges = || {
         let across = (0..rows).flat_map(move |j| (1..columns).map(move |i| (j * columns + i, 1)));
         let down =
@@ -145,14 +146,14 @@ fn solve(ties: &[Tie], now: &Warp, stiff: &Stiff) -> Warp {
             diagonal[k] += mesh;
         }
     }
-    for (tie, place) in ties.iter().zip(&places) {
-        let so_far = now.at(tie.at);
-        let gap = tie.gap + so_far[0] * tie.way[0] + so_far[1] * tie.way[1];
+    for (constraint, place) in constraints.iter().zip(&places) {
+        let so_far = now.at(constraint.at);
+        let gap = constraint.gap + so_far[0] * constraint.way[0] + so_far[1] * constraint.way[1];
         for (node, share) in place {
             for k in 0..2 {
-                let row = share * tie.way[k];
-                right[2 * node + k] += tie.stiffness * row * gap;
-                diagonal[2 * node + k] += tie.stiffness * row * row;
+                let row = share * constraint.way[k];
+                right[2 * node + k] += constraint.stiffness * row * gap;
+                diagonal[2 * node + k] += constraint.stiffness * row * row;
             }
         }
     }
@@ -165,14 +166,14 @@ fn solve(ties: &[Tie], now: &Warp, stiff: &Stiff) -> Warp {
                 out[2 * b + k] -= apart;
             }
         }
-        for (tie, place) in ties.iter().zip(&places) {
+        for (constraint, place) in constraints.iter().zip(&places) {
             let along: f64 = place
                 .iter()
-                .map(|(n, s)| s * (o[2 * n] * tie.way[0] + o[2 * n + 1] * tie.way[1]))
+                .map(|(n, s)| s * (o[2 * n] * constraint.way[0] + o[2 * n + 1] * constraint.way[1]))
                 .sum();
             for (node, share) in place {
                 for k in 0..2 {
-                    out[2 * node + k] += tie.stiffness * along * share * tie.way[k];
+                    out[2 * node + k] += constraint.stiffness * along * share * constraint.way[k];
                 }
             }
         }

@@ -1,9 +1,9 @@
-//! How the body moved between photos: `steady` (a stage) → `sway`, six numbers a photo; `bend` (a stage) →
-//! `field`, a smooth field a photo; both → `equations`, what brightness says.
+//! How the body moved between photos: `compensate` (a stage) → `sway`, six numbers a photo; `deformation`
+//! (a stage) → `field`, a smooth field a photo; both → `normal_equations`, what brightness says.
 
-pub(crate) mod bend;
+pub(crate) mod compensate;
+pub(crate) mod deformation;
 pub mod field;
 pub mod normal_equations;
 pub mod params;
-pub(crate) mod steady;
 pub mod sway;

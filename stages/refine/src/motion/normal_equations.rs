@@ -10,7 +10,7 @@ use nalgebra::{Point3, Vector3};
 
 /// A point that a photo shows elsewhere than where it is.
 #[derive(Debug, Clone, Copy)]
-pub struct PointTug {
+pub struct PointShift {
     /// The photo's picture.
     pub picture: u16,
     /// The point. \[mm\]
@@ -34,7 +34,7 @@ pub fn normal_equations_at(
     window: &Window,
     footprint: f64,
     looks: &mut Looks,
-) -> Vec<PointTug> {
+) -> Vec<PointShift> {
     let count = window.len();
     let (frame, seen) = (&visible.frames[v], visible.of(v));
     let mut equations = vec![];
@@ -52,7 +52,7 @@ pub fn normal_equations_at(
     if !fine {
         return equations;
     }
-    for (i, sight) in seen.iter().enumerate() {
+    for (i, view) in seen.iter().enumerate() {
         let mut others = [0.0f32; MOST_POINTS];
         let mut weight = 0.0;
         for (j, other) in seen.iter().enumerate().filter(|(j, _)| *j != i) {
@@ -90,12 +90,12 @@ pub fn normal_equations_at(
             let gap = pull / values[k];
             // A shift of many pixels is none that this look can tell.
             let sure = (2.0 * footprint / gap.abs().max(1e-9)).min(1.0);
-            equations.push(PointTug {
-                picture: sight.picture,
+            equations.push(PointShift {
+                picture: view.picture,
                 x: frame.x,
                 direction: across[i][0] * vectors[k][0] + across[i][1] * vectors[k][1],
                 gap,
-                stiffness: values[k] * f64::from(sight.weight * weight * agree) * sure,
+                stiffness: values[k] * f64::from(view.weight * weight * agree) * sure,
             });
         }
     }

@@ -1,4 +1,4 @@
-//! What is told alike to both stages that look for the body's motion.
+//! Params that both stages which look for the body's motion share.
 
 use crate::evidence::params::PatchParams;
 use crate::evidence::patch::Pairing;

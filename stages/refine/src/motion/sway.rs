@@ -24,7 +24,7 @@ pub struct MotionPrior {
     /// What the body turns about. \[mm\]
     pub pivot: Point3<f64>,
     /// How many points of a contour say as much as one that is known to a pixel.
-    pub rim: f64,
+    pub contour_weight: f64,
     /// What a pixel covers on the surface. \[mm\]
     pub footprint: f64,
 }
@@ -119,7 +119,7 @@ pub fn add_equations_of_contours(
     pulls: &[Pull],
     prior: &MotionPrior,
 ) {
-    let stiffness = prior.rim / (prior.footprint * prior.footprint);
+    let stiffness = prior.contour_weight / (prior.footprint * prior.footprint);
     for p in pulls {
         let n = normals[p.vertex as usize];
         // The whole surface moving by s along the normal changes the gap by slope * s.
@@ -171,7 +171,7 @@ pub fn without_gauge(motions: &mut [Vector6<f64>], centres: &[Point3<f64>]) {
         ]
     };
     let count = motions.len().max(1) as f64;
-    // The two kinds overlap where cameras do not stand all around: a few turns settle both.
+    // The two kinds overlap where cameras do not stand all around: a few turns solve both.
     for _ in 0..10 {
         let mean = motions.iter().fold(Vector6::zeros(), |s, m| s + m) / count;
         motions.iter_mut().for_each(|m| *m -= mean);

@@ -3,7 +3,7 @@
 //! What a pixel and a vertex take was read off peaks of single stages on turns of 18 photos of 1 and
 //! 4 megapixels; docs/engine.md has them beside what is told.
 
-use crate::pictures::prepare::{halvings, taken};
+use crate::pictures::prepare::{halvings, posed};
 use shape::{Cameras, Masks, Mesh, Photos};
 
 /// Of a pixel of a picture: brightness, and the distance to the silhouette. \[bytes\]
@@ -50,7 +50,7 @@ impl Need {
             photo: 0.0,
             body: 0.0,
         };
-        let views = taken(photos, cameras);
+        let views = posed(photos, cameras);
         for (id, view) in &views {
             let [width, height] = [view.camera.lens.width, view.camera.lens.height];
             let photo = f64::from(width) * f64::from(height);

@@ -50,11 +50,11 @@ impl Picture {
         }
     }
 
-    /// The picture as it would be had the body not bent: what `warp` says is seen at an offset,
+    /// The picture as it would be had the body not deformed: what `warp` says is seen at an offset,
     /// brought back. `warp` in pixels of the photo, `photo_width` wide.
-    pub fn unbent(&self, warp: &Warp, photo_width: u32) -> Self {
+    pub fn undeformed(&self, warp: &Warp, photo_width: u32) -> Self {
         let scale = self.gray.width as f64 / f64::from(photo_width);
-        let bent = |image: &Gray| -> Gray {
+        let resampled = |image: &Gray| -> Gray {
             let mut out = Gray::filled(image.width, image.height, 0.0);
             for y in 0..image.height {
                 let row = (y as f64 + 0.5) / scale - 0.5;
@@ -67,11 +67,11 @@ impl Picture {
             out
         };
         Picture {
-            gray: bent(&self.gray),
+            gray: resampled(&self.gray),
             projection: self.projection,
             centre: self.centre,
             focal: self.focal,
-            inside: self.inside.as_ref().map(bent),
+            inside: self.inside.as_ref().map(resampled),
             noise: self.noise,
         }
     }

@@ -57,7 +57,7 @@ pub(crate) fn halvings([width, height]: [u32; 2], level: u32, most_mpx: f64) -> 
 }
 
 /// The cameras whose photo is there, in turning order: the order of [`pictures`].
-pub fn taken<'a>(photos: &Photos, cameras: &'a Cameras) -> Vec<(PhotoId, &'a View)> {
+pub fn posed<'a>(photos: &Photos, cameras: &'a Cameras) -> Vec<(PhotoId, &'a View)> {
     let views = cameras.views.iter();
     views.filter(|(id, _)| photos.get(*id).is_some()).collect()
 }
@@ -76,7 +76,7 @@ pub fn pictures<E: From<RefineError> + From<PhotoError> + Send>(
     most_mpx: f64,
     check: impl Fn() -> Result<(), E> + Sync,
 ) -> Result<Vec<Picture>, E> {
-    let views = taken(photos, cameras);
+    let views = posed(photos, cameras);
     if views.len() < 2 {
         return Err(RefineError::TooFew(views.len()).into());
     }
@@ -84,7 +84,7 @@ pub fn pictures<E: From<RefineError> + From<PhotoError> + Send>(
         .par_iter()
         .map(|(id, view)| {
             check()?;
-            let photo = photos.get(*id).expect("bug: taken without a photo");
+            let photo = photos.get(*id).expect("bug: a camera without a photo");
             let lens = &view.camera.lens;
             if [photo.width, photo.height] != [lens.width, lens.height] {
                 return Err(RefineError::Size {
@@ -108,13 +108,13 @@ pub fn pictures<E: From<RefineError> + From<PhotoError> + Send>(
         .collect()
 }
 
-/// Takes out of [`pictures`] of the same photos and cameras how the body bent.
-pub fn unbend(pictures: &mut [Picture], photos: &Photos, cameras: &Cameras, warps: &Warps) {
-    let ids = taken(photos, cameras);
+/// Takes out of [`pictures`] of the same photos and cameras how the body deformed.
+pub fn undeform(pictures: &mut [Picture], photos: &Photos, cameras: &Cameras, warps: &Warps) {
+    let ids = posed(photos, cameras);
     let each = pictures.par_iter_mut().zip(&ids);
     each.for_each(|(picture, (id, view))| {
         if let Some(warp) = warps.views.get(*id) {
-            *picture = picture.unbent(warp, view.camera.lens.width);
+            *picture = picture.undeformed(warp, view.camera.lens.width);
         }
     });
 }

@@ -21,7 +21,7 @@ stage::params! {
 stage::inputs! {
     /// A surface and the photos of one turn.
     pub struct TurnInput {
-        /// Closed; a hull will do, but bending is told apart from shape only on a settled surface.
+        /// Closed; a hull will do, but a deformation is told apart from shape only on an optimized surface.
         mesh: Arc<Mesh>,
         /// Those without a camera are passed over.
         photos: Arc<Photos>,

@@ -11,7 +11,7 @@ use nalgebra::Vector3;
 use rayon::prelude::*;
 
 /// A surface under its forces, visibility and frames held: the energy is
-/// `Σ_v a_v (Σ_pairs w (1 − M) + ½ rim (gap/φ)² + ½ bound (out/φ)²) + ½ bending Σ_v area_v (n·L x − rest)²` with `a = area/φ²`,
+/// `Σ_v a_v (Σ_pairs w (1 − M) + ½ contour_weight (gap/φ)² + ½ hull_weight (out/φ)²) + ½ bending Σ_v area_v (n·L x − rest)²` with `a = area/φ²`,
 /// φ the pixel's footprint; so its balance is the same at every scale.
 pub struct Forces<'a> {
     /// The pictures.
@@ -29,11 +29,11 @@ pub struct Forces<'a> {
     /// What a pixel covers on the surface. \[mm\]
     pub footprint: f64,
     /// Weight of a contour that is a pixel off, against a pair that does not agree at all.
-    pub rim: f64,
+    pub contour_weight: f64,
     /// How far inward each vertex has to go to show inside of all silhouettes \[mm\]; may be empty.
     pub outside: &'a [f64],
     /// Weight of a vertex that has a pixel to go.
-    pub bound: f64,
+    pub hull_weight: f64,
     /// The bending term's rest shape.
     pub rest: &'a Rest,
     /// The bending term's stiffness. \[mm²\]
@@ -85,12 +85,12 @@ impl Forces<'_> {
         }
         for p in self.pulls {
             let v = p.vertex as usize;
-            let weight = self.area(v) * self.rim * p.weight * inverse;
+            let weight = self.area(v) * self.contour_weight * p.weight * inverse;
             data_term.pull[v] -= weight * p.gap * p.slope;
             data_term.stiffness[v] += weight * p.slope * p.slope;
         }
         for (v, gap) in self.outside.iter().enumerate().filter(|o| *o.1 > 0.0) {
-            let weight = self.area(v) * self.bound * inverse;
+            let weight = self.area(v) * self.hull_weight * inverse;
             data_term.pull[v] -= weight * gap;
             data_term.stiffness[v] += weight;
         }
@@ -103,25 +103,25 @@ impl Forces<'_> {
             .map(|v| self.area(v) * (seen[v].weight - seen[v].score))
             .sum();
         let inverse = 1.0 / (self.footprint * self.footprint);
-        let rims: f64 = self
+        let contours: f64 = self
             .pulls
             .iter()
             .map(|p| {
                 let gap = p.gap + p.slope * d[p.vertex as usize];
-                self.area(p.vertex as usize) * self.rim * p.weight * gap * gap * inverse
+                self.area(p.vertex as usize) * self.contour_weight * p.weight * gap * gap * inverse
             })
             .sum();
         let drawn = self.outside.iter().enumerate().filter(|o| *o.1 > 0.0);
         let bounds: f64 = drawn
-            .map(|(v, gap)| self.area(v) * self.bound * (gap + d[v]).powi(2) * inverse)
+            .map(|(v, gap)| self.area(v) * self.hull_weight * (gap + d[v]).powi(2) * inverse)
             .sum();
         let frames = &self.visible.frames;
         let moved: Vec<_> = (0..d.len())
             .map(|v| x[v] + frames[v].normal * d[v])
             .collect();
         let normals: Vec<_> = frames.iter().map(|f| f.normal).collect();
-        let bent = self.rest.energy(self.laplacian, &moved, &normals);
-        photo + 0.5 * (rims + bounds) + self.bending * bent
+        let curvature = self.rest.energy(self.laplacian, &moved, &normals);
+        photo + 0.5 * (contours + bounds) + self.bending * curvature
     }
     /// The longest of a few shares of a step that lowers the energy; 0 where none does.
     pub fn falls(&self, x: &[Vector3<f64>], d: &[f64], before: f64) -> f64 {

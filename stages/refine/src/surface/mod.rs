@@ -1,13 +1,13 @@
-//! The surface follows the photos: `settle` (a stage) → `round` → `energy`, `sweep`, `smooth` → `step`;
+//! The surface follows the photos: `optimize` (a stage) → `round` → `energy`, `sweep`, `smooth` → `step`;
 //! `evolve` (a stage, the paper's own) → `smooth`, `progress`; all know `params`.
 
 pub mod energy;
 pub(crate) mod evolve;
 pub mod median;
+pub(crate) mod optimize;
 pub(crate) mod params;
 pub mod progress;
 pub(crate) mod round;
-pub(crate) mod settle;
 pub mod smooth;
 pub mod step;
 pub mod sweep;

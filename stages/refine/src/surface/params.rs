@@ -1,4 +1,4 @@
-//! What can be told to the stages that move the surface.
+//! Params of the stages that move the surface.
 
 use crate::evidence::params::PatchParams;
 use crate::pictures::turn::PhotoSize;
@@ -55,8 +55,8 @@ stage::params! {
 }
 
 stage::params! {
-    /// How the surface settles.
-    pub struct SettleParams {
+    /// How the surface is optimized.
+    pub struct OptimizeSurfaceParams {
         /// How large photos are looked at.
         #[group(flat)]
         size: PhotoSize = PhotoSize::default(),
@@ -91,10 +91,10 @@ stage::params! {
         rest_rings: u32 = 3,
         /// Weight of the silhouettes.
         #[range(0.0..=100.0)]
-        rim: f64 = 0.3,
+        contour_weight: f64 = 0.3,
         /// Weight of the visual hull: what shows outside of a silhouette is drawn back into all of them.
         #[range(0.0..=100.0)]
-        bound: f64 = 10.0,
+        hull_weight: f64 = 10.0,
         /// How far outside of a silhouette the surface may show, in pixels of the level.
         #[range(0.0..=100.0)]
         slack_px: f64 = 3.0,

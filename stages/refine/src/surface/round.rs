@@ -1,4 +1,4 @@
-//! One round of settling: who sees what is looked at anew, then steps are taken while the energy falls.
+//! One round of the optimization: who sees what is looked at anew, then steps are taken while the energy falls.
 
 use crate::evidence::agreement::Agreement;
 use crate::evidence::contours::{Pull, pulls};
@@ -11,9 +11,9 @@ use crate::mend::crossing::part;
 use crate::pictures::picture::Picture;
 use crate::pictures::prepare::RefineError;
 use crate::surface::energy::Forces;
-use crate::surface::params::{Flow, SettleParams};
+use crate::surface::params::{Flow, OptimizeSurfaceParams};
 use crate::surface::smooth::ring_median;
-use crate::surface::step::{DataTerm, Rest, settle};
+use crate::surface::step::{DataTerm, Rest, displacements};
 use crate::surface::sweep;
 use nalgebra::Vector3;
 use serde::{Deserialize, Serialize};
@@ -34,7 +34,7 @@ pub(crate) struct RoundStats {
 
 /// Looks anew, then steps while the energy falls.
 pub(crate) fn one_round(
-    p: &SettleParams,
+    p: &OptimizeSurfaceParams,
     mesh: &mut Mesh,
     pictures: &[Picture],
     footprint: f64,
@@ -56,7 +56,7 @@ pub(crate) fn one_round(
         }
         let normals = mesh.normals();
         let pulls = pulls(mesh, &around, &normals, pictures, 3.0);
-        let outside = match p.bound > 0.0 {
+        let outside = match p.hull_weight > 0.0 {
             true => outside(mesh, &normals, pictures, p.slack_px, footprint),
             false => vec![],
         };
@@ -74,8 +74,8 @@ pub(crate) fn one_round(
             outside: &outside,
             laplacian: &laplacian,
             footprint,
-            rim: p.rim,
-            bound: p.bound,
+            contour_weight: p.contour_weight,
+            hull_weight: p.hull_weight,
             bending,
             anchor: 1e-4,
         };
@@ -91,17 +91,17 @@ pub(crate) fn one_round(
             true => searched(p, &forces, &around, &seen),
             false => sloped(p, &forces, &around, &seen, mesh, &normals),
         };
-        let d = settle(&data_term, &laplacian, &x, &normals, &rest, bending, 60);
+        let d = displacements(&data_term, &laplacian, &x, &normals, &rest, bending, 60);
         let most = if searching { p.reach_px } else { 3.0 } * footprint;
         let d: Vec<f64> = d.iter().map(|d| d.clamp(-most, most)).collect();
-        let taken = match searching {
+        let share = match searching {
             true => 1.0,
             false => forces.falls(&x, &d, before),
         };
-        if taken == 0.0 {
+        if share == 0.0 {
             break;
         }
-        step_along(mesh, &x, &normals, &d, taken);
+        step_along(mesh, &x, &normals, &d, share);
         relax(mesh);
     }
     part(mesh, &start, &around);
@@ -116,7 +116,7 @@ fn bending_weight(smooth_px: f64, footprint: f64) -> f64 {
 
 /// What photos ask of the vertices where a search along the normals finds them to agree best.
 fn searched(
-    p: &SettleParams,
+    p: &OptimizeSurfaceParams,
     forces: &Forces<'_>,
     around: &Adjacency,
     seen: &[Agreement],
@@ -128,7 +128,7 @@ fn searched(
 
 /// What photos ask of the vertices by the slope of their agreement, smoothed where the flow is one of medians.
 fn sloped(
-    p: &SettleParams,
+    p: &OptimizeSurfaceParams,
     forces: &Forces<'_>,
     around: &Adjacency,
     seen: &[Agreement],

@@ -33,8 +33,12 @@ impl Rest {
         normals: &[Vector3<f64>],
         passes: usize,
     ) -> Self {
-        let bent = laplacian.apply(x);
-        let mut wanted: Vec<f64> = bent.iter().zip(normals).map(|(b, n)| b.dot(n)).collect();
+        let curvature = laplacian.apply(x);
+        let mut wanted: Vec<f64> = curvature
+            .iter()
+            .zip(normals)
+            .map(|(b, n)| b.dot(n))
+            .collect();
         for _ in 0..passes {
             let one = |v: usize| {
                 let (mut sum, mut area) = (wanted[v] * laplacian.areas[v], laplacian.areas[v]);
@@ -60,8 +64,8 @@ impl Rest {
         x: &[Vector3<f64>],
         normals: &[Vector3<f64>],
     ) -> f64 {
-        let bent = laplacian.apply(x);
-        let each = bent
+        let curvature = laplacian.apply(x);
+        let each = curvature
             .iter()
             .zip(normals)
             .zip(&self.wanted)
@@ -73,7 +77,7 @@ impl Rest {
 
 /// Minimises `Σ (½ stiffness d² − pull d) + ½ bending Σ area (n · L (x + d n) − rest)²` over the
 /// displacements `d` along the normals \[mm\]. `bending` in mm².
-pub fn settle(
+pub fn displacements(
     data_term: &DataTerm,
     laplacian: &Laplacian,
     x: &[Vector3<f64>],
@@ -84,11 +88,11 @@ pub fn settle(
 ) -> Vec<f64> {
     let count = x.len();
     let transposed = Transposed::new(laplacian, count);
-    let bend = |y: &[Vector3<f64>], rest: Option<&Rest>| -> Vec<f64> {
-        let bent = laplacian.apply(y);
+    let bending_gradient = |y: &[Vector3<f64>], rest: Option<&Rest>| -> Vec<f64> {
+        let curvature = laplacian.apply(y);
         let along = |v: usize| {
             let less = rest.map_or(0.0, |r| r.wanted[v]);
-            normals[v] * ((bent[v].dot(&normals[v]) - less) * laplacian.areas[v] * bending)
+            normals[v] * ((curvature[v].dot(&normals[v]) - less) * laplacian.areas[v] * bending)
         };
         let range = (0..count).into_par_iter().with_min_len(4096);
         let strained: Vec<_> = range.map(along).collect();
@@ -96,7 +100,7 @@ pub fn settle(
     };
     let matrix = |d: &[f64]| -> Vec<f64> {
         let moved: Vec<_> = d.iter().zip(normals).map(|(d, n)| n * *d).collect();
-        let mut out = bend(&moved, None);
+        let mut out = bending_gradient(&moved, None);
         for v in 0..count {
             out[v] += data_term.stiffness[v] * d[v];
         }
@@ -111,12 +115,12 @@ pub fn settle(
                 laplacian.areas[j] * back * back
             };
             let others: f64 = laplacian.row(v).map(beside).sum();
-            let bent = laplacian.areas[v] * own * own + others;
-            let diagonal = data_term.stiffness[v] + bending * bent;
+            let curvature = laplacian.areas[v] * own * own + others;
+            let diagonal = data_term.stiffness[v] + bending * curvature;
             if diagonal > 0.0 { 1.0 / diagonal } else { 0.0 }
         })
         .collect();
-    let mut r = bend(x, Some(rest));
+    let mut r = bending_gradient(x, Some(rest));
     for v in 0..count {
         r[v] = data_term.pull[v] - r[v];
     }
@@ -174,7 +178,7 @@ mod tests {
                 pull: vec![0.0; x.len()],
                 stiffness: vec![1e-4; x.len()],
             };
-            settle(&data_term, &laplacian, &x, &normals, &rest, 40.0, 80)
+            displacements(&data_term, &laplacian, &x, &normals, &rest, 40.0, 80)
         };
         let drift = step(&mesh);
         let mean = drift.iter().sum::<f64>() / drift.len() as f64;

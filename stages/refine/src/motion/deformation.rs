@@ -1,24 +1,24 @@
-//! The stage that finds how the body bent between photos.
+//! The stage that estimates how the body deformed between photos: a field of offsets a photo.
 
 use crate::evidence::contours::pulls;
 use crate::evidence::visibility::Visibility;
 use crate::geometry::remesh::remesh;
-use crate::motion::field::{Stiff, Ties, seen_off};
+use crate::motion::field::{Constraints, FieldPrior, seen_off};
 use crate::motion::params::LookParams;
-use crate::pictures::prepare::{footprint, taken};
+use crate::pictures::prepare::{footprint, posed};
 use crate::pictures::turn::TurnInput;
 use shape::{Adjacency, Warp, Warps};
 use stage::{Ctx, Stage, Stop};
 
 stage::params! {
-    /// How the bending is found; pixels are those of the level.
-    pub struct BendParams {
+    /// How the deformation is found; pixels are those of the level.
+    pub struct EstimateDeformationParams {
         /// What is looked at.
         #[group(flat)]
         look: LookParams = LookParams::at(1),
         /// Weight of a point of the silhouettes' contour, against one that is known to a pixel.
         #[range(0.0..=100.0)]
-        rim: f64 = 0.2,
+        contour_weight: f64 = 0.2,
         /// Distance of the field's nodes, in pixels of the level.
         #[range(4.0..=500.0)]
         cell_px: f64 = 24.0,
@@ -34,70 +34,80 @@ stage::params! {
     }
 }
 
-/// A body, settled, so that what is left is not its shape, and the photos of it.
-pub type BendInput = TurnInput;
+/// An optimized surface, so that what is left is not its shape, and the photos of it.
+pub type EstimateDeformationInput = TurnInput;
 
-/// `refine.bend`: mesh, photos, cameras, masks → warps.
-pub struct Bend;
+/// `refine.estimate_deformation`: mesh, photos, cameras, masks → warps.
+pub struct EstimateDeformation;
 
-impl Stage for Bend {
-    const NAME: &'static str = "refine.bend";
+impl Stage for EstimateDeformation {
+    const NAME: &'static str = "refine.estimate_deformation";
     const VERSION: u32 = 1;
     const ABOUT: &'static str = "Finds how arms, head and chest moved against the rest of the body: a smooth field of offsets a photo.";
-    type Params = BendParams;
-    type Input = BendInput;
+    type Params = EstimateDeformationParams;
+    type Input = EstimateDeformationInput;
     type Output = Warps;
-    const METRICS: &'static [&'static str] = &["bending"];
+    const METRICS: &'static [&'static str] = &["deformation"];
 
     /// The pictures, and what hangs on the vertices.
-    fn memory(p: &BendParams, input: &BendInput) -> u64 {
+    fn memory(p: &EstimateDeformationParams, input: &EstimateDeformationInput) -> u64 {
         input.memory(&p.look.size, 2, p.look.edge_px)
     }
 
-    fn run(p: &BendParams, input: BendInput, ctx: &Ctx<'_>) -> Result<Warps, Stop> {
-        let taken = taken(&input.photos, &input.cameras);
-        let bent = input.pictures(&p.look.size, || ctx.check().map_err(Stop::from))?;
-        let footprint = footprint(&input.mesh, &bent);
+    fn run(
+        p: &EstimateDeformationParams,
+        input: EstimateDeformationInput,
+        ctx: &Ctx<'_>,
+    ) -> Result<Warps, Stop> {
+        let posed = posed(&input.photos, &input.cameras);
+        let deformed = input.pictures(&p.look.size, || ctx.check().map_err(Stop::from))?;
+        let footprint = footprint(&input.mesh, &deformed);
         let mesh = remesh(&input.mesh, p.look.edge_px * footprint, 3);
         let (around, normals) = (Adjacency::new(&mesh), mesh.normals());
-        let stiff = Stiff {
+        let prior = FieldPrior {
             shift_px: p.shift_px,
             differ_px: p.differ_px,
-            rim: p.rim,
+            contour_weight: p.contour_weight,
         };
         let window = p.look.patches.window();
         let rules = p.look.rules();
         let none = |p: &crate::pictures::picture::Picture, cell| {
             Warp::none(p.gray.width, p.gray.height, cell)
         };
-        let mut warps: Vec<Warp> = bent.iter().map(|b| none(b, p.cell_px)).collect();
+        let mut warps: Vec<Warp> = deformed.iter().map(|b| none(b, p.cell_px)).collect();
         let steps = ctx.steps("rounds", p.rounds as usize);
         for _ in 0..p.rounds {
-            let unbent: Vec<_> = bent
+            let undeformed: Vec<_> = deformed
                 .iter()
                 .zip(&warps)
-                .map(|(b, w)| b.unbent(w, b.gray.width as u32))
+                .map(|(b, w)| b.undeformed(w, b.gray.width as u32))
                 .collect();
-            let visible = Visibility::new(&mesh, &around, &unbent, &window, &rules);
-            let contours = pulls(&mesh, &around, &normals, &unbent, 6.0);
-            let ties = Ties::new(
-                &mesh, &unbent, &visible, &contours, &window, &stiff, footprint,
+            let visible = Visibility::new(&mesh, &around, &undeformed, &window, &rules);
+            let contours = pulls(&mesh, &around, &normals, &undeformed, 6.0);
+            let constraints = Constraints::new(
+                &mesh,
+                &undeformed,
+                &visible,
+                &contours,
+                &window,
+                &prior,
+                footprint,
             );
-            warps = ties.solve(&warps, &stiff);
+            warps = constraints.solve(&warps, &prior);
             steps.tick()?;
         }
         let stride = (mesh.positions.len() / 2000).max(1);
         let some = (0..mesh.positions.len() as u32).step_by(stride);
         let off: Vec<f64> = some
-            .map(|v| seen_off(&warps, &bent, &mesh.point(v)))
+            .map(|v| seen_off(&warps, &deformed, &mesh.point(v)))
             .collect();
         let rms = (off.iter().map(|o| o * o).sum::<f64>() / off.len().max(1) as f64).sqrt();
-        let (bending, unit) = input.cameras.scale.unit().length(rms * footprint);
-        ctx.metric("bending", bending, unit);
-        let whole = taken
+        let (deformation, unit) = input.cameras.scale.unit().length(rms * footprint);
+        ctx.metric("deformation", deformation, unit);
+        let whole = posed
             .iter()
             .zip(warps)
-            .zip(&bent)
+            .zip(&deformed)
             .map(|(((id, view), w), b)| {
                 let scale = f64::from(view.camera.lens.width) / b.gray.width as f64;
                 let offsets = w.offsets.iter().map(|o| o.map(|o| o * scale as f32));

@@ -1,4 +1,4 @@
-//! The stage that holds a swaying body still: cameras as seen from the body instead of the disk.
+//! The stage that compensates the motion of a swaying body: cameras as seen from the body instead of the disk.
 
 use crate::evidence::contours::pulls;
 use crate::evidence::visibility::Visibility;
@@ -9,7 +9,7 @@ use crate::motion::sway::{
     without_gauge,
 };
 use crate::pictures::picture::Picture;
-use crate::pictures::prepare::{footprint, taken};
+use crate::pictures::prepare::{footprint, posed};
 use crate::pictures::turn::TurnInput;
 use nalgebra::{Point3, Vector6};
 use shape::{Adjacency, Camera, Cameras, Mesh};
@@ -17,7 +17,7 @@ use stage::{Ctx, Stage, Stop};
 
 stage::params! {
     /// How the body's motion is looked for.
-    pub struct SteadyParams {
+    pub struct CompensateMotionParams {
         /// What is looked at.
         #[group(flat)]
         look: LookParams = LookParams::at(2),
@@ -25,7 +25,7 @@ stage::params! {
         brightness: bool = true,
         /// Weight of a point of the silhouettes' contour, against a patch that fits.
         #[range(0.0..=100.0)]
-        rim: f64 = 0.05,
+        contour_weight: f64 = 0.05,
         /// Shift at the ankles that is expected, one standard deviation.
         #[range(0.0001..=100.0)]
         shift_mm: f64 = 10.0,
@@ -39,28 +39,32 @@ stage::params! {
 }
 
 /// A surface, be it a hull, and the photos that it should fit.
-pub type SteadyInput = TurnInput;
+pub type CompensateMotionInput = TurnInput;
 
-/// `refine.steady`: mesh, photos, cameras, masks → cameras.
-pub struct Steady;
+/// `refine.compensate_motion`: mesh, photos, cameras, masks → cameras.
+pub struct CompensateMotion;
 
-impl Stage for Steady {
-    const NAME: &'static str = "refine.steady";
+impl Stage for CompensateMotion {
+    const NAME: &'static str = "refine.compensate_motion";
     const VERSION: u32 = 3;
     const ABOUT: &'static str = "Finds how the body swayed against the disk, six numbers a photo, and gives the cameras as seen from the body.";
-    type Params = SteadyParams;
-    type Input = SteadyInput;
+    type Params = CompensateMotionParams;
+    type Input = CompensateMotionInput;
     type Output = Cameras;
     const METRICS: &'static [&'static str] = &["sway at the chest", "greatest sway", "last change"];
 
     /// The pictures, and what hangs on the vertices.
-    fn memory(p: &SteadyParams, input: &SteadyInput) -> u64 {
+    fn memory(p: &CompensateMotionParams, input: &CompensateMotionInput) -> u64 {
         input.memory(&p.look.size, 1, p.look.edge_px)
     }
 
-    fn run(p: &SteadyParams, input: SteadyInput, ctx: &Ctx<'_>) -> Result<Cameras, Stop> {
+    fn run(
+        p: &CompensateMotionParams,
+        input: CompensateMotionInput,
+        ctx: &Ctx<'_>,
+    ) -> Result<Cameras, Stop> {
         let mut cameras = Cameras::clone(&input.cameras);
-        let taken = taken(&input.photos, &input.cameras);
+        let posed = posed(&input.photos, &input.cameras);
         let mut pictures = input.pictures(&p.look.size, || ctx.check().map_err(Stop::from))?;
         let footprint = footprint(&input.mesh, &pictures);
         let mesh = remesh(&input.mesh, p.look.edge_px * footprint, 3);
@@ -69,11 +73,11 @@ impl Stage for Steady {
             shift_mm: p.shift_mm,
             turn: p.turn_deg.to_radians(),
             pivot: Point3::new(0.0, 0.0, cameras.ground_mm),
-            rim: p.rim,
+            contour_weight: p.contour_weight,
             footprint,
         };
-        let still: Vec<Camera> = taken.iter().map(|(_, view)| view.camera).collect();
-        let mut motions = vec![Vector6::zeros(); taken.len()];
+        let still: Vec<Camera> = posed.iter().map(|(_, view)| view.camera).collect();
+        let mut motions = vec![Vector6::zeros(); posed.len()];
         let steps = ctx.steps("rounds", p.rounds as usize);
         let mut last = 0.0;
         for _ in 0..p.rounds {
@@ -113,7 +117,7 @@ impl Stage for Steady {
         tell("sway at the chest", rms);
         tell("greatest sway", far.iter().copied().fold(0.0, f64::max));
         tell("last change", last);
-        for (((id, _), camera), motion) in taken.iter().zip(&still).zip(&motions) {
+        for (((id, _), camera), motion) in posed.iter().zip(&still).zip(&motions) {
             let view = cameras.views.get_mut(*id).expect("bug: listed above");
             view.camera = moved(camera, motion, &prior.pivot);
         }
@@ -123,7 +127,7 @@ impl Stage for Steady {
 
 /// Improves all motions once; the greatest change at breast height. \[mm\]
 fn one_round(
-    p: &SteadyParams,
+    p: &CompensateMotionParams,
     mesh: &Mesh,
     around: &Adjacency,
     pictures: &mut [Picture],

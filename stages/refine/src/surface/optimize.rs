@@ -4,9 +4,9 @@ use crate::geometry::remesh::remesh;
 use crate::mend::crossing::unfold;
 use crate::mend::pinch::pinch;
 use crate::mend::repair::mend;
-use crate::pictures::prepare::{footprint, unbend};
+use crate::pictures::prepare::{footprint, undeform};
 use crate::pictures::turn::TurnInput;
-use crate::surface::params::SettleParams;
+use crate::surface::params::OptimizeSurfaceParams;
 use crate::surface::round::{RoundStats, one_round};
 use shape::{Cameras, Masks, Mesh, Photos, Warps};
 use stage::{Ctx, Stage, Stop};
@@ -14,7 +14,7 @@ use std::sync::Arc;
 
 stage::inputs! {
     /// A surface and the photos it is held against.
-    pub struct SettleInput {
+    pub struct OptimizeSurfaceInput {
         /// Closed; such as a hull.
         mesh: Arc<Mesh>,
         /// Those without a camera are passed over.
@@ -23,12 +23,12 @@ stage::inputs! {
         cameras: Arc<Cameras>,
         /// Silhouettes; without them contours are left to the bending term.
         masks: Option<Arc<Masks>>,
-        /// How the body bent; without them it did not.
+        /// How the body deformed; without them it did not.
         warps: Option<Arc<Warps>>,
     }
 }
 
-impl SettleInput {
+impl OptimizeSurfaceInput {
     /// What all stages of this room read.
     fn turn(&self) -> TurnInput {
         TurnInput {
@@ -40,35 +40,39 @@ impl SettleInput {
     }
 }
 
-/// `refine.settle`: mesh, photos, cameras, masks → mesh.
-pub struct Settle;
+/// `refine.optimize_surface`: mesh, photos, cameras, masks → mesh.
+pub struct OptimizeSurface;
 
-impl Stage for Settle {
-    const NAME: &'static str = "refine.settle";
+impl Stage for OptimizeSurface {
+    const NAME: &'static str = "refine.optimize_surface";
     const VERSION: u32 = 9;
     const ABOUT: &'static str = "Refines a surface by inter-image consistency, silhouettes and a thin plate, the energy never rising.";
-    type Params = SettleParams;
-    type Input = SettleInput;
+    type Params = OptimizeSurfaceParams;
+    type Input = OptimizeSurfaceInput;
     type Output = Mesh;
     const METRICS: &'static [&'static str] = &[
         "consistency",
         "seen twice",
-        "rim gap",
+        "contour gap",
         "crossing faces",
         "faces",
     ];
 
     /// The pictures, and what hangs on the vertices.
-    fn memory(p: &SettleParams, input: &SettleInput) -> u64 {
+    fn memory(p: &OptimizeSurfaceParams, input: &OptimizeSurfaceInput) -> u64 {
         input.turn().memory(&p.size, 1, p.edge_px)
     }
 
-    fn run(p: &SettleParams, input: SettleInput, ctx: &Ctx<'_>) -> Result<Mesh, Stop> {
+    fn run(
+        p: &OptimizeSurfaceParams,
+        input: OptimizeSurfaceInput,
+        ctx: &Ctx<'_>,
+    ) -> Result<Mesh, Stop> {
         let mut pictures = input
             .turn()
             .pictures(&p.size, || ctx.check().map_err(Stop::from))?;
         if let Some(warps) = &input.warps {
-            unbend(&mut pictures, &input.photos, &input.cameras, warps);
+            undeform(&mut pictures, &input.photos, &input.cameras, warps);
         }
         let footprint = footprint(&input.mesh, &pictures);
         let mut mesh = Mesh::clone(&input.mesh);
@@ -108,7 +112,7 @@ impl Stage for Settle {
             ));
         }
         if stats.consistency < stats.before - 0.02 {
-            ctx.warn("the photos agree less on the settled surface than on the one that came in");
+            ctx.warn("the photos agree less on the optimized surface than on the one that came in");
         }
         if p.neck_edges > 0 {
             pinch(&mut mesh, p.neck_edges as usize);
@@ -119,7 +123,7 @@ impl Stage for Settle {
         }
         ctx.metric("consistency", stats.consistency, "");
         ctx.metric("seen twice", stats.seen, "");
-        ctx.metric("rim gap", stats.gap_px, "px");
+        ctx.metric("contour gap", stats.gap_px, "px");
         ctx.metric("crossing faces", crossed as f64, "pairs");
         ctx.metric("faces", mesh.faces.len() as f64, "");
         Ok(mesh)
@@ -134,7 +138,7 @@ struct Checkpoint {
 }
 
 impl stage::Artifact for Checkpoint {
-    const KIND: &'static str = "settle.checkpoint";
+    const KIND: &'static str = "optimize_surface.checkpoint";
     const FORMAT: u32 = 1;
     fn pack(&self, to: &mut stage::Packer) {
         to.meta(&(self.done, self.stats));
