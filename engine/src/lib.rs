@@ -109,6 +109,7 @@ pub mod run_one;
 pub mod schema;
 mod session;
 pub mod source;
+mod stopwatch;
 pub mod store;
 pub mod sweep;
 pub mod tells;

@@ -4,12 +4,12 @@ use crate::done::{Done, Job, Status, Watch};
 use crate::graph::{Bound, Source};
 use crate::key::{self, Digest};
 use crate::memory::Memory;
+use crate::stopwatch::timed;
 use crate::store::{Claim, Record, Store};
 use stage::{AnyArtifact, AnyStage, Ctx, Hash, Host, Metric, Stop};
 use std::panic::AssertUnwindSafe;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Mutex, OnceLock};
-use std::time::Instant;
 
 /// What a walk happens in.
 pub struct Surroundings<'a> {
@@ -160,7 +160,6 @@ fn make(
     artifacts: Vec<Option<AnyArtifact>>,
     around: &Surroundings<'_>,
 ) -> (Done, Option<AnyArtifact>) {
-    let start = Instant::now();
     let failed = |why: String| Done {
         key: Some(key),
         provenance: provenance.0.clone(),
@@ -181,12 +180,12 @@ fn make(
         around
             .pool
             .get()
-            .install(|| bound.stage.run(&bound.params, artifacts, &ctx))
+            .install(|| timed(|| bound.stage.run(&bound.params, artifacts, &ctx)))
     };
-    let made = match std::panic::catch_unwind(AssertUnwindSafe(run)) {
-        Ok(Ok(made)) => made,
-        Ok(Err(Stop::Cancelled)) => return (Done::nothing(Status::Cancelled), None),
-        Ok(Err(Stop::Failed(error))) => return (failed(chain(error.as_ref())), None),
+    let (made, seconds) = match std::panic::catch_unwind(AssertUnwindSafe(run)) {
+        Ok((Ok(made), took)) => (made, took.as_secs_f64()),
+        Ok((Err(Stop::Cancelled), _)) => return (Done::nothing(Status::Cancelled), None),
+        Ok((Err(Stop::Failed(error)), _)) => return (failed(chain(error.as_ref())), None),
         Err(panic) => {
             let text = panic.downcast_ref::<String>().map(String::as_str);
             let text = text
@@ -199,7 +198,6 @@ fn make(
             );
         }
     };
-    let seconds = start.elapsed().as_secs_f64();
     let published = around.store.keep(&made.bytes, seconds).and_then(|content| {
         let record = Record {
             provenance: provenance.0.clone(),

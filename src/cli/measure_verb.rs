@@ -68,7 +68,7 @@ pub(crate) struct Measure {
     facts: Facts,
 }
 
-/// Does it: each folder on its own; one that fails does not stop the others.
+/// `tailor measure`: each folder on its own; one that fails does not stop the others.
 pub(crate) fn measure(measure: &Measure, global: &GlobalArgs) -> Result<(), Fault> {
     let said = measure.facts.said()?;
     if let [capture] = measure.folders.as_slice() {

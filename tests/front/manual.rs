@@ -1,4 +1,4 @@
-//! Completions and pages for `man` name every verb, the program's own and the engine's.
+//! What is written for people: completions, pages for `man`, pictures under their own ending.
 
 use crate::place::Place;
 
@@ -22,4 +22,15 @@ fn every_verb_is_completed_and_has_a_page() {
     let wrong = place.run("man --out file").code(2).err;
     assert!(wrong.contains("cannot write"), "{wrong}");
     place.run("completions abacus").code(2);
+}
+
+#[test]
+fn a_picture_gets_the_ending_of_what_it_is() {
+    let place = Place::new();
+    place.run("run small.toml").code(0);
+    let show = "show body --pipeline small.toml --as views -o";
+    let wrong = place.run(&format!("{show} body.png")).code(2).err;
+    assert!(wrong.contains("give the file that ending"), "{wrong}");
+    place.run(&format!("{show} body.jpg")).code(0);
+    assert!(place.path("body.jpg").exists() && !place.path("body.png").exists());
 }

@@ -11,7 +11,7 @@ use crate::{delivery, out, session, walk};
 use clap::Args;
 use serde_json::{Value, json};
 use stage::Hash;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 /// Arguments of `tailor show`.
 #[derive(Args)]
@@ -69,7 +69,28 @@ fn reads(run: &Value, graph: &Graph, node: usize, contents: &[Option<Hash>]) -> 
     needed.into_iter().all(|i| same(&graph.nodes[i]))
 }
 
-/// Does it: the newest run of a node of that name whose result is still there.
+/// A picture under another picture's ending would be opened by nobody.
+fn ending_fits(path: &Path, files: &[(String, Vec<u8>)]) -> Result<(), Fault> {
+    let said = path.extension().unwrap_or_default().to_string_lossy();
+    let said = said.to_lowercase();
+    let [(_, bytes)] = files else { return Ok(()) };
+    let is = match bytes.as_slice() {
+        [0xff, 0xd8, 0xff, ..] => ["jpg", "jpeg"],
+        [0x89, b'P', b'N', b'G', ..] => ["png", "png"],
+        _ => return Ok(()),
+    };
+    let picture = ["jpg", "jpeg", "png"].contains(&said.as_str());
+    match picture && !is.contains(&said.as_str()) {
+        true => Err(Fault::input(format!(
+            "{}: this picture is written as .{}; give the file that ending",
+            path.display(),
+            is[0]
+        ))),
+        false => Ok(()),
+    }
+}
+
+/// `show`: the newest run of a node of that name whose result is still there.
 pub(crate) fn show(show: &Show, global: &GlobalArgs) -> Result<(), Fault> {
     let graph = open_pipeline(show.pipeline.as_deref(), &show.change, global)?;
     let wanted = node(&graph, &show.node)?;
@@ -110,6 +131,7 @@ pub(crate) fn show(show: &Show, global: &GlobalArgs) -> Result<(), Fault> {
     let beside = beside.map(|(artifact, _)| artifact);
     let (raw, format) = (|| blob.to_vec(), show.format.as_deref());
     let files = out::files(graph.catalog, artifact, raw, beside, format).map_err(Fault::input)?;
+    ending_fits(&show.o, &files)?;
     delivery::write(&show.o, &files).map_err(Fault::stage)?;
     if global.json {
         let one = |(name, bytes): &(String, Vec<u8>)| {
