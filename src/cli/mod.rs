@@ -103,3 +103,12 @@ fn read<A: FromArgMatches>(said: &ArgMatches) -> Result<A, Fault> {
 pub fn main() -> ExitCode {
     engine::cli::main(&TAILOR)
 }
+
+/// Whether a command line could be run, the program's name first: verbs, flags and values, not files.
+///
+/// # Errors
+///
+/// What is wrong with it, in words.
+pub fn check_arguments(arguments: &[&str]) -> Result<(), String> {
+    engine::cli::check_arguments(&TAILOR, arguments).map_err(|e| e.to_string())
+}

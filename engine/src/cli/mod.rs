@@ -125,11 +125,8 @@ pub fn main(program: &'static Program) -> ExitCode {
     ExitCode::from(run(program, std::env::args_os()))
 }
 
-/// As [`main`], with arguments of the caller's, the program's name first. Returns the exit code.
-pub fn run<A: Into<OsString> + Clone>(
-    program: &'static Program,
-    arguments: impl IntoIterator<Item = A>,
-) -> u8 {
+/// The whole command line: the engine's verbs and the program's own.
+fn command(program: &'static Program) -> clap::Command {
     let mut command = Cli::command()
         .name(program.name)
         .version(program.version)
@@ -140,6 +137,27 @@ pub fn run<A: Into<OsString> + Clone>(
         let own = clap::Command::new(verb.name);
         command = command.subcommand((verb.arguments)(own).display_order(place));
     }
+    command
+}
+
+/// Whether a command line could be run, the program's name first: verbs, flags and values, not files.
+///
+/// # Errors
+///
+/// What `clap` says of it. Help and version count as errors.
+pub fn check_arguments<A: Into<OsString> + Clone>(
+    program: &'static Program,
+    arguments: impl IntoIterator<Item = A>,
+) -> Result<(), clap::Error> {
+    command(program).try_get_matches_from(arguments).map(|_| ())
+}
+
+/// As [`main`], with arguments of the caller's, the program's name first. Returns the exit code.
+pub fn run<A: Into<OsString> + Clone>(
+    program: &'static Program,
+    arguments: impl IntoIterator<Item = A>,
+) -> u8 {
+    let command = command(program);
     let matches = command.clone().get_matches_from(arguments);
     let mut global = GlobalArgs::from_arg_matches(&matches).unwrap_or_else(|e| e.exit());
     global.program = Some(program);

@@ -42,6 +42,26 @@ pub enum Refusal {
 }
 
 impl Refusal {
+    /// All of them, in the order of the declaration.
+    pub const ALL: [Refusal; 16] = [
+        Refusal::NoLegs,
+        Refusal::NoNeck,
+        Refusal::NeckGroove,
+        Refusal::NoHead,
+        Refusal::NotUpright,
+        Refusal::NoGround,
+        Refusal::NoLimb,
+        Refusal::Fused,
+        Refusal::NoArms,
+        Refusal::Hand,
+        Refusal::ThighsOne,
+        Refusal::NoPeak,
+        Refusal::NoSection,
+        Refusal::NoExtreme,
+        Refusal::OutOfRange,
+        Refusal::TooUncertain,
+    ];
+
     /// A sentence: what is wrong and what would help.
     pub fn why(self) -> &'static str {
         match self {
@@ -127,3 +147,19 @@ impl fmt::Display for Refusal {
 }
 
 impl std::error::Error for Refusal {}
+
+#[cfg(test)]
+mod tests {
+    use super::Refusal;
+
+    #[test]
+    fn all_are_all_in_order_each_with_a_word_of_its_own() {
+        let last = Refusal::TooUncertain as usize;
+        assert_eq!(
+            Refusal::ALL.map(|r| r as usize).to_vec(),
+            (0..=last).collect::<Vec<_>>()
+        );
+        let words: std::collections::BTreeSet<_> = Refusal::ALL.iter().map(|r| r.code()).collect();
+        assert_eq!(words.len(), Refusal::ALL.len());
+    }
+}

@@ -10,9 +10,9 @@ use rayon::prelude::*;
 use shape::{Image, Rgb};
 
 /// Half the side of a patch. \[px\]
-const REACH: usize = 2;
+pub(crate) const REACH: usize = 2;
 /// Patches may differ by so much more than those of most pixels do.
-const OUTLIER: f32 = 3.5;
+pub(crate) const OUTLIER: f32 = 3.5;
 /// Least and greatest squared difference that counts as noise before [`OUTLIER`]. \[levels²\]
 const NOISE: (f32, f32) = (0.4, 12.0);
 /// Share of a patch's own contrast by which it may differ: cameras tremble by a part of a pixel.
@@ -27,8 +27,8 @@ const ALIKE: f32 = 0.45;
 /// Photos that each is held against, at most: more of them tell nothing new.
 const PARTNERS: usize = 9;
 
-/// A row of pixels: what recurs, where anything does, and which photos agree there.
-type Row = (Vec<[u8; 3]>, Vec<bool>, Vec<Vec<bool>>);
+/// What recurs at a pixel, and which photos agree on it.
+type Common = ([u8; 3], Vec<usize>);
 
 /// What most photos agree on.
 #[derive(Debug, Clone)]
@@ -71,7 +71,7 @@ impl Sums {
 }
 
 /// Mean squared difference of the patches of two photos around each pixel, per channel. \[levels²\]
-fn differences(a: &Rgb, b: &Rgb) -> Vec<f32> {
+pub(crate) fn differences(a: &Rgb, b: &Rgb) -> Vec<f32> {
     let (w, h) = (a.width, a.height);
     let squared = |i: usize| -> u32 {
         let off = |c: usize| u32::from(a.data[i][c].abs_diff(b.data[i][c]));
@@ -87,7 +87,7 @@ fn differences(a: &Rgb, b: &Rgb) -> Vec<f32> {
 }
 
 /// Squared contrast within the patch around each pixel, per channel. \[levels²\]
-fn contrast(photo: &Rgb) -> Vec<f32> {
+pub(crate) fn contrast(photo: &Rgb) -> Vec<f32> {
     let (w, h) = (photo.width, photo.height);
     let steep = |i: usize| -> u32 {
         let (x, y) = (i % w, i / w);
@@ -106,7 +106,7 @@ fn contrast(photo: &Rgb) -> Vec<f32> {
 }
 
 /// Pairs of photos that are held against each other.
-fn pairs(count: usize) -> Vec<(usize, usize)> {
+pub(crate) fn pairs(count: usize) -> Vec<(usize, usize)> {
     let half = count / 2;
     let mut steps: Vec<usize> = (1..=PARTNERS.min(half))
         .map(|i| (i * half).div_ceil(PARTNERS.min(half)))
@@ -121,85 +121,55 @@ fn pairs(count: usize) -> Vec<(usize, usize)> {
     all
 }
 
+/// How far two photos differ where they show the same.
+pub(crate) struct Unlike {
+    /// Of most pixels. \[levels²\]
+    noise: f32,
+    /// Share of a patch's own contrast.
+    tremble: f32,
+}
+
+impl Unlike {
+    /// Measured: less than half of what is open to both shows something else in one of them.
+    pub(crate) fn of(
+        far: &[f32],
+        open: &dyn Fn(usize) -> bool,
+        steep: &dyn Fn(usize) -> f32,
+    ) -> Self {
+        let some = || (0..far.len()).step_by(3).filter(|i| open(*i));
+        let middle = |mut values: Vec<f32>| {
+            values.sort_by(f32::total_cmp);
+            values.get(values.len() * 2 / 5).copied().unwrap_or(0.0)
+        };
+        let noise = middle(some().map(|i| far[i]).collect()).clamp(NOISE.0, NOISE.1);
+        // Some photos are less sharp than others.
+        let edges = some().filter(|i| steep(*i) > STEEP);
+        let blur = middle(
+            edges
+                .map(|i| (far[i] - noise).max(0.0) / steep(i))
+                .collect(),
+        );
+        let tremble = TREMBLE.max((OUTLIER * blur).min(BLURRED));
+        Unlike { noise, tremble }
+    }
+
+    /// The most by which patches of such a contrast differ that show the same. \[levels²\]
+    pub(crate) fn most(&self, steep: f32) -> f32 {
+        OUTLIER * self.noise + self.tremble * steep
+    }
+}
+
 /// What photos that share it pixel for pixel agree on. `hidden` names the photos (first) and pixels
 /// (second) that cannot show it; `least` is the agreement with others, each of which gives 1 at most,
 /// that makes a pixel seen.
 pub fn recurring(photos: &[Rgb], hidden: Option<&[Image<bool>]>, least: f32) -> Recurring {
     let (w, h) = photos.first().map_or((0, 0), |p| (p.width, p.height));
-    let pairs = pairs(photos.len());
-    let rough: Vec<Vec<f32>> = photos.par_iter().map(contrast).collect();
-    let open = |k: usize, i: usize| hidden.is_none_or(|hidden| !hidden[k].data[i]);
-    // How far each pair agrees at each pixel, in 255ths.
-    let agreement: Vec<Vec<u8>> = pairs
-        .par_iter()
-        .map(|(a, b)| {
-            let far = differences(&photos[*a], &photos[*b]);
-            let both = |i: &usize| open(*a, *i) && open(*b, *i);
-            let mut usual: Vec<f32> = (0..w * h).step_by(3).filter(both).map(|i| far[i]).collect();
-            usual.sort_by(f32::total_cmp);
-            let noise = usual.get(usual.len() * 2 / 5).copied().unwrap_or(0.0);
-            let noise = noise.clamp(NOISE.0, NOISE.1);
-            let steep = |i: usize| rough[*a][i].min(rough[*b][i]);
-            let mut edges: Vec<f32> = (0..w * h)
-                .step_by(3)
-                .filter(|i| both(i) && steep(*i) > STEEP)
-                .map(|i| (far[i] - noise).max(0.0) / steep(i))
-                .collect();
-            edges.sort_by(f32::total_cmp);
-            // Some photos are less sharp than others.
-            let blur = edges.get(edges.len() * 2 / 5).copied().unwrap_or(0.0);
-            let tremble = TREMBLE.max((OUTLIER * blur).min(BLURRED));
-            let one = |i: usize| {
-                let most = OUTLIER * noise + tremble * steep(i);
-                let share = if both(&i) { 1.0 - far[i] / most } else { 0.0 };
-                (share.max(0.0) * 255.0) as u8
-            };
-            (0..w * h).map(one).collect()
-        })
-        .collect();
-    let rows: Vec<Row> = (0..h)
+    let pairwise = Pairwise::of(photos, hidden);
+    let rows: Vec<Vec<Option<Common>>> = (0..h)
         .into_par_iter()
         .map(|y| {
-            let mut row = (
-                vec![[0; 3]; w],
-                vec![false; w],
-                vec![vec![false; w]; photos.len()],
-            );
-            for x in 0..w {
-                let i = y * w + x;
-                let mut worth = vec![0u32; photos.len()];
-                for ((a, b), told) in pairs.iter().zip(&agreement) {
-                    worth[*a] += u32::from(told[i]);
-                    worth[*b] += u32::from(told[i]);
-                }
-                let Some(best) = (0..worth.len()).max_by_key(|k| (worth[*k], usize::MAX - k))
-                else {
-                    continue;
-                };
-                let partners = pairs
-                    .iter()
-                    .zip(&agreement)
-                    .filter(|((a, b), told)| told[i] > 0 && (*a == best || *b == best));
-                let alike = ALIKE.min(least) * 255.0 * partners.count() as f32;
-                if (worth[best] as f32) < alike.max(least * 255.0) {
-                    continue;
-                }
-                let (mut sum, mut count) = ([0u32; 3], 0u32);
-                let mut take = |k: usize| {
-                    (0..3).for_each(|c| sum[c] += u32::from(photos[k].data[i][c]));
-                    count += 1;
-                    row.2[k][x] = true;
-                };
-                take(best);
-                for ((a, b), told) in pairs.iter().zip(&agreement) {
-                    if told[i] > 0 && (*a == best || *b == best) {
-                        take(a + b - best);
-                    }
-                }
-                row.0[x] = sum.map(|s| ((s + count / 2) / count) as u8);
-                row.1[x] = true;
-            }
-            row
+            let row = y * w..(y + 1) * w;
+            row.map(|i| pairwise.common(photos, i, least)).collect()
         })
         .collect();
     let image = |data| Image {
@@ -207,18 +177,81 @@ pub fn recurring(photos: &[Rgb], hidden: Option<&[Image<bool>]>, least: f32) -> 
         height: h,
         data,
     };
-    let agrees = (0..photos.len())
-        .map(|k| image(rows.iter().flat_map(|r| r.2[k].iter().copied()).collect()))
-        .collect();
-    Recurring {
-        backdrop: Backdrop {
-            image: Image {
-                width: w,
-                height: h,
-                data: rows.iter().flat_map(|r| r.0.iter().copied()).collect(),
-            },
-            seen: image(rows.iter().flat_map(|r| r.1.iter().copied()).collect()),
-        },
-        agrees,
+    let mut agrees = vec![image(vec![false; w * h]); photos.len()];
+    let mut seen = image(vec![false; w * h]);
+    let mut shown = Rgb::filled(w, h, [0; 3]);
+    for (i, common) in rows.into_iter().flatten().enumerate() {
+        if let Some((color, agree)) = common {
+            (shown.data[i], seen.data[i]) = (color, true);
+            agree.into_iter().for_each(|k| agrees[k].data[i] = true);
+        }
+    }
+    let backdrop = Backdrop { image: shown, seen };
+    Recurring { backdrop, agrees }
+}
+
+/// Photos held against each other.
+struct Pairwise {
+    photos: usize,
+    pairs: Vec<(usize, usize)>,
+    /// How far each pair agrees at each pixel, in 255ths.
+    agreement: Vec<Vec<u8>>,
+}
+
+impl Pairwise {
+    fn of(photos: &[Rgb], hidden: Option<&[Image<bool>]>) -> Self {
+        let pairs = pairs(photos.len());
+        let rough: Vec<Vec<f32>> = photos.par_iter().map(contrast).collect();
+        let open = |k: usize, i: usize| hidden.is_none_or(|hidden| !hidden[k].data[i]);
+        let agreement = pairs
+            .par_iter()
+            .map(|(a, b)| {
+                let far = differences(&photos[*a], &photos[*b]);
+                let both = |i: usize| open(*a, i) && open(*b, i);
+                let steep = |i: usize| rough[*a][i].min(rough[*b][i]);
+                let unlike = Unlike::of(&far, &both, &steep);
+                let one = |i: usize| {
+                    let share = 1.0 - far[i] / unlike.most(steep(i));
+                    (if both(i) { share.max(0.0) } else { 0.0 } * 255.0) as u8
+                };
+                (0..far.len()).map(one).collect()
+            })
+            .collect();
+        Pairwise {
+            photos: photos.len(),
+            pairs,
+            agreement,
+        }
+    }
+
+    /// What most photos show at a pixel, and which do; `None` where too few agree.
+    fn common(&self, photos: &[Rgb], i: usize, least: f32) -> Option<Common> {
+        let agreement = || {
+            self.pairs
+                .iter()
+                .zip(&self.agreement)
+                .map(|(p, a)| (p, a[i]))
+        };
+        let mut worth = vec![0u32; self.photos];
+        for ((a, b), share) in agreement() {
+            worth[*a] += u32::from(share);
+            worth[*b] += u32::from(share);
+        }
+        let best = (0..worth.len()).max_by_key(|k| (worth[*k], usize::MAX - k))?;
+        let partners =
+            agreement().filter(|((a, b), share)| *share > 0 && (*a == best || *b == best));
+        let agree: Vec<usize> = std::iter::once(best)
+            .chain(partners.map(|((a, b), _)| a + b - best))
+            .collect();
+        let alike = ALIKE.min(least) * 255.0 * (agree.len() - 1) as f32;
+        if (worth[best] as f32) < alike.max(least * 255.0) {
+            return None;
+        }
+        let count = agree.len() as u32;
+        let mut sum = [0u32; 3];
+        for k in &agree {
+            (0..3).for_each(|c| sum[c] += u32::from(photos[*k].data[i][c]));
+        }
+        Some((sum.map(|s| ((s + count / 2) / count) as u8), agree))
     }
 }

@@ -6,10 +6,12 @@ use crate::boxed::Rectangle;
 use crate::coherence::{DISSENT, together};
 use crate::disk_colors::{body_colors, disk_colors, disk_cost, mixture, on_the_disk};
 use crate::gmm::Gmm;
+use crate::modes::Modes;
 use crate::nearby::{Nearby, beside};
 use crate::photo_cut::{Prepared, UNSEEN, coarse, prepare};
 use crate::recur::recurring;
 use crate::scene::{Scene, Shot, scene};
+use crate::seams::chosen;
 use crate::segment::{EVIDENT, Known, STRANGE, Settings, body_cost, parts};
 use nalgebra::Point2;
 use rayon::prelude::*;
@@ -44,14 +46,16 @@ pub fn without_plate(
 ) -> Vec<Option<Image<bool>>> {
     let radius = cameras.disk_radius_mm.unwrap_or(0.0);
     let smalls: Vec<Rgb> = shots.iter().map(|s| s.small.clone()).collect();
-    let still = still(&smalls);
-    let first = recurring(&smalls, None, 1.0);
-    let mut room = first.backdrop;
-    // What agrees here and there amid what does not is the body.
-    without_islands(&mut room.seen);
-    // What never changes may be the crown of a head, but then it is not alike to the level.
-    let stands = |i: usize, room: &Backdrop| still.data[i] == Some(true) && room.seen.data[i];
-    let stands: Vec<bool> = (0..still.data.len()).map(|i| stands(i, &room)).collect();
+    let mut room = followed(&smalls);
+    let turn = Turn {
+        shots,
+        cameras,
+        settings,
+        radius,
+        disk_side_mm,
+        within,
+        stands: always(&smalls, &room),
+    };
     let body = body_colors(shots, &room, radius);
     if let Some(body) = &body {
         glimpsed(&mut room, &smalls, body);
@@ -64,24 +68,55 @@ pub fn without_plate(
             room = recurring(&smalls, Some(&covered), SOME).backdrop;
             without_islands(&mut room.seen);
         }
-        let around = scene(shots, room.clone(), radius, &covered);
-        let of_disk = disk_colors(&around.disk, 0.0);
-        let nearby = Nearby::of(&around.room);
-        let mut ready: Vec<Prepared> = shots
-            .par_iter()
-            .map(|shot| {
-                let mut ready = one(shot, &around, radius, disk_side_mm);
-                if let Some((rectangle, factor)) = &within {
-                    rectangle.close(&mut ready.known, shot.small.width, *factor);
-                }
-                for (known, stands) in ready.known.iter_mut().zip(&stands) {
-                    if *stands {
-                        *known = Known::Background;
-                    }
-                }
-                ready
+        cuts = turn.together(turn.ready(&room, &covered));
+        covered = cuts
+            .iter()
+            .zip(shots)
+            .map(|(cut, shot)| match cut {
+                Some(sides) => thinned(&sides.map(|b| !b), SHY).map(|b| !b),
+                None => Image::filled(shot.small.width, shot.small.height, false),
             })
             .collect();
+    }
+    cuts
+}
+
+/// The room, followed from where it always stands to where few photos show it.
+fn followed(smalls: &[Rgb]) -> Backdrop {
+    let modes = Modes::of(smalls);
+    let mut room = modes.room(&chosen(&modes, smalls));
+    without_islands(&mut room.seen);
+    room
+}
+
+/// Pixels that are the room on all photos. What never changes may be the crown of a head, but then it is
+/// not the room that is followed there.
+fn always(smalls: &[Rgb], room: &Backdrop) -> Vec<bool> {
+    let still = still(smalls);
+    let both = |(still, seen): (&Option<bool>, &bool)| *still == Some(true) && *seen;
+    still.data.iter().zip(&room.seen.data).map(both).collect()
+}
+
+/// A turn whose photos are cut.
+struct Turn<'a> {
+    shots: &'a [Shot],
+    cameras: &'a Cameras,
+    settings: &'a Settings,
+    radius: f64,
+    disk_side_mm: f64,
+    within: Option<(Rectangle, usize)>,
+    /// Pixels that are the room on all photos.
+    stands: Vec<bool>,
+}
+
+impl Turn<'_> {
+    /// The photos made ready: what each pixel costs as room, as disk, or as a colour of the room beside.
+    fn ready(&self, room: &Backdrop, covered: &[Image<bool>]) -> Vec<Prepared> {
+        let (shots, radius) = (self.shots, self.radius);
+        let around = scene(shots, room.clone(), radius, covered);
+        let of_disk = disk_colors(&around.disk, 0.0);
+        let nearby = Nearby::of(&around.room);
+        let mut ready: Vec<Prepared> = shots.par_iter().map(|s| self.one(s, &around)).collect();
         let evident = evident(shots, &ready, radius);
         shots.par_iter().zip(&mut ready).for_each(|(shot, ready)| {
             for i in 0..ready.cost.len() {
@@ -99,35 +134,48 @@ pub fn without_plate(
                 }
             }
         });
-        let first: Vec<(PhotoId, Mask)> = shots
+        ready
+    }
+
+    /// One photo before the scene around, with what is certain of it.
+    fn one(&self, shot: &Shot, around: &Scene) -> Prepared {
+        let behind = around.behind(&shot.small, &shot.camera);
+        let disk = (self.radius > 0.0).then_some((&shot.camera, self.radius));
+        let mut ready = prepare(&shot.small, &behind, disk, usize::MAX, self.disk_side_mm);
+        if let Some((rectangle, factor)) = &self.within {
+            rectangle.close(&mut ready.known, shot.small.width, *factor);
+        }
+        for (known, stands) in ready.known.iter_mut().zip(&self.stands) {
+            if *stands {
+                *known = Known::Background;
+            }
+        }
+        ready
+    }
+
+    /// Each photo cut alone, then again with what all say together.
+    fn together(&self, ready: Vec<Prepared>) -> Vec<Option<Image<bool>>> {
+        let first: Vec<(PhotoId, Mask)> = self
+            .shots
             .par_iter()
             .zip(&ready)
             .filter_map(|(shot, ready)| {
-                let (sides, _) = coarse(ready, settings)?;
+                let (sides, _) = coarse(ready, self.settings)?;
                 Some((shot.id, sides.map(|b| if *b { 255 } else { 0 })))
             })
             .collect();
-        let all = together(&first, cameras, &[DISSENT, 1]);
+        let all = together(&first, self.cameras, &[DISSENT, 1]);
         let of = |level: usize, id: PhotoId| all.get(level).and_then(|told| told.get(&id));
-        cuts = shots
+        self.shots
             .par_iter()
             .zip(ready)
             .map(|(shot, mut ready)| {
                 let firm = of(1, shot.id).map_or(&[][..], Vec::as_slice);
                 ready.agree(of(0, shot.id).into_iter().flatten(), firm);
-                coarse(&ready, settings).map(|(sides, _)| sides)
+                coarse(&ready, self.settings).map(|(sides, _)| sides)
             })
-            .collect();
-        covered = cuts
-            .iter()
-            .zip(shots)
-            .map(|(cut, shot)| match cut {
-                Some(sides) => thinned(&sides.map(|b| !b), SHY).map(|b| !b),
-                None => Image::filled(shot.small.width, shot.small.height, false),
-            })
-            .collect();
+            .collect()
     }
-    cuts
 }
 
 impl Shot {
@@ -171,10 +219,4 @@ fn without_islands(seen: &mut Image<bool>) {
     for (seen, of) in seen.data.iter_mut().zip(&of.data) {
         *seen &= *of != u32::MAX && sizes[*of as usize] >= least;
     }
-}
-
-fn one(shot: &Shot, around: &Scene, radius: f64, disk_side_mm: f64) -> Prepared {
-    let behind = around.behind(&shot.small, &shot.camera);
-    let disk = (radius > 0.0).then_some((&shot.camera, radius));
-    prepare(&shot.small, &behind, disk, usize::MAX, disk_side_mm)
 }

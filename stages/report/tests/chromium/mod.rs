@@ -1,4 +1,4 @@
-//! A headless Chromium driven over its debugging pipe (DevTools protocol), if one is installed.
+//! A headless Chromium driven over its debugging pipe (DevTools protocol).
 
 use serde_json::{Value, json};
 use std::io::{BufRead, BufReader, Write};
@@ -31,16 +31,14 @@ pub(crate) struct Tab {
 }
 
 impl Tab {
-    /// The page in a window of this size, light or dark. Without a Chromium: a message, and nothing.
-    pub(crate) fn open(page: &str, size: [u32; 2], phone: bool, dark: bool) -> Option<Tab> {
+    /// The page in a window of this size, light or dark.
+    pub(crate) fn open(page: &str, size: [u32; 2], phone: bool, dark: bool) -> Tab {
         let on_path = |name: &&&str| {
             let paths = std::env::var_os("PATH").unwrap_or_default();
             std::env::split_paths(&paths).any(|folder| folder.join(name).is_file())
         };
-        let Some(name) = NAMES.iter().find(on_path) else {
-            eprintln!("SKIPPED: no Chromium is installed (apt-get install chromium)");
-            return None;
-        };
+        let name = NAMES.iter().find(on_path);
+        let name = name.expect("no Chromium is installed (apt-get install chromium)");
         let folder = tempfile::tempdir().unwrap();
         let file = folder.path().join("report.html");
         std::fs::write(&file, page).unwrap();
@@ -88,7 +86,7 @@ impl Tab {
         let url = format!("file://{}", file.display());
         tab.ask("Page.navigate", json!({ "url": url }));
         tab.until("document.readyState === 'complete' && Number(document.getElementById('view').dataset.drawn) > 0");
-        Some(tab)
+        tab
     }
 
     fn emulate(&mut self, [width, height]: [u32; 2], phone: bool, dark: bool) {

@@ -1,0 +1,79 @@
+//! Commands in blocks marked `sh` are understood; in blocks marked `sh run` they run.
+
+use crate::{pages, place, read};
+use std::process::Command;
+
+/// The command lines of `tailor` in a page's blocks whose mark is so, without comments.
+fn commands(text: &str, mark: &str) -> Vec<String> {
+    let mut all = Vec::new();
+    let mut inside = false;
+    for line in text.lines() {
+        if let Some(said) = line.strip_prefix("```") {
+            inside = !inside && said.trim() == mark;
+            continue;
+        }
+        let line = line.split(" # ").next().unwrap_or_default().trim();
+        let own = line
+            .strip_prefix("cargo run --release -- ")
+            .map(|rest| format!("tailor {rest}"));
+        let line = own.unwrap_or_else(|| line.to_owned());
+        if inside && line.starts_with("tailor ") {
+            all.push(line);
+        }
+    }
+    all
+}
+
+#[test]
+fn every_command_in_the_book_is_understood() {
+    let mut wrong = Vec::new();
+    let mut count = 0;
+    for page in pages() {
+        let text = read(&page);
+        for line in [commands(&text, "sh"), commands(&text, "sh run")].concat() {
+            count += 1;
+            let words: Vec<&str> = line.split_whitespace().collect();
+            if let Err(why) = tailor::check_arguments(&words) {
+                wrong.push(format!("{page}: {line}\n{why}"));
+            }
+        }
+    }
+    assert!(wrong.is_empty(), "{}", wrong.join("\n"));
+    assert!(count > 10, "only {count} commands were found");
+}
+
+#[test]
+fn commands_on_what_ships_run() {
+    let folder = tempfile::tempdir().unwrap();
+    for shipped in ["samples", "pipelines", "models"] {
+        std::os::unix::fs::symlink(place(shipped), folder.path().join(shipped)).unwrap();
+    }
+    let mut count = 0;
+    for page in pages() {
+        for line in commands(&read(&page), "sh run") {
+            count += 1;
+            let out = Command::new(env!("CARGO_BIN_EXE_tailor"))
+                .args(line.split_whitespace().skip(1))
+                .current_dir(folder.path())
+                .env_remove("TAILOR_CACHE")
+                .output()
+                .unwrap();
+            let said = String::from_utf8_lossy(&out.stderr);
+            assert!(out.status.success(), "{page}: {line}\n{said}");
+        }
+    }
+    assert!(count >= 4, "only {count} commands were found");
+}
+
+#[test]
+fn a_command_that_is_not_there_is_found() {
+    let text = "```sh\ntailor measure DIR --hight 3   # no\n```\n```text\ntailor nonsense\n```\n";
+    let found = commands(text, "sh");
+    assert_eq!(found, ["tailor measure DIR --hight 3"]);
+    let words: Vec<&str> = found[0].split_whitespace().collect();
+    assert!(
+        tailor::check_arguments(&words)
+            .unwrap_err()
+            .contains("--hight")
+    );
+}

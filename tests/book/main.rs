@@ -1,0 +1,30 @@
+//! The book in `docs/` is true: its links lead somewhere, its commands are understood, those on what
+//! ships run, and its tables are those of the data. `TAILOR_BOOK=write` writes the tables.
+
+mod commands;
+mod links;
+mod tables;
+
+use std::path::{Path, PathBuf};
+
+/// A file of the repository.
+fn place(name: &str) -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join(name)
+}
+
+fn read(name: &str) -> String {
+    std::fs::read_to_string(place(name)).unwrap_or_else(|e| panic!("{name}: {e}"))
+}
+
+/// The pages that people read: the front page and all chapters.
+fn pages() -> Vec<String> {
+    let docs = std::fs::read_dir(place("docs")).unwrap();
+    let names = docs.map(|e| e.unwrap().file_name().into_string().unwrap());
+    let mut pages: Vec<String> = names
+        .filter(|n| n.ends_with(".md"))
+        .map(|n| format!("docs/{n}"))
+        .collect();
+    pages.sort();
+    pages.extend(["README.md", "ARCHITECTURE.md"].map(String::from));
+    pages
+}
