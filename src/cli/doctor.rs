@@ -74,7 +74,7 @@ pub(super) fn look(
     })
 }
 
-/// `tailor doctor`. A capture of which nothing will come ends with 1.
+/// Looks at a capture. One of which nothing will come ends with 1.
 pub(crate) fn doctor(args: &Doctor, global: &GlobalArgs) -> Result<(), Fault> {
     let look = look(&args.folder, &args.facts, args.recursive, global)?;
     let stopped = entries(&look.findings).any(|f| f["grade"] == "stop");

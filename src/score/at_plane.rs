@@ -50,7 +50,7 @@ fn curves(mesh: &Mesh, plane: &Plane) -> Vec<Curve> {
 /// curve is it.
 const PARTED: f64 = 0.1;
 
-/// Those whose middles lie about a plane's point, which is amid the girth's own part: by no more than a tape's
+/// Those whose middles lie about a plane's point, which is in the middle of the girth's own part: by no more than a tape's
 /// mean diameter. Another limb may be cut by the same plane, and be as thick.
 fn about(curves: Vec<Curve>, point: Point3<f64>, tape_mm: f64) -> Vec<Curve> {
     let near = |c: &Curve| (c.middle - point).norm() <= tape_mm / std::f64::consts::PI;

@@ -52,7 +52,7 @@ pub enum CarveError {
         /// What it is.
         what: &'static str,
     },
-    /// Nothing is left.
+    /// No cell is left.
     #[error(
         "no point of space is body on {0:.0} % of the photos: do masks and cameras belong together? a lower `consensus` may help"
     )]

@@ -5,7 +5,7 @@
 //! the four corners of a face only, so both cubes of a face agree and the surface is closed; on an
 //! ambiguous face it parts the solid's corners. Each cut edge starts one trace and ends one, so
 //! traces close to loops; a loop is filled by triangles whose inner edges do not lie on a face of
-//! the cube, or around a vertex amid the cube, so that no edge can belong to more than two triangles.
+//! the cube, or around a vertex within the cube, so that no edge can belong to more than two triangles.
 
 /// Corner `i` of a cube stands at x = bit 0, y = bit 1, z = bit 2 of `i`.
 ///
@@ -35,7 +35,7 @@ const FACES: [[usize; 4]; 6] = [
     [4, 5, 7, 6],
 ];
 
-/// A corner of a triangle: on an edge of the cube, or amid the cube (one for each loop).
+/// A corner of a triangle: on an edge of the cube, or within the cube (one for each loop).
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Place {
     /// Edge 0..12.
@@ -147,7 +147,7 @@ mod tests {
         assert_eq!(case.triangles.len(), 1);
         let mid = |p: Place| {
             let Place::Edge(e) = p else {
-                panic!("a vertex amid the cube")
+                panic!("a vertex within the cube")
             };
             let at = |c: usize| {
                 nalgebra::Vector3::new((c & 1) as f64, (c >> 1 & 1) as f64, (c >> 2) as f64)

@@ -64,7 +64,7 @@ const STEEP: f64 = 1.732_050_8 * 1.15;
 const BLOCK: usize = 4;
 
 /// The corners of a brick. Where all cubes of [`BLOCK`] cells around a corner are far from the surface
-/// it takes the value amid one of them, which depends on where the corner is and not on the brick: the
+/// it takes the value within one of them, which depends on where the corner is and not on the brick: the
 /// neighbours say the same.
 fn filled(
     lattice: &Lattice,

@@ -77,7 +77,7 @@ fn part(lattice: &Lattice, brick: usize, values: &[f32], cases: &[Case]) -> Part
                     );
                     (linear(from) * 4 + u64::from(e) / 4, p + (q - p) * t)
                 };
-                let amid = |l: u8| -> (Name, Point3<f64>) {
+                let within_cell = |l: u8| -> (Name, Point3<f64>) {
                     let ring = &case.loops[l as usize];
                     let sum: nalgebra::Vector3<f64> =
                         ring.iter().map(|e| on_edge(*e).1.coords).sum();
@@ -88,7 +88,7 @@ fn part(lattice: &Lattice, brick: usize, values: &[f32], cases: &[Case]) -> Part
                     triangles.push(triangle.map(|place| {
                         let (name, p) = match place {
                             Place::Edge(e) => on_edge(e),
-                            Place::Middle(l) => amid(l),
+                            Place::Middle(l) => within_cell(l),
                         };
                         vertices.push((name, [p.x as f32, p.y as f32, p.z as f32]));
                         name

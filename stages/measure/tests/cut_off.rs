@@ -80,9 +80,9 @@ fn the_papers_spline_stays_on_a_short_neck_between_chin_and_shoulders() {
     let mesh = meshed(&built(30.0));
     let body = measure::body(&mesh, 0.0).unwrap();
     let neck = measure::neck_features(&mesh, &body).unwrap();
-    let amid = measure::plane_at(&neck, 0.0).unwrap().plane;
-    let ring = measure::nearest_ring(&mesh, &amid).unwrap();
-    let contour = measure::length(&measure::flat(&ring.curve, &amid));
+    let middle = measure::plane_at(&neck, 0.0).unwrap().plane;
+    let ring = measure::nearest_ring(&mesh, &middle).unwrap();
+    let contour = measure::length(&measure::flat(&ring.curve, &middle));
     let spline = paper_girth(&mesh, &ring.curve).unwrap();
     assert!(!has_left(spline, ring.tape, contour), "{spline}");
     assert!(has_left(1.26 * contour, ring.tape, contour));

@@ -49,7 +49,7 @@ impl Pose {
 }
 
 impl Intrinsics {
-    /// A distortion-free lens with its principal point amid the photo.
+    /// A distortion-free lens with its principal point in the middle of the photo.
     pub fn simple(width: u32, height: u32, focal_px: f64) -> Self {
         let centre = [
             (f64::from(width) - 1.0) / 2.0,

@@ -46,7 +46,7 @@ impl Side {
 pub enum GirthId {
     /// WC: the waist, by the definition that the user chose among the four below.
     Waist,
-    /// The waist amid lowest rib and hip bone.
+    /// The waist midway between lowest rib and hip bone.
     WaistNatural,
     /// The narrowest of the trunk.
     WaistNarrowest,

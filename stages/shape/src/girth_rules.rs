@@ -93,7 +93,7 @@ pub enum LevelRule {
     Share {
         /// Where the way begins.
         from: &'static str,
-        /// Where it ends.
+        /// Its far end.
         to: &'static str,
         /// How far along.
         at: f64,

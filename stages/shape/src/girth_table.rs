@@ -24,7 +24,7 @@ pub struct Definition {
     pub iso: Option<&'static str>,
     /// Other standards that define it so, with their clause where it has a number.
     pub others: &'static [&'static str],
-    /// Where on the body.
+    /// The part of the body.
     pub region: Region,
     /// How its plane lies.
     pub plane: PlaneRule,

@@ -7,11 +7,11 @@ use stage::{Artifact, Corrupt, Packer, Unpacker};
 /// One girth.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Girth {
-    /// Which girth.
+    /// The girth's row of the table.
     pub id: GirthId,
     /// Whose definition it follows: `id`'s own, or that of the waist which the user chose.
     pub by: GirthId,
-    /// Where on the body.
+    /// The part of the body.
     pub region: Region,
     /// Short name: WC, HC, CC, NC, AC_L, AC_R, …, or the user's.
     pub name: String,
@@ -38,7 +38,7 @@ pub struct Girth {
     pub split: Option<Split>,
     /// What the user should know.
     pub notes: Vec<Note>,
-    /// Where it was taken.
+    /// The plane that the tape lay in.
     pub plane: Plane,
     /// The contour, closed, without repeating the first point. \[mm\]
     pub contour: Vec<[f32; 3]>,

@@ -7,7 +7,7 @@ use stage::{Artifact, Corrupt, Packer, Unpacker};
 /// A plane.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct Plane {
-    /// A point of it, amid the section. \[mm\]
+    /// A point of it, in the middle of the section. \[mm\]
     pub point_mm: [f64; 3],
     /// Its unit normal.
     pub normal: [f64; 3],
@@ -62,11 +62,11 @@ pub struct PlaneSigma {
 /// Where one girth is taken.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Landmark {
-    /// Which girth.
+    /// The girth that is measured here.
     pub id: GirthId,
     /// Whose definition it follows: `id`'s own, or that of the waist which the user chose.
     pub by: GirthId,
-    /// Where on the body.
+    /// The part of the body.
     pub region: Region,
     /// Short name: WC, HC, CC, NC, AC_L, AC_R, …, or the user's.
     pub name: String,
@@ -74,7 +74,7 @@ pub struct Landmark {
     pub label: String,
     /// Its definition, with the standards behind it.
     pub definition: String,
-    /// Where.
+    /// The plane that the tape lies in.
     pub plane: Plane,
     /// Around what.
     pub part: Part,
@@ -110,7 +110,7 @@ impl Landmark {
     }
 }
 
-/// Where to measure.
+/// Where girths are to be measured.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Landmarks {
     /// What the numbers mean.

@@ -180,7 +180,7 @@ pub struct Adjacency {
 }
 
 impl Adjacency {
-    /// Of a valid mesh.
+    /// The neighbours in a valid mesh.
     pub fn new(mesh: &Mesh) -> Self {
         let count = mesh.positions.len();
         let corners = mesh.faces.iter().enumerate();

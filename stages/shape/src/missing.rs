@@ -10,7 +10,7 @@ pub struct Missing {
     pub id: Option<GirthId>,
     /// Short name.
     pub name: String,
-    /// Why, for programs.
+    /// The reason, for programs.
     pub reason: Refusal,
     /// Why on this body, and what would help: a sentence.
     pub why: String,

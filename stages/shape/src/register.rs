@@ -185,7 +185,7 @@ fn stepped(picture: &Gray, other: &Gray, from: &Placed) -> Option<(Placed, f64, 
 pub(crate) mod tests {
     use super::*;
 
-    /// A room of blobs, with a disk of other blobs amid it that stands at an angle.
+    /// A room of blobs, with a disk of other blobs in its middle that stands at an angle.
     pub(crate) fn photo(placed: &Placed, angle: f64, dice: &mut proof::Dice) -> Gray {
         let (w, h) = (240usize, 320usize);
         let room = |x: f64, y: f64| {

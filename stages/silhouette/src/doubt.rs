@@ -70,7 +70,7 @@ mod tests {
                 let light = dice.within(-30.0, 30.0);
                 *p = [200.0, 150.0, 120.0].map(|v| (v + light) as u8);
             }
-            // Grey amid the body on the second photo; green beside, where the third shows the room.
+            // Grey within the body on the second photo; green beside, where the third shows the room.
             for i in (20 * 60..50 * 60).filter(|_| k == 1) {
                 match i % 60 {
                     26..34 => small.data[i] = [150, 150, 148],

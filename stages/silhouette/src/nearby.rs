@@ -102,7 +102,7 @@ mod tests {
 
     #[test]
     fn a_colour_that_the_room_has_close_by_is_cheap_and_another_is_dear() {
-        // 400 rows: 12 pixels around are asked. The room was not seen in a block amid it.
+        // 400 rows: 12 pixels around are asked. The room was not seen in a block in its middle.
         let mut room = Backdrop::whole(Rgb::filled(60, 400, [90, 100, 120]));
         let unseen = |i: usize| (10..50).contains(&(i % 60)) && (100..300).contains(&(i / 60));
         (0..24000)

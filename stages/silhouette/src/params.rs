@@ -42,12 +42,12 @@ pub enum CutError {
         "there is no plate, and only {0:.0} % of the photos' pixels stand still over the turn: did the camera move? take a plate with a fixed camera, hand in masks (silhouette.import), or say where the body is (`box_px`)"
     )]
     Moves(f64),
-    /// Nothing found.
+    /// No pixel is body.
     #[error(
         "{0}: nothing in it differs from the empty scene: is the subject in it, or was the camera moved after the plate?"
     )]
     Empty(String),
-    /// Everything found.
+    /// Nearly all pixels are body.
     #[error(
         "{0}: nearly all of it differs from the empty scene: was the camera moved, or the light changed, while photos and plate were taken?"
     )]

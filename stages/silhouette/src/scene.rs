@@ -7,7 +7,7 @@ use shape::{Camera, Image, PhotoId, Rgb};
 
 /// A photo, reduced, with its camera at that size.
 pub struct Shot {
-    /// Which one.
+    /// The photo.
     pub id: PhotoId,
     /// The pixels.
     pub small: Rgb,

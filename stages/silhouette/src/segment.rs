@@ -8,7 +8,7 @@ use shape::{Image, Rgb};
 /// What is known of each pixel before the cut.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Known {
-    /// Nothing.
+    /// It may be either.
     Unknown,
     /// It cannot be body.
     Background,

@@ -31,7 +31,7 @@ pub enum Ground {
 /// Standard deviations of photo and background against each other. \[levels\]
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Noise {
-    /// Where nothing moves.
+    /// Of what does not move.
     pub room: f32,
     /// On the disk, which is turned back and lit otherwise.
     pub disk: f32,

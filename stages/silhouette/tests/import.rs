@@ -22,7 +22,7 @@ fn photos(count: usize) -> Photos {
     }
 }
 
-/// A body amid the photo, in a shade on another.
+/// A body in the middle of the photo, in a shade on another.
 fn mask(body: u8, ground: u8) -> Mask {
     let mut mask = Mask::filled(40, 60, ground);
     for y in 10..55 {

@@ -175,6 +175,6 @@ fn arm(
         centre: (shoulder + Vector3::new(side * 8.0, 0.0, 2.0) * s).into(),
         half: [58.0, 58.0, 56.0].map(|h| h * w),
     });
-    let amid = shoulder + down * (185.0 * s);
-    planes.push((format!("AC_{suffix}"), amid.into(), down.into()));
+    let middle = shoulder + down * (185.0 * s);
+    planes.push((format!("AC_{suffix}"), middle.into(), down.into()));
 }

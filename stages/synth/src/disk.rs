@@ -95,8 +95,8 @@ impl Disk {
             3,
         ];
         let dot = |k: u32| chance(cell, self.seed + 30 + k);
-        let amid = [0, 1].map(|i| (cell[i] as f32 + 0.3 + 0.4 * dot(i as u32)) * size);
-        let far = (at[0] - amid[0]).hypot(at[1] - amid[1]);
+        let middle = [0, 1].map(|i| (cell[i] as f32 + 0.3 + 0.4 * dot(i as u32)) * size);
+        let far = (at[0] - middle[0]).hypot(at[1] - middle[1]);
         let dotted = x.hypot(y) < inner && far < size * (0.12 + 0.17 * dot(2)) && dot(3) < 0.8;
         [if dotted { 0.05 + 0.4 * dot(4) } else { ink }; 3]
     }

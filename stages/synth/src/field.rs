@@ -18,7 +18,7 @@ struct Ball {
 }
 
 impl<'a> Field<'a> {
-    /// Of a solid.
+    /// The field of a solid.
     pub fn new(solid: &'a Solid) -> Self {
         let parts = solid.parts.iter().map(|part| (ball(part), part));
         Field {

@@ -53,7 +53,7 @@ stage::params! {
 }
 
 stage::inputs! {
-    /// Nothing.
+    /// A made ring needs no inputs.
     pub struct RingInput {}
 }
 

@@ -29,10 +29,10 @@ pub(crate) fn albedo(look: &Look, at: [f32; 3], pixel: f32) -> [f32; 3] {
     // A print: one drop in two cells, its colour by chance.
     let drop = (4.0 * look.finest).max(8.0);
     let near = at.map(|x| (x / drop).floor() as i32);
-    let amid = [0, 1, 2]
+    let middle = [0, 1, 2]
         .map(|i| (near[i] as f32 + 0.3 + 0.4 * three(near, look.seed.wrapping_add(7))[i]) * drop);
     let far = (0..3)
-        .map(|i| (at[i] - amid[i]) * (at[i] - amid[i]))
+        .map(|i| (at[i] - middle[i]) * (at[i] - middle[i]))
         .sum::<f32>();
     let radius = drop * 0.3;
     if chance(near, look.seed.wrapping_add(11)) < 0.5 {

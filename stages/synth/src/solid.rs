@@ -48,7 +48,7 @@ stage::params! {
 }
 
 stage::inputs! {
-    /// Nothing.
+    /// A made solid needs no inputs.
     pub struct SolidInput {}
 }
 
@@ -74,7 +74,7 @@ impl Stage for MakeSolid {
 
     fn run(p: &SolidParams, _: SolidInput, _: &Ctx<'_>) -> Result<Solid, Stop> {
         let (high, wide, deep) = (p.stature_mm, p.wide_mm, p.deep_mm);
-        let amid = |z: f64, x: f64| ("amid".to_owned(), [x, 0.0, z], [0.0, 0.0, 1.0]);
+        let middle = |z: f64, x: f64| ("amid".to_owned(), [x, 0.0, z], [0.0, 0.0, 1.0]);
         let plain = |part: SolidPart, plane: (String, [f64; 3], [f64; 3])| Solid {
             parts: vec![part],
             blend_mm: 0.0,
@@ -101,14 +101,14 @@ impl Stage for MakeSolid {
                     furrow: None,
                     round: 0.3 * wide.min(deep).min(high),
                 },
-                amid(high / 2.0, 0.0),
+                middle(high / 2.0, 0.0),
             ),
             Figure::Ellipsoid => plain(
                 SolidPart::Ellipsoid {
                     centre: [0.0, 0.0, high / 2.0],
                     half: [wide, deep, high / 2.0],
                 },
-                amid(high / 2.0, 0.0),
+                middle(high / 2.0, 0.0),
             ),
             Figure::Torus => {
                 if wide <= deep {

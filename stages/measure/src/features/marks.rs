@@ -22,7 +22,7 @@ pub struct Marks {
     /// Where the outline from the side comes to a point at the bust, if it does, and how sharp that
     /// is: 1 beyond doubt, 0 none.
     pub apex: Option<(f64, f64)>,
-    /// Where the outline from the front is amid neck and shoulders.
+    /// Where the outline from the front is midway between neck and shoulders.
     pub shoulder: f64,
     /// Millimetres that the arms' middle lines go outward for each that they go down; `None` where
     /// no arm stands clear.
@@ -142,14 +142,14 @@ fn apex(
     (agree && sharp > 0.0).then_some(((fine.0 + wide.0) / 2.0, sharp))
 }
 
-/// The highest level at which the outline from the front is as wide as amid neck and shoulders.
+/// The highest level at which the outline from the front is as wide as midway between neck and shoulders.
 fn shoulder(body: &Body, hip: f64, neck: f64) -> Option<f64> {
     let full = |s: &Slice| breadth(s, &body.left);
     let at = |z: f64| body.slice(z).and_then(full);
     let (narrow, wide) = (at(neck)?, at(hip + 0.65 * (neck - hip))?);
-    let amid = (narrow + wide) / 2.0;
+    let half_way = (narrow + wide) / 2.0;
     body.between(hip, neck)
-        .filter(|s| full(s).is_some_and(|w| w >= amid))
+        .filter(|s| full(s).is_some_and(|w| w >= half_way))
         .map(|s| s.z)
         .reduce(f64::max)
 }

@@ -139,7 +139,7 @@ pub(crate) fn tube(mesh: &Mesh, narrowest: &Ring, front: Vector3<f64>, crown: f6
 /// The middle of the tightest planes that hang together, in steps of a grid with rows so wide; a row goes
 /// up from shoulders to head. `None` where none has both wider below and wider above.
 fn tightest(tapes: &[f64], wide: usize) -> Option<[f64; 2]> {
-    let amid: Vec<bool> = (0..tapes.len())
+    let central: Vec<bool> = (0..tapes.len())
         .map(|i| {
             let (row, k) = tapes[i - i % wide..][..wide].split_at(i % wide);
             let closed: Vec<f64> = k[1..].iter().copied().filter(|t| t.is_finite()).collect();
@@ -147,9 +147,9 @@ fn tightest(tapes: &[f64], wide: usize) -> Option<[f64; 2]> {
             own.is_finite() && longest(row) >= WIDER.0 * own && head >= WIDER.1 * own
         })
         .collect();
-    let own = (0..tapes.len()).filter(|i| amid[*i]);
+    let own = (0..tapes.len()).filter(|i| central[*i]);
     let least = own.min_by(|a, b| tapes[*a].total_cmp(&tapes[*b]))?;
-    let weight = |i: usize| match amid[i] {
+    let weight = |i: usize| match central[i] {
         true => 1.0 - (tapes[i] / tapes[least] - 1.0) / TIGHT,
         false => 0.0,
     };

@@ -96,11 +96,11 @@ fn reaches(tube: &Tube, row: f64) -> Vec<(f64, f64)> {
     reach
 }
 
-/// Finds the marks; `amid` is the row of the tightest section.
-fn marks(t: &mut NeckProfile, amid: usize) {
+/// Finds the marks; `tightest` is the row of the tightest section.
+fn marks(t: &mut NeckProfile, tightest: usize) {
     let last = t.at.len() - 1;
     let farthest = |reach: &[f64]| {
-        let far = (amid..=last).max_by(|a, b| reach[*a].total_cmp(&reach[*b]));
+        let far = (tightest..=last).max_by(|a, b| reach[*a].total_cmp(&reach[*b]));
         far.unwrap_or(last)
     };
     let chin = farthest(&t.front);

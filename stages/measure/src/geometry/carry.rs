@@ -53,14 +53,14 @@ const BESIDE: usize = 12;
 const MARGIN: usize = 3;
 
 /// Completes a section. `here` and `clear` are [`reaches`] about the same axis; where `hidden`, the
-/// clear one is carried over, larger by a factor: at the ends of the gap the section's own, amid it
-/// their mean, kept within `amid`, straight in between. `None` if less than three tenths are seen,
+/// clear one is carried over, larger by a factor: at the ends of the gap the section's own, in its middle
+/// their mean, kept within `allowed`, straight in between. `None` if less than three tenths are seen,
 /// or the two are of different size.
 pub fn carried(
     here: &[Option<f64>],
     clear: &[Option<f64>],
     hidden: &[bool],
-    amid: &std::ops::RangeInclusive<f64>,
+    allowed: &std::ops::RangeInclusive<f64>,
 ) -> Option<Carried> {
     let n = RAYS as i64;
     let at = |k: i64| k.rem_euclid(n) as usize;
@@ -89,7 +89,7 @@ pub fn carried(
             let ahead = (1..n).find(|d| ratio(k + d).is_some())?;
             let (first, last) = (beside(k - back, -1), beside(k + ahead, 1));
             let share = back as f64 / (back + ahead) as f64;
-            let middle = ((first + last) / 2.0).clamp(*amid.start(), *amid.end());
+            let middle = ((first + last) / 2.0).clamp(*allowed.start(), *allowed.end());
             let scale = match share < 0.5 {
                 true => first + 2.0 * share * (middle - first),
                 false => middle + (2.0 * share - 1.0) * (last - middle),

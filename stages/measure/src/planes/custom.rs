@@ -52,7 +52,7 @@ pub enum BadName {
     Twice(String),
 }
 
-/// A declared girth on one side of the body, or amid it.
+/// A declared girth on one side of the body, or in its middle.
 struct Wanted<'a> {
     full: String,
     name: &'a str,

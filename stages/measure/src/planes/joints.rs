@@ -42,7 +42,7 @@ fn told(limb: &mut Limb, model: &LevelModel) -> Result<bool, Refusal> {
         true => &[Place::ElbowBent],
         false => &[Place::Elbow],
     })?;
-    let (amid, inside) = first(match bent {
+    let (mid_upper_arm, inside) = first(match bent {
         true => &[Place::UpperArmBentByShoulder, Place::UpperArmBent],
         false => &[Place::UpperArmByShoulder, Place::UpperArm],
     })?;
@@ -55,7 +55,7 @@ fn told(limb: &mut Limb, model: &LevelModel) -> Result<bool, Refusal> {
     limb.middle = middle;
     // Both are told by the same line and err alike (0.7 to 0.85 of made bodies); as one is the safe side.
     limb.shared = root.sigma * middle.sigma;
-    limb.amid = Some(amid);
+    limb.mid_upper_arm = Some(mid_upper_arm);
     Ok(inside)
 }
 

@@ -51,17 +51,17 @@ pub fn share(limb: &Limb, segment: Segment, share: f64) -> Result<Placed, Refusa
     Ok((plane, sure(sigma)))
 }
 
-/// Across an upper arm amid acromion and elbow (ISO 8559-1 5.3.16), centred on the arm's own ring where
+/// Across an upper arm midway between acromion and elbow (ISO 8559-1 5.3.16), centred on the arm's own ring where
 /// the surface shows one.
 pub(crate) fn upper_arm(limbs: &Limbs<'_>, stature: f64, side: f64) -> Result<Placed, Refusal> {
     let arm = limbs.arm(side)?;
     if arm.clear_to() < arm.middle.s + CLEAR * stature {
         return Err(Refusal::Fused);
     }
-    let (plane, amid) = arm.amid_upper_arm().ok_or(Refusal::NoLimb)?;
+    let (plane, middle) = arm.mid_upper_arm().ok_or(Refusal::NoLimb)?;
     let sigma = PlaneSigma {
-        repeat_mm: amid.again,
-        ..sure(amid.sigma)
+        repeat_mm: middle.again,
+        ..sure(middle.sigma)
     };
     Ok((plane, sigma))
 }

@@ -20,7 +20,7 @@ const TUBE: f64 = 0.27;
 /// A plane across a neck.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct NeckPlane {
-    /// Where, its point amid the section.
+    /// The plane, its point in the middle of the section.
     pub plane: Plane,
     /// Its offset along the axis from the tightest section, as a share of the diameter.
     pub share: f64,

@@ -10,9 +10,9 @@ use shape::{Camera, Intrinsics, Pose};
 /// Where a camera sees a point.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct PointObservation {
-    /// Which camera.
+    /// The camera, by its place in [`Scene::poses`].
     pub camera: usize,
-    /// Which point.
+    /// The point, by its place in [`Scene::points`].
     pub point: usize,
     /// Where. \[px\]
     pub at_px: [f64; 2],
@@ -40,7 +40,7 @@ pub struct Scene {
 /// What is believed before anything is seen.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Beliefs {
-    /// Of the lens.
+    /// What is believed of the lens.
     pub lens: LensPrior,
     /// Of a ring: how far it turned from photo to photo.
     pub steps: Option<Steps>,

@@ -35,7 +35,7 @@ pub(crate) const AT_ONCE: usize = 64;
 pub(crate) struct Row {
     /// How steep.
     pub(crate) steep: [f32; AT_ONCE],
-    /// Which way, in turns.
+    /// Direction of the gradient, in turns.
     pub(crate) turn: [f32; AT_ONCE],
 }
 

@@ -36,7 +36,7 @@ pub struct Model {
 /// A file that is not what it should be.
 #[derive(Debug, thiserror::Error, PartialEq)]
 pub enum ForeignError {
-    /// It does not read.
+    /// A file that cannot be read.
     #[error("{file}: {why}")]
     Unread {
         /// The file.

@@ -64,7 +64,7 @@ stage::params! {
 }
 
 stage::inputs! {
-    /// Nothing.
+    /// A mat needs no inputs.
     pub struct MatInput {}
 }
 

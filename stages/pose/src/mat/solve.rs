@@ -37,7 +37,7 @@ pub enum MatError {
         /// How many photos there are.
         of: usize,
     },
-    /// It does not fit.
+    /// Its tags lie elsewhere than the mat's layout says.
     #[error(
         "the mat does not fit what `[mat]` in capture.toml says: its tags are seen {rms:.1} px from where they should be; check tag size, ring radius and ids"
     )]

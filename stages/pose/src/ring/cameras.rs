@@ -65,20 +65,7 @@ pub(crate) fn to_cameras(
     if off > p.off_ring {
         return Err(TracksError::NoRing { off: off * 100.0 });
     }
-    let adrift: Vec<&str> = cameras
-        .views
-        .values()
-        .filter(|v| v.points < LEAST)
-        .map(|v| v.name.as_str())
-        .collect();
-    if 4 * adrift.len() > cameras.views.values().count() {
-        return Err(TracksError::Adrift {
-            few: adrift.len(),
-            of: cameras.views.values().count(),
-            least: LEAST,
-            names: adrift[..adrift.len().min(5)].join(", "),
-        });
-    }
+    held_by_features(&cameras)?;
     let cameras = in_ring_frame(&cameras, RING_MM);
     let mut turned = scene.clone();
     turned.poses = cameras.views.values().map(|v| v.camera.pose).collect();
@@ -108,5 +95,21 @@ pub(crate) fn to_cameras(
         rim_tags: 0,
         fit: fit.clone(),
         warnings,
+    })
+}
+
+/// An error where more than a quarter of the cameras hold on to fewer than [`LEAST`] features.
+fn held_by_features(cameras: &Cameras) -> Result<(), TracksError> {
+    let few = cameras.views.values().filter(|v| v.points < LEAST);
+    let adrift: Vec<&str> = few.map(|v| v.name.as_str()).collect();
+    let of = cameras.views.values().count();
+    if 4 * adrift.len() <= of {
+        return Ok(());
+    }
+    Err(TracksError::Adrift {
+        few: adrift.len(),
+        of,
+        least: LEAST,
+        names: adrift[..adrift.len().min(5)].join(", "),
     })
 }

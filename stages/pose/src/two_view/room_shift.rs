@@ -7,7 +7,7 @@ use crate::two_view::five_point::Both;
 use nalgebra::{Matrix3, Rotation3, Vector3};
 use shape::Intrinsics;
 
-/// Where the room went.
+/// How the room moved between two photos.
 #[derive(Debug, Clone, PartialEq)]
 pub struct RoomShift {
     /// How far it moved, its median. \[px\]

@@ -10,7 +10,7 @@ use rayon::prelude::*;
 /// What is believed before anything is seen, and how to adjust.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Terms {
-    /// Of each lens.
+    /// The prior of each lens.
     pub lenses: Vec<LensPrior>,
     /// How far focusing may change a photo's focal length, as a share; standard deviation.
     pub zoom_sigma: f64,

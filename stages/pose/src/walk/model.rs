@@ -6,7 +6,7 @@ use shape::{Camera, Intrinsics, PhotoId, Pose, Tracks};
 /// A photo that has a camera.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Shot {
-    /// Which photo.
+    /// The photo that it took.
     pub photo: PhotoId,
     /// Its lens, by place.
     pub lens: usize,
@@ -19,7 +19,7 @@ pub struct Shot {
 /// A point, and the shots that show it: their places, pixels.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Spot {
-    /// Where it is.
+    /// The point's place.
     pub at: Point3<f64>,
     /// What shows it where.
     pub observations: Vec<(usize, [f64; 2])>,

@@ -20,7 +20,7 @@ pub struct Look {
 }
 
 impl Look {
-    /// Nothing yet.
+    /// Room for a look that is yet to be read.
     pub const EMPTY: Look = Look {
         z: [0.0; MOST_POINTS],
         slope: [0.0; MOST_POINTS],

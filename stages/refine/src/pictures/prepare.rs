@@ -13,7 +13,7 @@ pub enum RefineError {
     /// A mesh with holes, or that touches itself.
     #[error("the mesh cannot be refined; repair it, or start from `hull.carve`")]
     Mesh(#[from] shape::MeshFault),
-    /// Nothing to refine.
+    /// A mesh without faces.
     #[error("the mesh has no face")]
     Empty,
     /// Photos and cameras that do not belong together.

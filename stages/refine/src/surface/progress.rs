@@ -4,7 +4,7 @@ use shape::Mesh;
 
 /// An evolution under way: where it is, and the best that it was.
 pub struct Progress {
-    /// Where it is.
+    /// The surface so far.
     pub mesh: Mesh,
     /// The most consistent so far.
     pub best: Mesh,

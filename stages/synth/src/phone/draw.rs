@@ -18,7 +18,7 @@ pub(crate) struct Fault {
 }
 
 impl Fault {
-    /// Nothing.
+    /// A photo without faults.
     pub(crate) const NONE: Fault = Fault {
         gains: [1.0; 3],
         shift: [0.0; 2],

@@ -62,8 +62,8 @@ impl<'a> Cuts<'a> {
         let half = self.cell * 3f64.sqrt() / 2.0 + self.reach;
         let mut faces = Vec::new();
         for (i, (key, start)) in self.cells.iter().enumerate() {
-            let amid = Vector3::from(key.map(|k| (f64::from(k) + 0.5) * self.cell));
-            let off = self.low + amid - p;
+            let middle = Vector3::from(key.map(|k| (f64::from(k) + 0.5) * self.cell));
+            let off = self.low + middle - p;
             if n.dot(&off).abs() <= half && off.norm() <= within + half {
                 let end = self.cells.get(i + 1).map_or(self.faces.len(), |c| c.1);
                 faces.extend_from_slice(&self.faces[*start..end]);
@@ -77,8 +77,8 @@ impl<'a> Cuts<'a> {
         let half = self.cell * 3f64.sqrt() / 2.0 + self.reach;
         let mut found = Vec::new();
         for (i, (key, start)) in self.cells.iter().enumerate() {
-            let amid = Vector3::from(key.map(|k| (f64::from(k) + 0.5) * self.cell));
-            let off = self.low + amid - from;
+            let middle = Vector3::from(key.map(|k| (f64::from(k) + 0.5) * self.cell));
+            let off = self.low + middle - from;
             let t = along.dot(&off).clamp(0.0, most);
             if (off - along * t).norm() > half {
                 continue;

@@ -146,7 +146,7 @@ fn one(
         crotch: 0.0,
         root_line: None,
         seen: None,
-        amid: None,
+        mid_upper_arm: None,
     };
     let told = match kind {
         Kind::Arm => arm::seen(&found.cuts, &mut limb, body),

@@ -42,7 +42,7 @@ pub enum Segment {
 /// An arm or a leg.
 #[derive(Debug, Clone)]
 pub struct Limb {
-    /// Which.
+    /// The limb.
     pub kind: Kind,
     /// 1 the body's left, -1 its right.
     pub side: f64,
@@ -67,7 +67,7 @@ pub struct Limb {
     /// Of an arm: what its joints are told from.
     pub seen: Option<ArmSeen>,
     /// Of an arm: where the tip of the elbow and the acromion are as far away.
-    pub amid: Option<Joint>,
+    pub mid_upper_arm: Option<Joint>,
 }
 
 impl Limb {
@@ -131,10 +131,10 @@ impl Limb {
 
     /// The plane across an upper arm midway between acromion and the tip of the elbow (olecranon), and how
     /// sure its place is. \[mm\]
-    pub fn amid_upper_arm(&self) -> Option<(Plane, Joint)> {
-        let amid = self.amid?;
-        let (plane, _) = self.at(Segment::UpperArm, amid.s, 0.5)?;
-        Some((plane, amid))
+    pub fn mid_upper_arm(&self) -> Option<(Plane, Joint)> {
+        let joint = self.mid_upper_arm?;
+        let (plane, _) = self.at(Segment::UpperArm, joint.s, 0.5)?;
+        Some((plane, joint))
     }
 
     /// The plane square to a segment's line at a place of it, about that share of its way.
