@@ -21,6 +21,17 @@ pub type NamedFiles = Vec<(String, Vec<u8>)>;
 /// Why an artifact cannot be written.
 pub type WriteError = Box<dyn Error + Send + Sync>;
 
+/// How files that a program wrote become an artifact of a kind.
+pub struct Importer {
+    /// A stage with one port of files; its other ports take what the program's node reads of their kinds.
+    /// Its params have defaults.
+    pub stage: &'static dyn AnyStage,
+    /// Patterns of the files, where the result is a folder; or the name of its one file.
+    pub files: &'static [&'static str],
+    /// Raise it whenever artifacts of the kind are laid out for programs as other bytes.
+    pub layout: u32,
+}
+
 /// What is to be known of a kind of artifact.
 pub struct Kind {
     /// As [`stage::Artifact::KIND`].
@@ -38,6 +49,8 @@ pub struct Kind {
     /// The names of all that `facts` may tell, `*` for any text; given the entries of the pipeline's
     /// sections, which may be among them.
     pub names: fn(&[String]) -> Vec<String>,
+    /// How a program's result is read; none where no program can make one.
+    pub importer: Option<Importer>,
 }
 
 impl Catalog {

@@ -88,6 +88,7 @@ pub mod differ;
 mod done;
 pub mod drawing;
 mod drawing_svg;
+pub mod foreign;
 pub mod graph;
 pub mod history;
 pub mod impact;

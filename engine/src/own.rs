@@ -8,7 +8,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// The store's folders, and whose names are in them.
-const FOLDERS: [(&str, fn(&str) -> bool); 10] = [
+const FOLDERS: [(&str, fn(&str) -> bool); 12] = [
     ("cas", is_prefix),
     ("ac", is_prefix),
     ("part", is_prefix),
@@ -19,6 +19,8 @@ const FOLDERS: [(&str, fn(&str) -> bool); 10] = [
     ("quarantine", is_hash),
     ("captures", is_hash),
     ("tmp", is_writing),
+    ("allowed", is_hash),
+    ("exec", is_writing),
 ];
 
 /// The store's files beside its folders.

@@ -161,6 +161,7 @@ pub(crate) static CATALOG: Catalog = Catalog {
             extension: |_| None,
             facts,
             names: |_| ["words", "distinct"].map(String::from).to_vec(),
+            importer: None,
         },
         Kind {
             name: Text::KIND,
@@ -170,6 +171,7 @@ pub(crate) static CATALOG: Catalog = Catalog {
             extension: |_| None,
             facts: |_| vec![],
             names: |_| vec![],
+            importer: None,
         },
     ],
 };

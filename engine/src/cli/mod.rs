@@ -140,6 +140,7 @@ pub fn run<A: Into<OsString> + Clone>(
     global.program = Some(program);
     let _ = ctrlc::set_handler(|| {
         if CANCEL.swap(true, Ordering::Relaxed) {
+            crate::foreign::end_all();
             private::burn();
             std::process::exit(130);
         }
