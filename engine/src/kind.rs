@@ -11,6 +11,8 @@ pub struct Catalog {
     pub rooms: &'static [&'static [&'static dyn AnyStage]],
     /// The kinds of which there is something to be known; others may flow as well.
     pub kinds: &'static [Kind],
+    /// How what programs made (`stage = "exec"`) is read, a kind each.
+    pub importers: &'static [Importer],
     /// Pipelines that the program brings along: name and text. Their names stand for a file.
     pub pipelines: &'static [(&'static str, &'static str)],
 }
@@ -49,8 +51,6 @@ pub struct Kind {
     /// The names of all that `facts` may tell, `*` for any text; given the entries of the pipeline's
     /// sections, which may be among them.
     pub names: fn(&[String]) -> Vec<String>,
-    /// How a program's result is read; none where no program can make one.
-    pub importer: Option<Importer>,
 }
 
 impl Catalog {
@@ -73,6 +73,11 @@ impl Catalog {
     /// The kind of a name, if there is something to be known of it.
     pub fn kind(&self, name: &str) -> Option<&Kind> {
         self.kinds.iter().find(|kind| kind.name == name)
+    }
+
+    /// How a program's result of a kind is read, if programs can make one.
+    pub fn importer(&self, kind: &str) -> Option<&'static Importer> {
+        self.importers.iter().find(|i| i.stage.yields() == kind)
     }
 
     /// What an artifact tells of itself.

@@ -3,7 +3,7 @@
 //! ```no_run
 //! use engine::{Catalog, cli};
 //!
-//! static CATALOG: Catalog = Catalog { program: "words 1", rooms: &[], kinds: &[], pipelines: &[] };
+//! static CATALOG: Catalog = Catalog { program: "words 1", rooms: &[], kinds: &[], importers: &[], pipelines: &[] };
 //! static WORDS: cli::Program = cli::Program::new("words", "1", "Counts words.", &CATALOG);
 //!
 //! fn main() -> std::process::ExitCode {
@@ -21,6 +21,7 @@ mod impact;
 mod open;
 mod private;
 mod program;
+mod programs;
 mod progress;
 mod result;
 mod run_verb;

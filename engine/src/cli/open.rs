@@ -3,16 +3,13 @@
 use super::arguments::{Change, Wanted};
 use super::fault::Fault;
 use super::program::GlobalArgs;
-use super::speech::CANCEL;
-use crate::foreign::{self, Sandbox};
+use super::programs::permitted;
 use crate::graph::Graph;
 use crate::recipe::{self, Overrides};
 use crate::session::Options;
-use crate::store::{Prefetch, Store};
+use crate::store::Prefetch;
 use std::num::NonZeroUsize;
 use std::path::{Path, PathBuf};
-use std::sync::Once;
-use std::sync::atomic::Ordering;
 
 /// Reads what is remembered of the store while the pipeline is read.
 pub(crate) fn prefetch(wanted: &Wanted, global: &GlobalArgs) -> Prefetch {
@@ -67,41 +64,6 @@ pub fn open_pipeline(
     let graph = recipe::open(file, &overrides, catalog).map_err(Fault::mistakes)?;
     permitted(&graph, global)?;
     Ok(graph)
-}
-
-/// With `--allow-exec` remembers that the programs of a pipeline may run; tells all whether they may.
-///
-/// # Errors
-///
-/// The cache cannot be used.
-pub(super) fn permitted(graph: &Graph, global: &GlobalArgs) -> Result<(), Fault> {
-    let all: Vec<usize> = (0..graph.nodes.len()).collect();
-    if foreign::programs(graph, &all).next().is_none() {
-        return Ok(());
-    }
-    let store = Store::open(&global.cache).map_err(Fault::input)?;
-    if global.allow_exec {
-        foreign::allow(graph, &all, &store).map_err(Fault::input)?;
-    }
-    let stop = || CANCEL.load(Ordering::Relaxed);
-    foreign::settle(graph, &all, &store, &stop);
-    Ok(())
-}
-
-/// Says once what keeps programs apart from the rest of this machine, if that is nothing.
-pub(super) fn unguarded(graph: &Graph, nodes: &[usize], global: &GlobalArgs) {
-    static SAID: Once = Once::new();
-    let quiet = global.quiet || global.json;
-    if !quiet
-        && foreign::programs(graph, nodes).next().is_some()
-        && let Sandbox::None(why) = foreign::sandbox()
-    {
-        SAID.call_once(|| {
-            crate::errln!(
-                "{why}: the pipeline's programs can reach the network and write wherever you can"
-            );
-        });
-    }
 }
 
 /// `NAME=FOLDER` as a pair.

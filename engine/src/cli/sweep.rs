@@ -1,8 +1,9 @@
 //! `tailor sweep`: every point of a sweep, one table.
 
 use super::fault::Fault;
-use super::open::{folders, options, permitted, unguarded};
+use super::open::{folders, options};
 use super::program::GlobalArgs;
+use super::programs::{permitted, unguarded};
 use super::speech::CANCEL;
 use super::sweep_asked::{Asked, SweepArgs, asked, checked};
 use crate::graph::Graph;

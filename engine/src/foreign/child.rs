@@ -4,8 +4,9 @@
 use super::error::ForeignError;
 use super::family::{self, MARK, Running};
 use super::sandbox::{self, Sandbox};
+use super::tail::Tail;
+use super::weight::weigh;
 use rustix::process::{Pid, WaitId, WaitIdOptions, waitid};
-use std::collections::VecDeque;
 use std::ffi::OsString;
 use std::io::{BufRead, BufReader, Read};
 use std::os::unix::process::{CommandExt, ExitStatusExt};
@@ -42,37 +43,8 @@ pub(super) struct Line {
     pub(super) text: String,
 }
 
-/// What a program said last, for messages.
-#[derive(Default)]
-pub(super) struct Tail(VecDeque<String>);
-
-const TAIL_LINES: usize = 20;
+/// A line that is longer comes in pieces. \[bytes\]
 const LONGEST_LINE: u64 = 16 * 1024;
-const SHOWN_OF_LINE: usize = 300;
-
-impl Tail {
-    fn push(&mut self, line: &str) {
-        let escaped = |c: char| match c.is_control() && c != '\t' {
-            true => c.escape_default().to_string(),
-            false => c.to_string(),
-        };
-        let shown = line.chars().take(SHOWN_OF_LINE).map(escaped).collect();
-        self.0.push_back(shown);
-        if self.0.len() > TAIL_LINES {
-            self.0.pop_front();
-        }
-    }
-
-    /// Behind a message: nothing, or what was said last.
-    pub(super) fn text(&self) -> String {
-        let lines: String = self.0.iter().map(|l| format!("\n  | {l}")).collect();
-        match lines.is_empty() {
-            true => String::new(),
-            false => format!("; it said last:{lines}"),
-        }
-    }
-}
-
 /// How long it is waited at most until it is looked at the program again.
 const LOOK: Duration = Duration::from_millis(10);
 /// How often memory and disk are looked at.
@@ -238,7 +210,7 @@ fn watched(
             });
         }
         if weighed.elapsed() > WEIGH {
-            weigh(task)?;
+            weigh(task.name, task.root, task.memory_mb, task.most)?;
             weighed = Instant::now();
         }
     }
@@ -249,44 +221,6 @@ fn has_ended(child: &Child) -> bool {
     let options = WaitIdOptions::EXITED | WaitIdOptions::NOHANG | WaitIdOptions::NOWAIT;
     // Who cannot be waited for does not run.
     id.is_none_or(|id| !matches!(waitid(WaitId::Pid(id), options), Ok(None)))
-}
-
-/// Whether it holds or has written too much.
-fn weigh(task: &Task<'_>) -> Result<(), ForeignError> {
-    if let Some(limit_mb) = task.memory_mb
-        && family::memory_mb(task.root) > limit_mb
-    {
-        return Err(ForeignError::Memory {
-            program: task.name.into(),
-            limit_mb,
-            tail: String::new(),
-        });
-    }
-    let (mut bytes, mut files) = (0u64, 0usize);
-    let mut open = vec![task.root.join("out"), task.root.join("work")];
-    while let Some(folder) = open.pop() {
-        for entry in std::fs::read_dir(&folder).into_iter().flatten().flatten() {
-            files += 1;
-            match entry.metadata() {
-                Ok(meta) if meta.is_dir() => open.push(entry.path()),
-                Ok(meta) => bytes = bytes.saturating_add(meta.len()),
-                Err(_) => {}
-            }
-            if files > task.most.1 || bytes > task.most.0 {
-                return Err(too_much(task.name, bytes, files, task.most));
-            }
-        }
-    }
-    Ok(())
-}
-
-pub(super) fn too_much(name: &str, bytes: u64, files: usize, most: (u64, usize)) -> ForeignError {
-    ForeignError::TooMuch {
-        program: name.into(),
-        what: format!("{} MB in {files} files", bytes / 1_000_000),
-        most: format!("{} MB in {} files", most.0 / 1_000_000, most.1),
-        tail: String::new(),
-    }
 }
 
 /// Who is still there a moment after the program ended.

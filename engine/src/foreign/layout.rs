@@ -61,11 +61,6 @@ impl Layout {
         &self.root
     }
 
-    /// Where the program works: its current folder, home and room for temporary files.
-    pub(super) fn work(&self) -> PathBuf {
-        self.root.join("work")
-    }
-
     /// Copies of the program's files.
     pub(super) fn here(&self) -> PathBuf {
         self.root.join("here")

@@ -2,8 +2,11 @@
 
 use super::permit::programs;
 use super::program::Program;
+use super::stage::EXEC;
 use super::template::Template;
 use crate::graph::Graph;
+use crate::kind::Catalog;
+use std::fmt::Write;
 
 fn words(words: &[Template]) -> String {
     let words: Vec<String> = words.iter().map(Template::to_string).collect();
@@ -34,6 +37,58 @@ pub fn lines(node: &str, program: &Program) -> Vec<String> {
     }
     lines
 }
+
+/// The reference of the stage itself: what a node may say, and which kinds programs can make.
+pub fn reference(catalog: &Catalog) -> String {
+    let mut text = format!(
+        "{EXEC} v{} → what `out` says\n  Runs a program of yours: see docs/pipelines.md.\n",
+        crate::foreign::VERSION
+    );
+    for (key, what) in KEYS {
+        let _ = writeln!(text, "  {key}  {what}");
+    }
+    for importer in catalog.importers {
+        let (stage, files) = (importer.stage, importer.files.join(", "));
+        let (kind, name) = (stage.yields(), stage.name());
+        let _ = writeln!(text, "  out = \"{kind}\": {files}, read by {name}");
+    }
+    text + "\n"
+}
+
+/// The keys of a program's node.
+const KEYS: [(&str, &str); 10] = [
+    (
+        "command",
+        "= [\"python3\", \"{here}/a.py\", \"{from.PORT}\", \"{out}\", \"{with.NAME}\"]; {from.PORT:FORMAT} for a format of `show --as`",
+    ),
+    (
+        "out",
+        "= the kind that it makes; {out} is a file, or a folder that is there",
+    ),
+    ("from", "= { PORT = \"node\" }: any names"),
+    (
+        "with",
+        "= { NAME = value }: any names, each in the command as {with.NAME}",
+    ),
+    (
+        "files",
+        "= [\"a.py\"]: beside the pipeline; laid out in {here}, content in the key",
+    ),
+    (
+        "identity",
+        "= [\"python3\", \"--version\"]: what it prints is in the key",
+    ),
+    (
+        "env",
+        "= [\"NAME\"]: variables of the environment that it gets; the rest is cleared",
+    ),
+    ("timeout_s", "= 3600.0: how long it may take"),
+    ("memory_mb", "= what it may hold with its children"),
+    (
+        "network",
+        "= false: whether it may reach the network (kept by bubblewrap)",
+    ),
+];
 
 /// What somebody is told who has not allowed these nodes' programs.
 pub fn refusal(graph: &Graph, nodes: &[usize]) -> String {

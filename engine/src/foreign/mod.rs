@@ -18,7 +18,9 @@ mod results;
 mod run;
 mod sandbox;
 mod stage;
+mod tail;
 mod template;
+mod weight;
 
 pub use error::ForeignError;
 pub use family::end_all;
@@ -27,5 +29,5 @@ pub use layout::clear;
 pub use permit::{Settled, allow, is_allowed, programs, settle};
 pub use program::{Granted, Program, Script};
 pub use sandbox::{Sandbox, sandbox};
-pub use stage::{EXEC, laid_out};
+pub use stage::{EXEC, VERSION, laid_out};
 pub use template::{Piece, Template};

@@ -74,8 +74,7 @@ impl Program {
         };
         let mut lines = vec![("command".to_owned(), words(&self.command))];
         for (port, kind) in &self.ports {
-            let importer = self.catalog.kind(kind).and_then(|k| k.importer.as_ref());
-            let version = importer.map_or(0, |i| i.layout);
+            let version = self.catalog.importer(kind).map_or(0, |i| i.layout);
             lines.push((format!("laid out {port}"), format!("{kind} v{version}")));
         }
         let reader = self.importer.stage;
@@ -87,6 +86,9 @@ impl Program {
         }
         if !self.env.is_empty() {
             lines.push(("environment".to_owned(), self.env.join(" ")));
+        }
+        if self.network {
+            lines.push(("network".to_owned(), "may be reached".to_owned()));
         }
         if !self.identity.is_empty() {
             let printed = match self.granted.0.get().and_then(|g| g.identity.as_ref()) {

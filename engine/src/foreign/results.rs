@@ -1,7 +1,7 @@
 //! What a program wrote, as a user's files: plain files of the names that its kind has, or why not.
 
-use super::child::too_much;
 use super::error::ForeignError;
+use super::weight::too_much;
 use crate::kind::Importer;
 use crate::pattern::{fits, natural};
 use stage::{FileEntry, Files};

@@ -1,9 +1,10 @@
 //! A program with its places filled: its run, and what its identity prints.
 
-use super::child::{self, Line, Tail, Task};
+use super::child::{self, Line, Task};
 use super::error::ForeignError;
 use super::layout::Layout;
 use super::program::Program;
+use super::tail::Tail;
 use super::template::{Piece, Template};
 use std::path::Path;
 use std::time::Duration;

@@ -22,7 +22,7 @@ use std::sync::Arc;
 pub const EXEC: &str = "exec";
 
 /// Raise it whenever a program gets or gives something else.
-const VERSION: u32 = 1;
+pub const VERSION: u32 = 1;
 
 /// Whether a kind can be laid out as files for a program, in a format if one is said; what it has.
 pub fn laid_out(catalog: &crate::Catalog, kind: &str, format: Option<&str>) -> Result<(), String> {

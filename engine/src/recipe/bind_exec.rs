@@ -3,11 +3,11 @@
 use super::binder::{Binder, Known};
 use super::mistake::Mistake;
 use super::written::{From, Node, Said};
-use crate::foreign::{EXEC, Granted, Piece, Program, Script, Template, laid_out};
+use crate::foreign::{EXEC, Granted, Program, Script, Template};
 use crate::graph::{Bound, Source};
 use crate::kind::{Catalog, Importer};
 use crate::pattern::stays_inside;
-use stage::{Artifact, Checked, Files, PortSpec, Value, unknown};
+use stage::{Checked, PortSpec, Value, unknown};
 use std::collections::BTreeSet;
 use std::sync::{Arc, Mutex};
 use std::time::Duration;
@@ -22,7 +22,7 @@ pub(super) fn importer_of(node: &Node, catalog: &'static Catalog) -> Option<&'st
         .out
         .as_ref()
         .filter(|_| node.stage.value == EXEC)?;
-    catalog.kind(&kind.value)?.importer.as_ref()
+    catalog.importer(&kind.value)
 }
 
 /// Names of ports and params live as long as the process: there are as many as pipelines name.
@@ -40,17 +40,14 @@ fn name(text: &str) -> &'static str {
 }
 
 impl<'a> Binder<'a> {
-    fn wrong_at(&mut self, said: &Said<String>, what: impl Into<String>) {
+    pub(super) fn wrong_at(&mut self, said: &Said<String>, what: impl Into<String>) {
         self.mistakes.push(Mistake::at(&said.span, what));
     }
 
     /// The importer as the node's stage.
     pub(super) fn importer(&mut self, node: &'a Node) -> Option<Known> {
-        let kinds = self.catalog.kinds.iter();
-        let known: Vec<&str> = kinds
-            .filter(|k| k.importer.is_some())
-            .map(|k| k.name)
-            .collect();
+        let importers = self.catalog.importers.iter();
+        let known: Vec<&str> = importers.map(|i| i.stage.yields()).collect();
         let name = &node.name;
         match (&node.exec.out, importer_of(node, self.catalog)) {
             (_, Some(importer)) => Some(Known {
@@ -190,119 +187,6 @@ impl<'a> Binder<'a> {
             }
         }
         words
-    }
-
-    /// Whether a command starts with a program that stands there, and not with what may change.
-    fn started(&mut self, said: &[Said<String>], words: &[Template]) {
-        let (Some(said), Some(first)) = (said.first(), words.first()) else {
-            return;
-        };
-        let fixed = |piece: &Piece| matches!(piece, Piece::Text(_) | Piece::Here);
-        if first.written.is_empty() || !first.pieces.iter().all(fixed) {
-            let what = "the program itself stands in the command: a name in PATH, a whole path, or {here}/NAME";
-            self.wrong_at(said, what);
-        } else if let Piece::Text(text) = &first.pieces[0]
-            && text.contains('/')
-            && !text.starts_with('/')
-        {
-            let what = format!(
-                "the program works in a folder of its own: say {{here}}/{text} and name it in `files`, or give the whole path"
-            );
-            self.wrong_at(said, what);
-        }
-    }
-
-    /// An identity reads nothing and has no params.
-    fn plain(&mut self, said: &[Said<String>], words: &[Template]) {
-        let fits = |piece: &Piece| matches!(piece, Piece::Text(_) | Piece::Here);
-        for (said, word) in said.iter().zip(words) {
-            if !word.pieces.iter().all(fits) {
-                self.wrong_at(said, "an identity has no placeholder but {here}");
-            }
-        }
-    }
-
-    /// Whether all places of a command are there, and all params stand in it.
-    fn placed(
-        &mut self,
-        node: &Node,
-        said: &[Said<String>],
-        words: &[Template],
-        ports: &[PortSpec],
-    ) {
-        let names: Vec<&str> = ports.iter().map(|p| p.name).collect();
-        let params: Vec<&str> = node.with.iter().map(|(k, _)| k.value.as_str()).collect();
-        let mut out = false;
-        for (said, piece) in said
-            .iter()
-            .zip(words)
-            .flat_map(|(s, w)| w.pieces.iter().map(move |p| (s, p)))
-        {
-            match piece {
-                Piece::From(port, format) => match ports.iter().find(|p| p.name == port) {
-                    None => self.wrong_at(said, unknown("port", port, &names)),
-                    Some(PortSpec {
-                        kind: "nothing", ..
-                    }) => {}
-                    Some(spec) => {
-                        if let Err(what) = laid_out(self.catalog, spec.kind, format.as_deref()) {
-                            self.wrong_at(said, format!("`{port}`: {what}"));
-                        }
-                    }
-                },
-                Piece::With(param) if !params.contains(&param.as_str()) => {
-                    self.wrong_at(said, unknown("param", param, &params));
-                }
-                Piece::Out => out = true,
-                _ => {}
-            }
-        }
-        if !out && said.len() == words.len() {
-            self.wrong_at(
-                &said[0],
-                "the command does not say where the result goes: say {out}",
-            );
-        }
-        for (param, _) in &node.with {
-            let stands = |w: &Template| w.pieces.contains(&Piece::With(param.value.clone()));
-            if !words.iter().any(stands) {
-                let what = format!("the command has no {{with.{}}}", param.value);
-                self.wrong_at(param, what);
-            }
-        }
-    }
-
-    /// Says which sources nobody reads, and which the importer lacks.
-    fn unread(&mut self, node: &Node, importer: &Importer, words: &[Template], ports: &[PortSpec]) {
-        let catalog = self.catalog;
-        let pieces = || words.iter().flat_map(|w| &w.pieces);
-        let laid = |port: &str| pieces().any(|p| matches!(p, Piece::From(name, _) if name == port));
-        let wants = importer.stage.ports();
-        let beside = |kind: &str| {
-            let names = |p: &PortSpec| {
-                let of = catalog.kind(p.kind).and_then(|k| k.beside);
-                laid(p.name) && of == Some(kind)
-            };
-            wants.iter().any(|w| w.kind == kind) || ports.iter().any(names)
-        };
-        for port in ports.iter().filter(|p| !laid(p.name) && !beside(p.kind)) {
-            let what = format!("the command has no {{from.{}}}", port.name);
-            self.wrong_at(&node.name, format!("node `{}`: {what}", node.name.value));
-        }
-        let known = ports.iter().all(|p| p.kind != "nothing");
-        for want in wants
-            .iter()
-            .filter(|w| known && !w.optional && w.kind != Files::KIND)
-        {
-            if !ports.iter().any(|p| p.kind == want.kind) {
-                let kind = importer.stage.yields();
-                let what = format!(
-                    "{kind} are read with {}: let it read them too, `from = {{ {} = \"...\" }}`",
-                    want.kind, want.name
-                );
-                self.wrong_at(&node.name, format!("node `{}`: {what}", node.name.value));
-            }
-        }
     }
 
     /// The node's own files, by their content.

@@ -8,6 +8,7 @@ mod bind;
 mod bind_exec;
 mod binder;
 mod exec_keys;
+mod exec_words;
 mod extend;
 mod mistake;
 mod origins;
