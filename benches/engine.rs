@@ -72,6 +72,7 @@ static CATALOG: Catalog = Catalog {
     rooms: &[&[&erase::<Load>(), &erase::<Copy>()]],
     pipelines: &[],
     kinds: &[],
+    importers: &[],
 };
 
 const LENGTH: usize = 10;

@@ -2,7 +2,8 @@
 
 use crate::kinds::KINDS;
 use engine::Catalog;
-use stage::AnyStage;
+use engine::kind::Importer;
+use stage::{AnyStage, erase};
 
 // What a folder holds besides photos, and what capture.toml says.
 pub(crate) use capture::{READ, foreign, is_photo};
@@ -25,11 +26,42 @@ pub const ROOMS: &[&[&dyn AnyStage]] = &[
     report::STAGES,
 ];
 
+/// How what programs wrote becomes artifacts: by the stages that take them from elsewhere.
+pub const IMPORTERS: &[Importer] = &[
+    taken(
+        &erase::<capture::Load>(),
+        &[
+            "images/*.{jpg,jpeg,png,tif,tiff}",
+            "*.{jpg,jpeg,png,tif,tiff}",
+            "capture.toml",
+        ],
+    ),
+    taken(
+        &erase::<pose::Import>(),
+        &["*.json", "*_par.txt", "*.txt", "*.bin"],
+    ),
+    taken(
+        &erase::<silhouette::Import>(),
+        &["*.{png,jpg,jpeg,tif,tiff}"],
+    ),
+    taken(&erase::<capture::Surface>(), &["mesh.ply"]),
+    taken(&erase::<report::Take>(), &["*"]),
+];
+
+const fn taken(stage: &'static dyn AnyStage, files: &'static [&'static str]) -> Importer {
+    Importer {
+        stage,
+        files,
+        layout: 1,
+    }
+}
+
 /// The product: its stages, and what is to be known of what flows.
 pub static CATALOG: Catalog = Catalog {
     program: concat!("tailor ", env!("CARGO_PKG_VERSION")),
     rooms: ROOMS,
     kinds: KINDS,
+    importers: IMPORTERS,
     pipelines: &[
         ("body", include_str!("../pipelines/body.toml")),
         ("own-masks", include_str!("../pipelines/own-masks.toml")),

@@ -1,5 +1,6 @@
 //! A pipeline whose every name means something: what the walk runs.
 
+use crate::foreign::Program;
 use crate::kind::Catalog;
 use stage::{AnyStage, Checked, PortSpec};
 use std::sync::Arc;
@@ -26,6 +27,8 @@ pub struct Bound {
     pub params: Checked,
     /// From where: one entry a port, in the stage's order; `None` where an optional port is open.
     pub from: Vec<Option<Source>>,
+    /// The program that it runs, where its stage is `exec`.
+    pub program: Option<Arc<Program>>,
 }
 
 /// Files that the user hands over.

@@ -40,6 +40,19 @@ pub fn impacts(graph: &Graph, wanted: &[usize]) -> Vec<Impact> {
         if !reaches.contains(&node) {
             continue;
         }
+        // A program's params have no defaults but what the node says.
+        let of_program = bound
+            .params
+            .values
+            .iter()
+            .filter(|_| bound.program.is_some());
+        all.extend(of_program.map(|(param, value)| Impact {
+            node,
+            param,
+            value: value.clone(),
+            default: value.clone(),
+            reaches: reaches.clone(),
+        }));
         for (spec, (_, value)) in bound.stage.params().iter().zip(&bound.params.values) {
             all.push(Impact {
                 node,

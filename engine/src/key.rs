@@ -22,6 +22,12 @@ pub fn tell_recipe(node: &Bound, ledger: &mut impl Ledger) {
     value.clear();
     let _ = write!(value, "{} format {}", stage.yields(), stage.format());
     ledger.line("makes", &value);
+    if let Some(program) = &node.program {
+        let lines = program.lines();
+        lines
+            .iter()
+            .for_each(|(what, value)| ledger.line(what, value));
+    }
     for (name, said) in &node.params.values {
         what.truncate("with ".len());
         what += name;

@@ -11,6 +11,8 @@ pub struct Catalog {
     pub rooms: &'static [&'static [&'static dyn AnyStage]],
     /// The kinds of which there is something to be known; others may flow as well.
     pub kinds: &'static [Kind],
+    /// How what programs made (`stage = "exec"`) is read, a kind each.
+    pub importers: &'static [Importer],
     /// Pipelines that the program brings along: name and text. Their names stand for a file.
     pub pipelines: &'static [(&'static str, &'static str)],
 }
@@ -20,6 +22,17 @@ pub type NamedFiles = Vec<(String, Vec<u8>)>;
 
 /// Why an artifact cannot be written.
 pub type WriteError = Box<dyn Error + Send + Sync>;
+
+/// How files that a program wrote become an artifact of a kind.
+pub struct Importer {
+    /// A stage with one port of files; its other ports take what the program's node reads of their kinds.
+    /// Its params have defaults.
+    pub stage: &'static dyn AnyStage,
+    /// Patterns of the files, where the result is a folder; or the name of its one file.
+    pub files: &'static [&'static str],
+    /// Raise it whenever artifacts of the kind are laid out for programs as other bytes.
+    pub layout: u32,
+}
 
 /// What is to be known of a kind of artifact.
 pub struct Kind {
@@ -60,6 +73,11 @@ impl Catalog {
     /// The kind of a name, if there is something to be known of it.
     pub fn kind(&self, name: &str) -> Option<&Kind> {
         self.kinds.iter().find(|kind| kind.name == name)
+    }
+
+    /// How a program's result of a kind is read, if programs can make one.
+    pub fn importer(&self, kind: &str) -> Option<&'static Importer> {
+        self.importers.iter().find(|i| i.stage.yields() == kind)
     }
 
     /// What an artifact tells of itself.

@@ -40,6 +40,7 @@
 //!     rooms: &[&[&erase::<Square>()]],
 //!     pipelines: &[],
 //!     kinds: &[],
+//!     importers: &[],
 //! };
 //! let text = "goal = \"four\"\n[node.four]\nstage = \"toy.square\"\nwith = { n = 2 }\n\
 //!             [sweep.some]\nover.four = { n = [2, 3] }\ntell = \"four.square\"\n";
@@ -86,6 +87,7 @@ pub mod differ;
 mod done;
 pub mod drawing;
 mod drawing_svg;
+pub mod foreign;
 pub mod graph;
 pub mod history;
 pub mod impact;

@@ -11,7 +11,7 @@ use std::path::{Path, PathBuf};
 type Form = fn(&str) -> bool;
 
 /// The store's folders, and the form of the names in each.
-const FOLDERS: [(&str, Form); 10] = [
+const FOLDERS: [(&str, Form); 12] = [
     ("cas", is_prefix),
     ("ac", is_prefix),
     ("part", is_prefix),
@@ -22,6 +22,8 @@ const FOLDERS: [(&str, Form); 10] = [
     ("quarantine", is_hash),
     ("captures", is_hash),
     ("tmp", is_writing),
+    ("allowed", is_hash),
+    ("exec", is_writing),
 ];
 
 /// The store's files beside its folders.

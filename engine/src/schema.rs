@@ -4,13 +4,15 @@
 //! JSON Schema 2020-12. Editors that know TOML (Even Better TOML, Tombi) take it by a first line
 //! `#:schema pipeline.schema.json`.
 
+use crate::foreign::EXEC;
 use serde_json::{Map, Value, json};
 use stage::{AnyStage, ParamSpec};
 
 /// The schema for a catalog of stages.
 pub fn schema<'a>(stages: impl Iterator<Item = &'a dyn AnyStage>) -> Value {
     let stages: Vec<&dyn AnyStage> = stages.collect();
-    let names: Vec<&str> = stages.iter().map(|s| s.name()).collect();
+    let names = stages.iter().map(|s| s.name());
+    let names: Vec<&str> = names.chain([EXEC]).collect();
     let by_stage: Vec<Value> = stages.iter().map(|s| rule(*s)).collect();
     let texts = json!({ "type": "array", "items": { "type": "string" } });
     let text_or_texts = json!({ "anyOf": [{ "type": "string" }, texts] });
@@ -49,7 +51,7 @@ pub fn schema<'a>(stages: impl Iterator<Item = &'a dyn AnyStage>) -> Value {
             })),
             "node": named(json!({
                 "type": "object", "additionalProperties": false,
-                "properties": { "stage": stage, "from": from, "with": { "type": "object" } },
+                "properties": node_keys(&stage, &from),
                 "allOf": by_stage,
             })),
             "variant": named(json!({
@@ -78,6 +80,27 @@ pub fn schema<'a>(stages: impl Iterator<Item = &'a dyn AnyStage>) -> Value {
         }
     }
     schema
+}
+
+/// The keys of a node; those of a program go with its stage.
+fn node_keys(stage: &Value, from: &Value) -> Value {
+    let list = |what: &str| {
+        let items = json!({ "type": "string" });
+        json!({ "description": what, "type": "array", "items": items })
+    };
+    let number =
+        |what: &str| json!({ "description": what, "type": "number", "exclusiveMinimum": 0 });
+    json!({
+        "stage": stage, "from": from, "with": { "type": "object" },
+        "command": list("exec: the program and its words; {here}, {from.PORT}, {from.PORT:FORMAT}, {out}, {with.NAME} stand for what is known when it runs"),
+        "out": { "description": "exec: the kind that it makes", "type": "string" },
+        "files": list("exec: files beside the pipeline, laid out in {here}; their content is in the key"),
+        "identity": list("exec: a command that prints what the program is; what it prints is in the key"),
+        "env": list("exec: variables of the environment that it gets"),
+        "timeout_s": number("exec: how long it may take; an hour if not said [s]"),
+        "memory_mb": number("exec: what it may hold with its children [MB]"),
+        "network": { "description": "exec: whether it may reach the network", "type": "boolean", "default": false },
+    })
 }
 
 /// If a node has this stage, its ports and params are these.

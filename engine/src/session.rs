@@ -1,5 +1,6 @@
 //! The engine as a library: hash the inputs, walk, write the run down, read results.
 
+use crate::foreign;
 use crate::graph::{Graph, InputDecl};
 use crate::history::{self, RunSummary};
 use crate::journal::Journal;
@@ -47,6 +48,17 @@ pub enum EngineError {
     /// An input that the pipeline does not have.
     #[error("{0}")]
     Unknown(String),
+    /// Programs that nobody allowed.
+    #[error("{0}")]
+    NotAllowed(String),
+    /// A program of which it is not known what it is.
+    #[error("node `{name}`: {why}")]
+    Identity {
+        /// The node.
+        name: String,
+        /// Why.
+        why: String,
+    },
 }
 
 /// The files of each input, hashed; what was hashed is remembered in the store.
@@ -134,6 +146,8 @@ pub fn run_in(
 ) -> Result<Outcome, EngineError> {
     let start = std::time::Instant::now();
     let using = store.using();
+    let stop = || cancel.load(std::sync::atomic::Ordering::Relaxed);
+    settled(graph, &crate::walk::all(graph, wanted), &store, &stop)?;
     let files = inputs(graph, folders, &store)?;
     let contents: Vec<Hash> = files.iter().map(stage::content).collect();
     for (content, files) in contents.iter().zip(&files) {
@@ -176,6 +190,27 @@ pub fn run_in(
         store,
         _using: using,
     })
+}
+
+/// Whether all programs may run that the nodes need.
+fn settled(
+    graph: &Graph,
+    nodes: &[usize],
+    store: &Store,
+    stop: &dyn Fn() -> bool,
+) -> Result<(), EngineError> {
+    let settled = foreign::settle(graph, nodes, store, stop);
+    if !settled.refused.is_empty() {
+        let text = foreign::listing::refusal(graph, &settled.refused);
+        return Err(EngineError::NotAllowed(text));
+    }
+    match settled.unknown {
+        Some((i, why)) if !stop() => {
+            let name = graph.nodes[i].name.clone();
+            Err(EngineError::Identity { name, why })
+        }
+        _ => Ok(()),
+    }
 }
 
 /// How many threads the options mean: at most four a core.

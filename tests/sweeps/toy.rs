@@ -76,6 +76,7 @@ pub(crate) static CATALOG: Catalog = Catalog {
     rooms: &[&[&erase::<Read>(), &erase::<Add>()]],
     pipelines: &[],
     kinds: &[],
+    importers: &[],
 };
 
 /// src → mid → final.

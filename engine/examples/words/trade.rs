@@ -1,7 +1,7 @@
 //! What is done: words are counted file by file, and a page tells the most frequent.
 
 use crate::nouns::{Counts, Text};
-use engine::kind::{NamedFiles, WriteError};
+use engine::kind::{Importer, NamedFiles, WriteError};
 use engine::{Catalog, Kind, cli};
 use stage::{AnyArtifact, Artifact, Ctx, Files, Metric, Stage, Stop, erase};
 use std::cmp::Reverse;
@@ -109,6 +109,34 @@ impl Stage for Tell {
     }
 }
 
+stage::inputs! {
+    /// A text from elsewhere.
+    pub struct TakeInput {
+        /// One text file.
+        files: Arc<Files>,
+    }
+}
+
+/// `words.take`: files → text. What programs write is taken by it.
+pub(crate) struct Take;
+
+impl Stage for Take {
+    const NAME: &'static str = "words.take";
+    const VERSION: u32 = 1;
+    const ABOUT: &'static str = "Takes a text from a file.";
+    type Params = ();
+    type Input = TakeInput;
+    type Output = Text;
+
+    fn run(_: &(), input: TakeInput, _: &Ctx<'_>) -> Result<Text, Stop> {
+        let mut text = String::new();
+        for entry in &input.files.entries {
+            text += &String::from_utf8(input.files.read(entry)?)?;
+        }
+        Ok(Text(text))
+    }
+}
+
 /// Counts as CSV; a text as it is.
 fn files(
     artifact: AnyArtifact,
@@ -150,8 +178,13 @@ fn facts(artifact: AnyArtifact) -> Vec<Metric> {
 /// The trade.
 pub(crate) static CATALOG: Catalog = Catalog {
     program: "words 1",
-    rooms: &[&[&erase::<Count>(), &erase::<Tell>()]],
+    rooms: &[&[&erase::<Count>(), &erase::<Tell>(), &erase::<Take>()]],
     pipelines: &[],
+    importers: &[Importer {
+        stage: &erase::<Take>(),
+        files: &["text.txt"],
+        layout: 1,
+    }],
     kinds: &[
         Kind {
             name: Counts::KIND,

@@ -4,7 +4,9 @@ use super::arguments::Wanted;
 use super::fault::Fault;
 use super::open::{folders, node, open, prefetch};
 use super::program::GlobalArgs;
+use super::programs::listed;
 use super::text;
+use crate::foreign::{EXEC, listing};
 use crate::graph::Graph;
 use crate::plan::{self, Planned, State};
 use crate::recipe::{self, Overrides, Pipeline};
@@ -109,7 +111,7 @@ pub(crate) fn plan(wanted: &Wanted, global: &GlobalArgs) -> Result<(), Fault> {
             }
         );
     }
-    Ok(())
+    listed(&graph, global)
 }
 
 /// A hash shortened, anything else as it is.
@@ -176,8 +178,10 @@ pub(crate) fn stages(name: Option<&str>, global: &GlobalArgs) -> Result<(), Faul
         name.is_none_or(|n| s.name() == n || s.name().split('.').next() == Some(n))
     };
     let found: Vec<_> = global.catalog().stages().filter(|s| fits(*s)).collect();
-    if found.is_empty() {
-        let known: Vec<&str> = global.catalog().stages().map(|s| s.name()).collect();
+    let program = name.is_none_or(|name| name == EXEC);
+    if found.is_empty() && !program {
+        let known = global.catalog().stages().map(|s| s.name());
+        let known: Vec<&str> = known.chain([EXEC]).collect();
         return Err(Fault::input(stage::unknown(
             "stage",
             name.unwrap_or(""),
@@ -196,6 +200,9 @@ pub(crate) fn stages(name: Option<&str>, global: &GlobalArgs) -> Result<(), Faul
         found
             .iter()
             .for_each(|s| crate::out!("{}", crate::reference::text(*s)));
+        if program {
+            crate::out!("{}", listing::reference(global.catalog()));
+        }
     }
     Ok(())
 }
@@ -250,7 +257,7 @@ pub(crate) fn check(pipeline: &Path, global: &GlobalArgs) -> Result<(), Fault> {
                     graph.nodes.len()
                 );
             }
-            Ok(())
+            listed(&graph, global)
         }
         Err(mistakes) => Err(Fault::mistakes(mistakes)),
     }

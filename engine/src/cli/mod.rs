@@ -3,7 +3,7 @@
 //! ```no_run
 //! use engine::{Catalog, cli};
 //!
-//! static CATALOG: Catalog = Catalog { program: "words 1", rooms: &[], kinds: &[], pipelines: &[] };
+//! static CATALOG: Catalog = Catalog { program: "words 1", rooms: &[], kinds: &[], importers: &[], pipelines: &[] };
 //! static WORDS: cli::Program = cli::Program::new("words", "1", "Counts words.", &CATALOG);
 //!
 //! fn main() -> std::process::ExitCode {
@@ -22,6 +22,7 @@ mod manual;
 mod open;
 mod private;
 mod program;
+mod programs;
 mod progress;
 mod result;
 mod run_verb;
@@ -163,6 +164,7 @@ pub fn run<A: Into<OsString> + Clone>(
     global.program = Some(program);
     let _ = ctrlc::set_handler(|| {
         if CANCEL.swap(true, Ordering::Relaxed) {
+            crate::foreign::end_all();
             private::burn();
             std::process::exit(130);
         }

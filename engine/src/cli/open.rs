@@ -3,6 +3,7 @@
 use super::arguments::{Change, Wanted};
 use super::fault::Fault;
 use super::program::GlobalArgs;
+use super::programs::permitted;
 use crate::graph::Graph;
 use crate::recipe::{self, Overrides};
 use crate::session::Options;
@@ -60,7 +61,9 @@ pub fn open_pipeline(
         Some(file) => file,
         None => return Err(Fault::input("say which pipeline: give its file")),
     };
-    recipe::open(file, &overrides, catalog).map_err(Fault::mistakes)
+    let graph = recipe::open(file, &overrides, catalog).map_err(Fault::mistakes)?;
+    permitted(&graph, global)?;
+    Ok(graph)
 }
 
 /// `NAME=FOLDER` as a pair.

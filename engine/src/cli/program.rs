@@ -84,6 +84,9 @@ pub struct GlobalArgs {
     /// What the cache may hold, such as 500M or 20G: what is worth least goes at the end of a run
     #[arg(long, global = true, value_parser = bytes)]
     pub max_size: Option<u64>,
+    /// Let the programs of the pipeline run (`stage = "exec"`); remembered in the cache until one changes
+    #[arg(long, global = true)]
+    pub allow_exec: bool,
     /// Say nothing but results and errors
     #[arg(long, global = true)]
     pub quiet: bool,

@@ -79,6 +79,7 @@ fn execute_some(
     let beside: Vec<usize> = beside.filter(|i| needed[*i]).collect();
     wanted.extend(beside);
     let wanted = wanted.as_slice();
+    super::programs::unguarded(graph, wanted, global);
     let speaker = Progress::new(global.quiet || global.json, count);
     if speaker.asks_for_time() {
         let history = History::of(&global.cache, Of::default());

@@ -3,6 +3,7 @@
 use super::fault::Fault;
 use super::open::{folders, options};
 use super::program::GlobalArgs;
+use super::programs::{permitted, unguarded};
 use super::speech::CANCEL;
 use super::sweep_asked::{Asked, SweepArgs, asked, checked};
 use crate::graph::Graph;
@@ -30,6 +31,7 @@ pub(crate) fn sweep(args: &SweepArgs, global: &GlobalArgs) -> Result<(), Fault> 
     let pipeline = Pipeline::read(&args.pipeline, global.catalog()).map_err(Fault::mistakes)?;
     let base = pipeline.graph(&all).map_err(Fault::mistakes)?;
     let asked = asked(args, &pipeline, &base)?;
+    permitted(&base, global)?;
     let at = |point: &Point| pipeline.graph(&point.overrides(&all));
     checked(args, &base, &asked, &at)?;
     let wanted: Vec<usize> = match asked.nodes.is_empty() {
@@ -46,12 +48,17 @@ pub(crate) fn sweep(args: &SweepArgs, global: &GlobalArgs) -> Result<(), Fault> 
     }
     let voice = Voice(!global.quiet && !global.json);
     voice.say(&outlook.to_string());
+    unguarded(&base, &wanted, global);
     let options = options(global, true);
     let against = args.truth.as_deref().map(|truth| {
         move |graph: &Graph, outcome: &Outcome| (global.program().errors)(graph, outcome, truth)
     });
     let sweeping = Sweeping {
-        open: &|point| at(point).map_err(|m| m.to_string()),
+        open: &|point| {
+            let graph = at(point).map_err(|m| m.to_string())?;
+            permitted(&graph, global).map_err(|fault| fault.text().to_owned())?;
+            Ok(graph)
+        },
         nodes: &asked.nodes,
         folders: &folders(&args.change)?,
         options: &options,

@@ -1,6 +1,7 @@
 //! Recipe → Graph: names mean something, or every mistake with its place.
 
 use super::arrange::arranged;
+pub use super::binder::Beside;
 use super::binder::{Binder, Known};
 use super::mistake::Mistake;
 use super::written::{Node, Recipe};
@@ -21,10 +22,12 @@ pub fn bind(
     recipe: &Recipe,
     catalog: &'static Catalog,
     strict: bool,
+    beside: &Beside<'_>,
 ) -> Result<Graph, Vec<Mistake>> {
     let mut binder = Binder {
         recipe,
         catalog,
+        beside,
         mistakes: vec![],
         places: HashMap::with_capacity(recipe.nodes.len()),
         inputs: HashMap::with_capacity(recipe.inputs.len()),
@@ -61,6 +64,9 @@ pub fn bind(
 
 impl<'a> Binder<'a> {
     fn node(&mut self, node: &'a Node, known: &Known, stages: &[Option<Known>]) -> Option<Bound> {
+        if known.program {
+            return self.program(node, known, stages);
+        }
         let Known { stage, ports, .. } = known;
         let mut from: Vec<Option<Source>> = vec![None; ports.len()];
         let before = self.mistakes.len();
@@ -102,6 +108,7 @@ impl<'a> Binder<'a> {
                 ports: ports.clone(),
                 params,
                 from,
+                program: None,
             }),
             Err(wrong) => {
                 let specs = stage.params();

@@ -1,15 +1,27 @@
 //! A recipe on its way to a graph.
 
+use super::bind_exec::importer_of;
 use super::mistake::Mistake;
-use super::written::{Node, Recipe};
+use super::written::{Node, Recipe, Said};
+use crate::foreign::{EXEC, Identities};
 use crate::graph::Source;
 use crate::kind::Catalog;
 use stage::{AnyStage, ParamSpec, PortSpec, unknown};
 use std::collections::HashMap;
+use std::path::PathBuf;
 use std::sync::Arc;
+
+/// What lies around a pipeline: for programs and their files.
+pub struct Beside<'a> {
+    /// The folder of the file in which something is written.
+    pub folder: &'a dyn Fn(&Said<String>) -> PathBuf,
+    /// Identities that were read for it already.
+    pub identities: Arc<Identities>,
+}
 
 /// A recipe on its way to a graph, and what is wrong with it.
 pub(super) struct Binder<'a> {
+    pub(super) beside: &'a Beside<'a>,
     pub(super) recipe: &'a Recipe,
     pub(super) catalog: &'static Catalog,
     pub(super) mistakes: Vec<Mistake>,
@@ -26,11 +38,20 @@ pub(super) struct Known {
     pub(super) ports: Arc<[PortSpec]>,
     /// The sections that it takes.
     pub(super) sections: Arc<[&'static str]>,
+    /// Whether it runs a program: then its ports and params are the node's own.
+    pub(super) program: bool,
 }
 
 impl<'a> Binder<'a> {
     pub(super) fn stage(&mut self, node: &'a Node) -> Option<Known> {
         let catalog = self.catalog;
+        if node.stage.value == EXEC {
+            return self.importer(node);
+        }
+        if let Some(key) = &node.exec.key {
+            let what = format!("only a node with `stage = \"{EXEC}\"` has `{}`", key.value);
+            self.mistakes.push(Mistake::at(&key.span, what));
+        }
         let known = self.known.entry(&node.stage.value).or_insert_with(|| {
             let stage = catalog.find(&node.stage.value)?;
             let ports = stage.ports().into();
@@ -39,10 +60,12 @@ impl<'a> Binder<'a> {
                 stage,
                 ports,
                 sections,
+                program: false,
             })
         });
         if known.is_none() && !node.stage.value.is_empty() {
-            let known: Vec<&str> = self.catalog.stages().map(|s| s.name()).collect();
+            let stages = self.catalog.stages().map(|s| s.name());
+            let known: Vec<&str> = stages.chain([EXEC]).collect();
             self.mistakes.push(Mistake::at(
                 &node.stage.span,
                 unknown("stage", &node.stage.value, &known),
@@ -54,8 +77,9 @@ impl<'a> Binder<'a> {
 
     /// Whether a node's stage is one that there is.
     pub(super) fn is_known(&self, node: usize) -> bool {
-        let stage = self.recipe.nodes[node].stage.value.as_str();
-        matches!(self.known.get(stage), Some(Some(_)))
+        let node = &self.recipe.nodes[node];
+        let known = || self.known.get(node.stage.value.as_str());
+        importer_of(node, self.catalog).is_some() || matches!(known(), Some(Some(_)))
     }
 }
 

@@ -105,6 +105,7 @@ fn change(node: &mut Node, over: Node) {
         (from, list) => *from = list,
     }
     put(&mut node.with, over.with, |(param, _)| param);
+    node.exec.change(over.exec);
 }
 
 /// Without what was inherited (`own` tells what was not) and the goal does not need: nodes, inputs,

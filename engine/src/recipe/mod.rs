@@ -5,7 +5,10 @@
 
 mod arrange;
 mod bind;
+mod bind_exec;
 mod binder;
+mod exec_keys;
+mod exec_words;
 mod extend;
 mod mistake;
 mod origins;
@@ -25,7 +28,7 @@ mod variants;
 mod wire;
 mod written;
 
-pub use bind::bind;
+pub use bind::{Beside, bind};
 pub use mistake::{Mistake, Mistakes, Text};
 pub use pipeline::{Pipeline, open, open_text};
 pub use read::read;

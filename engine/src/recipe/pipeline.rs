@@ -1,6 +1,6 @@
 //! A pipeline as it was read: its file, and those that it extends.
 
-use super::bind::bind;
+use super::bind::{Beside, bind};
 use super::extend::{extended, trimmed};
 use super::mistake::{Mistake, Mistakes, Text, text_of};
 use super::origins::{Origins, Place};
@@ -8,10 +8,12 @@ use super::read::{read_at, without_stage};
 use super::variant::{of_sets, vary};
 use super::written::{Overrides, Recipe, Said};
 use super::{shared, sweep_check};
+use crate::foreign::Identities;
 use crate::graph::{Graph, Origin};
 use crate::kind::Catalog;
 use std::borrow::Cow;
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 
 /// A pipeline with all that it extends, before variants and `--set`s. It is read once: what
 /// somebody changes in its files afterwards does not reach it.
@@ -22,6 +24,8 @@ pub struct Pipeline {
     /// Its own text, then those that it extends.
     texts: Vec<Text>,
     catalog: &'static Catalog,
+    /// What programs are, read once for all graphs.
+    identities: Arc<Identities>,
 }
 
 impl Pipeline {
@@ -114,6 +118,7 @@ impl Pipeline {
             mistakes,
             texts,
             catalog,
+            identities: Arc::default(),
         })
     }
 
@@ -171,7 +176,11 @@ impl Pipeline {
         if !readers.is_empty() || !recipe.params.is_empty() {
             shared::resolve(varied.to_mut(), strict, &mut mistakes);
         }
-        match bind(&varied, self.catalog, strict) {
+        let beside = Beside {
+            folder: &|said| self.folder(said),
+            identities: self.identities.clone(),
+        };
+        match bind(&varied, self.catalog, strict, &beside) {
             Ok(mut graph) if mistakes.is_empty() => {
                 let there = Path::new(self.name()).canonicalize();
                 let there = there.map(|p| p.display().to_string());

@@ -3,8 +3,7 @@
 use super::mistake::Mistake;
 use super::toml_text::tree;
 use super::tree::{Item, Key, Spot, Table, moved};
-use super::written::KEYS;
-use super::written::{From, Input, Node, Recipe, Said, Section, With};
+use super::written::{Exec, From, Input, KEYS, NODE, Node, Recipe, Said, Section, With};
 use stage::{Value, unknown};
 use std::ops::Range;
 
@@ -234,12 +233,14 @@ impl Reader {
     fn node(&mut self, name: Said<String>, value: &Spot<'_>) -> Node {
         let mut stage = None;
         let (mut from, mut with) = (From::List(vec![]), With::new());
+        let mut exec = Exec::default();
         for (key, value) in self.table(value, "a node") {
             match &*key.name {
                 "stage" => stage = Some(self.text(value, "`stage`")),
                 "from" => from = self.from(value),
                 "with" => with = self.with(value),
-                _ => self.unknown_key(key, &["stage", "from", "with"]),
+                _ if self.exec(&mut exec, key, value) => {}
+                _ => self.unknown_key(key, &NODE),
             }
         }
         let stage = stage.unwrap_or_else(|| Said {
@@ -251,6 +252,7 @@ impl Reader {
             stage,
             from,
             with,
+            exec,
         }
     }
 

@@ -1,5 +1,6 @@
 //! Whether a declared sweep can be: its nodes, params, values, variants and which metrics are reported.
 
+use super::bind_exec::importer_of;
 use super::mistake::Mistake;
 use super::shared;
 use super::variant::vary;
@@ -165,6 +166,22 @@ fn unfit(
     values: &[Said<Value>],
     catalog: &'static Catalog,
 ) -> Vec<Mistake> {
+    if importer_of(holder, catalog).is_some() {
+        return match holder
+            .with
+            .iter()
+            .any(|(known, _)| known.value == name.value)
+        {
+            true => vec![],
+            false => {
+                let known: Vec<&str> = holder.with.iter().map(|(n, _)| n.value.as_str()).collect();
+                vec![Mistake::at(
+                    &param.span,
+                    unknown("param", &name.value, &known),
+                )]
+            }
+        };
+    }
     let Some(stage) = catalog.find(&holder.stage.value) else {
         return vec![];
     };
@@ -193,11 +210,9 @@ fn missing_metric(
     let params = recipe.nodes.iter().flat_map(|n| &n.with);
     let mut declared = entries(params.map(|(_, said)| &said.value));
     declared.extend(recipe.sections.iter().map(|s| s.name.value.clone()));
-    untellable(
-        node,
-        catalog.find(&at.stage.value)?,
-        metric,
-        &declared,
-        catalog,
-    )
+    let stage = match importer_of(at, catalog) {
+        Some(importer) => importer,
+        None => catalog.find(&at.stage.value)?,
+    };
+    untellable(node, stage, metric, &declared, catalog)
 }

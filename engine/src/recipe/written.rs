@@ -8,6 +8,21 @@ pub(super) const KEYS: [&str; 9] = [
     "about", "goal", "extends", "without", "params", "input", "node", "variant", "sweep",
 ];
 
+/// The keys of a node.
+pub(super) const NODE: [&str; 11] = [
+    "stage",
+    "from",
+    "with",
+    "command",
+    "out",
+    "files",
+    "identity",
+    "env",
+    "timeout_s",
+    "memory_mb",
+    "network",
+];
+
 /// Something written, and where. \[bytes of the file, behind those of the files read before\]
 #[derive(Debug, Clone, PartialEq)]
 pub struct Said<T> {
@@ -40,6 +55,31 @@ pub struct Node {
     pub from: From,
     /// Its params.
     pub with: With,
+    /// What it says of a program that it runs.
+    pub exec: Exec,
+}
+
+/// What a node with `stage = "exec"` says of its program.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Exec {
+    /// The first of its keys, with its place.
+    pub key: Option<Said<String>>,
+    /// `command`.
+    pub command: Option<Vec<Said<String>>>,
+    /// `out`: the kind that it makes.
+    pub out: Option<Said<String>>,
+    /// `files` of its own, beside the pipeline.
+    pub files: Option<Vec<Said<String>>>,
+    /// `identity`: a command that prints what it is.
+    pub identity: Option<Vec<Said<String>>>,
+    /// `env`: variables of the environment that it gets.
+    pub env: Option<Vec<Said<String>>>,
+    /// `timeout_s`: how long it may take.
+    pub timeout_s: Option<Said<f64>>,
+    /// `memory_mb`: what it may hold.
+    pub memory_mb: Option<Said<f64>>,
+    /// `network`: whether it may reach the network.
+    pub network: Option<bool>,
 }
 
 /// `[input.NAME]`.

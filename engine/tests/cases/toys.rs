@@ -189,4 +189,5 @@ pub(crate) static CATALOG: Catalog = Catalog {
     rooms: &[STAGES],
     pipelines: &[],
     kinds: &[],
+    importers: &[],
 };

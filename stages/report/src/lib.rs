@@ -3,6 +3,7 @@
 //! ```text
 //! photos, masks, cameras, surfaces, landmarks, girths → [`Html`] → document
 //! cameras → [`RingPicture`] → document
+//! files → [`Take`] → document
 //! ```
 //!
 //! The page is one file: no request leaves the machine, and it carries no metadata of the photos.
@@ -19,12 +20,17 @@ mod ring;
 mod ring_picture;
 mod scene;
 mod tables;
+mod take;
 mod tape;
 
 pub use html::{Html, HtmlInput, HtmlParams};
 pub use lengths::ShownIn;
 pub use ring_picture::{RingInput, RingPicture};
+pub use take::{Take, TakeError, TakeInput};
 
 /// Every stage of this room, in the order in which data flows through it.
-pub const STAGES: &[&dyn stage::AnyStage] =
-    &[&stage::erase::<RingPicture>(), &stage::erase::<Html>()];
+pub const STAGES: &[&dyn stage::AnyStage] = &[
+    &stage::erase::<RingPicture>(),
+    &stage::erase::<Html>(),
+    &stage::erase::<Take>(),
+];

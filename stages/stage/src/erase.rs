@@ -17,6 +17,18 @@ pub struct Checked {
     typed: Arc<dyn Any + Send + Sync>,
 }
 
+impl Checked {
+    /// Params that somebody else has read: values as they enter the key, and what the stage works with.
+    pub fn of(values: Vec<(&'static str, Value)>, typed: Arc<dyn Any + Send + Sync>) -> Checked {
+        Checked { values, typed }
+    }
+
+    /// What the stage works with, if it is of this type.
+    pub fn typed<T: 'static>(&self) -> Option<&T> {
+        self.typed.downcast_ref()
+    }
+}
+
 /// What a stage made: to be handed on, and as the bytes to be stored.
 pub struct Made {
     /// To be handed on.

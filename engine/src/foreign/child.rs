@@ -1,0 +1,243 @@
+//! A program that runs: started in a folder of its own with a cleared environment, heard, and ended with
+//! its children when it takes too long, too much, or the user asks to stop.
+
+use super::error::ForeignError;
+use super::family::{self, MARK, Running};
+use super::sandbox::{self, Sandbox};
+use super::tail::Tail;
+use super::weight::weigh;
+use rustix::process::{Pid, WaitId, WaitIdOptions, waitid};
+use std::ffi::OsString;
+use std::io::{BufRead, BufReader, Read};
+use std::os::unix::process::{CommandExt, ExitStatusExt};
+use std::path::{Path, PathBuf};
+use std::process::{Child, Command, ExitStatus, Stdio};
+use std::sync::mpsc::{Receiver, RecvTimeoutError, Sender, channel};
+use std::time::{Duration, Instant};
+
+/// What to run, and within which limits.
+pub(super) struct Task<'a> {
+    /// What it is called in messages.
+    pub(super) name: &'a str,
+    /// The command.
+    pub(super) words: &'a [String],
+    /// The folder that it may write into; it works in `work` below it.
+    pub(super) root: &'a Path,
+    /// Variables of the environment that it gets.
+    pub(super) env: &'a [String],
+    /// Whether it may reach the network.
+    pub(super) network: bool,
+    /// How long it may take.
+    pub(super) timeout: Duration,
+    /// What it may hold with its children. \[MB\]
+    pub(super) memory_mb: Option<u64>,
+    /// What it may write. \[bytes, files\]
+    pub(super) most: (u64, usize),
+}
+
+/// A line that a program said.
+pub(super) struct Line {
+    /// Whether on standard output.
+    pub(super) out: bool,
+    /// The line, without its end.
+    pub(super) text: String,
+}
+
+/// A line that is longer comes in pieces. \[bytes\]
+const LONGEST_LINE: u64 = 16 * 1024;
+/// How long it is waited at most until it is looked at the program again.
+const LOOK: Duration = Duration::from_millis(10);
+/// How often memory and disk are looked at.
+const WEIGH: Duration = Duration::from_millis(50);
+/// How long children have to end after their program.
+const GRACE: Duration = Duration::from_millis(200);
+
+/// Runs a program to its end. `heard` gets each line, and says whether it has taken it; what it has not is
+/// kept as what was said last. Nothing of it runs any more when this returns.
+pub(super) fn run(
+    task: &Task<'_>,
+    stop: &dyn Fn() -> bool,
+    heard: &mut dyn FnMut(&Line) -> bool,
+) -> Result<Tail, ForeignError> {
+    let mut child = started(task)?;
+    let running = Running::new(child.id(), task.root);
+    let lines = listened(&mut child);
+    let mut tail = Tail::default();
+    let mut hear = |line: Line| {
+        if !heard(&line) {
+            tail.push(&line.text);
+        }
+    };
+    let ended = watched(task, &child, &lines, stop, &mut hear);
+    let stayed = match ended {
+        Ok(()) => left_behind(task, child.id()),
+        Err(_) => String::new(),
+    };
+    family::end(task.root, Some(child.id()));
+    let status = child.wait();
+    drop(running);
+    // All of the family has ended, so nothing holds the pipes any more.
+    while let Ok(line) = lines.recv_timeout(GRACE) {
+        hear(line);
+    }
+    let program = task.name.to_owned();
+    if let Err(mut error) = ended {
+        error.said(&tail.text());
+        return Err(error);
+    }
+    let status = status.map_err(|why| ForeignError::Start {
+        program: program.clone(),
+        why,
+    })?;
+    if !status.success() {
+        let (how, tail) = (how(status), tail.text());
+        return Err(ForeignError::Failed { program, how, tail });
+    }
+    if !stayed.is_empty() {
+        let (who, tail) = (stayed, tail.text());
+        return Err(ForeignError::Stays { program, who, tail });
+    }
+    Ok(tail)
+}
+
+fn how(status: ExitStatus) -> String {
+    match (status.code(), status.signal()) {
+        (Some(code), _) if code > 128 => format!("exit code {code} (signal {}?)", code - 128),
+        (Some(code), _) => format!("exit code {code}"),
+        (None, signal) => format!("signal {}", signal.unwrap_or(0)),
+    }
+}
+
+fn started(task: &Task<'_>) -> Result<Child, ForeignError> {
+    let first = &task.words[0];
+    let missing = || ForeignError::Missing(first.clone());
+    let program: PathBuf = match first.contains('/') {
+        true => Some(PathBuf::from(first)).filter(|p| p.exists()),
+        false => sandbox::in_path(first),
+    }
+    .ok_or_else(missing)?;
+    let mut words: Vec<OsString> = match sandbox::sandbox() {
+        Sandbox::Bubblewrap(path) => sandbox::words(path, task.root, task.network),
+        Sandbox::None(_) => vec![],
+    };
+    words.push(program.into_os_string());
+    words.extend(task.words[1..].iter().map(OsString::from));
+    let work = task.root.join("work");
+    let mut command = Command::new(&words[0]);
+    command.args(&words[1..]).current_dir(&work).env_clear();
+    let inherited = ["PATH"]
+        .into_iter()
+        .chain(task.env.iter().map(String::as_str));
+    for name in inherited {
+        if let Some(value) = std::env::var_os(name) {
+            command.env(name, value);
+        }
+    }
+    if !task.env.iter().any(|name| name == "HOME") {
+        command.env("HOME", &work);
+    }
+    command.env("TMPDIR", &work).env("LC_ALL", "C.UTF-8");
+    command.env(MARK, task.root).process_group(0);
+    command
+        .stdin(Stdio::null())
+        .stdout(Stdio::piped())
+        .stderr(Stdio::piped());
+    command.spawn().map_err(|why| ForeignError::Start {
+        program: first.clone(),
+        why,
+    })
+}
+
+/// Both outputs, line by line.
+fn listened(child: &mut Child) -> Receiver<Line> {
+    let (to, from) = channel();
+    let (out, err) = (child.stdout.take(), child.stderr.take());
+    if let Some(out) = out {
+        let to = to.clone();
+        std::thread::spawn(move || listen(out, true, &to));
+    }
+    if let Some(err) = err {
+        std::thread::spawn(move || listen(err, false, &to));
+    }
+    from
+}
+
+fn listen(pipe: impl Read, out: bool, to: &Sender<Line>) {
+    let mut pipe = BufReader::new(pipe);
+    let mut line = Vec::new();
+    // A line that is too long comes in pieces.
+    while let Ok(1..) = (&mut pipe).take(LONGEST_LINE).read_until(b'\n', &mut line) {
+        let text = String::from_utf8_lossy(&line);
+        let text = text.trim_end_matches(['\n', '\r']).to_owned();
+        if to.send(Line { out, text }).is_err() {
+            return;
+        }
+        line.clear();
+    }
+}
+
+/// Waits until the program has ended, whose end is not fetched yet; an error if it must be ended.
+fn watched(
+    task: &Task<'_>,
+    child: &Child,
+    lines: &Receiver<Line>,
+    stop: &dyn Fn() -> bool,
+    hear: &mut dyn FnMut(Line),
+) -> Result<(), ForeignError> {
+    let (start, mut weighed) = (Instant::now(), Instant::now());
+    let mut closed: Option<Instant> = None;
+    loop {
+        match lines.recv_timeout(LOOK) {
+            Ok(line) => hear(line),
+            Err(RecvTimeoutError::Timeout) => {}
+            // Both outputs are closed: most programs end at once.
+            Err(RecvTimeoutError::Disconnected) => {
+                let since = closed.get_or_insert_with(Instant::now).elapsed();
+                std::thread::sleep(if since < GRACE { LOOK / 50 } else { LOOK });
+            }
+        }
+        if has_ended(child) {
+            return Ok(());
+        }
+        if stop() {
+            return Err(ForeignError::Cancelled);
+        }
+        if start.elapsed() > task.timeout {
+            return Err(ForeignError::Timeout {
+                program: task.name.into(),
+                limit: task.timeout,
+                tail: String::new(),
+            });
+        }
+        if weighed.elapsed() > WEIGH {
+            weigh(task.name, task.root, task.memory_mb, task.most)?;
+            weighed = Instant::now();
+        }
+    }
+}
+
+fn has_ended(child: &Child) -> bool {
+    let id = i32::try_from(child.id()).ok().and_then(Pid::from_raw);
+    let options = WaitIdOptions::EXITED | WaitIdOptions::NOHANG | WaitIdOptions::NOWAIT;
+    // Who cannot be waited for does not run.
+    id.is_none_or(|id| !matches!(waitid(WaitId::Pid(id), options), Ok(None)))
+}
+
+/// Who is still there a moment after the program ended.
+fn left_behind(task: &Task<'_>, leader: u32) -> String {
+    let start = Instant::now();
+    loop {
+        let left = family::members(task.root, Some(leader));
+        if left.is_empty() {
+            return String::new();
+        }
+        if start.elapsed() > GRACE {
+            let who: Vec<String> = left
+                .iter()
+                .map(|m| format!("{} {}", m.name, m.id))
+                .collect();
+            return who.join(", ");
+        }
+        std::thread::sleep(LOOK / 5);
+    }
+}

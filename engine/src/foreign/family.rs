@@ -1,0 +1,97 @@
+//! A program with all that it started: found by a variable of the environment that they inherit,
+//! ended together.
+
+use rustix::process::{Pid, Signal, kill_process, kill_process_group};
+use std::collections::BTreeMap;
+use std::path::{Path, PathBuf};
+use std::sync::Mutex;
+use std::time::Duration;
+
+/// The variable by which the family of a program is known: its folder.
+pub(super) const MARK: &str = "STAGE_EXEC_FOLDER";
+
+/// Programs that run now: number, folder.
+static RUNNING: Mutex<BTreeMap<u32, PathBuf>> = Mutex::new(BTreeMap::new());
+
+/// Takes down that a program runs, until it is dropped.
+pub(super) struct Running(u32);
+
+impl Running {
+    pub(super) fn new(leader: u32, folder: &Path) -> Running {
+        let mut running = RUNNING.lock().expect("bug: poisoned");
+        running.insert(leader, folder.into());
+        Running(leader)
+    }
+}
+
+impl Drop for Running {
+    fn drop(&mut self) {
+        RUNNING.lock().expect("bug: poisoned").remove(&self.0);
+    }
+}
+
+/// Ends all programs that run now: for a process that is about to end.
+pub fn end_all() {
+    let running = RUNNING.lock().map(|running| running.clone());
+    for (leader, folder) in running.unwrap_or_default() {
+        end(&folder, Some(leader));
+        let _ = std::fs::remove_dir_all(&folder);
+    }
+}
+
+/// A process of the family.
+pub(super) struct Member {
+    pub(super) id: u32,
+    pub(super) name: String,
+}
+
+/// All that inherited the folder of a program, without those that have ended and without `but`.
+pub(super) fn members(folder: &Path, but: Option<u32>) -> Vec<Member> {
+    let mark = [MARK.as_bytes(), b"=", folder.as_os_str().as_encoded_bytes()].concat();
+    let entries = std::fs::read_dir("/proc").into_iter().flatten().flatten();
+    let of_family = |entry: std::fs::DirEntry| {
+        let id: u32 = entry.file_name().to_str()?.parse().ok()?;
+        let environment = std::fs::read(entry.path().join("environ")).ok()?;
+        let marked = environment.split(|byte| *byte == 0).any(|v| v == mark);
+        if !marked || but == Some(id) {
+            return None;
+        }
+        let name = std::fs::read_to_string(entry.path().join("comm")).unwrap_or_default();
+        let name = name.trim().escape_default().to_string();
+        Some(Member { id, name })
+    };
+    entries.filter_map(of_family).collect()
+}
+
+/// What a family holds in memory. \[MB\]
+pub(super) fn memory_mb(folder: &Path) -> u64 {
+    let of_one = |member: Member| {
+        let status = std::fs::read_to_string(format!("/proc/{}/status", member.id)).ok()?;
+        let line = status.lines().find_map(|l| l.strip_prefix("VmRSS:"))?;
+        let kib: u64 = line.split_whitespace().next()?.parse().ok()?;
+        Some(kib)
+    };
+    let kib: u64 = members(folder, None).into_iter().filter_map(of_one).sum();
+    kib / 1024
+}
+
+/// How often what comes up anew is ended.
+const ROUNDS: usize = 200;
+
+/// Ends a program (`leader`, whose end nobody has fetched yet) with all that it started.
+pub(super) fn end(folder: &Path, leader: Option<u32>) {
+    let process = |id: u32| i32::try_from(id).ok().and_then(Pid::from_raw);
+    for round in 0..ROUNDS {
+        if let Some(leader) = leader.and_then(process) {
+            let _ = kill_process_group(leader, Signal::KILL);
+        }
+        let left = members(folder, None);
+        for id in left.iter().filter_map(|member| process(member.id)) {
+            let _ = kill_process(id, Signal::KILL);
+        }
+        if left.is_empty() {
+            return;
+        }
+        std::thread::sleep(Duration::from_millis(round.min(5) as u64));
+    }
+}

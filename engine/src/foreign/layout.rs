@@ -1,0 +1,173 @@
+//! The folder of a program that runs: its files, what it reads, what it writes, and room to work.
+//! For the owner only; gone when the program has ended.
+
+use super::error::ForeignError;
+use super::family;
+use super::program::Script;
+use crate::own;
+use crate::pattern::stays_inside;
+use stage::Files;
+use std::fs::{DirBuilder, Permissions};
+use std::os::unix::fs::{DirBuilderExt, PermissionsExt};
+use std::path::{Path, PathBuf};
+use std::sync::atomic::{AtomicU64, Ordering};
+
+/// The folder. Its path is in nothing that lasts.
+pub(super) struct Layout {
+    root: PathBuf,
+}
+
+/// Where a store keeps them.
+pub(super) const FOLDER: &str = "exec";
+
+fn at(path: &Path) -> impl FnOnce(std::io::Error) -> ForeignError + '_ {
+    move |why| ForeignError::Folder {
+        path: path.into(),
+        why,
+    }
+}
+
+fn folder(path: &Path) -> Result<(), ForeignError> {
+    let mut builder = DirBuilder::new();
+    let made = builder.recursive(true).mode(0o700).create(path);
+    made.map_err(at(path))
+}
+
+/// A file that nobody writes to by mistake; `mode` says whether it can be started.
+fn put(path: &Path, bytes: &[u8], mode: u32) -> Result<(), ForeignError> {
+    if let Some(above) = path.parent() {
+        folder(above)?;
+    }
+    std::fs::write(path, bytes).map_err(at(path))?;
+    std::fs::set_permissions(path, Permissions::from_mode(mode)).map_err(at(path))
+}
+
+impl Layout {
+    /// A new one in a store's folder.
+    pub(super) fn new(store: &Path) -> Result<Layout, ForeignError> {
+        static COUNT: AtomicU64 = AtomicU64::new(0);
+        let (id, now) = (std::process::id(), crate::clock::now_ns());
+        let count = COUNT.fetch_add(1, Ordering::Relaxed);
+        let root = store.join(FOLDER).join(format!("{id}-{count}-{now:x}"));
+        let layout = Layout { root };
+        for inner in ["here", "in", "out", "work"] {
+            folder(&layout.root.join(inner))?;
+        }
+        Ok(layout)
+    }
+
+    /// All of it.
+    pub(super) fn root(&self) -> &Path {
+        &self.root
+    }
+
+    /// Copies of the program's files.
+    pub(super) fn here(&self) -> PathBuf {
+        self.root.join("here")
+    }
+
+    /// What it reads.
+    pub(super) fn inputs(&self) -> PathBuf {
+        self.root.join("in")
+    }
+
+    /// Where results lie.
+    pub(super) fn results(&self) -> PathBuf {
+        self.root.join("out")
+    }
+
+    /// Copies the program's files, as they were when the pipeline was read.
+    pub(super) fn files(&self, files: &[Script]) -> Result<(), ForeignError> {
+        for file in files {
+            let bytes = std::fs::read(&file.path).map_err(at(&file.path))?;
+            if stage::hash(&bytes) != file.content {
+                return Err(ForeignError::Changed(file.path.clone()));
+            }
+            let meta = std::fs::metadata(&file.path).map_err(at(&file.path))?;
+            let mode = 0o400 | meta.permissions().mode() & 0o100;
+            put(&self.here().join(&file.name), &bytes, mode)?;
+        }
+        Ok(())
+    }
+
+    /// A user's files, in a folder of the port's name.
+    pub(super) fn user_files(&self, port: &str, files: &Files) -> Result<PathBuf, ForeignError> {
+        let path = self.inputs().join(port);
+        folder(&path)?;
+        for entry in &files.entries {
+            let bytes = files.read(entry).map_err(|why| ForeignError::Input {
+                port: port.into(),
+                why: why.to_string(),
+            })?;
+            put(&path.join(&entry.name), &bytes, 0o400)?;
+        }
+        Ok(path)
+    }
+
+    /// An artifact's files: one nameless file with an ending, or several in a folder.
+    pub(super) fn written(
+        &self,
+        name: &str,
+        extension: &str,
+        files: &[(String, Vec<u8>)],
+    ) -> Result<PathBuf, ForeignError> {
+        if let [(nameless, bytes)] = files
+            && nameless.is_empty()
+        {
+            let path = self.inputs().join(format!("{name}.{extension}"));
+            put(&path, bytes, 0o400)?;
+            return Ok(path);
+        }
+        let path = self.inputs().join(name);
+        folder(&path)?;
+        for (file, bytes) in files {
+            if file.is_empty() || !stays_inside(file) {
+                let why = format!("{file:?} is no name of a file");
+                let port = name.to_owned();
+                return Err(ForeignError::Input { port, why });
+            }
+            put(&path.join(file), bytes, 0o400)?;
+        }
+        Ok(path)
+    }
+}
+
+impl Drop for Layout {
+    fn drop(&mut self) {
+        remove(&self.root);
+    }
+}
+
+/// Removes a folder of ours, whatever modes a program gave to what it left in it.
+fn remove(root: &Path) {
+    if std::fs::remove_dir_all(root).is_ok() {
+        return;
+    }
+    let mut open = vec![root.to_owned()];
+    while let Some(folder) = open.pop() {
+        let _ = std::fs::set_permissions(&folder, Permissions::from_mode(0o700));
+        for entry in std::fs::read_dir(&folder).into_iter().flatten().flatten() {
+            if entry.file_type().is_ok_and(|kind| kind.is_dir()) {
+                open.push(entry.path());
+            }
+        }
+    }
+    let _ = std::fs::remove_dir_all(root);
+}
+
+/// Ends programs that outlived the process that started them, and removes their folders.
+pub fn clear(store: &Path) {
+    let root = store.join(FOLDER);
+    if std::fs::symlink_metadata(&root).is_ok_and(|m| m.is_dir()) {
+        for entry in std::fs::read_dir(&root).into_iter().flatten().flatten() {
+            let name = entry.file_name();
+            let name = name.to_str().filter(|name| own::is_writing(name));
+            let process = name.and_then(|name| name.split('-').next());
+            if process.is_some_and(|id| !Path::new("/proc").join(id).exists()) {
+                let path = entry.path().canonicalize().unwrap_or(entry.path());
+                family::end(&path, None);
+                remove(&path);
+            }
+        }
+    }
+}

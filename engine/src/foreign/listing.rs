@@ -1,0 +1,102 @@
+//! What a pipeline would run, for the user to look at before it does.
+
+use super::permit::programs;
+use super::program::Program;
+use super::stage::EXEC;
+use super::template::Template;
+use crate::graph::Graph;
+use crate::kind::Catalog;
+use std::fmt::Write;
+
+fn words(words: &[Template]) -> String {
+    let words: Vec<String> = words.iter().map(Template::to_string).collect();
+    words.join(" ")
+}
+
+/// A node's program: its command first, then what it may.
+pub fn lines(node: &str, program: &Program) -> Vec<String> {
+    let mut lines = vec![format!("{node}: {}", words(&program.command))];
+    for (name, value) in program.texts() {
+        lines.push(format!("  with {name} = {value}"));
+    }
+    for file in &program.files {
+        let content = &file.content.to_hex()[..12];
+        lines.push(format!("  file {:?}  {content}", file.name));
+    }
+    if !program.identity.is_empty() {
+        lines.push(format!("  identity: {}", words(&program.identity)));
+    }
+    if !program.env.is_empty() {
+        lines.push(format!(
+            "  gets from the environment: {}",
+            program.env.join(", ")
+        ));
+    }
+    if program.network {
+        lines.push("  may reach the network".into());
+    }
+    lines
+}
+
+/// The reference of the stage itself: what a node may say, and which kinds programs can make.
+pub fn reference(catalog: &Catalog) -> String {
+    let mut text = format!(
+        "{EXEC} v{} → what `out` says\n  Runs a program of yours: see docs/pipelines.md.\n",
+        crate::foreign::VERSION
+    );
+    for (key, what) in KEYS {
+        let _ = writeln!(text, "  {key}  {what}");
+    }
+    for importer in catalog.importers {
+        let (stage, files) = (importer.stage, importer.files.join(", "));
+        let (kind, name) = (stage.yields(), stage.name());
+        let _ = writeln!(text, "  out = \"{kind}\": {files}, read by {name}");
+    }
+    text + "\n"
+}
+
+/// The keys of a program's node.
+const KEYS: [(&str, &str); 10] = [
+    (
+        "command",
+        "= [\"python3\", \"{here}/a.py\", \"{from.PORT}\", \"{out}\", \"{with.NAME}\"]; {from.PORT:FORMAT} for a format of `show --as`",
+    ),
+    (
+        "out",
+        "= the kind that it makes; {out} is a file, or a folder that is there",
+    ),
+    ("from", "= { PORT = \"node\" }: any names"),
+    (
+        "with",
+        "= { NAME = value }: any names, each in the command as {with.NAME}",
+    ),
+    (
+        "files",
+        "= [\"a.py\"]: beside the pipeline; laid out in {here}, content in the key",
+    ),
+    (
+        "identity",
+        "= [\"python3\", \"--version\"]: what it prints is in the key",
+    ),
+    (
+        "env",
+        "= [\"NAME\"]: variables of the environment that it gets; the rest is cleared",
+    ),
+    ("timeout_s", "= 3600.0: how long it may take"),
+    ("memory_mb", "= what it may hold with its children"),
+    (
+        "network",
+        "= false: whether it may reach the network (kept by bubblewrap)",
+    ),
+];
+
+/// What somebody is told who has not allowed these nodes' programs.
+pub fn refusal(graph: &Graph, nodes: &[usize]) -> String {
+    let all = programs(graph, nodes).flat_map(|(i, p)| lines(&graph.nodes[i].name, p));
+    let all: Vec<String> = all.map(|line| format!("  {line}\n")).collect();
+    format!(
+        "this pipeline runs programs that were not allowed in this cache:\n{}look at them and at their files; \
+         then say --allow-exec, which is remembered until a command or a file changes",
+        all.concat()
+    )
+}

@@ -1,0 +1,33 @@
+//! Programs as stages: `stage = "exec"`. A node says a command; what it reads is laid out as the files
+//! that its kinds are documented by, the program runs in a folder of its own, and what it leaves is
+//! taken in by its kind's importer, as any input.
+//!
+//! `template` (a command with its placeholders) → `program` (a node's program, what its key holds, what
+//! the user allows) → `permit` (what was allowed here; identities) → `stage` (the run: `layout`, `run`,
+//! `child` in a `sandbox` with its `family`, `results`).
+
+mod child;
+mod error;
+mod family;
+mod identity;
+mod layout;
+pub mod listing;
+mod permit;
+mod program;
+mod results;
+mod run;
+mod sandbox;
+mod stage;
+mod tail;
+mod template;
+mod weight;
+
+pub use error::ForeignError;
+pub use family::end_all;
+pub use identity::Identities;
+pub use layout::clear;
+pub use permit::{Settled, allow, is_allowed, programs, settle};
+pub use program::{Granted, Program, Script};
+pub use sandbox::{Sandbox, sandbox};
+pub use stage::{EXEC, VERSION, laid_out};
+pub use template::{Piece, Template};

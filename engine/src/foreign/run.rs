@@ -1,0 +1,96 @@
+//! A program with its places filled: its run, and what its identity prints.
+
+use super::child::{self, Line, Task};
+use super::error::ForeignError;
+use super::layout::Layout;
+use super::program::Program;
+use super::tail::Tail;
+use super::template::{Piece, Template};
+use std::path::Path;
+use std::time::Duration;
+
+/// What a result may be at most: bytes and files.
+pub(super) const MOST: (u64, usize) = (4 << 30, 100_000);
+
+/// How long an identity may take.
+const IDENTITY: Duration = Duration::from_secs(60);
+/// How much of it counts. \[bytes\]
+const LONGEST_IDENTITY: usize = 16 * 1024;
+
+/// A path as a word of a command.
+pub(super) fn word(path: &Path) -> String {
+    path.to_string_lossy().into_owned()
+}
+
+/// Runs the node's command; `place` says what ports and `{out}` stand for.
+pub(super) fn command(
+    program: &Program,
+    layout: &Layout,
+    place: &dyn Fn(&Piece) -> String,
+    stop: &dyn Fn() -> bool,
+    heard: &mut dyn FnMut(&Line) -> bool,
+) -> Result<Tail, ForeignError> {
+    let words = filled(program, &program.command, layout, place);
+    let task = Task {
+        name: &program.name(),
+        words: &words,
+        root: layout.root(),
+        env: &program.env,
+        network: program.network,
+        timeout: program.timeout,
+        memory_mb: program.memory_mb,
+        most: MOST,
+    };
+    child::run(&task, stop, heard)
+}
+
+/// What the program's identity prints, without the white space around it; nothing if it has none.
+pub(super) fn identity(
+    program: &Program,
+    store: &Path,
+    stop: &dyn Fn() -> bool,
+) -> Result<Option<String>, ForeignError> {
+    if program.identity.is_empty() {
+        return Ok(None);
+    }
+    let layout = Layout::new(store)?;
+    layout.files(&program.files)?;
+    let words = filled(program, &program.identity, &layout, &|_| String::new());
+    let task = Task {
+        name: &words[0],
+        words: &words,
+        root: layout.root(),
+        env: &program.env,
+        network: program.network,
+        timeout: IDENTITY,
+        memory_mb: program.memory_mb,
+        most: MOST,
+    };
+    let mut printed = String::new();
+    let ran = child::run(&task, stop, &mut |line| {
+        if line.out && printed.len() + line.text.len() < LONGEST_IDENTITY {
+            printed += &line.text;
+            printed.push('\n');
+        }
+        line.out
+    });
+    match ran {
+        Ok(_) => Ok(Some(printed.trim().to_owned())),
+        Err(ForeignError::Cancelled) => Err(ForeignError::Cancelled),
+        Err(why) => Err(ForeignError::NoIdentity(Box::new(why))),
+    }
+}
+
+fn filled(
+    program: &Program,
+    words: &[Template],
+    layout: &Layout,
+    place: &dyn Fn(&Piece) -> String,
+) -> Vec<String> {
+    let of = |piece: &Piece| match piece {
+        Piece::Here => word(&layout.here()),
+        Piece::With(name) => program.said(name),
+        other => place(other),
+    };
+    words.iter().map(|word| word.filled(&of)).collect()
+}

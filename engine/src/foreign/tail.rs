@@ -1,0 +1,33 @@
+//! What a program said last.
+
+use std::collections::VecDeque;
+
+/// What a program said last, for messages.
+#[derive(Default)]
+pub(super) struct Tail(VecDeque<String>);
+
+const TAIL_LINES: usize = 20;
+const SHOWN_OF_LINE: usize = 300;
+
+impl Tail {
+    pub(super) fn push(&mut self, line: &str) {
+        let escaped = |c: char| match c.is_control() && c != '\t' {
+            true => c.escape_default().to_string(),
+            false => c.to_string(),
+        };
+        let shown = line.chars().take(SHOWN_OF_LINE).map(escaped).collect();
+        self.0.push_back(shown);
+        if self.0.len() > TAIL_LINES {
+            self.0.pop_front();
+        }
+    }
+
+    /// Behind a message: nothing, or what was said last.
+    pub(super) fn text(&self) -> String {
+        let lines: String = self.0.iter().map(|l| format!("\n  | {l}")).collect();
+        match lines.is_empty() {
+            true => String::new(),
+            false => format!("; it said last:{lines}"),
+        }
+    }
+}

@@ -1,0 +1,230 @@
+//! A node that runs a program, bound: its importer, its ports, its command, its files.
+
+use super::binder::{Binder, Known};
+use super::mistake::Mistake;
+use super::written::{From, Node, Said};
+use crate::foreign::{EXEC, Granted, Program, Script, Template};
+use crate::graph::{Bound, Source};
+use crate::kind::{Catalog, Importer};
+use crate::pattern::stays_inside;
+use stage::{Checked, PortSpec, Value, unknown};
+use std::collections::BTreeSet;
+use std::sync::{Arc, Mutex};
+use std::time::Duration;
+
+/// How long a program may take that says nothing of it. \[s\]
+const TIMEOUT_S: f64 = 3600.0;
+
+/// How the result of a node's program is read, if the node runs one and there is a way.
+pub(super) fn importer_of(node: &Node, catalog: &'static Catalog) -> Option<&'static Importer> {
+    let kind = node
+        .exec
+        .out
+        .as_ref()
+        .filter(|_| node.stage.value == EXEC)?;
+    catalog.importer(&kind.value)
+}
+
+/// Names of ports and params live as long as the process: there are as many as pipelines name.
+fn name(text: &str) -> &'static str {
+    static NAMES: Mutex<BTreeSet<&'static str>> = Mutex::new(BTreeSet::new());
+    let mut names = NAMES.lock().expect("bug: poisoned");
+    match names.get(text) {
+        Some(known) => known,
+        None => {
+            let new: &'static str = Box::leak(text.to_owned().into_boxed_str());
+            names.insert(new);
+            new
+        }
+    }
+}
+
+impl<'a> Binder<'a> {
+    pub(super) fn wrong_at(&mut self, said: &Said<String>, what: impl Into<String>) {
+        self.mistakes.push(Mistake::at(&said.span, what));
+    }
+
+    /// The importer as the node's stage.
+    pub(super) fn importer(&mut self, node: &'a Node) -> Option<Known> {
+        let importers = self.catalog.importers.iter();
+        let known: Vec<&str> = importers.map(|i| i.stage.yields()).collect();
+        let name = &node.name;
+        match (&node.exec.out, importer_of(node, self.catalog)) {
+            (_, Some(importer)) => Some(Known {
+                stage: importer,
+                ports: Arc::default(),
+                sections: Arc::default(),
+                program: true,
+            }),
+            (Some(out), None) => {
+                let what = unknown("kind that a program can make", &out.value, &known);
+                self.wrong_at(out, what);
+                None
+            }
+            (None, None) => {
+                let what = format!(
+                    "node `{}` says not what it makes: `out = \"KIND\"`, of {}",
+                    name.value,
+                    known.join(", ")
+                );
+                self.wrong_at(name, what);
+                None
+            }
+        }
+    }
+
+    /// The node with its program.
+    pub(super) fn program(
+        &mut self,
+        node: &'a Node,
+        known: &Known,
+        stages: &[Option<Known>],
+    ) -> Option<Bound> {
+        let before = self.mistakes.len();
+        let importer = importer_of(node, self.catalog)?;
+        let (ports, from) = self.read_by(node, stages);
+        let command = self.words(node, node.exec.command.as_deref());
+        if command.is_empty() {
+            let what = format!(
+                "node `{}` runs nothing: say `command = [\"python3\", \"{{here}}/a.py\", \"{{out}}\"]`",
+                node.name.value
+            );
+            self.wrong_at(&node.name, what);
+            return None;
+        }
+        let identity = self.words(node, node.exec.identity.as_deref());
+        let said = node.exec.command.as_deref().unwrap_or_default();
+        self.placed(node, said, &command, &ports);
+        self.started(said, &command);
+        let printed = node.exec.identity.as_deref().unwrap_or_default();
+        self.started(printed, &identity);
+        self.plain(printed, &identity);
+        self.unread(node, importer, &command, &ports);
+        let files = self.files(node);
+        let env = self.variables(node);
+        if self.mistakes.len() > before || from.iter().any(Option::is_none) {
+            return None;
+        }
+        let entry = |(k, v): &(Said<String>, Said<Value>)| (k.value.clone(), v.value.clone());
+        let mut with: Vec<(String, Value)> = node.with.iter().map(entry).collect();
+        with.sort_by(|a, b| a.0.cmp(&b.0));
+        let values = with.iter().map(|(k, v)| (name(k), v.clone())).collect();
+        let seconds = node.exec.timeout_s.as_ref().map_or(TIMEOUT_S, |s| s.value);
+        let program = Arc::new(Program {
+            catalog: self.catalog,
+            importer,
+            command,
+            ports: ports.iter().map(|p| (p.name, p.kind)).collect(),
+            with,
+            files,
+            identity,
+            env,
+            timeout: Duration::from_secs_f64(seconds),
+            memory_mb: node.exec.memory_mb.as_ref().map(|m| m.value.ceil() as u64),
+            network: node.exec.network.unwrap_or(false),
+            identities: self.beside.identities.clone(),
+            granted: Granted::default(),
+        });
+        Some(Bound {
+            name: node.name.value.clone(),
+            stage: known.stage,
+            ports: ports.into(),
+            params: Checked::of(values, Arc::new(program.clone())),
+            from,
+            program: Some(program),
+        })
+    }
+
+    /// The node's ports, called as the node calls them and sorted, and what they read.
+    fn read_by(
+        &mut self,
+        node: &'a Node,
+        stages: &[Option<Known>],
+    ) -> (Vec<PortSpec>, Vec<Option<Source>>) {
+        let mut pairs: Vec<(&Said<String>, &str, &Said<String>)> = match &node.from {
+            From::Table(table) => {
+                let pairs = table.iter();
+                pairs
+                    .map(|(port, source)| (port, port.value.as_str(), source))
+                    .collect()
+            }
+            From::List(list) => {
+                let own = |s: &'a Said<String>| (s, s.value.trim_start_matches('@'), s);
+                list.iter().map(own).collect()
+            }
+        };
+        pairs.sort_by_key(|(_, port, _)| *port);
+        let (mut ports, mut from) = (Vec::<PortSpec>::new(), Vec::new());
+        for (said, port, source) in pairs {
+            let plain = |b: u8| b.is_ascii_alphanumeric() || b == b'_' || b == b'-';
+            if port.is_empty() || !port.bytes().all(plain) {
+                let what = format!("`{port}` is no name: say letters, digits, `_` and `-`");
+                self.wrong_at(said, what);
+            }
+            if ports.iter().any(|p| p.name == port) {
+                self.wrong_at(said, format!("`{port}` is read twice"));
+                continue;
+            }
+            let at = self.source(source);
+            let kind = at.and_then(|at| self.kind(at, stages));
+            ports.push(PortSpec {
+                name: name(port),
+                kind: kind.unwrap_or("nothing"),
+                optional: false,
+                doc: String::new(),
+            });
+            from.push(at.filter(|_| kind.is_some()));
+        }
+        (ports, from)
+    }
+
+    fn words(&mut self, _: &Node, said: Option<&[Said<String>]>) -> Vec<Template> {
+        let mut words = Vec::new();
+        for word in said.unwrap_or_default() {
+            match Template::read(&word.value) {
+                Ok(template) => words.push(template),
+                Err(why) => self.wrong_at(word, why.to_string()),
+            }
+        }
+        words
+    }
+
+    /// The node's own files, by their content.
+    fn files(&mut self, node: &Node) -> Vec<Script> {
+        let mut files = Vec::<Script>::new();
+        for said in node.exec.files.iter().flatten() {
+            let odd = said.value.contains(['*', '{']) || said.value.contains(char::is_control);
+            if !stays_inside(&said.value) || said.value.is_empty() || odd {
+                let what = "a file is named as it lies beside the pipeline: no `..`, no `/` in front, no pattern";
+                self.wrong_at(said, what);
+                continue;
+            }
+            let path = (self.beside.folder)(said).join(&said.value);
+            match std::fs::read(&path) {
+                Ok(bytes) => files.push(Script {
+                    name: said.value.clone(),
+                    path,
+                    content: stage::hash(&bytes),
+                }),
+                Err(why) => self.wrong_at(said, format!("{}: {why}", path.display())),
+            }
+        }
+        files.sort_by(|a, b| a.name.cmp(&b.name));
+        files.dedup_by(|a, b| a.name == b.name);
+        files
+    }
+
+    fn variables(&mut self, node: &Node) -> Vec<String> {
+        let mut names = Vec::new();
+        for said in node.exec.env.iter().flatten() {
+            let plain = |b: u8| b.is_ascii_alphanumeric() || b == b'_';
+            match !said.value.is_empty() && said.value.bytes().all(plain) {
+                true => names.push(said.value.clone()),
+                false => self.wrong_at(said, "a variable is called by letters, digits and `_`; its value comes from the environment"),
+            }
+        }
+        names.sort_unstable();
+        names.dedup();
+        names
+    }
+}

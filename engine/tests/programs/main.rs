@@ -1,0 +1,6 @@
+//! Programs as stages: what they get, what is taken of them, what is not, and who allowed it.
+
+mod allowed;
+mod bad;
+mod node;
+mod trade;
