@@ -129,7 +129,7 @@ fn a_video_on_its_side_with_uneven_times_stands_upright_and_says_nothing_of_the_
     let mut more = PHONE.to_vec();
     // Turned by a quarter, as a phone's sensor lies; every fifth frame late.
     let chain = format!(
-        "transpose=clock,setpts='N/30/TB+eq(mod(N,5),4)*0.02/TB',{}",
+        "transpose=clock,settb=1/90000,setpts=N*3000+eq(mod(N\\,5)\\,4)*1800,{}",
         PHONE[1]
     );
     more[1] = &chain;

@@ -1,10 +1,10 @@
-//! Where in a video something turns, and how fast, from small pictures of all frames.
+//! Where in a video something turns, and by how much from frame to frame, from small pictures of all frames.
 
 /// A pixel moves whose brightness changes by more than this over the frames. \[levels\]
 const MOVES: f32 = 9.0;
 /// As many frames, spread over the video, tell what moves.
 const SAMPLED: usize = 150;
-/// Slower than this, against the usual speed, nothing turns.
+/// Where less changes than this share of the usual, nothing turns.
 const SLOW: f64 = 0.25;
 /// Changes by less than this, beyond what stands still, are noise. \[levels\]
 const NOISE: f64 = 0.3;
@@ -17,8 +17,9 @@ pub(crate) struct Motion {
     pub(crate) frames: Vec<Vec<f32>>,
     /// Which pixels move.
     pub(crate) moves: Vec<bool>,
-    /// How fast each frame changes where something moves, beyond what stands still. \[levels/s\]
-    pub(crate) speed: Vec<f64>,
+    /// By how much each frame changes where something moves, beyond what stands still, over a few frames
+    /// about it, the same for all. \[levels\]
+    pub(crate) change: Vec<f64>,
 }
 
 fn middle(all: &mut [f32]) -> f32 {
@@ -32,8 +33,8 @@ fn spread(count: usize, most: usize) -> impl Iterator<Item = usize> + Clone {
     (0..taken).map(move |k| k * count / taken)
 }
 
-/// What moves. `small` are small pictures of one size, at least two, `times` when they were taken. \[s\]
-pub(crate) fn motion(small: &[&[u8]], times: &[f64]) -> Motion {
+/// What moves. `small` are small pictures of one size, at least two.
+pub(crate) fn motion(small: &[&[u8]]) -> Motion {
     let pixels = small[0].len();
     let sampled = spread(small.len(), SAMPLED);
     let usual: Vec<f32> = (0..pixels)
@@ -71,11 +72,11 @@ pub(crate) fn motion(small: &[&[u8]], times: &[f64]) -> Motion {
             seen[seen.len() - 1 - cut] - seen[cut] > MOVES
         })
         .collect();
-    let speed = speed(&frames, &moves, times);
+    let change = change(&frames, &moves);
     Motion {
         frames,
         moves,
-        speed,
+        change,
     }
 }
 
@@ -84,7 +85,7 @@ fn lag(frames: usize) -> usize {
     (frames / 150).max(1).min(frames - 1)
 }
 
-fn speed(frames: &[Vec<f32>], moves: &[bool], times: &[f64]) -> Vec<f64> {
+fn change(frames: &[Vec<f32>], moves: &[bool]) -> Vec<f64> {
     let (count, lag) = (frames.len(), lag(frames.len()));
     let apart = |a: &[f32], b: &[f32], moving: bool| {
         let each = a.iter().zip(b).zip(moves).filter(|(_, m)| **m == moving);
@@ -98,22 +99,21 @@ fn speed(frames: &[Vec<f32>], moves: &[bool], times: &[f64]) -> Vec<f64> {
             let from = i.saturating_sub(lag / 2).min(count - 1 - lag);
             let (a, b) = (&frames[from], &frames[from + lag]);
             let more = apart(a, b, true) - apart(a, b, false);
-            let seconds = (times[from + lag] - times[from]).max(1e-3);
-            if more > NOISE { more / seconds } else { 0.0 }
+            if more > NOISE { more } else { 0.0 }
         })
         .collect()
 }
 
 /// The frames, from first to last, in which something turns; none where nothing does.
-pub(crate) fn stretch(speed: &[f64]) -> Option<std::ops::RangeInclusive<usize>> {
-    let mut moving: Vec<f64> = speed.iter().copied().filter(|s| *s > 0.0).collect();
+pub(crate) fn stretch(change: &[f64]) -> Option<std::ops::RangeInclusive<usize>> {
+    let mut moving: Vec<f64> = change.iter().copied().filter(|s| *s > 0.0).collect();
     moving.sort_by(f64::total_cmp);
     let usual = moving.get(moving.len() / 2)?;
-    let turns: Vec<bool> = steady(speed).iter().map(|s| *s > SLOW * usual).collect();
-    let pause = ((PAUSE * speed.len() as f64) as usize).max(2);
+    let turns: Vec<bool> = steady(change).iter().map(|s| *s > SLOW * usual).collect();
+    let pause = ((PAUSE * change.len() as f64) as usize).max(2);
     // Runs with pauses within; the one in which most frames move.
     let mut runs: Vec<(usize, usize, usize)> = Vec::new();
-    for i in (0..speed.len()).filter(|i| turns[*i]) {
+    for i in (0..change.len()).filter(|i| turns[*i]) {
         match runs.last_mut() {
             Some((_, last, frames)) if i - *last <= pause => (*last, *frames) = (i, *frames + 1),
             _ => runs.push((i, i, 1)),

@@ -205,7 +205,7 @@ fn chosen(
     times: &[f64],
 ) -> Result<(Turn, Picked, Vec<bool>), VideoError> {
     let small: Vec<&[u8]> = all.iter().map(|s| s.small.as_slice()).collect();
-    let motion = motion(&small, times);
+    let motion = motion(&small);
     let still = || VideoError::Still {
         name: source.name.to_owned(),
         frames: all.len(),

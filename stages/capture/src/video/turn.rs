@@ -23,21 +23,18 @@ pub(crate) struct Turn {
 
 /// Finds the turn; `times` are when frames were taken. Nothing where nothing turns. \[s\]
 pub(crate) fn turn(motion: &Motion, times: &[f64]) -> Option<Turn> {
-    let turning = stretch(&motion.speed)?;
+    let turning = stretch(&motion.change)?;
     let (first, last) = (*turning.start(), *turning.end());
-    let way = way(&motion.speed[first..=last]);
-    let even = way.is_none();
+    let (change, times_of) = (&motion.change[first..=last], &times[first..=last]);
+    let even = is_even(change, times_of);
     // How far frames have come, in whatever unit.
-    let come: Vec<f64> = match way {
-        None => times[first..=last]
-            .iter()
-            .map(|t| t - times[first])
-            .collect(),
-        Some(speed) => {
+    let come: Vec<f64> = match even {
+        true => times_of.iter().map(|t| t - times_of[0]).collect(),
+        // A disk that is turned by hand, or rests.
+        false => {
             let mut sum = 0.0;
-            let steps = (first..last).map(|i| {
-                let mean = (speed[i - first] + speed[i + 1 - first]) / 2.0;
-                sum += mean * (times[i + 1] - times[i]).max(0.0);
+            let steps = change.windows(2).map(|w| {
+                sum += (w[0] + w[1]) / 2.0;
                 sum
             });
             std::iter::once(0.0).chain(steps).collect()
@@ -73,19 +70,19 @@ pub(crate) fn turn(motion: &Motion, times: &[f64]) -> Option<Turn> {
     })
 }
 
-/// The speed, steadied; nothing where it is even.
-fn way(speed: &[f64]) -> Option<Vec<f64>> {
-    let near = speed.len() / 24;
-    let steady = |i: usize| {
-        let around = &speed[i.saturating_sub(near)..(i + near + 1).min(speed.len())];
-        around.iter().sum::<f64>() / around.len() as f64
+/// Whether pictures change about as fast all the time.
+fn is_even(change: &[f64], times: &[f64]) -> bool {
+    let near = (change.len() / 24).max(1);
+    let speed = |i: usize| {
+        let around = i.saturating_sub(near)..(i + near + 1).min(change.len());
+        let seconds = times[around.end - 1] - times[around.start];
+        change[around].iter().sum::<f64>() / seconds.max(1e-3)
     };
-    let steady: Vec<f64> = (0..speed.len()).map(steady).collect();
-    let count = steady.len() as f64;
-    let mean = steady.iter().sum::<f64>() / count;
-    let spread = (steady.iter().map(|s| (s - mean).powi(2)).sum::<f64>() / count).sqrt();
-    // A disk that is turned by hand rests between: that is in the speed itself.
-    (spread > EVEN * mean).then(|| speed.to_vec())
+    let speed: Vec<f64> = (0..change.len()).map(speed).collect();
+    let count = speed.len() as f64;
+    let mean = speed.iter().sum::<f64>() / count;
+    let spread = (speed.iter().map(|s| (s - mean).powi(2)).sum::<f64>() / count).sqrt();
+    spread <= EVEN * mean
 }
 
 #[cfg(test)]
@@ -113,7 +110,7 @@ mod tests {
     fn found(angles: &[f64], times: &[f64]) -> Option<Turn> {
         let frames: Vec<Vec<u8>> = angles.iter().map(|a| frame(*a)).collect();
         let small: Vec<&[u8]> = frames.iter().map(Vec::as_slice).collect();
-        turn(&motion(&small, times), times)
+        turn(&motion(&small), times)
     }
 
     /// The worst error of `come` against the true angles. \[°\]
