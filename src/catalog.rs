@@ -6,7 +6,7 @@ use engine::kind::Importer;
 use stage::{AnyStage, erase};
 
 // What a folder holds besides photos, and what capture.toml says.
-pub(crate) use capture::{READ, foreign, is_photo};
+pub(crate) use capture::{READ, foreign, is_photo, is_raw, is_video};
 
 // The layout of a mat from its tags.
 pub(crate) use pose::ringed;
@@ -74,6 +74,8 @@ pub static CATALOG: Catalog = Catalog {
         ("surface", include_str!("../pipelines/surface.toml")),
         ("walk", include_str!("../pipelines/walk.toml")),
         ("phone", include_str!("../pipelines/phone.toml")),
+        ("video", include_str!("../pipelines/video.toml")),
+        ("raw", include_str!("../pipelines/raw.toml")),
         ("doctor", include_str!("../pipelines/doctor.toml")),
         ("evolutions", include_str!("../pipelines/evolutions.toml")),
         ("paper", include_str!("../pipelines/paper.toml")),

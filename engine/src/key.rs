@@ -13,7 +13,8 @@ pub trait Ledger {
     fn line(&mut self, what: &str, value: &str);
 }
 
-/// Writes down what the node does, without its inputs: stage, format of the output, params.
+/// Writes down what the node does, without its inputs: stage, format of the output, versions of the
+/// foreign programs that it runs, params.
 pub fn tell_recipe(node: &Bound, ledger: &mut impl Ledger) {
     let (mut what, mut value) = (String::from("with "), String::with_capacity(64));
     let stage = node.stage;
@@ -27,6 +28,9 @@ pub fn tell_recipe(node: &Bound, ledger: &mut impl Ledger) {
         lines
             .iter()
             .for_each(|(what, value)| ledger.line(what, value));
+    }
+    for (program, version) in stage.programs() {
+        ledger.line(&format!("program {program}"), &version);
     }
     for (name, said) in &node.params.values {
         what.truncate("with ".len());

@@ -227,10 +227,12 @@ impl Memo {
         {
             return Ok((content, stamp.size));
         }
-        let bytes = std::fs::read(path)?;
-        let content = blake3::hash(&bytes);
+        // A video may be larger than memory.
+        let mut hasher = blake3::Hasher::new();
+        hasher.update_reader(std::fs::File::open(path)?)?;
+        let (content, size) = (hasher.finalize(), hasher.count());
         let stamp = Stamp {
-            size: bytes.len() as u64,
+            size,
             modified_ns,
             changed_ns,
             inode: meta.ino(),
@@ -239,7 +241,7 @@ impl Memo {
         };
         self.files.insert(path.to_owned(), stamp);
         self.fresh = true;
-        Ok((content, bytes.len() as u64))
+        Ok((content, size))
     }
 }
 

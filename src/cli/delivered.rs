@@ -33,7 +33,12 @@ pub(super) fn place_of_results(
     let whole = capture
         .canonicalize()
         .unwrap_or_else(|_| capture.to_owned());
-    let name = whole.file_name().unwrap_or("turn".as_ref());
+    // A video's name without its ending.
+    let name = match whole.is_file() {
+        true => whole.file_stem(),
+        false => whole.file_name(),
+    };
+    let name = name.unwrap_or("turn".as_ref());
     let name = name.to_string_lossy().into_owned();
     let out = match out {
         Some(out) => out.to_owned(),

@@ -16,11 +16,14 @@ use std::sync::Arc;
 /// Arguments of `tailor doctor`.
 #[derive(Args)]
 pub(crate) struct Doctor {
-    /// The folder with the photos of one turn
+    /// The folder with the photos or the video of one turn, or the video
     folder: PathBuf,
     /// Take the photos in folders below, too, in the order of their paths
     #[arg(long)]
     recursive: bool,
+    /// Take the folder's video, though there are photos, too
+    #[arg(long)]
+    video: bool,
     #[command(flatten)]
     facts: Facts,
 }
@@ -42,13 +45,15 @@ pub(super) fn look(
     capture: &Path,
     facts: &Facts,
     recursive: bool,
+    video: bool,
     global: &GlobalArgs,
 ) -> Result<Look, Fault> {
-    let looked = folder::look(capture, facts, recursive)?;
-    let said: Vec<_> = facts.said()?.into_iter().chain(looked.more).collect();
-    let mut graph = opened("doctor", None, &said, &[])?;
-    folder::widen(&mut graph, &looked.patterns);
-    let folders = [("photos".to_owned(), capture.to_owned())];
+    let looked = folder::look(capture, facts, recursive, video)?;
+    let said = facts.said()?.into_iter().chain(looked.more.iter().cloned());
+    let said: Vec<_> = said.collect();
+    let mut graph = opened("doctor", looked.source.over(), None, &said, &[])?;
+    folder::widen(&mut graph, &looked);
+    let folders = looked.source.inputs();
     let store = Store::open(&global.cache).map_err(Fault::input)?;
     let again: Vec<String> = std::env::args().collect();
     let wanted: Vec<usize> = (0..graph.nodes.len()).collect();
@@ -76,7 +81,13 @@ pub(super) fn look(
 
 /// Looks at a capture. One of which nothing will come ends with 1.
 pub(crate) fn doctor(args: &Doctor, global: &GlobalArgs) -> Result<(), Fault> {
-    let look = look(&args.folder, &args.facts, args.recursive, global)?;
+    let look = look(
+        &args.folder,
+        &args.facts,
+        args.recursive,
+        args.video,
+        global,
+    )?;
     let stopped = entries(&look.findings).any(|f| f["grade"] == "stop");
     if global.json {
         let mut found = look.findings;

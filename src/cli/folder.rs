@@ -1,9 +1,10 @@
-//! The folder that somebody hands over, looked at before anything runs: what in it is the turn, and what
-//! cannot be read.
+//! The folder or the video that somebody hands over, looked at before anything runs: what of it is the turn,
+//! and what cannot be read.
 
 use super::facts::Facts;
 use super::said::Said;
-use crate::catalog::{READ, foreign, is_photo};
+use super::source::{Source, handed_over};
+use crate::catalog::{READ, foreign, is_photo, is_raw, is_video};
 use crate::graph::Graph;
 use crate::pattern::{natural, stays_inside};
 use engine::cli::Fault;
@@ -11,6 +12,8 @@ use std::path::Path;
 
 /// What was seen.
 pub(super) struct Looked {
+    /// What is read, and how.
+    pub(super) source: Source,
     /// Patterns of files that are read, besides those of the pipeline.
     pub(super) patterns: Vec<String>,
     /// What follows from the folder, as if it were said.
@@ -26,8 +29,23 @@ const FEWEST: usize = 8;
 /// Nor can they over wider steps. \[°\]
 const WIDEST_DEG: f64 = 45.0;
 
-/// Looks at a capture's folder.
-pub(super) fn look(capture: &Path, facts: &Facts, recursive: bool) -> Result<Looked, Fault> {
+/// Looks at a capture: a folder, or a video. Of a folder with photos and a video its `video` may be wanted.
+pub(super) fn look(
+    capture: &Path,
+    facts: &Facts,
+    recursive: bool,
+    video: bool,
+) -> Result<Looked, Fault> {
+    let capture = &handed_over(capture)?;
+    if let Some(source) = Source::file(capture) {
+        return Ok(Looked {
+            source,
+            patterns: vec![],
+            more: vec![],
+            warnings: vec![],
+            few: None,
+        });
+    }
     let shown = capture.display();
     let mut names = Vec::new();
     list(capture, "", &["images"], recursive, &mut names).map_err(|e| {
@@ -38,7 +56,24 @@ pub(super) fn look(capture: &Path, facts: &Facts, recursive: bool) -> Result<Loo
     let text = std::fs::read_to_string(capture.join("capture.toml")).unwrap_or_default();
     // What is wrong with it, the stage that reads it tells.
     let file: toml::Table = text.parse().unwrap_or_default();
+    let plate = |name: &str| name.to_lowercase().starts_with("plate.");
+    let of = |is: fn(&str) -> bool| -> Vec<&String> {
+        let fits = names.iter().filter(|n| is(n));
+        fits.filter(|n| !plate(n)).collect()
+    };
+    let source = match (of(is_photo).len(), of(is_video).len(), of(is_raw).len()) {
+        (_, 1.., _) if video => Source::Video(capture.clone(), None),
+        (_, 0, _) if video => {
+            return Err(Fault::input(format!(
+                "{shown} holds no video (mp4, mov, mkv, …)"
+            )));
+        }
+        (0, 1.., _) => Source::Video(capture.clone(), None),
+        (0, 0, 1..) => Source::Raw(capture.clone()),
+        _ => Source::Photos(capture.clone()),
+    };
     let mut looked = Looked {
+        source,
         patterns: wanted(facts.images(), &file),
         more: vec![],
         warnings: vec![],
@@ -48,6 +83,10 @@ pub(super) fn look(capture: &Path, facts: &Facts, recursive: bool) -> Result<Loo
         return Err(Fault::input(format!(
             "`images` says {out}, which leads out of {shown}: photos lie in the folder itself or in folders below"
         )));
+    }
+    if !matches!(looked.source, Source::Photos(_)) {
+        looked.warnings.extend(looked.source.left_out(&names));
+        return Ok(looked);
     }
     let strange = foreign(&names);
     let photos: Vec<&String> = names.iter().filter(|n| is_photo(n)).collect();
@@ -97,11 +136,25 @@ pub(super) fn look(capture: &Path, facts: &Facts, recursive: bool) -> Result<Loo
     Ok(looked)
 }
 
-/// Lets the graph read files of these patterns, too.
-pub(super) fn widen(graph: &mut Graph, patterns: &[String]) {
+/// Lets the graph read what was found.
+pub(super) fn widen(graph: &mut Graph, looked: &Looked) {
+    let only = looked.source.only();
+    let read = |name: &str| ["photos", "video"].contains(&name) && !only.is_empty();
+    for input in graph.inputs.iter_mut().filter(|i| read(&i.name)) {
+        input.files.retain(|pattern| !pattern.starts_with("*."));
+        input.files.extend(only.iter().cloned());
+    }
     let input = graph.inputs.iter_mut().find(|i| i.name == "photos");
     let files = &mut input.expect("bug: a pipeline without photos").files;
-    for pattern in patterns {
+    // Formats that this build reads beside those that every build does.
+    let photos = matches!(looked.source, Source::Photos(_));
+    let more = READ
+        .iter()
+        .filter(|e| photos && !files.iter().any(|f| f.contains(*e)));
+    let more: Vec<String> = more
+        .flat_map(|e| [format!("images/*.{e}"), format!("*.{e}")])
+        .collect();
+    for pattern in looked.patterns.iter().chain(&more) {
         if !files.contains(pattern) {
             files.push(pattern.clone());
         }

@@ -28,7 +28,7 @@ pub(crate) fn init(args: &Init, global: &GlobalArgs) -> Result<(), Fault> {
             "{shown} is there already and was left as it is"
         )));
     }
-    let seen = look(&args.folder, &args.facts, false, global)?;
+    let seen = look(&args.folder, &args.facts, false, false, global)?;
     let whole = args
         .folder
         .canonicalize()

@@ -2,10 +2,11 @@
 
 use super::delivered::{place_of_results, write, written};
 use super::facts::Facts;
-use super::folder::{self, Looked};
+use super::folder;
 use super::provenance::get;
 use super::said::{Said, opened};
 use super::screen::screen;
+use super::source::Source;
 use crate::delivery::Delivery;
 use crate::graph::Graph;
 use crate::photos::{photos, photos_node};
@@ -31,7 +32,7 @@ pub(super) enum Shown {
 /// Arguments of `tailor measure`.
 #[derive(Args)]
 pub(crate) struct Measure {
-    /// Folders with the photos of one turn each; masks in a folder's `masks` are taken instead of own ones
+    /// Folders with the photos or the video of one turn each, or videos; masks in a folder's `masks` are taken instead of own ones
     #[arg(required = true)]
     folders: Vec<PathBuf>,
     /// Where to write; here, the folder's name with `-out`, if not said. Of several folders each gets its own in it
@@ -64,6 +65,9 @@ pub(crate) struct Measure {
     /// Take the photos in folders below, too, in the order of their paths
     #[arg(long)]
     recursive: bool,
+    /// Take the folder's video, though there are photos, too
+    #[arg(long)]
+    video: bool,
     #[command(flatten)]
     facts: Facts,
 }
@@ -154,7 +158,7 @@ fn places(measure: &Measure) -> Result<Vec<PathBuf>, Fault> {
 /// The pipeline for a capture with what is said of it, and its inputs.
 fn pipeline(
     measure: &Measure,
-    capture: &Path,
+    source: &Source,
     said: &[Said],
 ) -> Result<(Graph, Vec<(String, PathBuf)>), Fault> {
     let mut sets = Vec::new();
@@ -169,8 +173,8 @@ fn pipeline(
     }
     // What the user sets himself comes last, and wins.
     sets.extend(measure.set.iter().cloned());
-    let mut folders = vec![("photos".to_owned(), capture.to_owned())];
-    let masks = capture.join(MASKS);
+    let mut folders = source.inputs();
+    let masks = source.folder().join(MASKS);
     let name = match (measure.walk, masks.is_dir()) {
         (true, true) => "walk",
         (true, false) => {
@@ -186,7 +190,7 @@ fn pipeline(
     if name != "body" {
         folders.push((MASKS.to_owned(), masks));
     }
-    let graph = opened(name, measure.variant.clone(), said, &sets)?;
+    let graph = opened(name, source.over(), measure.variant.clone(), said, &sets)?;
     Ok((graph, folders))
 }
 
@@ -198,23 +202,17 @@ fn one(
     said: &[Said],
     global: &GlobalArgs,
 ) -> Result<(PathBuf, Value), Fault> {
-    let looked = folder::look(capture, &measure.facts, measure.recursive)?;
-    let Looked {
-        patterns,
-        more,
-        warnings,
-        few,
-    } = looked;
-    let more: Vec<Said> = said.iter().chain(&more).cloned().collect();
-    let (mut graph, folders) = pipeline(measure, capture, &more)?;
+    let looked = folder::look(capture, &measure.facts, measure.recursive, measure.video)?;
+    let more: Vec<Said> = said.iter().chain(&looked.more).cloned().collect();
+    let (mut graph, folders) = pipeline(measure, &looked.source, &more)?;
     let (out, shown) = place_of_results(capture, out)?;
-    if let Some(few) = few.filter(|_| !measure.walk) {
+    if let Some(few) = looked.few.clone().filter(|_| !measure.walk) {
         return Err(Fault::input(few));
     }
-    folder::widen(&mut graph, &patterns);
+    folder::widen(&mut graph, &looked);
     check_out(&out, &graph, &folders)?;
     if !global.json && !global.quiet {
-        warnings.iter().for_each(|w| engine::errln!("{w}"));
+        looked.warnings.iter().for_each(|w| engine::errln!("{w}"));
     }
     let again: Vec<String> = std::env::args().collect();
     // What is written must be there, the goal or not.
@@ -225,7 +223,7 @@ fn one(
     let store = Store::open(&global.cache).map_err(Fault::input)?;
     let again = again.join(" ");
     let outcome = execute(store, &graph, &folders, &wanted, global, &again)?;
-    let own = whose(&folders[..1]);
+    let own = whose(&[("photos".to_owned(), capture.to_owned())]);
     let mut delivery = Delivery::open(&out, &own).map_err(Fault::stage)?;
     delivery.begin().map_err(Fault::stage)?;
     write(&graph, &outcome, &mut delivery)?;

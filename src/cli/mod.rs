@@ -14,6 +14,7 @@ mod provenance;
 mod said;
 mod scoring;
 mod screen;
+mod source;
 
 use crate::catalog::CATALOG;
 use clap::{ArgMatches, Args, Command, FromArgMatches};

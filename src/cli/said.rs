@@ -28,10 +28,11 @@ impl All {
     }
 }
 
-/// A built-in pipeline with what is said of the capture, and over it what the user sets himself; a flag is named
-/// as it was said.
+/// A built-in pipeline, or `over`, another one, as if it extended that, with what is said of the capture, and
+/// over it what the user sets himself; a flag is named as it was said.
 pub(super) fn opened(
     name: &str,
+    over: Option<&str>,
     variant: Option<String>,
     said: &[Said],
     sets: &[String],
@@ -41,7 +42,11 @@ pub(super) fn opened(
         variant,
         sets: facts.chain(sets.iter().cloned()).collect(),
     };
-    let graph = Pipeline::built_in(name, &CATALOG).and_then(|p| p.graph(&overrides));
+    let pipeline = match over {
+        Some(over) => Pipeline::built_in_over(over, name, &CATALOG),
+        None => Pipeline::built_in(name, &CATALOG),
+    };
+    let graph = pipeline.and_then(|p| p.graph(&overrides));
     graph.map_err(|mistakes| {
         let as_said = |text: String, s: &Said| text.replace(&format!("--set {}", s.set), &s.flag);
         Fault::input(said.iter().fold(mistakes.to_string(), as_said))

@@ -74,6 +74,26 @@ impl Pipeline {
         Pipeline::gathered(place, text.to_owned(), catalog)
     }
 
+    /// A built-in pipeline as if it extended another built-in one, `under`, instead of its own.
+    ///
+    /// # Errors
+    ///
+    /// There is none of a name, or a text is no TOML.
+    pub fn built_in_over(
+        name: &str,
+        under: &str,
+        catalog: &'static Catalog,
+    ) -> Result<Pipeline, Mistakes> {
+        let Some((place, text)) = (Origins { catalog }).built_in(name) else {
+            return Pipeline::built_in(name, catalog);
+        };
+        let line = |line: &str| match line.starts_with("extends = ") {
+            true => format!("extends = \"{under}.toml\"\n"),
+            false => format!("{line}\n"),
+        };
+        Pipeline::gathered(place, text.lines().map(line).collect(), catalog)
+    }
+
     fn gathered(
         first: Place,
         text: String,

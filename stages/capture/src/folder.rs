@@ -1,7 +1,20 @@
 //! What lies in the user's folder besides photos that can be read, and the command that makes photos of it.
 
 /// Endings of photos that are read.
-pub const READ: [&str; 5] = ["jpg", "jpeg", "png", "tif", "tiff"];
+pub const READ: &[&str] = match cfg!(feature = "heic") {
+    true => &["jpg", "jpeg", "png", "tif", "tiff", "heic", "heif", "hif"],
+    false => &["jpg", "jpeg", "png", "tif", "tiff"],
+};
+
+/// Endings of videos, which `capture.video` reads.
+pub const VIDEOS: [&str; 9] = [
+    "mp4", "mov", "m4v", "mkv", "webm", "avi", "3gp", "mts", "m2ts",
+];
+
+/// Endings of raw photos, which `capture.raw` reads.
+pub const RAWS: [&str; 10] = [
+    "dng", "cr2", "cr3", "nef", "arw", "raf", "orf", "rw2", "pef", "srw",
+];
 
 /// A kind of file that cannot be read as it is.
 struct Kind {
@@ -20,17 +33,13 @@ const KINDS: [Kind; 4] = [
     },
     Kind {
         name: "videos",
-        endings: &["mov", "mp4", "m4v", "avi", "mkv", "webm", "3gp", "mts"],
-        way: |first, _| {
-            format!("mkdir -p images && ffmpeg -i \"{first}\" -vf fps=2 -q:v 2 images/%04d.jpg")
-        },
+        endings: &VIDEOS,
+        way: |first, _| format!("tailor measure \"{first}\""),
     },
     Kind {
         name: "raw photos",
-        endings: &[
-            "dng", "cr2", "cr3", "nef", "arw", "raf", "orf", "rw2", "pef", "srw",
-        ],
-        way: |_, ending| format!("dcraw_emu -w -T *.{ending}"),
+        endings: &RAWS,
+        way: |_, ending| format!("dcraw_emu -w -W -o 1 -g 2.4 12.92 -T *.{ending}"),
     },
     Kind {
         name: "pictures of other formats",
@@ -76,8 +85,22 @@ fn ending(name: &str) -> Option<&str> {
 /// Whether a file is a photo that is read, by its name. Hidden files are none: macOS writes `._0001.jpg`
 /// beside photos.
 pub fn is_photo(name: &str) -> bool {
+    is_one_of(name, READ)
+}
+
+/// Whether a file is a video, by its name.
+pub fn is_video(name: &str) -> bool {
+    is_one_of(name, &VIDEOS)
+}
+
+/// Whether a file is a raw photo, by its name.
+pub fn is_raw(name: &str) -> bool {
+    is_one_of(name, &RAWS)
+}
+
+fn is_one_of(name: &str, endings: &[&str]) -> bool {
     let base = name.rsplit('/').next().unwrap_or(name);
-    let fits = |ending: &str| READ.iter().any(|e| ending.eq_ignore_ascii_case(e));
+    let fits = |ending: &str| endings.iter().any(|e| ending.eq_ignore_ascii_case(e));
     !base.starts_with('.') && ending(name).is_some_and(fits)
 }
 
@@ -87,7 +110,7 @@ pub fn foreign(names: &[String]) -> Vec<Foreign> {
     let of = |kind: &Kind| {
         let fits = |name: &&String| {
             let is = |ending: &str| kind.endings.iter().any(|e| ending.eq_ignore_ascii_case(e));
-            ending(name).is_some_and(is)
+            ending(name).is_some_and(is) && !is_photo(name)
         };
         let names: Vec<String> = names.iter().filter(shown).filter(fits).cloned().collect();
         let first = names.first()?.clone();
@@ -126,8 +149,8 @@ mod tests {
         ];
         assert_eq!(words, told);
         assert!(found[0].way.contains("*.HEIC") && found[0].way.contains("heif-convert"));
-        assert!(found[1].way.contains("ffmpeg -i \"walk.MOV\""));
-        assert_eq!(found[2].way, "dcraw_emu -w -T *.DNG");
+        assert_eq!(found[1].way, "tailor measure \"walk.MOV\"");
+        assert!(found[2].way.starts_with("dcraw_emu -w") && found[2].way.ends_with("*.DNG"));
         let photos: Vec<&String> = names.iter().filter(|n| is_photo(n)).collect();
         assert_eq!(photos, ["a.jpg"]);
     }

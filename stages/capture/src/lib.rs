@@ -1,6 +1,6 @@
 //! From files to photos: reads what the user has, in turning order.
 //!
-//! `files` → [`Load`] → `photos`
+//! `files` → [`Load`] → `photos`; videos and raw photos go through [`Video`] or [`Raw`] before.
 
 mod alike;
 mod error;
@@ -9,33 +9,43 @@ mod facts;
 mod facts_param;
 mod folder;
 mod glance;
+mod heic;
 mod keys;
 mod load;
 mod look;
 mod names;
+mod netpbm;
 mod odd;
 mod photo;
+mod program;
+mod raw;
 mod rig;
 mod rig_tags;
 mod sharpness;
 mod surface;
 mod verdict;
+mod video;
 mod whole;
 
 pub use error::CaptureError;
 pub use facts::Facts;
-pub use folder::{Foreign, READ, foreign, is_photo};
+pub use folder::{Foreign, RAWS, READ, VIDEOS, foreign, is_photo, is_raw, is_video};
 pub use glance::{Glance, Together, glance, together};
 pub use keys::RigError;
 pub use load::{Load, LoadInput, LoadParams};
 pub use look::{Look, LookInput, LookParams};
+pub use program::ProgramError;
+pub use raw::{Raw, RawError, RawInput, RawParams};
 pub use rig::{RigFile, read_rig};
 pub use sharpness::{best, sharpness};
 pub use surface::{Surface, SurfaceError, SurfaceInput, SurfaceParams, Unit, Up};
 pub use verdict::{Finding, Grade};
+pub use video::{Video, VideoError, VideoInput, VideoParams};
 
 /// Every stage of this room, in the order in which data flows through it.
 pub const STAGES: &[&dyn stage::AnyStage] = &[
+    &stage::erase::<Video>(),
+    &stage::erase::<Raw>(),
     &stage::erase::<Load>(),
     &stage::erase::<Look>(),
     &stage::erase::<Surface>(),

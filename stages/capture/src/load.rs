@@ -4,7 +4,7 @@ use crate::alike::{one_size, other_cameras, out_of_order, two_turns};
 use crate::error::CaptureError;
 use crate::facts::Facts;
 use crate::glance::{Glance, glance, together};
-use crate::names::{Sorted, sorted, twins};
+use crate::names::{Sorted, plate_of, sorted, twins};
 use crate::odd::seen_in_pictures;
 use crate::photo::{header, photo};
 use crate::rig::{RigFile, read_rig};
@@ -34,6 +34,9 @@ stage::params! {
         /// Whether photos of which nothing will come as a turn are an error, and what is odd about them
         /// a warning.
         stop: bool = false,
+        /// Whether steps between photos are even where a step is told; those between frames of a video
+        /// are not.
+        even: bool = true,
         /// What is known of the capture, by the keys of `capture.toml`, over what the file says:
         /// `facts.subject.height_cm`.
         facts: Facts = Facts::default(),
@@ -45,6 +48,8 @@ stage::inputs! {
     pub struct LoadInput {
         /// The photos, `capture.toml` and the plate.
         files: Arc<Files>,
+        /// The turn as another stage made it of files that are no photos: of a video, of raw photos.
+        frames: Option<Arc<Photos>>,
     }
 }
 
@@ -53,7 +58,7 @@ pub struct Load;
 
 impl Stage for Load {
     const NAME: &'static str = "capture.load";
-    const VERSION: u32 = 6;
+    const VERSION: u32 = 7;
     const ABOUT: &'static str =
         "Reads the photos of one turn, their EXIF, capture.toml and the plate.";
     type Params = LoadParams;
@@ -69,19 +74,14 @@ impl Stage for Load {
         crate::rig_tags::doubts(&known.rig)
             .iter()
             .for_each(|w| ctx.warn(w));
-        let (turn, plate, even) = chosen(p, files, &known, ctx)?;
-        let names = names(&turn);
-        let places: Vec<(&FileEntry, &String)> = turn.iter().copied().zip(&names).collect();
-        let heads = |(entry, name): &(&FileEntry, &String)| -> Result<Photo, Stop> {
-            Ok(header(&entry.name, name, files.read(entry)?)?)
+        let Turn {
+            photos,
+            plate,
+            even,
+        } = match &input.frames {
+            Some(frames) => of_frames(p, files, frames, &known, ctx)?,
+            None => of_files(p, files, &known, ctx)?,
         };
-        let photos: Vec<Photo> = places.par_iter().map(heads).collect::<Result<_, _>>()?;
-        let plate = plate
-            .map(|entry| -> Result<Photo, Stop> {
-                let name = entry.name.rsplit('/').next().unwrap_or(&entry.name);
-                Ok(photo(header(&entry.name, name, files.read(entry)?)?)?.0)
-            })
-            .transpose()?;
         one_size(&photos, plate.as_ref())?;
         let steps = ctx.steps("photos", photos.len());
         let read = |head: Photo| -> Result<(Photo, Option<(Glance, f64)>), Stop> {
@@ -101,6 +101,9 @@ impl Stage for Load {
         out_of_order(&photos).iter().for_each(|w| ctx.warn(w));
         two_turns(&photos).iter().for_each(|w| ctx.warn(w));
         let mut rig = known.rig;
+        if !p.even && rig.step.take().is_some() {
+            ctx.warn("frames of a video are not at even steps: `step_deg` was passed over (how many are taken: --set frames.step_deg=)");
+        }
         // Steps are equal only where one of each so many is left.
         rig.step = rig.step.zip(even).map(|(step, of)| step * of as f64);
         rig.focal_35mm = rig.focal_35mm.or(photos[0].focal_35mm);
@@ -141,23 +144,86 @@ fn known(files: &Files, p: &LoadParams) -> Result<RigFile, Stop> {
     Ok(read_rig(&String::from_utf8_lossy(&text), &p.facts)?)
 }
 
-/// The photos that are taken, in turning order; the plate; and of how many even steps each is one, where
-/// they are even.
-type Chosen<'a> = (Vec<&'a FileEntry>, Option<&'a FileEntry>, Option<usize>);
+/// What is taken for the turn.
+struct Turn {
+    /// The photos, in turning order; nobody has looked at their pixels yet.
+    photos: Vec<Photo>,
+    plate: Option<Photo>,
+    /// Of how many even steps each is one, where they are even.
+    even: Option<usize>,
+}
 
-/// The photos that are taken of those in the folder.
-fn chosen<'a>(
-    p: &LoadParams,
-    files: &'a Files,
-    known: &RigFile,
-    ctx: &Ctx<'_>,
-) -> Result<Chosen<'a>, Stop> {
-    let (mut turn, plate): Sorted<'a> = sorted(files, known)?;
+/// The turn as files.
+fn of_files(p: &LoadParams, files: &Files, known: &RigFile, ctx: &Ctx<'_>) -> Result<Turn, Stop> {
+    let (mut turn, plate): Sorted<'_> = sorted(files, known)?;
     for (copy, first) in twins(&mut turn) {
         ctx.warn(format!(
             "{copy} is the same file as {first} and was left out: if another photo should be in its place, put it there"
         ));
     }
+    let sharp = |entry: &&FileEntry| -> Result<f64, Stop> {
+        let photo = header(&entry.name, &entry.name, files.read(entry)?)?;
+        Ok(sharpness(&photo.decode()?))
+    };
+    let (turn, even) = chosen(p, turn, known, sharp, ctx)?;
+    let names = names(&turn);
+    let places: Vec<(&FileEntry, &String)> = turn.iter().copied().zip(&names).collect();
+    let heads = |(entry, name): &(&FileEntry, &String)| -> Result<Photo, Stop> {
+        Ok(header(&entry.name, name, files.read(entry)?)?)
+    };
+    Ok(Turn {
+        photos: places.par_iter().map(heads).collect::<Result<_, _>>()?,
+        plate: plate.map(|entry| empty(files, entry)).transpose()?,
+        even,
+    })
+}
+
+/// The turn as another stage made it, with the plate that it made, or a file.
+fn of_frames(
+    p: &LoadParams,
+    files: &Files,
+    frames: &Photos,
+    known: &RigFile,
+    ctx: &Ctx<'_>,
+) -> Result<Turn, Stop> {
+    let sharp = |photo: &Photo| -> Result<f64, Stop> { Ok(sharpness(&photo.decode()?)) };
+    let (photos, even) = chosen(p, frames.photos.clone(), known, sharp, ctx)?;
+    let file = plate_of(files, known)?;
+    let file = file.map(|entry| empty(files, entry)).transpose()?;
+    let size = |photo: &Photo| (photo.width, photo.height);
+    let plate = match file {
+        // Phones film less of the scene than their photos show.
+        Some(plate) if photos.first().is_some_and(|f| size(f) != size(&plate)) => {
+            ctx.warn(format!(
+                "{} is {}×{} pixels, unlike the turn, and was left out: film the empty scene as the turn, and call that plate.mp4",
+                plate.name, plate.width, plate.height
+            ));
+            frames.plate.clone()
+        }
+        Some(plate) => Some(plate),
+        None => frames.plate.clone(),
+    };
+    Ok(Turn {
+        photos,
+        plate,
+        even,
+    })
+}
+
+/// The photo of the empty scene.
+fn empty(files: &Files, entry: &FileEntry) -> Result<Photo, Stop> {
+    let name = entry.name.rsplit('/').next().unwrap_or(&entry.name);
+    Ok(photo(header(&entry.name, name, files.read(entry)?)?)?.0)
+}
+
+/// Those that are taken, in turning order; and of how many even steps each is one, where they are even.
+fn chosen<T: Sync>(
+    p: &LoadParams,
+    turn: Vec<T>,
+    known: &RigFile,
+    sharp: impl Fn(&T) -> Result<f64, Stop> + Sync,
+    ctx: &Ctx<'_>,
+) -> Result<(Vec<T>, Option<usize>), Stop> {
     if let Some(said) = known.views.filter(|said| *said != turn.len()) {
         let found = turn.len();
         return Err(CaptureError::Count { said, found }.into());
@@ -178,13 +244,13 @@ fn chosen<'a>(
     };
     let most = p.most as usize;
     if turn.len() <= most {
-        return Ok((turn, plate, even));
+        return Ok((turn, even));
     }
     let steps = ctx.steps("sharpness", turn.len());
-    let sharp = |entry: &&FileEntry| -> Result<f64, Stop> {
-        let photo = header(&entry.name, &entry.name, files.read(entry)?)?;
+    let sharp = |one: &T| -> Result<f64, Stop> {
+        let sharp = sharp(one)?;
         steps.tick()?;
-        Ok(sharpness(&photo.decode()?))
+        Ok(sharp)
     };
     let sharp: Vec<f64> = turn.par_iter().map(sharp).collect::<Result<_, _>>()?;
     let places = best(&sharp, most);
@@ -192,7 +258,11 @@ fn chosen<'a>(
         "{} photos are more than are of use: the sharpest of each of {most} even stretches are taken (`most`); steps between them are no longer even",
         turn.len()
     ));
-    Ok((places.iter().map(|i| turn[*i]).collect(), plate, None))
+    let taken = turn.into_iter().enumerate();
+    let taken = taken
+        .filter(|(i, _)| places.contains(i))
+        .map(|(_, one)| one);
+    Ok((taken.collect(), None))
 }
 
 /// What photos are called: their files' names; with their folders where two would be called alike.

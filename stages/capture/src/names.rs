@@ -1,6 +1,7 @@
 //! Which of the user's files are the turn, and which is the plate, by their names.
 
 use crate::error::CaptureError;
+use crate::folder::{is_raw, is_video};
 use crate::rig::RigFile;
 use stage::{FileEntry, Files};
 use std::path::Path;
@@ -16,13 +17,7 @@ pub(crate) fn sorted<'a>(files: &'a Files, known: &RigFile) -> Result<Sorted<'a>
         .iter()
         .filter(|e| e.name != "capture.toml")
         .collect();
-    let plate = match &known.plate {
-        Some(name) => {
-            let found = pictures.iter().find(|e| e.name == *name).copied();
-            Some(found.ok_or_else(|| CaptureError::NoPlate(name.clone()))?)
-        }
-        None => pictures.iter().find(|e| stem(e) == "plate").copied(),
-    };
+    let plate = plate_of(files, known)?;
     let other = |e: &&FileEntry| Some(&e.name) != plate.map(|p| &p.name) && stem(e) != "plate";
     if !known.images.is_empty() {
         return Ok((said(&pictures, &known.images, other)?, plate));
@@ -31,6 +26,24 @@ pub(crate) fn sorted<'a>(files: &'a Files, known: &RigFile) -> Result<Sorted<'a>
     let within = pictures.iter().any(|e| inner(e) && stem(e) != "plate");
     let of_turn = |e: &&FileEntry| other(e) && inner(e) == within;
     Ok((pictures.into_iter().filter(of_turn).collect(), plate))
+}
+
+/// The photo of the empty scene: the one that is named, else the one that is called `plate`.
+pub(crate) fn plate_of<'a>(
+    files: &'a Files,
+    known: &RigFile,
+) -> Result<Option<&'a FileEntry>, CaptureError> {
+    let mut entries = files.entries.iter();
+    // Of a video, or raw, it is read where the turn is.
+    let file = |e: &&FileEntry| !is_video(&e.name) && !is_raw(&e.name);
+    match &known.plate {
+        Some(name) => {
+            let found = entries.find(|e| e.name == *name);
+            let found = found.ok_or_else(|| CaptureError::NoPlate(name.clone()))?;
+            Ok(Some(found).filter(file))
+        }
+        None => Ok(entries.filter(file).find(|e| stem(e) == "plate")),
+    }
 }
 
 /// The files that `images` says, in its order, none twice.
@@ -60,7 +73,7 @@ fn said<'a>(
 }
 
 /// A file's name without folders and ending, in small letters.
-fn stem(e: &FileEntry) -> String {
+pub(crate) fn stem(e: &FileEntry) -> String {
     let stem = Path::new(&e.name).file_stem();
     stem.map_or(String::new(), |s| s.to_string_lossy().to_lowercase())
 }

@@ -1,7 +1,8 @@
 //! One photo of the user's: what its file's head says, and whether it is whole and shows something.
 
 use crate::error::CaptureError;
-use crate::exif;
+use crate::exif::{self, Exif};
+use crate::heic::{is_heic, jpeg};
 use shape::{Photo, Rgb};
 
 fn no_picture(name: &str, why: impl ToString) -> CaptureError {
@@ -20,6 +21,30 @@ pub(crate) fn header(path: &str, name: &str, bytes: Vec<u8>) -> Result<Photo, Ca
         return Err(no_picture(path, "it ends too early: copied whole?"));
     }
     let exif = exif::read(&bytes);
+    if is_heic(&bytes) {
+        let file = jpeg(&bytes).map_err(|why| no_picture(path, why))?;
+        // The file's own transformations are done; EXIF's orientation repeats them.
+        return of(
+            path,
+            &as_jpeg(name),
+            Exif {
+                orientation: 1,
+                ..exif
+            },
+            file,
+        );
+    }
+    of(path, name, exif, bytes)
+}
+
+/// A photo that another program, or another decoder, made of a file: its name with the ending of JPEG.
+pub(crate) fn as_jpeg(name: &str) -> String {
+    let stem = name.rsplit_once('.').map_or(name, |(stem, _)| stem);
+    format!("{stem}.jpg")
+}
+
+/// A photo of a file and what it says.
+fn of(path: &str, name: &str, exif: Exif, bytes: Vec<u8>) -> Result<Photo, CaptureError> {
     let (width, height) = image::ImageReader::new(std::io::Cursor::new(&bytes))
         .with_guessed_format()
         .map_err(|e| no_picture(path, e))?

@@ -95,3 +95,23 @@ impl Dice {
         r * (std::f64::consts::TAU * self.unit()).cos()
     }
 }
+
+/// Whether a foreign program that a test needs is installed; said where it is not. Where all must be there
+/// (`TAILOR_ALL_PROGRAMS` is set, as it is by `.ci/run`), a missing one fails the test.
+///
+/// # Panics
+/// It is missing, and all must be there.
+#[track_caller]
+pub fn program(name: &str, package: &str) -> bool {
+    let folders = std::env::var_os("PATH").unwrap_or_default();
+    let there = std::env::split_paths(&folders).any(|folder| folder.join(name).is_file());
+    let missing = format!("no {name} is installed (apt-get install {package})");
+    assert!(
+        there || std::env::var_os("TAILOR_ALL_PROGRAMS").is_none(),
+        "{missing}"
+    );
+    if !there {
+        eprintln!("SKIPPED: {missing}");
+    }
+    there
+}

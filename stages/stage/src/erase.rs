@@ -53,6 +53,8 @@ pub trait AnyStage: Sync {
     fn ports(&self) -> Vec<PortSpec>;
     /// See [`Stage::METRICS`].
     fn metrics(&self) -> &'static [&'static str];
+    /// See [`Stage::programs`].
+    fn programs(&self) -> Vec<(&'static str, String)>;
     /// What may be tuned.
     fn params(&self) -> Vec<ParamSpec>;
     /// Reads params; all mistakes at once.
@@ -112,6 +114,9 @@ impl<S: Stage> AnyStage for Erased<S> {
     }
     fn metrics(&self) -> &'static [&'static str] {
         S::METRICS
+    }
+    fn programs(&self) -> Vec<(&'static str, String)> {
+        S::programs()
     }
     fn params(&self) -> Vec<ParamSpec> {
         S::Params::specs()

@@ -58,6 +58,26 @@ impl Files {
         }
         Ok(bytes)
     }
+
+    /// Where the file lies, if its bytes still are what was hashed when the run began; they are never
+    /// held all at once. For foreign programs, which read it themselves: ask again when they are done.
+    ///
+    /// # Errors
+    ///
+    /// As [`Files::read`].
+    pub fn path(&self, entry: &FileEntry) -> Result<PathBuf, FilesError> {
+        let path = self.root.join(&entry.name);
+        let shown = || path.display().to_string();
+        let hash = |file: std::fs::File| -> std::io::Result<Hash> {
+            Ok(blake3::Hasher::new().update_reader(file)?.finalize())
+        };
+        let content = std::fs::File::open(&path).and_then(hash);
+        match content.map_err(|why| FilesError::Unreadable { path: shown(), why })? == entry.content
+        {
+            true => Ok(path),
+            false => Err(FilesError::Changed { path: shown() }),
+        }
+    }
 }
 
 impl Artifact for Files {

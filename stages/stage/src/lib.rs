@@ -8,6 +8,7 @@
 //! | params after defaults, one line each | how the TOML was laid out |
 //! | content of each input, by port | paths, times, machine |
 //! | kind and format of the output | threads, verbosity, progress |
+//! | versions of foreign programs that it runs | where they are installed |
 //!
 //! What is in the right column comes through [`Ctx`], which cannot enter a key.
 
@@ -60,6 +61,12 @@ pub trait Stage: 'static {
     /// The names of all metrics that `run` may tell; `*` stands for a part that follows from the
     /// input. What is not here can be asked for by nobody.
     const METRICS: &'static [&'static str] = &[];
+
+    /// The foreign programs that `run` calls, each with the version that is installed: a part of the
+    /// key, so that another version makes the result anew.
+    fn programs() -> Vec<(&'static str, String)> {
+        vec![]
+    }
 
     /// What a run takes at most beside its input, as far as that can be told before. Stages of one
     /// process that together say more than is free run one after the other. No part of the key.

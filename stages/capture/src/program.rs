@@ -1,0 +1,375 @@
+//! Foreign programs: which version is installed, and a run of one that is bounded and leaves nothing behind.
+//!
+//! A program is a group of processes of its own. It is killed with all its children when it takes too
+//! long, when its answer is not taken, and when the user asks to stop.
+
+use rustix::process::{Pid, Signal, kill_process_group};
+use std::collections::BTreeMap;
+use std::ffi::OsString;
+use std::io::{BufRead, BufReader, Read};
+use std::os::unix::process::CommandExt;
+use std::path::{Path, PathBuf};
+use std::process::{Child, Command, ExitStatus, Stdio};
+use std::sync::Mutex;
+use std::sync::mpsc::{Receiver, RecvTimeoutError, SyncSender, sync_channel};
+use std::time::{Duration, Instant};
+
+/// A program and where it comes from.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) struct Program {
+    /// What it is called by.
+    pub(crate) name: &'static str,
+    /// The package of Debian and Ubuntu that it is in.
+    pub(crate) package: &'static str,
+}
+
+/// What went wrong with a program.
+#[derive(Debug, thiserror::Error)]
+pub enum ProgramError {
+    /// It is not there.
+    #[error("{name} is not installed, and {what} cannot be read without it: apt install {package}")]
+    Missing {
+        /// The program.
+        name: &'static str,
+        /// The package that it is in.
+        package: &'static str,
+        /// What it was to read.
+        what: String,
+    },
+    /// It cannot be started, or its answer cannot be read.
+    #[error("{name} cannot be run: {why}")]
+    Broken {
+        /// The program.
+        name: &'static str,
+        /// What the system says.
+        why: String,
+    },
+    /// It takes too long.
+    #[error(
+        "{name} was ended after {seconds} s with {what}: is the file far longer than one turn, or damaged?"
+    )]
+    TooLong {
+        /// The program.
+        name: &'static str,
+        /// How long it was let run. \[s\]
+        seconds: u64,
+        /// What it was reading.
+        what: String,
+    },
+}
+
+/// The answer of a program to the question after its version; asked once a process.
+///
+/// `ask` are the question's arguments, `told` finds the version in the answer.
+pub(crate) fn version(
+    name: &'static str,
+    ask: &[&str],
+    told: impl FnOnce(&str) -> Option<String>,
+) -> Option<String> {
+    static TOLD: Mutex<BTreeMap<&str, String>> = Mutex::new(BTreeMap::new());
+    let mut all = TOLD.lock().expect("bug: poisoned");
+    if let Some(known) = all.get(name) {
+        return Some(known.clone());
+    }
+    let mut command = Command::new(name);
+    let out = command.args(ask).stdin(Stdio::null()).output().ok()?;
+    let version = told(&String::from_utf8_lossy(&[out.stdout, out.stderr].concat()))?;
+    all.insert(name, version.clone());
+    Some(version)
+}
+
+/// Where a program lies.
+pub(crate) fn found(name: &str) -> Option<PathBuf> {
+    let folders = std::env::var_os("PATH")?;
+    let mut files = std::env::split_paths(&folders).map(|folder| folder.join(name));
+    files.find(|file| file.is_file())
+}
+
+/// The library of a name that a program is linked to, as the loader of Linux tells.
+pub(crate) fn linked(program: &Path, library: &str) -> Option<PathBuf> {
+    let mut command = Command::new(program);
+    // ld.so(8): lists the libraries and does not run the program.
+    command.env("LD_TRACE_LOADED_OBJECTS", "1");
+    let out = command.stdin(Stdio::null()).output().ok()?;
+    let text = String::from_utf8_lossy(&out.stdout).into_owned();
+    let line = text.lines().find(|l| l.trim_start().starts_with(library))?;
+    let path = line.split_once("=> ")?.1.split_whitespace().next()?;
+    Some(PathBuf::from(path))
+}
+
+/// A process with all its children: killed when nobody holds it any more.
+struct Group(Child);
+
+impl Drop for Group {
+    fn drop(&mut self) {
+        if let Ok(None) = self.0.try_wait()
+            && let Ok(pid) = i32::try_from(self.0.id())
+            && let Some(group) = Pid::from_raw(pid)
+        {
+            // One that has ended meanwhile is as good.
+            let _ = kill_process_group(group, Signal::KILL);
+            let _ = self.0.wait();
+        }
+    }
+}
+
+/// What comes out of a running program.
+enum Event<T> {
+    Item(T),
+    Line(String),
+    Broken(std::io::Error),
+}
+
+/// One run of a program.
+pub(crate) struct Run<'a> {
+    /// The program.
+    pub(crate) program: Program,
+    /// Its arguments.
+    pub(crate) args: Vec<OsString>,
+    /// What it reads, for people.
+    pub(crate) what: &'a str,
+    /// How long it may run.
+    pub(crate) limit: Duration,
+}
+
+impl Run<'_> {
+    /// Runs it. `read` takes the next item off its output, `item` is given it, `line` each line that
+    /// it says beside its output; `go_on` is asked ten times a second whether to go on.
+    pub(crate) fn run<T: Send, E: From<ProgramError>>(
+        &self,
+        mut read: impl FnMut(&mut dyn BufRead) -> std::io::Result<Option<T>> + Send,
+        mut item: impl FnMut(T) -> Result<(), E>,
+        mut line: impl FnMut(&str),
+        go_on: impl Fn() -> Result<(), E>,
+    ) -> Result<ExitStatus, E> {
+        let mut group = self.start()?;
+        let stdout = group.0.stdout.take().expect("bug: no pipe");
+        let stderr = group.0.stderr.take().expect("bug: no pipe");
+        let (to, from) = sync_channel(4);
+        let beside = to.clone();
+        std::thread::scope(|scope| {
+            scope.spawn(move || {
+                let mut stdout = BufReader::with_capacity(1 << 18, stdout);
+                loop {
+                    let event = match read(&mut stdout) {
+                        Ok(Some(next)) => Event::Item(next),
+                        Ok(None) => return,
+                        Err(why) => Event::Broken(why),
+                    };
+                    let last = matches!(event, Event::Broken(_));
+                    if to.send(event).is_err() || last {
+                        return;
+                    }
+                }
+            });
+            scope.spawn(move || lines(stderr, &beside));
+            // Moved in, so that the threads' sending ends when this does; the program before them.
+            let (from, mut group) = (from, group);
+            let start = Instant::now();
+            let on = || go_on().and_then(|()| self.in_time(start).map_err(E::from));
+            let told = self::listen(&from, &mut item, &mut line, &on);
+            drop(from);
+            told.map_err(|why| why.unwrap_or_else(|why| self.broken(&why).into()))?;
+            // Its pipes are closed; as a rule it is gone.
+            loop {
+                match group.0.try_wait() {
+                    Ok(Some(status)) => return Ok(status),
+                    Ok(None) => on()?,
+                    Err(why) => return Err(self.broken(&why).into()),
+                }
+                std::thread::sleep(Duration::from_millis(5));
+            }
+        })
+    }
+
+    fn broken(&self, why: &std::io::Error) -> ProgramError {
+        ProgramError::Broken {
+            name: self.program.name,
+            why: why.to_string(),
+        }
+    }
+
+    fn start(&self) -> Result<Group, ProgramError> {
+        let Program { name, package } = self.program;
+        let mut command = Command::new(name);
+        command
+            .args(&self.args)
+            .env("LC_ALL", "C")
+            // It would write a report into the current folder.
+            .env_remove("FFREPORT")
+            .stdin(Stdio::null())
+            .stdout(Stdio::piped())
+            .stderr(Stdio::piped())
+            .process_group(0);
+        match command.spawn() {
+            Ok(child) => Ok(Group(child)),
+            Err(why) if why.kind() == std::io::ErrorKind::NotFound => Err(ProgramError::Missing {
+                name,
+                package,
+                what: self.what.to_owned(),
+            }),
+            Err(why) => Err(self.broken(&why)),
+        }
+    }
+
+    fn in_time(&self, start: Instant) -> Result<(), ProgramError> {
+        match start.elapsed() > self.limit {
+            true => Err(ProgramError::TooLong {
+                name: self.program.name,
+                seconds: self.limit.as_secs(),
+                what: self.what.to_owned(),
+            }),
+            false => Ok(()),
+        }
+    }
+}
+
+/// Takes all that comes until both pipes are closed; fails with the taker's error, or the pipe's.
+fn listen<T, E>(
+    from: &Receiver<Event<T>>,
+    item: &mut impl FnMut(T) -> Result<(), E>,
+    line: &mut impl FnMut(&str),
+    on: &impl Fn() -> Result<(), E>,
+) -> Result<(), Result<E, std::io::Error>> {
+    loop {
+        on().map_err(Ok)?;
+        match from.recv_timeout(Duration::from_millis(100)) {
+            Ok(Event::Item(next)) => item(next).map_err(Ok)?,
+            Ok(Event::Line(text)) => line(&text),
+            Ok(Event::Broken(why)) => return Err(Err(why)),
+            Err(RecvTimeoutError::Timeout) => {}
+            Err(RecvTimeoutError::Disconnected) => return Ok(()),
+        }
+    }
+}
+
+/// Sends each line; one that never ends is cut.
+fn lines<T>(from: impl Read, to: &SyncSender<Event<T>>) {
+    const LONGEST: u64 = 4096;
+    let mut from = BufReader::new(from);
+    loop {
+        let mut bytes = Vec::new();
+        let read = (&mut from).take(LONGEST).read_until(b'\n', &mut bytes);
+        if !matches!(read, Ok(1..)) {
+            return;
+        }
+        let text = String::from_utf8_lossy(&bytes).trim_end().to_owned();
+        if to.send(Event::Line(text)).is_err() {
+            return;
+        }
+    }
+}
+
+/// All that a program answers, if it is no more than `most` bytes.
+pub(crate) fn whole(most: u64) -> impl FnMut(&mut dyn BufRead) -> std::io::Result<Option<Vec<u8>>> {
+    let mut done = false;
+    move |from| {
+        if std::mem::replace(&mut done, true) {
+            return Ok(None);
+        }
+        let mut bytes = Vec::new();
+        from.take(most + 1).read_to_end(&mut bytes)?;
+        match bytes.len() as u64 > most {
+            true => Err(std::io::Error::other(format!(
+                "its answer is longer than {most} bytes"
+            ))),
+            false => Ok(Some(bytes)),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const SHELL: Program = Program {
+        name: "sh",
+        package: "dash",
+    };
+
+    fn run(script: &str, limit_ms: u64, go_on: bool) -> Result<(String, Vec<String>), String> {
+        let run = Run {
+            program: SHELL,
+            args: vec!["-c".into(), script.into()],
+            what: "a script",
+            limit: Duration::from_millis(limit_ms),
+        };
+        let (mut text, mut said) = (String::new(), Vec::new());
+        let status = run.run(
+            whole(1000),
+            |bytes| {
+                text.push_str(&String::from_utf8_lossy(&bytes));
+                Ok(())
+            },
+            |line| said.push(line.to_owned()),
+            || match go_on {
+                true => Ok(()),
+                false => Err(ProgramError::Broken {
+                    name: "sh",
+                    why: "asked to stop".into(),
+                }),
+            },
+        );
+        let status = status.map_err(|e: ProgramError| e.to_string())?;
+        said.push(format!("{:?}", status.code()));
+        Ok((text, said))
+    }
+
+    #[test]
+    fn what_a_program_answers_and_says_beside_it_comes_back() {
+        let (text, said) = run("printf abc; echo so >&2; exit 3", 60_000, true).unwrap();
+        assert_eq!(text, "abc");
+        assert_eq!(said, ["so", "Some(3)"]);
+        let long = run("head -c 2000 /dev/zero", 60_000, true).unwrap_err();
+        assert!(long.contains("longer than 1000 bytes"), "{long}");
+    }
+
+    /// Whether a process is still there and runs.
+    fn runs(pid: &str) -> bool {
+        let stat = std::fs::read_to_string(format!("/proc/{}/stat", pid.trim()));
+        stat.is_ok_and(|s| !s.contains(") Z "))
+    }
+
+    #[test]
+    fn a_program_that_takes_too_long_or_is_not_wanted_is_ended_with_its_children() {
+        for (go_on, says) in [(true, "was ended after"), (false, "asked to stop")] {
+            let folder = tempfile::tempdir().unwrap();
+            let note = folder.path().join("pid");
+            let script = format!("sleep 600 & echo $! > {}; wait", note.display());
+            let limit = if go_on { 1500 } else { 60_000 };
+            let start = Instant::now();
+            let why = run(&script, limit, go_on).unwrap_err();
+            assert!(why.contains(says), "{why}");
+            assert!(start.elapsed() < Duration::from_secs(30));
+            // One that was stopped at once may not have got so far.
+            let child = std::fs::read_to_string(&note).unwrap_or_default();
+            // What is killed is gone a moment later.
+            while !child.is_empty() && runs(&child) {
+                assert!(start.elapsed() < Duration::from_secs(60), "{child}");
+                std::thread::sleep(Duration::from_millis(10));
+            }
+        }
+    }
+
+    #[test]
+    fn a_program_that_is_not_there_is_named_with_its_package() {
+        let run = Run {
+            program: Program {
+                name: "no-such-program",
+                package: "no-such-package",
+            },
+            args: vec![],
+            what: "turn.mp4",
+            limit: Duration::from_secs(1),
+        };
+        let told: Result<_, ProgramError> = run.run(whole(9), |_| Ok(()), |_| (), || Ok(()));
+        let told = told.unwrap_err().to_string();
+        for says in ["no-such-program", "turn.mp4", "apt install no-such-package"] {
+            assert!(told.contains(says), "{told}");
+        }
+        assert_eq!(version("no-such-program", &[], |_| None), None);
+        assert_eq!(found("no-such-program"), None);
+        let library = linked(&found("sh").unwrap(), "libc.");
+        assert!(library.is_none_or(|l| l.is_file()));
+    }
+}

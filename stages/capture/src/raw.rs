@@ -1,0 +1,228 @@
+//! The stage that develops raw photos.
+
+use crate::error::CaptureError;
+use crate::exif;
+use crate::folder::is_raw;
+use crate::names::{sorted, twins};
+use crate::netpbm::{self, Netpbm};
+use crate::photo::as_jpeg;
+use crate::program::{Program, ProgramError, Run, found, linked, version};
+use crate::rig::RigFile;
+use rayon::prelude::*;
+use shape::{Photo, Photos, Rgb, Rig, rgb_to_jpeg};
+use stage::{Ctx, FileEntry, Files, Stage, Stop};
+use std::path::PathBuf;
+use std::sync::Arc;
+use std::time::Duration;
+
+stage::params! {
+    /// How they are developed.
+    pub struct RawParams {
+        /// By how much all photos are brightened.
+        #[range(0.1..=16.0)]
+        brightness: f64 = 1.0,
+    }
+}
+
+stage::inputs! {
+    /// The user's folder.
+    pub struct RawInput {
+        /// Raw photos, the plate among them.
+        files: Arc<Files>,
+    }
+}
+
+/// What is wrong with a raw photo.
+#[derive(Debug, thiserror::Error)]
+pub enum RawError {
+    /// It cannot be developed.
+    #[error(
+        "{name} is no raw photo that dcraw_emu can read ({why}): hand over JPEGs of the camera instead, or remove it"
+    )]
+    Unreadable {
+        /// The file.
+        name: String,
+        /// What the program says.
+        why: String,
+    },
+    /// The program.
+    #[error(transparent)]
+    Program(#[from] ProgramError),
+}
+
+/// `capture.raw`: files → photos.
+pub struct Raw;
+
+const DCRAW: Program = Program {
+    name: "dcraw_emu",
+    package: "libraw-bin",
+};
+/// Nobody's photo takes longer. \[s\]
+const LIMIT: Duration = Duration::from_secs(300);
+/// Quality of the JPEG files.
+const QUALITY: u8 = 97;
+
+impl Stage for Raw {
+    const NAME: &'static str = "capture.raw";
+    const VERSION: u32 = 1;
+    const ABOUT: &'static str =
+        "Develops raw photos (DNG, CR2, NEF, …) by dcraw_emu: all alike, to sRGB, at full size.";
+    type Params = RawParams;
+    type Input = RawInput;
+    type Output = Photos;
+    const METRICS: &'static [&'static str] = &["photos"];
+
+    fn programs() -> Vec<(&'static str, String)> {
+        let told = program().unwrap_or_else(|| "not installed".into());
+        vec![(DCRAW.name, told)]
+    }
+
+    fn run(p: &RawParams, input: RawInput, ctx: &Ctx<'_>) -> Result<Photos, Stop> {
+        let raw = input.files.entries.iter().filter(|e| is_raw(&e.name));
+        let files = Files {
+            root: input.files.root.clone(),
+            entries: raw.cloned().collect(),
+        };
+        let plate = files
+            .entries
+            .iter()
+            .find(|e| crate::names::stem(e) == "plate");
+        let (mut turn, _) = sorted(&files, &RigFile::default())?;
+        for (copy, first) in twins(&mut turn) {
+            ctx.warn(format!(
+                "{copy} is the same file as {first} and was left out"
+            ));
+        }
+        if turn.is_empty() {
+            return Err(CaptureError::TooFew { found: 0, least: 3 }.into());
+        }
+        let steps = ctx.steps("photos", turn.len());
+        let one = |entry: &&FileEntry| -> Result<Photo, Stop> {
+            let photo = developed(p, &files, entry, ctx)?;
+            steps.tick()?;
+            Ok(photo)
+        };
+        let photos: Vec<Photo> = turn.par_iter().map(one).collect::<Result<_, _>>()?;
+        ctx.metric("photos", photos.len() as f64, "");
+        Ok(Photos {
+            photos,
+            plate: plate.map(|e| developed(p, &files, e, ctx)).transpose()?,
+            rig: Rig::default(),
+        })
+    }
+}
+
+/// Which `dcraw_emu` is installed. It tells no version: it, and the library that does its work, by their
+/// content.
+fn program() -> Option<String> {
+    version(DCRAW.name, &[], |_| {
+        let program = found(DCRAW.name)?;
+        let library = linked(&program, "libraw");
+        let content = |file: PathBuf| {
+            let hash = stage::hash(&std::fs::read(file).ok()?).to_hex();
+            Some(hash[..16].to_owned())
+        };
+        let library = library.and_then(content).unwrap_or_default();
+        Some(
+            format!("{} {library}", content(program)?)
+                .trim_end()
+                .to_owned(),
+        )
+    })
+}
+
+/// A raw photo, developed; upright.
+fn developed(
+    p: &RawParams,
+    files: &Files,
+    entry: &FileEntry,
+    ctx: &Ctx<'_>,
+) -> Result<Photo, Stop> {
+    let name = entry.name.rsplit('/').next().unwrap_or(&entry.name);
+    let exif = exif::read(&files.read(entry)?);
+    let path = files.path(entry)?;
+    let brightness = p.brightness.to_string();
+    // White as the camera saw it, one brightness for all, sRGB with its own curve, AHD.
+    let args = [
+        "-w",
+        "-W",
+        "-b",
+        &brightness,
+        "-o",
+        "1",
+        "-g",
+        "2.4",
+        "12.92",
+        "-q",
+        "3",
+        "-Z",
+        "-",
+    ];
+    let mut args: Vec<_> = args.iter().map(Into::into).collect();
+    args.push(path.clone().into());
+    let run = Run {
+        program: DCRAW,
+        args,
+        what: name,
+        limit: LIMIT,
+    };
+    let (mut picture, mut said) = (None, String::new());
+    run.run(
+        netpbm::read,
+        |now: Netpbm| -> Result<(), Halt> {
+            picture = Some(now);
+            Ok(())
+        },
+        |line| {
+            if !line.is_empty() {
+                said = line.replace(&*path.to_string_lossy(), name);
+            }
+        },
+        || ctx.check().map_err(|c| Halt(c.into())),
+    )
+    .map_err(|Halt(why)| why)?;
+    files.path(entry)?;
+    let unreadable = |why: String| RawError::Unreadable {
+        name: entry.name.clone(),
+        why,
+    };
+    let Some(Netpbm {
+        width,
+        height,
+        depth: 3,
+        data,
+    }) = picture
+    else {
+        let why = if said.is_empty() {
+            "it gives no picture".into()
+        } else {
+            said
+        };
+        return Err(unreadable(why).into());
+    };
+    let rgb = Rgb {
+        width,
+        height,
+        data: data.chunks_exact(3).map(|p| [p[0], p[1], p[2]]).collect(),
+    };
+    Ok(Photo {
+        name: as_jpeg(name),
+        width: width as u32,
+        height: height as u32,
+        // dcraw_emu has turned it upright.
+        orientation: 1,
+        focal_35mm: exif.focal_35mm,
+        device: exif.device,
+        time_s: exif.time_s,
+        file: rgb_to_jpeg(&rgb, QUALITY).into(),
+    })
+}
+
+/// Why a run stopped.
+struct Halt(Stop);
+
+impl From<ProgramError> for Halt {
+    fn from(error: ProgramError) -> Self {
+        Halt(RawError::from(error).into())
+    }
+}
