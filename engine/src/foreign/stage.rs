@@ -228,6 +228,9 @@ impl AnyStage for Importer {
     fn ports(&self) -> Vec<PortSpec> {
         vec![]
     }
+    fn programs(&self) -> Vec<(&'static str, String)> {
+        self.stage.programs()
+    }
     fn metrics(&self) -> &'static [&'static str] {
         self.stage.metrics()
     }
