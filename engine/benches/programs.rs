@@ -35,8 +35,18 @@ fn alone(place: &Place) -> f64 {
     let one = |n: usize| {
         let start = Instant::now();
         let mut command = Command::new("sh");
-        command.args(["-c", "echo $2 > $1", "sh"]).arg(&out).arg(n.to_string());
-        assert!(command.stdin(Stdio::null()).output().unwrap().status.success());
+        command
+            .args(["-c", "echo $2 > $1", "sh"])
+            .arg(&out)
+            .arg(n.to_string());
+        assert!(
+            command
+                .stdin(Stdio::null())
+                .output()
+                .unwrap()
+                .status
+                .success()
+        );
         start.elapsed()
     };
     middle((0..TIMES).map(one).collect())
@@ -62,7 +72,9 @@ fn node(place: &Place) -> f64 {
 
 /// All points of a sweep in a new store. \[ms\]
 fn points(place: &Place) -> f64 {
-    let sweep = format!("[sweep.all]\nover.x = {{ n = {{ from = 1, to = {POINTS}, steps = {POINTS} }} }}\n");
+    let sweep = format!(
+        "[sweep.all]\nover.x = {{ n = {{ from = 1, to = {POINTS}, steps = {POINTS} }} }}\n"
+    );
     let pipeline = Pipeline::of_text("x.toml", &text(&sweep), &CATALOG).unwrap();
     let base = pipeline.graph(&Overrides::default()).unwrap();
     place.allow(&base);
@@ -92,8 +104,17 @@ fn xargs(place: &Place) -> f64 {
     let folder = place.path("xargs");
     std::fs::create_dir(&folder).unwrap();
     let start = Instant::now();
-    let line = format!("seq {POINTS} | xargs -P2 -I N sh -c 'echo $1 > {}/$1' sh N", folder.display());
-    assert!(Command::new("sh").args(["-c", &line]).status().unwrap().success());
+    let line = format!(
+        "seq {POINTS} | xargs -P2 -I N sh -c 'echo $1 > {}/$1' sh N",
+        folder.display()
+    );
+    assert!(
+        Command::new("sh")
+            .args(["-c", &line])
+            .status()
+            .unwrap()
+            .success()
+    );
     start.elapsed().as_secs_f64() * 1e3
 }
 
@@ -107,7 +128,13 @@ fn main() {
     }
     let place = Place::new();
     let (alone, node) = (alone(&place), node(&place));
-    println!("one command alone {alone:.1} ms, as a node {node:.1} ms: {:.1} ms beside it", node - alone);
+    println!(
+        "one command alone {alone:.1} ms, as a node {node:.1} ms: {:.1} ms beside it",
+        node - alone
+    );
     let (ours, theirs) = (points(&Place::new()), xargs(&place));
-    println!("{POINTS} points {ours:.0} ms, xargs -P2 {theirs:.0} ms: {:.1} times", ours / theirs);
+    println!(
+        "{POINTS} points {ours:.0} ms, xargs -P2 {theirs:.0} ms: {:.1} times",
+        ours / theirs
+    );
 }

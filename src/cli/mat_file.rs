@@ -6,7 +6,7 @@ use std::path::Path;
 /// Tables of capture.toml that such a file may hold.
 const TABLES: [&str; 3] = ["mat", "rim", "disk"];
 
-/// Keys of capture.toml with their values. In a PDF or SVG they stand as comments.
+/// Keys of capture.toml with their values. A PDF has them attached, an SVG as a comment.
 pub(super) fn mat_file(file: &Path) -> Result<Vec<(String, toml::Value)>, Fault> {
     let shown = file.display();
     let bytes = std::fs::read(file).map_err(|e| Fault::input(format!("--mat {shown}: {e}")))?;
@@ -30,7 +30,7 @@ pub(super) fn mat_file(file: &Path) -> Result<Vec<(String, toml::Value)>, Fault>
     Ok(all)
 }
 
-/// The TOML that a file holds, from `[mat]` on, its lines perhaps commented out by `%`.
+/// The TOML that a file holds, from `[mat]` on; prints of before have its lines commented out by `%`.
 pub(super) fn text(file: &[u8]) -> Option<String> {
     let text = String::from_utf8_lossy(file);
     let plain = |line: &'_ str| line.trim_start_matches('%').trim().to_owned();

@@ -114,19 +114,11 @@ fn pages_cover_the_mat_at_true_scale() {
     }
     let mat = mat_for(700.0, 0.0, 0, 0).unwrap();
     let marks = mat_marks(&mat, 700.0, true);
-    let pdf = String::from_utf8(to_pdf(&marks, 700.0, &paper, "note", &[])).unwrap();
-    assert!(pdf.starts_with("%PDF-1.4") && pdf.ends_with("%%EOF\n"));
-    assert_eq!(pdf.matches("/Type /Page ").count(), corners.len());
-    let table: usize = pdf
-        .rsplit("startxref\n")
-        .next()
-        .unwrap()
-        .lines()
-        .next()
-        .unwrap()
-        .parse()
-        .unwrap();
-    assert!(pdf[table..].starts_with("xref"));
+    let pdf = to_pdf(&marks, 700.0, &paper, "[mat]\nids = [0, 11]\n", &[]);
+    let pdf = String::from_utf8_lossy(&pdf);
+    assert!(pdf.starts_with("%PDF-1.") && pdf.trim_end().ends_with("%%EOF"));
+    assert_eq!(pdf.matches("/Type /Page\n").count(), corners.len());
+    assert!(pdf.contains("/EmbeddedFile") && pdf.contains("stream\n[mat]\nids = [0, 11]\n"));
     let svg = to_svg(&marks, 700.0, "note\n", &[]);
     assert!(svg.contains("width=\"704mm\"") && svg.contains("viewBox=\"-352 -352 704 704\""));
 }
@@ -168,8 +160,10 @@ fn a_strip_goes_once_around_the_rim_in_pieces_that_fit_a_page() {
     let mat = mat_for(450.0, 0.0, 12, 0).unwrap();
     let marks = mat_marks(&mat, 450.0, false);
     let pages = |pieces: &[Piece]| {
-        let pdf = String::from_utf8(to_pdf(&marks, 450.0, &paper, "note", pieces)).unwrap();
-        pdf.matches("/Type /Page ").count()
+        let pdf = to_pdf(&marks, 450.0, &paper, "note", pieces);
+        String::from_utf8_lossy(&pdf)
+            .matches("/Type /Page\n")
+            .count()
     };
     let a_page = (297.0f64 - 20.0 - 14.0 + 6.0) / (pieces[0].size_mm[1] + 6.0);
     assert_eq!(

@@ -142,9 +142,10 @@ pub fn to_bytes<A: Artifact>(artifact: &A) -> Vec<u8> {
     bytes.extend_from_slice(&(header_len as u32).to_le_bytes());
     bytes.extend_from_slice(&(end as u64).to_le_bytes());
     bytes.extend_from_slice(&codec::encode(&header));
-    for (section, (_, _, data)) in header.sections.iter().zip(&sections) {
+    // Each array goes as soon as it is written: a large artifact lies in memory twice, not three times.
+    for (section, (_, _, data)) in header.sections.iter().zip(sections) {
         bytes.resize(section.offset as usize, 0);
-        bytes.extend_from_slice(data);
+        bytes.extend_from_slice(&data);
     }
     bytes
 }

@@ -2,6 +2,7 @@
 
 use crate::mat::layout::Mark;
 use crate::mat::rim_layout::Piece;
+use pdf_writer::{Finish, Name, Pdf, Rect, Ref, Str};
 use std::fmt::Write;
 
 /// A sheet of paper.
@@ -245,48 +246,39 @@ fn foot(page: &mut String, m: f64, i: usize, of: usize, note: &str) {
     }
 }
 
-/// A PDF file of pages (ISO 32000-1, §7.5), with a note as comments behind its first line.
+/// A PDF file of pages, with a note attached as the file `mat.toml` (ISO 32000-1, §7.11.4).
 fn assembled(pages: &[String], [width, height]: [f64; 2], note: &str) -> Vec<u8> {
-    let mut objects = vec!["<< /Type /Catalog /Pages 2 0 R >>".to_owned()];
-    let kids: Vec<String> = (0..pages.len())
-        .map(|i| format!("{} 0 R", 4 + 2 * i))
+    let [catalog, tree, font, file, attached] = [1, 2, 3, 4, 5].map(Ref::new);
+    let ids: Vec<[Ref; 2]> = (6..)
+        .step_by(2)
+        .take(pages.len())
+        .map(|first| [first, first + 1].map(Ref::new))
         .collect();
-    objects.push(format!(
-        "<< /Type /Pages /Kids [{}] /Count {} >>",
-        kids.join(" "),
-        pages.len()
-    ));
-    objects.push("<< /Type /Font /Subtype /Type1 /BaseFont /Helvetica >>".to_owned());
-    for (i, page) in pages.iter().enumerate() {
-        objects.push(format!(
-            "<< /Type /Page /Parent 2 0 R /MediaBox [0 0 {:.3} {:.3}] /Resources << /Font << /F 3 0 R >> >> /Contents {} 0 R >>",
-            width * POINT,
-            height * POINT,
-            5 + 2 * i
-        ));
-        objects.push(format!(
-            "<< /Length {} >>\nstream\n{page}\nendstream",
-            page.len() + 1
-        ));
+    let mut pdf = Pdf::new();
+    let mut root = pdf.catalog(catalog);
+    root.pages(tree);
+    let name = Str(b"mat.toml");
+    let mut names = root.names();
+    names.embedded_files().names().insert(name, attached);
+    names.finish();
+    root.finish();
+    let mut all = pdf.pages(tree);
+    all.kids(ids.iter().map(|[page, _]| *page));
+    all.count(i32::try_from(pages.len()).expect("bug: so many pages"));
+    all.finish();
+    pdf.type1_font(font).base_font(Name(b"Helvetica"));
+    pdf.embedded_file(file, note.as_bytes());
+    let mut attachment = pdf.file_spec(attached);
+    attachment.path(name).embedded_file(file);
+    attachment.finish();
+    let [width, height] = [width, height].map(|mm| (mm * POINT) as f32);
+    for ([id, content], text) in ids.iter().zip(pages) {
+        let mut page = pdf.page(*id);
+        page.media_box(Rect::new(0.0, 0.0, width, height));
+        page.parent(tree).contents(*content);
+        page.resources().fonts().pair(Name(b"F"), font);
+        page.finish();
+        pdf.stream(*content, text.as_bytes());
     }
-    let mut file = String::from("%PDF-1.4\n");
-    for line in note.lines() {
-        let _ = writeln!(file, "% {line}");
-    }
-    let mut places = Vec::new();
-    for (i, object) in objects.iter().enumerate() {
-        places.push(file.len());
-        let _ = write!(file, "{} 0 obj\n{object}\nendobj\n", i + 1);
-    }
-    let table = file.len();
-    let _ = write!(file, "xref\n0 {}\n0000000000 65535 f \n", objects.len() + 1);
-    for place in places {
-        let _ = writeln!(file, "{place:010} 00000 n ");
-    }
-    let _ = write!(
-        file,
-        "trailer\n<< /Size {} /Root 1 0 R >>\nstartxref\n{table}\n%%EOF\n",
-        objects.len() + 1
-    );
-    file.into_bytes()
+    pdf.finish()
 }
