@@ -174,9 +174,9 @@ fn a_mat_tells_of_itself_at_its_foot_and_beside_it() {
         .parse()
         .unwrap();
     assert_eq!(beside["disk"]["diameter_cm"].as_float(), Some(45.0));
-    // Words of the first page, one a line, from the first table on.
+    // Words of the first page, behind what is attached, one a line, from the first table on.
     let text = String::from_utf8_lossy(&print).into_owned();
-    let page = text.split("endstream").next().unwrap();
+    let page = text.split("endstream").nth(1).unwrap();
     let words = page
         .lines()
         .filter_map(|l| l.split_once(" Td (")?.1.strip_suffix(") Tj ET"));
