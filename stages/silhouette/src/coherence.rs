@@ -104,7 +104,7 @@ pub(crate) fn together(
         let core = (0..PEEL).fold(solid.clone(), |cells, _| block.spread(&cells, false));
         let coat = (0..COAT).fold(solid, |cells, _| block.spread(&cells, true));
         let one = |(id, mask, camera): &(PhotoId, &Mask, Camera)| {
-            (*id, told(mask, camera, &block, &core, &coat))
+            (*id, projected(mask, camera, &block, &core, &coat))
         };
         views.iter().map(one).collect()
     };
@@ -153,7 +153,13 @@ fn block(
 }
 
 /// What the block says of the pixels of one photo.
-fn told(mask: &Mask, camera: &Camera, block: &Block, core: &[bool], coat: &[bool]) -> Vec<Known> {
+fn projected(
+    mask: &Mask,
+    camera: &Camera,
+    block: &Block,
+    core: &[bool],
+    coat: &[bool],
+) -> Vec<Known> {
     let mut known = vec![Known::Background; mask.data.len()];
     let mut paint = |i: usize, size: f64, kind: Known| {
         let Some((px, depth)) = camera.project_with_depth(&block.centre(i)) else {

@@ -9,8 +9,8 @@ use shape::{Camera, Gray, Image, Mask, Placed, Rgb, register, registered};
 
 /// Photos of a turn are of the same exposure where ratios are off one by less than this.
 const SAME: f32 = 0.003;
-/// Levels that tell whether exposures differ.
-const TOLD: std::ops::Range<usize> = 40..248;
+/// Levels by which exposures are compared.
+const COMPARED: std::ops::Range<usize> = 40..248;
 
 /// How a photo lies in the common place, and what its levels are there.
 #[derive(Debug, Clone, PartialEq)]
@@ -91,8 +91,9 @@ pub(crate) fn exposed_alike(photos: &[Rgb], placed: &[Placed]) -> Vec<Option<Lev
 
 /// Whether levels change by half a level in the mean of a channel, those left out that are dark or cut off.
 fn changes(levels: &Levels) -> bool {
-    let off = |of: &[u8; 256]| -> u32 { TOLD.map(|v| u32::from(of[v].abs_diff(v as u8))).sum() };
-    levels.iter().any(|of| 2 * off(of) >= TOLD.len() as u32)
+    let off =
+        |of: &[u8; 256]| -> u32 { COMPARED.map(|v| u32::from(of[v].abs_diff(v as u8))).sum() };
+    levels.iter().any(|of| 2 * off(of) >= COMPARED.len() as u32)
 }
 
 /// The middle of all photos, channel by channel, once their brightness is the same.
