@@ -67,6 +67,7 @@ fn no_stage_gives_other_bytes_under_the_same_version() {
         "cameras=out",
         "masks=out/masks",
         "surface=out",
+        "table=out",
         &tables,
     ];
     let inputs: Vec<&str> = inputs.iter().flat_map(|i| ["--input", *i]).collect();

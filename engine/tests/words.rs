@@ -149,3 +149,65 @@ fn ten_lines_have_the_whole_command_line() {
     assert_eq!(said("stages words.count"), 0);
     assert_eq!(said("run PIPELINE"), 2);
 }
+
+#[test]
+fn a_program_of_the_example_counts_on_what_our_stage_made() {
+    let place = tempfile::tempdir().unwrap();
+    let texts = texts(place.path());
+    let overrides = Overrides::default();
+    let graph = open(&example().join("program.toml"), &overrides, &CATALOG);
+    let graph = graph.unwrap_or_else(|mistakes| panic!("{mistakes}"));
+    let all: Vec<usize> = (0..graph.nodes.len()).collect();
+    let cache = place.path().join("cache");
+    let store = engine::store::Store::open(&cache).unwrap();
+    engine::foreign::allow(&graph, &all, &store).unwrap();
+    let options = Options {
+        cache,
+        threads: Some(2),
+        keep_going: false,
+    };
+    let folders = [("texts".to_owned(), texts)];
+    let go = AtomicBool::new(false);
+    let outcome = engine::run(&graph, &folders, &graph.goal, &options, &Nobody, &go).unwrap();
+    let text = outcome.read::<Text>("longest").unwrap();
+    let lengths = |line: &str| line.split(' ').next().map(str::len);
+    assert_eq!(text.0.lines().count(), 2, "{text:?}");
+    assert!(text.0.lines().all(|line| lengths(line) > Some(0)));
+}
+
+#[test]
+fn the_command_line_asks_before_a_program_runs() {
+    let place = tempfile::tempdir().unwrap();
+    let texts = texts(place.path());
+    let (input, cache) = (
+        format!("texts={}", texts.display()),
+        place.path().join("cache"),
+    );
+    let pipeline = example().join("program.toml");
+    let run = |verb: &str, more: &[&str]| {
+        let words = [
+            "words",
+            verb,
+            pipeline.to_str().unwrap(),
+            "--input",
+            &input,
+            "--quiet",
+        ];
+        let words = words
+            .iter()
+            .copied()
+            .chain(["--cache", cache.to_str().unwrap()]);
+        let words = words.chain(more.iter().copied()).map(String::from);
+        engine::cli::run(&WORDS, words.collect::<Vec<_>>())
+    };
+    assert_eq!(run("run", &[]), 2);
+    assert_eq!(run("plan", &[]), 0);
+    assert_eq!(run("run", &["--allow-exec"]), 0);
+    assert_eq!(run("run", &[]), 0, "it is remembered");
+    assert_eq!(
+        run("run", &["--set", "longest.most=1"]),
+        0,
+        "a number may change"
+    );
+    assert_eq!(run("run", &["--set", "longest.most=\"1; rm\""]), 2);
+}

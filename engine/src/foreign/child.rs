@@ -73,7 +73,10 @@ pub(super) fn run(
         Ok(()) => left_behind(task, child.id()),
         Err(_) => String::new(),
     };
-    family::end(task.root, Some(child.id()));
+    match ended.is_ok() && stayed.is_empty() {
+        true => family::end_group(child.id()),
+        false => family::end(task.root, Some(child.id())),
+    }
     let status = child.wait();
     drop(running);
     // All of the family has ended, so nothing holds the pipes any more.

@@ -3,6 +3,8 @@
 
 use rustix::process::{Pid, Signal, kill_process, kill_process_group};
 use std::collections::BTreeMap;
+use std::fs::File;
+use std::io::Read;
 use std::path::{Path, PathBuf};
 use std::sync::Mutex;
 use std::time::Duration;
@@ -45,15 +47,20 @@ pub(super) struct Member {
     pub(super) name: String,
 }
 
-/// All that inherited the folder of a program, without those that have ended and without `but`.
-pub(super) fn members(folder: &Path, but: Option<u32>) -> Vec<Member> {
+/// All that inherited the folder of a program, without its leader and those that have ended. Children of
+/// a leader have numbers after its own, unless the system has come round to small ones again.
+pub(super) fn members(folder: &Path, leader: Option<u32>) -> Vec<Member> {
     let mark = [MARK.as_bytes(), b"=", folder.as_os_str().as_encoded_bytes()].concat();
+    let least = leader.filter(|leader| last_number().is_some_and(|last| last >= *leader));
     let entries = std::fs::read_dir("/proc").into_iter().flatten().flatten();
+    let mut buffer = vec![0; LARGEST_ENVIRONMENT];
     let of_family = |entry: std::fs::DirEntry| {
         let id: u32 = entry.file_name().to_str()?.parse().ok()?;
-        let environment = std::fs::read(entry.path().join("environ")).ok()?;
-        let marked = environment.split(|byte| *byte == 0).any(|v| v == mark);
-        if !marked || but == Some(id) {
+        if leader == Some(id) || least.is_some_and(|least| id < least) {
+            return None;
+        }
+        let environment = environment(&entry.path().join("environ"), &mut buffer)?;
+        if !environment.split(|byte| *byte == 0).any(|v| v == mark) {
             return None;
         }
         let name = std::fs::read_to_string(entry.path().join("comm")).unwrap_or_default();
@@ -61,6 +68,27 @@ pub(super) fn members(folder: &Path, but: Option<u32>) -> Vec<Member> {
         Some(Member { id, name })
     };
     entries.filter_map(of_family).collect()
+}
+
+/// More than any environment that we give. \[bytes\]
+const LARGEST_ENVIRONMENT: usize = 256 * 1024;
+
+/// The environment that a process was started with: few and large reads, since each costs.
+fn environment<'a>(file: &Path, buffer: &'a mut [u8]) -> Option<&'a [u8]> {
+    let mut file = File::open(file).ok()?;
+    let mut length = 0;
+    loop {
+        match file.read(&mut buffer[length..]).ok()? {
+            0 => return Some(&buffer[..length]),
+            more => length += more,
+        }
+    }
+}
+
+/// The number of the process that was started last.
+fn last_number() -> Option<u32> {
+    let text = std::fs::read_to_string("/proc/loadavg").ok()?;
+    text.split_whitespace().last()?.parse().ok()
 }
 
 /// What a family holds in memory. \[MB\]
@@ -78,6 +106,13 @@ pub(super) fn memory_mb(folder: &Path) -> u64 {
 /// How often what comes up anew is ended.
 const ROUNDS: usize = 200;
 
+/// Ends what is left in the group of a program that has ended, of whose family nobody is left.
+pub(super) fn end_group(leader: u32) {
+    if let Some(leader) = i32::try_from(leader).ok().and_then(Pid::from_raw) {
+        let _ = kill_process_group(leader, Signal::KILL);
+    }
+}
+
 /// Ends a program (`leader`, whose end nobody has fetched yet) with all that it started.
 pub(super) fn end(folder: &Path, leader: Option<u32>) {
     let process = |id: u32| i32::try_from(id).ok().and_then(Pid::from_raw);
@@ -85,7 +120,7 @@ pub(super) fn end(folder: &Path, leader: Option<u32>) {
         if let Some(leader) = leader.and_then(process) {
             let _ = kill_process_group(leader, Signal::KILL);
         }
-        let left = members(folder, None);
+        let left = members(folder, leader);
         for id in left.iter().filter_map(|member| process(member.id)) {
             let _ = kill_process(id, Signal::KILL);
         }
