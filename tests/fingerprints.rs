@@ -74,8 +74,10 @@ fn no_stage_gives_other_bytes_under_the_same_version() {
     now.extend(run(place.path(), "imports.toml", &inputs));
     let covered: BTreeSet<&str> = now.iter().filter_map(|l| l.0.split(' ').next()).collect();
     for stage in tailor::catalog::stages() {
+        // What a foreign program makes of a file is its own; its version is in the key.
+        let foreign = !stage.programs().is_empty();
         assert!(
-            covered.contains(stage.name()),
+            covered.contains(stage.name()) || foreign,
             "{} has no fingerprint",
             stage.name()
         );

@@ -24,6 +24,16 @@ const WRITTEN: [(&[&str], &str, &str); 9] = [
     (&["textured", "body", "hull"], "", "obj"),
 ];
 
+/// What a capture is called, after its folder; a video without its ending.
+pub(super) fn called(capture: &Path) -> String {
+    let name = match capture.is_file() {
+        true => capture.file_stem(),
+        false => capture.file_name(),
+    };
+    let name = name.unwrap_or("turn".as_ref());
+    name.to_string_lossy().into_owned()
+}
+
 /// The folder for the results, and what the capture is called. Results of two captures never get
 /// into one folder unless somebody says so.
 pub(super) fn place_of_results(
@@ -33,13 +43,7 @@ pub(super) fn place_of_results(
     let whole = capture
         .canonicalize()
         .unwrap_or_else(|_| capture.to_owned());
-    // A video's name without its ending.
-    let name = match whole.is_file() {
-        true => whole.file_stem(),
-        false => whole.file_name(),
-    };
-    let name = name.unwrap_or("turn".as_ref());
-    let name = name.to_string_lossy().into_owned();
+    let name = called(&whole);
     let out = match out {
         Some(out) => out.to_owned(),
         None => {

@@ -3,8 +3,8 @@
 
 use super::facts::Facts;
 use super::said::Said;
-use super::source::{Source, handed_over};
-use crate::catalog::{READ, foreign, is_photo, is_raw, is_video};
+use super::source::Source;
+use crate::catalog::{READ, foreign, is_photo};
 use crate::graph::Graph;
 use crate::pattern::{natural, stays_inside};
 use engine::cli::Fault;
@@ -36,8 +36,7 @@ pub(super) fn look(
     recursive: bool,
     video: bool,
 ) -> Result<Looked, Fault> {
-    let capture = &handed_over(capture)?;
-    if let Some(source) = Source::file(capture) {
+    if let Some(source) = Source::file(capture)? {
         return Ok(Looked {
             source,
             patterns: vec![],
@@ -56,22 +55,7 @@ pub(super) fn look(
     let text = std::fs::read_to_string(capture.join("capture.toml")).unwrap_or_default();
     // What is wrong with it, the stage that reads it tells.
     let file: toml::Table = text.parse().unwrap_or_default();
-    let plate = |name: &str| name.to_lowercase().starts_with("plate.");
-    let of = |is: fn(&str) -> bool| -> Vec<&String> {
-        let fits = names.iter().filter(|n| is(n));
-        fits.filter(|n| !plate(n)).collect()
-    };
-    let source = match (of(is_photo).len(), of(is_video).len(), of(is_raw).len()) {
-        (_, 1.., _) if video => Source::Video(capture.clone(), None),
-        (_, 0, _) if video => {
-            return Err(Fault::input(format!(
-                "{shown} holds no video (mp4, mov, mkv, …)"
-            )));
-        }
-        (0, 1.., _) => Source::Video(capture.clone(), None),
-        (0, 0, 1..) => Source::Raw(capture.clone()),
-        _ => Source::Photos(capture.clone()),
-    };
+    let source = Source::of(capture, &names, video)?;
     let mut looked = Looked {
         source,
         patterns: wanted(facts.images(), &file),
@@ -88,26 +72,10 @@ pub(super) fn look(
         looked.warnings.extend(looked.source.left_out(&names));
         return Ok(looked);
     }
-    let strange = foreign(&names);
     let photos: Vec<&String> = names.iter().filter(|n| is_photo(n)).collect();
-    if photos.is_empty() && !strange.is_empty() {
-        let each = strange
-            .iter()
-            .map(|f| format!("  {}: (cd {shown} && {})", f.words(), f.way));
-        return Err(Fault::input(format!(
-            "{shown} holds no photo that can be read ({}). Convert what is there:\n{}",
-            READ.join(", "),
-            each.collect::<Vec<_>>().join("\n")
-        )));
-    }
-    let beside = strange.iter().map(|f| {
-        format!(
-            "{}: not read; if they belong to the turn: (cd {shown} && {})",
-            f.words(),
-            f.way
-        )
-    });
-    looked.warnings.extend(beside);
+    looked
+        .warnings
+        .extend(unread(capture, &names, photos.is_empty())?);
     if recursive && looked.patterns.is_empty() {
         looked.patterns = below(&photos);
         let list = looked.patterns.iter().cloned().map(toml::Value::from);
@@ -134,6 +102,29 @@ pub(super) fn look(
         ));
     }
     Ok(looked)
+}
+
+/// What lies in the folder and is not read; an error where there is nothing else.
+fn unread(capture: &Path, names: &[String], nothing_else: bool) -> Result<Vec<String>, Fault> {
+    let (shown, strange) = (capture.display(), foreign(names));
+    if nothing_else && !strange.is_empty() {
+        let each = strange
+            .iter()
+            .map(|f| format!("  {}: (cd {shown} && {})", f.words(), f.way));
+        return Err(Fault::input(format!(
+            "{shown} holds no photo that can be read ({}). Convert what is there:\n{}",
+            READ.join(", "),
+            each.collect::<Vec<_>>().join("\n")
+        )));
+    }
+    let beside = strange.iter().map(|f| {
+        format!(
+            "{}: not read; if they belong to the turn: (cd {shown} && {})",
+            f.words(),
+            f.way
+        )
+    });
+    Ok(beside.collect())
 }
 
 /// Lets the graph read what was found.

@@ -21,6 +21,12 @@ pub(crate) struct Init {
 
 /// Writes the file; one that is there is left as it is.
 pub(crate) fn init(args: &Init, global: &GlobalArgs) -> Result<(), Fault> {
+    if args.folder.is_file() {
+        return Err(Fault::input(format!(
+            "{} is a file: say the folder that it lies in, in which capture.toml will be written",
+            args.folder.display()
+        )));
+    }
     let file = args.folder.join("capture.toml");
     let shown = file.display();
     if file.exists() {

@@ -1,6 +1,6 @@
 //! `tailor measure`: from a folder of photos to girths and a report.
 
-use super::delivered::{place_of_results, write, written};
+use super::delivered::{called, place_of_results, write, written};
 use super::facts::Facts;
 use super::folder;
 use super::provenance::get;
@@ -135,8 +135,7 @@ fn places(measure: &Measure) -> Result<Vec<PathBuf>, Fault> {
             // Somebody says where to write: what lies beside the folder does not matter.
             let out = measure.out.as_deref().ok_or(fault)?;
             let whole = capture.canonicalize().unwrap_or_else(|_| capture.clone());
-            let name = whole.file_name().unwrap_or("turn".as_ref());
-            Ok((out.to_owned(), name.to_string_lossy().into_owned()))
+            Ok((out.to_owned(), called(&whole)))
         })?;
         let place = match &measure.out {
             Some(out) => out.join(name),

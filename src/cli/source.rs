@@ -15,32 +15,40 @@ pub(super) enum Source {
     Raw(PathBuf),
 }
 
-/// What was handed over, as it is: of a name without a folder, in this one.
-pub(super) fn handed_over(capture: &Path) -> Result<PathBuf, Fault> {
-    let is_file = capture.is_file();
-    let name = capture
-        .file_name()
-        .and_then(|n| n.to_str())
-        .unwrap_or_default();
-    match is_file && !is_video(name) {
-        true => Err(Fault::input(format!(
-            "{} is a file: hand over the folder with all photos of the turn, or a video (mp4, mov, mkv, …)",
-            capture.display()
-        ))),
-        false => Ok(capture.to_owned()),
-    }
-}
-
 impl Source {
-    /// A video that was handed over itself.
-    pub(super) fn file(capture: &Path) -> Option<Source> {
+    /// A file that was handed over itself, if it is one.
+    pub(super) fn file(capture: &Path) -> Result<Option<Source>, Fault> {
         if !capture.is_file() {
-            return None;
+            return Ok(None);
         }
-        let name = capture.file_name()?.to_str()?.to_owned();
+        let name = capture.file_name().and_then(|n| n.to_str());
+        let Some(name) = name.filter(|n| is_video(n)) else {
+            return Err(Fault::input(format!(
+                "{} is a file: hand over the folder with all photos of the turn, or a video (mp4, mov, mkv, …)",
+                capture.display()
+            )));
+        };
         let folder = capture.parent().filter(|f| !f.as_os_str().is_empty());
         let folder = folder.unwrap_or(Path::new(".")).to_owned();
-        Some(Source::Video(folder, Some(name)))
+        Ok(Some(Source::Video(folder, Some(name.to_owned()))))
+    }
+
+    /// What a folder with these files is read from: photos if there are any, unless its `video` is wanted.
+    pub(super) fn of(folder: &Path, names: &[String], video: bool) -> Result<Source, Fault> {
+        let there = |is: fn(&str) -> bool| names.iter().any(|n| is(n) && !is_plate(n));
+        let folder = folder.to_owned();
+        // Videos of folders below are not looked for.
+        let video_here = |name: &str| is_video(name) && !name.contains('/');
+        match (there(is_photo), there(video_here), there(is_raw)) {
+            (_, true, _) if video => Ok(Source::Video(folder, None)),
+            _ if video => Err(Fault::input(format!(
+                "{} holds no video (mp4, mov, mkv, …)",
+                folder.display()
+            ))),
+            (false, true, _) => Ok(Source::Video(folder, None)),
+            (false, false, true) => Ok(Source::Raw(folder)),
+            _ => Ok(Source::Photos(folder)),
+        }
     }
 
     /// The folder.
@@ -77,16 +85,59 @@ impl Source {
 
     /// What lies beside it in the folder and is not read.
     pub(super) fn left_out(&self, names: &[String]) -> Option<String> {
-        let plate = |name: &String| name.to_lowercase().starts_with("plate.");
-        let other = |name: &&String| match self {
-            Source::Photos(_) => false,
-            Source::Video(..) => (is_photo(name) || is_raw(name)) && !plate(name),
-            Source::Raw(_) => false,
-        };
+        let photo = |name: &str| is_photo(name) || is_raw(name);
+        let video = matches!(self, Source::Video(..));
+        let other = |name: &&String| video && photo(name) && !is_plate(name);
         let first = names.iter().find(other)?;
         let count = names.iter().filter(other).count();
         Some(format!(
             "the video is read; {count} photos beside it are not ({first}, …)"
         ))
+    }
+}
+
+/// Whether a file is of the empty scene, by its name.
+fn is_plate(name: &str) -> bool {
+    name.to_lowercase().starts_with("plate.")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn photos_go_before_a_video_and_a_video_before_raw_photos() {
+        let of = |names: &[&str], video: bool| {
+            let names: Vec<String> = names.iter().map(|n| (*n).to_owned()).collect();
+            Source::of(Path::new("x"), &names, video).map(|s| s.over())
+        };
+        let over =
+            |names: &[&str], video| of(names, video).unwrap_or_else(|f| panic!("{}", f.text()));
+        assert_eq!(over(&["a.jpg", "turn.mp4"], false), None);
+        assert_eq!(over(&["a.jpg", "turn.mp4"], true), Some("video"));
+        assert_eq!(
+            over(&["plate.jpg", "turn.MOV", "a.dng"], false),
+            Some("video")
+        );
+        assert_eq!(
+            over(&["plate.jpg", "a.DNG", "capture.toml"], false),
+            Some("raw")
+        );
+        assert_eq!(over(&["IMG_1.HEIC"], false), None);
+        assert!(of(&["a.jpg"], true).is_err_and(|f| f.text().contains("holds no video")));
+    }
+
+    #[test]
+    fn a_file_is_a_video_or_refused() {
+        let place = tempfile::tempdir().unwrap();
+        let at = |name: &str| {
+            let path = place.path().join(name);
+            std::fs::write(&path, "x").unwrap();
+            Source::file(&path)
+        };
+        let video = Source::Video(place.path().to_owned(), Some("turn.MP4".into()));
+        assert!(at("turn.MP4").is_ok_and(|s| s == Some(video)));
+        assert!(at("a.jpg").is_err_and(|f| f.text().contains("is a file")));
+        assert!(Source::file(place.path()).is_ok_and(|s| s.is_none()));
     }
 }

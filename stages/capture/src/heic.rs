@@ -24,7 +24,7 @@ pub(crate) fn jpeg(bytes: &[u8]) -> Result<Vec<u8>, String> {
     if width.max(height) > usize::from(u16::MAX) {
         return Err(format!("it is {width}×{height} pixels"));
     }
-    let pixels = image.to_rgb8();
+    let pixels = image.into_rgb8();
     let rgb = shape::Rgb {
         width,
         height,

@@ -10,6 +10,7 @@ mod facts_param;
 mod folder;
 mod glance;
 mod heic;
+mod installed;
 mod keys;
 mod load;
 mod look;

@@ -1,16 +1,13 @@
-//! Foreign programs: which version is installed, and a run of one that is bounded and leaves nothing behind.
+//! A run of a foreign program that is bounded and leaves nothing behind.
 //!
 //! A program is a group of processes of its own. It is killed with all its children when it takes too
 //! long, when its answer is not taken, and when the user asks to stop.
 
 use rustix::process::{Pid, Signal, kill_process_group};
-use std::collections::BTreeMap;
 use std::ffi::OsString;
 use std::io::{BufRead, BufReader, Read};
 use std::os::unix::process::CommandExt;
-use std::path::{Path, PathBuf};
 use std::process::{Child, Command, ExitStatus, Stdio};
-use std::sync::Mutex;
 use std::sync::mpsc::{Receiver, RecvTimeoutError, SyncSender, sync_channel};
 use std::time::{Duration, Instant};
 
@@ -56,45 +53,6 @@ pub enum ProgramError {
         /// What it was reading.
         what: String,
     },
-}
-
-/// The answer of a program to the question after its version; asked once a process.
-///
-/// `ask` are the question's arguments, `told` finds the version in the answer.
-pub(crate) fn version(
-    name: &'static str,
-    ask: &[&str],
-    told: impl FnOnce(&str) -> Option<String>,
-) -> Option<String> {
-    static TOLD: Mutex<BTreeMap<&str, String>> = Mutex::new(BTreeMap::new());
-    let mut all = TOLD.lock().expect("bug: poisoned");
-    if let Some(known) = all.get(name) {
-        return Some(known.clone());
-    }
-    let mut command = Command::new(name);
-    let out = command.args(ask).stdin(Stdio::null()).output().ok()?;
-    let version = told(&String::from_utf8_lossy(&[out.stdout, out.stderr].concat()))?;
-    all.insert(name, version.clone());
-    Some(version)
-}
-
-/// Where a program lies.
-pub(crate) fn found(name: &str) -> Option<PathBuf> {
-    let folders = std::env::var_os("PATH")?;
-    let mut files = std::env::split_paths(&folders).map(|folder| folder.join(name));
-    files.find(|file| file.is_file())
-}
-
-/// The library of a name that a program is linked to, as the loader of Linux tells.
-pub(crate) fn linked(program: &Path, library: &str) -> Option<PathBuf> {
-    let mut command = Command::new(program);
-    // ld.so(8): lists the libraries and does not run the program.
-    command.env("LD_TRACE_LOADED_OBJECTS", "1");
-    let out = command.stdin(Stdio::null()).output().ok()?;
-    let text = String::from_utf8_lossy(&out.stdout).into_owned();
-    let line = text.lines().find(|l| l.trim_start().starts_with(library))?;
-    let path = line.split_once("=> ")?.1.split_whitespace().next()?;
-    Some(PathBuf::from(path))
 }
 
 /// A process with all its children: killed when nobody holds it any more.
@@ -279,97 +237,5 @@ pub(crate) fn whole(most: u64) -> impl FnMut(&mut dyn BufRead) -> std::io::Resul
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-
-    const SHELL: Program = Program {
-        name: "sh",
-        package: "dash",
-    };
-
-    fn run(script: &str, limit_ms: u64, go_on: bool) -> Result<(String, Vec<String>), String> {
-        let run = Run {
-            program: SHELL,
-            args: vec!["-c".into(), script.into()],
-            what: "a script",
-            limit: Duration::from_millis(limit_ms),
-        };
-        let (mut text, mut said) = (String::new(), Vec::new());
-        let status = run.run(
-            whole(1000),
-            |bytes| {
-                text.push_str(&String::from_utf8_lossy(&bytes));
-                Ok(())
-            },
-            |line| said.push(line.to_owned()),
-            || match go_on {
-                true => Ok(()),
-                false => Err(ProgramError::Broken {
-                    name: "sh",
-                    why: "asked to stop".into(),
-                }),
-            },
-        );
-        let status = status.map_err(|e: ProgramError| e.to_string())?;
-        said.push(format!("{:?}", status.code()));
-        Ok((text, said))
-    }
-
-    #[test]
-    fn what_a_program_answers_and_says_beside_it_comes_back() {
-        let (text, said) = run("printf abc; echo so >&2; exit 3", 60_000, true).unwrap();
-        assert_eq!(text, "abc");
-        assert_eq!(said, ["so", "Some(3)"]);
-        let long = run("head -c 2000 /dev/zero", 60_000, true).unwrap_err();
-        assert!(long.contains("longer than 1000 bytes"), "{long}");
-    }
-
-    /// Whether a process is still there and runs.
-    fn runs(pid: &str) -> bool {
-        let stat = std::fs::read_to_string(format!("/proc/{}/stat", pid.trim()));
-        stat.is_ok_and(|s| !s.contains(") Z "))
-    }
-
-    #[test]
-    fn a_program_that_takes_too_long_or_is_not_wanted_is_ended_with_its_children() {
-        for (go_on, says) in [(true, "was ended after"), (false, "asked to stop")] {
-            let folder = tempfile::tempdir().unwrap();
-            let note = folder.path().join("pid");
-            let script = format!("sleep 600 & echo $! > {}; wait", note.display());
-            let limit = if go_on { 1500 } else { 60_000 };
-            let start = Instant::now();
-            let why = run(&script, limit, go_on).unwrap_err();
-            assert!(why.contains(says), "{why}");
-            assert!(start.elapsed() < Duration::from_secs(30));
-            // One that was stopped at once may not have got so far.
-            let child = std::fs::read_to_string(&note).unwrap_or_default();
-            // What is killed is gone a moment later.
-            while !child.is_empty() && runs(&child) {
-                assert!(start.elapsed() < Duration::from_secs(60), "{child}");
-                std::thread::sleep(Duration::from_millis(10));
-            }
-        }
-    }
-
-    #[test]
-    fn a_program_that_is_not_there_is_named_with_its_package() {
-        let run = Run {
-            program: Program {
-                name: "no-such-program",
-                package: "no-such-package",
-            },
-            args: vec![],
-            what: "turn.mp4",
-            limit: Duration::from_secs(1),
-        };
-        let told: Result<_, ProgramError> = run.run(whole(9), |_| Ok(()), |_| (), || Ok(()));
-        let told = told.unwrap_err().to_string();
-        for says in ["no-such-program", "turn.mp4", "apt install no-such-package"] {
-            assert!(told.contains(says), "{told}");
-        }
-        assert_eq!(version("no-such-program", &[], |_| None), None);
-        assert_eq!(found("no-such-program"), None);
-        let library = linked(&found("sh").unwrap(), "libc.");
-        assert!(library.is_none_or(|l| l.is_file()));
-    }
-}
+#[path = "program_tests.rs"]
+mod tests;

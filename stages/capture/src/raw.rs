@@ -3,10 +3,11 @@
 use crate::error::CaptureError;
 use crate::exif;
 use crate::folder::is_raw;
+use crate::installed::{found, linked, version};
 use crate::names::{sorted, twins};
 use crate::netpbm::{self, Netpbm};
 use crate::photo::as_jpeg;
-use crate::program::{Program, ProgramError, Run, found, linked, version};
+use crate::program::{Program, ProgramError, Run};
 use crate::rig::RigFile;
 use rayon::prelude::*;
 use shape::{Photo, Photos, Rgb, Rig, rgb_to_jpeg};

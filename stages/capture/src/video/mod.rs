@@ -1,11 +1,14 @@
 //! A video to the photos of a turn.
 //!
-//! `stage.rs` looks at all frames small (`ffmpeg.rs`, `seen.rs`), finds the turn in them (`turn.rs` by
-//! `speed.rs` and `closing.rs`), picks one sharp frame a step (`pick.rs`), and takes those at full size.
+//! `stage.rs` looks at all frames small (`frames.rs` by `ffmpeg.rs`, `seen.rs`), finds the turn in them
+//! (`turn.rs` by `speed.rs` and `closing.rs`), picks one sharp frame a step (`pick.rs`), and takes those
+//! at full size.
 
 mod closing;
 mod error;
 mod ffmpeg;
+mod filters;
+mod frames;
 mod pick;
 mod probe;
 mod seen;

@@ -2,15 +2,14 @@
 
 use crate::folder::is_video;
 use crate::names::stem;
-use crate::netpbm::Netpbm;
 use crate::video::error::VideoError;
-use crate::video::ffmpeg::{Source, Wanted, versions};
+use crate::video::ffmpeg::{Source, versions};
+use crate::video::frames::{looked_at, probed, taken};
 use crate::video::pick::{Picked, pick};
-use crate::video::probe::Clip;
-use crate::video::seen::{Seen, seen, sharp};
+use crate::video::seen::{Seen, sharp};
 use crate::video::speed::motion;
 use crate::video::turn::{Turn, turn};
-use shape::{Photo, Photos, Rgb, Rig, rgb_to_jpeg};
+use shape::{Photo, Photos, Rig};
 use stage::{Ctx, FileEntry, Files, Stage, Stop};
 use std::sync::Arc;
 
@@ -42,15 +41,6 @@ stage::inputs! {
 
 /// `capture.video`: files → photos.
 pub struct Video;
-
-/// Frames are looked at on so many pixels on the longer side. \[px\]
-const LOOKED_AT: u32 = 960;
-/// More frames than these are no turn.
-const MOST: usize = 40_000;
-/// Quality of the JPEG files that frames become: 44 dB and more from the frame.
-const QUALITY: u8 = 97;
-/// A file is cut short that has less than this share of the frames that it says.
-const WHOLE: f64 = 0.98;
 
 impl Stage for Video {
     const NAME: &'static str = "capture.video";
@@ -91,11 +81,11 @@ impl Stage for Video {
             path: &path,
             name: base(&entry.name),
         };
-        let clip = probed(p, &source, ctx)?;
-        let (all, times) = looked_at(p, &source, &clip, ctx)?;
+        let clip = probed(p.minutes, &source, ctx)?;
+        let (all, times) = looked_at(p.minutes, &source, &clip, ctx)?;
         let (turn, picked, moves) = chosen(p, &source, &all, &times)?;
         let found = told(&source, &all, &times, &turn, &picked, &moves, ctx);
-        let photos = taken(p, &source, &clip, &found, &times, ctx)?;
+        let photos = taken(p.longest, &source, &clip, &found, &times, ctx)?;
         // It was not another one meanwhile.
         files.path(entry)?;
         let plate = empty.first().map(|e| plate(p, files, e, ctx)).transpose()?;
@@ -109,92 +99,6 @@ impl Stage for Video {
 
 fn base(name: &str) -> &str {
     name.rsplit('/').next().unwrap_or(name)
-}
-
-/// What the file says of itself, if it is not too long.
-fn probed(p: &VideoParams, source: &Source<'_>, ctx: &Ctx<'_>) -> Result<Clip, Stop> {
-    let clip = source.probe(|| Ok::<_, Stop>(ctx.check()?))?;
-    match clip.seconds.filter(|s| *s > 60.0 * p.minutes) {
-        Some(seconds) => Err(VideoError::Long {
-            name: source.name.to_owned(),
-            seconds,
-            most: p.minutes,
-        }
-        .into()),
-        None => Ok(clip),
-    }
-}
-
-/// All frames at a glance, and when they were taken. \[s\]
-fn looked_at(
-    p: &VideoParams,
-    source: &Source<'_>,
-    clip: &Clip,
-    ctx: &Ctx<'_>,
-) -> Result<(Vec<Seen>, Vec<f64>), Stop> {
-    let wanted = Wanted {
-        which: None,
-        longest: LOOKED_AT,
-        grey: true,
-    };
-    let steps = ctx.steps("frames", clip.frames.unwrap_or(0) as usize);
-    let mut all: Vec<Seen> = Vec::new();
-    let name = || source.name.to_owned();
-    let take = |picture: Netpbm| -> Result<(), Stop> {
-        let now = seen(&picture);
-        if all
-            .first()
-            .is_some_and(|f| (f.width, f.small.len()) != (now.width, now.small.len()))
-        {
-            let frame = all.len();
-            return Err(VideoError::Changes {
-                name: name(),
-                frame,
-            }
-            .into());
-        }
-        all.push(now);
-        if all.len() > MOST {
-            let seconds = clip.seconds.unwrap_or(all.len() as f64 / 30.0);
-            let most = p.minutes;
-            return Err(VideoError::Long {
-                name: name(),
-                seconds,
-                most,
-            }
-            .into());
-        }
-        Ok(steps.tick()?)
-    };
-    let (mut times, wrong) = source.frames(clip, &wanted, take, || Ok::<_, Stop>(ctx.check()?))?;
-    let frames = all.len();
-    if frames < 3 {
-        return Err(VideoError::Short {
-            name: name(),
-            frames,
-        }
-        .into());
-    }
-    let missing = clip.frames.filter(|f| (frames as f64) < WHOLE * *f as f64);
-    match (missing, wrong) {
-        (Some(said), why) => ctx.warn(format!(
-            "{}: {frames} of {said} frames can be read{}: was it copied whole?",
-            source.name,
-            why.map_or(String::new(), |w| format!(" ({w})"))
-        )),
-        (None, Some(why)) => ctx.warn(format!("{} is damaged somewhere: {why}", source.name)),
-        _ => {}
-    }
-    // Frames without a time, or with the one before, follow each other evenly.
-    times.truncate(frames);
-    let rate = frames as f64 / clip.seconds.unwrap_or(frames as f64 / 30.0);
-    while times.len() < frames {
-        times.push(times.last().map_or(0.0, |t| t + 1.0 / rate));
-    }
-    for i in 1..frames {
-        times[i] = times[i].max(times[i - 1]);
-    }
-    Ok((all, times))
 }
 
 /// The turn, the frames that are picked from it, and what moves.
@@ -273,59 +177,6 @@ fn told(
     picked.frames.clone()
 }
 
-/// Frames at full size, as photos called after the video and their number.
-fn taken(
-    p: &VideoParams,
-    source: &Source<'_>,
-    clip: &Clip,
-    which: &[usize],
-    times: &[f64],
-    ctx: &Ctx<'_>,
-) -> Result<Vec<Photo>, Stop> {
-    let wanted = Wanted {
-        which: Some(which),
-        longest: p.longest,
-        grey: false,
-    };
-    let steps = ctx.steps("photos", which.len());
-    let mut photos: Vec<Photo> = Vec::new();
-    let take = |picture: Netpbm| -> Result<(), Stop> {
-        if let Some(frame) = which.get(photos.len()) {
-            let name = format!("{}#{frame:06}.jpg", source.name);
-            photos.push(photo(name, picture, times[*frame]));
-        }
-        Ok(steps.tick()?)
-    };
-    source.frames(clip, &wanted, take, || Ok::<_, Stop>(ctx.check()?))?;
-    match photos.len() == which.len() {
-        true => Ok(photos),
-        false => Err(VideoError::Unreadable {
-            name: source.name.to_owned(),
-            why: format!("of {} frames {} came back", which.len(), photos.len()),
-        }
-        .into()),
-    }
-}
-
-fn photo(name: String, picture: Netpbm, time_s: f64) -> Photo {
-    let pixels = picture.data.chunks_exact(3).map(|p| [p[0], p[1], p[2]]);
-    let rgb = Rgb {
-        width: picture.width,
-        height: picture.height,
-        data: pixels.collect(),
-    };
-    Photo {
-        name,
-        width: picture.width as u32,
-        height: picture.height as u32,
-        orientation: 1,
-        focal_35mm: None,
-        device: String::new(),
-        time_s: Some(time_s),
-        file: rgb_to_jpeg(&rgb, QUALITY).into(),
-    }
-}
-
 /// The sharpest frame of a video of the empty scene.
 fn plate(p: &VideoParams, files: &Files, entry: &FileEntry, ctx: &Ctx<'_>) -> Result<Photo, Stop> {
     let path = files.path(entry)?;
@@ -333,13 +184,13 @@ fn plate(p: &VideoParams, files: &Files, entry: &FileEntry, ctx: &Ctx<'_>) -> Re
         path: &path,
         name: base(&entry.name),
     };
-    let clip = probed(p, &source, ctx)?;
-    let (all, times) = looked_at(p, &source, &clip, ctx)?;
+    let clip = probed(p.minutes, &source, ctx)?;
+    let (all, times) = looked_at(p.minutes, &source, &clip, ctx)?;
     let of = |i: &usize| sharp(&all[*i], &[]);
     // The first of equals.
     let best = (0..all.len()).rev().max_by(|a, b| of(a).total_cmp(&of(b)));
     let best = best.expect("bug: no frame");
-    let mut photos = taken(p, &source, &clip, &[best], &times, ctx)?;
+    let mut photos = taken(p.longest, &source, &clip, &[best], &times, ctx)?;
     files.path(entry)?;
     let mut photo = photos.remove(0);
     photo.time_s = None;

@@ -1,0 +1,158 @@
+//! Frames of a video: all at a glance, and some at full size as photos.
+
+use crate::netpbm::Netpbm;
+use crate::video::error::VideoError;
+use crate::video::ffmpeg::Source;
+use crate::video::filters::Wanted;
+use crate::video::probe::Clip;
+use crate::video::seen::{Seen, seen};
+use shape::{Photo, Rgb, rgb_to_jpeg};
+use stage::{Ctx, Stop};
+
+/// Frames are looked at on so many pixels on the longer side. \[px\]
+const LOOKED_AT: u32 = 960;
+/// More frames than these are no turn.
+const MOST: usize = 40_000;
+/// Quality of the JPEG files that frames become: 44 dB and more from the frame.
+const QUALITY: u8 = 97;
+/// A file is cut short that has less than this share of the frames that it says.
+const WHOLE: f64 = 0.98;
+
+/// What the file says of itself, if it is not too long.
+pub(crate) fn probed(most_minutes: f64, source: &Source<'_>, ctx: &Ctx<'_>) -> Result<Clip, Stop> {
+    let clip = source.probe(|| Ok::<_, Stop>(ctx.check()?))?;
+    match clip.seconds.filter(|s| *s > 60.0 * most_minutes) {
+        Some(seconds) => Err(VideoError::Long {
+            name: source.name.to_owned(),
+            seconds,
+            most: most_minutes,
+        }
+        .into()),
+        None => Ok(clip),
+    }
+}
+
+/// All frames at a glance, and when they were taken. \[s\]
+pub(crate) fn looked_at(
+    most_minutes: f64,
+    source: &Source<'_>,
+    clip: &Clip,
+    ctx: &Ctx<'_>,
+) -> Result<(Vec<Seen>, Vec<f64>), Stop> {
+    let wanted = Wanted {
+        which: None,
+        longest: LOOKED_AT,
+        grey: true,
+    };
+    let steps = ctx.steps("frames", clip.frames.unwrap_or(0) as usize);
+    let mut all: Vec<Seen> = Vec::new();
+    let name = || source.name.to_owned();
+    let take = |picture: Netpbm| -> Result<(), Stop> {
+        let now = seen(&picture);
+        if all
+            .first()
+            .is_some_and(|f| (f.width, f.small.len()) != (now.width, now.small.len()))
+        {
+            let frame = all.len();
+            return Err(VideoError::Changes {
+                name: name(),
+                frame,
+            }
+            .into());
+        }
+        all.push(now);
+        if all.len() > MOST {
+            let seconds = clip.seconds.unwrap_or(all.len() as f64 / 30.0);
+            let most = most_minutes;
+            return Err(VideoError::Long {
+                name: name(),
+                seconds,
+                most,
+            }
+            .into());
+        }
+        Ok(steps.tick()?)
+    };
+    let (mut times, wrong) = source.frames(clip, &wanted, take, || Ok::<_, Stop>(ctx.check()?))?;
+    let frames = all.len();
+    if frames < 3 {
+        return Err(VideoError::Short {
+            name: name(),
+            frames,
+        }
+        .into());
+    }
+    let missing = clip.frames.filter(|f| (frames as f64) < WHOLE * *f as f64);
+    match (missing, wrong) {
+        (Some(said), why) => ctx.warn(format!(
+            "{}: {frames} of {said} frames can be read{}: was it copied whole?",
+            source.name,
+            why.map_or(String::new(), |w| format!(" ({w})"))
+        )),
+        (None, Some(why)) => ctx.warn(format!("{} is damaged somewhere: {why}", source.name)),
+        _ => {}
+    }
+    // Frames without a time, or with the one before, follow each other evenly.
+    times.truncate(frames);
+    let rate = frames as f64 / clip.seconds.unwrap_or(frames as f64 / 30.0);
+    while times.len() < frames {
+        times.push(times.last().map_or(0.0, |t| t + 1.0 / rate));
+    }
+    for i in 1..frames {
+        times[i] = times[i].max(times[i - 1]);
+    }
+    Ok((all, times))
+}
+
+/// Frames at full size, as photos called after the video and their number.
+pub(crate) fn taken(
+    longest: u32,
+    source: &Source<'_>,
+    clip: &Clip,
+    which: &[usize],
+    times: &[f64],
+    ctx: &Ctx<'_>,
+) -> Result<Vec<Photo>, Stop> {
+    let wanted = Wanted {
+        which: Some(which),
+        longest,
+        grey: false,
+    };
+    let steps = ctx.steps("photos", which.len());
+    let mut photos: Vec<Photo> = Vec::new();
+    let take = |picture: Netpbm| -> Result<(), Stop> {
+        if let Some(frame) = which.get(photos.len()) {
+            let name = format!("{}#{frame:06}.jpg", source.name);
+            photos.push(photo(name, picture, times[*frame]));
+        }
+        Ok(steps.tick()?)
+    };
+    source.frames(clip, &wanted, take, || Ok::<_, Stop>(ctx.check()?))?;
+    match photos.len() == which.len() {
+        true => Ok(photos),
+        false => Err(VideoError::Unreadable {
+            name: source.name.to_owned(),
+            why: format!("of {} frames {} came back", which.len(), photos.len()),
+        }
+        .into()),
+    }
+}
+
+fn photo(name: String, picture: Netpbm, time_s: f64) -> Photo {
+    let pixels = picture.data.chunks_exact(3).map(|p| [p[0], p[1], p[2]]);
+    let rgb = Rgb {
+        width: picture.width,
+        height: picture.height,
+        data: pixels.collect(),
+    };
+    Photo {
+        name,
+        width: picture.width as u32,
+        height: picture.height as u32,
+        orientation: 1,
+        focal_35mm: None,
+        device: String::new(),
+        time_s: Some(time_s),
+        file: rgb_to_jpeg(&rgb, QUALITY).into(),
+    }
+}
