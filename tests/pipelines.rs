@@ -7,12 +7,16 @@ use tailor::recipe::{Overrides, Pipeline, open, open_text};
 
 fn shipped() -> Vec<std::path::PathBuf> {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("pipelines");
-    let mut files: Vec<_> = std::fs::read_dir(folder)
-        .unwrap()
-        .map(|e| e.unwrap().path())
-        .collect();
+    let inside = |folder: &Path| {
+        let entries = std::fs::read_dir(folder).unwrap();
+        entries.map(|e| e.unwrap().path()).collect::<Vec<_>>()
+    };
+    // Those with programs of others lie with them in a folder.
+    let mut files = inside(&folder);
+    files.extend(inside(&folder.join("foreign")));
+    files.retain(|path| path.extension().is_some_and(|e| e == "toml"));
     files.sort();
-    assert!(files.len() >= 2);
+    assert!(files.len() >= 15);
     files
 }
 
@@ -223,10 +227,8 @@ fn a_drawing_has_a_box_for_every_node_and_input_and_arrows_point_down() {
 
 #[test]
 fn every_shipped_pipeline_and_each_of_its_variants_is_without_mistake() {
-    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("pipelines");
     let mut count = 0;
-    for entry in std::fs::read_dir(folder).unwrap() {
-        let path = entry.unwrap().path();
+    for path in shipped() {
         let text = std::fs::read_to_string(&path).unwrap();
         let named = text.lines().filter_map(|l| l.strip_prefix("[variant."));
         let variants = named

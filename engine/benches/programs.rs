@@ -3,6 +3,7 @@
 //! One node that runs `sh`, made anew each time, beside the same command started alone; and a sweep of
 //! 200 points beside `xargs -P2`. The least and the middle of some: the machine's other work is in both.
 
+// The tests use more of it.
 #[allow(dead_code)]
 #[path = "../tests/programs/trade.rs"]
 mod trade;

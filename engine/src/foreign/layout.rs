@@ -7,7 +7,7 @@ use super::program::Script;
 use crate::own;
 use crate::pattern::stays_inside;
 use stage::Files;
-use std::fs::{DirBuilder, Permissions};
+use std::fs::{DirBuilder, File, Permissions};
 use std::os::unix::fs::{DirBuilderExt, PermissionsExt};
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicU64, Ordering};
@@ -15,7 +15,12 @@ use std::sync::atomic::{AtomicU64, Ordering};
 /// The folder. Its path is in nothing that lasts.
 pub(super) struct Layout {
     root: PathBuf,
+    /// Held while the program may run: other machines share the store, and know none of its processes.
+    _lock: File,
 }
+
+/// The file that is locked.
+const LOCK: &str = "lock";
 
 /// Where a store keeps them.
 pub(super) const FOLDER: &str = "exec";
@@ -49,7 +54,11 @@ impl Layout {
         let (id, now) = (std::process::id(), crate::clock::now_ns());
         let count = COUNT.fetch_add(1, Ordering::Relaxed);
         let root = store.join(FOLDER).join(format!("{id}-{count}-{now:x}"));
-        let layout = Layout { root };
+        folder(&root)?;
+        let path = root.join(LOCK);
+        let lock = File::create(&path).and_then(|file| file.lock().map(|()| file));
+        let _lock = lock.map_err(at(&path))?;
+        let layout = Layout { root, _lock };
         for inner in ["here", "in", "out", "work"] {
             folder(&layout.root.join(inner))?;
         }
@@ -163,7 +172,10 @@ pub fn clear(store: &Path) {
             let name = entry.file_name();
             let name = name.to_str().filter(|name| own::is_writing(name));
             let process = name.and_then(|name| name.split('-').next());
-            if process.is_some_and(|id| !Path::new("/proc").join(id).exists()) {
+            let here = process.is_none_or(|id| Path::new("/proc").join(id).exists());
+            let lock = File::open(entry.path().join(LOCK));
+            let elsewhere = lock.is_ok_and(|file| file.try_lock().is_err());
+            if !here && !elsewhere {
                 let path = entry.path().canonicalize().unwrap_or(entry.path());
                 family::end(&path, None);
                 remove(&path);

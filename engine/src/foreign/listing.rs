@@ -1,12 +1,21 @@
 //! What a pipeline would run, for the user to look at before it does.
 
-use super::permit::programs;
 use super::program::Program;
 use super::stage::EXEC;
 use super::template::Template;
 use crate::graph::Graph;
 use crate::kind::Catalog;
 use std::fmt::Write;
+use std::sync::Arc;
+
+/// Nodes that are programs, of some of a graph's, with their places.
+pub fn programs<'a>(
+    graph: &'a Graph,
+    nodes: &'a [usize],
+) -> impl Iterator<Item = (usize, &'a Arc<Program>)> {
+    let program = |i: &usize| Some((*i, graph.nodes[*i].program.as_ref()?));
+    nodes.iter().filter_map(program)
+}
 
 fn words(words: &[Template]) -> String {
     let words: Vec<String> = words.iter().map(Template::to_string).collect();

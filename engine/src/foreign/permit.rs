@@ -2,26 +2,17 @@
 //! allowed does not run, nor does its identity.
 
 use super::layout;
-use super::program::{Grant, Program};
+use super::listing::{self, programs};
+use super::program::Grant;
 use super::run;
 use crate::graph::Graph;
 use crate::store::{Store, StoreError};
 use stage::Hash;
 use std::os::unix::fs::MetadataExt;
 use std::path::Path;
-use std::sync::Arc;
 
 /// Where a store keeps what was allowed.
 const FOLDER: &str = "allowed";
-
-/// Nodes that are programs, of some of a graph's, with their places.
-pub fn programs<'a>(
-    graph: &'a Graph,
-    nodes: &'a [usize],
-) -> impl Iterator<Item = (usize, &'a Arc<Program>)> {
-    let program = |i: &usize| Some((*i, graph.nodes[*i].program.as_ref()?));
-    nodes.iter().filter_map(program)
-}
 
 /// Whether a program was allowed in this store by its owner, and by nobody else who may write there.
 pub fn is_allowed(store: &Store, permission: Hash) -> bool {
@@ -44,7 +35,7 @@ pub fn allow(graph: &Graph, nodes: &[usize], store: &Store) -> Result<(), StoreE
         let permission = program.permission();
         if !is_allowed(store, permission) {
             let name = format!("{FOLDER}/{}", permission.to_hex());
-            let text = super::listing::lines(&graph.nodes[i].name, program).join("\n");
+            let text = listing::lines(&graph.nodes[i].name, program).join("\n");
             store.write(&name, format!("{text}\n").as_bytes())?;
         }
     }

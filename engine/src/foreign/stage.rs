@@ -24,7 +24,11 @@ pub const EXEC: &str = "exec";
 /// Raise it whenever a program gets or gives something else.
 pub const VERSION: u32 = 1;
 
-/// Whether a kind can be laid out as files for a program, in a format if one is said; what it has.
+/// Whether a kind can be laid out as files for a program, in a format if one is said.
+///
+/// # Errors
+///
+/// It has no such format, or none that a program could read.
 pub fn laid_out(catalog: &crate::Catalog, kind: &str, format: Option<&str>) -> Result<(), String> {
     let formats = match catalog.kind(kind) {
         _ if kind == Files::KIND => &[][..],

@@ -1,11 +1,10 @@
 //! A node that runs a program, bound: its importer, its ports, its command, its files.
 
-use super::binder::{Binder, Known};
+use super::binder::{Binder, Known, importer_of};
 use super::mistake::Mistake;
 use super::written::{From, Node, Said};
-use crate::foreign::{EXEC, Granted, Program, Script, Template};
+use crate::foreign::{Granted, Program, Script, Template};
 use crate::graph::{Bound, Source};
-use crate::kind::{Catalog, Importer};
 use crate::pattern::stays_inside;
 use stage::{Checked, PortSpec, Value, unknown};
 use std::collections::BTreeSet;
@@ -14,16 +13,6 @@ use std::time::Duration;
 
 /// How long a program may take that says nothing of it. \[s\]
 const TIMEOUT_S: f64 = 3600.0;
-
-/// How the result of a node's program is read, if the node runs one and there is a way.
-pub(super) fn importer_of(node: &Node, catalog: &'static Catalog) -> Option<&'static Importer> {
-    let kind = node
-        .exec
-        .out
-        .as_ref()
-        .filter(|_| node.stage.value == EXEC)?;
-    catalog.importer(&kind.value)
-}
 
 /// Names of ports and params live as long as the process: there are as many as pipelines name.
 fn name(text: &str) -> &'static str {

@@ -1,11 +1,10 @@
 //! A recipe on its way to a graph.
 
-use super::bind_exec::importer_of;
 use super::mistake::Mistake;
 use super::written::{Node, Recipe, Said};
 use crate::foreign::{EXEC, Identities};
 use crate::graph::Source;
-use crate::kind::Catalog;
+use crate::kind::{Catalog, Importer};
 use stage::{AnyStage, ParamSpec, PortSpec, unknown};
 use std::collections::HashMap;
 use std::path::PathBuf;
@@ -81,6 +80,16 @@ impl<'a> Binder<'a> {
         let known = || self.known.get(node.stage.value.as_str());
         importer_of(node, self.catalog).is_some() || matches!(known(), Some(Some(_)))
     }
+}
+
+/// How the result of a node's program is read, if the node runs one and there is a way.
+pub(super) fn importer_of(node: &Node, catalog: &'static Catalog) -> Option<&'static Importer> {
+    let kind = node
+        .exec
+        .out
+        .as_ref()
+        .filter(|_| node.stage.value == EXEC)?;
+    catalog.importer(&kind.value)
 }
 
 /// The names of the sections among params.

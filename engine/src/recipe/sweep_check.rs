@@ -1,6 +1,6 @@
 //! Whether a declared sweep can be: its nodes, params, values, variants and which metrics are reported.
 
-use super::bind_exec::importer_of;
+use super::binder::importer_of;
 use super::mistake::Mistake;
 use super::shared;
 use super::variant::vary;
