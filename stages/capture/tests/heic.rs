@@ -92,7 +92,8 @@ fn a_heic_is_the_picture_that_libheif_makes_of_it() {
             .sum();
         let mse = squares / (3 * ours.data.len()) as f64;
         let decibels = 10.0 * (255.0f64.powi(2) / mse).log10();
-        assert!(decibels > 36.0, "{name}: {decibels:.1} dB");
+        eprintln!("{name}: {decibels:.1} dB");
+        assert!(decibels > 38.0, "{name}: {decibels:.1} dB");
     }
     // One that was cut short.
     let whole = std::fs::read(place.path().join(names[0])).unwrap();

@@ -4,8 +4,9 @@ use crate::folder::is_video;
 use crate::names::stem;
 use crate::video::error::VideoError;
 use crate::video::ffmpeg::{Source, versions};
-use crate::video::frames::{looked_at, probed, taken};
+use crate::video::frames::{Looked, Watch, looked_at, probed, taken};
 use crate::video::pick::{Picked, pick};
+use crate::video::probe::Clip;
 use crate::video::seen::{Seen, sharp};
 use crate::video::speed::motion;
 use crate::video::turn::{Turn, turn};
@@ -81,11 +82,10 @@ impl Stage for Video {
             path: &path,
             name: base(&entry.name),
         };
-        let clip = probed(p.minutes, &source, ctx)?;
-        let (all, times) = looked_at(p.minutes, &source, &clip, ctx)?;
+        let (clip, Looked { all, times, .. }) = looked(p, &source, ctx)?;
         let (turn, picked, moves) = chosen(p, &source, &all, &times)?;
         let found = told(&source, &all, &times, &turn, &picked, &moves, ctx);
-        let photos = taken(p.longest, &source, &clip, &found, &times, ctx)?;
+        let photos = full(p, &source, &clip, &found, &times, ctx)?;
         // It was not another one meanwhile.
         files.path(entry)?;
         let plate = empty.first().map(|e| plate(p, files, e, ctx)).transpose()?;
@@ -99,6 +99,49 @@ impl Stage for Video {
 
 fn base(name: &str) -> &str {
     name.rsplit('/').next().unwrap_or(name)
+}
+
+/// All frames at a glance.
+fn looked(p: &VideoParams, source: &Source<'_>, ctx: &Ctx<'_>) -> Result<(Clip, Looked), Stop> {
+    let go_on = || Ok::<_, Stop>(ctx.check()?);
+    let clip = probed(
+        p.minutes,
+        source,
+        &Watch {
+            go_on: &go_on,
+            tick: &go_on,
+        },
+    )?;
+    let steps = ctx.steps("frames", clip.frames.unwrap_or(0) as usize);
+    let tick = || Ok::<_, Stop>(steps.tick()?);
+    let watch = Watch {
+        go_on: &go_on,
+        tick: &tick,
+    };
+    let looked = looked_at(p.minutes, source, &clip, &watch)?;
+    looked.wrong.iter().for_each(|wrong| ctx.warn(wrong));
+    Ok((clip, looked))
+}
+
+/// Some frames at full size.
+fn full(
+    p: &VideoParams,
+    source: &Source<'_>,
+    clip: &Clip,
+    which: &[usize],
+    times: &[f64],
+    ctx: &Ctx<'_>,
+) -> Result<Vec<Photo>, Stop> {
+    let steps = ctx.steps("photos", which.len());
+    let (go_on, tick) = (
+        || Ok::<_, Stop>(ctx.check()?),
+        || Ok::<_, Stop>(steps.tick()?),
+    );
+    let watch = Watch {
+        go_on: &go_on,
+        tick: &tick,
+    };
+    taken(p.longest, source, clip, which, times, &watch)
 }
 
 /// The turn, the frames that are picked from it, and what moves.
@@ -184,13 +227,12 @@ fn plate(p: &VideoParams, files: &Files, entry: &FileEntry, ctx: &Ctx<'_>) -> Re
         path: &path,
         name: base(&entry.name),
     };
-    let clip = probed(p.minutes, &source, ctx)?;
-    let (all, times) = looked_at(p.minutes, &source, &clip, ctx)?;
+    let (clip, Looked { all, times, .. }) = looked(p, &source, ctx)?;
     let of = |i: &usize| sharp(&all[*i], &[]);
     // The first of equals.
     let best = (0..all.len()).rev().max_by(|a, b| of(a).total_cmp(&of(b)));
     let best = best.expect("bug: no frame");
-    let mut photos = taken(p.longest, &source, &clip, &[best], &times, ctx)?;
+    let mut photos = full(p, &source, &clip, &[best], &times, ctx)?;
     files.path(entry)?;
     let mut photo = photos.remove(0);
     photo.time_s = None;

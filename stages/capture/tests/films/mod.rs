@@ -2,12 +2,14 @@
 
 #![allow(dead_code)]
 
-use stage::{FileEntry, Files, hash};
+use capture::{Video, VideoInput, VideoParams};
+use shape::Photos;
+use stage::{Ctx, FileEntry, Files, Hash, Host, Stage, Stop, hash};
 use std::f64::consts::TAU;
 use std::io::Write;
 use std::path::Path;
 use std::process::{Command, Stdio};
-use std::sync::Arc;
+use std::sync::{Arc, Mutex};
 
 /// Whether ffmpeg is there; said where it is not.
 pub(crate) fn ffmpeg() -> bool {
@@ -95,4 +97,37 @@ pub(crate) fn files(folder: &Path, names: &[&str]) -> Arc<Files> {
         root: folder.canonicalize().unwrap(),
         entries: names.iter().map(entry).collect(),
     })
+}
+
+/// Who is told.
+#[derive(Default)]
+pub(crate) struct Told {
+    pub(crate) warnings: Mutex<Vec<String>>,
+    pub(crate) cancelled: bool,
+}
+
+impl Host for Told {
+    fn warn(&self, text: &str) {
+        self.warnings.lock().unwrap().push(text.into());
+    }
+    fn cancelled(&self) -> bool {
+        self.cancelled
+    }
+}
+
+/// What the stage makes of videos, and what it warns of.
+pub(crate) fn read(
+    folder: &Path,
+    names: &[&str],
+    p: &VideoParams,
+) -> Result<(Photos, Vec<String>), String> {
+    let told = Told::default();
+    let none = Hash::from_bytes([0; 32]);
+    let ctx = Ctx::new(&told, none, none);
+    let files = files(folder, names);
+    match Video::run(p, VideoInput { files }, &ctx) {
+        Ok(photos) => Ok((photos, told.warnings.into_inner().unwrap())),
+        Err(Stop::Failed(error)) => Err(error.to_string()),
+        Err(Stop::Cancelled) => panic!("nobody asked to stop"),
+    }
 }
