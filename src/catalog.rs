@@ -73,6 +73,10 @@ pub static CATALOG: Catalog = Catalog {
         ("hull", include_str!("../pipelines/hull.toml")),
         ("surface", include_str!("../pipelines/surface.toml")),
         ("walk", include_str!("../pipelines/walk.toml")),
+        (
+            "walk-own-masks",
+            include_str!("../pipelines/walk-own-masks.toml"),
+        ),
         ("phone", include_str!("../pipelines/phone.toml")),
         ("video", include_str!("../pipelines/video.toml")),
         ("raw", include_str!("../pipelines/raw.toml")),

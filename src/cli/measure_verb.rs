@@ -59,7 +59,7 @@ pub(crate) struct Measure {
     /// What the screen and the report show lengths in; files stay in centimetres
     #[arg(long, value_enum, default_value = "cm")]
     unit: Shown,
-    /// The camera was walked around somebody who stood still; a mask of each photo lies in the folder's `masks`
+    /// The camera was walked around somebody who stood still; masks in the folder's `masks` are taken instead of own ones
     #[arg(long)]
     walk: bool,
     /// Take the photos in folders below, too, in the order of their paths
@@ -175,18 +175,12 @@ fn pipeline(
     let mut folders = source.inputs();
     let masks = source.folder().join(MASKS);
     let name = match (measure.walk, masks.is_dir()) {
-        (true, true) => "walk",
-        (true, false) => {
-            return Err(Fault::input(format!(
-                "--walk: {} is not there: behind a camera that walks nothing stands still, so nothing but masks tells the body from the room; \
-                 put one of each photo there, named as it is: 0003.png for 0003.jpg, body white",
-                masks.display()
-            )));
-        }
+        (true, true) => "walk-own-masks",
+        (true, false) => "walk",
         (false, true) => "own-masks",
         (false, false) => "body",
     };
-    if name != "body" {
+    if masks.is_dir() {
         folders.push((MASKS.to_owned(), masks));
     }
     let graph = opened(name, source.over(), measure.variant.clone(), said, &sets)?;

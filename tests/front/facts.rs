@@ -54,7 +54,6 @@ fn flags_that_cannot_be_are_told_as_they_were_said_before_anything_runs() {
         ("--fact subject.hight_cm=178", "did you mean `height_cm`"),
         ("--images ../other/*.jpg", "leads out of turn"),
         ("--unit ell", "ell"),
-        ("--walk", "turn/masks is not there"),
     ] {
         let said = place.run(&format!("measure turn {flags}")).code(2);
         assert!(said.err.contains(says), "{flags}: {}", said.err);

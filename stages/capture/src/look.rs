@@ -35,7 +35,7 @@ pub struct Look;
 
 impl Stage for Look {
     const NAME: &'static str = "capture.look";
-    const VERSION: u32 = 2;
+    const VERSION: u32 = 3;
     const ABOUT: &'static str = "Looks at photos at a glance: order, gaps, blur, exposure, tags, frame, and what can be measured with them.";
     type Params = LookParams;
     type Input = LookInput;

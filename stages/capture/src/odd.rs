@@ -82,7 +82,7 @@ fn order(seen: &Seen<'_>, told: &mut Findings<'_>) {
                 "only {:.0} % of the picture stands still: the camera, or all behind the subject, moved between the photos",
                 100.0 * together.still
             ),
-            "a turn wants one camera on a tripod and the subject on a disk; is this a walk around somebody who stands still? Then say --walk, with a mask of each photo in the folder's `masks`",
+            "a turn wants one camera on a tripod and the subject on a disk; is this a walk around somebody who stands still? Then say --walk",
             &[],
         );
         return;

@@ -2,6 +2,7 @@
 //!
 //! `photos`, `cameras` → [`GrabCut`] → `masks`
 //! `files`, `photos` → [`Import`] → `masks`
+//! `photos`, `cameras`, `tracks` → [`Walk`] → `masks`
 
 mod agree;
 mod backdrop;
@@ -32,6 +33,7 @@ mod seams;
 mod segment;
 mod turn;
 mod unary;
+mod walk;
 
 pub use backdrop::{Backdrop, middle, still, thinned};
 pub use background::{expected, on_disk, plate_turn, sample, turned};
@@ -54,7 +56,11 @@ pub use scene::{Scene, Shot};
 pub use segment::{Known, Settings, Window, cut, cut_whole, largest, reduced};
 pub use turn::without_plate;
 pub use unary::{Ground, Noise, background_cost};
+pub use walk::{Walk, WalkCutError, WalkInput, WalkParams};
 
 /// Every stage of this room, in the order in which data flows through it.
-pub const STAGES: &[&dyn stage::AnyStage] =
-    &[&stage::erase::<GrabCut>(), &stage::erase::<Import>()];
+pub const STAGES: &[&dyn stage::AnyStage] = &[
+    &stage::erase::<GrabCut>(),
+    &stage::erase::<Import>(),
+    &stage::erase::<Walk>(),
+];

@@ -46,6 +46,8 @@ pub struct Grid {
     active: VecDeque<u32>,
     orphans: Vec<u32>,
     offsets: [isize; 8],
+    /// Cells of a block along x, y and z; of a picture its columns, rows, and one.
+    block: [usize; 3],
     time: u32,
     flow: i64,
 }
@@ -54,8 +56,23 @@ impl Grid {
     /// A grid without capacities.
     pub fn new(width: usize, height: usize) -> Self {
         let stride = width + 2;
-        let nodes = stride * (height + 2);
         let offsets = STEPS.map(|(dx, dy)| dy as isize * stride as isize + dx as isize);
+        Grid::with(width, height, offsets, [width, height, 1])
+    }
+
+    /// A block of cells with their six neighbours, x fastest, without capacities: a picture whose
+    /// rows are those of all layers, with an empty layer before the first and behind the last.
+    pub fn block(block: [usize; 3]) -> Self {
+        let [nx, ny, nz] = block;
+        let (stride, layer) = ((nx + 2) as isize, ((nx + 2) * ny) as isize);
+        // The arcs of directions 2 and 5 stay empty.
+        let offsets = [-layer, -stride, 0, -1, 1, 0, stride, layer];
+        Grid::with(nx, ny * (nz + 2), offsets, block)
+    }
+
+    fn with(width: usize, height: usize, offsets: [isize; 8], block: [usize; 3]) -> Self {
+        let stride = width + 2;
+        let nodes = stride * (height + 2);
         Grid {
             width,
             height,
@@ -70,6 +87,7 @@ impl Grid {
             active: VecDeque::new(),
             orphans: Vec::new(),
             offsets,
+            block,
             time: 0,
             flow: 0,
         }
@@ -96,6 +114,31 @@ impl Grid {
         let other = self.neighbour(node, d);
         self.arcs[node][d] = capacity;
         self.arcs[other][7 - d] = capacity;
+    }
+
+    /// Column and row of a cell of a block.
+    fn place(&self, cell: usize) -> (usize, usize) {
+        let [nx, ny, _] = self.block;
+        (cell % nx, cell / nx + ny)
+    }
+
+    /// As [`set_terminal`](Self::set_terminal), of a cell of a block.
+    pub fn set_cell_terminal(&mut self, cell: usize, keep: i32, lose: i32) {
+        let (x, y) = self.place(cell);
+        self.set_terminal(x, y, keep, lose);
+    }
+
+    /// What it costs to part a cell of a block from the next along x, y or z (0, 1, 2), which must be
+    /// inside.
+    pub fn set_cell_arc(&mut self, cell: usize, axis: usize, capacity: i32) {
+        let (x, y) = self.place(cell);
+        self.set_arc(x, y, [4, 6, 7][axis], capacity);
+    }
+
+    /// Whether a cell of a block ended on the source's side.
+    pub fn cell_on_source_side(&self, cell: usize) -> bool {
+        let (x, y) = self.place(cell);
+        self.on_source_side(x, y)
     }
 
     /// Finds the least cut; returns the flow, which is its cost.

@@ -179,7 +179,7 @@ pub fn cut(
 }
 
 /// 1 / (2 mean squared difference of neighbours): Rother, eq. 5.
-fn beta(photo: &Rgb, window: &Window) -> f64 {
+pub(crate) fn beta(photo: &Rgb, window: &Window) -> f64 {
     let (mut sum, mut count) = (0.0, 0.0);
     for y in (window.y..window.y + window.height).step_by(2) {
         for pair in photo.row(y)[window.x..window.x + window.width]

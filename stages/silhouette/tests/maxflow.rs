@@ -85,3 +85,43 @@ fn the_flow_is_the_greatest_and_the_cut_costs_as_much() {
         assert_eq!(flow, cost, "seed {seed}");
     }
 }
+
+#[test]
+fn the_cut_of_a_block_is_the_least_of_all() {
+    let count = [3usize, 2, 2];
+    let [nx, ny, _] = count;
+    let cells = count.iter().product::<usize>();
+    let mut dice = proof::Dice(41);
+    for _ in 0..40 {
+        let mut thrown = || dice.within(0.0, 30.0) as i32;
+        let ends: Vec<[i32; 2]> = (0..cells).map(|_| [thrown(), thrown()]).collect();
+        let at = |i: usize| [i % nx, i / nx % ny, i / nx / ny];
+        let mut arcs = vec![];
+        for i in 0..cells {
+            for (axis, stride) in [(0, 1), (1, nx), (2, nx * ny)] {
+                if at(i)[axis] + 1 < count[axis] {
+                    arcs.push((i, axis, i + stride, thrown()));
+                }
+            }
+        }
+        let mut grid = Grid::block(count);
+        for (i, [keep, lose]) in ends.iter().enumerate() {
+            grid.set_cell_terminal(i, *keep, *lose);
+        }
+        for (i, axis, _, price) in &arcs {
+            grid.set_cell_arc(*i, *axis, *price);
+        }
+        let flow = grid.cut();
+        let cost = |body: &dyn Fn(usize) -> bool| -> i64 {
+            let of = |i: usize| i64::from(ends[i][usize::from(body(i))]);
+            let parted = arcs.iter().filter(|(i, _, j, _)| body(*i) != body(*j));
+            (0..cells).map(of).sum::<i64>() + parted.map(|a| i64::from(a.3)).sum::<i64>()
+        };
+        let least = (0..1u32 << cells)
+            .map(|b| cost(&|i| b >> i & 1 == 1))
+            .min()
+            .unwrap();
+        assert_eq!(flow, least);
+        assert_eq!(cost(&|i| grid.cell_on_source_side(i)), least);
+    }
+}

@@ -1,0 +1,93 @@
+//! Colours of the subject and of the room on one photo, by bands of rows: behind a head there is
+//! another room than behind feet.
+
+use crate::gmm::Gmm;
+use rayon::prelude::*;
+use shape::{Image, Rgb};
+
+/// -ln of an even density over all colours.
+const ANY: f64 = 16.6;
+/// What a colour costs that the subject has not been seen to have.
+const STRANGE_BODY: f64 = ANY + 1.2;
+/// What a colour costs that the room has nowhere: most of the room is in view beside the subject, so
+/// that such a colour is rather the subject's.
+const STRANGE_ROOM: f64 = ANY + 3.2;
+/// How many bands; each learns from half of its height above and below, too.
+const BANDS: usize = 4;
+/// So many samples tell a mixture; with fewer than `FEW` a band takes those of the whole photo.
+const SAMPLES: usize = 6_000;
+const FEW: usize = 100;
+
+/// Colours with the rows that show them.
+pub(crate) type Samples = Vec<(u32, [u8; 3])>;
+
+/// The mixtures of a photo.
+#[derive(Debug, Clone)]
+pub(crate) struct Colors {
+    /// The subject's and the room's, by band.
+    bands: Vec<[Gmm; 2]>,
+    /// Rows of a band.
+    rows: f64,
+}
+
+/// A mixture of at most `SAMPLES` of the colours of a band, evenly.
+fn mixture(all: &Samples, from: f64, to: f64, clusters: usize) -> Option<Gmm> {
+    let in_band = |(row, _): &&(u32, [u8; 3])| (from..to).contains(&f64::from(*row));
+    let mut colors: Vec<[u8; 3]> = all.iter().filter(in_band).map(|s| s.1).collect();
+    if colors.len() < FEW {
+        colors = all.iter().map(|s| s.1).collect();
+    }
+    let step = colors.len().div_ceil(SAMPLES).max(1);
+    let some: Vec<[u8; 3]> = colors.into_iter().step_by(step).collect();
+    Gmm::fit(&some, clusters)
+}
+
+impl Colors {
+    /// Fits all mixtures of a photo of so many rows. `None` without colours of either side.
+    pub(crate) fn fit(
+        body: &Samples,
+        room: &Samples,
+        height: usize,
+        clusters: usize,
+    ) -> Option<Colors> {
+        let rows = height as f64 / BANDS as f64;
+        let one = |b: usize| {
+            let (from, to) = ((b as f64 - 0.5) * rows, (b as f64 + 1.5) * rows);
+            let body = mixture(body, from, to, clusters)?;
+            Some([body, mixture(room, from, to, clusters + clusters / 2)?])
+        };
+        let bands = (0..BANDS).map(one).collect::<Option<Vec<_>>>()?;
+        Some(Colors { bands, rows })
+    }
+
+    /// ln p(colour | body) − ln p(colour | room) of a colour on a row.
+    pub(crate) fn favour(&self, color: [u8; 3], row: f64) -> f32 {
+        let band = ((row / self.rows).max(0.0) as usize).min(BANDS - 1);
+        let [body, room] = &self.bands[band];
+        let body = (body.cost(color) + 0.36).min(STRANGE_BODY);
+        (room.cost(color).min(STRANGE_ROOM) - body) as f32
+    }
+
+    /// The same of every pixel, means of 3 × 3.
+    pub(crate) fn favours(&self, photo: &Rgb) -> Image<f32> {
+        let (w, h) = (photo.width, photo.height);
+        let one = |i: usize| self.favour(photo.data[i], (i / w) as f64);
+        let alone: Vec<f32> = (0..w * h).into_par_iter().map(one).collect();
+        let mean = |i: usize| {
+            let (x, y) = (i % w, i / w);
+            let (mut sum, mut n) = (0.0, 0.0);
+            for row in y.saturating_sub(1)..(y + 2).min(h) {
+                for column in x.saturating_sub(1)..(x + 2).min(w) {
+                    sum += alone[row * w + column];
+                    n += 1.0;
+                }
+            }
+            sum / n
+        };
+        Image {
+            width: w,
+            height: h,
+            data: (0..w * h).into_par_iter().map(mean).collect(),
+        }
+    }
+}

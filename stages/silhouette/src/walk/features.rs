@@ -1,0 +1,114 @@
+//! Features as points in space: which pixels show something far behind the subject, and which space is free.
+
+use crate::scene::Shot;
+use crate::walk::block::Block;
+use nalgebra::{Matrix3, Point3, Vector2, Vector3};
+use shape::{Camera, PhotoId, Tracks};
+use std::collections::BTreeMap;
+
+/// A point, and where shots show it: places in the list of shots, pixels of their reduced photos.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct Spot {
+    /// Where it is. \[mm\]
+    pub(crate) at: Point3<f64>,
+    /// What shows it where.
+    pub(crate) sights: Vec<(usize, [f64; 2])>,
+}
+
+/// Least angle between rays that makes a point. \[rad\]
+const PARALLAX: f64 = 0.05;
+/// Fewest sightings.
+const SIGHTS: usize = 3;
+/// A feature further from where its point projects makes none. \[px of the reduced photo\]
+const NEAR: f64 = 1.5;
+
+/// The points of tracks, as cameras see them.
+pub(crate) fn spots(tracks: &Tracks, shots: &[Shot], full: &[[f64; 2]]) -> Vec<Spot> {
+    let places: BTreeMap<PhotoId, usize> =
+        shots.iter().enumerate().map(|(k, s)| (s.id, k)).collect();
+    let one = |track: &Vec<shape::Sighting>| {
+        let sight = |s: &shape::Sighting| {
+            let k = *places.get(&s.photo)?;
+            let lens = &shots[k].camera.lens;
+            let small =
+                |v: f32, of: f64, size: u32| (f64::from(v) + 0.5) * f64::from(size) / of - 0.5;
+            let px = [
+                small(s.at_px[0], full[k][0], lens.width),
+                small(s.at_px[1], full[k][1], lens.height),
+            ];
+            Some((k, px))
+        };
+        let sights: Vec<(usize, [f64; 2])> = track.iter().filter_map(sight).collect();
+        if sights.len() < SIGHTS {
+            return None;
+        }
+        let at = met(shots, &sights)?;
+        let near = |(k, px): &(usize, [f64; 2])| {
+            let on = shots[*k].camera.project(&at);
+            on.is_some_and(|on| (on.x - px[0]).hypot(on.y - px[1]) < NEAR)
+        };
+        sights.iter().all(near).then_some(Spot { at, sights })
+    };
+    tracks.points.iter().filter_map(one).collect()
+}
+
+/// Where rays meet: nearest to all of them, then two Gauss–Newton steps on the pixels.
+fn met(shots: &[Shot], sights: &[(usize, [f64; 2])]) -> Option<Point3<f64>> {
+    let (mut normal, mut right) = (Matrix3::zeros(), Vector3::zeros());
+    let mut rays = Vec::new();
+    for (k, px) in sights {
+        let camera: &Camera = &shots[*k].camera;
+        let ray = camera.ray((*px).into()).into_inner();
+        let across = Matrix3::identity() - ray * ray.transpose();
+        normal += across;
+        right += across * camera.centre().coords;
+        rays.push(ray);
+    }
+    let widest = rays.iter().map(|r| r.angle(&rays[0])).fold(0.0, f64::max);
+    if widest < PARALLAX {
+        return None;
+    }
+    let mut at = Point3::from(normal.try_inverse()? * right);
+    for _ in 0..2 {
+        let (mut h, mut g) = (Matrix3::zeros(), Vector3::zeros());
+        for (k, px) in sights {
+            let (on, j) = shots[*k].camera.project_with_jacobian(&at)?;
+            h += j.transpose() * j;
+            g += j.transpose() * Vector2::new(on.x - px[0], on.y - px[1]);
+        }
+        at -= h.try_inverse()? * g;
+    }
+    Some(at)
+}
+
+/// How many rays from cameras to the points that they show run through the middle of each cell, the
+/// last part before the point left out.
+pub(crate) fn free(block: &Block, spots: &[Spot], shots: &[Shot]) -> Vec<u16> {
+    let mut free = vec![0u16; block.len()];
+    let centres: &Vec<Point3<f64>> = &shots.iter().map(|s| s.camera.centre()).collect();
+    let step = block.cell / 2.0;
+    for (from, spot) in spots
+        .iter()
+        .flat_map(|spot| spot.sights.iter().map(move |(k, _)| (centres[*k], spot)))
+    {
+        let to = spot.at - from;
+        let (far, ray) = (to.norm(), to.normalize());
+        let (mut on, mut before) = (0.0, None);
+        while on < far - SHORT * block.cell {
+            let cell = block.cell_of(&(from + ray * on));
+            if let Some(i) = cell.filter(|_| cell != before) {
+                let off = block.centre(i) - from;
+                let aside = (off - ray * off.dot(&ray)).norm();
+                free[i] = free[i].saturating_add(u16::from(aside < MIDDLE * block.cell));
+            }
+            before = cell;
+            on += step;
+        }
+    }
+    free
+}
+
+/// So much of a ray before its point tells nothing. \[cells\]
+const SHORT: f64 = 3.0;
+/// A ray runs through the middle of a cell where it is no further from it. \[cells\]
+const MIDDLE: f64 = 0.4;

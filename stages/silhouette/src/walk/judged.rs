@@ -1,0 +1,193 @@
+//! Whether the masks of a walk are to be believed: told, or refused.
+
+use crate::walk::doubt::{alike, middle, over_border, told};
+use crate::walk::features::Spot;
+use crate::walk::find::Subject;
+use crate::walk::floor_cut::FloorCut;
+use crate::walk::params::{WalkCutError, WalkParams};
+use crate::walk::space::Scene;
+use shape::{Image, Photos};
+use stage::Ctx;
+
+/// All that is judged; lists are by shot.
+pub(crate) struct Judged<'a> {
+    /// The photos.
+    pub(crate) photos: &'a Photos,
+    /// What was looked at.
+    pub(crate) scene: &'a Scene<'a>,
+    /// What was found.
+    pub(crate) subject: &'a Subject,
+    /// Where it ends below.
+    pub(crate) cutter: &'a FloorCut,
+    /// Outlines.
+    pub(crate) sides: &'a [Image<bool>],
+    /// What of the photos shows what stands above the end.
+    pub(crate) standing: &'a [Image<bool>],
+    /// What outlines share with those of the pass before.
+    pub(crate) settled: &'a [f64],
+}
+
+/// A photo that is so much worse than is asked of the middle one is named.
+const NAMED: f64 = 0.1;
+/// Share of a photo's border that a mask may touch.
+const BORDER: f64 = 0.002;
+/// What to do about it.
+const LOOK: &str = "look at the masks (`tailor show masks --as sheet`)";
+/// Names that are listed.
+const NAMES: usize = 6;
+
+/// What is refused is told at this part of it.
+const LACKING_TOLD: f64 = 3.0;
+
+/// Share of the features that stand amid the cameras, above the end, in whose photos the outlines
+/// don't show them.
+fn lacking(all: &Judged<'_>) -> f64 {
+    let space = &all.scene.space;
+    let stands = |s: &&Spot| space.amid(&s.at) && s.at.z > all.cutter.height;
+    let shown = |(k, px): &(usize, [f64; 2])| {
+        let (depth, px) = (&all.sides[*k], px.map(f64::round));
+        let inside = px[0] >= 0.0 && px[1] >= 0.0;
+        let (x, y) = (px[0] as usize, px[1] as usize);
+        inside && x < depth.width && y < depth.height && depth.at(x, y)
+    };
+    let (mut count, mut lost) = (0usize, 0usize);
+    for spot in all.scene.spots.iter().filter(stands) {
+        count += 1;
+        let seen = spot.sights.iter().filter(|s| shown(s)).count();
+        lost += usize::from(2 * seen < spot.sights.len());
+    }
+    lost as f64 / count.max(1) as f64
+}
+
+/// What is measured of outlines; lists are by shot.
+struct Measured {
+    told: Vec<f64>,
+    agree: Vec<f64>,
+    over: Vec<bool>,
+    lacking: f64,
+}
+
+fn measured(all: &Judged<'_>) -> Measured {
+    let Subject {
+        block,
+        solid,
+        colors,
+    } = all.subject;
+    let shots = all.scene.shots;
+    let kept = |k: usize| {
+        let pairs = all.sides[k].data.iter().zip(&all.standing[k].data);
+        Image {
+            data: pairs.map(|(a, b)| *a && *b).collect(),
+            ..all.sides[k]
+        }
+    };
+    let agree = |k: usize| {
+        let (w, h) = (shots[k].small.width, shots[k].small.height);
+        let shown = block.shown(solid, &shots[k].camera, w, h);
+        alike(&all.sides[k], &shown)
+    };
+    let every = 0..shots.len();
+    Measured {
+        told: every
+            .clone()
+            .map(|k| told(&shots[k], &all.sides[k], &colors[k]))
+            .collect(),
+        agree: every.clone().map(agree).collect(),
+        over: every.map(|k| over_border(&kept(k)) > BORDER).collect(),
+        lacking: lacking(all),
+    }
+}
+
+/// Tells of what is doubtful.
+///
+/// # Errors
+/// Where the masks would be a guess.
+pub(crate) fn judged(p: &WalkParams, all: &Judged<'_>, ctx: &Ctx<'_>) -> Result<(), WalkCutError> {
+    let percent = |x: f64| 100.0 * x;
+    let found = measured(all);
+    let [told, settled, agree] = [&found.told, all.settled, &found.agree].map(|l| middle(l));
+    for (name, value) in [
+        ("told by colour", told),
+        ("settled", settled),
+        ("agree", agree),
+        ("features lacking", found.lacking),
+    ] {
+        ctx.metric(name, percent(value), "%");
+    }
+    let asked = percent(p.least_agreement);
+    if told < p.least_told {
+        return Err(WalkCutError::Alike(percent(told), percent(p.least_told)));
+    }
+    if settled < p.least_agreement {
+        return Err(WalkCutError::Unsettled(percent(settled), asked));
+    }
+    if agree < p.least_agreement {
+        return Err(WalkCutError::Contradict(percent(agree), asked));
+    }
+    if found.lacking > p.most_lacking {
+        let most = percent(p.most_lacking);
+        return Err(WalkCutError::Lacking(percent(found.lacking), most));
+    }
+    let cut_off: Vec<usize> = (0..found.over.len()).filter(|k| found.over[*k]).collect();
+    if 2 * cut_off.len() > found.over.len() {
+        let (count, of) = (cut_off.len(), found.over.len());
+        return Err(WalkCutError::CutOff(count, of, names(all, &cut_off)));
+    }
+    warnings(p, all, &found, &cut_off)
+        .into_iter()
+        .for_each(|w| ctx.warn(w));
+    Ok(())
+}
+
+/// Names of photos, the first few.
+fn names(all: &Judged<'_>, which: &[usize]) -> String {
+    let name = |k: &usize| {
+        let photo = all.photos.get(all.scene.shots[*k].id);
+        photo.map_or("", |p| p.name.as_str())
+    };
+    let list: Vec<&str> = which.iter().take(NAMES).map(name).collect();
+    let more = if which.len() > NAMES { " …" } else { "" };
+    format!("{}{more}", list.join(", "))
+}
+
+/// What is told though it is no reason to stop.
+fn warnings(p: &WalkParams, all: &Judged<'_>, found: &Measured, cut_off: &[usize]) -> Vec<String> {
+    let mut said = vec![];
+    if found.lacking > p.most_lacking / LACKING_TOLD {
+        said.push(format!(
+            "{:.0} % of the features that stand amid the cameras are in no outline: is a part of the subject lacking, or does something stand beside it? {LOOK}",
+            100.0 * found.lacking
+        ));
+    }
+    if !cut_off.is_empty() {
+        let list = names(all, cut_off);
+        said.push(format!(
+            "the subject runs over the border of {list}: what is cut off is lacking"
+        ));
+    }
+    let which = |is: &dyn Fn(usize) -> bool| -> Vec<usize> {
+        (0..found.told.len()).filter(|k| is(*k)).collect()
+    };
+    let alike = which(&|k| found.told[k] < p.least_told - NAMED);
+    if !alike.is_empty() {
+        let list = names(all, &alike);
+        said.push(format!(
+            "{list}: subject and room have nearly the same colours there; {LOOK}"
+        ));
+    }
+    let odd = which(&|k| found.agree[k].min(all.settled[k]) < p.least_agreement - NAMED);
+    if !odd.is_empty() {
+        let list = names(all, &odd);
+        said.push(format!(
+            "{list}: the outline is not what the other photos show; {LOOK}"
+        ));
+    }
+    let (height, cell) = (all.cutter.height, all.subject.block.cell);
+    let on_floor = all.scene.space.floor.is_some_and(|f| height <= f + cell);
+    if !on_floor && height > p.bottom_mm {
+        said.push(format!(
+            "what the subject stands on is taken for part of it, down to {height:.0} mm, where photos begin to cut it off; say where it ends (`--set masks.bottom_mm=…`, in the frame of the cameras)"
+        ));
+    }
+    said
+}

@@ -1,0 +1,26 @@
+//! Silhouettes of a walk around a subject that stands still with its room.
+//!
+//! Campbell, Vogiatzis, Hernández and Cipolla, "Automatic 3D object segmentation in multiple views
+//! using volumetric graph-cuts", Image and Vision Computing 28 (2010): what all cameras look at is the
+//! subject; its colours and the room's are learned from photos, cells of a block are parted by a least
+//! cut, and both again. That a cell is free where one photo sees the room through it: Djelouah et al.
+//! (2013). Features behind the subject, which a walk gives for nothing, say so without colours.
+
+mod block;
+mod colors;
+mod doubt;
+mod features;
+mod find;
+mod floor_cut;
+mod full_size;
+mod judged;
+mod outline;
+mod params;
+mod passes;
+mod photo_cut;
+mod space;
+mod stage;
+mod voxels;
+
+pub use params::{WalkCutError, WalkParams};
+pub use stage::{Walk, WalkInput};

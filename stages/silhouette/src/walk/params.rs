@@ -1,0 +1,101 @@
+//! How a subject that was walked around is cut out, and why it may not be.
+
+stage::params! {
+    /// How a subject that was walked around is cut out.
+    pub struct WalkParams {
+        /// Longest side to which photos are reduced while cells and outlines are found; the border is
+        /// cut again at full size.
+        #[range(100..=4000)]
+        coarse_px: u32 = 600,
+        /// Cells along the greatest side of the block about the subject, at first; a quarter more later.
+        #[range(32..=400)]
+        cells: u32 = 128,
+        /// Rounds of fitting colours and cutting cells, before any outline.
+        #[range(1..=20)]
+        rounds: u32 = 4,
+        /// Rounds of cells from outlines and outlines from cells.
+        #[range(1..=10)]
+        passes: u32 = 2,
+        /// Clusters of the mixture of the subject's colours; the room's has half as many more.
+        #[range(1..=20)]
+        clusters: u32 = 6,
+        /// Price of parting two cells.
+        #[range(0.0..=100.0)]
+        smooth: f64 = 1.0,
+        /// Weight of an outline's length against colours (γ).
+        #[range(0.0..=1000.0)]
+        gamma: f64 = 40.0,
+        /// Height below which nothing is the subject: a pedestal's top, say. In the frame of the
+        /// cameras; of a walk without scale their mean distance is 1000. By itself it ends at the
+        /// floor, or where `whole` of the photos no longer show it.
+        #[range(-100000.0..=100000.0)]
+        bottom_mm: f64 = -100_000.0,
+        /// Share of the photos that must show the subject down to where it is said to end.
+        #[range(0.1..=1.0)]
+        whole: f64 = 0.9,
+        /// Widest gap between cameras around the subject.
+        #[range(30.0..=360.0)]
+        most_gap_deg: f64 = 120.0,
+        /// Least share of the pixels near the outlines (in the middle photo) that colours alone put on
+        /// the right side.
+        #[range(0.5..=1.0)]
+        least_told: f64 = 0.82,
+        /// How alike (intersection over union, in the middle photo) outlines of the last two passes
+        /// must be, and outlines and what all photos together show.
+        #[range(0.0..=1.0)]
+        least_agreement: f64 = 0.85,
+        /// Greatest share of the features that stand amid the cameras which outlines may lack.
+        #[range(0.0..=1.0)]
+        most_lacking: f64 = 0.1,
+    }
+}
+
+/// Why there are no masks.
+#[derive(Debug, thiserror::Error)]
+pub enum WalkCutError {
+    /// Too few cameras.
+    #[error(
+        "only {0} photos have a camera, but to tell a subject from its room by a walk around it takes at least {1}: take more photos, all the way round, or hand in masks"
+    )]
+    Few(usize, usize),
+    /// Cameras on one side.
+    #[error(
+        "the cameras leave {0:.0}° around the subject open: walk all the way round, or hand in masks"
+    )]
+    OneSide(f64),
+    /// Nothing that all see.
+    #[error(
+        "there is no place that nearly all cameras look at: keep the subject amid the photos, or hand in masks"
+    )]
+    NoMiddle,
+    /// Nothing found.
+    #[error(
+        "nothing amid the cameras differs from the room by its colours: is the subject in the middle of the photos? hand in masks, or take the photos before another background"
+    )]
+    Nothing,
+    /// Colours alike.
+    #[error(
+        "subject and room have nearly the same colours: beside the outline only {0:.0} % of the pixels lie on the side that their colour tells ({1:.0} % are asked for, `least_told`), so the masks would be guesses: hand in masks, or take the photos before another background"
+    )]
+    Alike(f64, f64),
+    /// Masks that change.
+    #[error(
+        "the outlines do not settle: those of the last two passes share only {0:.0} % ({1:.0} % are asked for, `least_agreement`): hand in masks"
+    )]
+    Unsettled(f64, f64),
+    /// Masks that contradict each other.
+    #[error(
+        "the outlines contradict each other: each shares only {0:.0} % with what all together show ({1:.0} % are asked for, `least_agreement`): did the subject move, or stand aside? hand in masks"
+    )]
+    Contradict(f64, f64),
+    /// Parts are lacking.
+    #[error(
+        "{0:.0} % of the features that stand amid the cameras are in no outline (at most {1:.0} % may be, `most_lacking`): a part of the subject has the room's colours, or more than the subject stands there: hand in masks, or take the photos before another background"
+    )]
+    Lacking(f64, f64),
+    /// Cut off.
+    #[error(
+        "the subject runs over the border of {0} of {1} photos ({2}): take photos that show it whole, or hand in masks"
+    )]
+    CutOff(usize, usize, String),
+}

@@ -1,0 +1,83 @@
+//! Which cells are the subject: what every photo says of each, and a least cut through the block.
+
+use crate::maxflow::Grid;
+use crate::scene::Shot;
+use crate::walk::block::Block;
+use rayon::prelude::*;
+use shape::Image;
+
+/// How sure one photo is, and how many rays that miss a cell hit the subject elsewhere.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Belief {
+    /// How often the colours of a pixel mislead.
+    pub(crate) misled: f32,
+    /// How often a ray past a free cell shows the subject all the same.
+    pub(crate) behind: f32,
+}
+
+impl Belief {
+    /// ln p(pixel | cell is body) − ln p(pixel | cell is free), from what the pixel's colour says:
+    /// a room seen there frees the cell, a subject seen there may stand before or behind it.
+    pub(crate) fn told(&self, favour: f32) -> f32 {
+        let r = favour.clamp(-12.0, 12.0).exp();
+        let body = (1.0 - self.misled) * r + self.misled;
+        let free = self.behind * r + 1.0 - self.behind;
+        (body / free).ln()
+    }
+}
+
+/// What all photos say of each cell; cells that `closed` names are none's.
+pub(crate) fn evidence(
+    block: &Block,
+    shots: &[Shot],
+    told: &[Image<f32>],
+    closed: &[bool],
+) -> Vec<f32> {
+    let one = |i: usize| {
+        if closed[i] {
+            return f32::NEG_INFINITY;
+        }
+        let x = block.centre(i);
+        let (mut sum, mut seen) = (0.0, 0);
+        for (shot, told) in shots.iter().zip(told) {
+            let px = shot.camera.project(&x).filter(|px| shot.camera.holds(*px));
+            if let Some(px) = px {
+                let (c, r) = (
+                    px.x.round().max(0.0) as usize,
+                    px.y.round().max(0.0) as usize,
+                );
+                sum += told.at(c.min(told.width - 1), r.min(told.height - 1));
+                seen += 1;
+            }
+        }
+        // As if as many photos as there are had seen it.
+        sum * shots.len() as f32 / seen.max(1) as f32
+    };
+    (0..block.len()).into_par_iter().map(one).collect()
+}
+
+/// Costs are multiplied by this and rounded, so that flows are whole numbers.
+const UNIT: f32 = 64.0;
+/// No evidence counts for more.
+const MOST: f32 = 40.0;
+
+/// The cells that are the subject: least sum of what the evidence says against each and of what it
+/// costs to part neighbours.
+pub(crate) fn solid(block: &Block, evidence: &[f32], smooth: f32) -> Vec<bool> {
+    let mut grid = Grid::block(block.count);
+    let part = (smooth * UNIT) as i32;
+    for (i, e) in evidence.iter().enumerate() {
+        let cost = (e.clamp(-MOST, MOST) * UNIT) as i32;
+        grid.set_cell_terminal(i, cost.max(0), (-cost).max(0));
+        let at = block.at(i);
+        for axis in 0..3 {
+            if at[axis] + 1 < block.count[axis] {
+                grid.set_cell_arc(i, axis, part);
+            }
+        }
+    }
+    grid.cut();
+    (0..block.len())
+        .map(|i| grid.cell_on_source_side(i))
+        .collect()
+}

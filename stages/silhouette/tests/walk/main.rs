@@ -1,0 +1,214 @@
+//! Masks of a walk around a made figure whose outline is known, and what is refused or told.
+
+mod room;
+mod scene;
+
+use scene::{Made, Scene};
+use shape::{Mask, Masks};
+use silhouette::{Walk, WalkInput, WalkParams};
+use stage::{Ctx, Host, Stage, Stop};
+use std::sync::{Arc, Mutex};
+
+/// Who listens to warnings.
+#[derive(Default)]
+struct Listening(Mutex<Vec<String>>);
+
+impl Host for Listening {
+    fn warn(&self, text: &str) {
+        self.0.lock().unwrap().push(text.into());
+    }
+}
+
+/// What comes of a scene, with the true masks and what was said.
+struct Came {
+    masks: Result<Masks, String>,
+    truth: Vec<Mask>,
+    said: Vec<String>,
+}
+
+fn cut(made: Made, p: &WalkParams) -> Came {
+    let scene = Scene::new(made);
+    let (photos, truth) = scene.photos();
+    let input = WalkInput {
+        photos: Arc::new(photos),
+        cameras: Arc::new(scene.truth()),
+        tracks: Some(Arc::new(scene.tracks(1500))),
+    };
+    let host = Listening::default();
+    let masks = Walk::run(
+        p,
+        input,
+        &Ctx::new(&host, stage::hash(b""), stage::hash(b"")),
+    )
+    .map_err(|stop| match stop {
+        Stop::Failed(why) => why.to_string(),
+        Stop::Cancelled => "cancelled".into(),
+    });
+    Came {
+        masks,
+        truth,
+        said: host.0.into_inner().unwrap(),
+    }
+}
+
+/// Fewer cells than a real walk needs: the photos are small.
+fn small() -> WalkParams {
+    WalkParams {
+        cells: 96,
+        ..WalkParams::default()
+    }
+}
+
+/// Intersection over union of masks.
+fn shared(a: &Mask, b: &Mask) -> f64 {
+    let pairs = || {
+        a.data
+            .iter()
+            .zip(&b.data)
+            .map(|(a, b)| (*a > 127, *b > 127))
+    };
+    let both = pairs().filter(|(a, b)| *a && *b).count();
+    both as f64 / pairs().filter(|(a, b)| *a || *b).count() as f64
+}
+
+/// What masks share with the true ones: mean and least.
+fn against(masks: &Masks, truth: &[Mask]) -> (f64, f64) {
+    let all: Vec<f64> = masks
+        .views
+        .iter()
+        .map(|(id, m)| shared(m, &truth[id.0 as usize]))
+        .collect();
+    let mean = all.iter().sum::<f64>() / all.len() as f64;
+    (mean, all.into_iter().fold(1.0, f64::min))
+}
+
+#[test]
+fn a_figure_in_a_room_is_cut_out_of_a_walk_around_it() {
+    let came = cut(Made::default(), &small());
+    let masks = came.masks.unwrap();
+    let (mean, least) = against(&masks, &came.truth);
+    assert_eq!(masks.views.len(), 12);
+    assert!(mean > 0.93 && least > 0.9, "{mean} {least} {:?}", came.said);
+    assert_eq!(came.said, Vec::<String>::new());
+}
+
+#[test]
+fn where_skin_has_the_floor_s_colour_what_is_lacking_is_told() {
+    let floor = [128.0, 104.0, 82.0];
+    let came = cut(
+        Made {
+            floor,
+            ..Made::default()
+        },
+        &small(),
+    );
+    let (mean, _) = against(&came.masks.unwrap(), &came.truth);
+    assert!(mean > 0.8, "{mean}");
+    let told =
+        |said: &String| said.contains("features that stand amid the cameras are in no outline");
+    assert!(came.said.iter().any(told), "{:?}", came.said);
+}
+
+#[test]
+fn the_height_that_is_said_is_where_the_subject_ends() {
+    let p = WalkParams {
+        bottom_mm: 600.0,
+        ..small()
+    };
+    let made = Made::default();
+    let (scene, came) = (Scene::new(made), cut(made, &p));
+    let masks = came.masks.unwrap();
+    // Just above the height, on the front of a thigh, and well below it.
+    for (k, camera) in scene.cameras.iter().enumerate() {
+        let mask = masks.views.values().nth(k).unwrap();
+        let at = |z: f64| {
+            camera
+                .project(&nalgebra::Point3::new(95.0, 0.0, z))
+                .unwrap()
+        };
+        assert!(mask.shows(at(800.0)) && !mask.shows(at(350.0)), "photo {k}");
+    }
+}
+
+#[test]
+fn the_same_bytes_come_with_any_number_of_threads() {
+    let made = Made {
+        photos: 8,
+        width: 100,
+        ..Made::default()
+    };
+    let p = WalkParams {
+        cells: 48,
+        least_told: 0.5,
+        least_agreement: 0.0,
+        most_lacking: 1.0,
+        ..WalkParams::default()
+    };
+    let bytes = |threads: usize| {
+        let pool = rayon::ThreadPoolBuilder::new()
+            .num_threads(threads)
+            .build()
+            .unwrap();
+        stage::to_bytes(&pool.install(|| cut(made, &p)).masks.unwrap())
+    };
+    let one = bytes(1);
+    assert!(one == bytes(2) && one == bytes(5));
+}
+
+#[test]
+fn what_would_be_a_guess_is_refused() {
+    let made = Made {
+        width: 120,
+        ..Made::default()
+    };
+    let skin = made.colors[1];
+    for (made, says) in [
+        (Made { photos: 1, ..made }, "only 1 photos have a camera"),
+        (Made { photos: 5, ..made }, "only 5 photos have a camera"),
+        (Made { round: 0.4, ..made }, "leave 2"),
+        (
+            Made {
+                plain: true,
+                colors: [skin; 3],
+                ..made
+            },
+            "colours",
+        ),
+    ] {
+        let came = cut(made, &small());
+        let why = came.masks.map(|m| against(&m, &came.truth));
+        let refused = why.as_ref().is_err_and(|why| why.contains(says));
+        assert!(refused, "{says}: {why:?} {:?}", came.said);
+    }
+}
+
+#[test]
+fn a_figure_that_photos_cut_off_is_told() {
+    let made = Made {
+        width: 120,
+        near: 1250.0,
+        ..Made::default()
+    };
+    let came = cut(made, &small());
+    let told = |says: &str| came.said.iter().any(|said| said.contains(says));
+    assert!(
+        came.masks.is_ok() && told("over the border of 0000.png"),
+        "{:?}",
+        came.said
+    );
+    assert!(told("begin to cut it off"), "{:?}", came.said);
+}
+
+#[test]
+fn a_figure_far_aside_is_refused_or_told() {
+    let came = cut(
+        Made {
+            aside: 520.0,
+            ..Made::default()
+        },
+        &small(),
+    );
+    let told = !came.said.is_empty();
+    let share = came.masks.map(|m| against(&m, &came.truth));
+    assert!(share.is_err() || told, "{share:?}");
+}
