@@ -2,7 +2,7 @@
 
 use tailor::catalog::CATALOG;
 use tailor::graph::Graph;
-use tailor::key::story;
+use tailor::key::provenance;
 use tailor::recipe::{Overrides, Pipeline};
 
 fn over(name: &str, under: &str) -> Graph {
@@ -38,8 +38,8 @@ fn versions_of_foreign_programs_are_in_the_key_and_nowhere_else() {
     let graph = over("video", "body");
     for node in &graph.nodes {
         let inputs = vec![None; node.ports.len()];
-        let story = story(node, &inputs).0;
-        let programs = story
+        let provenance = provenance(node, &inputs).0;
+        let programs = provenance
             .iter()
             .filter(|(what, _)| what.starts_with("program "));
         let programs: Vec<&(String, String)> = programs.collect();

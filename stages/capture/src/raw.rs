@@ -12,7 +12,8 @@ use crate::rig::RigFile;
 use rayon::prelude::*;
 use shape::{Photo, Photos, Rgb, Rig, rgb_to_jpeg};
 use stage::{Ctx, FileEntry, Files, Stage, Stop};
-use std::path::PathBuf;
+use std::ffi::OsString;
+use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::time::Duration;
 
@@ -142,28 +143,9 @@ fn developed(
     let name = entry.name.rsplit('/').next().unwrap_or(&entry.name);
     let exif = exif::read(&files.read(entry)?);
     let path = files.path(entry)?;
-    let brightness = p.brightness.to_string();
-    // White as the camera saw it, one brightness for all, sRGB with its own curve, AHD.
-    let args = [
-        "-w",
-        "-W",
-        "-b",
-        &brightness,
-        "-o",
-        "1",
-        "-g",
-        "2.4",
-        "12.92",
-        "-q",
-        "3",
-        "-Z",
-        "-",
-    ];
-    let mut args: Vec<_> = args.iter().map(Into::into).collect();
-    args.push(path.clone().into());
     let run = Run {
         program: DCRAW,
-        args,
+        args: arguments(p, &path),
         what: name,
         limit: LIMIT,
     };
@@ -217,6 +199,18 @@ fn developed(
         time_s: exif.time_s,
         file: rgb_to_jpeg(&rgb, QUALITY).into(),
     })
+}
+
+/// White as the camera saw it, one brightness for all, sRGB with its own curve, AHD.
+fn arguments(p: &RawParams, path: &Path) -> Vec<OsString> {
+    let brightness = p.brightness.to_string();
+    let mut args: Vec<OsString> = ["-w", "-W", "-b", &brightness, "-o", "1"]
+        .iter()
+        .map(Into::into)
+        .collect();
+    args.extend(["-g", "2.4", "12.92", "-q", "3", "-Z", "-"].map(Into::into));
+    args.push(path.into());
+    args
 }
 
 /// Why a run stopped.

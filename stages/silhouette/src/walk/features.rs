@@ -26,8 +26,8 @@ const NEAR: f64 = 1.5;
 pub(crate) fn spots(tracks: &Tracks, shots: &[Shot], full: &[[f64; 2]]) -> Vec<Spot> {
     let places: BTreeMap<PhotoId, usize> =
         shots.iter().enumerate().map(|(k, s)| (s.id, k)).collect();
-    let one = |track: &Vec<shape::Sighting>| {
-        let sight = |s: &shape::Sighting| {
+    let one = |track: &Vec<shape::Observation>| {
+        let sight = |s: &shape::Observation| {
             let k = *places.get(&s.photo)?;
             let lens = &shots[k].camera.lens;
             let small =

@@ -7,7 +7,6 @@ use crate::walk::floor_cut::FloorCut;
 use crate::walk::params::{WalkCutError, WalkParams};
 use crate::walk::space::Scene;
 use shape::{Image, Photos};
-use stage::Ctx;
 
 /// All that is judged; lists are by shot.
 pub(crate) struct Judged<'a> {
@@ -98,22 +97,28 @@ fn measured(all: &Judged<'_>) -> Measured {
     }
 }
 
-/// Tells of what is doubtful.
+/// What is said of masks that are believed.
+pub(crate) struct Judgement {
+    /// Names and values. \[%\]
+    pub(crate) metrics: [(&'static str, f64); 4],
+    /// What is doubtful.
+    pub(crate) warnings: Vec<String>,
+}
+
+/// Whether the masks are to be believed.
 ///
 /// # Errors
-/// Where the masks would be a guess.
-pub(crate) fn judged(p: &WalkParams, all: &Judged<'_>, ctx: &Ctx<'_>) -> Result<(), WalkCutError> {
+/// Where the masks would be a guess; the metrics are then in the error's words.
+pub(crate) fn judged(p: &WalkParams, all: &Judged<'_>) -> Result<Judgement, WalkCutError> {
     let percent = |x: f64| 100.0 * x;
     let found = measured(all);
     let [told, settled, agree] = [&found.told, all.settled, &found.agree].map(|l| middle(l));
-    for (name, value) in [
-        ("told by colour", told),
-        ("settled", settled),
-        ("agree", agree),
-        ("features lacking", found.lacking),
-    ] {
-        ctx.metric(name, percent(value), "%");
-    }
+    let metrics = [
+        ("told by colour", percent(told)),
+        ("settled", percent(settled)),
+        ("agree", percent(agree)),
+        ("features lacking", percent(found.lacking)),
+    ];
     let asked = percent(p.least_agreement);
     if told < p.least_told {
         return Err(WalkCutError::Alike(percent(told), percent(p.least_told)));
@@ -133,10 +138,8 @@ pub(crate) fn judged(p: &WalkParams, all: &Judged<'_>, ctx: &Ctx<'_>) -> Result<
         let (count, of) = (cut_off.len(), found.over.len());
         return Err(WalkCutError::CutOff(count, of, names(all, &cut_off)));
     }
-    warnings(p, all, &found, &cut_off)
-        .into_iter()
-        .for_each(|w| ctx.warn(w));
-    Ok(())
+    let warnings = warnings(p, all, &found, &cut_off);
+    Ok(Judgement { metrics, warnings })
 }
 
 /// Names of photos, the first few.

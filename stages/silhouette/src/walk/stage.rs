@@ -96,7 +96,11 @@ impl Stage for Walk {
             standing: &standing,
             settled: &settled,
         };
-        judged(p, &judge, ctx)?;
+        let judgement = judged(p, &judge)?;
+        for (name, value) in judgement.metrics {
+            ctx.metric(name, value, "%");
+        }
+        judgement.warnings.into_iter().for_each(|w| ctx.warn(w));
         ctx.metric("bottom", cutter.height, "mm");
         let steps = ctx.steps("photos", shots.len());
         let one = |(k, shot): (usize, &Shot)| -> Result<(PhotoId, Mask), Stop> {

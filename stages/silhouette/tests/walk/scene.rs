@@ -6,8 +6,8 @@ use nalgebra::{Matrix3, Point2, Point3, Rotation3, Vector3};
 use proof::Dice;
 use rayon::prelude::*;
 use shape::{
-    Camera, Cameras, Intrinsics, Mask, Photo, PhotoId, Photos, Pose, Rgb, Scale, Sighting, Tracks,
-    View, rgb_to_png,
+    Camera, Cameras, Intrinsics, Mask, Observation, Photo, PhotoId, Photos, Pose, Rgb, Scale,
+    Tracks, View, rgb_to_png,
 };
 
 /// Half of the room's width and depth, and its height. \[mm\]
@@ -254,7 +254,7 @@ impl Scene {
                 };
                 let met = self.hit(&camera.centre(), &to.normalize());
                 if (met.at - at).norm() < 1.0 {
-                    sights.push(Sighting {
+                    sights.push(Observation {
                         photo: PhotoId(k as u32),
                         at_px: [px.x, px.y].map(|v| (v + 0.2 * dice.normal()) as f32),
                         scale_px: 2.0,
