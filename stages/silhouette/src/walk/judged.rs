@@ -105,7 +105,7 @@ fn measured(all: &Judged<'_>) -> Measured {
 pub(crate) fn judged(p: &WalkParams, all: &Judged<'_>, ctx: &Ctx<'_>) -> Result<(), WalkCutError> {
     let percent = |x: f64| 100.0 * x;
     let found = measured(all);
-    let [told, settled, agree] = [&found.told, all.settled, &found.agree].map(|l| middle(l));
+    let [told, settled, agree] = [&found.told[..], all.settled, &found.agree[..]].map(middle);
     for (name, value) in [
         ("told by colour", told),
         ("settled", settled),
