@@ -119,7 +119,7 @@ fn beside(photo: &Rgb, sides: &Image<bool>) -> Rgb {
     for y in 0..h {
         for x in 0..w {
             let here = far.at(x, y);
-            if here < -MIXED || here > MIXED {
+            if !(-MIXED..=MIXED).contains(&here) {
                 continue;
             }
             let (mut sum, mut count) = ([0u32; 3], 0u32);

@@ -112,7 +112,7 @@ pub(crate) struct Judgement {
 pub(crate) fn judged(p: &WalkParams, all: &Judged<'_>) -> Result<Judgement, WalkCutError> {
     let percent = |x: f64| 100.0 * x;
     let found = measured(all);
-    let [told, settled, agree] = [&found.told, all.settled, &found.agree].map(|l| middle(l));
+    let [told, settled, agree] = [&found.told[..], all.settled, &found.agree[..]].map(middle);
     let metrics = [
         ("told by colour", percent(told)),
         ("settled", percent(settled)),
