@@ -10,7 +10,7 @@ pub(crate) type Costs = [f32; CHOICES];
 pub(crate) type Pairs = [[f32; CHOICES]; CHOICES];
 
 /// Passes to and fro.
-const PASSES: usize = 12;
+const PASSES: usize = 30;
 
 /// Choices on a grid with the costs of each and of neighbours.
 pub(crate) struct Field {

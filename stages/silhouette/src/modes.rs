@@ -36,6 +36,8 @@ pub(crate) struct Modes {
     sets: Vec<u64>,
     /// Of each pixel, mode by mode: the colour.
     colors: Vec<[[u8; 3]; MODES]>,
+    /// Of each pixel, mode by mode: the least squared contrast of the patches that show it. \[levels²\]
+    pub(crate) rough: Vec<[f32; MODES]>,
 }
 
 impl Modes {
@@ -60,19 +62,25 @@ impl Modes {
             words,
             sets: vec![0; width * height * MODES * 2 * words],
             colors: vec![[[0; 3]; MODES]; width * height],
+            rough: vec![[0.0; MODES]; width * height],
         };
-        let all = modes.sets.par_chunks_mut(MODES * 2 * words.max(1));
-        all.zip(&mut modes.colors)
+        let sets = modes.sets.par_chunks_mut(MODES * 2 * words.max(1));
+        let places = sets.zip(modes.colors.par_iter_mut().zip(&mut modes.rough));
+        places
             .enumerate()
-            .for_each(|(i, (sets, colors))| {
+            .for_each(|(i, (sets, (colors, roughs)))| {
                 let pixel = Pixel {
                     partners: &partners,
                     told: &told,
                     i,
                 };
-                let places = sets.chunks_mut(2 * words).zip(colors);
-                for (mode, (set, color)) in pixel.modes().iter().zip(places) {
+                let places = sets
+                    .chunks_mut(2 * words)
+                    .zip(colors.iter_mut().zip(roughs));
+                for (mode, (set, (color, least))) in pixel.modes().iter().zip(places) {
                     *color = written(mode, photos, i, set.split_at_mut(words));
+                    let shows = (0..photos.len()).filter(|k| mode[*k] == Told::Same);
+                    *least = shows.map(|k| rough[k][i]).fold(f32::MAX, f32::min);
                 }
             });
         modes
