@@ -26,7 +26,7 @@ const AT_ONCE: usize = 4;
 /// Least share of the photos that must stand still. \[%\]
 const STANDS: f64 = 15.0;
 
-/// A patch that nothing vouches for is told when it takes more of its mask than this. \[%\]
+/// A patch that nothing vouches for is named when it takes more of its mask than this. \[%\]
 const DOUBTFUL: f64 = 0.5;
 
 /// Hash of all photos and cameras: the empty scene without a plate follows from all of them.
@@ -39,14 +39,14 @@ pub(crate) fn everything(photos: &Photos, cameras: &Cameras) -> Hash {
 }
 
 /// Of all photos without a plate.
-pub(crate) struct Told {
+pub(crate) struct EmptyStats {
     /// The share of the photos that stands still. \[%\]
     pub stands: f64,
     /// Photos whose mask holds a patch that nothing vouches for.
     pub doubtful: Vec<PhotoId>,
 }
 
-impl Told {
+impl EmptyStats {
     /// What to look at, photos by name.
     pub(crate) fn warnings(&self, photos: &Photos) -> Vec<String> {
         let all = "there is no plate: the empty scene is guessed from what stands still, and may cost parts of the body; look at the masks, or take one photo without the subject and call it plate.jpg";
@@ -159,7 +159,7 @@ pub(crate) fn empty_scene<E: From<CutError> + From<PhotoError> + Send>(
     photos: &Photos,
     cameras: &Cameras,
     check: impl Fn() -> Result<(), E> + Sync,
-) -> Result<(Empty, Levels, Told), E> {
+) -> Result<(Empty, Levels, EmptyStats), E> {
     let known: Vec<Known<'_>> = photos
         .iter()
         .filter_map(|(id, photo)| Some((id, photo, cameras.views.get(id)?.camera)))
@@ -210,5 +210,5 @@ pub(crate) fn empty_scene<E: From<CutError> + From<PhotoError> + Send>(
     let ids = known.iter().map(|k| k.0);
     let cuts = ids.zip(cuts).filter_map(|(id, cut)| Some((id, cut?)));
     let scene = Empty::Turn(means.scene(), cuts.collect());
-    Ok((scene, levels, Told { stands, doubtful }))
+    Ok((scene, levels, EmptyStats { stands, doubtful }))
 }

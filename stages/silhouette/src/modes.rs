@@ -18,7 +18,7 @@ const SINGLE: f32 = 3.0;
 
 /// What a photo is to another, or to a level, at a pixel.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Told {
+enum Agreement {
     Other,
     Unsure,
     Same,
@@ -49,7 +49,7 @@ impl Modes {
         let rough: Vec<Vec<f32>> = photos.par_iter().map(contrast).collect();
         let held =
             |(a, b): &(usize, usize)| held([&photos[*a], &photos[*b]], [&rough[*a], &rough[*b]]);
-        let told: Vec<Vec<Told>> = pairs.par_iter().map(held).collect();
+        let agreement: Vec<Vec<Agreement>> = pairs.par_iter().map(held).collect();
         let mut partners = vec![vec![]; photos.len()];
         for (pair, (a, b)) in pairs.iter().enumerate() {
             partners[*a].push((*b, pair));
@@ -71,7 +71,7 @@ impl Modes {
             .for_each(|(i, (sets, (colors, roughs)))| {
                 let pixel = Pixel {
                     partners: &partners,
-                    told: &told,
+                    agreement: &agreement,
                     i,
                 };
                 let places = sets
@@ -79,7 +79,7 @@ impl Modes {
                     .zip(colors.iter_mut().zip(roughs));
                 for (mode, (set, (color, least))) in pixel.modes().iter().zip(places) {
                     *color = written(mode, photos, i, set.split_at_mut(words));
-                    let shows = (0..photos.len()).filter(|k| mode[*k] == Told::Same);
+                    let shows = (0..photos.len()).filter(|k| mode[*k] == Agreement::Same);
                     *least = shows.map(|k| rough[k][i]).fold(f32::MAX, f32::min);
                 }
             });
@@ -122,21 +122,21 @@ impl Modes {
 
 /// Writes which photos show a mode and which something else; the colour that they show.
 fn written(
-    mode: &[Told],
+    mode: &[Agreement],
     photos: &[Rgb],
     i: usize,
     (shows, rest): (&mut [u64], &mut [u64]),
 ) -> [u8; 3] {
     let (mut sum, mut count) = ([0u32; 3], 0u32);
-    for (k, told) in mode.iter().enumerate() {
-        match told {
-            Told::Same => {
+    for (k, agreement) in mode.iter().enumerate() {
+        match agreement {
+            Agreement::Same => {
                 shows[k / 64] |= 1 << (k % 64);
                 (0..3).for_each(|c| sum[c] += u32::from(photos[k].data[i][c]));
                 count += 1;
             }
-            Told::Other => rest[k / 64] |= 1 << (k % 64),
-            Told::Unsure => {}
+            Agreement::Other => rest[k / 64] |= 1 << (k % 64),
+            Agreement::Unsure => {}
         }
     }
     sum.map(|s| ((s + count / 2) / count.max(1)) as u8)
@@ -144,7 +144,7 @@ fn written(
 
 /// Two photos held against each other, pixel by pixel: a patch that holds the pixel is the same, and so
 /// is the pixel itself. Beside an outline that is a patch off to one side.
-fn held([a, b]: [&Rgb; 2], rough: [&Vec<f32>; 2]) -> Vec<Told> {
+fn held([a, b]: [&Rgb; 2], rough: [&Vec<f32>; 2]) -> Vec<Agreement> {
     let far = differences(a, b);
     let steep = |i: usize| rough[0][i].min(rough[1][i]);
     let unlike = Unlike::of(&far, &|_| true, &steep);
@@ -157,9 +157,9 @@ fn held([a, b]: [&Rgb; 2], rough: [&Vec<f32>; 2]) -> Vec<Told> {
         let single = (0..3).map(|c| off(c) * off(c)).sum::<f32>() / 3.0;
         let single = single / (SINGLE * unlike.most(steep(i)));
         match patch[i].max(single) {
-            far if far < 1.0 => Told::Same,
-            far if far > APART => Told::Other,
-            _ => Told::Unsure,
+            far if far < 1.0 => Agreement::Same,
+            far if far > APART => Agreement::Other,
+            _ => Agreement::Unsure,
         }
     };
     (0..far.len()).map(one).collect()
@@ -182,17 +182,17 @@ fn least_around(values: &[f32], wide: usize) -> Vec<f32> {
 struct Pixel<'a> {
     /// Of each photo: those that it is held against, and as which pair.
     partners: &'a [Vec<(usize, usize)>],
-    told: &'a [Vec<Told>],
+    agreement: &'a [Vec<Agreement>],
     i: usize,
 }
 
 impl Pixel<'_> {
     fn same(&self, pair: usize) -> bool {
-        self.told[pair][self.i] == Told::Same
+        self.agreement[pair][self.i] == Agreement::Same
     }
 
     /// The levels that two photos show at least, the one of most photos first: what each photo is to it.
-    fn modes(&self) -> Vec<Vec<Told>> {
+    fn modes(&self) -> Vec<Vec<Agreement>> {
         let count = self.partners.len();
         let mut taken = vec![false; count];
         let mut modes = Vec::new();
@@ -210,11 +210,11 @@ impl Pixel<'_> {
             };
             let mode = self.around(best);
             taken[best] = true;
-            let shows = |told: &Told| *told == Told::Same;
+            let shows = |agreement: &Agreement| *agreement == Agreement::Same;
             taken
                 .iter_mut()
                 .zip(&mode)
-                .for_each(|(t, told)| *t |= shows(told));
+                .for_each(|(t, agreement)| *t |= shows(agreement));
             if mode.iter().filter(|t| shows(t)).count() > 1 {
                 modes.push(mode);
             }
@@ -223,33 +223,33 @@ impl Pixel<'_> {
     }
 
     /// What each photo is to the level that one shows, by most of the photos that show it.
-    fn around(&self, best: usize) -> Vec<Told> {
+    fn around(&self, best: usize) -> Vec<Agreement> {
         let mut shows = vec![false; self.partners.len()];
         shows[best] = true;
         for (j, pair) in &self.partners[best] {
             shows[*j] = self.same(*pair);
         }
-        let told = |shows: &[bool], k: usize| {
+        let agreement = |shows: &[bool], k: usize| {
             let (mut same, mut other, mut held) = (0, 0, 0);
             for (_, pair) in self.partners[k].iter().filter(|(j, _)| shows[*j]) {
                 held += 1;
-                match self.told[*pair][self.i] {
-                    Told::Same => same += 1,
-                    Told::Other => other += 1,
-                    Told::Unsure => {}
+                match self.agreement[*pair][self.i] {
+                    Agreement::Same => same += 1,
+                    Agreement::Other => other += 1,
+                    Agreement::Unsure => {}
                 }
             }
             if 2 * same >= held && same > 2 * other {
-                Told::Same
+                Agreement::Same
             } else if 2 * other > held {
-                Told::Other
+                Agreement::Other
             } else {
-                Told::Unsure
+                Agreement::Unsure
             }
         };
         // Once more with those that were found.
-        let first = |k: usize| told(&shows, k) == Told::Same;
+        let first = |k: usize| agreement(&shows, k) == Agreement::Same;
         let shows: Vec<bool> = (0..shows.len()).map(first).collect();
-        (0..shows.len()).map(|k| told(&shows, k)).collect()
+        (0..shows.len()).map(|k| agreement(&shows, k)).collect()
     }
 }
