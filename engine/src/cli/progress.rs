@@ -21,6 +21,7 @@ struct State {
     of: usize,
     done: BTreeSet<String>,
     found: usize,
+    skipped: usize,
     running: Vec<Running>,
     /// What each node took the last time. \[s\]
     expected: BTreeMap<String, f64>,
@@ -92,6 +93,7 @@ impl Progress {
             of,
             done: BTreeSet::new(),
             found: 0,
+            skipped: 0,
             running: vec![],
             expected: BTreeMap::new(),
         };
@@ -188,8 +190,18 @@ impl Watch for Progress {
             }
             return;
         }
+        // Why is said of the node that failed, once.
+        let skipped = done.status == Status::Skipped;
+        state.skipped += usize::from(skipped);
+        let lost = state.skipped;
         // The line below is drawn from the same state.
         drop(state);
+        if skipped {
+            if so_far == of {
+                self.say(|| crate::errln!("{lost} that need it skipped"));
+            }
+            return;
+        }
         self.say(|| {
             crate::errln!("[{so_far:>2}/{of}] {node:<12} {}", became(done));
             for warning in &done.warnings {

@@ -17,6 +17,7 @@ mod look;
 mod names;
 mod netpbm;
 mod odd;
+mod ordered;
 mod photo;
 mod program;
 mod raw;

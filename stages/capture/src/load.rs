@@ -6,6 +6,7 @@ use crate::facts::Facts;
 use crate::glance::{Glance, glance, together};
 use crate::names::{Sorted, plate_of, sorted, twins};
 use crate::odd::seen_in_pictures;
+use crate::ordered::in_order;
 use crate::photo::{header, photo};
 use crate::rig::{RigFile, read_rig};
 use crate::sharpness::{best, sharpness};
@@ -90,7 +91,7 @@ impl Stage for Load {
             steps.tick()?;
             Ok((photo, seen))
         };
-        let read: Vec<_> = photos.into_par_iter().map(read).collect::<Result<_, _>>()?;
+        let read: Vec<_> = in_order(photos.into_par_iter().map(read))?;
         let (mut photos, seen): (Vec<Photo>, Vec<_>) = read.into_iter().unzip();
         other_cameras(&photos).iter().for_each(|w| ctx.warn(w));
         let times = photos.iter().filter_map(|p| p.time_s);
@@ -172,7 +173,7 @@ fn of_files(p: &LoadParams, files: &Files, known: &RigFile, ctx: &Ctx<'_>) -> Re
         Ok(header(&entry.name, name, files.read(entry)?)?)
     };
     Ok(Turn {
-        photos: places.par_iter().map(heads).collect::<Result<_, _>>()?,
+        photos: in_order(places.par_iter().map(heads))?,
         plate: plate.map(|entry| empty(files, entry)).transpose()?,
         even,
     })
@@ -252,7 +253,7 @@ fn chosen<T: Sync>(
         steps.tick()?;
         Ok(sharp)
     };
-    let sharp: Vec<f64> = turn.par_iter().map(sharp).collect::<Result<_, _>>()?;
+    let sharp: Vec<f64> = in_order(turn.par_iter().map(sharp))?;
     let places = best(&sharp, most);
     ctx.warn(format!(
         "{} photos are more than are of use: the sharpest of each of {most} even stretches are taken (`most`); steps between them are no longer even",

@@ -2,6 +2,7 @@
 
 use crate::glance::{Glance, glance, together};
 use crate::odd::{seen_in_facts, seen_in_pictures};
+use crate::ordered::in_order;
 use crate::sharpness::sharpness;
 use crate::verdict::{Seen, against_the_middle, camera_stood, can, lengths};
 use rayon::prelude::*;
@@ -54,11 +55,7 @@ impl Stage for Look {
             steps.tick()?;
             Ok(seen)
         };
-        let seen: Vec<(Glance, f64)> = photos
-            .photos
-            .par_iter()
-            .map(one)
-            .collect::<Result<_, _>>()?;
+        let seen: Vec<(Glance, f64)> = in_order(photos.photos.par_iter().map(one))?;
         let (glances, sharp): (Vec<Glance>, Vec<f64>) = seen.into_iter().unzip();
         let together = together(&glances);
         let sharpness = against_the_middle(&sharp);

@@ -6,6 +6,7 @@ use crate::folder::is_raw;
 use crate::installed::{found, linked, version};
 use crate::names::{sorted, twins};
 use crate::netpbm::{self, Netpbm};
+use crate::ordered::in_order;
 use crate::photo::as_jpeg;
 use crate::program::{Program, ProgramError, Run};
 use crate::rig::RigFile;
@@ -104,7 +105,7 @@ impl Stage for Raw {
             steps.tick()?;
             Ok(photo)
         };
-        let photos: Vec<Photo> = turn.par_iter().map(one).collect::<Result<_, _>>()?;
+        let photos: Vec<Photo> = in_order(turn.par_iter().map(one))?;
         ctx.metric("photos", photos.len() as f64, "");
         Ok(Photos {
             photos,
