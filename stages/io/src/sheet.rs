@@ -19,7 +19,7 @@ const LINE: [u8; 3] = [255, 64, 32];
 
 /// The photos in turning order, six a row, 320 px wide each: what the mask leaves out is darkened,
 /// its border drawn. A photo without a mask is all dark. Each bears its name; where a mask is odd
-/// ([`odd`]) it is framed, and says so.
+/// (`odd`) it is framed, and says so.
 ///
 /// # Errors
 /// A photo that cannot be decoded.
