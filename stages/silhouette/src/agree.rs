@@ -1,7 +1,8 @@
 //! How a photo takes over what all photos say together, and what of it it may contradict.
 
+use crate::least_cut::Known;
 use crate::photo_cut::Prepared;
-use crate::segment::{Known, LIKELY_HOLE, parts};
+use crate::segment::{LIKELY_HOLE, parts};
 use crate::unary::FLAT;
 use shape::Image;
 

@@ -2,8 +2,9 @@
 
 use crate::border::coverage;
 use crate::gmm::Gmm;
+use crate::least_cut::{Known, Window};
 use crate::photo_cut::band;
-use crate::segment::{Known, Settings, Window, cut, largest, reduced};
+use crate::segment::{Settings, cut, largest, reduced};
 use shape::{Image, Mask, Rgb};
 
 /// A rectangle of the photo, beyond which nothing is body. \[px\]

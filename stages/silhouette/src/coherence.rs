@@ -1,7 +1,7 @@
 //! What all photos say together: a ray that misses the hull of the others sees background, and one
 //! that passes deep through it sees body.
 
-use crate::segment::Known;
+use crate::least_cut::Known;
 use nalgebra::Point3;
 use shape::{Camera, Cameras, Mask, PhotoId};
 use std::collections::BTreeMap;

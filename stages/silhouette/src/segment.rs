@@ -1,20 +1,9 @@
 //! Body and background of a photo by graph cuts, coarse to fine (Rother, Kolmogorov, Blake 2004).
 
 use crate::gmm::Gmm;
-use crate::maxflow::{Grid, STEPS};
+use crate::least_cut::{Known, Terms, UNIT, Window, least_cut};
 use crate::unary::FLAT;
 use shape::{Image, Rgb};
-
-/// What is known of each pixel before the cut.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Known {
-    /// It may be either.
-    Unknown,
-    /// It cannot be body.
-    Background,
-    /// It cannot be background.
-    Body,
-}
 
 /// How to cut.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -27,14 +16,10 @@ pub struct Settings {
     pub clusters: usize,
 }
 
-/// Costs are multiplied by this and rounded, so that flows are whole numbers.
-const UNIT: f64 = 64.0;
 /// A hole whose median pixel costs the background more than this is no hole.
 const EXPLAINED: f32 = FLAT + 1.5;
 /// Neighbours that cost the background no more than this are its own.
 const OWN: f32 = FLAT + 1.5;
-/// No pixel may be put on the other side.
-const NEVER: i32 = 1 << 24;
 /// -ln of an even density over all colours: anything can be body.
 const ANY_COLOR: f64 = 16.6;
 /// A pixel that costs the background more than this is evidently body.
@@ -109,18 +94,6 @@ pub(crate) fn body_cost(body: &Gmm, color: [u8; 3]) -> f64 {
     (body.cost(color) + 0.36).min(STRANGE)
 }
 
-/// A rectangle of an image. \[px\]
-pub struct Window {
-    /// Left column.
-    pub x: usize,
-    /// Top row.
-    pub y: usize,
-    /// Columns.
-    pub width: usize,
-    /// Rows.
-    pub height: usize,
-}
-
 /// Cuts a window: true is body. `background` and the result are row-major over the window, `known`
 /// goes by the photo's pixels.
 pub fn cut(
@@ -131,67 +104,23 @@ pub fn cut(
     settings: &Settings,
     known: &dyn Fn(usize) -> Known,
 ) -> Vec<bool> {
-    let (w, h) = (window.width, window.height);
-    let at = |x: usize, y: usize| (window.y + y) * photo.width + window.x + x;
-    let beta = beta(photo, window);
-    let mut grid = Grid::new(w, h);
-    for y in 0..h {
-        for x in 0..w {
-            let (i, here) = (at(x, y), y * w + x);
-            // The grid is small where it matters: -ln of body = -ln(0.7 GMM + 0.3 anything).
-            match known(i) {
-                Known::Background => grid.set_terminal(x, y, 0, NEVER),
-                Known::Body => grid.set_terminal(x, y, NEVER, 0),
-                Known::Unknown => {
-                    let cost = body_cost(body, photo.data[i]);
-                    let keep = (f64::from(background[here]) * UNIT) as i32;
-                    grid.set_terminal(x, y, keep, (cost * UNIT) as i32);
-                }
-            }
-            for d in 4..8 {
-                let (nx, ny) = (x as i32 + STEPS[d].0, y as i32 + STEPS[d].1);
-                if nx < 0 || nx >= w as i32 || ny >= h as i32 {
-                    continue;
-                }
-                let j = at(nx as usize, ny as usize);
-                let differ = (0..3)
-                    .map(|c| f64::from(photo.data[i][c]) - f64::from(photo.data[j][c]))
-                    .map(|d| d * d)
-                    .sum::<f64>();
-                // An edge that the background has by itself is no reason to cut here.
-                let there = (ny as usize) * w + nx as usize;
-                let both = background[here].min(background[there]) < OWN;
-                let contrast = if both { 0.0 } else { (beta * differ).min(12.0) };
-                let length = if STEPS[d].0 != 0 && STEPS[d].1 != 0 {
-                    std::f64::consts::FRAC_1_SQRT_2
-                } else {
-                    1.0
-                };
-                let weight = settings.gamma * length * (0.15 + 0.85 * (-contrast).exp());
-                grid.set_arc(x, y, d, (weight * UNIT / 8.0) as i32);
-            }
-        }
-    }
-    grid.cut();
-    (0..w * h)
-        .map(|i| grid.on_source_side(i % w, i / w))
-        .collect()
-}
-
-/// 1 / (2 mean squared difference of neighbours): Rother, eq. 5.
-pub(crate) fn beta(photo: &Rgb, window: &Window) -> f64 {
-    let (mut sum, mut count) = (0.0, 0.0);
-    for y in (window.y..window.y + window.height).step_by(2) {
-        for pair in photo.row(y)[window.x..window.x + window.width]
-            .windows(2)
-            .step_by(2)
-        {
-            let differ = (0..3).map(|c| f64::from(pair[0][c]) - f64::from(pair[1][c]));
-            sum += differ.map(|d| d * d).sum::<f64>();
-            count += 1.0;
-        }
-    }
-    count / (2.0 * sum.max(1.0))
+    let colours = |i: usize, here: usize| {
+        // The grid is small where it matters: -ln of body = -ln(0.7 GMM + 0.3 anything).
+        let keep = (f64::from(background[here]) * UNIT) as i32;
+        (keep, (body_cost(body, photo.data[i]) * UNIT) as i32)
+    };
+    // An edge that the background has by itself is no reason to cut here.
+    let own = |here: usize, there: usize| background[here].min(background[there]) < OWN;
+    least_cut(
+        photo,
+        window,
+        settings.gamma,
+        &Terms {
+            known,
+            colours: &colours,
+            own: &own,
+        },
+    )
 }
 
 /// A hole that the background only likely explains is at least this part of the body: gaps between arm

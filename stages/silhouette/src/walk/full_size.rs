@@ -1,11 +1,10 @@
 //! The outline of a reduced photo again at full size, window by window so that memory stays small.
 
 use crate::border::{coverage, soft_border};
+use crate::least_cut::{Known, Window, cut_by_odds};
 use crate::photo_cut::band;
-use crate::segment::{Known, Window};
 use crate::unary::Noise;
 use crate::walk::colors::Colors;
-use crate::walk::photo_cut::cut;
 use shape::{Image, Mask, Rgb};
 
 /// Side of a window, and its margin, which is cut and thrown away. \[px of the reduced photo\]
@@ -102,7 +101,7 @@ fn cut_again(
                     .map(move |c| colors.favour(*c, y as f64 / factor as f64))
             })
             .collect();
-        let body = cut(photo, &window, &favour, gamma, &settled);
+        let body = cut_by_odds(photo, &window, gamma, &favour, &settled);
         for y in ty * factor..bottom * factor {
             for x in tx * factor..right * factor {
                 *sides.at_mut(x, y) = body[(y - window.y) * window.width + x - window.x];

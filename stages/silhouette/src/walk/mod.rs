@@ -17,7 +17,6 @@ mod judged;
 mod outline;
 mod params;
 mod passes;
-mod photo_cut;
 mod space;
 mod stage;
 mod voxels;

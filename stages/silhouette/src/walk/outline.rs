@@ -1,11 +1,11 @@
 //! The outline on one photo: a least cut by colours about what the cells cover.
 
+use crate::least_cut::{Known, Window, cut_by_odds};
 use crate::scene::Shot;
-use crate::segment::{Known, Window, parts};
+use crate::segment::parts;
 use crate::walk::block::Block;
 use crate::walk::colors::Colors;
 use crate::walk::features::Spot;
-use crate::walk::photo_cut::cut;
 use shape::{Image, Mask, signed_distance};
 
 /// What holds an outline to the cells.
@@ -78,7 +78,7 @@ pub(crate) fn outline(
         width: w,
         height: h,
     };
-    let data = cut(&shot.small, &window, &favour, gamma, &|i| known[i]);
+    let data = cut_by_odds(&shot.small, &window, gamma, &favour, &|i| known[i]);
     let sides = Image {
         width: w,
         height: h,
