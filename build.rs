@@ -1,7 +1,7 @@
-//! Whether a Chromium is there to test pages in: then `cfg(chromium)` is set; without one browser
-//! tests are reported as ignored.
+//! Where a Chromium is to test pages in: then `cfg(chromium)` is set, and `CHROMIUM` says where; without
+//! one browser tests are reported as ignored. `stages/report` is built by this file, too.
 
-/// Names under which it is installed; the tests start the same.
+/// Names under which it is installed.
 const NAMES: [&str; 4] = [
     "chromium",
     "chromium-browser",
@@ -12,10 +12,13 @@ const NAMES: [&str; 4] = [
 fn main() {
     println!("cargo::rustc-check-cfg=cfg(chromium)");
     println!("cargo::rerun-if-env-changed=PATH");
-    println!("cargo::rerun-if-changed=build.rs");
     let paths = std::env::var_os("PATH").unwrap_or_default();
-    let mut folders = std::env::split_paths(&paths);
-    if folders.any(|folder| NAMES.iter().any(|name| folder.join(name).is_file())) {
+    let folders: Vec<_> = std::env::split_paths(&paths).collect();
+    let places = NAMES
+        .iter()
+        .flat_map(|name| folders.iter().map(move |f| f.join(name)));
+    if let Some(place) = places.into_iter().find(|place| place.is_file()) {
         println!("cargo::rustc-cfg=chromium");
+        println!("cargo::rustc-env=CHROMIUM={}", place.display());
     }
 }

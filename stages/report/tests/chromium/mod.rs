@@ -6,14 +6,7 @@ use std::process::{Child, ChildStdin, Command, Stdio};
 use std::sync::mpsc::{Receiver, channel};
 use std::time::Duration;
 
-const NAMES: [&str; 4] = [
-    "chromium",
-    "chromium-browser",
-    "google-chrome-stable",
-    "google-chrome",
-];
-
-/// What Chromium is told: to draw in software and to keep to itself.
+/// How Chromium is run: to draw in software and to keep to itself.
 const FLAGS: &str = "--headless --no-sandbox --disable-gpu --enable-unsafe-swiftshader \
      --use-angle=swiftshader --disable-quic --no-first-run --disable-background-networking \
      --disable-component-update --disable-sync --hide-scrollbars --remote-debugging-pipe";
@@ -33,18 +26,15 @@ pub(crate) struct Tab {
 impl Tab {
     /// The page in a window of this size, light or dark.
     pub(crate) fn open(page: &str, size: [u32; 2], phone: bool, dark: bool) -> Tab {
-        let on_path = |name: &&&str| {
-            let paths = std::env::var_os("PATH").unwrap_or_default();
-            std::env::split_paths(&paths).any(|folder| folder.join(name).is_file())
+        let Some(program) = option_env!("CHROMIUM") else {
+            panic!("no Chromium is installed (apt-get install chromium)")
         };
-        let name = NAMES.iter().find(on_path);
-        let name = name.expect("no Chromium is installed (apt-get install chromium)");
         let folder = tempfile::tempdir().unwrap();
         let file = folder.path().join("report.html");
         std::fs::write(&file, page).unwrap();
         let profile = folder.path().join("profile");
         let script = format!(
-            "exec {name} {FLAGS} --user-data-dir={} 3<&0 4>&1 >/dev/null 2>&1",
+            "exec {program} {FLAGS} --user-data-dir={} 3<&0 4>&1 >/dev/null 2>&1",
             profile.display()
         );
         let mut child = Command::new("sh")
