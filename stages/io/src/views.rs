@@ -49,7 +49,11 @@ pub fn mesh_to_views(mesh: &Mesh) -> Rgb {
         let label = format!("FROM {angle:.0}");
         write_on(&mut picture, (k * wide + 6, 6), 3, [255; 3], &label);
     }
-    let label = format!("{:.0} MM TALL, {} FACES", hi - lo, mesh.faces.len());
+    let label = format!(
+        "{:.0} TALL: MM WHERE A LENGTH IS KNOWN. {} FACES",
+        hi - lo,
+        mesh.faces.len()
+    );
     write_on(&mut picture, (6, TALL - 27), 3, [255; 3], &label);
     picture
 }
