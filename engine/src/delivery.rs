@@ -5,12 +5,10 @@
 //! Two processes deliver one after the other. No file is ever half-written, and none is written or
 //! removed through a link.
 
-use crate::nofollow;
+use crate::system::{self, Folder, nofollow, private_folder};
 use serde_json::{Map, Value, json};
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs::File;
-use std::os::fd::OwnedFd;
-use std::os::unix::fs::DirBuilderExt;
 use std::path::{Component, Path, PathBuf};
 
 /// Why results cannot be delivered.
@@ -96,9 +94,7 @@ fn put(folder: &Path, name: &Path, bytes: &[u8]) -> Result<(), DeliveryError> {
 
 /// Makes a folder with all above it, mode 0700.
 fn make(folder: &Path) -> Result<(), DeliveryError> {
-    let mut make = std::fs::DirBuilder::new();
-    let made = make.recursive(true).mode(0o700).create(folder);
-    made.map_err(|why| DeliveryError::Disk {
+    private_folder(folder, true).map_err(|why| DeliveryError::Disk {
         path: folder.into(),
         why,
     })
@@ -149,8 +145,7 @@ pub fn check(folder: &Path) -> Result<(), DeliveryError> {
         if !meta.is_dir() {
             return Err(DeliveryError::NoFolder(path.into()));
         }
-        let wanted = rustix::fs::Access::WRITE_OK | rustix::fs::Access::EXEC_OK;
-        return rustix::fs::access(path, wanted).map_err(|why| wrong(path, why.into()));
+        return system::may_write(path).map_err(|why| wrong(path, why));
     }
     Ok(())
 }
@@ -231,7 +226,7 @@ impl Delivery {
             if let Ok(at) = self.inner(&name).and_then(|(at, _)| at.ok_or(()))
                 && self.tidied.insert(inner)
             {
-                nofollow::tidy(&at);
+                system::tidy(&at);
             }
             let hash = blake3::hash(bytes).to_hex().to_string();
             self.now.insert(name, hash);
@@ -240,7 +235,7 @@ impl Delivery {
     }
 
     /// The folder that a file lies in, if it is there, and its own name.
-    fn inner<'a>(&self, name: &'a str) -> Result<(Option<OwnedFd>, &'a str), ()> {
+    fn inner<'a>(&self, name: &'a str) -> Result<(Option<Folder>, &'a str), ()> {
         let (folders, last) = parts(Path::new(name)).ok_or(())?;
         Ok((nofollow::folder(&self.folder, &folders).ok(), last))
     }

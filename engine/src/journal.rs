@@ -5,10 +5,10 @@
 //! seconds from the start of the run. A run that makes nothing leaves no log.
 
 use crate::done::{Done, Status, Watch};
+use crate::system::{private_file, private_folder};
 use serde_json::{Value, json};
 use std::fs::File;
 use std::io::Write;
-use std::os::unix::fs::{DirBuilderExt, OpenOptionsExt};
 use std::path::PathBuf;
 use std::sync::Mutex;
 use std::time::Instant;
@@ -45,14 +45,10 @@ impl<'a> Journal<'a> {
         let t = (self.start.elapsed().as_secs_f64() * 1e6).round() / 1e6;
         if log.file.is_none() && !log.given_up {
             if let Some(folder) = self.path.parent() {
-                let mut make = std::fs::DirBuilder::new();
-                let _ = make.recursive(true).mode(0o700).create(folder);
+                let _ = private_folder(folder, true);
             }
-            let open = File::options()
-                .create(true)
-                .append(true)
-                .mode(0o600)
-                .open(&self.path);
+            let mut open = File::options();
+            let open = private_file(open.create(true).append(true)).open(&self.path);
             log.given_up = open.is_err();
             log.file = open.ok();
             let found = json!({ "t": t, "event": "found", "nodes": log.found });

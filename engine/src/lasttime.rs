@@ -3,11 +3,11 @@
 
 use crate::past::NodeLine;
 use crate::past::{self, Of};
+use crate::system::read_exact_at;
 use std::cell::RefCell;
 use std::collections::HashMap;
 use std::fs::File;
 use std::io::{BufRead, BufReader};
-use std::os::unix::fs::FileExt;
 use std::path::{Path, PathBuf};
 
 /// Earlier runs, read one by one as far back as somebody asks.
@@ -65,7 +65,7 @@ impl History {
             let index = &state.runs[at];
             if let Some((start, length)) = index.places.get(node) {
                 let mut line = vec![0; *length as usize];
-                index.file.read_exact_at(&mut line, *start).ok()?;
+                read_exact_at(&index.file, &mut line, *start).ok()?;
                 return Some((index.id.clone(), serde_json::from_slice(&line).ok()?));
             }
             at += 1;

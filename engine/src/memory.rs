@@ -1,5 +1,6 @@
 //! Memory that stages share: those that need more than is left run one after the other.
 
+use crate::system::free_memory;
 use std::sync::{Condvar, Mutex, OnceLock};
 use std::time::Duration;
 
@@ -30,7 +31,7 @@ impl Memory {
     pub(crate) fn take(&self, bytes: u64, stop: &dyn Fn() -> bool) -> Share<'_> {
         let mut taken = self.taken.lock().expect("bug: poisoned");
         if bytes > 0 {
-            let free = *self.free.get_or_init(free);
+            let free = *self.free.get_or_init(|| free_memory().unwrap_or(u64::MAX));
             while *taken > 0 && taken.saturating_add(bytes) > free && !stop() {
                 let waited = self.bell.wait_timeout(taken, ASK);
                 taken = waited.expect("bug: poisoned").0;
@@ -41,21 +42,6 @@ impl Memory {
         *taken = taken.saturating_add(bytes);
         Share(self, bytes)
     }
-}
-
-/// What a process may take on this machine without pushing others out. \[bytes\]
-fn free() -> u64 {
-    let number = |text: &str| text.split_whitespace().next()?.parse::<u64>().ok();
-    let read = |path: &str| std::fs::read_to_string(path).unwrap_or_default();
-    let info = read("/proc/meminfo");
-    let line = info.lines().find_map(|l| l.strip_prefix("MemAvailable:"));
-    let machine = line.and_then(number).map_or(u64::MAX, |kib| kib * 1024);
-    let group = |file: &str| number(&read(&format!("/sys/fs/cgroup/{file}")));
-    let group = match (group("memory.max"), group("memory.current")) {
-        (Some(most), Some(now)) => most.saturating_sub(now),
-        _ => u64::MAX,
-    };
-    machine.min(group)
 }
 
 #[cfg(test)]

@@ -1,8 +1,7 @@
 //! The store's own files: known by the form of their names, listed and removed without ever going
 //! through a link.
 
-use crate::nofollow;
-use rustix::fs::FileType;
+use crate::system::{FileKind, nofollow};
 use stage::Hash;
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -94,22 +93,22 @@ pub(crate) fn place(root: &Path, shelf: &str, hash: Hash) -> PathBuf {
 }
 
 /// What lies in a folder of the store and fits, sorted.
-fn inside(root: &Path, names: &[&str], kind: FileType, fits: impl Fn(&str) -> bool) -> Vec<String> {
+fn inside(root: &Path, names: &[&str], kind: FileKind, fits: impl Fn(&str) -> bool) -> Vec<String> {
     let at = nofollow::folder(root, names);
     at.map_or_else(|_| vec![], |at| nofollow::inside(&at, kind, fits))
 }
 
 /// The plain files of a folder of the store whose names fit.
 pub(crate) fn files(root: &Path, name: &str, fits: impl Fn(&str) -> bool) -> Vec<String> {
-    inside(root, &[name], FileType::RegularFile, fits)
+    inside(root, &[name], FileKind::File, fits)
 }
 
 /// All that lies on a shelf under a hash.
 pub(crate) fn shelf(root: &Path, name: &str) -> Vec<Hash> {
     let mut hashes = Vec::new();
-    for prefix in inside(root, &[name], FileType::Directory, is_prefix) {
+    for prefix in inside(root, &[name], FileKind::Folder, is_prefix) {
         let fits = |file: &str| is_hash(file) && file.starts_with(&prefix);
-        let files = inside(root, &[name, &prefix], FileType::RegularFile, fits);
+        let files = inside(root, &[name, &prefix], FileKind::File, fits);
         hashes.extend(files.iter().filter_map(|file| Hash::from_hex(file).ok()));
     }
     hashes

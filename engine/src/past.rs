@@ -5,9 +5,8 @@
 //! Runs have numbers of their own: no clock says which was the last.
 
 use crate::graph::Graph;
-use crate::nofollow;
 use crate::own;
-use rustix::fs::FileType;
+use crate::system::{FileKind, nofollow};
 use serde::de::DeserializeOwned;
 use serde::{Deserialize, Serialize};
 use serde_json::{Value, json};
@@ -135,7 +134,7 @@ pub fn ids(store: &Path) -> Vec<String> {
 pub fn next_id(store: &Path) -> String {
     static LAST: AtomicU64 = AtomicU64::new(0);
     let newest = nofollow::folder(store, &["runs"]).map_or(0, |at| {
-        let names = nofollow::inside(&at, FileType::RegularFile, own::is_run);
+        let names = nofollow::inside(&at, FileKind::File, own::is_run);
         names.last().map_or(0, |name| number(name))
     });
     let next = |last: u64| Some(last.max(newest) + 1);

@@ -6,10 +6,10 @@
 
 use crate::graph::InputDecl;
 use crate::pattern::{fits, natural};
+use crate::system;
 use serde::{Deserialize, Serialize};
 use stage::{FileEntry, Files, Hash};
 use std::collections::BTreeMap;
-use std::os::unix::fs::MetadataExt;
 use std::path::{Path, PathBuf};
 
 /// A folder that cannot be an input.
@@ -216,13 +216,11 @@ impl Memo {
     }
 
     fn content(&mut self, path: &Path, meta: &std::fs::Metadata) -> std::io::Result<(Hash, u64)> {
-        let ns = |s: i64, ns: i64| i128::from(s) * 1_000_000_000 + i128::from(ns);
-        let modified_ns = ns(meta.mtime(), meta.mtime_nsec());
-        let changed_ns = ns(meta.ctime(), meta.ctime_nsec());
+        let now = system::Stamp::of(meta);
         if let Some(stamp) = self.files.get(path)
             && (stamp.size, stamp.modified_ns, stamp.changed_ns, stamp.inode)
-                == (meta.size(), modified_ns, changed_ns, meta.ino())
-            && stamp.seen_ns - modified_ns.max(changed_ns) > RACY_NS
+                == (now.size, now.modified_ns, now.changed_ns, now.inode)
+            && stamp.seen_ns - now.modified_ns.max(now.changed_ns) > RACY_NS
             && let Ok(content) = Hash::from_hex(&stamp.content)
         {
             return Ok((content, stamp.size));
@@ -233,9 +231,9 @@ impl Memo {
         let (content, size) = (hasher.finalize(), hasher.count());
         let stamp = Stamp {
             size,
-            modified_ns,
-            changed_ns,
-            inode: meta.ino(),
+            modified_ns: now.modified_ns,
+            changed_ns: now.changed_ns,
+            inode: now.inode,
             seen_ns: crate::clock::now_ns(),
             content: content.to_hex().to_string(),
         };

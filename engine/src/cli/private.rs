@@ -1,7 +1,8 @@
 //! `--private`: a cache of a run's own, which is gone when the program ends.
 
 use super::fault::Fault;
-use std::path::{Path, PathBuf};
+use crate::system::is_alive;
+use std::path::PathBuf;
 use std::sync::Mutex;
 
 static CACHE: Mutex<Option<tempfile::TempDir>> = Mutex::new(None);
@@ -17,7 +18,7 @@ pub(super) fn cache() -> Result<PathBuf, Fault> {
             .to_str()
             .and_then(|n| n.strip_prefix(NAME)?.split('-').next());
         let number = |id: &&str| !id.is_empty() && id.bytes().all(|b| b.is_ascii_digit());
-        let dead = |id: &str| !Path::new("/proc").join(id).exists();
+        let dead = |id: &str| !is_alive(id);
         let real = entry.file_type().is_ok_and(|kind| kind.is_dir());
         if real && process.filter(number).is_some_and(dead) {
             let _ = std::fs::remove_dir_all(entry.path());

@@ -6,10 +6,9 @@ use super::family::{self, MARK, Running};
 use super::sandbox::{self, Sandbox};
 use super::tail::Tail;
 use super::weight::weigh;
-use rustix::process::{Pid, WaitId, WaitIdOptions, waitid};
+use stage::process;
 use std::ffi::OsString;
 use std::io::{BufRead, BufReader, Read};
-use std::os::unix::process::{CommandExt, ExitStatusExt};
 use std::path::{Path, PathBuf};
 use std::process::{Child, Command, ExitStatus, Stdio};
 use std::sync::mpsc::{Receiver, RecvTimeoutError, Sender, channel};
@@ -68,13 +67,13 @@ pub(super) fn run(
             tail.push(&line.text);
         }
     };
-    let ended = watched(task, &child, &lines, stop, &mut hear);
+    let ended = watched(task, &mut child, &lines, stop, &mut hear);
     let stayed = match ended {
         Ok(()) => left_behind(task, child.id()),
         Err(_) => String::new(),
     };
     match ended.is_ok() && stayed.is_empty() {
-        true => family::end_group(child.id()),
+        true => process::end_group(child.id()),
         false => family::end(task.root, Some(child.id())),
     }
     let status = child.wait();
@@ -104,7 +103,7 @@ pub(super) fn run(
 }
 
 fn how(status: ExitStatus) -> String {
-    match (status.code(), status.signal()) {
+    match (status.code(), process::signal(status)) {
         (Some(code), _) if code > 128 => format!("exit code {code} (signal {}?)", code - 128),
         (Some(code), _) => format!("exit code {code}"),
         (None, signal) => format!("signal {}", signal.unwrap_or(0)),
@@ -140,7 +139,8 @@ fn started(task: &Task<'_>) -> Result<Child, ForeignError> {
         command.env("HOME", &work);
     }
     command.env("TMPDIR", &work).env("LC_ALL", "C.UTF-8");
-    command.env(MARK, task.root).process_group(0);
+    command.env(MARK, task.root);
+    process::lead_group(&mut command);
     command
         .stdin(Stdio::null())
         .stdout(Stdio::piped())
@@ -182,7 +182,7 @@ fn listen(pipe: impl Read, out: bool, to: &Sender<Line>) {
 /// Waits until the program has ended, whose end is not fetched yet; an error if it must be ended.
 fn watched(
     task: &Task<'_>,
-    child: &Child,
+    child: &mut Child,
     lines: &Receiver<Line>,
     stop: &dyn Fn() -> bool,
     hear: &mut dyn FnMut(Line),
@@ -199,7 +199,7 @@ fn watched(
                 std::thread::sleep(if since < GRACE { LOOK / 50 } else { LOOK });
             }
         }
-        if has_ended(child) {
+        if process::has_ended(child) {
             return Ok(());
         }
         if stop() {
@@ -217,13 +217,6 @@ fn watched(
             weighed = Instant::now();
         }
     }
-}
-
-fn has_ended(child: &Child) -> bool {
-    let id = i32::try_from(child.id()).ok().and_then(Pid::from_raw);
-    let options = WaitIdOptions::EXITED | WaitIdOptions::NOHANG | WaitIdOptions::NOWAIT;
-    // Who cannot be waited for does not run.
-    id.is_none_or(|id| !matches!(waitid(WaitId::Pid(id), options), Ok(None)))
 }
 
 /// Who is still there a moment after the program ended.

@@ -1,7 +1,7 @@
 //! A program with all that it started: found by a variable of the environment that they inherit,
 //! ended together.
 
-use rustix::process::{Pid, Signal, kill_process, kill_process_group};
+use stage::process;
 use std::collections::BTreeMap;
 use std::fs::File;
 use std::io::Read;
@@ -106,23 +106,15 @@ pub(super) fn memory_mb(folder: &Path) -> u64 {
 /// How often what comes up anew is ended.
 const ROUNDS: usize = 200;
 
-/// Ends what is left in the group of a program that has ended, of whose family nobody is left.
-pub(super) fn end_group(leader: u32) {
-    if let Some(leader) = i32::try_from(leader).ok().and_then(Pid::from_raw) {
-        let _ = kill_process_group(leader, Signal::KILL);
-    }
-}
-
 /// Ends a program (`leader`, whose end nobody has fetched yet) with all that it started.
 pub(super) fn end(folder: &Path, leader: Option<u32>) {
-    let process = |id: u32| i32::try_from(id).ok().and_then(Pid::from_raw);
     for round in 0..ROUNDS {
-        if let Some(leader) = leader.and_then(process) {
-            let _ = kill_process_group(leader, Signal::KILL);
+        if let Some(leader) = leader {
+            process::end_group(leader);
         }
         let left = members(folder, leader);
-        for id in left.iter().filter_map(|member| process(member.id)) {
-            let _ = kill_process(id, Signal::KILL);
+        for member in &left {
+            process::end(member.id);
         }
         if left.is_empty() {
             return;

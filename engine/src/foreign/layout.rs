@@ -6,9 +6,9 @@ use super::family;
 use super::program::Script;
 use crate::own;
 use crate::pattern::stays_inside;
+use crate::system::{Use, can_start, is_alive, permit, private_folder};
 use stage::Files;
-use std::fs::{DirBuilder, File, Permissions};
-use std::os::unix::fs::{DirBuilderExt, PermissionsExt};
+use std::fs::File;
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicU64, Ordering};
 
@@ -33,18 +33,16 @@ fn at(path: &Path) -> impl FnOnce(std::io::Error) -> ForeignError + '_ {
 }
 
 fn folder(path: &Path) -> Result<(), ForeignError> {
-    let mut builder = DirBuilder::new();
-    let made = builder.recursive(true).mode(0o700).create(path);
-    made.map_err(at(path))
+    private_folder(path, true).map_err(at(path))
 }
 
-/// A file that nobody writes to by mistake; `mode` says whether it can be started.
-fn put(path: &Path, bytes: &[u8], mode: u32) -> Result<(), ForeignError> {
+/// A file that nobody writes to by mistake.
+fn put(path: &Path, bytes: &[u8], what: Use) -> Result<(), ForeignError> {
     if let Some(above) = path.parent() {
         folder(above)?;
     }
     std::fs::write(path, bytes).map_err(at(path))?;
-    std::fs::set_permissions(path, Permissions::from_mode(mode)).map_err(at(path))
+    permit(path, what).map_err(at(path))
 }
 
 impl Layout {
@@ -93,8 +91,11 @@ impl Layout {
                 return Err(ForeignError::Changed(file.path.clone()));
             }
             let meta = std::fs::metadata(&file.path).map_err(at(&file.path))?;
-            let mode = 0o400 | meta.permissions().mode() & 0o100;
-            put(&self.here().join(&file.name), &bytes, mode)?;
+            let what = match can_start(&meta) {
+                true => Use::Start,
+                false => Use::Read,
+            };
+            put(&self.here().join(&file.name), &bytes, what)?;
         }
         Ok(())
     }
@@ -108,7 +109,7 @@ impl Layout {
                 port: port.into(),
                 why: why.to_string(),
             })?;
-            put(&path.join(&entry.name), &bytes, 0o400)?;
+            put(&path.join(&entry.name), &bytes, Use::Read)?;
         }
         Ok(path)
     }
@@ -124,7 +125,7 @@ impl Layout {
             && nameless.is_empty()
         {
             let path = self.inputs().join(format!("{name}.{extension}"));
-            put(&path, bytes, 0o400)?;
+            put(&path, bytes, Use::Read)?;
             return Ok(path);
         }
         let path = self.inputs().join(name);
@@ -135,7 +136,7 @@ impl Layout {
                 let port = name.to_owned();
                 return Err(ForeignError::Input { port, why });
             }
-            put(&path.join(file), bytes, 0o400)?;
+            put(&path.join(file), bytes, Use::Read)?;
         }
         Ok(path)
     }
@@ -154,7 +155,7 @@ fn remove(root: &Path) {
     }
     let mut open = vec![root.to_owned()];
     while let Some(folder) = open.pop() {
-        let _ = std::fs::set_permissions(&folder, Permissions::from_mode(0o700));
+        let _ = permit(&folder, Use::All);
         for entry in std::fs::read_dir(&folder).into_iter().flatten().flatten() {
             if entry.file_type().is_ok_and(|kind| kind.is_dir()) {
                 open.push(entry.path());
@@ -172,7 +173,7 @@ pub fn clear(store: &Path) {
             let name = entry.file_name();
             let name = name.to_str().filter(|name| own::is_writing(name));
             let process = name.and_then(|name| name.split('-').next());
-            let here = process.is_none_or(|id| Path::new("/proc").join(id).exists());
+            let here = process.is_none_or(is_alive);
             let lock = File::open(entry.path().join(LOCK));
             let elsewhere = lock.is_ok_and(|file| file.try_lock().is_err());
             if !here && !elsewhere {

@@ -7,22 +7,16 @@ use super::program::Grant;
 use super::run;
 use crate::graph::Graph;
 use crate::store::{Store, StoreError};
+use crate::system::is_mine;
 use stage::Hash;
-use std::os::unix::fs::MetadataExt;
-use std::path::Path;
 
 /// Where a store keeps what was allowed.
 const FOLDER: &str = "allowed";
 
 /// Whether a program was allowed in this store by its owner, and by nobody else who may write there.
 pub fn is_allowed(store: &Store, permission: Hash) -> bool {
-    let mine = |path: &Path| {
-        let meta = std::fs::symlink_metadata(path);
-        let own = rustix::process::geteuid().as_raw();
-        meta.is_ok_and(|m| !m.is_symlink() && m.uid() == own && m.mode() & 0o022 == 0)
-    };
     let folder = store.root().join(FOLDER);
-    mine(&folder) && mine(&folder.join(permission.to_hex().as_str()))
+    is_mine(&folder) && is_mine(&folder.join(permission.to_hex().as_str()))
 }
 
 /// Remembers that the programs of these nodes may run.

@@ -1,5 +1,6 @@
 //! Bubblewrap, where it is installed: a file system that can be read and not written, no network.
 
+use crate::system::can_start;
 use std::ffi::OsString;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
@@ -45,8 +46,7 @@ pub(super) fn in_path(name: &str) -> Option<PathBuf> {
 
 /// Whether a file can be started.
 pub(super) fn is_program(file: &Path) -> bool {
-    use std::os::unix::fs::PermissionsExt;
-    std::fs::metadata(file).is_ok_and(|m| m.is_file() && m.permissions().mode() & 0o111 != 0)
+    std::fs::metadata(file).is_ok_and(|m| m.is_file() && can_start(&m))
 }
 
 fn outer() -> Vec<OsString> {

@@ -1,15 +1,15 @@
 //! What publishing asks of a disk, in single steps: the real one, and in tests one that loses power.
 
+use crate::system::{nofollow, private_file, private_folder};
 use std::fs::{self, File, OpenOptions};
 use std::io::{ErrorKind, Result, Write};
-use std::os::unix::fs::{DirBuilderExt, OpenOptionsExt};
 use std::path::Path;
 
 /// The steps. Paths are those that the store uses; a file is written by who made it.
 pub(super) trait Disk: Send + Sync {
     /// Makes a folder, mode 0700; one that is there is as good.
     fn folder(&self, path: &Path) -> Result<()> {
-        match fs::DirBuilder::new().mode(0o700).create(path) {
+        match private_folder(path, false) {
             Err(error) if error.kind() != ErrorKind::AlreadyExists || !path.is_dir() => Err(error),
             _ => Ok(()),
         }
@@ -18,7 +18,7 @@ pub(super) trait Disk: Send + Sync {
     /// Makes a file that is not there yet, mode 0600.
     fn create(&self, path: &Path) -> Result<File> {
         let mut open = OpenOptions::new();
-        open.write(true).create_new(true).mode(0o600).open(path)
+        private_file(open.write(true).create_new(true)).open(path)
     }
 
     /// Writes bytes behind those that are there.
@@ -38,7 +38,7 @@ pub(super) trait Disk: Send + Sync {
 
     /// The names in a folder outlive a loss of power, once this is done.
     fn sync_names(&self, folder: &Path) -> Result<()> {
-        File::open(folder)?.sync_all()
+        nofollow::sync(folder)
     }
 
     /// Removes a file.

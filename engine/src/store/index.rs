@@ -15,10 +15,10 @@
 
 use super::metrics::MetricText;
 use super::record::Record;
+use crate::system;
 use stage::Hash;
 use std::collections::HashMap;
 use std::hash::{BuildHasherDefault, Hasher};
-use std::os::unix::fs::MetadataExt;
 use std::path::Path;
 
 const MAGIC: &[u8; 8] = b"TAILORIX";
@@ -32,9 +32,8 @@ pub(super) struct Stamp(u64, u64, i64);
 
 impl Stamp {
     pub(super) fn of(path: &Path) -> Option<Stamp> {
-        let meta = std::fs::metadata(path).ok()?;
-        let changed = meta.ctime() * 1_000_000_000 + meta.ctime_nsec();
-        Some(Stamp(meta.size(), meta.ino(), changed))
+        let now = system::Stamp::of(&std::fs::metadata(path).ok()?);
+        Some(Stamp(now.size, now.inode, now.changed_ns as i64))
     }
 }
 

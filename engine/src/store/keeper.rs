@@ -4,6 +4,7 @@ use super::error::StoreError;
 use super::folder::Store;
 use crate::own;
 use crate::past;
+use crate::system::is_alive;
 use stage::Hash;
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
@@ -173,7 +174,7 @@ pub(super) fn sweep(root: &Path) {
     for name in own::files(root, "tmp", own::is_writing) {
         // Files here begin with the number of the process that writes them.
         let process = name.split('-').next().unwrap_or("");
-        if !Path::new("/proc").join(process).exists() {
+        if !is_alive(process) {
             own::remove(root, &["tmp"], &name);
         }
     }

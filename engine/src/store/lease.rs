@@ -12,9 +12,9 @@
 //! There are 4096 of them, so that two results in the making seldom wait for each other's lease.
 
 use super::{Store, files};
+use crate::system::private_file;
 use stage::Hash;
 use std::fs::{File, OpenOptions, TryLockError};
-use std::os::unix::fs::OpenOptionsExt;
 use std::path::Path;
 
 /// Held while a result is made.
@@ -40,8 +40,8 @@ pub enum Claim {
 /// A file to be locked, made if there is none.
 fn lock_file(path: &Path) -> Option<File> {
     let mut open = OpenOptions::new();
-    let open = open.create(true).truncate(false).write(true).mode(0o600);
-    open.open(path).ok()
+    let open = open.create(true).truncate(false).write(true);
+    private_file(open).open(path).ok()
 }
 
 impl Store {

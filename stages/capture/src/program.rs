@@ -3,10 +3,9 @@
 //! A program is a group of processes of its own. It is killed with all its children when it takes too
 //! long, when its answer is not taken, and when the user asks to stop.
 
-use rustix::process::{Pid, Signal, kill_process_group};
+use stage::process;
 use std::ffi::OsString;
 use std::io::{BufRead, BufReader, Read};
-use std::os::unix::process::CommandExt;
 use std::process::{Child, Command, ExitStatus, Stdio};
 use std::sync::mpsc::{Receiver, RecvTimeoutError, SyncSender, sync_channel};
 use std::time::{Duration, Instant};
@@ -60,12 +59,8 @@ struct Group(Child);
 
 impl Drop for Group {
     fn drop(&mut self) {
-        if let Ok(None) = self.0.try_wait()
-            && let Ok(pid) = i32::try_from(self.0.id())
-            && let Some(group) = Pid::from_raw(pid)
-        {
-            // One that has ended meanwhile is as good.
-            let _ = kill_process_group(group, Signal::KILL);
+        if let Ok(None) = self.0.try_wait() {
+            process::end_group(self.0.id());
             let _ = self.0.wait();
         }
     }
@@ -157,8 +152,8 @@ impl Run<'_> {
             .env_remove("FFREPORT")
             .stdin(Stdio::null())
             .stdout(Stdio::piped())
-            .stderr(Stdio::piped())
-            .process_group(0);
+            .stderr(Stdio::piped());
+        process::lead_group(&mut command);
         match command.spawn() {
             Ok(child) => Ok(Group(child)),
             Err(why) if why.kind() == std::io::ErrorKind::NotFound => Err(ProgramError::Missing {

@@ -25,6 +25,7 @@ mod named;
 mod nearest;
 mod param_type;
 mod params;
+pub mod process;
 mod value;
 
 pub use any::AnyArtifact;

@@ -1,14 +1,17 @@
 //! Folders entered, and files listed, written and removed in them, without ever going through a link.
 
+use super::FileKind;
 use rustix::fs::{
     AtFlags, CWD, Dir, FileType, Mode, OFlags, mkdirat, openat, renameat, statat, unlinkat,
 };
 use rustix::io::Errno;
 use std::fs::File;
 use std::io::{Read, Result, Write};
-use std::os::fd::OwnedFd;
 use std::path::Path;
 use std::sync::atomic::{AtomicU64, Ordering};
+
+/// A folder that was entered.
+pub(crate) type Folder = std::os::fd::OwnedFd;
 
 const FOLDER: OFlags = OFlags::RDONLY
     .union(OFlags::DIRECTORY)
@@ -16,7 +19,7 @@ const FOLDER: OFlags = OFlags::RDONLY
 
 /// A folder below another, one name after the next, none of them a link. Where the first one lies is
 /// the user's to say, by a link too.
-pub(crate) fn folder(root: &Path, names: &[&str]) -> Result<OwnedFd> {
+pub(crate) fn folder(root: &Path, names: &[&str]) -> Result<Folder> {
     let mut at = openat(CWD, root, FOLDER, Mode::empty())?;
     for name in names {
         at = openat(&at, *name, FOLDER | OFlags::NOFOLLOW, Mode::empty())?;
@@ -25,7 +28,7 @@ pub(crate) fn folder(root: &Path, names: &[&str]) -> Result<OwnedFd> {
 }
 
 /// As [`folder`]; what is missing below the first one is made, mode 0700.
-pub(crate) fn made(root: &Path, names: &[&str]) -> Result<OwnedFd> {
+pub(crate) fn made(root: &Path, names: &[&str]) -> Result<Folder> {
     let mut at = openat(CWD, root, FOLDER, Mode::empty())?;
     for name in names {
         match mkdirat(&at, *name, Mode::RWXU) {
@@ -38,7 +41,11 @@ pub(crate) fn made(root: &Path, names: &[&str]) -> Result<OwnedFd> {
 }
 
 /// What lies in a folder, is of this kind and fits by its name; sorted.
-pub(crate) fn inside(at: &OwnedFd, kind: FileType, fits: impl Fn(&str) -> bool) -> Vec<String> {
+pub(crate) fn inside(at: &Folder, wanted: FileKind, fits: impl Fn(&str) -> bool) -> Vec<String> {
+    let wanted = match wanted {
+        FileKind::File => FileType::RegularFile,
+        FileKind::Folder => FileType::Directory,
+    };
     let mut found = Vec::new();
     for entry in Dir::read_from(at).into_iter().flatten().flatten() {
         let Ok(name) = entry.file_name().to_str() else {
@@ -48,7 +55,7 @@ pub(crate) fn inside(at: &OwnedFd, kind: FileType, fits: impl Fn(&str) -> bool) 
             FileType::Unknown => self::kind(at, name).unwrap_or(FileType::Unknown),
             known => known,
         };
-        if is == kind && fits(name) {
+        if is == wanted && fits(name) {
             found.push(name.to_owned());
         }
     }
@@ -56,23 +63,23 @@ pub(crate) fn inside(at: &OwnedFd, kind: FileType, fits: impl Fn(&str) -> bool) 
     found
 }
 
-fn kind(at: &OwnedFd, name: &str) -> Option<FileType> {
+fn kind(at: &Folder, name: &str) -> Option<FileType> {
     let stat = statat(at, name, AtFlags::SYMLINK_NOFOLLOW).ok()?;
     Some(FileType::from_raw_mode(stat.st_mode))
 }
 
 /// Removes a plain file; whether it was there.
-pub(crate) fn remove(at: &OwnedFd, name: &str) -> bool {
+pub(crate) fn remove(at: &Folder, name: &str) -> bool {
     kind(at, name) == Some(FileType::RegularFile) && unlinkat(at, name, AtFlags::empty()).is_ok()
 }
 
 /// Removes a folder that is empty; whether it was there.
-pub(crate) fn remove_empty(at: &OwnedFd, name: &str) -> bool {
+pub(crate) fn remove_empty(at: &Folder, name: &str) -> bool {
     unlinkat(at, name, AtFlags::REMOVEDIR).is_ok()
 }
 
 /// The bytes of a plain file.
-pub(crate) fn read(at: &OwnedFd, name: &str) -> Option<Vec<u8>> {
+pub(crate) fn read(at: &Folder, name: &str) -> Option<Vec<u8>> {
     kind(at, name).filter(|kind| *kind == FileType::RegularFile)?;
     let flags = OFlags::RDONLY | OFlags::NOFOLLOW | OFlags::CLOEXEC;
     let mut file = File::from(openat(at, name, flags, Mode::empty()).ok()?);
@@ -81,12 +88,9 @@ pub(crate) fn read(at: &OwnedFd, name: &str) -> Option<Vec<u8>> {
     Some(bytes)
 }
 
-/// What names of files that are being written begin with; process, count and time follow.
-const WRITING: &str = ".tailor-";
-
 /// Puts a file into a folder, whole or not at all, over what is there; a link is replaced, not
 /// followed. What has these bytes already is left as it is. Mode 0600.
-pub(crate) fn replace(at: &OwnedFd, name: &str, bytes: &[u8]) -> Result<()> {
+pub(crate) fn replace(at: &Folder, name: &str, bytes: &[u8]) -> Result<()> {
     let size = statat(at, name, AtFlags::SYMLINK_NOFOLLOW).map(|s| s.st_size as u64);
     if size.is_ok_and(|size| size == bytes.len() as u64)
         && read(at, name).is_some_and(|there| there == bytes)
@@ -94,9 +98,7 @@ pub(crate) fn replace(at: &OwnedFd, name: &str, bytes: &[u8]) -> Result<()> {
         return Ok(());
     }
     static COUNT: AtomicU64 = AtomicU64::new(0);
-    let count = COUNT.fetch_add(1, Ordering::Relaxed);
-    let (process, now) = (std::process::id(), crate::clock::now_ns());
-    let tmp = format!("{WRITING}{process}-{count}-{now:x}");
+    let tmp = super::writing(COUNT.fetch_add(1, Ordering::Relaxed));
     let flags = OFlags::WRONLY | OFlags::CREATE | OFlags::EXCL | OFlags::CLOEXEC;
     let mut file = File::from(openat(at, &tmp, flags, Mode::RUSR | Mode::WUSR)?);
     let written = file.write_all(bytes);
@@ -104,17 +106,7 @@ pub(crate) fn replace(at: &OwnedFd, name: &str, bytes: &[u8]) -> Result<()> {
     written.inspect_err(|_| _ = unlinkat(at, &tmp, AtFlags::empty()))
 }
 
-/// Removes what killed processes were writing into a folder.
-pub(crate) fn tidy(at: &OwnedFd) {
-    let number = |text: &str| !text.is_empty() && text.bytes().all(|b| b.is_ascii_hexdigit());
-    let dead = |name: &str| {
-        let words = name.strip_prefix(WRITING).map(|rest| rest.split('-'));
-        let words: Vec<&str> = words.into_iter().flatten().collect();
-        words.len() == 3
-            && words.iter().all(|word| number(word))
-            && !Path::new("/proc").join(words[0]).exists()
-    };
-    for name in inside(at, FileType::RegularFile, dead) {
-        remove(at, &name);
-    }
+/// The names in a folder outlive a loss of power, once this is done.
+pub(crate) fn sync(folder: &Path) -> Result<()> {
+    File::open(folder)?.sync_all()
 }

@@ -1,0 +1,183 @@
+//! Files and folders for the owner only, and what the system knows of a file.
+//!
+//! Where a system has no modes, what is made has the rights of the folder that it lies in: those of the
+//! user's own profile, as a rule.
+
+use std::fs::{DirBuilder, File, Metadata, OpenOptions};
+use std::io::Result;
+use std::path::Path;
+
+/// Makes a folder for the owner only; with all above it if asked to.
+pub(crate) fn private_folder(path: &Path, with_above: bool) -> Result<()> {
+    let mut builder = DirBuilder::new();
+    system::for_owner(builder.recursive(with_above));
+    builder.create(path)
+}
+
+/// Has a file be made for the owner only.
+pub(crate) fn private_file(open: &mut OpenOptions) -> &mut OpenOptions {
+    system::file_for_owner(open)
+}
+
+/// What a file may be used for.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Use {
+    /// Its owner reads it.
+    Read,
+    /// Its owner reads and starts it.
+    Start,
+    /// Its owner does all with it.
+    All,
+}
+
+/// Has the owner, and nobody else, use a file.
+pub(crate) fn permit(path: &Path, what: Use) -> Result<()> {
+    system::permit(path, what)
+}
+
+/// Whether its owner may start a file; everything may be where modes do not say.
+pub(crate) fn can_start(meta: &Metadata) -> bool {
+    system::can_start(meta)
+}
+
+/// Whether it is the user's own, no link, and nobody else may write to it.
+pub(crate) fn is_mine(path: &Path) -> bool {
+    std::fs::symlink_metadata(path).is_ok_and(|m| !m.is_symlink() && system::is_mine(&m))
+}
+
+/// Whether a folder can be entered and written into.
+pub(crate) fn may_write(folder: &Path) -> Result<()> {
+    system::may_write(folder)
+}
+
+/// Fills a buffer from a place in a file.
+pub(crate) fn read_exact_at(file: &File, buffer: &mut [u8], start: u64) -> Result<()> {
+    system::read_exact_at(file, buffer, start)
+}
+
+/// By what it is seen that a file is another one than before. \[bytes, ns, ns, 1\]
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) struct Stamp {
+    /// Its size.
+    pub(crate) size: u64,
+    /// When it was written.
+    pub(crate) modified_ns: i128,
+    /// When anything about it was changed; when it was written where the system keeps nothing else.
+    pub(crate) changed_ns: i128,
+    /// Its number on its disk; 0 where the system gives none.
+    pub(crate) inode: u64,
+}
+
+impl Stamp {
+    /// Of a file.
+    pub(crate) fn of(meta: &Metadata) -> Stamp {
+        system::stamp(meta)
+    }
+}
+
+#[cfg(unix)]
+mod system {
+    use super::{Stamp, Use};
+    use std::fs::{DirBuilder, File, Metadata, OpenOptions, Permissions};
+    use std::io::Result;
+    use std::os::unix::fs::{DirBuilderExt, FileExt, MetadataExt, OpenOptionsExt, PermissionsExt};
+    use std::path::Path;
+
+    pub(super) fn for_owner(builder: &mut DirBuilder) {
+        builder.mode(0o700);
+    }
+
+    pub(super) fn file_for_owner(open: &mut OpenOptions) -> &mut OpenOptions {
+        open.mode(0o600)
+    }
+
+    pub(super) fn permit(path: &Path, what: Use) -> Result<()> {
+        let mode = match what {
+            Use::Read => 0o400,
+            Use::Start => 0o500,
+            Use::All => 0o700,
+        };
+        std::fs::set_permissions(path, Permissions::from_mode(mode))
+    }
+
+    pub(super) fn can_start(meta: &Metadata) -> bool {
+        meta.mode() & 0o111 != 0
+    }
+
+    pub(super) fn is_mine(meta: &Metadata) -> bool {
+        meta.uid() == rustix::process::geteuid().as_raw() && meta.mode() & 0o022 == 0
+    }
+
+    pub(super) fn may_write(folder: &Path) -> Result<()> {
+        let wanted = rustix::fs::Access::WRITE_OK | rustix::fs::Access::EXEC_OK;
+        Ok(rustix::fs::access(folder, wanted)?)
+    }
+
+    pub(super) fn read_exact_at(file: &File, buffer: &mut [u8], start: u64) -> Result<()> {
+        file.read_exact_at(buffer, start)
+    }
+
+    pub(super) fn stamp(meta: &Metadata) -> Stamp {
+        let ns = |s: i64, ns: i64| i128::from(s) * 1_000_000_000 + i128::from(ns);
+        Stamp {
+            size: meta.size(),
+            modified_ns: ns(meta.mtime(), meta.mtime_nsec()),
+            changed_ns: ns(meta.ctime(), meta.ctime_nsec()),
+            inode: meta.ino(),
+        }
+    }
+}
+
+#[cfg(not(unix))]
+mod system {
+    use super::{Stamp, Use};
+    use std::fs::{DirBuilder, File, Metadata, OpenOptions};
+    use std::io::{Error, ErrorKind, Read, Result, Seek, SeekFrom};
+    use std::path::Path;
+    use std::time::UNIX_EPOCH;
+
+    pub(super) fn for_owner(_builder: &mut DirBuilder) {}
+
+    pub(super) fn file_for_owner(open: &mut OpenOptions) -> &mut OpenOptions {
+        open
+    }
+
+    pub(super) fn permit(path: &Path, what: Use) -> Result<()> {
+        let mut permissions = std::fs::metadata(path)?.permissions();
+        permissions.set_readonly(what != Use::All);
+        std::fs::set_permissions(path, permissions)
+    }
+
+    pub(super) fn can_start(_meta: &Metadata) -> bool {
+        true
+    }
+
+    pub(super) fn is_mine(_meta: &Metadata) -> bool {
+        true
+    }
+
+    pub(super) fn may_write(folder: &Path) -> Result<()> {
+        match std::fs::metadata(folder)?.permissions().readonly() {
+            true => Err(Error::from(ErrorKind::PermissionDenied)),
+            false => Ok(()),
+        }
+    }
+
+    pub(super) fn read_exact_at(file: &File, buffer: &mut [u8], start: u64) -> Result<()> {
+        let mut file = file;
+        file.seek(SeekFrom::Start(start))?;
+        file.read_exact(buffer)
+    }
+
+    pub(super) fn stamp(meta: &Metadata) -> Stamp {
+        let modified = meta.modified().ok();
+        let since = modified.and_then(|at| at.duration_since(UNIX_EPOCH).ok());
+        let modified_ns = since.map_or(0, |since| since.as_nanos() as i128);
+        Stamp {
+            size: meta.len(),
+            modified_ns,
+            changed_ns: modified_ns,
+            inode: 0,
+        }
+    }
+}

@@ -1,0 +1,67 @@
+//! What differs between systems, each with a portable way: files for the owner only, folders that are
+//! entered without going through a link, memory. Processes are in `stage::process`.
+
+mod files;
+#[cfg(unix)]
+#[path = "nofollow.rs"]
+pub(crate) mod nofollow;
+#[cfg(not(unix))]
+#[path = "nofollow_portable.rs"]
+pub(crate) mod nofollow;
+
+pub(crate) use files::{
+    Stamp, Use, can_start, is_mine, may_write, permit, private_file, private_folder, read_exact_at,
+};
+pub(crate) use nofollow::Folder;
+
+/// What may lie in a folder; all else is let be.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum FileKind {
+    /// A plain file.
+    File,
+    /// A folder.
+    Folder,
+}
+
+/// What names of files that are being written begin with; process, count and time follow.
+const WRITING: &str = ".tailor-";
+
+/// The name of a file while it is being written.
+fn writing(count: u64) -> String {
+    let (process, now) = (std::process::id(), crate::clock::now_ns());
+    format!("{WRITING}{process}-{count}-{now:x}")
+}
+
+/// Removes what killed processes were writing into a folder.
+pub(crate) fn tidy(at: &Folder) {
+    let hex = |text: &str| !text.is_empty() && text.bytes().all(|b| b.is_ascii_hexdigit());
+    let dead = |name: &str| {
+        let words = name.strip_prefix(WRITING).map(|rest| rest.split('-'));
+        let words: Vec<&str> = words.into_iter().flatten().collect();
+        words.len() == 3 && words.iter().all(|word| hex(word)) && !is_alive(words[0])
+    };
+    for name in nofollow::inside(at, FileKind::File, dead) {
+        nofollow::remove(at, &name);
+    }
+}
+
+/// Whether the process that a name begins with lives.
+pub(crate) fn is_alive(id: &str) -> bool {
+    id.parse().is_ok_and(stage::process::is_alive)
+}
+
+/// What a process may take on this machine without pushing others out; none if the system does not say.
+/// \[bytes\]
+pub(crate) fn free_memory() -> Option<u64> {
+    let number = |text: &str| text.split_whitespace().next()?.parse::<u64>().ok();
+    let read = |path: &str| std::fs::read_to_string(path).unwrap_or_default();
+    let info = read("/proc/meminfo");
+    let line = info.lines().find_map(|l| l.strip_prefix("MemAvailable:"));
+    let machine = line.and_then(number).map(|kib| kib * 1024);
+    let group = |file: &str| number(&read(&format!("/sys/fs/cgroup/{file}")));
+    let group = match (group("memory.max"), group("memory.current")) {
+        (Some(most), Some(now)) => Some(most.saturating_sub(now)),
+        _ => None,
+    };
+    [machine, group].into_iter().flatten().min()
+}
