@@ -35,6 +35,7 @@ pub struct Importer {
 }
 
 /// What is to be known of a kind of artifact.
+#[derive(Clone, Copy)]
 pub struct Kind {
     /// As [`stage::Artifact::KIND`].
     pub name: &'static str,
@@ -51,6 +52,19 @@ pub struct Kind {
     /// The names of all that `facts` may tell, `*` for any text; given the entries of the pipeline's
     /// sections, which may be among them.
     pub names: fn(&[String]) -> Vec<String>,
+}
+
+/// The stages or kinds of another catalog, and one's own before them, for a catalog that adds to it.
+/// `N` is one more than `others` has.
+pub const fn with_own<T: Copy, const N: usize>(own: T, others: &[T]) -> [T; N] {
+    assert!(N == others.len() + 1, "N is one more than there are others");
+    let mut all = [own; N];
+    let mut i = 0;
+    while i < others.len() {
+        all[i + 1] = others[i];
+        i += 1;
+    }
+    all
 }
 
 impl Catalog {

@@ -18,11 +18,14 @@ mod source;
 
 use crate::catalog::CATALOG;
 use clap::{ArgMatches, Args, Command, FromArgMatches};
+use engine::Catalog;
 use engine::cli::{Fault, Program, Verb};
 use std::process::ExitCode;
 
 /// The program.
-static TAILOR: Program = Program {
+static TAILOR: Program = PRODUCT;
+
+const PRODUCT: Program = Program {
     cache_env: "TAILOR_CACHE",
     size_env: "TAILOR_MAX_SIZE",
     pipeline: Some("body"),
@@ -97,6 +100,11 @@ fn with<A: Args>(own: Command, about: &'static str) -> Command {
 /// What was said, as a verb's arguments.
 fn read<A: FromArgMatches>(said: &ArgMatches) -> Result<A, Fault> {
     A::from_arg_matches(said).map_err(Fault::input)
+}
+
+/// The program over another catalog: one that adds to the product's.
+pub const fn program_over(catalog: &'static Catalog) -> Program {
+    Program { catalog, ..PRODUCT }
 }
 
 /// Does what the arguments say. Exit codes: 0 done, 1 a stage failed, 2 input or pipeline wrong,
