@@ -10,11 +10,14 @@ mod length;
 mod mat;
 mod mat_file;
 mod measure_verb;
+mod measured;
 mod provenance;
 mod said;
 mod scoring;
 mod screen;
 mod source;
+
+pub use measured::{Measured, measured};
 
 use crate::catalog::CATALOG;
 use clap::{ArgMatches, Args, Command, FromArgMatches};
@@ -97,6 +100,11 @@ fn with<A: Args>(own: Command, about: &'static str) -> Command {
 /// What was said, as a verb's arguments.
 fn read<A: FromArgMatches>(said: &ArgMatches) -> Result<A, Fault> {
     A::from_arg_matches(said).map_err(Fault::input)
+}
+
+/// The program: its catalog, its verbs.
+pub fn program() -> &'static Program {
+    &TAILOR
 }
 
 /// Does what the arguments say. Exit codes: 0 done, 1 a stage failed, 2 input or pipeline wrong,

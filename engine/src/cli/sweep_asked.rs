@@ -11,7 +11,7 @@ use std::path::PathBuf;
 
 /// Arguments of `tailor sweep`.
 #[derive(Args)]
-pub(crate) struct SweepArgs {
+pub struct SweepArgs {
     /// The pipeline file
     pub(super) pipeline: PathBuf,
     /// A sweep that it declares; none if `--sweep` says all
