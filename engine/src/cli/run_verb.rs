@@ -16,7 +16,6 @@ use crate::store::Store;
 use crate::walk::Watch;
 use crate::{out, verify, walk};
 use clap::Args;
-use serde_json::json;
 use std::path::PathBuf;
 use std::sync::atomic::Ordering;
 
@@ -102,19 +101,7 @@ fn execute_some(
     let outcome = outcome.map_err(Fault::input)?;
     let failures = outcome.failures(graph);
     if !failures.is_empty() {
-        let lines: Vec<String> = failures
-            .iter()
-            .map(|(node, why)| format!("{node} failed: {why}\n"))
-            .collect();
-        let one = |(node, why): &(&str, &str)| json!({ "node": node, "why": why });
-        let repeat = match again {
-            "" => String::new(),
-            again => format!("to repeat it: {again}"),
-        };
-        let mut fault = Fault::stage(format!("{}{repeat}", lines.concat()).trim_end());
-        let failures = failures.iter().map(one).collect();
-        fault.more.insert("failures".into(), failures);
-        fault.more.insert("repeat".into(), again.into());
+        let fault = Fault::failed(&failures, again);
         return Ok((outcome, Some(fault)));
     }
     if outcome.cancelled() {
