@@ -11,7 +11,7 @@ mod photos;
 mod relative;
 pub mod score;
 
-pub use cli::{check_arguments, main, program_over};
+pub use cli::{Measured, check_arguments, main, measured, program, program_over};
 pub use engine;
 // The engine's modules, under the names by which the product knows them.
 pub(crate) use engine::page;

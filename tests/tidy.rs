@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 /// Every Rust file that we wrote.
 fn sources() -> Vec<(PathBuf, String)> {
     let root = Path::new(env!("CARGO_MANIFEST_DIR"));
-    let mut open = ["src", "engine", "stages", "tests", "benches"]
+    let mut open = ["src", "engine", "stages", "tests", "benches", "python"]
         .map(|d| root.join(d))
         .to_vec();
     let mut found = Vec::new();

@@ -3,7 +3,7 @@
 use crate::done::{Done, Status};
 use crate::graph::{Bound, Graph};
 use crate::history::RunSummary;
-use crate::store::{InUse, Store};
+use crate::store::{Blob, InUse, Store};
 use serde_json::Value;
 use stage::{AnyArtifact, AnyStage, Artifact, Corrupt, Hash};
 use std::sync::Arc;
@@ -56,12 +56,12 @@ pub enum ResultError {
 }
 
 impl Outcome {
-    /// The result of the node of a name.
+    /// The bytes of the result of the node of a name, verified, and its stage.
     ///
     /// # Errors
     ///
-    /// Where there is no such node, or no result of it, or it is of another kind.
-    pub fn read<A: Artifact>(&self, name: &str) -> Result<Arc<A>, ResultError> {
+    /// Where there is no such node, or no result of it.
+    pub fn blob(&self, name: &str) -> Result<(Blob, &'static dyn AnyStage), ResultError> {
         let Some(at) = self.names.iter().position(|(node, _)| node == name) else {
             let known: Vec<&str> = self.names.iter().map(|(node, _)| node.as_str()).collect();
             return Err(ResultError::Unknown(stage::unknown("node", name, &known)));
@@ -70,9 +70,20 @@ impl Outcome {
         let Some(content) = self.nodes[at].as_ref().and_then(|done| done.content) else {
             return Err(ResultError::Missing(node));
         };
-        let Some(blob) = self.store.blob(content) else {
-            return Err(ResultError::Gone(node));
-        };
+        match self.store.blob(content) {
+            Some(blob) => Ok((blob, stage)),
+            None => Err(ResultError::Gone(node)),
+        }
+    }
+
+    /// The result of the node of a name.
+    ///
+    /// # Errors
+    ///
+    /// As [`Outcome::blob`], and where it is of another kind.
+    pub fn read<A: Artifact>(&self, name: &str) -> Result<Arc<A>, ResultError> {
+        let (blob, stage) = self.blob(name)?;
+        let node = name.to_owned();
         let artifact = match stage.read(&blob) {
             Ok(artifact) => artifact,
             Err(source) => return Err(ResultError::Corrupt { node, source }),

@@ -99,6 +99,7 @@ fn node_keys(stage: &Value, from: &Value) -> Value {
         "env": list("exec: variables of the environment that it gets"),
         "timeout_s": number("exec: how long it may take; an hour if not said [s]"),
         "memory_mb": number("exec: what it may hold with its children [MB]"),
+        "keep": { "description": "exec: whether it stays, and is told of further jobs on its standard input", "type": "boolean", "default": false },
         "network": { "description": "exec: whether it may reach the network", "type": "boolean", "default": false },
     })
 }

@@ -1,24 +1,12 @@
 //! `tailor measure`: from a folder of photos to girths and a report.
 
-use super::delivered::{called, place_of_results, write, written};
+use super::delivered::{called, place_of_results};
 use super::facts::Facts;
-use super::folder;
-use super::provenance::get;
-use super::said::{Said, opened};
-use super::screen::screen;
-use super::source::Source;
-use crate::delivery::Delivery;
-use crate::graph::Graph;
-use crate::photos::{photos, photos_node};
-use crate::store::Store;
+use super::measured::one;
 use clap::Args;
-use engine::cli::{Fault, GlobalArgs, check_out, execute, finish, whose};
-use serde_json::{Value, json};
-use shape::{Cameras, Girths};
-use std::path::{Path, PathBuf};
-
-/// The folder of a capture that holds such masks.
-const MASKS: &str = "masks";
+use engine::cli::{Fault, GlobalArgs};
+use serde_json::json;
+use std::path::PathBuf;
 
 /// What lengths are shown in.
 #[derive(Clone, Copy, PartialEq, clap::ValueEnum)]
@@ -34,51 +22,51 @@ pub(super) enum Shown {
 pub(crate) struct Measure {
     /// Folders with the photos or the video of one turn each, or videos; masks in a folder's `masks` are taken instead of own ones
     #[arg(required = true)]
-    folders: Vec<PathBuf>,
+    pub(super) folders: Vec<PathBuf>,
     /// Where to write; here, the folder's name with `-out`, if not said. Of several folders each gets its own in it
     #[arg(long)]
-    out: Option<PathBuf>,
+    pub(super) out: Option<PathBuf>,
     /// Remove from that folder what an earlier run wrote there and this one does not
     #[arg(long)]
-    clean: bool,
+    pub(super) clean: bool,
     /// Keep nothing in the cache: what is made goes when the results are written
     #[arg(long)]
     pub(super) private: bool,
     /// A variant of the pipeline
     #[arg(long)]
-    variant: Option<String>,
+    pub(super) variant: Option<String>,
     /// Another value for a param: NODE.PARAM=VALUE
     #[arg(long)]
-    set: Vec<String>,
+    pub(super) set: Vec<String>,
     /// Leave the photos out of the report
     #[arg(long)]
-    no_photos: bool,
+    pub(super) no_photos: bool,
     /// Make faces on the report's photos unrecognisable
     #[arg(long)]
-    blur_face: bool,
+    pub(super) blur_face: bool,
     /// What the screen and the report show lengths in; files stay in centimetres
     #[arg(long, value_enum, default_value = "cm")]
-    unit: Shown,
+    pub(super) unit: Shown,
     /// The camera was walked around somebody who stood still; masks in the folder's `masks` are taken instead of own ones
     #[arg(long)]
-    walk: bool,
+    pub(super) walk: bool,
     /// Take the photos in folders below, too, in the order of their paths
     #[arg(long)]
-    recursive: bool,
+    pub(super) recursive: bool,
     /// Take the folder's video, though there are photos, too
     #[arg(long)]
-    video: bool,
+    pub(super) video: bool,
     #[command(flatten)]
-    facts: Facts,
+    pub(super) facts: Facts,
 }
 
 /// `tailor measure`: each folder on its own; one that fails does not stop the others.
 pub(crate) fn measure(measure: &Measure, global: &GlobalArgs) -> Result<(), Fault> {
     let said = measure.facts.said()?;
     if let [capture] = measure.folders.as_slice() {
-        let run = one(measure, capture, measure.out.as_deref(), &said, global)?.1;
+        let measured = one(measure, capture, measure.out.as_deref(), &said, global)?;
         if global.json {
-            engine::outln!("{}", pretty(&run));
+            engine::outln!("{}", pretty(&measured.run()));
         }
         return Ok(());
     }
@@ -90,9 +78,9 @@ pub(crate) fn measure(measure: &Measure, global: &GlobalArgs) -> Result<(), Faul
             engine::errln!("{shown}:");
         }
         match one(measure, capture, Some(out), &said, global) {
-            Ok((out, run)) => {
-                answers
-                    .push(json!({ "folder": shown, "out": out.display().to_string(), "run": run }));
+            Ok(measured) => {
+                let (out, run) = (measured.out.display().to_string(), measured.run());
+                answers.push(json!({ "folder": shown, "out": out, "run": run }));
             }
             // The user asked to stop.
             Err(fault) if fault.code() == 130 => return Err(fault),
@@ -152,86 +140,4 @@ fn places(measure: &Measure) -> Result<Vec<PathBuf>, Fault> {
         places.push(place);
     }
     Ok(places)
-}
-
-/// The pipeline for a capture with what is said of it, and its inputs.
-fn pipeline(
-    measure: &Measure,
-    source: &Source,
-    said: &[Said],
-) -> Result<(Graph, Vec<(String, PathBuf)>), Fault> {
-    let mut sets = Vec::new();
-    // A turn is looked at while it is read; a walk is none.
-    sets.push(format!("photos.stop={}", !measure.walk));
-    for (asked, set) in [
-        (measure.no_photos, "report.photos=false"),
-        (measure.blur_face, "report.blur_face=true"),
-        (measure.unit == Shown::In, "report.unit=in"),
-    ] {
-        sets.extend(asked.then(|| set.to_owned()));
-    }
-    // What the user sets himself comes last, and wins.
-    sets.extend(measure.set.iter().cloned());
-    let mut folders = source.inputs();
-    let masks = source.folder().join(MASKS);
-    let name = match (measure.walk, masks.is_dir()) {
-        (true, true) => "walk-own-masks",
-        (true, false) => "walk",
-        (false, true) => "own-masks",
-        (false, false) => "body",
-    };
-    if masks.is_dir() {
-        folders.push((MASKS.to_owned(), masks));
-    }
-    let graph = opened(name, source.over(), measure.variant.clone(), said, &sets)?;
-    Ok((graph, folders))
-}
-
-/// Measures one capture: where its results lie, and how they were made.
-fn one(
-    measure: &Measure,
-    capture: &Path,
-    out: Option<&Path>,
-    said: &[Said],
-    global: &GlobalArgs,
-) -> Result<(PathBuf, Value), Fault> {
-    let looked = folder::look(capture, &measure.facts, measure.recursive, measure.video)?;
-    let more: Vec<Said> = said.iter().chain(&looked.more).cloned().collect();
-    let (mut graph, folders) = pipeline(measure, &looked.source, &more)?;
-    let (out, shown) = place_of_results(capture, out)?;
-    if let Some(few) = looked.few.clone().filter(|_| !measure.walk) {
-        return Err(Fault::input(few));
-    }
-    folder::widen(&mut graph, &looked);
-    check_out(&out, &graph, &folders)?;
-    if !global.json && !global.quiet {
-        looked.warnings.iter().for_each(|w| engine::errln!("{w}"));
-    }
-    let again: Vec<String> = std::env::args().collect();
-    // What is written must be there, the goal or not.
-    let mut wanted = graph.goal.clone();
-    wanted.extend(written(&graph));
-    // Files are called after the photos.
-    wanted.extend(photos_node(&graph));
-    let store = Store::open(&global.cache).map_err(Fault::input)?;
-    let again = again.join(" ");
-    let outcome = execute(store, &graph, &folders, &wanted, global, &again)?;
-    let own = whose(&[("photos".to_owned(), capture.to_owned())]);
-    let mut delivery = Delivery::open(&out, &own).map_err(Fault::stage)?;
-    delivery.begin().map_err(Fault::stage)?;
-    write(&graph, &outcome, &mut delivery)?;
-    finish(delivery, &graph, &outcome, measure.clean, global)?;
-    if !global.json
-        && let Some(girths) = get::<Girths>(&graph, &outcome, "girths")
-    {
-        let cameras = get::<Cameras>(&graph, &outcome, "cameras");
-        let count = photos(&graph, &outcome).photos.len();
-        let inches = measure.unit == Shown::In;
-        let screen = screen(&shown, count, cameras.as_deref(), &girths, inches);
-        engine::out!("{screen}");
-        engine::outln!("\nall files: {}", out.display());
-        engine::outln!("report:    {}", out.join("report.html").display());
-    }
-    let run = outcome.json(&graph);
-    Ok((out, run))
 }

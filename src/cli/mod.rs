@@ -10,11 +10,14 @@ mod length;
 mod mat;
 mod mat_file;
 mod measure_verb;
+mod measured;
 mod provenance;
 mod said;
 mod scoring;
 mod screen;
 mod source;
+
+pub use measured::{Measured, measured};
 
 use crate::catalog::CATALOG;
 use clap::{ArgMatches, Args, Command, FromArgMatches};
@@ -105,6 +108,11 @@ fn read<A: FromArgMatches>(said: &ArgMatches) -> Result<A, Fault> {
 /// The program over another catalog: one that adds to the product's.
 pub const fn program_over(catalog: &'static Catalog) -> Program {
     Program { catalog, ..PRODUCT }
+}
+
+/// The program: its catalog, its verbs.
+pub fn program() -> &'static Program {
+    &TAILOR
 }
 
 /// Does what the arguments say. Exit codes: 0 done, 1 a stage failed, 2 input or pipeline wrong,

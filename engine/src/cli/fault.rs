@@ -1,7 +1,7 @@
 //! Why a verb came to nothing.
 
 use crate::recipe::Mistakes;
-use serde_json::{Map, Value};
+use serde_json::{Map, Value, json};
 
 /// Why a verb came to nothing: what to print (nothing if its answer has said it), and the exit code.
 pub struct Fault {
@@ -46,6 +46,23 @@ impl Fault {
         Fault {
             code: 1,
             ..Fault::input(text)
+        }
+    }
+
+    /// Nodes failed: each with why; `again` is the command that repeats it, if there is one.
+    pub fn failed(failures: &[(&str, &str)], again: &str) -> Fault {
+        let line = |(node, why): &(&str, &str)| format!("{node} failed: {why}");
+        let mut lines: Vec<String> = failures.iter().map(line).collect();
+        let one = |(node, why): &(&str, &str)| json!({ "node": node, "why": why });
+        let mut more = Map::new();
+        more.insert("failures".into(), failures.iter().map(one).collect());
+        if !again.is_empty() {
+            lines.push(format!("to repeat it: {again}"));
+            more.insert("repeat".into(), again.into());
+        }
+        Fault {
+            more,
+            ..Fault::stage(lines.join("\n"))
         }
     }
 

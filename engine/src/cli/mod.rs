@@ -17,6 +17,7 @@ mod budget;
 mod cache;
 mod deliver;
 mod fault;
+mod host;
 mod impact;
 mod manual;
 mod open;
@@ -36,6 +37,7 @@ pub mod text;
 pub use arguments::{Change, Wanted};
 pub use deliver::{check as check_out, finish, inside, lies_in, whose};
 pub use fault::Fault;
+pub use host::Host;
 pub use open::{folders, node, open_pipeline};
 pub use program::{GlobalArgs, Program, Verb};
 pub use result::there;
@@ -43,6 +45,8 @@ pub use run_verb::execute;
 pub use speech::CANCEL;
 #[doc(hidden)]
 pub use speech::{answer, answer_line, say_line};
+pub use sweep::{Heard, Swept, swept};
+pub use sweep_asked::SweepArgs;
 
 use clap::{ArgMatches, CommandFactory, FromArgMatches, Parser, Subcommand};
 use speech::LOST;

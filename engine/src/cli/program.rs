@@ -1,6 +1,7 @@
 //! A program: a trade's catalog, what it adds to the engine's command line, and what every verb takes.
 
 use super::fault::Fault;
+use super::host::Host;
 use super::size::bytes;
 use crate::graph::Graph;
 use crate::kind::Catalog;
@@ -93,9 +94,26 @@ pub struct GlobalArgs {
     /// The program whose command line it is.
     #[arg(skip)]
     pub program: Option<&'static Program>,
+    /// Who starts its verbs.
+    #[arg(skip)]
+    pub host: Host,
 }
 
 impl GlobalArgs {
+    /// For a program that is no command line: nothing is said but answers and errors.
+    pub fn of(program: &'static Program, cache: PathBuf, host: Host) -> GlobalArgs {
+        GlobalArgs {
+            json: true,
+            cache,
+            threads: None,
+            max_size: None,
+            allow_exec: false,
+            quiet: true,
+            program: Some(program),
+            host,
+        }
+    }
+
     /// The program whose command line it is.
     pub fn program(&self) -> &'static Program {
         self.program.expect("bug: arguments of no program")

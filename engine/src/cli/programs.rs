@@ -2,7 +2,6 @@
 
 use super::fault::Fault;
 use super::program::GlobalArgs;
-use super::speech::CANCEL;
 use crate::foreign::{self, Sandbox};
 use crate::graph::Graph;
 use crate::store::Store;
@@ -23,7 +22,7 @@ pub(crate) fn permitted(graph: &Graph, global: &GlobalArgs) -> Result<(), Fault>
     if global.allow_exec {
         foreign::allow(graph, &all, &store).map_err(Fault::input)?;
     }
-    let stop = || CANCEL.load(Ordering::Relaxed);
+    let stop = || global.host.cancel().load(Ordering::Relaxed);
     foreign::settle(graph, &all, &store, &stop);
     Ok(())
 }

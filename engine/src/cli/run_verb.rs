@@ -6,7 +6,6 @@ use super::fault::Fault;
 use super::open::{folders, open, options, prefetch};
 use super::program::GlobalArgs;
 use super::progress::Progress;
-use super::speech::CANCEL;
 use crate::delivery::Delivery;
 use crate::graph::Graph;
 use crate::lasttime::History;
@@ -14,9 +13,9 @@ use crate::outcome::Outcome;
 use crate::past::Of;
 use crate::session;
 use crate::store::Store;
+use crate::walk::Watch;
 use crate::{out, verify, walk};
 use clap::Args;
-use serde_json::json;
 use std::path::PathBuf;
 use std::sync::atomic::Ordering;
 
@@ -93,19 +92,16 @@ fn execute_some(
         speaker.expect(expected.collect());
     }
     let options = options(global, keep_going);
-    let outcome = session::run_in(store, graph, folders, wanted, &options, &speaker, &CANCEL);
+    let watch: &dyn Watch = match &global.host.watch {
+        Some(watch) => &**watch,
+        None => &speaker,
+    };
+    let cancel = global.host.cancel();
+    let outcome = session::run_in(store, graph, folders, wanted, &options, watch, cancel);
     let outcome = outcome.map_err(Fault::input)?;
     let failures = outcome.failures(graph);
     if !failures.is_empty() {
-        let lines: Vec<String> = failures
-            .iter()
-            .map(|(node, why)| format!("{node} failed: {why}\n"))
-            .collect();
-        let one = |(node, why): &(&str, &str)| json!({ "node": node, "why": why });
-        let mut fault = Fault::stage(format!("{}to repeat it: {again}", lines.concat()));
-        let failures = failures.iter().map(one).collect();
-        fault.more.insert("failures".into(), failures);
-        fault.more.insert("repeat".into(), again.into());
+        let fault = Fault::failed(&failures, again);
         return Ok((outcome, Some(fault)));
     }
     if outcome.cancelled() {
@@ -127,14 +123,21 @@ fn verify(
         }
     };
     let options = options(global, false);
-    let unsteady = verify::verify(graph, folders, outcome, &options, &CANCEL, &started);
+    let unsteady = verify::verify(
+        graph,
+        folders,
+        outcome,
+        &options,
+        global.host.cancel(),
+        &started,
+    );
     let lines: Vec<String> = unsteady
         .map_err(Fault::input)?
         .iter()
         .map(|u| format!("{}: {}", u.node, u.what))
         .collect();
     match lines.is_empty() {
-        true if CANCEL.load(Ordering::Relaxed) => Err(Fault::stopped()),
+        true if global.host.cancel().load(Ordering::Relaxed) => Err(Fault::stopped()),
         true => Ok(()),
         false => Err(Fault::stage(lines.join("\n"))),
     }

@@ -4,14 +4,13 @@ use super::fault::Fault;
 use super::open::{folders, options};
 use super::program::GlobalArgs;
 use super::programs::{permitted, unguarded};
-use super::speech::CANCEL;
 use super::sweep_asked::{Asked, SweepArgs, asked, checked};
 use crate::graph::Graph;
 use crate::lasttime::History;
 use crate::outcome::Outcome;
 use crate::past::Of;
 use crate::recipe::{Overrides, Pipeline};
-use crate::sweep::{self, End, Errors, Point, Row, Sweeping};
+use crate::sweep::{self, End, Errors, Outlook, Point, Row, Sweeping};
 use crate::walk::Watch;
 use crate::{delivery, sweep::outlook};
 use std::sync::atomic::Ordering;
@@ -19,11 +18,69 @@ use std::sync::atomic::Ordering;
 /// More points than this ask for `--yes`.
 const MANY: u128 = 1000;
 
+/// What is heard of a sweep while it goes on.
+pub enum Heard<'a> {
+    /// How many points, and how long they may take.
+    Outlook(&'a Outlook),
+    /// A point came to its end: what came of it, its place from 1 on, and what people call it.
+    Row(&'a Row, usize, String),
+}
+
+/// A sweep that came to its end, or was stopped.
+pub struct Swept {
+    asked: Asked,
+    /// What came of each point.
+    pub rows: Vec<Row>,
+}
+
+impl Swept {
+    /// For other programs.
+    pub fn json(&self, program: &str) -> serde_json::Value {
+        sweep::json(program, &self.asked.name, &self.asked.about, &self.rows)
+    }
+
+    /// What was asked for and no point tells.
+    pub fn missing(&self) -> Vec<String> {
+        missing_metrics(&self.asked, &self.rows)
+    }
+}
+
 /// Runs the points of a sweep and writes the table.
 pub(crate) fn sweep(args: &SweepArgs, global: &GlobalArgs) -> Result<(), Fault> {
     if let Some(out) = &args.out {
         delivery::check(out).map_err(Fault::input)?;
     }
+    let voice = Voice(!global.quiet && !global.json);
+    let mut count = 0;
+    let swept = swept(args, global, &voice, &mut |heard| match heard {
+        Heard::Outlook(outlook) => {
+            count = outlook.points;
+            voice.say(&outlook.to_string());
+        }
+        Heard::Row(row, at, name) => {
+            let end = match &row.end {
+                End::Done => format!("{} made in {:.1} s", row.made, row.seconds),
+                End::Failed(node, _) => format!("{node} FAILED"),
+                End::Wrong(_) => "WRONG".into(),
+                End::Stopped => "stopped".into(),
+            };
+            voice.say(&format!("[{at:>3}/{count}] {name}  {end}"));
+        }
+    })?;
+    finish(args, global, &swept)
+}
+
+/// Runs the points of a sweep, as the command line says it.
+///
+/// # Errors
+///
+/// The pipeline, the sweep or its inputs are wrong. A point that fails is in its row.
+pub fn swept(
+    args: &SweepArgs,
+    global: &GlobalArgs,
+    watch: &dyn Watch,
+    heard: &mut dyn FnMut(Heard<'_>),
+) -> Result<Swept, Fault> {
     let all = Overrides {
         variant: args.change.variant.clone(),
         sets: args.change.set.clone(),
@@ -46,8 +103,7 @@ pub(crate) fn sweep(args: &SweepArgs, global: &GlobalArgs) -> Result<(), Fault> 
             "this sweep has {outlook}; if you mean it, say --yes"
         )));
     }
-    let voice = Voice(!global.quiet && !global.json);
-    voice.say(&outlook.to_string());
+    heard(Heard::Outlook(&outlook));
     unguarded(&base, &wanted, global);
     let options = options(global, true);
     let against = args.truth.as_deref().map(|truth| {
@@ -64,31 +120,23 @@ pub(crate) fn sweep(args: &SweepArgs, global: &GlobalArgs) -> Result<(), Fault> 
         options: &options,
         tell: &asked.tell,
         errors: against.as_ref().map(|errors| errors as &Errors<'_>),
-        watch: &voice,
-        cancel: &CANCEL,
+        watch,
+        cancel: global.host.cancel(),
     };
-    let (count, mut so_far) = (asked.points.count(), 0);
+    let mut so_far = 0;
     let done = |row: &Row| {
         so_far += 1;
-        let end = match &row.end {
-            End::Done => format!("{} made in {:.1} s", row.made, row.seconds),
-            End::Failed(node, _) => format!("{node} FAILED"),
-            End::Wrong(_) => "WRONG".into(),
-            End::Stopped => "stopped".into(),
-        };
-        voice.say(&format!(
-            "[{so_far:>3}/{count}] {}  {end}",
-            row.point.name(&asked.name)
-        ));
+        heard(Heard::Row(row, so_far, row.point.name(&asked.name)));
     };
     let rows = sweep::run(&sweeping, asked.points.iter(), done).map_err(Fault::input)?;
-    finish(args, global, &asked, &rows)
+    Ok(Swept { asked, rows })
 }
 
 /// Prints and writes what came out; a point without a result is a failure, a stop is a stop.
-fn finish(args: &SweepArgs, global: &GlobalArgs, asked: &Asked, rows: &[Row]) -> Result<(), Fault> {
+fn finish(args: &SweepArgs, global: &GlobalArgs, swept: &Swept) -> Result<(), Fault> {
+    let Swept { asked, rows } = swept;
     let (name, about) = (&asked.name, &asked.about);
-    let json = sweep::json(global.catalog().program, name, about, rows);
+    let json = swept.json(global.catalog().program);
     if let Some(folder) = &args.out {
         let pretty = serde_json::to_string_pretty(&json).expect("bug: JSON");
         for (file, text) in [
@@ -107,10 +155,11 @@ fn finish(args: &SweepArgs, global: &GlobalArgs, asked: &Asked, rows: &[Row]) ->
         ),
         false => crate::out!("{}", sweep::text(about, rows)),
     }
-    missing_metrics(asked, rows)
+    swept
+        .missing()
         .iter()
         .for_each(|line| crate::errln!("{line}"));
-    if CANCEL.load(Ordering::Relaxed) {
+    if global.host.cancel().load(Ordering::Relaxed) {
         let text = "stopped; run the same command to go on".into();
         return Err(Fault {
             text,

@@ -6,12 +6,12 @@ use super::open::node;
 use crate::graph::Graph;
 use crate::recipe::{Mistakes, Pipeline, Sweep};
 use crate::sweep::{self, Axis, Point, Points, axes};
-use clap::Args;
+use clap::{Args, FromArgMatches};
 use std::path::PathBuf;
 
 /// Arguments of `tailor sweep`.
 #[derive(Args)]
-pub(crate) struct SweepArgs {
+pub struct SweepArgs {
     /// The pipeline file
     pub(super) pipeline: PathBuf,
     /// A sweep that it declares; none if `--sweep` says all
@@ -36,6 +36,20 @@ pub(crate) struct SweepArgs {
     /// Run even if there are more than a thousand points
     #[arg(long)]
     pub(super) yes: bool,
+}
+
+impl SweepArgs {
+    /// From the words behind `sweep` on a command line.
+    ///
+    /// # Errors
+    ///
+    /// What is wrong with them.
+    pub fn read(words: &[String]) -> Result<SweepArgs, Fault> {
+        let command = SweepArgs::augment_args(clap::Command::new("sweep").no_binary_name(true));
+        let said = command.try_get_matches_from(words);
+        let said = said.map_err(|why| Fault::input(why.to_string().trim_end()))?;
+        SweepArgs::from_arg_matches(&said).map_err(Fault::input)
+    }
 }
 
 /// What varies and what is asked, from the file and the command line.

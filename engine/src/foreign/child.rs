@@ -45,11 +45,11 @@ pub(super) struct Line {
 /// A line that is longer comes in pieces. \[bytes\]
 const LONGEST_LINE: u64 = 16 * 1024;
 /// How long it is waited at most until it is looked at the program again.
-const LOOK: Duration = Duration::from_millis(10);
+pub(super) const LOOK: Duration = Duration::from_millis(10);
 /// How often memory and disk are looked at.
-const WEIGH: Duration = Duration::from_millis(50);
+pub(super) const WEIGH: Duration = Duration::from_millis(50);
 /// How long children have to end after their program.
-const GRACE: Duration = Duration::from_millis(200);
+pub(super) const GRACE: Duration = Duration::from_millis(200);
 
 /// Runs a program to its end. `heard` gets each line, and says whether it has taken it; what it has not is
 /// kept as what was said last. Nothing of it runs any more when this returns.
@@ -58,7 +58,7 @@ pub(super) fn run(
     stop: &dyn Fn() -> bool,
     heard: &mut dyn FnMut(&Line) -> bool,
 ) -> Result<Tail, ForeignError> {
-    let mut child = started(task)?;
+    let mut child = started(task, Stdio::null())?;
     let running = Running::new(child.id(), task.root);
     let lines = listened(&mut child);
     let mut tail = Tail::default();
@@ -110,7 +110,8 @@ fn how(status: ExitStatus) -> String {
     }
 }
 
-fn started(task: &Task<'_>) -> Result<Child, ForeignError> {
+/// Starts it, and does not wait.
+pub(super) fn started(task: &Task<'_>, stdin: Stdio) -> Result<Child, ForeignError> {
     let first = &task.words[0];
     let missing = || ForeignError::Missing(first.clone());
     let program: PathBuf = match first.contains('/') {
@@ -142,7 +143,7 @@ fn started(task: &Task<'_>) -> Result<Child, ForeignError> {
     command.env(MARK, task.root);
     process::lead_group(&mut command);
     command
-        .stdin(Stdio::null())
+        .stdin(stdin)
         .stdout(Stdio::piped())
         .stderr(Stdio::piped());
     command.spawn().map_err(|why| ForeignError::Start {
@@ -152,7 +153,7 @@ fn started(task: &Task<'_>) -> Result<Child, ForeignError> {
 }
 
 /// Both outputs, line by line.
-fn listened(child: &mut Child) -> Receiver<Line> {
+pub(super) fn listened(child: &mut Child) -> Receiver<Line> {
     let (to, from) = channel();
     let (out, err) = (child.stdout.take(), child.stderr.take());
     if let Some(out) = out {

@@ -32,6 +32,16 @@ pub enum ForeignError {
         /// What it said last.
         tail: String,
     },
+    /// It stays, and says itself that a job failed.
+    #[error("`{program}` failed: {why}{tail}")]
+    Told {
+        /// The program.
+        program: String,
+        /// What it says.
+        why: String,
+        /// What it said last besides.
+        tail: String,
+    },
     /// It took too long.
     #[error("`{program}` was ended after {} s: more was not allowed; raise `timeout_s`, if it needs longer{tail}", limit.as_secs_f64())]
     Timeout {
@@ -166,6 +176,7 @@ impl ForeignError {
     pub(super) fn said(&mut self, last: &str) {
         match self {
             ForeignError::Failed { tail, .. }
+            | ForeignError::Told { tail, .. }
             | ForeignError::Timeout { tail, .. }
             | ForeignError::Memory { tail, .. }
             | ForeignError::TooMuch { tail, .. }

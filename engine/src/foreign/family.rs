@@ -16,19 +16,24 @@ pub(super) const MARK: &str = "STAGE_EXEC_FOLDER";
 static RUNNING: Mutex<BTreeMap<u32, PathBuf>> = Mutex::new(BTreeMap::new());
 
 /// Takes down that a program runs, until it is dropped.
-pub(super) struct Running(u32);
+pub(super) struct Running {
+    leader: u32,
+    /// Its folder.
+    pub(super) folder: PathBuf,
+}
 
 impl Running {
     pub(super) fn new(leader: u32, folder: &Path) -> Running {
         let mut running = RUNNING.lock().expect("bug: poisoned");
         running.insert(leader, folder.into());
-        Running(leader)
+        let folder = folder.into();
+        Running { leader, folder }
     }
 }
 
 impl Drop for Running {
     fn drop(&mut self) {
-        RUNNING.lock().expect("bug: poisoned").remove(&self.0);
+        RUNNING.lock().expect("bug: poisoned").remove(&self.leader);
     }
 }
 

@@ -19,6 +19,9 @@ pub(super) struct Layout {
     _lock: File,
 }
 
+/// Its folders.
+const INNER: [&str; 4] = ["here", "in", "out", "work"];
+
 /// The file that is locked.
 const LOCK: &str = "lock";
 
@@ -57,10 +60,25 @@ impl Layout {
         let lock = File::create(&path).and_then(|file| file.lock().map(|()| file));
         let _lock = lock.map_err(at(&path))?;
         let layout = Layout { root, _lock };
-        for inner in ["here", "in", "out", "work"] {
+        for inner in INNER {
             folder(&layout.root.join(inner))?;
         }
         Ok(layout)
+    }
+
+    /// Empties its folders for the next job.
+    pub(super) fn emptied(&self) -> Result<(), ForeignError> {
+        for inner in INNER {
+            let inner = self.root.join(inner);
+            for entry in std::fs::read_dir(&inner).map_err(at(&inner))? {
+                let path = entry.map_err(at(&inner))?.path();
+                match std::fs::symlink_metadata(&path).is_ok_and(|m| m.is_dir()) {
+                    true => remove(&path),
+                    false => std::fs::remove_file(&path).map_err(at(&path))?,
+                }
+            }
+        }
+        Ok(())
     }
 
     /// All of it.

@@ -65,7 +65,7 @@ pub fn reference(catalog: &Catalog) -> String {
 }
 
 /// The keys of a program's node.
-const KEYS: [(&str, &str); 10] = [
+const KEYS: [(&str, &str); 11] = [
     (
         "command",
         "= [\"python3\", \"{here}/a.py\", \"{from.PORT}\", \"{out}\", \"{with.NAME}\"]; {from.PORT:FORMAT} for a format of `show --as`",
@@ -96,6 +96,10 @@ const KEYS: [(&str, &str); 10] = [
     (
         "network",
         "= false: whether it may reach the network (kept by bubblewrap)",
+    ),
+    (
+        "keep",
+        "= false: whether it stays, and is told of further jobs on its standard input",
     ),
 ];
 

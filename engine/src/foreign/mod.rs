@@ -4,12 +4,13 @@
 //!
 //! `template` (a command with its placeholders) → `program` (a node's program, what its key holds, what
 //! the user allows) → `permit` (what was allowed here; identities) → `stage` (the run: `layout`, `run`,
-//! `child` in a `sandbox` with its `family`, `results`).
+//! `child` in a `sandbox` with its `family`, or one that is `kept`; `results`).
 
 mod child;
 mod error;
 mod family;
 mod identity;
+mod kept;
 mod layout;
 pub mod listing;
 mod permit;
@@ -25,10 +26,11 @@ mod weight;
 pub use error::ForeignError;
 pub use family::end_all;
 pub use identity::Identities;
+pub(crate) use kept::Keeping;
 pub use layout::clear;
 pub use listing::programs;
 pub use permit::{Settled, allow, is_allowed, settle};
 pub use program::{Granted, Program, Script};
-pub use sandbox::{Sandbox, sandbox};
+pub use sandbox::{Sandbox, bring, sandbox};
 pub use stage::{EXEC, VERSION, laid_out};
 pub use template::{Piece, Template};

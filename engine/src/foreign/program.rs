@@ -56,6 +56,8 @@ pub struct Program {
     pub memory_mb: Option<u64>,
     /// Whether it may reach the network.
     pub network: bool,
+    /// Whether it stays for further jobs; see `kept.rs`.
+    pub keep: bool,
     /// Identities that this pipeline has read.
     pub identities: Arc<Identities>,
     /// Whether it may run.

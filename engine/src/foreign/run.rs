@@ -2,6 +2,7 @@
 
 use super::child::{self, Line, Task};
 use super::error::ForeignError;
+use super::kept::Kept;
 use super::layout::Layout;
 use super::program::Program;
 use super::tail::Tail;
@@ -22,11 +23,12 @@ pub(super) fn word(path: &Path) -> String {
     path.to_string_lossy().into_owned()
 }
 
-/// Runs the node's command; `place` says what ports and `{out}` stand for.
+/// Runs the node's command, by a program that is kept if there is one; `place` says what ports and `{out}` stand for.
 pub(super) fn command(
     program: &Program,
     layout: &Layout,
     place: &dyn Fn(&Piece) -> String,
+    kept: Option<&mut Kept>,
     stop: &dyn Fn() -> bool,
     heard: &mut dyn FnMut(&Line) -> bool,
 ) -> Result<Tail, ForeignError> {
@@ -41,7 +43,10 @@ pub(super) fn command(
         memory_mb: program.memory_mb,
         most: MOST,
     };
-    child::run(&task, stop, heard)
+    match kept {
+        Some(kept) => kept.run(&task, stop, heard),
+        None => child::run(&task, stop, heard),
+    }
 }
 
 /// What the program's identity prints, without the white space around it; nothing if it has none.

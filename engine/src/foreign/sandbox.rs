@@ -4,7 +4,7 @@ use crate::system::can_start;
 use std::ffi::OsString;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
-use std::sync::OnceLock;
+use std::sync::{Mutex, OnceLock};
 
 /// What keeps programs from writing elsewhere and from the network.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -37,8 +37,23 @@ pub fn sandbox() -> &'static Sandbox {
     })
 }
 
-/// The program of a name in PATH.
+/// Programs that a host brings along: name and place.
+static BROUGHT: Mutex<Vec<(String, PathBuf)>> = Mutex::new(Vec::new());
+
+/// Takes a program of this name from here, whatever PATH says: for a host that brings it along.
+pub fn bring(name: String, path: PathBuf) {
+    let mut brought = BROUGHT.lock().expect("bug: poisoned");
+    brought.retain(|(known, _)| *known != name);
+    brought.push((name, path));
+}
+
+/// The program of a name: what the host brings along, else in PATH.
 pub(super) fn in_path(name: &str) -> Option<PathBuf> {
+    let brought = BROUGHT.lock().expect("bug: poisoned").clone();
+    let own = brought.into_iter().find(|(known, _)| known == name);
+    if let Some((_, path)) = own.filter(|(_, path)| is_program(path)) {
+        return Some(path);
+    }
     let path = std::env::var_os("PATH")?;
     let file = |folder: PathBuf| Some(folder.join(name)).filter(|file| is_program(file));
     std::env::split_paths(&path).find_map(file)

@@ -3,6 +3,7 @@
 
 use super::child::Line;
 use super::error::ForeignError;
+use super::kept::Kept;
 use super::layout::Layout;
 use super::program::Program;
 use super::results;
@@ -108,10 +109,30 @@ impl Program {
     /// Runs the program, and gives what its kind's importer makes of what it wrote.
     fn made(&self, inputs: &[Option<AnyArtifact>], ctx: &Ctx<'_>) -> Result<Made, ForeignError> {
         let grant = self.granted.0.get().ok_or(ForeignError::NotAllowed)?;
+        if !self.keep {
+            let layout = Layout::new(&grant.folder)?;
+            return self.made_in(&layout, None, inputs, ctx);
+        }
+        let mut kept = Kept::of(self, &grant.folder)?;
+        let layout = kept.layout.clone();
+        let made = self.made_in(&layout, Some(&mut kept), inputs, ctx);
+        // Imported artifacts hold no files of it any more.
+        kept.rest();
+        made
+    }
+
+    /// As `made`, in a folder that is empty.
+    fn made_in(
+        &self,
+        layout: &Layout,
+        kept: Option<&mut Kept>,
+        inputs: &[Option<AnyArtifact>],
+        ctx: &Ctx<'_>,
+    ) -> Result<Made, ForeignError> {
+        let grant = self.granted.0.get().ok_or(ForeignError::NotAllowed)?;
         let stop = || ctx.check().is_err();
-        let layout = Layout::new(&grant.folder)?;
         layout.files(&self.files)?;
-        let mut places = self.inputs(&layout, inputs)?;
+        let mut places = self.inputs(layout, inputs)?;
         let out: PathBuf = results::place(&layout.results(), self.importer);
         places.push((Piece::Out, word(&out)));
         let place = |piece: &Piece| {
@@ -130,7 +151,7 @@ impl Program {
             }
             None => false,
         };
-        let tail = run::command(self, &layout, &place, &stop, &mut heard)?;
+        let tail = run::command(self, layout, &place, kept, &stop, &mut heard)?;
         let told = |mut error: ForeignError| {
             error.said(&tail.text());
             error

@@ -3,7 +3,7 @@
 use super::binder::{Binder, Known, importer_of};
 use super::mistake::Mistake;
 use super::written::{From, Node, Said};
-use crate::foreign::{Granted, Program, Script, Template};
+use crate::foreign::{Granted, Piece, Program, Script, Template};
 use crate::graph::{Bound, Source};
 use crate::pattern::stays_inside;
 use stage::{Checked, PortSpec, Value, unknown};
@@ -88,6 +88,11 @@ impl<'a> Binder<'a> {
         let printed = node.exec.identity.as_deref().unwrap_or_default();
         self.started(printed, &identity);
         self.plain(printed, &identity);
+        let own = |word: &Template| word.pieces.iter().all(|p| matches!(p, Piece::Text(_)));
+        if node.exec.keep == Some(true) && !own(&command[0]) {
+            let what = "a program that is kept is one that is installed: name it without braces";
+            self.wrong_at(&said[0], what);
+        }
         self.unread(node, importer, &command, &ports);
         let files = self.files(node);
         let env = self.variables(node);
@@ -111,6 +116,7 @@ impl<'a> Binder<'a> {
             timeout: Duration::from_secs_f64(seconds),
             memory_mb: node.exec.memory_mb.as_ref().map(|m| m.value.ceil() as u64),
             network: node.exec.network.unwrap_or(false),
+            keep: node.exec.keep.unwrap_or(false),
             identities: self.beside.identities.clone(),
             granted: Granted::default(),
         });

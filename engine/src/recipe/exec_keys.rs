@@ -15,14 +15,23 @@ impl Reader {
             "env" => exec.env = Some(self.texts(value, "a name")),
             "timeout_s" => exec.timeout_s = self.limit(value, "`timeout_s`"),
             "memory_mb" => exec.memory_mb = self.limit(value, "`memory_mb`"),
-            "network" => match value.item {
-                Item::Bool(network) => exec.network = Some(network),
-                _ => self.wrong(&value.span, "`network` must be true or false"),
-            },
+            "network" => exec.network = self.switch(value, "`network`").or(exec.network),
+            "keep" => exec.keep = self.switch(value, "`keep`").or(exec.keep),
             _ => return false,
         }
         exec.key.get_or_insert_with(|| key.said());
         true
+    }
+
+    fn switch(&mut self, value: &Spot<'_>, what: &str) -> Option<bool> {
+        let said = match value.item {
+            Item::Bool(said) => Some(said),
+            _ => None,
+        };
+        if said.is_none() {
+            self.wrong(&value.span, format!("{what} must be true or false"));
+        }
+        said
     }
 
     /// A number above nothing.
@@ -54,5 +63,6 @@ impl Exec {
         self.timeout_s = over.timeout_s.or(self.timeout_s.take());
         self.memory_mb = over.memory_mb.or(self.memory_mb.take());
         self.network = over.network.or(self.network);
+        self.keep = over.keep.or(self.keep);
     }
 }

@@ -9,7 +9,7 @@ pub(super) const KEYS: [&str; 9] = [
 ];
 
 /// The keys of a node.
-pub(super) const NODE: [&str; 11] = [
+pub(super) const NODE: [&str; 12] = [
     "stage",
     "from",
     "with",
@@ -21,6 +21,7 @@ pub(super) const NODE: [&str; 11] = [
     "timeout_s",
     "memory_mb",
     "network",
+    "keep",
 ];
 
 /// Something written, and where. \[bytes of the file, behind those of the files read before\]
@@ -80,6 +81,8 @@ pub struct Exec {
     pub memory_mb: Option<Said<f64>>,
     /// `network`: whether it may reach the network.
     pub network: Option<bool>,
+    /// `keep`: whether it stays for further jobs.
+    pub keep: Option<bool>,
 }
 
 /// `[input.NAME]`.

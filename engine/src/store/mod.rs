@@ -41,6 +41,7 @@ mod records;
 #[cfg(test)]
 mod simulated;
 
+pub use blob::Blob;
 pub use error::StoreError;
 pub use folder::Store;
 pub use forget::{Forgotten, forget};

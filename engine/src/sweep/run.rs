@@ -86,6 +86,8 @@ pub fn run(
     points: impl Iterator<Item = Point>,
     mut done: impl FnMut(&Row),
 ) -> Result<Vec<Row>, EngineError> {
+    // Programs that are kept are kept for all points.
+    let _keeping = crate::foreign::Keeping::new();
     let mut failures = BTreeMap::new();
     let mut rows = Vec::new();
     for point in points {

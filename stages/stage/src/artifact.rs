@@ -82,6 +82,18 @@ pub struct Unpacker<'a> {
 }
 
 impl Unpacker<'_> {
+    /// What the bytes say they are: kind and format.
+    pub fn kind(&self) -> (&str, u32) {
+        (&self.header.kind, self.header.format)
+    }
+
+    /// The arrays: name, size of an element, and where they lie in the bytes.
+    pub fn sections(&self) -> impl Iterator<Item = (&str, usize, std::ops::Range<usize>)> {
+        let place = |s: &Section| s.offset as usize..(s.offset + s.bytes) as usize;
+        let sections = self.header.sections.iter();
+        sections.map(move |s| (s.name.as_str(), s.element_bytes as usize, place(s)))
+    }
+
     /// The typed metadata.
     ///
     /// # Errors
@@ -156,6 +168,23 @@ pub fn to_bytes<A: Artifact>(artifact: &A) -> Vec<u8> {
 ///
 /// The bytes are no artifact, of another kind, or corrupt.
 pub fn from_bytes<A: Artifact>(bytes: &[u8]) -> Result<A, Corrupt> {
+    let file = opened(bytes)?;
+    let Header { kind, format, .. } = &file.header;
+    if kind != A::KIND || *format != A::FORMAT {
+        let wants = format!("{} format {}", A::KIND, A::FORMAT);
+        return Err(Corrupt(format!(
+            "holds {kind} format {format}, not {wants}"
+        )));
+    }
+    A::unpack(&file)
+}
+
+/// The bytes of an artifact's file, of any kind, every length checked.
+///
+/// # Errors
+///
+/// The bytes are no artifact, or corrupt.
+pub fn opened(bytes: &[u8]) -> Result<Unpacker<'_>, Corrupt> {
     let bad = |what: &str| Corrupt(what.into());
     let at = |range: std::ops::Range<usize>| bytes.get(range).ok_or_else(|| bad("too short"));
     if at(0..8)? != MAGIC {
@@ -173,13 +202,6 @@ pub fn from_bytes<A: Artifact>(bytes: &[u8]) -> Result<A, Corrupt> {
         )));
     }
     let header: Header = codec::decode(at(PREFIX..PREFIX + u32_at(12)? as usize)?)?;
-    if header.kind != A::KIND || header.format != A::FORMAT {
-        let (kind, format) = (&header.kind, header.format);
-        let wants = format!("{} format {}", A::KIND, A::FORMAT);
-        return Err(Corrupt(format!(
-            "holds {kind} format {format}, not {wants}"
-        )));
-    }
     for s in &header.sections {
         let end = s.offset.checked_add(s.bytes).filter(|end| *end <= total);
         if end.is_none() || s.element_bytes == 0 || s.bytes % u64::from(s.element_bytes) != 0 {
@@ -189,7 +211,7 @@ pub fn from_bytes<A: Artifact>(bytes: &[u8]) -> Result<A, Corrupt> {
             )));
         }
     }
-    A::unpack(&Unpacker { header, bytes })
+    Ok(Unpacker { header, bytes })
 }
 
 /// The hash of an artifact's content: of the bytes of its file.
@@ -219,6 +241,19 @@ mod tests {
     fn what_is_packed_is_unpacked() {
         let noun = Noun("a body".into(), vec![1.0, -0.0, f32::MAX]);
         assert_eq!(from_bytes::<Noun>(&to_bytes(&noun)), Ok(noun));
+    }
+
+    #[test]
+    fn sections_lie_where_they_are_said_to() {
+        let bytes = to_bytes(&Noun("a body".into(), vec![1.0, 2.5]));
+        let file = opened(&bytes).unwrap();
+        let sections: Vec<_> = file.sections().collect();
+        let [(name, element, place)] = &sections[..] else {
+            panic!("{sections:?}")
+        };
+        assert_eq!((file.kind(), *name, *element), (("noun", 1), "numbers", 4));
+        assert_eq!(bytes[place.clone()], *bytemuck::bytes_of(&[1.0f32, 2.5]));
+        assert_eq!(place.start % ALIGN, 0);
     }
 
     #[test]

@@ -29,7 +29,7 @@ pub mod process;
 mod value;
 
 pub use any::AnyArtifact;
-pub use artifact::{Artifact, Hash, Packer, Unpacker, content, from_bytes, hash, to_bytes};
+pub use artifact::{Artifact, Hash, Packer, Unpacker, content, from_bytes, hash, opened, to_bytes};
 pub use choice::Choice;
 pub use codec::Corrupt;
 pub use ctx::{Ctx, Host, Metric, Steps};

@@ -1,0 +1,71 @@
+//! What an artifact holds beside its arrays, as JSON: the documented format where its kind has one.
+
+use engine::cli::Fault;
+use engine::out;
+use serde_json::{Value, json};
+use shape::{Document, Photo, PhotoId, Photos, Solid, Sway};
+use stage::{AnyArtifact, AnyStage, Artifact, Files};
+
+/// As JSON. A kind that is all arrays has nothing.
+pub(crate) fn describe(bytes: &[u8], stage: &'static dyn AnyStage) -> Result<Value, Fault> {
+    let file = stage::opened(bytes).map_err(Fault::stage)?;
+    let read = || stage.read(bytes).map_err(Fault::stage);
+    Ok(match stage.yields() {
+        // Photo, width, height.
+        "masks" => json!(file.meta::<Vec<(u32, u32, u32)>>().map_err(Fault::stage)?),
+        // Width and height of the atlas.
+        "textured" => json!(file.meta::<(u64, u64)>().map_err(Fault::stage)?),
+        "keypoints" => json!(file.meta::<Vec<PhotoId>>().map_err(Fault::stage)?),
+        // Photo, cell in pixels, columns.
+        "warps" => json!(file.meta::<Vec<(u32, f64, u32)>>().map_err(Fault::stage)?),
+        "document" => json!(typed::<Document>(read()?)?.media),
+        "sway" => {
+            let sway = typed::<Sway>(read()?)?;
+            let pose = |(photo, pose): (PhotoId, &shape::Pose)| {
+                let rows = pose.rotation.matrix().row_iter();
+                let rows: Vec<[f64; 3]> = rows.map(|r| [r[0], r[1], r[2]]).collect();
+                json!({ "photo": photo, "R": rows, "t": pose.translation.as_slice() })
+            };
+            sway.views.iter().map(pose).collect()
+        }
+        "solid" => json!(*typed::<Solid>(read()?)?),
+        "files" => {
+            let files = typed::<Files>(read()?)?;
+            let entry = |e: &stage::FileEntry| json!({ "name": e.name, "content": e.content.to_hex().as_str(), "size": e.size });
+            files.entries.iter().map(entry).collect()
+        }
+        kind if out::formats(tailor::program().catalog, kind).contains(&"json") => {
+            in_json(read()?)?
+        }
+        _ => Value::Null,
+    })
+}
+
+fn typed<A: Artifact>(artifact: AnyArtifact) -> Result<std::sync::Arc<A>, Fault> {
+    let wrong = || Fault::stage(format!("bug: this is no {}", A::KIND));
+    artifact.downcast().ok_or_else(wrong)
+}
+
+/// In the kind's own JSON.
+fn in_json(artifact: AnyArtifact) -> Result<Value, Fault> {
+    let catalog = tailor::program().catalog;
+    let files = out::files(catalog, artifact, Vec::new, None, Some("json"));
+    let files = files.map_err(Fault::stage)?;
+    let text = files.first().map_or(&[][..], |(_, bytes)| bytes);
+    serde_json::from_slice(text).map_err(Fault::stage)
+}
+
+/// Photos without their pixels.
+pub(crate) fn photos(photos: &Photos) -> Value {
+    let one = |photo: &Photo| {
+        json!({
+            "name": photo.name, "width": photo.width, "height": photo.height,
+            "orientation": photo.orientation, "focal_35mm": photo.focal_35mm,
+            "device": photo.device, "time_s": photo.time_s,
+        })
+    };
+    json!({
+        "photos": photos.photos.iter().map(one).collect::<Vec<_>>(),
+        "plate": photos.plate.as_ref().map(one), "rig": photos.rig,
+    })
+}

@@ -1,0 +1,31 @@
+"""Girths of a body from the photographs of one turn.
+
+`measure` is the one-line door. `Pipeline` changes, plans, runs and sweeps any pipeline. `stage` makes a
+function of yours a node of one. Results are looked at as numpy arrays, without copying them.
+
+Lengths are millimetres, pixels have the centre of the top-left one at (0, 0), the world is the turntable's:
+origin on the axis at the disk's top, z up.
+"""
+
+from ._errors import Error
+from ._native import version as __version__
+from .artifacts import READERS
+from .measuring import measure
+from .pipeline import Pipeline, pipelines
+from .progress import Event
+from .runs import Measured, Run
+from .staging import Stage, stage
+
+__all__ = [
+    "Error",
+    "Event",
+    "Measured",
+    "Pipeline",
+    "READERS",
+    "Run",
+    "Stage",
+    "__version__",
+    "measure",
+    "pipelines",
+    "stage",
+]

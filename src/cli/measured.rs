@@ -1,0 +1,152 @@
+//! One capture: its pipeline, its run, its folder of results.
+
+use super::delivered::{place_of_results, write, written};
+use super::folder;
+use super::measure_verb::{Measure, Shown};
+use super::provenance::get;
+use super::said::{Said, opened};
+use super::screen::screen;
+use super::source::Source;
+use crate::delivery::Delivery;
+use crate::graph::Graph;
+use crate::photos::{photos, photos_node};
+use crate::store::Store;
+use clap::{Args, FromArgMatches};
+use engine::Outcome;
+use engine::cli::{Fault, GlobalArgs, check_out, execute, finish, whose};
+use serde_json::Value;
+use shape::{Cameras, Girths};
+use std::path::{Path, PathBuf};
+
+/// The folder of a capture that holds masks.
+const MASKS: &str = "masks";
+
+/// The pipeline for a capture with what is said of it, and its inputs.
+fn pipeline(
+    measure: &Measure,
+    source: &Source,
+    said: &[Said],
+) -> Result<(Graph, Vec<(String, PathBuf)>), Fault> {
+    let mut sets = Vec::new();
+    // A turn is looked at while it is read; a walk is none.
+    sets.push(format!("photos.stop={}", !measure.walk));
+    for (asked, set) in [
+        (measure.no_photos, "report.photos=false"),
+        (measure.blur_face, "report.blur_face=true"),
+        (measure.unit == Shown::In, "report.unit=in"),
+    ] {
+        sets.extend(asked.then(|| set.to_owned()));
+    }
+    // What the user sets himself comes last, and wins.
+    sets.extend(measure.set.iter().cloned());
+    let mut folders = source.inputs();
+    let masks = source.folder().join(MASKS);
+    let name = match (measure.walk, masks.is_dir()) {
+        (true, true) => "walk-own-masks",
+        (true, false) => "walk",
+        (false, true) => "own-masks",
+        (false, false) => "body",
+    };
+    if masks.is_dir() {
+        folders.push((MASKS.to_owned(), masks));
+    }
+    let graph = opened(name, source.over(), measure.variant.clone(), said, &sets)?;
+    Ok((graph, folders))
+}
+
+/// A capture that was measured.
+pub struct Measured {
+    /// The folder with its results.
+    pub out: PathBuf,
+    /// The pipeline that ran.
+    pub graph: Graph,
+    /// What came of it.
+    pub outcome: Outcome,
+    /// What was seen in the capture's folder before anything ran.
+    pub warnings: Vec<String>,
+}
+
+impl Measured {
+    /// How the results were made, as `run.json` has it.
+    pub fn run(&self) -> Value {
+        self.outcome.json(&self.graph)
+    }
+}
+
+/// Measures one capture, as `tailor measure` with these arguments: a folder and flags.
+///
+/// # Errors
+///
+/// What is wrong with the arguments or with the capture, a stage that failed, or that it was stopped.
+pub fn measured(arguments: &[String], global: &GlobalArgs) -> Result<Measured, Fault> {
+    let command = Measure::augment_args(clap::Command::new("measure").no_binary_name(true));
+    let said = command.try_get_matches_from(arguments);
+    let said = said.map_err(|why| Fault::input(why.to_string().trim_end()))?;
+    let measure = Measure::from_arg_matches(&said).map_err(Fault::input)?;
+    let [capture] = measure.folders.as_slice() else {
+        return Err(Fault::input("one capture at a time: say one folder"));
+    };
+    if measure.private {
+        let what = "--private belongs to the command line: here, say a cache that you remove";
+        return Err(Fault::input(what));
+    }
+    let facts = measure.facts.said()?;
+    one(&measure, capture, measure.out.as_deref(), &facts, global)
+}
+
+/// Measures one capture.
+pub(super) fn one(
+    measure: &Measure,
+    capture: &Path,
+    out: Option<&Path>,
+    said: &[Said],
+    global: &GlobalArgs,
+) -> Result<Measured, Fault> {
+    let looked = folder::look(capture, &measure.facts, measure.recursive, measure.video)?;
+    let more: Vec<Said> = said.iter().chain(&looked.more).cloned().collect();
+    let (mut graph, folders) = pipeline(measure, &looked.source, &more)?;
+    let (out, shown) = place_of_results(capture, out)?;
+    if let Some(few) = looked.few.clone().filter(|_| !measure.walk) {
+        return Err(Fault::input(few));
+    }
+    folder::widen(&mut graph, &looked);
+    check_out(&out, &graph, &folders)?;
+    if !global.json && !global.quiet {
+        looked.warnings.iter().for_each(|w| engine::errln!("{w}"));
+    }
+    // Who is no command line cannot be repeated by one.
+    let again: Vec<String> = match global.host.watch {
+        Some(_) => vec![],
+        None => std::env::args().collect(),
+    };
+    // What is written must be there, the goal or not.
+    let mut wanted = graph.goal.clone();
+    wanted.extend(written(&graph));
+    // Files are called after the photos.
+    wanted.extend(photos_node(&graph));
+    let store = Store::open(&global.cache).map_err(Fault::input)?;
+    let again = again.join(" ");
+    let outcome = execute(store, &graph, &folders, &wanted, global, &again)?;
+    let own = whose(&[("photos".to_owned(), capture.to_owned())]);
+    let mut delivery = Delivery::open(&out, &own).map_err(Fault::stage)?;
+    delivery.begin().map_err(Fault::stage)?;
+    write(&graph, &outcome, &mut delivery)?;
+    finish(delivery, &graph, &outcome, measure.clean, global)?;
+    if !global.json
+        && let Some(girths) = get::<Girths>(&graph, &outcome, "girths")
+    {
+        let cameras = get::<Cameras>(&graph, &outcome, "cameras");
+        let count = photos(&graph, &outcome).photos.len();
+        let inches = measure.unit == Shown::In;
+        let screen = screen(&shown, count, cameras.as_deref(), &girths, inches);
+        engine::out!("{screen}");
+        engine::outln!("\nall files: {}", out.display());
+        engine::outln!("report:    {}", out.join("report.html").display());
+    }
+    Ok(Measured {
+        out,
+        graph,
+        outcome,
+        warnings: looked.warnings,
+    })
+}
