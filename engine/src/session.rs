@@ -9,7 +9,7 @@ use crate::past;
 use crate::run_one::{Pool, Surroundings};
 use crate::source::{self, Memo, SourceError};
 use crate::store::{Store, StoreError};
-use crate::walk::{Job, Watch, walk};
+use crate::walk::{Failures, Job, Watch, walk};
 use stage::{Files, Hash};
 use std::collections::{HashMap, HashSet};
 use std::path::PathBuf;
@@ -162,6 +162,7 @@ pub fn run_in(
         watch: &journal,
         cancel,
         pool: &pool,
+        failures: &Failures::default(),
     };
     let job = Job {
         graph,
@@ -193,7 +194,7 @@ pub fn run_in(
 }
 
 /// Whether all programs may run that the nodes need.
-fn settled(
+pub(crate) fn settled(
     graph: &Graph,
     nodes: &[usize],
     store: &Store,
