@@ -21,6 +21,7 @@ mod points;
 mod row;
 mod rows;
 mod run;
+mod sweeping;
 mod table;
 mod whole;
 
@@ -30,5 +31,6 @@ pub use outlook::{Outlook, outlook};
 pub use page::page;
 pub use points::{Point, Points};
 pub use row::{End, Row};
-pub use run::{Errors, Sweeping, run};
+pub use run::run;
+pub use sweeping::{Errors, Sweeping};
 pub use table::{csv, json, text};

@@ -1,7 +1,7 @@
 //! What came of a point, and what its row tells.
 
 use super::points::Point;
-use super::run::Sweeping;
+use super::sweeping::Sweeping;
 use crate::graph::Graph;
 use crate::outcome::Outcome;
 use crate::tells::BESIDE;

@@ -3,7 +3,7 @@
 use super::busy::Busy;
 use super::points::Point;
 use super::row::{End, Row};
-use super::run::Sweeping;
+use super::sweeping::Sweeping;
 use super::whole::Member;
 use crate::done::{Done, Status};
 use crate::history::{self, RunSummary};

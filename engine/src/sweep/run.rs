@@ -4,45 +4,19 @@ use super::busy::Busy;
 use super::points::Point;
 use super::row::Row;
 use super::rows::{Common, Entry, Rows};
+use super::sweeping::Sweeping;
 use super::whole::Whole;
 use crate::done::Done;
-use crate::graph::Graph;
 use crate::journal::Journal;
-use crate::outcome::Outcome;
 use crate::past;
 use crate::run_one::{Pool, Surroundings};
-use crate::session::{self, EngineError, Options};
+use crate::session::{self, EngineError};
 use crate::store::Store;
-use crate::walk::{Failures, Job, Watch, walk_told};
-use stage::Metric;
+use crate::walk::{Failures, Job, walk_told};
 use std::iter::Peekable;
-use std::path::PathBuf;
-use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::atomic::Ordering;
 use std::sync::mpsc::channel;
 use std::time::Instant;
-
-/// Errors of results against ground truth.
-pub type Errors<'a> = dyn Fn(&Graph, &Outcome) -> Result<Vec<Metric>, String> + 'a;
-
-/// What all points have in common.
-pub struct Sweeping<'a> {
-    /// The pipeline at a point.
-    pub open: &'a dyn Fn(&Point) -> Result<Graph, String>,
-    /// The nodes that are wanted; none is the pipeline's goal.
-    pub nodes: &'a [String],
-    /// The user's folders.
-    pub folders: &'a [(String, PathBuf)],
-    /// How to run.
-    pub options: &'a Options,
-    /// `node.metric`; none is all that the wanted nodes tell.
-    pub tell: &'a [String],
-    /// Errors of a point's results against ground truth, as `error.…`.
-    pub errors: Option<&'a Errors<'a>>,
-    /// Who hears what happens inside a point.
-    pub watch: &'a dyn Watch,
-    /// Set when the user asks to stop.
-    pub cancel: &'a AtomicBool,
-}
 
 /// So many nodes of points, shared or not, are held at a time.
 const MOST_NODES: usize = 8192;
