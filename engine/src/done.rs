@@ -79,6 +79,9 @@ pub trait Watch: Sync {
     fn waits(&self, _node: &str) {}
     /// So much of a loop is done.
     fn progress(&self, _node: &str, _label: &str, _done: usize, _of: usize) {}
+    /// Somebody made the same result first, and it has another content than what was made here: the stage
+    /// is not deterministic. What was there first counts.
+    fn differs(&self, _node: &str, _theirs: Hash, _ours: Hash) {}
     /// A node is done.
     fn done(&self, _node: &str, _done: &Done) {}
 }

@@ -113,6 +113,7 @@ mod session;
 pub mod source;
 mod stopwatch;
 pub mod store;
+pub mod strands;
 pub mod sweep;
 pub mod tells;
 pub mod verify;

@@ -11,7 +11,7 @@ use std::path::{Path, PathBuf};
 type Form = fn(&str) -> bool;
 
 /// The store's folders, and the form of the names in each.
-const FOLDERS: [(&str, Form); 12] = [
+const FOLDERS: [(&str, Form); 13] = [
     ("cas", is_prefix),
     ("ac", is_prefix),
     ("part", is_prefix),
@@ -23,6 +23,7 @@ const FOLDERS: [(&str, Form); 12] = [
     ("captures", is_hash),
     ("tmp", is_writing),
     ("allowed", is_hash),
+    ("plans", is_hash),
     ("exec", is_writing),
 ];
 

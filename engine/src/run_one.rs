@@ -211,11 +211,20 @@ fn make(
             metrics: host.metrics.into_inner().expect("bug: poisoned"),
             warnings: host.warnings.into_inner().expect("bug: poisoned"),
         };
+        // Where the disk knows no locks, or two machines made it, somebody may have been first.
+        let first = around.store.record(key);
+        if let Some(first) = first.filter(|first| around.store.holds(first.content)) {
+            return Ok((first, content));
+        }
         around.store.write_record(key, &record)?;
-        Ok(record)
+        Ok((record, content))
     });
     match published {
-        Ok(record) => (done(Status::Executed, key, record), Some(made.artifact)),
+        Ok((record, ours)) if record.content != ours => {
+            around.watch.differs(&bound.name, record.content, ours);
+            (done(Status::Executed, key, record), None)
+        }
+        Ok((record, _)) => (done(Status::Executed, key, record), Some(made.artifact)),
         Err(error) => (failed(error.to_string()), None),
     }
 }

@@ -144,11 +144,24 @@ pub fn run_in(
     watch: &dyn Watch,
     cancel: &AtomicBool,
 ) -> Result<Outcome, EngineError> {
-    let start = std::time::Instant::now();
-    let using = store.using();
     let stop = || cancel.load(std::sync::atomic::Ordering::Relaxed);
     settled(graph, &crate::walk::all(graph, wanted), &store, &stop)?;
     let files = inputs(graph, folders, &store)?;
+    run_files(store, graph, files, wanted, options, watch, cancel)
+}
+
+/// As [`run_in`], of files that are hashed already, one entry an input, and of programs that may run.
+pub(crate) fn run_files(
+    store: Store,
+    graph: &Graph,
+    files: Vec<Files>,
+    wanted: &[usize],
+    options: &Options,
+    watch: &dyn Watch,
+    cancel: &AtomicBool,
+) -> Result<Outcome, EngineError> {
+    let start = std::time::Instant::now();
+    let using = store.using();
     let contents: Vec<Hash> = files.iter().map(stage::content).collect();
     for (content, files) in contents.iter().zip(&files) {
         store.note_capture(*content, &files.root);

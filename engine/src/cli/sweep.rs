@@ -5,12 +5,14 @@ use super::open::{folders, options};
 use super::program::GlobalArgs;
 use super::programs::{permitted, unguarded};
 use super::speech::CANCEL;
-use super::sweep_asked::{Asked, SweepArgs, asked, checked};
+use super::strands::written;
+use super::sweep_asked::{self, SweepArgs, asked, checked};
 use crate::graph::Graph;
 use crate::lasttime::History;
 use crate::outcome::Outcome;
 use crate::past::Of;
 use crate::recipe::{Overrides, Pipeline};
+use crate::strands::Asked;
 use crate::sweep::{self, End, Errors, Point, Row, Sweeping};
 use crate::walk::Watch;
 use crate::{delivery, sweep::outlook};
@@ -45,6 +47,16 @@ pub(crate) fn sweep(args: &SweepArgs, global: &GlobalArgs) -> Result<(), Fault> 
         return Err(Fault::input(format!(
             "this sweep has {outlook}; if you mean it, say --yes"
         )));
+    }
+    if args.strands {
+        let points: Vec<Overrides> = asked.points.iter().map(|p| p.overrides(&all)).collect();
+        let asked = Asked {
+            pipeline: &pipeline,
+            points: &points,
+            nodes: &asked.nodes,
+            folders: &folders(&args.change)?,
+        };
+        return written(&asked, global);
     }
     let voice = Voice(!global.quiet && !global.json);
     voice.say(&outlook.to_string());
@@ -86,7 +98,12 @@ pub(crate) fn sweep(args: &SweepArgs, global: &GlobalArgs) -> Result<(), Fault> 
 }
 
 /// Prints and writes what came out; a point without a result is a failure, a stop is a stop.
-fn finish(args: &SweepArgs, global: &GlobalArgs, asked: &Asked, rows: &[Row]) -> Result<(), Fault> {
+fn finish(
+    args: &SweepArgs,
+    global: &GlobalArgs,
+    asked: &sweep_asked::Asked,
+    rows: &[Row],
+) -> Result<(), Fault> {
     let (name, about) = (&asked.name, &asked.about);
     let json = sweep::json(global.catalog().program, name, about, rows);
     if let Some(folder) = &args.out {
@@ -125,7 +142,7 @@ fn finish(args: &SweepArgs, global: &GlobalArgs, asked: &Asked, rows: &[Row]) ->
 }
 
 /// What was asked for and no point tells.
-fn missing_metrics(asked: &Asked, rows: &[Row]) -> Vec<String> {
+fn missing_metrics(asked: &sweep_asked::Asked, rows: &[Row]) -> Vec<String> {
     let mut lines = Vec::new();
     let done: Vec<&Row> = rows.iter().filter(|r| r.end == End::Done).collect();
     for name in asked.tell.iter().filter(|_| !done.is_empty()) {

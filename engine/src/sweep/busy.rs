@@ -1,6 +1,7 @@
 //! How long at least one stage ran: what is left of a point's time is the engine's.
 
 use crate::walk::{Done, Status, Watch};
+use stage::Hash;
 use std::sync::Mutex;
 use std::thread::ThreadId;
 use std::time::{Duration, Instant};
@@ -63,6 +64,10 @@ impl Watch for Busy<'_> {
 
     fn progress(&self, node: &str, label: &str, done: usize, of: usize) {
         self.listener.progress(node, label, done, of);
+    }
+
+    fn differs(&self, node: &str, theirs: Hash, ours: Hash) {
+        self.listener.differs(node, theirs, ours);
     }
 
     fn done(&self, node: &str, done: &Done) {

@@ -23,7 +23,7 @@ mod rows;
 mod run;
 mod sweeping;
 mod table;
-mod whole;
+pub(crate) mod whole;
 
 pub use crate::tells::{entries, untellable};
 pub use axis::{Axis, AxisError};

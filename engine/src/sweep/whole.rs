@@ -9,27 +9,27 @@ use std::collections::HashMap;
 use std::path::PathBuf;
 
 /// A point's graph, and where its nodes and inputs stand in the whole.
-pub(super) struct Member {
-    pub(super) graph: Graph,
+pub(crate) struct Member {
+    pub(crate) graph: Graph,
     /// The nodes that are asked.
-    pub(super) wanted: Vec<usize>,
+    pub(crate) wanted: Vec<usize>,
     /// One entry a node; `None` for those that are not needed.
-    pub(super) places: Vec<Option<usize>>,
+    pub(crate) places: Vec<Option<usize>>,
     /// One entry an input.
-    pub(super) inputs: Vec<usize>,
+    pub(crate) inputs: Vec<usize>,
 }
 
 /// All graphs together.
 #[derive(Default)]
-pub(super) struct Whole {
+pub(crate) struct Whole {
     nodes: Vec<Bound>,
     /// The place of a node by its recipe and what it reads.
     known: HashMap<Hash, usize>,
     inputs: Vec<InputDecl>,
     /// The files of each input.
-    pub(super) files: Vec<Files>,
+    pub(crate) files: Vec<Files>,
     /// Their content.
-    pub(super) contents: Vec<Hash>,
+    pub(crate) contents: Vec<Hash>,
     like: Option<Graph>,
 }
 
@@ -39,7 +39,7 @@ impl Whole {
     /// # Errors
     ///
     /// An input has no folder, is unknown, or cannot be read.
-    pub(super) fn inputs_of(
+    pub(crate) fn inputs_of(
         &mut self,
         graph: &Graph,
         folders: &[(String, PathBuf)],
@@ -63,7 +63,7 @@ impl Whole {
     }
 
     /// Adds a graph whose inputs are read, with all that the wanted nodes need.
-    pub(super) fn add(&mut self, graph: Graph, wanted: Vec<usize>) -> Member {
+    pub(crate) fn add(&mut self, graph: Graph, wanted: Vec<usize>) -> Member {
         let place = |input: &InputDecl| self.inputs.iter().position(|i| i == input);
         let inputs: Vec<usize> = graph
             .inputs
@@ -104,7 +104,7 @@ impl Whole {
     }
 
     /// All that was added as one graph, if there is any, with the inputs' files and their content.
-    pub(super) fn graph(self) -> (Option<Graph>, Vec<Files>, Vec<Hash>) {
+    pub(crate) fn graph(self) -> (Option<Graph>, Vec<Files>, Vec<Hash>) {
         let graph = self.like.map(|like| Graph {
             goal: (0..self.nodes.len()).collect(),
             nodes: self.nodes,
