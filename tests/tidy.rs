@@ -243,7 +243,14 @@ fn every_case_of_the_engine_has_a_test_that_is_there() {
     let rows: Vec<&str> = table.lines().filter(|l| l.starts_with("| T")).collect();
     assert_eq!(rows.len(), 46, "T1 to T18 and T21 to T48");
     let sources = sources();
-    for row in rows {
+    let faults = std::fs::read_to_string(root.join("docs/cluster.md")).unwrap();
+    let faults: Vec<&str> = faults.lines().filter(|l| l.ends_with("` |")).collect();
+    assert!(faults.len() > 6, "{faults:?}");
+    for row in rows.into_iter().chain(faults) {
+        let row = row
+            .trim_end_matches(" |")
+            .rsplit_once("| ")
+            .map_or(row, |r| r.1);
         let mut tests = row.split('`').skip(1).step_by(2).peekable();
         assert!(tests.peek().is_some(), "{row}");
         for test in tests.filter(|t| !t.contains(' ')) {

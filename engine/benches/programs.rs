@@ -1,7 +1,7 @@
 //! What the engine adds to programs: `cargo bench -p engine --bench programs`.
 //!
 //! One node that runs `sh`, made anew each time, beside the same command started alone; and a sweep of
-//! 200 points beside `xargs -P2`. The least and the middle of some: the machine's other work is in both.
+//! 200 points beside `xargs -P2`, without and with the same sandbox. The least and the middle of some: the machine's other work is in both.
 
 // The tests use more of it.
 #[allow(dead_code)]
@@ -11,6 +11,7 @@ mod trade;
 use engine::foreign::{Sandbox, sandbox};
 use engine::recipe::{Overrides, Pipeline};
 use engine::sweep::{self, Points, Sweeping, axes};
+use std::path::Path;
 use std::process::{Command, Stdio};
 use std::time::{Duration, Instant};
 use trade::{CATALOG, Nobody, Place};
@@ -101,13 +102,14 @@ fn points(place: &Place) -> f64 {
     start.elapsed().as_secs_f64() * 1e3
 }
 
-/// As many commands by `xargs -P2`. \[ms\]
-fn xargs(place: &Place) -> f64 {
-    let folder = place.path("xargs");
+/// As many commands by `xargs -P2`, each after some words. \[ms\]
+fn xargs(place: &Place, name: &str, before: &dyn Fn(&Path) -> String) -> f64 {
+    let folder = place.path(name);
     std::fs::create_dir(&folder).unwrap();
     let start = Instant::now();
     let line = format!(
-        "seq {POINTS} | xargs -P2 -I N sh -c 'echo $1 > {}/$1' sh N",
+        "seq {POINTS} | xargs -P2 -I {{}} {} sh -c 'echo $1 > {}/$1' sh {{}}",
+        before(&folder),
         folder.display()
     );
     assert!(
@@ -133,9 +135,26 @@ fn main() {
             "{what}: one command alone {alone:.1} ms, as a node {node:.1} ms: {more:.1} ms beside it"
         );
     }
-    let (ours, theirs) = (points(&Place::new()), xargs(&place));
+    let (ours, theirs) = (
+        points(&Place::new()),
+        xargs(&place, "xargs", &|_| "".into()),
+    );
     println!(
         "{POINTS} points {ours:.0} ms, xargs -P2 {theirs:.0} ms: {:.1} times",
         ours / theirs
     );
+    if let Sandbox::Bubblewrap(path) = sandbox() {
+        let boxed = |folder: &Path| {
+            let (bwrap, folder) = (path.display(), folder.display());
+            format!(
+                "{bwrap} --ro-bind / / --dev-bind /dev /dev --tmpfs /dev/shm --die-with-parent \
+                 --bind {folder} {folder} --unshare-net --"
+            )
+        };
+        let theirs = xargs(&place, "boxed", &boxed);
+        println!(
+            "xargs -P2 in the same bubblewrap {theirs:.0} ms: {:.1} times",
+            ours / theirs
+        );
+    }
 }

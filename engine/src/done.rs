@@ -2,6 +2,8 @@
 
 use crate::graph::{Graph, Source};
 use stage::{Files, Hash, Metric};
+use std::collections::BTreeMap;
+use std::sync::Mutex;
 
 /// What became of a node.
 #[derive(Debug, Clone, PartialEq)]
@@ -77,8 +79,28 @@ pub trait Watch: Sync {
     fn waits(&self, _node: &str) {}
     /// So much of a loop is done.
     fn progress(&self, _node: &str, _label: &str, _done: usize, _of: usize) {}
+    /// Somebody made the same result first, and it has another content than what was made here: the stage
+    /// is not deterministic. What was there first counts.
+    fn differs(&self, _node: &str, _theirs: Hash, _ours: Hash) {}
     /// A node is done.
     fn done(&self, _node: &str, _done: &Done) {}
+}
+
+/// Why keys came to nothing in this process: none of them is tried twice. \[key, why\]
+#[derive(Debug, Default)]
+pub struct Failures(Mutex<BTreeMap<[u8; 32], String>>);
+
+impl Failures {
+    /// Why a key came to nothing, if it did.
+    pub(crate) fn of(&self, key: Hash) -> Option<String> {
+        let known = self.0.lock().expect("bug: poisoned");
+        known.get(key.as_bytes()).cloned()
+    }
+
+    pub(crate) fn note(&self, key: Hash, why: &str) {
+        let mut known = self.0.lock().expect("bug: poisoned");
+        known.insert(*key.as_bytes(), why.into());
+    }
 }
 
 /// What to walk.

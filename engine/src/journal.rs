@@ -7,6 +7,7 @@
 use crate::done::{Done, Status, Watch};
 use crate::system::{private_file, private_folder};
 use serde_json::{Value, json};
+use stage::Hash;
 use std::fs::File;
 use std::io::Write;
 use std::path::PathBuf;
@@ -92,6 +93,14 @@ impl Watch for Journal<'_> {
         }
         drop(log);
         self.listener.progress(node, label, done, of);
+    }
+
+    fn differs(&self, node: &str, theirs: Hash, ours: Hash) {
+        let mut log = self.log.lock().expect("bug: poisoned");
+        let more = json!({ "theirs": theirs.to_hex().as_str(), "ours": ours.to_hex().as_str() });
+        self.write(&mut log, "differs", node, more);
+        drop(log);
+        self.listener.differs(node, theirs, ours);
     }
 
     fn done(&self, node: &str, done: &Done) {

@@ -112,6 +112,7 @@ mod session;
 pub mod source;
 mod stopwatch;
 pub mod store;
+pub mod strands;
 pub mod sweep;
 mod system;
 pub mod tells;

@@ -10,7 +10,7 @@ use std::path::{Path, PathBuf};
 type Form = fn(&str) -> bool;
 
 /// The store's folders, and the form of the names in each.
-const FOLDERS: [(&str, Form); 12] = [
+const FOLDERS: [(&str, Form); 13] = [
     ("cas", is_prefix),
     ("ac", is_prefix),
     ("part", is_prefix),
@@ -22,6 +22,7 @@ const FOLDERS: [(&str, Form); 12] = [
     ("captures", is_hash),
     ("tmp", is_writing),
     ("allowed", is_hash),
+    ("plans", is_hash),
     ("exec", is_writing),
 ];
 

@@ -1,6 +1,6 @@
 //! One node: found in the store, or its stage is run and the result published.
 
-use crate::done::{Done, Job, Status, Watch};
+use crate::done::{Done, Failures, Job, Status, Watch};
 use crate::graph::{Bound, Source};
 use crate::key::{self, Digest};
 use crate::memory::Memory;
@@ -21,6 +21,8 @@ pub struct Surroundings<'a> {
     pub cancel: &'a AtomicBool,
     /// The threads that stages share.
     pub pool: &'a Pool,
+    /// What came to nothing already.
+    pub failures: &'a Failures,
 }
 
 /// Threads that are there once somebody needs them, and memory.
@@ -137,6 +139,9 @@ pub(crate) fn run_one(
     if let Some(done) = find(job, node, inputs, there, around.store) {
         return Step::Done(done, None);
     }
+    if let Some(why) = around.failures.of(key) {
+        return Step::Done(failed(key, provenance, why), None);
+    }
     let artifacts = match load(job, node, inputs, at_hand, around.store) {
         Ok(artifacts) => artifacts,
         Err(gone) => return Step::Gone(gone),
@@ -148,6 +153,9 @@ pub(crate) fn run_one(
     let _share = around.pool.memory.take(needs, &|| around.cancelled());
     around.watch.started(&bound.name);
     let (done, artifact) = make(bound, key, provenance, artifacts, around);
+    if let Status::Failed(why) = &done.status {
+        around.failures.note(key, why);
+    }
     drop(lease);
     Step::Done(done, artifact)
 }
@@ -160,11 +168,7 @@ fn make(
     artifacts: Vec<Option<AnyArtifact>>,
     around: &Surroundings<'_>,
 ) -> (Done, Option<AnyArtifact>) {
-    let failed = |why: String| Done {
-        key: Some(key),
-        provenance: provenance.0.clone(),
-        ..Done::nothing(Status::Failed(why))
-    };
+    let failed = |why: String| failed(key, provenance.clone(), why);
     let mut recipe = Digest::default();
     key::tell_recipe(bound, &mut recipe);
     let (metrics, warnings) = Default::default();
@@ -207,12 +211,29 @@ fn make(
             metrics: host.metrics.into_inner().expect("bug: poisoned"),
             warnings: host.warnings.into_inner().expect("bug: poisoned"),
         };
+        // Where the disk knows no locks, or two machines made it, somebody may have been first.
+        let first = around.store.record(key);
+        if let Some(first) = first.filter(|first| around.store.holds(first.content)) {
+            return Ok((first, content));
+        }
         around.store.write_record(key, &record)?;
-        Ok(record)
+        Ok((record, content))
     });
     match published {
-        Ok(record) => (done(Status::Executed, key, record), Some(made.artifact)),
+        Ok((record, ours)) if record.content != ours => {
+            around.watch.differs(&bound.name, record.content, ours);
+            (done(Status::Executed, key, record), None)
+        }
+        Ok((record, _)) => (done(Status::Executed, key, record), Some(made.artifact)),
         Err(error) => (failed(error.to_string()), None),
+    }
+}
+
+fn failed(key: Hash, provenance: key::Provenance, why: String) -> Done {
+    Done {
+        key: Some(key),
+        provenance: provenance.0,
+        ..Done::nothing(Status::Failed(why))
     }
 }
 

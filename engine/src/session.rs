@@ -9,7 +9,7 @@ use crate::past;
 use crate::run_one::{Pool, Surroundings};
 use crate::source::{self, Memo, SourceError};
 use crate::store::{Store, StoreError};
-use crate::walk::{Job, Watch, walk};
+use crate::walk::{Failures, Job, Watch, walk};
 use stage::{Files, Hash};
 use std::collections::{HashMap, HashSet};
 use std::path::PathBuf;
@@ -144,12 +144,25 @@ pub fn run_in(
     watch: &dyn Watch,
     cancel: &AtomicBool,
 ) -> Result<Outcome, EngineError> {
-    let start = std::time::Instant::now();
-    let _keeping = foreign::Keeping::new();
-    let using = store.using();
     let stop = || cancel.load(std::sync::atomic::Ordering::Relaxed);
     settled(graph, &crate::walk::all(graph, wanted), &store, &stop)?;
     let files = inputs(graph, folders, &store)?;
+    run_files(store, graph, files, wanted, options, watch, cancel)
+}
+
+/// As [`run_in`], of files that are hashed already, one entry an input, and of programs that may run.
+pub(crate) fn run_files(
+    store: Store,
+    graph: &Graph,
+    files: Vec<Files>,
+    wanted: &[usize],
+    options: &Options,
+    watch: &dyn Watch,
+    cancel: &AtomicBool,
+) -> Result<Outcome, EngineError> {
+    let start = std::time::Instant::now();
+    let _keeping = foreign::Keeping::new();
+    let using = store.using();
     let contents: Vec<Hash> = files.iter().map(stage::content).collect();
     for (content, files) in contents.iter().zip(&files) {
         store.note_capture(*content, &files.root);
@@ -163,6 +176,7 @@ pub fn run_in(
         watch: &journal,
         cancel,
         pool: &pool,
+        failures: &Failures::default(),
     };
     let job = Job {
         graph,
@@ -194,7 +208,7 @@ pub fn run_in(
 }
 
 /// Whether all programs may run that the nodes need.
-fn settled(
+pub(crate) fn settled(
     graph: &Graph,
     nodes: &[usize],
     store: &Store,

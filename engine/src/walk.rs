@@ -4,23 +4,35 @@ use crate::agenda::Agenda;
 use crate::run_one::{self, Step, Surroundings};
 
 pub(crate) use crate::done::needed;
-pub use crate::done::{Done, Job, Status, Watch, all};
+pub use crate::done::{Done, Failures, Job, Status, Watch, all};
 use std::sync::{Condvar, Mutex};
 use std::time::Duration;
 
 /// How long until it is asked again whether another process has made a result.
 const RETRY: Duration = Duration::from_millis(15);
 
+/// Who is told of each node by its place, as it is done.
+pub(crate) type Told<'a> = dyn Fn(usize, &Done) + Sync + 'a;
+
 /// Walks: one entry a node, `None` for those that were not wanted.
 pub fn walk(job: &Job<'_>, around: &Surroundings<'_>) -> Vec<Option<Done>> {
+    walk_told(job, around, &|_, _| {})
+}
+
+/// As [`walk`]. A node that is made again since its result went away is told twice.
+pub(crate) fn walk_told(
+    job: &Job<'_>,
+    around: &Surroundings<'_>,
+    told: &Told<'_>,
+) -> Vec<Option<Done>> {
     let mut agenda = Agenda::new(job);
     around.store.look_around(job.graph.nodes.len());
-    settle(job, around, &mut agenda);
+    settle(job, around, told, &mut agenda);
     if !agenda.idle() {
         let (shared, bell) = (Mutex::new(agenda), Condvar::new());
         std::thread::scope(|scope| {
             for _ in 0..job.threads.max(1) {
-                scope.spawn(|| work(job, around, &shared, &bell));
+                scope.spawn(|| work(job, (around, told), &shared, &bell));
             }
         });
         agenda = shared.into_inner().expect("bug: a worker panicked");
@@ -38,7 +50,7 @@ pub fn walk(job: &Job<'_>, around: &Surroundings<'_>) -> Vec<Option<Done>> {
 
 /// Finds all that can be found without making anything, in the pipeline's order. What is left
 /// ready must be made.
-fn settle(job: &Job<'_>, around: &Surroundings<'_>, agenda: &mut Agenda<'_>) {
+fn settle(job: &Job<'_>, around: &Surroundings<'_>, told: &Told<'_>, agenda: &mut Agenda<'_>) {
     let mut missing = Vec::new();
     while let Some(node) = agenda.next() {
         let found = match around.cancelled() {
@@ -50,6 +62,7 @@ fn settle(job: &Job<'_>, around: &Surroundings<'_>, agenda: &mut Agenda<'_>) {
         match found {
             Some(done) => {
                 around.watch.done(&job.graph.nodes[node].name, &done);
+                told(node, &done);
                 agenda.finish(node, done, None);
             }
             None => missing.push(node),
@@ -60,9 +73,18 @@ fn settle(job: &Job<'_>, around: &Surroundings<'_>, agenda: &mut Agenda<'_>) {
 }
 
 /// One worker: takes a ready node, runs it, makes others ready.
-fn work(job: &Job<'_>, around: &Surroundings<'_>, shared: &Mutex<Agenda<'_>>, bell: &Condvar) {
+fn work(
+    job: &Job<'_>,
+    (around, told): (&Surroundings<'_>, &Told<'_>),
+    shared: &Mutex<Agenda<'_>>,
+    bell: &Condvar,
+) {
     let lock = || shared.lock().expect("bug: a worker panicked");
     let name = |node: usize| job.graph.nodes[node].name.as_str();
+    let tell = |node: usize, done: &Done| {
+        around.watch.done(name(node), done);
+        told(node, done);
+    };
     let mut held = lock();
     loop {
         held.stop |= around.cancelled();
@@ -89,7 +111,7 @@ fn work(job: &Job<'_>, around: &Surroundings<'_>, shared: &Mutex<Agenda<'_>>, be
         drop(held);
         let step = run_one::run_one(job, node, &inputs, at_hand, there, around);
         if let Step::Done(done, _) = &step {
-            around.watch.done(name(node), done);
+            tell(node, done);
         }
         held = lock();
         held.running -= 1;
@@ -111,7 +133,7 @@ fn work(job: &Job<'_>, around: &Surroundings<'_>, shared: &Mutex<Agenda<'_>>, be
                      give it room, or another place with --cache"
                 );
                 let done = Done::nothing(Status::Failed(why));
-                around.watch.done(name(node), &done);
+                tell(node, &done);
                 held.stop |= !job.keep_going;
                 held.finish(node, done, None)
             }
@@ -120,7 +142,7 @@ fn work(job: &Job<'_>, around: &Surroundings<'_>, shared: &Mutex<Agenda<'_>>, be
             let done = held.done[node]
                 .as_ref()
                 .expect("bug: skipped, but not done");
-            around.watch.done(name(node), done);
+            tell(node, done);
         }
         bell.notify_all();
     }

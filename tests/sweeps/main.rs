@@ -35,8 +35,18 @@ impl Place {
         place
     }
 
+    /// Runs a sweep as the text declares it on two threads.
+    fn sweep(&self, declared: &str) -> (Vec<Row>, Vec<(String, Status)>) {
+        self.sweep_on(2, declared, usize::MAX)
+    }
+
     /// Runs a sweep as the text declares it; stops after so many points.
-    fn sweep(&self, declared: &str, stop_after: usize) -> (Vec<Row>, Vec<(String, Status)>) {
+    fn sweep_on(
+        &self,
+        threads: usize,
+        declared: &str,
+        stop_after: usize,
+    ) -> (Vec<Row>, Vec<(String, Status)>) {
         let text = format!("{PIPELINE}{declared}");
         let recipe = read(&text).unwrap();
         let declared = &recipe.sweeps[0];
@@ -55,7 +65,7 @@ impl Place {
         let tell: Vec<String> = declared.tell.iter().map(|t| t.value.clone()).collect();
         let options = Options {
             cache: self.0.path().join("cache"),
-            threads: Some(2),
+            threads: Some(threads),
             keep_going: true,
         };
         let sweeping = Sweeping {
@@ -101,7 +111,7 @@ const GRID: &str = "[sweep.s]\nabout = \"?\"\nover.final = { n = [5, 6, 7] }\nov
 #[test]
 fn what_points_share_is_made_once_and_upstream_varies_slowest() {
     let place = Place::new();
-    let (rows, log) = place.sweep(GRID, 99);
+    let (rows, log) = place.sweep_on(1, GRID, 99);
     assert_eq!(made(&log), [("src", 1), ("mid", 2), ("final", 6)].into());
     let metrics: Vec<Vec<f64>> = rows
         .iter()
@@ -117,30 +127,58 @@ fn what_points_share_is_made_once_and_upstream_varies_slowest() {
         .flat_map(|mid| [50.0, 60.0, 70.0].map(|last| vec![last, mid]))
         .collect();
     assert_eq!(metrics, want);
-    // Depth first: the first point is done after three nodes, before anything of the second.
+    // Depth first: on one thread the first point is done after three nodes, before anything of the second.
     let first: Vec<&str> = log[..3].iter().map(|(n, _)| n.as_str()).collect();
     assert_eq!(first, ["src", "mid", "final"]);
-    let (_, again) = place.sweep(GRID, 99);
+    let (_, again) = place.sweep(GRID);
     assert_eq!(made(&again), BTreeMap::new());
 }
 
 #[test]
 fn a_stopped_sweep_goes_on_and_added_points_make_only_what_is_new() {
     let place = Place::new();
-    let (rows, log) = place.sweep(GRID, 2);
-    assert_eq!(rows.len(), 2);
-    assert_eq!(made(&log), [("src", 1), ("mid", 1), ("final", 2)].into());
-    let (rows, log) = place.sweep(GRID, 99);
+    let (rows, log) = place.sweep_on(1, GRID, 2);
+    let first = made(&log).values().sum::<usize>();
+    let ends: Vec<&End> = rows.iter().map(|r| &r.end).collect();
+    // Rows come beside the walk: some more nodes may be made until the stop reaches it.
+    assert!(ends.len() >= 2 && *ends[1] == End::Done, "{ends:?}");
+    let stopped = ends.iter().filter(|end| ***end == End::Stopped).count();
+    assert!(stopped <= 1, "{ends:?}");
+    let (rows, log) = place.sweep(GRID);
     assert_eq!(rows.len(), 6);
-    assert_eq!(made(&log), [("mid", 1), ("final", 4)].into());
-    let (_, log) = place.sweep(&GRID.replace("[5, 6, 7]", "[4, 5, 6, 7]"), 99);
+    assert_eq!(first + made(&log).values().sum::<usize>(), 1 + 2 + 6);
+    let (_, log) = place.sweep(&GRID.replace("[5, 6, 7]", "[4, 5, 6, 7]"));
     assert_eq!(made(&log), [("final", 2)].into());
+}
+
+#[test]
+fn rows_are_those_of_one_thread_whatever_the_threads() {
+    let told = |threads: usize| {
+        let place = Place::new();
+        let grid = GRID.replace("[1, 2]", "[1, 13, 2]");
+        let (rows, _) = place.sweep_on(threads, &grid, 99);
+        let one = |r: &Row| {
+            (
+                r.point.clone(),
+                r.end.clone(),
+                r.metrics.clone(),
+                r.made,
+                r.found,
+            )
+        };
+        rows.iter().map(one).collect::<Vec<_>>()
+    };
+    let one = told(1);
+    assert_eq!(one.iter().map(|r| r.3).sum::<usize>(), 9);
+    for threads in [2, 8] {
+        assert_eq!(told(threads), one, "{threads}");
+    }
 }
 
 #[test]
 fn a_failing_point_is_reported_tried_once_and_does_not_stop_the_others() {
     let place = Place::new();
-    let (rows, log) = place.sweep(&GRID.replace("[1, 2]", "[1, 13, 2]"), 99);
+    let (rows, log) = place.sweep(&GRID.replace("[1, 2]", "[1, 13, 2]"));
     let failed: Vec<bool> = rows.iter().map(|r| r.end != End::Done).collect();
     assert_eq!(
         failed,
@@ -162,7 +200,7 @@ fn a_failing_point_is_reported_tried_once_and_does_not_stop_the_others() {
         "{text}"
     );
     // A failure is of this run: it is tried again in the next.
-    let (_, log) = place.sweep(&GRID.replace("[1, 2]", "[1, 13, 2]"), 99);
+    let (_, log) = place.sweep(&GRID.replace("[1, 2]", "[1, 13, 2]"));
     assert!(log.iter().any(|(_, f)| matches!(f, Status::Failed(_))));
 }
 
@@ -170,9 +208,7 @@ fn a_failing_point_is_reported_tried_once_and_does_not_stop_the_others() {
 fn variants_cross_with_the_grid_and_zipped_params_go_side_by_side() {
     let place = Place::new();
     let (rows, log) = place.sweep(
-        "[sweep.s]\nwith = [\"double\", \"triple\"]\nover.final = { n = { from = 1, to = 5, steps = 3 } }\ntell = \"mid.tenfold\"\n",
-        99,
-    );
+        "[sweep.s]\nwith = [\"double\", \"triple\"]\nover.final = { n = { from = 1, to = 5, steps = 3 } }\ntell = \"mid.tenfold\"\n");
     let names: Vec<String> = rows.iter().map(|r| r.point.name("s")).collect();
     let want = [
         "s@double,1",
@@ -185,11 +221,11 @@ fn variants_cross_with_the_grid_and_zipped_params_go_side_by_side() {
     assert_eq!(names, want);
     assert_eq!(made(&log), [("src", 1), ("mid", 2), ("final", 6)].into());
     let zipped = "[sweep.s]\nover.mid = { n = [1, 2, 3] }\nover.final = { n = [7, 8, 9] }\nzip = [\"mid.n\", \"final.n\"]\n";
-    let (rows, _) = place.sweep(zipped, 99);
+    let (rows, _) = place.sweep(zipped);
     let names: Vec<String> = rows.iter().map(|r| r.point.name("s")).collect();
     assert_eq!(names, ["s@1,7", "s@2,8", "s@3,9"]);
     std::fs::write(place.0.path().join("p.csv"), "mid.n,final.n\n4,40\n5,50\n").unwrap();
-    let (rows, _) = place.sweep("[sweep.s]\ncsv = \"p.csv\"\ntell = \"final.tenfold\"\n", 99);
+    let (rows, _) = place.sweep("[sweep.s]\ncsv = \"p.csv\"\ntell = \"final.tenfold\"\n");
     let lines: Vec<String> = sweep::csv(&rows).lines().map(str::to_owned).collect();
     assert!(
         lines[0].starts_with("mid.n,final.n,final.tenfold mm,made"),
@@ -205,7 +241,7 @@ fn variants_cross_with_the_grid_and_zipped_params_go_side_by_side() {
 #[test]
 fn the_page_needs_no_network_and_holds_every_point() {
     let place = Place::new();
-    let (rows, _) = place.sweep(GRID, 99);
+    let (rows, _) = place.sweep(GRID);
     let page = sweep::page("s", "How <far>?", &rows);
     for outside in ["http:", "https:", " src=", "@import", "url("] {
         assert!(!page.contains(outside), "{outside}");

@@ -5,6 +5,7 @@ use super::fault::Fault;
 use super::open::{folders, node, open, prefetch};
 use super::program::GlobalArgs;
 use super::programs::listed;
+use super::strands;
 use super::text;
 use crate::foreign::{EXEC, listing};
 use crate::graph::Graph;
@@ -16,6 +17,16 @@ use clap::Args;
 use serde_json::{Value, json};
 use stage::Files;
 use std::path::Path;
+
+/// Arguments of `tailor plan`.
+#[derive(Args)]
+pub(crate) struct PlanArgs {
+    #[command(flatten)]
+    wanted: Wanted,
+    /// Cut it into strands for a cluster instead; the plan lies in the cache, its name is told
+    #[arg(long)]
+    strands: bool,
+}
 
 /// Arguments of `tailor why`.
 #[derive(Args)]
@@ -59,7 +70,11 @@ fn planned(wanted: &Wanted, global: &GlobalArgs) -> Result<Answer, Fault> {
 }
 
 /// `tailor plan`.
-pub(crate) fn plan(wanted: &Wanted, global: &GlobalArgs) -> Result<(), Fault> {
+pub(crate) fn plan(args: &PlanArgs, global: &GlobalArgs) -> Result<(), Fault> {
+    let wanted = &args.wanted;
+    if args.strands {
+        return strands::plan(wanted, global);
+    }
     let Answer { graph, plan, .. } = planned(wanted, global)?;
     let (mut lines, mut seconds, mut unknown) = (Vec::new(), [0.0; 2], 0);
     for (node, planned) in graph.nodes.iter().zip(&plan) {

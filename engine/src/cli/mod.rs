@@ -30,6 +30,7 @@ mod run_verb;
 mod show;
 mod size;
 mod speech;
+mod strands;
 mod sweep;
 mod sweep_asked;
 pub mod text;
@@ -87,11 +88,13 @@ enum Own {
     /// Run a pipeline
     Run(run_verb::Run),
     /// What would run, and why
-    Plan(Wanted),
+    Plan(answers::PlanArgs),
     /// Which line of what a node depends on changed: old, new, back to the root cause
     Why(answers::Why),
     /// Every point of a sweep, what they share made once: a table, plots
     Sweep(sweep_asked::SweepArgs),
+    /// Strands of a plan (`plan --strands`), on any machine that sees the cache
+    Work(strands::Work),
     /// Which nodes a param reaches, and what it would cost to change it
     Impact(impact::ImpactArgs),
     /// The pipeline as a drawing: DOT or Mermaid
@@ -205,7 +208,8 @@ fn done(
     let cli = Cli::from_arg_matches(all).unwrap_or_else(|error| error.exit());
     match &cli.verb {
         Own::Run(verb) => run_verb::run(verb, global),
-        Own::Plan(wanted) => answers::plan(wanted, global),
+        Own::Plan(verb) => answers::plan(verb, global),
+        Own::Work(verb) => strands::work(verb, global),
         Own::Why(verb) => answers::why(verb, global),
         Own::Sweep(verb) => sweep::sweep(verb, global),
         Own::Impact(verb) => impact::impact(verb, global),

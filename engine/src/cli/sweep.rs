@@ -4,12 +4,14 @@ use super::fault::Fault;
 use super::open::{folders, options};
 use super::program::GlobalArgs;
 use super::programs::{permitted, unguarded};
+use super::strands::written;
 use super::sweep_asked::{Asked, SweepArgs, asked, checked};
 use crate::graph::Graph;
 use crate::lasttime::History;
 use crate::outcome::Outcome;
 use crate::past::Of;
 use crate::recipe::{Overrides, Pipeline};
+use crate::strands;
 use crate::sweep::{self, End, Errors, Outlook, Point, Row, Sweeping};
 use crate::walk::Watch;
 use crate::{delivery, sweep::outlook};
@@ -45,8 +47,69 @@ impl Swept {
     }
 }
 
+/// A sweep that may run.
+struct Ready {
+    pipeline: Pipeline,
+    all: Overrides,
+    base: Graph,
+    asked: Asked,
+    wanted: Vec<usize>,
+    outlook: Outlook,
+}
+
+fn ready(args: &SweepArgs, global: &GlobalArgs) -> Result<Ready, Fault> {
+    let all = Overrides {
+        variant: args.change.variant.clone(),
+        sets: args.change.set.clone(),
+    };
+    let pipeline = Pipeline::read(&args.pipeline, global.catalog()).map_err(Fault::mistakes)?;
+    let base = pipeline.graph(&all).map_err(Fault::mistakes)?;
+    let asked = asked(args, &pipeline, &base)?;
+    permitted(&base, global)?;
+    checked(args, &base, &asked, &|point| {
+        pipeline.graph(&point.overrides(&all))
+    })?;
+    let wanted: Vec<usize> = match asked.nodes.is_empty() {
+        true => base.goal.clone(),
+        false => asked.nodes.iter().filter_map(|n| base.node(n)).collect(),
+    };
+    let history = History::of(&global.cache, Of::default());
+    let last = |node: &str| history.last(node).map(|n| n.seconds);
+    let outlook = outlook(&asked.points, &base, &wanted, &last);
+    if asked.points.count() > MANY && !args.yes {
+        return Err(Fault::input(format!(
+            "this sweep has {outlook}; if you mean it, say --yes"
+        )));
+    }
+    Ok(Ready {
+        pipeline,
+        all,
+        base,
+        asked,
+        wanted,
+        outlook,
+    })
+}
+
+/// Cuts a sweep into strands instead of running it.
+fn cut(args: &SweepArgs, global: &GlobalArgs) -> Result<(), Fault> {
+    let ready = ready(args, global)?;
+    let points = ready.asked.points.iter();
+    let points: Vec<Overrides> = points.map(|p| p.overrides(&ready.all)).collect();
+    let asked = strands::Asked {
+        pipeline: &ready.pipeline,
+        points: &points,
+        nodes: &ready.asked.nodes,
+        folders: &folders(&args.change)?,
+    };
+    written(&asked, global)
+}
+
 /// Runs the points of a sweep and writes the table.
 pub(crate) fn sweep(args: &SweepArgs, global: &GlobalArgs) -> Result<(), Fault> {
+    if args.strands {
+        return cut(args, global);
+    }
     if let Some(out) = &args.out {
         delivery::check(out).map_err(Fault::input)?;
     }
@@ -81,30 +144,12 @@ pub fn swept(
     watch: &dyn Watch,
     heard: &mut dyn FnMut(Heard<'_>),
 ) -> Result<Swept, Fault> {
-    let all = Overrides {
-        variant: args.change.variant.clone(),
-        sets: args.change.set.clone(),
-    };
-    let pipeline = Pipeline::read(&args.pipeline, global.catalog()).map_err(Fault::mistakes)?;
-    let base = pipeline.graph(&all).map_err(Fault::mistakes)?;
-    let asked = asked(args, &pipeline, &base)?;
-    permitted(&base, global)?;
-    let at = |point: &Point| pipeline.graph(&point.overrides(&all));
-    checked(args, &base, &asked, &at)?;
-    let wanted: Vec<usize> = match asked.nodes.is_empty() {
-        true => base.goal.clone(),
-        false => asked.nodes.iter().filter_map(|n| base.node(n)).collect(),
-    };
-    let history = History::of(&global.cache, Of::default());
-    let last = |node: &str| history.last(node).map(|n| n.seconds);
-    let outlook = outlook(&asked.points, &base, &wanted, &last);
-    if asked.points.count() > MANY && !args.yes {
-        return Err(Fault::input(format!(
-            "this sweep has {outlook}; if you mean it, say --yes"
-        )));
-    }
-    heard(Heard::Outlook(&outlook));
-    unguarded(&base, &wanted, global);
+    let ready = ready(args, global)?;
+    let (all, base, asked, wanted) = (&ready.all, &ready.base, ready.asked, &ready.wanted);
+    let at = |point: &Point| ready.pipeline.graph(&point.overrides(all));
+    let outlook = &ready.outlook;
+    heard(Heard::Outlook(outlook));
+    unguarded(base, wanted, global);
     let options = options(global, true);
     let against = args.truth.as_deref().map(|truth| {
         move |graph: &Graph, outcome: &Outcome| (global.program().errors)(graph, outcome, truth)

@@ -74,6 +74,33 @@ impl Pipeline {
         Pipeline::gathered(place, text.to_owned(), catalog)
     }
 
+    /// The pipeline of texts that [`Pipeline::texts`] gave: what it extends is not looked for anywhere.
+    ///
+    /// # Errors
+    ///
+    /// There is no text, or one is no TOML.
+    pub fn of_texts(
+        texts: Vec<(String, String)>,
+        catalog: &'static Catalog,
+    ) -> Result<Pipeline, Mistakes> {
+        let mut texts = texts.into_iter();
+        let Some((name, text)) = texts.next() else {
+            return Err(Mistakes::unreadable("a pipeline", "has no text".to_owned()));
+        };
+        let place = Place::File(PathBuf::from(name));
+        Pipeline::gathered_from(place, text, catalog, Some(texts))
+    }
+
+    /// Its own text, then those that it extends: name (of a file the whole path) and text.
+    pub fn texts(&self) -> Vec<(String, String)> {
+        let whole = |name: &str| match Path::new(name).canonicalize() {
+            Ok(path) => path.display().to_string(),
+            Err(_) => name.to_owned(),
+        };
+        let one = |text: &Text| (whole(&text.name), text.text.clone());
+        self.texts.iter().map(one).collect()
+    }
+
     /// A built-in pipeline as if it extended another built-in one, `under`, instead of its own.
     ///
     /// # Errors
@@ -99,6 +126,16 @@ impl Pipeline {
         text: String,
         catalog: &'static Catalog,
     ) -> Result<Pipeline, Mistakes> {
+        Pipeline::gathered_from(first, text, catalog, None)
+    }
+
+    /// What it extends is looked for beside it, unless it is `given`.
+    fn gathered_from(
+        first: Place,
+        text: String,
+        catalog: &'static Catalog,
+        mut given: Option<std::vec::IntoIter<(String, String)>>,
+    ) -> Result<Pipeline, Mistakes> {
         let origins = Origins { catalog };
         let mut texts: Vec<Text> = Vec::new();
         let mut layers = Vec::new();
@@ -115,7 +152,14 @@ impl Pipeline {
             };
             mistakes.extend(wrong);
             if let Some(said) = &recipe.extends {
-                match origins.extended(said, &place, &texts) {
+                let found = match &mut given {
+                    None => origins.extended(said, &place, &texts),
+                    Some(given) => given
+                        .next()
+                        .map(|(name, text)| (Place::File(PathBuf::from(name)), text))
+                        .ok_or_else(|| Mistake::at(&said.span, "is missing".to_owned())),
+                };
+                match found {
                     Ok(base) => next = Some(base),
                     Err(mistake) => mistakes.push(mistake),
                 }

@@ -34,6 +34,11 @@ impl Store {
         Ok(hash)
     }
 
+    /// Whether there is a blob of a hash; it is not read.
+    pub(crate) fn holds(&self, hash: Hash) -> bool {
+        self.place("cas", hash).is_file()
+    }
+
     /// The bytes of a hash, verified. What is corrupt goes into quarantine and is a miss.
     pub fn blob(&self, hash: Hash) -> Option<Blob> {
         let path = self.place("cas", hash);

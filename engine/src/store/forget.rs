@@ -165,11 +165,31 @@ pub fn forget(store: &Store, folder: &Path) -> Result<Forgotten, StoreError> {
         }
     }
     forget_runs(store, &below, &mut forgotten);
+    forget_plans(root, &below);
     keeper::remove_parts(root);
     keeper::sweep(root);
     let memo = root.join("files.json");
     store.write("files.json", &Memo::load(&memo).without(&folder).bytes())?;
     Ok(forgotten)
+}
+
+/// Removes the plans that name a folder that fits, or cannot be read.
+fn forget_plans(root: &Path, fits: &dyn Fn(&String) -> bool) {
+    #[derive(serde::Deserialize)]
+    struct Plan {
+        inputs: Vec<Input>,
+    }
+    #[derive(serde::Deserialize)]
+    struct Input {
+        folder: String,
+    }
+    for name in own::files(root, "plans", own::is_hash) {
+        let bytes = std::fs::read(root.join("plans").join(&name)).unwrap_or_default();
+        let plan = serde_json::from_slice::<Plan>(&bytes);
+        if plan.map_or(true, |plan| plan.inputs.iter().any(|i| fits(&i.folder))) {
+            own::remove(root, &["plans"], &name);
+        }
+    }
 }
 
 /// Removes the records of runs on inputs that fit, and their pins.

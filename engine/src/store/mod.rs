@@ -10,6 +10,7 @@
 //! pins/…                names of runs whose results stay
 //! in-use                locked by whoever runs, and by who sweeps; see `lease.rs`
 //! index                 what was verified; see `index.rs`; may go at any time
+//! plans/…               what `plan --strands` wrote, named by its hash
 //! captures/…            which folders had files of this content; see `forget.rs`
 //! quarantine/…          what was found corrupt
 //! tmp/…                 what is being written

@@ -1,7 +1,9 @@
 //! How long at least one stage ran: what is left of a point's time is the engine's.
 
 use crate::walk::{Done, Status, Watch};
+use stage::Hash;
 use std::sync::Mutex;
+use std::thread::ThreadId;
 use std::time::{Duration, Instant};
 
 /// Passes on what happens, and notes when each stage ran.
@@ -12,8 +14,8 @@ pub(super) struct Busy<'a> {
 
 #[derive(Default)]
 struct State {
-    /// Stages that run: node and since when.
-    running: Vec<(String, Instant)>,
+    /// Stages that run, by the thread that waits for them, and since when.
+    running: Vec<(ThreadId, Instant)>,
     /// From when to when stages ran that are done.
     spans: Vec<(Instant, Instant)>,
 }
@@ -26,15 +28,21 @@ impl<'a> Busy<'a> {
         }
     }
 
-    /// How long at least one stage ran. \[s\]
-    pub(super) fn seconds(&self) -> f64 {
-        let mut spans = self.state.lock().expect("bug: poisoned").spans.clone();
+    /// How long at least one stage ran between two moments. \[s\] What was before is forgotten: moments are
+    /// asked in their order.
+    pub(super) fn seconds(&self, from: Instant, to: Instant) -> f64 {
+        let mut state = self.state.lock().expect("bug: poisoned");
+        state.spans.retain(|(_, end)| *end > from);
+        let running = state.running.iter().map(|(_, since)| (*since, to));
+        let mut spans: Vec<(Instant, Instant)> =
+            state.spans.iter().copied().chain(running).collect();
+        drop(state);
         spans.sort();
-        let (mut all, mut until) = (Duration::ZERO, None);
-        for (from, to) in spans {
-            let from = until.map_or(from, |until| from.max(until));
-            all += to.saturating_duration_since(from);
-            until = Some(to.max(from));
+        let (mut all, mut until) = (Duration::ZERO, from);
+        for (begin, end) in spans {
+            let (begin, end) = (begin.max(until), end.min(to));
+            all += end.saturating_duration_since(begin);
+            until = until.max(end);
         }
         all.as_secs_f64()
     }
@@ -43,7 +51,9 @@ impl<'a> Busy<'a> {
 impl Watch for Busy<'_> {
     fn started(&self, node: &str) {
         let mut state = self.state.lock().expect("bug: poisoned");
-        state.running.push((node.into(), Instant::now()));
+        state
+            .running
+            .push((std::thread::current().id(), Instant::now()));
         drop(state);
         self.listener.started(node);
     }
@@ -56,9 +66,14 @@ impl Watch for Busy<'_> {
         self.listener.progress(node, label, done, of);
     }
 
+    fn differs(&self, node: &str, theirs: Hash, ours: Hash) {
+        self.listener.differs(node, theirs, ours);
+    }
+
     fn done(&self, node: &str, done: &Done) {
         let mut state = self.state.lock().expect("bug: poisoned");
-        let at = state.running.iter().position(|(n, _)| n == node);
+        let thread = std::thread::current().id();
+        let at = state.running.iter().position(|(t, _)| *t == thread);
         if let Some((_, from)) = at.map(|at| state.running.swap_remove(at)) {
             // The time that the stage itself took: what it took to keep its result is the engine's.
             let to = match done.status {
@@ -91,8 +106,18 @@ mod tests {
             (at(5), at(6)),
         ];
         busy.state.lock().unwrap().spans.extend(spans);
-        assert_eq!(busy.seconds(), 5.0);
+        assert_eq!(busy.seconds(zero, at(9)), 5.0);
+        assert_eq!(busy.seconds(at(2), at(6)), 2.0);
+        assert_eq!(busy.seconds(at(6), at(9)), 1.0);
         busy.done("found", &Done::nothing(Status::Hit));
-        assert_eq!(busy.seconds(), 5.0, "what did not start did not run");
+        assert_eq!(
+            busy.seconds(at(6), at(9)),
+            1.0,
+            "what did not start did not run"
+        );
+        busy.started("now");
+        let begun = busy.state.lock().unwrap().running[0].1;
+        let later = begun + Duration::from_secs(3);
+        proof::near(busy.seconds(begun, later), 3.0, 1e-9);
     }
 }

@@ -1,13 +1,13 @@
 //! Sweeps: many points of one pipeline, and what came of each.
 //!
-//! A sweep is no new machinery: each point is a run of its own through the same store, so what two
-//! points have in common is made once, a point that was there before is found, and a sweep that
-//! was killed goes on. What varies upstream varies slowest, and a point is finished before the
-//! next begins.
+//! A sweep is no new machinery: the graphs of its points are one graph, in which what points have in
+//! common is one node, and that is walked as any other: side by side, within threads and memory. A
+//! point that was there before is found, and a sweep that was killed goes on. What varies upstream
+//! varies slowest; rows come in the points' order.
 //!
 //! ```text
-//! [sweep.NAME] ─ axes ─ points ─ run ─ rows ─┬─ table: text, CSV, JSON
-//!   --sweep ──────┘        │                 └─ page: plots
+//! [sweep.NAME] ─ axes ─ points ─ whole ─ run ─ rows ─┬─ table: text, CSV, JSON
+//!   --sweep ──────┘        │                         └─ page: plots
 //!                       outlook: how many, how long
 //! ```
 
@@ -18,13 +18,19 @@ mod csv;
 mod outlook;
 mod page;
 mod points;
+mod row;
+mod rows;
 mod run;
+mod sweeping;
 mod table;
+pub(crate) mod whole;
 
 pub use crate::tells::{entries, untellable};
 pub use axis::{Axis, AxisError};
 pub use outlook::{Outlook, outlook};
 pub use page::page;
 pub use points::{Point, Points};
-pub use run::{End, Errors, Row, Sweeping, run};
+pub use row::{End, Row};
+pub use run::run;
+pub use sweeping::{Errors, Sweeping};
 pub use table::{csv, json, text};

@@ -1,6 +1,6 @@
 //! A sweep as one page: its table, each number over each param, and all of them side by side.
 
-use super::run::Row;
+use super::row::Row;
 use super::table::{cell, columns, params, short, summary, trouble};
 use crate::page;
 use serde_json::json;

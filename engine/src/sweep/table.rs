@@ -1,7 +1,7 @@
 //! The rows of a sweep as text, CSV and JSON.
 
 use super::points::plain;
-use super::run::{End, Row};
+use super::row::{End, Row};
 use serde_json::{Value, json};
 use std::fmt::Write;
 

@@ -8,5 +8,7 @@ mod laws;
 mod place;
 mod power;
 mod processes;
+mod strands;
 mod sweeping;
 pub mod toys;
+mod unlocked;

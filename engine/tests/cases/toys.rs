@@ -132,7 +132,8 @@ impl Stage for Unsteady {
     type Params = Number;
     type Input = FromDocument;
     type Output = Document;
-    fn run(_: &Number, input: FromDocument, _: &Ctx<'_>) -> Result<Document, Stop> {
+    fn run(p: &Number, input: FromDocument, _: &Ctx<'_>) -> Result<Document, Stop> {
+        std::thread::sleep(std::time::Duration::from_millis(p.sleep_ms.into()));
         static COUNT: AtomicUsize = AtomicUsize::new(0);
         let count = COUNT.fetch_add(1, Ordering::Relaxed);
         let text = String::from_utf8_lossy(&input.text.bytes);
