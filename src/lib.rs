@@ -10,6 +10,8 @@ pub mod measured;
 mod photos;
 mod relative;
 pub mod score;
+#[cfg(feature = "serve")]
+pub mod serve;
 
 pub use cli::{check_arguments, main};
 pub use engine;

@@ -1,18 +1,18 @@
 //! `tailor measure`: from a folder of photos to girths and a report.
 
-use super::delivered::{called, place_of_results, write, written};
+use super::delivered::{called, place_of_results, written};
 use super::facts::Facts;
 use super::folder;
+use super::prepared::Prepared;
 use super::provenance::get;
 use super::said::{Said, opened};
 use super::screen::screen;
 use super::source::Source;
-use crate::delivery::Delivery;
 use crate::graph::Graph;
 use crate::photos::{photos, photos_node};
 use crate::store::Store;
 use clap::Args;
-use engine::cli::{Fault, GlobalArgs, check_out, execute, finish, whose};
+use engine::cli::{Fault, GlobalArgs, check_out, execute};
 use serde_json::{Value, json};
 use shape::{Cameras, Girths};
 use std::path::{Path, PathBuf};
@@ -187,14 +187,22 @@ fn pipeline(
     Ok((graph, folders))
 }
 
-/// Measures one capture: where its results lie, and how they were made.
-fn one(
+/// The only capture of `measure`, made ready.
+///
+/// # Errors
+///
+/// What is said of it, or the folder, is wrong.
+pub(crate) fn prepared_one(measure: &Measure) -> Result<Prepared, Fault> {
+    let said = measure.facts.said()?;
+    prepared(measure, &measure.folders[0], measure.out.as_deref(), &said)
+}
+
+fn prepared(
     measure: &Measure,
     capture: &Path,
     out: Option<&Path>,
     said: &[Said],
-    global: &GlobalArgs,
-) -> Result<(PathBuf, Value), Fault> {
+) -> Result<Prepared, Fault> {
     let looked = folder::look(capture, &measure.facts, measure.recursive, measure.video)?;
     let more: Vec<Said> = said.iter().chain(&looked.more).cloned().collect();
     let (mut graph, folders) = pipeline(measure, &looked.source, &more)?;
@@ -204,34 +212,51 @@ fn one(
     }
     folder::widen(&mut graph, &looked);
     check_out(&out, &graph, &folders)?;
-    if !global.json && !global.quiet {
-        looked.warnings.iter().for_each(|w| engine::errln!("{w}"));
-    }
-    let again: Vec<String> = std::env::args().collect();
     // What is written must be there, the goal or not.
     let mut wanted = graph.goal.clone();
     wanted.extend(written(&graph));
     // Files are called after the photos.
     wanted.extend(photos_node(&graph));
+    Ok(Prepared {
+        capture: capture.to_owned(),
+        graph,
+        folders,
+        wanted,
+        warnings: looked.warnings,
+        out,
+        shown,
+    })
+}
+
+/// Measures one capture: where its results lie, and how they were made.
+fn one(
+    measure: &Measure,
+    capture: &Path,
+    out: Option<&Path>,
+    said: &[Said],
+    global: &GlobalArgs,
+) -> Result<(PathBuf, Value), Fault> {
+    let ready = prepared(measure, capture, out, said)?;
+    let (graph, out) = (&ready.graph, &ready.out);
+    if !global.json && !global.quiet {
+        ready.warnings.iter().for_each(|w| engine::errln!("{w}"));
+    }
+    let again: Vec<String> = std::env::args().collect();
     let store = Store::open(&global.cache).map_err(Fault::input)?;
     let again = again.join(" ");
-    let outcome = execute(store, &graph, &folders, &wanted, global, &again)?;
-    let own = whose(&[("photos".to_owned(), capture.to_owned())]);
-    let mut delivery = Delivery::open(&out, &own).map_err(Fault::stage)?;
-    delivery.begin().map_err(Fault::stage)?;
-    write(&graph, &outcome, &mut delivery)?;
-    finish(delivery, &graph, &outcome, measure.clean, global)?;
+    let outcome = execute(store, graph, &ready.folders, &ready.wanted, global, &again)?;
+    ready.deliver(&outcome, measure.clean, global)?;
     if !global.json
-        && let Some(girths) = get::<Girths>(&graph, &outcome, "girths")
+        && let Some(girths) = get::<Girths>(graph, &outcome, "girths")
     {
-        let cameras = get::<Cameras>(&graph, &outcome, "cameras");
-        let count = photos(&graph, &outcome).photos.len();
+        let cameras = get::<Cameras>(graph, &outcome, "cameras");
+        let count = photos(graph, &outcome).photos.len();
         let inches = measure.unit == Shown::In;
-        let screen = screen(&shown, count, cameras.as_deref(), &girths, inches);
+        let screen = screen(&ready.shown, count, cameras.as_deref(), &girths, inches);
         engine::out!("{screen}");
         engine::outln!("\nall files: {}", out.display());
         engine::outln!("report:    {}", out.join("report.html").display());
     }
-    let run = outcome.json(&graph);
-    Ok((out, run))
+    let run = outcome.json(graph);
+    Ok((ready.out, run))
 }

@@ -2,19 +2,21 @@
 
 mod compare;
 mod delivered;
-mod doctor;
+pub(crate) mod doctor;
 mod facts;
 mod folder;
 mod init;
 mod length;
 mod mat;
 mod mat_file;
-mod measure_verb;
+pub(crate) mod measure_verb;
+pub(crate) mod prepared;
 mod provenance;
 mod said;
 mod scoring;
 mod screen;
 mod source;
+pub(crate) mod words;
 
 use crate::catalog::CATALOG;
 use clap::{ArgMatches, Args, Command, FromArgMatches};
@@ -52,6 +54,16 @@ static TAILOR: Program = Program {
                 with::<init::Init>(own, "A commented capture.toml from what the photos say")
             },
             run: |said, global| init::init(&read(said)?, global),
+            runs: true,
+        },
+        #[cfg(feature = "serve")]
+        Verb {
+            name: "serve",
+            arguments: |own| {
+                let about = "A page on this machine: drop photos, look at them, measure";
+                with::<crate::serve::Serve>(own, about)
+            },
+            run: |said, global| crate::serve::serve(&read(said)?, global),
             runs: true,
         },
         Verb {

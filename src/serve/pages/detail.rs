@@ -1,0 +1,122 @@
+//! The page of a capture: what was seen of it, what is known of it, its measuring, its results.
+
+use super::super::home::Place;
+use super::super::language::Words;
+use super::super::progress::Progress;
+use super::super::record::Record;
+use super::{facts, page, progress, result, seen};
+use maud::{Markup, html};
+use serde_json::Value;
+
+/// All that the page shows.
+pub(in super::super) struct Content {
+    pub(in super::super) place: Place,
+    pub(in super::super) record: Record,
+    pub(in super::super) look: Option<Value>,
+    pub(in super::super) progress: Progress,
+    pub(in super::super) girths: Option<Value>,
+    /// What is wrong with what was typed, by field.
+    pub(in super::super) slips: facts::Slips,
+    /// What came of what was asked last, if that was nothing.
+    pub(in super::super) alert: Option<String>,
+}
+
+/// What a capture is called.
+pub(in super::super) fn name(words: Words, record: &Record) -> String {
+    match record.name.is_empty() {
+        true => words.say("unnamed"),
+        false => record.name.clone(),
+    }
+}
+
+/// The page.
+pub(in super::super) fn detail(words: Words, content: &Content) -> Markup {
+    let Content {
+        place,
+        record,
+        look,
+        progress,
+        girths,
+        ..
+    } = content;
+    let (title, at) = (name(words, record), format!("/captures/{}", place.id));
+    let stopped = look.as_ref().is_some_and(seen::stops);
+    let main = html! {
+        p .crumb { a href="/" { (words.say("to-start")) } }
+        h1 { (title) }
+        p .soft { (super::time(record.begun)) " · "
+            (words.with("photos-count", &[("count", record.files.len().into())])) }
+        @if let Some(alert) = &content.alert { p .alert role="alert" { (alert) } }
+        @if let Some(girths) = girths {
+            (result::result(words, place, girths))
+        }
+        (measuring(words, place, progress, stopped))
+        (facts::form(words, &at, record, &content.slips, progress.goes_on()))
+        (seen::seen(words, &at, record, look.as_ref(), progress.goes_on()))
+        p { a .danger href=(format!("{at}/delete")) { (words.say("delete-capture")) } }
+    };
+    page(words, &title, &at, &["live.js"], main)
+}
+
+/// Its measuring: what can be asked for, and how far it is.
+fn measuring(words: Words, place: &Place, progress: &Progress, stopped: bool) -> Markup {
+    let at = format!("/captures/{}", place.id);
+    let goes_on = progress.goes_on();
+    let again = match progress.state {
+        "none" => "measure",
+        "interrupted" | "stopped" => "measure-on",
+        _ => "measure-again",
+    };
+    html! {
+        section #measuring aria-labelledby="measuring-title"
+            data-events=[goes_on.then(|| format!("/api/captures/{}/events", place.id))] {
+            h2 #measuring-title { (words.say("measuring-title")) }
+            p #sentence role="status" { (progress::sentence(words, progress)) }
+            @for why in &progress.why { p .alert role="alert" lang="en" { (why) } }
+            @if stopped && !goes_on && progress.state == "none" { p .alert { (words.say("measure-stopped")) } }
+            div .bar {
+                @if goes_on {
+                    form method="post" action=(format!("{at}/stop")) {
+                        button type="submit" { (words.say("stop")) }
+                    }
+                } @else {
+                    form method="post" action=(format!("{at}/measure")) {
+                        button .main type="submit" { (words.say(again)) }
+                    }
+                }
+            }
+            div #steps { (progress::steps(words, progress)) }
+            div #pictures .pictures { (progress::pictures(words, &place.id, progress)) }
+            @if !progress.warnings.is_empty() {
+                details { summary { (words.with("warnings", &[("count", progress.warnings.len().into())])) }
+                    ul lang="en" { @for warning in &progress.warnings { li { (warning) } } } }
+            }
+        }
+    }
+}
+
+/// Asks once more before a capture goes for good.
+pub(in super::super) fn delete(
+    words: Words,
+    place: &Place,
+    record: &Record,
+    results: bool,
+) -> Markup {
+    let at = format!("/captures/{}", place.id);
+    let title = words.with("delete-title", &[("name", name(words, record).into())]);
+    let megabytes = words.number(record.bytes() as f64 / 1e6, 1);
+    let main = html! {
+        h1 { (title) }
+        p { (words.say("delete-about")) }
+        ul {
+            li { (words.with("delete-files", &[("count", record.files.len().into()), ("size", megabytes.into())])) }
+            @if results { li { (words.say("delete-results")) } }
+            li { (words.say("delete-cache")) }
+        }
+        form .bar method="post" action=(format!("{at}/delete")) {
+            button .danger type="submit" { (words.say("delete-yes")) }
+            a .button href=(at) { (words.say("delete-no")) }
+        }
+    };
+    page(words, &title, &format!("{at}/delete"), &[], main)
+}
