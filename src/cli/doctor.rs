@@ -45,6 +45,7 @@ pub(super) struct Look {
 /// # Errors
 ///
 /// What is said of the capture, or the folder, is wrong; or nothing can be seen in it.
+#[cfg(feature = "serve")]
 pub(crate) fn seen(args: &Doctor, global: &GlobalArgs) -> Result<(Value, Vec<String>), Fault> {
     let (recursive, video) = (args.recursive, args.video);
     let look = look(&args.folder, &args.facts, recursive, video, global)?;

@@ -192,6 +192,7 @@ fn pipeline(
 /// # Errors
 ///
 /// What is said of it, or the folder, is wrong.
+#[cfg(feature = "serve")]
 pub(crate) fn prepared_one(measure: &Measure) -> Result<Prepared, Fault> {
     let said = measure.facts.said()?;
     prepared(measure, &measure.folders[0], measure.out.as_deref(), &said)

@@ -16,6 +16,7 @@ mod said;
 mod scoring;
 mod screen;
 mod source;
+#[cfg(feature = "serve")]
 pub(crate) mod words;
 
 use crate::catalog::CATALOG;

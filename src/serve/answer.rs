@@ -6,6 +6,7 @@ use axum::Json;
 use axum::http::StatusCode;
 use axum::response::{Html, IntoResponse, Response};
 use serde_json::json;
+use std::io::ErrorKind;
 
 /// Why a request came to nothing: a text of `words/`, with what is put in.
 #[derive(Debug, Clone)]
@@ -71,7 +72,7 @@ impl Wrong {
 impl From<std::io::Error> for Wrong {
     fn from(why: std::io::Error) -> Wrong {
         match why.kind() {
-            std::io::ErrorKind::StorageFull | std::io::ErrorKind::QuotaExceeded => {
+            ErrorKind::StorageFull | ErrorKind::QuotaExceeded | ErrorKind::FileTooLarge => {
                 Wrong::new(StatusCode::INSUFFICIENT_STORAGE, "wrong-full")
             }
             _ => Wrong::broken(why),
@@ -86,4 +87,17 @@ impl IntoResponse for Wrong {
         answer.extensions_mut().insert(self);
         answer
     }
+}
+
+/// Something that takes a while, beside the server's own threads.
+///
+/// # Errors
+///
+/// What it says itself, or that it broke off.
+pub(super) async fn aside<T: Send + 'static>(
+    what: impl FnOnce() -> Result<T, Wrong> + Send + 'static,
+) -> Result<T, Wrong> {
+    tokio::task::spawn_blocking(what)
+        .await
+        .map_err(Wrong::broken)?
 }

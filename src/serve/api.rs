@@ -1,6 +1,6 @@
 //! What programs call, and the page's scripts: JSON in, JSON out.
 
-use super::answer::{Answer, Wrong};
+use super::answer::{Answer, Wrong, aside};
 use super::app::App;
 use super::facts::Facts;
 use super::home::Place;
@@ -22,19 +22,6 @@ use std::sync::atomic::Ordering;
 /// There is none.
 pub(super) fn place(app: &App, id: &str) -> Result<Place, Wrong> {
     app.home.place(id).ok_or_else(Wrong::missing)
-}
-
-/// Something that takes a while, beside the server's own threads.
-///
-/// # Errors
-///
-/// What it says itself, or that it broke off.
-pub(super) async fn aside<T: Send + 'static>(
-    what: impl FnOnce() -> Result<T, Wrong> + Send + 'static,
-) -> Result<T, Wrong> {
-    tokio::task::spawn_blocking(what)
-        .await
-        .map_err(Wrong::broken)?
 }
 
 type Shared = State<Arc<App>>;

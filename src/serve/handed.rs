@@ -1,7 +1,7 @@
 //! Files that are handed out: the report, the other results, what pages are made of.
 
-use super::answer::{Answer, Wrong};
-use super::api::{aside, place};
+use super::answer::{Answer, Wrong, aside};
+use super::api::place;
 use super::app::App;
 use super::pages::result;
 use axum::extract::{Path, State};
@@ -82,4 +82,13 @@ pub(super) async fn asset(Path(name): Path<String>) -> Answer {
         (header::CACHE_CONTROL, "private, max-age=60"),
     ];
     Ok((headers, *text).into_response())
+}
+
+/// The calls, as OpenAPI 3.1 names them.
+pub const OPENAPI: &str = include_str!("../../docs/api/openapi.json");
+
+/// What the calls are, for programs.
+pub(super) async fn openapi() -> Answer {
+    let media = [(header::CONTENT_TYPE, "application/json")];
+    Ok((media, OPENAPI).into_response())
 }

@@ -8,6 +8,7 @@
 //! captures/ID/painted/      strokes of the brush, by photo
 //! captures/ID/small/        pictures to look at, made when asked for
 //! captures/ID/out/          the results, as `tailor measure` writes them
+//! lock                      held by the server
 //! ```
 //!
 //! An ID is sixteen hex digits that the server chose. No name of a user's gets into a path.
@@ -27,6 +28,8 @@ pub(super) struct Home {
     root: PathBuf,
     /// Records are read, changed and written by one at a time.
     changing: Mutex<()>,
+    /// Locked as long as this lives: one server a folder.
+    _held: std::fs::File,
 }
 
 /// A capture's folder.
@@ -71,11 +74,24 @@ fn json(value: &impl Serialize) -> Vec<u8> {
 }
 
 impl Home {
-    /// In a folder, which is made if it is not there.
+    /// In a folder, which is made if it is not there. What was coming in when a server was killed goes.
     pub(super) fn open(root: &Path) -> Result<Home> {
         make(&root.join("captures"))?;
-        let (root, changing) = (root.canonicalize()?, Mutex::new(()));
-        Ok(Home { root, changing })
+        let root = root.canonicalize()?;
+        let mut options = std::fs::OpenOptions::new();
+        let options = options.write(true).create(true).truncate(false).mode(0o600);
+        let held = options.open(root.join("lock"))?;
+        let other = |_| Error::other("another `tailor serve` uses this folder");
+        held.try_lock().map_err(other)?;
+        let home = Home {
+            root,
+            changing: Mutex::new(()),
+            _held: held,
+        };
+        for (place, _) in home.all() {
+            let _ = std::fs::remove_dir_all(place.folder.join("incoming"));
+        }
+        Ok(home)
     }
 
     /// A new capture.
@@ -208,6 +224,10 @@ mod tests {
     fn captures_are_kept_for_their_owner_and_ids_are_no_paths() {
         let root = tempfile::tempdir().unwrap();
         let home = Home::open(&root.path().join("home")).unwrap();
+        assert!(
+            Home::open(&root.path().join("home")).is_err(),
+            "one server a folder"
+        );
         let place = home.create("<b>anna</b>\n").unwrap();
         assert_eq!(home.place(&place.id), Some(place.clone()));
         for id in [

@@ -1,11 +1,11 @@
 //! Outlines corrected by hand: what was painted is laid over the masks of the last measuring, and the next one
 //! takes those as own masks (`photos/masks`), so that only what comes after them is made again.
 
-use super::answer::Wrong;
+use super::answer::{Wrong, aside};
 use super::app::App;
 use super::home::{self, Place};
 use super::sniff::{HEAD, sniff};
-use super::{api, upload};
+use super::upload;
 use axum::body::Body;
 use axum::http::StatusCode;
 use http_body_util::{BodyExt, Limited};
@@ -77,7 +77,7 @@ pub(super) async fn paint(
         .map_err(large)?
         .to_bytes();
     let (app, place) = (Arc::clone(app), place.clone());
-    api::aside(move || {
+    aside(move || {
         if app.jobs.progress(&place).goes_on() {
             return Err(Wrong::new(StatusCode::CONFLICT, "wrong-busy"));
         }

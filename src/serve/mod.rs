@@ -39,6 +39,7 @@ mod upload;
 mod visits;
 mod work;
 
+pub use handed::OPENAPI;
 pub use routes::paths;
 
 use app::App;
@@ -50,9 +51,6 @@ use std::path::PathBuf;
 use std::sync::Arc;
 use std::sync::atomic::Ordering;
 use std::time::Duration;
-
-/// The calls, as OpenAPI 3.1 names them.
-pub const OPENAPI: &str = include_str!("../../docs/api/openapi.json");
 
 /// Arguments of `tailor serve`.
 #[derive(Args)]

@@ -47,7 +47,7 @@ fn routes() -> Vec<Route> {
         ("/captures/{id}/masks/forget", post(visits::forget_masks)),
         ("/captures/{id}/report", get(handed::report)),
         ("/captures/{id}/out/{file}", get(handed::out)),
-        ("/api/openapi.json", get(visits::openapi)),
+        ("/api/openapi.json", get(handed::openapi)),
         ("/api/captures", get(api::list).post(api::create)),
         (capture, get(api::read).delete(api::delete)),
         (

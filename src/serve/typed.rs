@@ -3,7 +3,7 @@
 use super::facts::Facts;
 use super::language::Words;
 use super::pages::facts::Slips;
-use std::collections::HashMap;
+use std::collections::{BTreeMap, HashMap};
 
 /// Facts, or what is wrong with them by field.
 ///
@@ -11,7 +11,7 @@ use std::collections::HashMap;
 ///
 /// Fields that are no numbers, or numbers that cannot be.
 pub(super) fn facts(words: Words, sent: &HashMap<String, String>) -> Result<Facts, Slips> {
-    let mut slips = Slips::new();
+    let mut slips: BTreeMap<&'static str, String> = BTreeMap::new();
     let mut read = |name: &'static str, length: bool| {
         let text = sent.get(name).map(String::as_str).unwrap_or_default();
         let number = if length {
@@ -19,8 +19,8 @@ pub(super) fn facts(words: Words, sent: &HashMap<String, String>) -> Result<Fact
         } else {
             words.typed(text)
         };
-        number.unwrap_or_else(|typed| {
-            slips.insert(name, (typed, words.say("slip-number")));
+        number.unwrap_or_else(|_| {
+            slips.insert(name, words.say("slip-number"));
             None
         })
     };
@@ -37,8 +37,8 @@ pub(super) fn facts(words: Words, sent: &HashMap<String, String>) -> Result<Fact
     facts.plate = sent.get("plate").and_then(|text| text.parse().ok());
     facts.walk = sent.contains_key("walk");
     facts.quick = sent.contains_key("quick");
-    if let Some(part) = steps.filter(|steps| steps.fract() != 0.0) {
-        slips.insert("steps", (words.field(part), words.say("slip-whole")));
+    if steps.is_some_and(|steps| steps.fract() != 0.0) {
+        slips.insert("steps", words.say("slip-whole"));
     }
     if let Err(why) = facts.check()
         && !slips.contains_key(why.field)
@@ -55,13 +55,14 @@ pub(super) fn facts(words: Words, sent: &HashMap<String, String>) -> Result<Fact
             ("least", shown(why.least).into()),
             ("most", shown(why.most).into()),
         ];
-        let typed = sent.get(why.field).cloned().unwrap_or_default();
-        slips.insert(why.field, (typed, words.with("slip-range", &limits)));
+        slips.insert(why.field, words.with("slip-range", &limits));
     }
-    if slips.is_empty() {
-        Ok(facts)
-    } else {
-        Err(slips)
+    match slips.is_empty() {
+        true => Ok(facts),
+        false => Err(Slips {
+            why: slips,
+            typed: sent.clone(),
+        }),
     }
 }
 
@@ -108,7 +109,7 @@ mod tests {
             ]),
         )
         .unwrap_err();
-        assert!(slips["stature_cm"].1.contains("40,0 cm"), "{slips:?}");
-        assert!(slips["weight_kg"].0 == "viel" && slips.contains_key("steps"));
+        assert!(slips.why["stature_cm"].contains("40,0 cm"), "{slips:?}");
+        assert!(slips.typed["weight_kg"] == "viel" && slips.why.contains_key("steps"));
     }
 }

@@ -1,16 +1,16 @@
 //! What people visit: pages, and what their forms send.
 
-use super::answer::{Answer, Wrong};
-use super::api::{aside, keep_facts, place};
+use super::answer::{Answer, Wrong, aside};
+use super::api::{keep_facts, place};
 use super::app::App;
 use super::home::Place;
 use super::language::{Language, Words};
 use super::pages::{self, detail, facts::Slips, home};
 use super::{batch, delete, masks, typed, work};
+use axum::Extension;
 use axum::extract::{Form, Path, State};
 use axum::http::{HeaderValue, StatusCode, header};
 use axum::response::{IntoResponse, Redirect, Response};
-use axum::{Extension, Json};
 use std::collections::HashMap;
 use std::sync::Arc;
 use std::sync::atomic::Ordering;
@@ -96,7 +96,7 @@ pub(super) async fn visit(
     Extension(words): Reader,
     Path(id): Path<String>,
 ) -> Answer {
-    let content = content(&app, place(&app, &id)?, Slips::new(), None)?;
+    let content = content(&app, place(&app, &id)?, Slips::default(), None)?;
     Ok(html(detail::detail(words, &content)))
 }
 
@@ -181,11 +181,16 @@ pub(super) async fn ask_delete(
     Ok(html(detail::delete(words, &place, &record, results)))
 }
 
-/// Removes a capture for good.
-pub(super) async fn delete(State(app): Shared, Path(id): Path<String>) -> Answer {
+/// Removes a capture for good, and says what went.
+pub(super) async fn delete(
+    State(app): Shared,
+    Extension(words): Reader,
+    Path(id): Path<String>,
+) -> Answer {
     let place = place(&app, &id)?;
-    aside(move || delete::delete(&app, &place)).await?;
-    Ok(Redirect::to("/").into_response())
+    let name = detail::name(words, &place.record()?);
+    let gone = aside(move || delete::delete(&app, &place)).await?;
+    Ok(html(detail::gone(words, &name, &gone)))
 }
 
 /// Outlines, to be corrected.
@@ -206,12 +211,6 @@ pub(super) async fn forget_masks(State(app): Shared, Path(id): Path<String>) -> 
     let to = Redirect::to(&format!("/captures/{}/masks", place.id)).into_response();
     aside(move || masks::forget(&app, &place)).await?;
     Ok(to)
-}
-
-/// What the calls are, for programs (OpenAPI 3.1).
-pub(super) async fn openapi() -> Answer {
-    let text: serde_json::Value = serde_json::from_str(super::OPENAPI).map_err(Wrong::broken)?;
-    Ok(Json(text).into_response())
 }
 
 /// Whatever is not there.

@@ -6,7 +6,8 @@
   const name = (e) => {
     const by = (e.getAttribute("aria-labelledby") ?? "").split(" ").map((id) => document.getElementById(id)?.textContent ?? "").join("");
     const labels = [...(e.labels ?? [])].map((l) => l.textContent).join("");
-    return (by || e.getAttribute("aria-label") || labels || e.getAttribute("alt") || e.textContent).trim();
+    const inner = e.textContent + [...e.querySelectorAll("img[alt]")].map((i) => i.alt).join("");
+    return (by || e.getAttribute("aria-label") || labels || e.getAttribute("alt") || inner).trim();
   };
   const what = (e) => e.outerHTML.slice(0, 90);
   if (!document.documentElement.lang) wrong.push("no language");

@@ -179,3 +179,44 @@ fn too_few_photos_are_told_when_they_are_looked_at_and_when_they_are_measured() 
         "{page}"
     );
 }
+
+#[test]
+fn a_full_disk_is_told_and_nothing_half_written_is_kept() {
+    let server = Server::limited(64);
+    let id = server.capture("full");
+    let photo = std::fs::read(&photos()[0]).unwrap();
+    assert!(photo.len() > 64 << 10);
+    let told = server.send(&id, 1, "a.jpg", &photo).is(507).json();
+    assert_eq!(told["code"], "wrong-full");
+    let told = server.ask("GET", &format!("/api/captures/{id}"), &Value::Null);
+    assert_eq!(told.is(200).json()["files"], json!({}));
+    let incoming = server.path(&format!("captures/captures/{id}/incoming"));
+    assert_eq!(std::fs::read_dir(incoming).unwrap().count(), 0);
+}
+
+#[test]
+fn with_lan_the_machine_answers_under_its_address_in_the_network_or_says_that_there_is_none() {
+    let mut server = match Server::lan() {
+        Ok(server) => server,
+        Err(why) => return assert!(why.contains("--lan: "), "{why}"),
+    };
+    let url = server.lan.take().expect("an address for a phone");
+    let host = url
+        .strip_prefix("http://")
+        .unwrap()
+        .split('/')
+        .next()
+        .unwrap()
+        .to_owned();
+    let bearer = format!("Bearer {}", server.token);
+    let ask = |host: &str| {
+        let headers = [("Authorization", bearer.as_str()), ("Host", host)];
+        server.call("GET", "/", &headers, b"")
+    };
+    let page = ask(&host).is(200).text();
+    assert!(
+        page.contains("class=\"qr\"") && page.contains(&url),
+        "{page}"
+    );
+    ask("evil.example").is(403);
+}

@@ -44,6 +44,11 @@ fn photos_are_dropped_looked_at_measured_reported_and_deleted() {
     tab.click("[name=quick]");
     tab.click("form[action$='/facts'] button");
     tab.until("document.querySelector('[name=weight_kg][aria-invalid]')");
+    assert_eq!(
+        tab.value("document.querySelector('[name=mat_tag_mm]').value"),
+        "60,0",
+        "nothing has to be typed again"
+    );
     whole(&mut tab, "slip");
     tab.value("document.querySelector('[name=weight_kg]').value = '8,8'");
     tab.click("form[action$='/facts'] button");
@@ -55,7 +60,8 @@ fn photos_are_dropped_looked_at_measured_reported_and_deleted() {
     tab.until("[...document.querySelectorAll('#pictures img')].length === 4 && [...document.querySelectorAll('#pictures img')].every((i) => i.complete && i.naturalWidth > 0)");
     whole(&mut tab, "result");
     let waist = tab.value("document.querySelector('#result-title + div td').textContent");
-    assert!(waist.as_str().unwrap().contains(','), "{waist}");
+    let waist = waist.as_str().unwrap();
+    assert!(waist.contains(',') && waist.ends_with(" cm"), "{waist}");
     assert_eq!(
         complaints(&mut tab, &server),
         [
@@ -68,6 +74,9 @@ fn photos_are_dropped_looked_at_measured_reported_and_deleted() {
     tab.until("document.querySelector('form[action$=\"/delete\"]')");
     whole(&mut tab, "delete");
     tab.click("form button.danger");
+    tab.until("document.querySelector('h1')?.textContent.endsWith('ist gelöscht')");
+    whole(&mut tab, "gone");
+    tab.click("main a");
     tab.until("location.pathname === '/' && document.querySelector('#drop')");
     assert_eq!(tab.value("document.querySelectorAll('tbody tr').length"), 0);
 }
@@ -177,8 +186,10 @@ fn keys_alone_reach_all_and_language_and_unit_are_chosen() {
     tab.click("button[value=de]");
     tab.until("document.documentElement.lang === 'de'");
     tab.click("button[value=in]");
-    tab.until("document.querySelector('button[value=in]').getAttribute('aria-pressed') === 'true'");
-    assert_eq!(tab.value("document.documentElement.lang"), "de");
+    tab.until(
+        "document.querySelector('button[value=in]')?.getAttribute('aria-pressed') === 'true'",
+    );
+    tab.until("document.documentElement.lang === 'de' && document.readyState === 'complete'");
     assert_eq!(complaints(&mut tab, &server), Vec::<String>::new());
 }
 

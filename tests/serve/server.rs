@@ -12,6 +12,8 @@ pub(crate) struct Server {
     pub(crate) child: Child,
     pub(crate) port: u16,
     pub(crate) token: String,
+    /// The address for a phone.
+    pub(crate) lan: Option<String>,
     place: tempfile::TempDir,
 }
 
@@ -47,9 +49,14 @@ impl Answer {
     }
 }
 
-fn start(place: &Path) -> (Child, u16, String) {
-    let mut command = Command::new(env!("CARGO_BIN_EXE_tailor"));
-    command.args(["serve", "--json", "--cache", "cache", "--dir", "captures"]);
+/// `before` is what a shell does first, in the same process.
+fn start(place: &Path, before: &str, flags: &str) -> Result<(Child, Value), String> {
+    let mut command = Command::new("bash");
+    let line = format!(
+        "{before} exec {} serve --json --cache cache --dir captures {flags}",
+        env!("CARGO_BIN_EXE_tailor")
+    );
+    command.args(["-c", &line]);
     command.current_dir(place).env_remove("TAILOR_CACHE");
     let mut child = command
         .stdout(Stdio::piped())
@@ -60,29 +67,56 @@ fn start(place: &Path) -> (Child, u16, String) {
     let mut out = BufReader::new(child.stdout.take().unwrap());
     out.read_line(&mut line).unwrap();
     let told: Value = serde_json::from_str(&line).unwrap_or_else(|e| panic!("{e}: {line}"));
-    let url = told["url"].as_str().unwrap().to_owned();
+    match told["error"].as_str() {
+        Some(why) => Err(why.to_owned()),
+        None => Ok((child, told)),
+    }
+}
+
+/// The port and the token of an address.
+fn parts(url: &str) -> (u16, String) {
     let (address, token) = url.split_once("/?token=").unwrap();
     let port = address.rsplit_once(':').unwrap().1.parse().unwrap();
-    (child, port, token.to_owned())
+    (port, token.to_owned())
 }
 
 impl Server {
     pub(crate) fn new() -> Server {
+        Server::started("", "").unwrap()
+    }
+
+    /// Also for the local network; why not, where there is none.
+    pub(crate) fn lan() -> Result<Server, String> {
+        Server::started("", "--lan")
+    }
+
+    fn started(before: &str, flags: &str) -> Result<Server, String> {
         let place = tempfile::tempdir().unwrap();
-        let (child, port, token) = start(place.path());
-        Server {
+        let (child, told) = start(place.path(), before, flags)?;
+        let (port, token) = parts(told["url"].as_str().unwrap());
+        let lan = told["lan"].as_str().map(str::to_owned);
+        Ok(Server {
             child,
             port,
             token,
+            lan,
             place,
-        }
+        })
+    }
+
+    /// Under a limit on the size of files, which stands for a full disk. \[KiB\]
+    pub(crate) fn limited(kib: usize) -> Server {
+        let before = format!("trap '' XFSZ; ulimit -f {kib};");
+        Server::started(&before, "").unwrap()
     }
 
     /// Killed, as by a power cut, and started again.
     pub(crate) fn kill_and_start(&mut self) {
         self.child.kill().unwrap();
         self.child.wait().unwrap();
-        (self.child, self.port, self.token) = start(self.place.path());
+        let (child, told) = start(self.place.path(), "", "").unwrap();
+        self.child = child;
+        (self.port, self.token) = parts(told["url"].as_str().unwrap());
     }
 
     pub(crate) fn path(&self, name: &str) -> PathBuf {

@@ -57,7 +57,9 @@ fn keep(tab: &mut Tab, name: &str) {
     let Some(folder) = std::env::var_os("TAILOR_SHOTS") else {
         return;
     };
-    let params = json!({ "format": "png", "captureBeyondViewport": true });
+    // At a desk what the book shows: the window; else the whole page.
+    let whole = !name.ends_with("-1280");
+    let params = json!({ "format": "png", "captureBeyondViewport": whole });
     let shot = tab.ask("Page.captureScreenshot", params);
     let bytes = base64_decoded(shot["data"].as_str().unwrap());
     std::fs::write(

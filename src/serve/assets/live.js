@@ -1,4 +1,5 @@
 // Looks at photos that nobody has looked at, and shows how far a measuring is.
+const AGAIN_MS = 2000;
 const seen = document.getElementById("seen");
 const measuring = document.getElementById("measuring");
 
@@ -27,6 +28,8 @@ if (measuring?.dataset.events) {
       location.reload();
     }
   });
+  // The program was ended, or does not know of this measuring any more: the page says so.
+  source.addEventListener("error", () => source.readyState === EventSource.CLOSED && setTimeout(() => location.reload(), AGAIN_MS));
 }
 
 for (const time of document.querySelectorAll("time")) {

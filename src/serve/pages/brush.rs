@@ -7,12 +7,7 @@ use super::{detail, page};
 use maud::{Markup, html};
 
 /// The page.
-pub(in super::super) fn brush(
-    words: Words,
-    place: &Place,
-    record: &Record,
-    corrected: bool,
-) -> Markup {
+pub(crate) fn brush(words: Words, place: &Place, record: &Record, corrected: bool) -> Markup {
     let at = format!("/captures/{}", place.id);
     let masks = place.out().join("masks");
     let there = |(number, kept): &(&u32, &Kept)| {

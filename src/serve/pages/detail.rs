@@ -1,28 +1,29 @@
 //! The page of a capture: what was seen of it, what is known of it, its measuring, its results.
 
+use super::super::delete::Gone;
 use super::super::home::Place;
 use super::super::language::Words;
 use super::super::progress::Progress;
 use super::super::record::Record;
-use super::{facts, page, progress, result, seen};
+use super::{facts, page, progress, result, said, seen};
 use maud::{Markup, html};
 use serde_json::Value;
 
 /// All that the page shows.
-pub(in super::super) struct Content {
-    pub(in super::super) place: Place,
-    pub(in super::super) record: Record,
-    pub(in super::super) look: Option<Value>,
-    pub(in super::super) progress: Progress,
-    pub(in super::super) girths: Option<Value>,
+pub(crate) struct Content {
+    pub(crate) place: Place,
+    pub(crate) record: Record,
+    pub(crate) look: Option<Value>,
+    pub(crate) progress: Progress,
+    pub(crate) girths: Option<Value>,
     /// What is wrong with what was typed, by field.
-    pub(in super::super) slips: facts::Slips,
+    pub(crate) slips: facts::Slips,
     /// What came of what was asked last, if that was nothing.
-    pub(in super::super) alert: Option<String>,
+    pub(crate) alert: Option<String>,
 }
 
 /// What a capture is called.
-pub(in super::super) fn name(words: Words, record: &Record) -> String {
+pub(crate) fn name(words: Words, record: &Record) -> String {
     match record.name.is_empty() {
         true => words.say("unnamed"),
         false => record.name.clone(),
@@ -30,7 +31,7 @@ pub(in super::super) fn name(words: Words, record: &Record) -> String {
 }
 
 /// The page.
-pub(in super::super) fn detail(words: Words, content: &Content) -> Markup {
+pub(crate) fn detail(words: Words, content: &Content) -> Markup {
     let Content {
         place,
         record,
@@ -72,7 +73,7 @@ fn measuring(words: Words, place: &Place, progress: &Progress, stopped: bool) ->
             data-events=[goes_on.then(|| format!("/api/captures/{}/events", place.id))] {
             h2 #measuring-title { (words.say("measuring-title")) }
             p #sentence role="status" { (progress::sentence(words, progress)) }
-            @for why in &progress.why { p .alert role="alert" lang="en" { (why) } }
+            @for why in &progress.why { p .alert role="alert" lang="en" { (said(words, why)) } }
             @if stopped && !goes_on && progress.state == "none" { p .alert { (words.say("measure-stopped")) } }
             div .bar {
                 @if goes_on {
@@ -89,19 +90,14 @@ fn measuring(words: Words, place: &Place, progress: &Progress, stopped: bool) ->
             div #pictures .pictures { (progress::pictures(words, &place.id, progress)) }
             @if !progress.warnings.is_empty() {
                 details { summary { (words.with("warnings", &[("count", progress.warnings.len().into())])) }
-                    ul lang="en" { @for warning in &progress.warnings { li { (warning) } } } }
+                    ul lang="en" { @for warning in &progress.warnings { li { (said(words, warning)) } } } }
             }
         }
     }
 }
 
 /// Asks once more before a capture goes for good.
-pub(in super::super) fn delete(
-    words: Words,
-    place: &Place,
-    record: &Record,
-    results: bool,
-) -> Markup {
+pub(crate) fn delete(words: Words, place: &Place, record: &Record, results: bool) -> Markup {
     let at = format!("/captures/{}", place.id);
     let title = words.with("delete-title", &[("name", name(words, record).into())]);
     let megabytes = words.number(record.bytes() as f64 / 1e6, 1);
@@ -119,4 +115,21 @@ pub(in super::super) fn delete(
         }
     };
     page(words, &title, &format!("{at}/delete"), &[], main)
+}
+
+/// What went.
+pub(crate) fn gone(words: Words, name: &str, gone: &Gone) -> Markup {
+    let title = words.with("gone-title", &[("name", name.into())]);
+    let size = |bytes: u64| words.number(bytes as f64 / 1e6, 1);
+    let (files, results) = (size(gone.bytes), size(gone.results_bytes));
+    let main = html! {
+        h1 { (title) }
+        ul role="status" {
+            li { (words.with("delete-files", &[("count", gone.files.into()), ("size", files.into())])) }
+            li { (words.with("gone-results", &[("count", gone.results.into()), ("size", results.into())])) }
+        }
+        @if !gone.shared.is_empty() { p { (words.say("gone-shared")) } }
+        p { a href="/" { (words.say("to-start")) } }
+    };
+    page(words, &title, "/", &[], main)
 }

@@ -4,10 +4,16 @@ use super::super::facts::Facts;
 use super::super::language::Words;
 use super::super::record::Record;
 use maud::{Markup, html};
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, HashMap};
 
-/// What was typed into a field and is wrong, with why.
-pub(in super::super) type Slips = BTreeMap<&'static str, (String, String)>;
+/// What was typed, if something of it is wrong: nothing has to be typed again.
+#[derive(Debug, Default, PartialEq)]
+pub(crate) struct Slips {
+    /// Why, by field.
+    pub(crate) why: BTreeMap<&'static str, String>,
+    /// All that was sent.
+    pub(crate) typed: HashMap<String, String>,
+}
 
 /// A field of a number: its name, what stands in it, its unit.
 struct Field {
@@ -32,14 +38,16 @@ fn fields(words: Words, facts: &Facts) -> Vec<Field> {
 }
 
 /// The form.
-pub(in super::super) fn form(
-    words: Words,
-    at: &str,
-    record: &Record,
-    slips: &Slips,
-    busy: bool,
-) -> Markup {
+pub(crate) fn form(words: Words, at: &str, record: &Record, slips: &Slips, busy: bool) -> Markup {
     let facts = &record.facts;
+    let said = |name: &str, kept: bool| match slips.why.is_empty() {
+        true => kept,
+        false => slips.typed.contains_key(name),
+    };
+    let plate = match slips.why.is_empty() {
+        true => facts.plate,
+        false => slips.typed.get("plate").and_then(|text| text.parse().ok()),
+    };
     html! {
         section aria-labelledby="facts-title" {
             h2 #facts-title { (words.say("facts-title")) }
@@ -51,9 +59,9 @@ pub(in super::super) fn form(
                         @for field in fields(words, facts) { (number(words, &field, slips)) }
                         label { span { (words.say("fact-plate")) }
                             select name="plate" {
-                                option value="" selected[facts.plate.is_none()] { (words.say("fact-plate-none")) }
+                                option value="" selected[plate.is_none()] { (words.say("fact-plate-none")) }
                                 @for (number, kept) in record.files.iter().filter(|(_, k)| !k.video) {
-                                    option value=(number) selected[facts.plate == Some(*number)] {
+                                    option value=(number) selected[plate == Some(*number)] {
                                         (number) ": " (kept.name)
                                     }
                                 }
@@ -62,8 +70,8 @@ pub(in super::super) fn form(
                         }
                     }
                     div .choices {
-                        label { input type="checkbox" name="walk" value="yes" checked[facts.walk]; (words.say("fact-walk")) }
-                        label { input type="checkbox" name="quick" value="yes" checked[facts.quick]; (words.say("fact-quick")) }
+                        label { input type="checkbox" name="walk" value="yes" checked[said("walk", facts.walk)]; (words.say("fact-walk")) }
+                        label { input type="checkbox" name="quick" value="yes" checked[said("quick", facts.quick)]; (words.say("fact-quick")) }
                     }
                     div .bar { button type="submit" { (words.say("facts-keep")) } }
                 }
@@ -73,8 +81,8 @@ pub(in super::super) fn form(
 }
 
 fn number(words: Words, field: &Field, slips: &Slips) -> Markup {
-    let slip = slips.get(field.name);
-    let value = slip.map_or(&field.value, |(typed, _)| typed);
+    let slip = slips.why.get(field.name);
+    let value = slips.typed.get(field.name).unwrap_or(&field.value);
     let (about, wrong) = (
         format!("hint-{}", field.name),
         format!("slip-{}", field.name),
@@ -93,7 +101,7 @@ fn number(words: Words, field: &Field, slips: &Slips) -> Markup {
                 @if !field.unit.is_empty() { span { (field.unit) } }
             }
             small .soft id=(about) { (words.say(&format!("hint-{}", field.name.replace('_', "-")))) }
-            @if let Some((_, why)) = slip { small .bad id=(wrong) { (why) } }
+            @if let Some(why) = slip { small .bad id=(wrong) { (why) } }
         }
     }
 }

@@ -11,15 +11,15 @@ use maud::{Markup, html};
 use serde_json::Value;
 
 /// A capture in the table.
-pub(in super::super) struct Line {
-    pub(in super::super) place: Place,
-    pub(in super::super) record: Record,
-    pub(in super::super) state: &'static str,
-    pub(in super::super) girths: Option<Value>,
+pub(crate) struct Line {
+    pub(crate) place: Place,
+    pub(crate) record: Record,
+    pub(crate) state: &'static str,
+    pub(crate) girths: Option<Value>,
 }
 
 /// The page.
-pub(in super::super) fn home(app: &App, words: Words, lines: &[Line]) -> Markup {
+pub(crate) fn home(app: &App, words: Words, lines: &[Line]) -> Markup {
     let main = html! {
         h1 { (words.say("home-title")) }
         p { (words.say("home-about")) }
@@ -92,7 +92,7 @@ fn table(words: Words, lines: &[Line]) -> Markup {
 }
 
 /// The table alone, which a script fetches while something is measured.
-pub(in super::super) fn rows(words: Words, lines: &[Line]) -> Markup {
+pub(crate) fn rows(words: Words, lines: &[Line]) -> Markup {
     let goes_on = lines
         .iter()
         .any(|l| ["waiting", "running"].contains(&l.state));

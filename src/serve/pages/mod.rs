@@ -73,6 +73,27 @@ pub(super) fn wrong(words: Words, text: &str) -> Markup {
     page(words, &words.say("wrong-title"), "/", &[], main)
 }
 
+/// Flags that stages name in what they say, the longest first, and the fields that stand for them here.
+const FLAGS: [(&str, &str); 8] = [
+    ("--disk-diameter", "fact-disk-diameter-cm"),
+    ("--mat-tag", "fact-mat-tag-mm"),
+    ("--stature", "fact-stature-cm"),
+    ("--weight", "fact-weight-kg"),
+    ("--focal", "fact-focal-mm"),
+    ("--steps", "fact-steps"),
+    ("--plate", "fact-plate"),
+    ("--walk", "fact-walk"),
+];
+
+/// What a stage says, as it is said on a page: fields in place of flags.
+pub(super) fn said(words: Words, text: &str) -> String {
+    let field = |text: String, (flag, key): &(&str, &str)| match text.contains(flag) {
+        true => text.replace(flag, &format!("“{}”", words.say(key))),
+        false => text,
+    };
+    FLAGS.iter().fold(text.to_owned(), field)
+}
+
 /// A day and a time, which a script shows in the reader's zone.
 pub(super) fn time(seconds: u64) -> Markup {
     let (days, rest) = (seconds / 86_400, seconds % 86_400);
@@ -113,6 +134,16 @@ mod tests {
         ] {
             assert_eq!(civil(days), date);
         }
+    }
+
+    #[test]
+    fn flags_are_fields_here() {
+        let words = Words {
+            language: Language::En,
+            inches: false,
+        };
+        let text = said(words, "say --stature, or --mat-tag 60, or --mat");
+        assert_eq!(text, "say “Stature”, or “Tag of the mat” 60, or --mat");
     }
 
     #[test]

@@ -45,7 +45,7 @@ fn part_of(node: &str) -> &'static str {
 }
 
 /// In a sentence.
-pub(in super::super) fn sentence(words: Words, progress: &Progress) -> String {
+pub(crate) fn sentence(words: Words, progress: &Progress) -> String {
     let state = words.say(&format!("state-{}", progress.state));
     if progress.state != "running" {
         let took = (progress.state == "done").then(|| words.duration(progress.seconds));
@@ -75,7 +75,7 @@ fn share(step: &Step) -> f64 {
 }
 
 /// Part by part.
-pub(in super::super) fn steps(words: Words, progress: &Progress) -> Markup {
+pub(crate) fn steps(words: Words, progress: &Progress) -> Markup {
     let left = progress.left().filter(|_| progress.goes_on());
     html! {
         @if !progress.steps.is_empty() {
@@ -123,7 +123,7 @@ fn one(words: Words, part: &str, steps: &[&Step]) -> Markup {
 }
 
 /// The pictures that there are.
-pub(in super::super) fn pictures(words: Words, id: &str, progress: &Progress) -> Markup {
+pub(crate) fn pictures(words: Words, id: &str, progress: &Progress) -> Markup {
     let there = SHOWN
         .iter()
         .filter_map(|(node, _)| Some((*node, progress.pictures.get(*node)?)));

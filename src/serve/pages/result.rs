@@ -6,11 +6,11 @@ use maud::{Markup, html};
 use serde_json::Value;
 
 /// The girths that stand in tables of captures.
-pub(in super::super) const MAIN: [&str; 2] = ["WC", "HC"];
+pub(crate) const MAIN: [&str; 2] = ["WC", "HC"];
 /// Those of the page of one.
 const SHOWN: [&str; 8] = ["WC", "HC", "CC", "NC", "AC_L", "AC_R", "TC_L", "TC_R"];
 /// What can be taken away.
-pub(in super::super) const FILES: [(&str, &str); 8] = [
+pub(crate) const FILES: [(&str, &str); 8] = [
     ("girths.csv", "text/csv; charset=utf-8"),
     ("girths.json", "application/json"),
     ("report.html", "text/html; charset=utf-8"),
@@ -30,7 +30,7 @@ fn girth<'a>(girths: &'a Value, name: &str) -> Option<&'a Value> {
 }
 
 /// What a girth is called.
-pub(in super::super) fn label(words: Words, name: &str, otherwise: &str) -> String {
+pub(crate) fn label(words: Words, name: &str, otherwise: &str) -> String {
     let key = format!("girth-{}", name.replace('_', "-"));
     match words.knows(&key) {
         true => words.say(&key),
@@ -39,7 +39,7 @@ pub(in super::super) fn label(words: Words, name: &str, otherwise: &str) -> Stri
 }
 
 /// A girth by tape; relative where nothing of known length was there.
-pub(in super::super) fn tape(words: Words, girths: &Value, name: &str) -> Option<String> {
+pub(crate) fn tape(words: Words, girths: &Value, name: &str) -> Option<String> {
     let girth = girth(girths, name)?;
     match girth["tape_cm"].as_f64() {
         Some(cm) => Some(words.length(cm)),
@@ -57,7 +57,7 @@ fn interval(words: Words, girth: &Value) -> String {
 }
 
 /// The results.
-pub(in super::super) fn result(words: Words, place: &Place, girths: &Value) -> Markup {
+pub(crate) fn result(words: Words, place: &Place, girths: &Value) -> Markup {
     let at = format!("/captures/{}", place.id);
     let ratios = girths["ratios"].as_object().into_iter().flatten();
     let there = FILES

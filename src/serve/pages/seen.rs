@@ -2,6 +2,7 @@
 
 use super::super::language::Words;
 use super::super::record::{Kept, Record};
+use super::said;
 use maud::{Markup, html};
 use serde_json::Value;
 
@@ -15,12 +16,12 @@ fn text<'a>(value: &'a Value, key: &str) -> &'a str {
 }
 
 /// Whether nothing will come of it.
-pub(in super::super) fn stops(look: &Value) -> bool {
+pub(crate) fn stops(look: &Value) -> bool {
     !text(look, "wrong").is_empty() || findings(look).any(|f| f["grade"] == "stop")
 }
 
 /// What was seen, and the photos.
-pub(in super::super) fn seen(
+pub(crate) fn seen(
     words: Words,
     at: &str,
     record: &Record,
@@ -50,7 +51,7 @@ fn told(words: Words, record: &Record, look: &Value) -> Markup {
     let warnings = look["warnings"].as_array().into_iter().flatten();
     let can = look["can"].as_object().into_iter().flatten();
     html! {
-        @if !text(look, "wrong").is_empty() { p .alert lang="en" { (text(look, "wrong")) } }
+        @if !text(look, "wrong").is_empty() { p .alert lang="en" { (said(words, text(look, "wrong"))) } }
         @else {
             p { (facts(words, look)) }
             @if findings(look).next().is_none() { p .good { (words.say("seen-well")) } }
@@ -59,19 +60,19 @@ fn told(words: Words, record: &Record, look: &Value) -> Markup {
             @for finding in findings(look) {
                 li class=(text(finding, "grade")) {
                     strong { (words.say(&format!("grade-{}", text(finding, "grade")))) } " "
-                    span lang="en" { (text(finding, "what")) " – " (text(finding, "mend")) }
+                    span lang="en" { (said(words, text(finding, "what"))) " – " (said(words, text(finding, "mend"))) }
                     @if let Some(names) = names(record, finding) { " " span .soft { (names) } }
                 }
             }
             @for warning in warnings {
                 li .doubt { strong { (words.say("grade-doubt")) } " "
-                    span lang="en" { (warning.as_str().unwrap_or_default()) } }
+                    span lang="en" { (said(words, warning.as_str().unwrap_or_default())) } }
             }
         }
         dl .can {
             @for (what, how) in can {
                 dt { (words.say(&format!("can-{what}"))) }
-                dd lang="en" { (how.as_str().unwrap_or_default()) }
+                dd lang="en" { (said(words, how.as_str().unwrap_or_default())) }
             }
         }
     }
@@ -172,7 +173,7 @@ fn numbers(words: Words, view: &Value, middle: Option<f64>) -> Markup {
                 dt { (words.say("photo-sharp")) } dd { (words.number(100.0 * sharp, 0)) " %" }
             }
             @if let Some(ev) = number("exposure_ev") {
-                dt { (words.say("photo-light")) } dd { (if ev >= 0.0 { "+" } else { "−" }) (words.number(ev.abs(), 2)) " EV" }
+                dt { (words.say("photo-light")) } dd { (signed(words, ev)) " EV" }
             }
             @if let Some(burnt) = number("overexposed_pct").filter(|b| *b >= 0.1) {
                 dt { (words.say("photo-burnt")) } dd { (words.number(burnt, 1)) " %" }
@@ -185,4 +186,18 @@ fn numbers(words: Words, view: &Value, middle: Option<f64>) -> Markup {
             }
         }
     }
+}
+
+/// A number that shows whether it is more or less than nothing.
+fn signed(words: Words, value: f64) -> String {
+    let text = words.number(value.abs(), 2);
+    let sign = match (
+        text.contains(|c: char| ('1'..='9').contains(&c)),
+        value > 0.0,
+    ) {
+        (false, _) => "±",
+        (_, true) => "+",
+        (_, false) => "−",
+    };
+    format!("{sign}{text}")
 }

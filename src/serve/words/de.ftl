@@ -156,6 +156,12 @@ delete-results = die Umfänge, der Bericht und die Oberfläche
 delete-cache = alles, was im Zwischenspeicher aus diesen Fotos berechnet wurde
 delete-yes = Endgültig löschen
 delete-no = Behalten
+gone-title = { $name } ist gelöscht
+gone-results = { $count ->
+    [one] ein Ergebnis im Zwischenspeicher ({ $size } MB)
+   *[other] { $count } Ergebnisse im Zwischenspeicher ({ $size } MB)
+}
+gone-shared = Eine andere Aufnahme hatte dieselben Fotos: Was von ihren Ergebnissen verschwand, wird beim Messen neu gemacht.
 
 # Was schiefgehen kann
 wrong-missing = Das ist hier nicht (mehr).

@@ -156,6 +156,12 @@ delete-results = the girths, the report and the surface
 delete-cache = all that was computed from these photos in the cache
 delete-yes = Delete for good
 delete-no = Keep it
+gone-title = { $name } is gone
+gone-results = { $count ->
+    [one] one result in the cache ({ $size } MB)
+   *[other] { $count } results in the cache ({ $size } MB)
+}
+gone-shared = Another capture had the same photos: what went of its results is made again when it is measured.
 
 # What can be wrong
 wrong-missing = This is not here (any more).
