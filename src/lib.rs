@@ -10,6 +10,8 @@ pub mod measured;
 mod photos;
 mod relative;
 pub mod score;
+#[cfg(feature = "serve")]
+pub mod serve;
 
 pub use cli::{Measured, check_arguments, main, measured, program, program_over};
 pub use engine;

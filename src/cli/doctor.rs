@@ -40,6 +40,18 @@ pub(super) struct Look {
     pub(super) tags: Arc<Tags>,
 }
 
+/// What the arguments ask for, seen: what the stage found, and the warnings.
+///
+/// # Errors
+///
+/// What is said of the capture, or the folder, is wrong; or nothing can be seen in it.
+#[cfg(feature = "serve")]
+pub(crate) fn seen(args: &Doctor, global: &GlobalArgs) -> Result<(Value, Vec<String>), Fault> {
+    let (recursive, video) = (args.recursive, args.video);
+    let look = look(&args.folder, &args.facts, recursive, video, global)?;
+    Ok((look.findings, look.warnings))
+}
+
 /// Looks at a capture.
 pub(super) fn look(
     capture: &Path,

@@ -2,7 +2,7 @@
 
 use super::delivered::{called, place_of_results};
 use super::facts::Facts;
-use super::measured::one;
+use super::measuring::one;
 use clap::Args;
 use engine::cli::{Fault, GlobalArgs};
 use serde_json::json;

@@ -2,22 +2,24 @@
 
 mod compare;
 mod delivered;
-mod doctor;
+pub(crate) mod doctor;
 mod facts;
 mod folder;
 mod init;
 mod length;
 mod mat;
 mod mat_file;
-mod measure_verb;
-mod measured;
+pub(crate) mod measure_verb;
+pub(crate) mod measuring;
+pub(crate) mod prepared;
 mod provenance;
 mod said;
 mod scoring;
 mod screen;
 mod source;
+pub(crate) mod words;
 
-pub use measured::{Measured, measured};
+pub use measuring::{Measured, measured};
 
 use crate::catalog::CATALOG;
 use clap::{ArgMatches, Args, Command, FromArgMatches};
@@ -58,6 +60,16 @@ const PRODUCT: Program = Program {
                 with::<init::Init>(own, "A commented capture.toml from what the photos say")
             },
             run: |said, global| init::init(&read(said)?, global),
+            runs: true,
+        },
+        #[cfg(feature = "serve")]
+        Verb {
+            name: "serve",
+            arguments: |own| {
+                let about = "A page on this machine: drop photos, look at them, measure";
+                with::<crate::serve::Serve>(own, about)
+            },
+            run: |said, global| crate::serve::serve(&read(said)?, global),
             runs: true,
         },
         Verb {

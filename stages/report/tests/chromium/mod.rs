@@ -26,12 +26,38 @@ pub(crate) struct Tab {
 impl Tab {
     /// The page in a window of this size, light or dark.
     pub(crate) fn open(page: &str, size: [u32; 2], phone: bool, dark: bool) -> Tab {
+        let mut tab = Tab::empty(size, phone, dark);
+        let file = tab._folder.path().join("report.html");
+        std::fs::write(&file, page).unwrap();
+        tab.go(&format!("file://{}", file.display()));
+        tab.until("Number(document.getElementById('view').dataset.drawn) > 0");
+        tab
+    }
+
+    /// Goes to an address, and waits until the page is there.
+    pub(crate) fn go(&mut self, url: &str) {
+        self.ask("Page.navigate", json!({ "url": url }));
+        self.until("document.readyState === 'complete'");
+    }
+
+    /// Chooses files in a field, as a hand does it.
+    pub(crate) fn choose(&mut self, selector: &str, files: &[std::path::PathBuf]) {
+        let document = self.ask("DOM.getDocument", json!({}));
+        let root = &document["root"]["nodeId"];
+        let found = self.ask(
+            "DOM.querySelector",
+            json!({ "nodeId": root, "selector": selector }),
+        );
+        let params = json!({ "nodeId": found["nodeId"], "files": files });
+        self.ask("DOM.setFileInputFiles", params);
+    }
+
+    /// A browser with nothing in it, in a window of this size, light or dark.
+    pub(crate) fn empty(size: [u32; 2], phone: bool, dark: bool) -> Tab {
         let Some(program) = option_env!("CHROMIUM") else {
             panic!("no Chromium is installed (apt-get install chromium)")
         };
         let folder = tempfile::tempdir().unwrap();
-        let file = folder.path().join("report.html");
-        std::fs::write(&file, page).unwrap();
         let profile = folder.path().join("profile");
         let script = format!(
             "exec {program} {FLAGS} --user-data-dir={} 3<&0 4>&1 >/dev/null 2>&1",
@@ -73,13 +99,10 @@ impl Tab {
             tab.ask(&format!("{domain}.enable"), json!({}));
         }
         tab.emulate(size, phone, dark);
-        let url = format!("file://{}", file.display());
-        tab.ask("Page.navigate", json!({ "url": url }));
-        tab.until("document.readyState === 'complete' && Number(document.getElementById('view').dataset.drawn) > 0");
         tab
     }
 
-    fn emulate(&mut self, [width, height]: [u32; 2], phone: bool, dark: bool) {
+    pub(crate) fn emulate(&mut self, [width, height]: [u32; 2], phone: bool, dark: bool) {
         let metrics =
             json!({ "width": width, "height": height, "deviceScaleFactor": 1, "mobile": phone });
         self.ask("Emulation.setDeviceMetricsOverride", metrics);
@@ -97,6 +120,12 @@ impl Tab {
 
     /// Sends a command and waits for its answer.
     pub(crate) fn ask(&mut self, method: &str, params: Value) -> Value {
+        let answer = self.answer(method, params);
+        assert!(answer["error"].is_null(), "{method}: {answer}");
+        answer["result"].clone()
+    }
+
+    fn answer(&mut self, method: &str, params: Value) -> Value {
         self.sent += 1;
         let mut message = json!({ "id": self.sent, "method": method, "params": params });
         if let Some(session) = &self.session {
@@ -109,8 +138,7 @@ impl Tab {
             let answer = self.from.recv_timeout(Duration::from_secs(120));
             let answer = answer.unwrap_or_else(|_| panic!("no answer to {method}"));
             if answer["id"] == self.sent {
-                assert!(answer["error"].is_null(), "{method}: {answer}");
-                return answer["result"].clone();
+                return answer;
             }
             self.events.push(answer);
         }
@@ -131,18 +159,31 @@ impl Tab {
     /// Waits until an expression holds.
     #[track_caller]
     pub(crate) fn until(&mut self, expression: &str) {
-        let wait = format!(
-            "(async () => {{ for (let i = 0; i < 600; i++) {{ if ({expression}) return true; \
-             await new Promise((r) => setTimeout(r, 50)); }} return false; }})()"
-        );
-        assert_eq!(self.value(&wait), json!(true), "never: {expression}");
+        self.until_within(60, expression);
     }
 
-    /// Waits until what was asked for is drawn.
+    /// As `until`, for so many seconds at least; the page may come anew meanwhile.
+    #[track_caller]
+    pub(crate) fn until_within(&mut self, seconds: u64, expression: &str) {
+        let params =
+            json!({ "expression": format!("Boolean({expression})"), "returnByValue": true });
+        let mut answer = Value::Null;
+        for _ in 0..20 * seconds {
+            answer = self.answer("Runtime.evaluate", params.clone());
+            if answer["result"]["result"]["value"] == true {
+                return;
+            }
+            std::thread::sleep(Duration::from_millis(50));
+        }
+        panic!("never: {expression}: {answer}");
+    }
+
+    /// Waits until what was asked for is drawn, or the page went away.
     pub(crate) fn drawn(&mut self) {
         let frames =
             "new Promise((r) => requestAnimationFrame(() => requestAnimationFrame(() => r(1))))";
-        self.value(frames);
+        let params = json!({ "expression": frames, "awaitPromise": true });
+        self.answer("Runtime.evaluate", params);
     }
 
     /// How often the 3D view was drawn.

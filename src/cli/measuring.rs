@@ -1,21 +1,22 @@
 //! One capture: its pipeline, its run, its folder of results.
 
-use super::delivered::{place_of_results, write, written};
+use super::delivered::{place_of_results, written};
 use super::folder;
 use super::measure_verb::{Measure, Shown};
+use super::prepared::Prepared;
 use super::provenance::get;
 use super::said::{Said, opened};
 use super::screen::screen;
 use super::source::Source;
-use crate::delivery::Delivery;
+use super::words;
 use crate::graph::Graph;
 use crate::photos::{photos, photos_node};
 use crate::store::Store;
-use clap::{Args, FromArgMatches};
 use engine::Outcome;
-use engine::cli::{Fault, GlobalArgs, check_out, execute, finish, whose};
+use engine::cli::{Fault, GlobalArgs, check_out, execute};
 use serde_json::Value;
 use shape::{Cameras, Girths};
+use std::ffi::OsString;
 use std::path::{Path, PathBuf};
 
 /// The folder of a capture that holds masks.
@@ -79,10 +80,7 @@ impl Measured {
 ///
 /// What is wrong with the arguments or with the capture, a stage that failed, or that it was stopped.
 pub fn measured(arguments: &[String], global: &GlobalArgs) -> Result<Measured, Fault> {
-    let command = Measure::augment_args(clap::Command::new("measure").no_binary_name(true));
-    let said = command.try_get_matches_from(arguments);
-    let said = said.map_err(|why| Fault::input(why.to_string().trim_end()))?;
-    let measure = Measure::from_arg_matches(&said).map_err(Fault::input)?;
+    let measure: Measure = words::arguments(arguments.iter().map(OsString::from).collect())?;
     let [capture] = measure.folders.as_slice() else {
         return Err(Fault::input("one capture at a time: say one folder"));
     };
@@ -94,14 +92,23 @@ pub fn measured(arguments: &[String], global: &GlobalArgs) -> Result<Measured, F
     one(&measure, capture, measure.out.as_deref(), &facts, global)
 }
 
-/// Measures one capture.
-pub(super) fn one(
+/// The only capture of `measure`, made ready.
+///
+/// # Errors
+///
+/// What is said of it, or the folder, is wrong.
+#[cfg(feature = "serve")]
+pub(crate) fn prepared_one(measure: &Measure) -> Result<Prepared, Fault> {
+    let said = measure.facts.said()?;
+    prepared(measure, &measure.folders[0], measure.out.as_deref(), &said)
+}
+
+fn prepared(
     measure: &Measure,
     capture: &Path,
     out: Option<&Path>,
     said: &[Said],
-    global: &GlobalArgs,
-) -> Result<Measured, Fault> {
+) -> Result<Prepared, Fault> {
     let looked = folder::look(capture, &measure.facts, measure.recursive, measure.video)?;
     let more: Vec<Said> = said.iter().chain(&looked.more).cloned().collect();
     let (mut graph, folders) = pipeline(measure, &looked.source, &more)?;
@@ -111,42 +118,60 @@ pub(super) fn one(
     }
     folder::widen(&mut graph, &looked);
     check_out(&out, &graph, &folders)?;
+    // What is written must be there, the goal or not.
+    let mut wanted = graph.goal.clone();
+    wanted.extend(written(&graph));
+    // Files are called after the photos.
+    wanted.extend(photos_node(&graph));
+    Ok(Prepared {
+        capture: capture.to_owned(),
+        graph,
+        folders,
+        wanted,
+        warnings: looked.warnings,
+        out,
+        shown,
+    })
+}
+
+/// Measures one capture.
+pub(super) fn one(
+    measure: &Measure,
+    capture: &Path,
+    out: Option<&Path>,
+    said: &[Said],
+    global: &GlobalArgs,
+) -> Result<Measured, Fault> {
+    let ready = prepared(measure, capture, out, said)?;
+    let graph = &ready.graph;
     if !global.json && !global.quiet {
-        looked.warnings.iter().for_each(|w| engine::errln!("{w}"));
+        ready.warnings.iter().for_each(|w| engine::errln!("{w}"));
     }
     // Who is no command line cannot be repeated by one.
     let again: Vec<String> = match global.host.watch {
         Some(_) => vec![],
         None => std::env::args().collect(),
     };
-    // What is written must be there, the goal or not.
-    let mut wanted = graph.goal.clone();
-    wanted.extend(written(&graph));
-    // Files are called after the photos.
-    wanted.extend(photos_node(&graph));
     let store = Store::open(&global.cache).map_err(Fault::input)?;
     let again = again.join(" ");
-    let outcome = execute(store, &graph, &folders, &wanted, global, &again)?;
-    let own = whose(&[("photos".to_owned(), capture.to_owned())]);
-    let mut delivery = Delivery::open(&out, &own).map_err(Fault::stage)?;
-    delivery.begin().map_err(Fault::stage)?;
-    write(&graph, &outcome, &mut delivery)?;
-    finish(delivery, &graph, &outcome, measure.clean, global)?;
+    let outcome = execute(store, graph, &ready.folders, &ready.wanted, global, &again)?;
+    ready.deliver(&outcome, measure.clean, global)?;
     if !global.json
-        && let Some(girths) = get::<Girths>(&graph, &outcome, "girths")
+        && let Some(girths) = get::<Girths>(graph, &outcome, "girths")
     {
-        let cameras = get::<Cameras>(&graph, &outcome, "cameras");
-        let count = photos(&graph, &outcome).photos.len();
+        let cameras = get::<Cameras>(graph, &outcome, "cameras");
+        let count = photos(graph, &outcome).photos.len();
         let inches = measure.unit == Shown::In;
-        let screen = screen(&shown, count, cameras.as_deref(), &girths, inches);
+        let screen = screen(&ready.shown, count, cameras.as_deref(), &girths, inches);
         engine::out!("{screen}");
-        engine::outln!("\nall files: {}", out.display());
-        engine::outln!("report:    {}", out.join("report.html").display());
+        engine::outln!("\nall files: {}", ready.out.display());
+        let page = ready.out.join("report.html");
+        engine::outln!("report:    {}", page.display());
     }
     Ok(Measured {
-        out,
-        graph,
+        out: ready.out,
+        graph: ready.graph,
         outcome,
-        warnings: looked.warnings,
+        warnings: ready.warnings,
     })
 }

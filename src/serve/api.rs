@@ -1,0 +1,242 @@
+//! What programs call, and the page's scripts: JSON in, JSON out.
+
+use super::answer::{Answer, Wrong, aside};
+use super::app::App;
+use super::facts::Facts;
+use super::home::Place;
+use super::{delete, masks, show, small, upload, work};
+use axum::Json;
+use axum::body::Body;
+use axum::extract::{Path, Query, State};
+use axum::http::{HeaderMap, StatusCode, header};
+use axum::response::IntoResponse;
+use serde::Deserialize;
+use serde_json::{Value, json};
+use std::sync::Arc;
+use std::sync::atomic::Ordering;
+
+/// The capture of an ID.
+///
+/// # Errors
+///
+/// There is none.
+pub(super) fn place(app: &App, id: &str) -> Result<Place, Wrong> {
+    app.home.place(id).ok_or_else(Wrong::missing)
+}
+
+type Shared = State<Arc<App>>;
+
+/// What there is.
+fn told(app: &App, place: &Place) -> Result<Value, Wrong> {
+    let record = place.record()?;
+    let progress = app.jobs.progress(place);
+    let girths = place.girths(progress.state);
+    Ok(json!({
+        "id": place.id, "name": record.name, "begun": record.begun, "files": record.files,
+        "facts": record.facts, "look": place.look(), "measuring": progress, "girths": girths,
+    }))
+}
+
+/// Every capture, the newest first.
+pub(super) async fn list(State(app): Shared) -> Answer {
+    let all = app.home.all().into_iter().map(|(place, record)| {
+        let state = app.jobs.progress(&place).state;
+        json!({ "id": place.id, "name": record.name, "begun": record.begun,
+                "files": record.files.len(), "state": state })
+    });
+    Ok(Json(json!({ "captures": all.collect::<Value>() })).into_response())
+}
+
+/// What a new capture is called.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(super) struct New {
+    #[serde(default)]
+    name: String,
+}
+
+/// A new capture.
+pub(super) async fn create(State(app): Shared, Json(new): Json<New>) -> Answer {
+    let place = app.home.create(&new.name)?;
+    let at = format!("/api/captures/{}", place.id);
+    let answer = Json(json!({ "id": place.id }));
+    Ok((StatusCode::CREATED, [(header::LOCATION, at)], answer).into_response())
+}
+
+/// One capture.
+pub(super) async fn read(State(app): Shared, Path(id): Path<String>) -> Answer {
+    Ok(Json(told(&app, &place(&app, &id)?)?).into_response())
+}
+
+/// What a file is called.
+#[derive(Deserialize)]
+pub(super) struct Named {
+    #[serde(default)]
+    name: String,
+}
+
+/// A file of a capture.
+pub(super) async fn put_file(
+    State(app): Shared,
+    Path((id, number)): Path<(String, u32)>,
+    Query(named): Query<Named>,
+    headers: HeaderMap,
+    body: Body,
+) -> Answer {
+    let place = place(&app, &id)?;
+    let length = headers.get(header::CONTENT_LENGTH);
+    let length = length.and_then(|l| l.to_str().ok()?.parse().ok());
+    let kept = upload::keep(&app, &place, number, &named.name, length, body).await?;
+    Ok(Json(json!(kept)).into_response())
+}
+
+/// Takes a file out of a capture.
+pub(super) async fn delete_file(
+    State(app): Shared,
+    Path((id, number)): Path<(String, u32)>,
+) -> Answer {
+    let place = place(&app, &id)?;
+    if app.jobs.progress(&place).goes_on() {
+        return Err(Wrong::new(StatusCode::CONFLICT, "wrong-busy"));
+    }
+    let gone = app
+        .home
+        .change(&place, |record| record.files.remove(&number))?;
+    let gone = gone.ok_or_else(Wrong::missing)?;
+    std::fs::remove_file(place.photos().join(gone.file))?;
+    place.outdated();
+    Ok(StatusCode::NO_CONTENT.into_response())
+}
+
+/// The sides of small photos. \[px\]
+const SIDES: [u32; 2] = [320, 1280];
+
+/// A photo made small.
+pub(super) async fn photo(
+    State(app): Shared,
+    Path((id, number, side)): Path<(String, u32, u32)>,
+) -> Answer {
+    let place = place(&app, &id)?;
+    let side = SIDES
+        .into_iter()
+        .find(|s| *s == side)
+        .ok_or_else(Wrong::missing)?;
+    let record = place.record()?;
+    let kept = record.files.get(&number).filter(|kept| kept.size.is_some());
+    let file = place.photos().join(&kept.ok_or_else(Wrong::missing)?.file);
+    let _turn = app.decoding.acquire().await.map_err(Wrong::broken)?;
+    let folder = place.folder.join("small");
+    let bytes = aside(move || small::small(&file, &folder, side).map_err(Wrong::said)).await?;
+    Ok(([(header::CONTENT_TYPE, "image/jpeg")], bytes).into_response())
+}
+
+/// Says what is known of a capture.
+pub(super) async fn put_facts(
+    State(app): Shared,
+    Path(id): Path<String>,
+    Json(facts): Json<Facts>,
+) -> Answer {
+    let place = place(&app, &id)?;
+    keep_facts(&app, &place, facts)?;
+    Ok(StatusCode::NO_CONTENT.into_response())
+}
+
+/// Keeps what is known; what was seen with other facts is no more.
+///
+/// # Errors
+///
+/// A fact that cannot be, or a capture that is being measured.
+pub(super) fn keep_facts(app: &App, place: &Place, facts: Facts) -> Result<(), Wrong> {
+    facts.check().map_err(Wrong::said)?;
+    if app.jobs.progress(place).goes_on() {
+        return Err(Wrong::new(StatusCode::CONFLICT, "wrong-busy"));
+    }
+    let before = app.home.change(place, |record| {
+        std::mem::replace(&mut record.facts, facts.clone())
+    })?;
+    let alike = |f: &Facts| Facts {
+        walk: false,
+        quick: false,
+        inches: false,
+        ..f.clone()
+    };
+    if alike(&before) != alike(&facts) {
+        let _ = std::fs::remove_file(place.folder.join("look.json"));
+    }
+    Ok(())
+}
+
+/// Looks at the photos, as `tailor doctor` does.
+pub(super) async fn look(State(app): Shared, Path(id): Path<String>) -> Answer {
+    let place = place(&app, &id)?;
+    let found = aside(move || Ok(work::look(&app, &place)?)).await?;
+    Ok(Json(found).into_response())
+}
+
+/// Measures, as `tailor measure` does; who asks while it runs joins.
+pub(super) async fn measure(State(app): Shared, Path(id): Path<String>) -> Answer {
+    let place = place(&app, &id)?;
+    let new = aside(move || work::measure(&app, &place).map_err(Wrong::said)).await?;
+    let status = if new {
+        StatusCode::ACCEPTED
+    } else {
+        StatusCode::OK
+    };
+    Ok((status, Json(json!({ "joined": !new }))).into_response())
+}
+
+/// Stops a measuring; what is done is kept.
+pub(super) async fn stop(State(app): Shared, Path(id): Path<String>) -> Answer {
+    let place = place(&app, &id)?;
+    if let Some(job) = app.jobs.of(&place.id) {
+        job.cancel.store(true, Ordering::Relaxed);
+    }
+    Ok(StatusCode::NO_CONTENT.into_response())
+}
+
+/// A picture of a result on the way.
+pub(super) async fn picture(
+    State(app): Shared,
+    Path((id, node)): Path<(String, String)>,
+) -> Answer {
+    let place = place(&app, &id)?;
+    let results = app.jobs.progress(&place).pictures;
+    let _turn = app.decoding.acquire().await.map_err(Wrong::broken)?;
+    let shared = Arc::clone(&app);
+    let made =
+        aside(move || show::picture(&shared, &place, &results, &node).ok_or_else(Wrong::missing));
+    let (media, bytes) = made.await?;
+    Ok(([(header::CONTENT_TYPE, media)], bytes).into_response())
+}
+
+/// The outline of a photo as it is now.
+pub(super) async fn mask(State(app): Shared, Path((id, number)): Path<(String, u32)>) -> Answer {
+    let place = place(&app, &id)?;
+    let bytes = aside(move || masks::mask(&place, number)).await?;
+    Ok(([(header::CONTENT_TYPE, "image/png")], bytes).into_response())
+}
+
+/// Lays what was painted over the outline of a photo.
+pub(super) async fn put_mask(
+    State(app): Shared,
+    Path((id, number)): Path<(String, u32)>,
+    body: Body,
+) -> Answer {
+    let place = place(&app, &id)?;
+    masks::paint(&app, &place, number, body).await?;
+    Ok(StatusCode::NO_CONTENT.into_response())
+}
+
+/// Takes all corrections of outlines back.
+pub(super) async fn delete_masks(State(app): Shared, Path(id): Path<String>) -> Answer {
+    let place = place(&app, &id)?;
+    aside(move || masks::forget(&app, &place)).await?;
+    Ok(StatusCode::NO_CONTENT.into_response())
+}
+
+/// Removes a capture for good.
+pub(super) async fn delete(State(app): Shared, Path(id): Path<String>) -> Answer {
+    let place = place(&app, &id)?;
+    let gone = aside(move || delete::delete(&app, &place)).await?;
+    Ok(Json(json!(gone)).into_response())
+}

@@ -1,0 +1,128 @@
+//! What is known of a capture, as it is said on the page: checked, then the words of `tailor measure`.
+
+use serde::{Deserialize, Serialize};
+
+/// What is known of a capture; all may be left out.
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
+#[serde(default, deny_unknown_fields)]
+pub(super) struct Facts {
+    /// \[cm\]
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(super) stature_cm: Option<f64>,
+    /// \[kg\]
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(super) weight_kg: Option<f64>,
+    /// Edge length of a mat tag's black square. \[mm\]
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(super) mat_tag_mm: Option<f64>,
+    /// \[cm\]
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(super) disk_diameter_cm: Option<f64>,
+    /// As if on 36 × 24 mm film. \[mm\]
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(super) focal_mm: Option<f64>,
+    /// Into how many even steps the turn was divided; negative if it went clockwise seen from above.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(super) steps: Option<i64>,
+    /// The number of the photo of the empty scene.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(super) plate: Option<u32>,
+    /// Whether the camera was walked around.
+    pub(super) walk: bool,
+    /// Whether a first, coarser look is enough.
+    pub(super) quick: bool,
+    /// Whether the report shows inches.
+    pub(super) inches: bool,
+}
+
+/// A fact that cannot be.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[error("{field}: {said} is not between {least} and {most}")]
+pub(super) struct Unlikely {
+    /// Its name.
+    pub(super) field: &'static str,
+    /// What was said.
+    pub(super) said: f64,
+    /// The least that is believed.
+    pub(super) least: f64,
+    /// The most that is believed.
+    pub(super) most: f64,
+}
+
+impl Facts {
+    /// The numbers with the limits that are believed: a slip of the keyboard is told at once.
+    fn numbers(&self) -> [(&'static str, Option<f64>, f64, f64); 6] {
+        [
+            ("stature_cm", self.stature_cm, 40.0, 260.0),
+            ("weight_kg", self.weight_kg, 2.0, 400.0),
+            ("mat_tag_mm", self.mat_tag_mm, 5.0, 500.0),
+            ("disk_diameter_cm", self.disk_diameter_cm, 20.0, 300.0),
+            ("focal_mm", self.focal_mm, 5.0, 1000.0),
+            ("steps", self.steps.map(|s| s.abs() as f64), 3.0, 400.0),
+        ]
+    }
+
+    /// Whether they can be.
+    ///
+    /// # Errors
+    ///
+    /// The first that cannot.
+    pub(super) fn check(&self) -> Result<(), Unlikely> {
+        for (field, said, least, most) in self.numbers() {
+            if let Some(said) = said.filter(|n| !(*n >= least && *n <= most)) {
+                return Err(Unlikely {
+                    field,
+                    said,
+                    least,
+                    most,
+                });
+            }
+        }
+        Ok(())
+    }
+
+    /// As flags of `tailor measure` and `tailor doctor`; `plate` is the file of that number.
+    pub(super) fn words(&self, plate: Option<&str>) -> Vec<String> {
+        let number = |flag: &str, said: Option<f64>, unit: &str| {
+            said.map(|said| format!("--{flag}={said}{unit}"))
+        };
+        let said = [
+            number("stature", self.stature_cm, "cm"),
+            number("weight", self.weight_kg, "kg"),
+            number("mat-tag", self.mat_tag_mm, "mm"),
+            number("disk-diameter", self.disk_diameter_cm, "cm"),
+            number("focal", self.focal_mm, ""),
+            self.steps.map(|steps| format!("--steps={steps}")),
+            plate.map(|plate| format!("--plate={plate}")),
+        ];
+        said.into_iter().flatten().collect()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_is_said_becomes_flags_and_slips_are_told() {
+        let facts = Facts {
+            stature_cm: Some(171.5),
+            steps: Some(-18),
+            ..Facts::default()
+        };
+        let words = facts.words(Some("0019.jpg"));
+        assert_eq!(
+            words,
+            ["--stature=171.5cm", "--steps=-18", "--plate=0019.jpg"]
+        );
+        assert_eq!(facts.check(), Ok(()));
+        for bad in [1.71, 1715.0, f64::NAN, -171.0] {
+            let facts = Facts {
+                stature_cm: Some(bad),
+                ..Facts::default()
+            };
+            assert_eq!(facts.check().unwrap_err().field, "stature_cm", "{bad}");
+        }
+        assert!(serde_json::from_str::<Facts>(r#"{"set":"photos.stop=false"}"#).is_err());
+    }
+}

@@ -1,0 +1,66 @@
+//! Outlines, to be corrected with a brush.
+
+use super::super::home::Place;
+use super::super::language::Words;
+use super::super::record::{Kept, Record};
+use super::{detail, page};
+use maud::{Markup, html};
+
+/// The page.
+pub(crate) fn brush(words: Words, place: &Place, record: &Record, corrected: bool) -> Markup {
+    let at = format!("/captures/{}", place.id);
+    let masks = place.out().join("masks");
+    let there = |(number, kept): &(&u32, &Kept)| {
+        !kept.video && masks.join(format!("{number:04}.png")).is_file()
+    };
+    let photos: Vec<(&u32, &Kept)> = record.files.iter().filter(there).collect();
+    let main = html! {
+        p .crumb { a href=(at) { (detail::name(words, record)) } }
+        h1 { (words.say("brush-title")) }
+        @if photos.is_empty() { p .alert { (words.say("brush-nothing")) } }
+        @else {
+            p { (words.say("brush-about")) }
+            (tools(words, place, &photos))
+            div .bar {
+                form method="post" action=(format!("{at}/measure")) {
+                    button .main type="submit" { (words.say("measure-again")) }
+                }
+                @if corrected {
+                    form method="post" action=(format!("{at}/masks/forget")) {
+                        button type="submit" { (words.say("brush-forget")) }
+                    }
+                }
+            }
+            @if corrected { p .soft { (words.say("brush-measured")) } }
+        }
+    };
+    let title = words.say("brush-title");
+    page(words, &title, &format!("{at}/masks"), &["brush.js"], main)
+}
+
+fn tools(words: Words, place: &Place, photos: &[(&u32, &Kept)]) -> Markup {
+    let lost = words.with("brush-lost", &[("why", "{why}".into())]);
+    html! {
+        section #brush aria-label=(words.say("brush-title")) data-api=(format!("/api/captures/{}", place.id))
+            data-saved=(words.say("brush-saved")) data-lost=(lost) data-none=(words.say("brush-none")) {
+            div .bar {
+                label { (words.say("brush-photo")) " "
+                    select name="photo" {
+                        @for (number, kept) in photos { option value=(number) { (number) ": " (kept.name) } }
+                    }
+                }
+                fieldset .bar { legend .hidden { (words.say("brush-paint")) }
+                    @for (at, paint) in ["body", "room", "clear"].into_iter().enumerate() {
+                        label .choice { input type="radio" name="paint" value=(paint) checked[at == 0];
+                            (words.say(&format!("brush-{paint}"))) }
+                    }
+                }
+                label { (words.say("brush-size")) " " input type="range" name="size" min="2" max="80" value="16"; }
+                button type="button" name="undo" { (words.say("brush-undo")) }
+                button type="button" name="save" { (words.say("brush-save")) }
+            }
+            p role="status" {}
+            canvas tabindex="0" role="img" aria-label=(words.say("brush-canvas")) {}
+        }
+    }
+}

@@ -1,0 +1,135 @@
+//! The page of a capture: what was seen of it, what is known of it, its measuring, its results.
+
+use super::super::delete::Gone;
+use super::super::home::Place;
+use super::super::language::Words;
+use super::super::progress::Progress;
+use super::super::record::Record;
+use super::{facts, page, progress, result, said, seen};
+use maud::{Markup, html};
+use serde_json::Value;
+
+/// All that the page shows.
+pub(crate) struct Content {
+    pub(crate) place: Place,
+    pub(crate) record: Record,
+    pub(crate) look: Option<Value>,
+    pub(crate) progress: Progress,
+    pub(crate) girths: Option<Value>,
+    /// What is wrong with what was typed, by field.
+    pub(crate) slips: facts::Slips,
+    /// What came of what was asked last, if that was nothing.
+    pub(crate) alert: Option<String>,
+}
+
+/// What a capture is called.
+pub(crate) fn name(words: Words, record: &Record) -> String {
+    match record.name.is_empty() {
+        true => words.say("unnamed"),
+        false => record.name.clone(),
+    }
+}
+
+/// The page.
+pub(crate) fn detail(words: Words, content: &Content) -> Markup {
+    let Content {
+        place,
+        record,
+        look,
+        progress,
+        girths,
+        ..
+    } = content;
+    let (title, at) = (name(words, record), format!("/captures/{}", place.id));
+    let stopped = look.as_ref().is_some_and(seen::stops);
+    let main = html! {
+        p .crumb { a href="/" { (words.say("to-start")) } }
+        h1 { (title) }
+        p .soft { (super::time(record.begun)) " · "
+            (words.with("photos-count", &[("count", record.files.len().into())])) }
+        @if let Some(alert) = &content.alert { p .alert role="alert" { (alert) } }
+        @if let Some(girths) = girths {
+            (result::result(words, place, girths))
+        }
+        (measuring(words, place, progress, stopped))
+        (facts::form(words, &at, record, &content.slips, progress.goes_on()))
+        (seen::seen(words, &at, record, look.as_ref(), progress.goes_on()))
+        p { a .danger href=(format!("{at}/delete")) { (words.say("delete-capture")) } }
+    };
+    page(words, &title, &at, &["live.js"], main)
+}
+
+/// Its measuring: what can be asked for, and how far it is.
+fn measuring(words: Words, place: &Place, progress: &Progress, stopped: bool) -> Markup {
+    let at = format!("/captures/{}", place.id);
+    let goes_on = progress.goes_on();
+    let again = match progress.state {
+        "none" => "measure",
+        "interrupted" | "stopped" => "measure-on",
+        _ => "measure-again",
+    };
+    html! {
+        section #measuring aria-labelledby="measuring-title"
+            data-events=[goes_on.then(|| format!("/api/captures/{}/events", place.id))] {
+            h2 #measuring-title { (words.say("measuring-title")) }
+            p #sentence role="status" { (progress::sentence(words, progress)) }
+            @for why in &progress.why { p .alert role="alert" lang="en" { (said(words, why)) } }
+            @if stopped && !goes_on && progress.state == "none" { p .alert { (words.say("measure-stopped")) } }
+            div .bar {
+                @if goes_on {
+                    form method="post" action=(format!("{at}/stop")) {
+                        button type="submit" { (words.say("stop")) }
+                    }
+                } @else {
+                    form method="post" action=(format!("{at}/measure")) {
+                        button .main type="submit" { (words.say(again)) }
+                    }
+                }
+            }
+            div #steps { (progress::steps(words, progress)) }
+            div #pictures .pictures { (progress::pictures(words, &place.id, progress)) }
+            @if !progress.warnings.is_empty() {
+                details { summary { (words.with("warnings", &[("count", progress.warnings.len().into())])) }
+                    ul lang="en" { @for warning in &progress.warnings { li { (said(words, warning)) } } } }
+            }
+        }
+    }
+}
+
+/// Asks once more before a capture goes for good.
+pub(crate) fn delete(words: Words, place: &Place, record: &Record, results: bool) -> Markup {
+    let at = format!("/captures/{}", place.id);
+    let title = words.with("delete-title", &[("name", name(words, record).into())]);
+    let megabytes = words.number(record.bytes() as f64 / 1e6, 1);
+    let main = html! {
+        h1 { (title) }
+        p { (words.say("delete-about")) }
+        ul {
+            li { (words.with("delete-files", &[("count", record.files.len().into()), ("size", megabytes.into())])) }
+            @if results { li { (words.say("delete-results")) } }
+            li { (words.say("delete-cache")) }
+        }
+        form .bar method="post" action=(format!("{at}/delete")) {
+            button .danger type="submit" { (words.say("delete-yes")) }
+            a .button href=(at) { (words.say("delete-no")) }
+        }
+    };
+    page(words, &title, &format!("{at}/delete"), &[], main)
+}
+
+/// What went.
+pub(crate) fn gone(words: Words, name: &str, gone: &Gone) -> Markup {
+    let title = words.with("gone-title", &[("name", name.into())]);
+    let size = |bytes: u64| words.number(bytes as f64 / 1e6, 1);
+    let (files, results) = (size(gone.bytes), size(gone.results_bytes));
+    let main = html! {
+        h1 { (title) }
+        ul role="status" {
+            li { (words.with("delete-files", &[("count", gone.files.into()), ("size", files.into())])) }
+            li { (words.with("gone-results", &[("count", gone.results.into()), ("size", results.into())])) }
+        }
+        @if !gone.shared.is_empty() { p { (words.say("gone-shared")) } }
+        p { a href="/" { (words.say("to-start")) } }
+    };
+    page(words, &title, "/", &[], main)
+}

@@ -1,0 +1,107 @@
+//! What is known of a capture, as a form.
+
+use super::super::facts::Facts;
+use super::super::language::Words;
+use super::super::record::Record;
+use maud::{Markup, html};
+use std::collections::{BTreeMap, HashMap};
+
+/// What was typed, if something of it is wrong: nothing has to be typed again.
+#[derive(Debug, Default, PartialEq)]
+pub(crate) struct Slips {
+    /// Why, by field.
+    pub(crate) why: BTreeMap<&'static str, String>,
+    /// All that was sent.
+    pub(crate) typed: HashMap<String, String>,
+}
+
+/// A field of a number: its name, what stands in it, its unit.
+struct Field {
+    name: &'static str,
+    value: String,
+    unit: &'static str,
+}
+
+fn fields(words: Words, facts: &Facts) -> Vec<Field> {
+    let unit = if words.inches { "in" } else { "cm" };
+    let length = |cm: Option<f64>| cm.map_or(String::new(), |cm| words.field_length(cm));
+    let number = |n: Option<f64>| n.map_or(String::new(), |n| words.field(n));
+    let field = |name, value, unit| Field { name, value, unit };
+    vec![
+        field("stature_cm", length(facts.stature_cm), unit),
+        field("mat_tag_mm", number(facts.mat_tag_mm), "mm"),
+        field("disk_diameter_cm", length(facts.disk_diameter_cm), unit),
+        field("weight_kg", number(facts.weight_kg), "kg"),
+        field("steps", number(facts.steps.map(|s| s as f64)), ""),
+        field("focal_mm", number(facts.focal_mm), "mm"),
+    ]
+}
+
+/// The form.
+pub(crate) fn form(words: Words, at: &str, record: &Record, slips: &Slips, busy: bool) -> Markup {
+    let facts = &record.facts;
+    let said = |name: &str, kept: bool| match slips.why.is_empty() {
+        true => kept,
+        false => slips.typed.contains_key(name),
+    };
+    let plate = match slips.why.is_empty() {
+        true => facts.plate,
+        false => slips.typed.get("plate").and_then(|text| text.parse().ok()),
+    };
+    html! {
+        section aria-labelledby="facts-title" {
+            h2 #facts-title { (words.say("facts-title")) }
+            p { (words.say("facts-about")) }
+            form method="post" action=(format!("{at}/facts")) {
+                fieldset disabled[busy] {
+                    legend .hidden { (words.say("facts-title")) }
+                    div .fields {
+                        @for field in fields(words, facts) { (number(words, &field, slips)) }
+                        label { span { (words.say("fact-plate")) }
+                            select name="plate" {
+                                option value="" selected[plate.is_none()] { (words.say("fact-plate-none")) }
+                                @for (number, kept) in record.files.iter().filter(|(_, k)| !k.video) {
+                                    option value=(number) selected[plate == Some(*number)] {
+                                        (number) ": " (kept.name)
+                                    }
+                                }
+                            }
+                            small .soft { (words.say("hint-plate")) }
+                        }
+                    }
+                    div .choices {
+                        label { input type="checkbox" name="walk" value="yes" checked[said("walk", facts.walk)]; (words.say("fact-walk")) }
+                        label { input type="checkbox" name="quick" value="yes" checked[said("quick", facts.quick)]; (words.say("fact-quick")) }
+                    }
+                    div .bar { button type="submit" { (words.say("facts-keep")) } }
+                }
+            }
+        }
+    }
+}
+
+fn number(words: Words, field: &Field, slips: &Slips) -> Markup {
+    let slip = slips.why.get(field.name);
+    let value = slips.typed.get(field.name).unwrap_or(&field.value);
+    let (about, wrong) = (
+        format!("hint-{}", field.name),
+        format!("slip-{}", field.name),
+    );
+    let describes = if slip.is_some() {
+        format!("{about} {wrong}")
+    } else {
+        about.clone()
+    };
+    html! {
+        label {
+            span { (words.say(&format!("fact-{}", field.name.replace('_', "-")))) }
+            span .unit {
+                input type="text" inputmode="decimal" autocomplete="off" name=(field.name) value=(value)
+                    aria-describedby=(describes) aria-invalid[slip.is_some()];
+                @if !field.unit.is_empty() { span { (field.unit) } }
+            }
+            small .soft id=(about) { (words.say(&format!("hint-{}", field.name.replace('_', "-")))) }
+            @if let Some(why) = slip { small .bad id=(wrong) { (why) } }
+        }
+    }
+}

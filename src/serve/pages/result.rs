@@ -1,0 +1,109 @@
+//! What was measured, at a glance: the whole is in the report.
+
+use super::super::home::Place;
+use super::super::language::Words;
+use maud::{Markup, html};
+use serde_json::Value;
+
+/// The girths that stand in tables of captures.
+pub(crate) const MAIN: [&str; 2] = ["WC", "HC"];
+/// Those of the page of one.
+const SHOWN: [&str; 8] = ["WC", "HC", "CC", "NC", "AC_L", "AC_R", "TC_L", "TC_R"];
+/// What can be taken away.
+pub(crate) const FILES: [(&str, &str); 8] = [
+    ("girths.csv", "text/csv; charset=utf-8"),
+    ("girths.json", "application/json"),
+    ("report.html", "text/html; charset=utf-8"),
+    ("body.glb", "model/gltf-binary"),
+    ("body.ply", "application/octet-stream"),
+    ("hull.ply", "application/octet-stream"),
+    ("cameras.json", "application/json"),
+    ("run.json", "application/json"),
+];
+
+/// A girth of `girths.json`.
+fn girth<'a>(girths: &'a Value, name: &str) -> Option<&'a Value> {
+    girths["girths"]
+        .as_array()?
+        .iter()
+        .find(|g| g["name"] == name)
+}
+
+/// What a girth is called.
+pub(crate) fn label(words: Words, name: &str, otherwise: &str) -> String {
+    let key = format!("girth-{}", name.replace('_', "-"));
+    match words.knows(&key) {
+        true => words.say(&key),
+        false => otherwise.to_owned(),
+    }
+}
+
+/// A girth by tape; relative where nothing of known length was there.
+pub(crate) fn tape(words: Words, girths: &Value, name: &str) -> Option<String> {
+    let girth = girth(girths, name)?;
+    match girth["tape_cm"].as_f64() {
+        Some(cm) => Some(words.length(cm)),
+        None => girth["tape_rel"].as_f64().map(|rel| words.number(rel, 3)),
+    }
+}
+
+fn interval(words: Words, girth: &Value) -> String {
+    let ends = |key: &str| Some([girth[key][0].as_f64()?, girth[key][1].as_f64()?]);
+    match (ends("interval_cm"), ends("interval_rel")) {
+        (Some([low, high]), _) => format!("{} – {}", words.length(low), words.length(high)),
+        (_, Some([low, high])) => format!("{} – {}", words.number(low, 3), words.number(high, 3)),
+        _ => String::new(),
+    }
+}
+
+/// The results.
+pub(crate) fn result(words: Words, place: &Place, girths: &Value) -> Markup {
+    let at = format!("/captures/{}", place.id);
+    let ratios = girths["ratios"].as_object().into_iter().flatten();
+    let there = FILES
+        .iter()
+        .filter(|(file, _)| place.out().join(file).is_file());
+    html! {
+        section aria-labelledby="result-title" {
+            h2 #result-title { (words.say("result-title")) }
+            @if girths["unit"] == "relative" { p .alert { (words.say("result-relative")) } }
+            div .wide tabindex="0" role="group" aria-labelledby="result-title" {
+                table {
+                    thead { tr {
+                        th scope="col" { (words.say("column-girth")) }
+                        th scope="col" .n { (words.say("column-tape")) }
+                        th scope="col" .n { (words.say("column-interval")) }
+                    } }
+                    tbody {
+                        @for name in SHOWN {
+                            @if let Some(one) = girth(girths, name) {
+                                tr {
+                                    th scope="row" { (label(words, name, one["label"].as_str().unwrap_or(name))) }
+                                    td .n { (tape(words, girths, name).unwrap_or_default()) }
+                                    td .n { (interval(words, one)) }
+                                }
+                            }
+                        }
+                        @for (name, value) in ratios {
+                            @if let Some(value) = value.as_f64() {
+                                tr { th scope="row" { (label(words, name, name)) } td .n { (words.number(value, 3)) } td {} }
+                            }
+                        }
+                    }
+                }
+            }
+            div .bar {
+                a .button .main href=(format!("{at}/report")) { (words.say("report")) }
+                a .button href=(format!("{at}/masks")) { (words.say("brush-open")) }
+            }
+            details {
+                summary { (words.say("downloads")) }
+                ul .downloads {
+                    @for (file, _) in there {
+                        li { a href=(format!("{at}/out/{file}")) download=(file) { (file) } }
+                    }
+                }
+            }
+        }
+    }
+}

@@ -1,0 +1,72 @@
+//! What is remembered of a capture beside its files.
+
+use super::facts::Facts;
+use serde::{Deserialize, Serialize};
+use std::collections::BTreeMap;
+
+/// A file of a capture.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub(super) struct Kept {
+    /// What its owner calls it; shown, never a path.
+    pub(super) name: String,
+    /// What it lies under in the folder: its number in turning order.
+    pub(super) file: String,
+    /// \[bytes\]
+    pub(super) bytes: u64,
+    /// Width and height, where they are known. \[px\]
+    pub(super) size: Option<[u32; 2]>,
+    /// Whether it is a video.
+    pub(super) video: bool,
+}
+
+/// What is remembered.
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
+pub(super) struct Record {
+    /// What its owner calls it.
+    pub(super) name: String,
+    /// When it began. \[s since 1970\]
+    pub(super) begun: u64,
+    /// Its files by their number in turning order.
+    pub(super) files: BTreeMap<u32, Kept>,
+    /// What is known of it.
+    #[serde(default)]
+    pub(super) facts: Facts,
+}
+
+impl Record {
+    /// All files. \[bytes\]
+    pub(super) fn bytes(&self) -> u64 {
+        self.files.values().map(|f| f.bytes).sum()
+    }
+
+    /// What the owner calls a file that lies under this name.
+    pub(super) fn called<'a>(&'a self, file: &'a str) -> &'a str {
+        let kept = self.files.values().find(|kept| kept.file == file);
+        kept.map_or(file, |kept| &kept.name)
+    }
+}
+
+/// What became of a measuring; written when it ends, and once when it begins.
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
+pub(super) struct Ended {
+    /// `begun`, `done`, `failed` or `stopped`. A `begun` that nobody works on was interrupted.
+    pub(super) state: String,
+    /// Why it failed.
+    pub(super) why: Vec<String>,
+    /// What the user should know.
+    pub(super) warnings: Vec<String>,
+    /// How long it took. \[s\]
+    pub(super) seconds: f64,
+    /// The content of each node's result that can be shown, with its stage.
+    pub(super) results: BTreeMap<String, (String, String)>,
+}
+
+/// A text of the user's as it is kept: no control letters, not too long.
+pub(super) fn tidy(text: &str) -> String {
+    let letters = text.chars().map(|c| if c.is_control() { ' ' } else { c });
+    let short: String = letters.take(LONGEST_NAME).collect();
+    short.trim().to_owned()
+}
+
+/// \[letters\]
+const LONGEST_NAME: usize = 120;

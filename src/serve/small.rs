@@ -1,0 +1,78 @@
+//! Photos made small, to look at on a page: made when asked for, upright, without what EXIF tells.
+
+use super::home;
+use super::sniff::MOST_PIXELS;
+use image::{DynamicImage, ImageDecoder, ImageReader, Limits};
+use std::path::{Path, PathBuf};
+
+/// Bytes of a pixel at most, while a photo is read.
+const BYTES: u64 = 8;
+const QUALITY: u8 = 82;
+
+/// A photo, its longer side so many pixels, as JPEG; kept in `folder` for the next time.
+///
+/// # Errors
+///
+/// It cannot be read, or the disk refuses.
+pub(super) fn small(photo: &Path, folder: &Path, side: u32) -> Result<Vec<u8>, String> {
+    let stem = photo.file_stem().unwrap_or_default().to_string_lossy();
+    let kept: PathBuf = folder.join(format!("{stem}-{side}.jpg"));
+    let newer = |a: &Path, b: &Path| Some(modified(a)? >= modified(b)?);
+    if newer(&kept, photo) == Some(true)
+        && let Ok(bytes) = std::fs::read(&kept)
+    {
+        return Ok(bytes);
+    }
+    let picture = upright(photo).map_err(|e| e.to_string())?;
+    let bytes = jpeg(&picture.thumbnail(side, side).to_rgb8())?;
+    // Kept if it can be; the page does not need it.
+    let _ = home::make(folder).and_then(|()| home::write(&kept, &bytes));
+    Ok(bytes)
+}
+
+fn modified(path: &Path) -> Option<std::time::SystemTime> {
+    std::fs::metadata(path).ok()?.modified().ok()
+}
+
+fn upright(photo: &Path) -> image::ImageResult<DynamicImage> {
+    let mut reader = ImageReader::open(photo)?.with_guessed_format()?;
+    let mut limits = Limits::default();
+    limits.max_alloc = Some(BYTES * MOST_PIXELS);
+    reader.limits(limits);
+    let mut decoder = reader.into_decoder()?;
+    let turn = decoder.orientation()?;
+    let mut picture = DynamicImage::from_decoder(decoder)?;
+    picture.apply_orientation(turn);
+    Ok(picture)
+}
+
+fn jpeg(picture: &image::RgbImage) -> Result<Vec<u8>, String> {
+    let mut bytes = Vec::new();
+    let encoder = image::codecs::jpeg::JpegEncoder::new_with_quality(&mut bytes, QUALITY);
+    picture
+        .write_with_encoder(encoder)
+        .map_err(|e| e.to_string())?;
+    Ok(bytes)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_photo_is_made_small_once_and_again_when_it_changed() {
+        let place = tempfile::tempdir().unwrap();
+        let (photo, folder) = (place.path().join("0001.png"), place.path().join("small"));
+        let of = |value: u8| image::RgbImage::from_pixel(90, 60, image::Rgb([value; 3]));
+        of(10).save(&photo).unwrap();
+        let first = small(&photo, &folder, 30).unwrap();
+        let size = image::load_from_memory(&first).unwrap();
+        assert_eq!((size.width(), size.height()), (30, 20));
+        assert_eq!(small(&photo, &folder, 30).unwrap(), first);
+        std::thread::sleep(std::time::Duration::from_millis(20));
+        of(200).save(&photo).unwrap();
+        assert_ne!(small(&photo, &folder, 30).unwrap(), first);
+        std::fs::write(&photo, "no picture").unwrap();
+        assert!(small(&photo, &folder, 31).is_err());
+    }
+}

@@ -1,0 +1,115 @@
+//! What was typed into the form of facts, read as the reader writes numbers.
+
+use super::facts::Facts;
+use super::language::Words;
+use super::pages::facts::Slips;
+use std::collections::{BTreeMap, HashMap};
+
+/// Facts, or what is wrong with them by field.
+///
+/// # Errors
+///
+/// Fields that are no numbers, or numbers that cannot be.
+pub(super) fn facts(words: Words, sent: &HashMap<String, String>) -> Result<Facts, Slips> {
+    let mut slips: BTreeMap<&'static str, String> = BTreeMap::new();
+    let mut read = |name: &'static str, length: bool| {
+        let text = sent.get(name).map(String::as_str).unwrap_or_default();
+        let number = if length {
+            words.typed_length(text)
+        } else {
+            words.typed(text)
+        };
+        number.unwrap_or_else(|_| {
+            slips.insert(name, words.say("slip-number"));
+            None
+        })
+    };
+    let mut facts = Facts {
+        stature_cm: read("stature_cm", true),
+        weight_kg: read("weight_kg", false),
+        mat_tag_mm: read("mat_tag_mm", false),
+        disk_diameter_cm: read("disk_diameter_cm", true),
+        focal_mm: read("focal_mm", false),
+        ..Facts::default()
+    };
+    let steps = read("steps", false);
+    facts.steps = steps.map(|steps| steps as i64);
+    facts.plate = sent.get("plate").and_then(|text| text.parse().ok());
+    facts.walk = sent.contains_key("walk");
+    facts.quick = sent.contains_key("quick");
+    if steps.is_some_and(|steps| steps.fract() != 0.0) {
+        slips.insert("steps", words.say("slip-whole"));
+    }
+    if let Err(why) = facts.check()
+        && !slips.contains_key(why.field)
+    {
+        let length = ["stature_cm", "disk_diameter_cm"].contains(&why.field);
+        let shown = |n: f64| {
+            if length {
+                words.length(n)
+            } else {
+                words.field(n)
+            }
+        };
+        let limits = [
+            ("least", shown(why.least).into()),
+            ("most", shown(why.most).into()),
+        ];
+        slips.insert(why.field, words.with("slip-range", &limits));
+    }
+    match slips.is_empty() {
+        true => Ok(facts),
+        false => Err(Slips {
+            why: slips,
+            typed: sent.clone(),
+        }),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::language::Language;
+    use super::*;
+
+    #[test]
+    fn fields_are_read_in_the_readers_units_and_slips_are_told() {
+        let words = Words {
+            language: Language::De,
+            inches: false,
+        };
+        let sent = |pairs: &[(&str, &str)]| {
+            pairs
+                .iter()
+                .map(|(k, v)| ((*k).into(), (*v).into()))
+                .collect()
+        };
+        let said = facts(
+            words,
+            &sent(&[
+                ("stature_cm", "171,5"),
+                ("steps", "-18"),
+                ("walk", "yes"),
+                ("plate", "3"),
+            ]),
+        );
+        let expected = Facts {
+            stature_cm: Some(171.5),
+            steps: Some(-18),
+            walk: true,
+            plate: Some(3),
+            ..Facts::default()
+        };
+        assert_eq!(said, Ok(expected));
+        let slips = facts(
+            words,
+            &sent(&[
+                ("stature_cm", "1,71"),
+                ("weight_kg", "viel"),
+                ("steps", "4,5"),
+            ]),
+        )
+        .unwrap_err();
+        assert!(slips.why["stature_cm"].contains("40,0 cm"), "{slips:?}");
+        assert!(slips.typed["weight_kg"] == "viel" && slips.why.contains_key("steps"));
+    }
+}

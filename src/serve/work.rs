@@ -1,0 +1,229 @@
+//! Looking and measuring: what `tailor doctor` and `tailor measure` do, told to pages meanwhile.
+
+use super::app::App;
+use super::home::Place;
+use super::jobs::Job;
+use super::progress::{Progress, Step, Teller};
+use super::record::{Ended, Record};
+use super::show::SHOWN;
+use crate::cli::doctor::{Doctor, seen};
+use crate::cli::measure_verb::Measure;
+use crate::cli::measuring::prepared_one;
+use crate::cli::prepared::Prepared;
+use crate::cli::words::arguments;
+use crate::lasttime::History;
+use crate::past::Of;
+use crate::store::Store;
+use engine::cli::Fault;
+use engine::{Options, out, walk};
+use serde_json::{Value, json};
+use std::collections::BTreeMap;
+use std::ffi::OsString;
+use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::sync::Arc;
+use std::sync::atomic::Ordering;
+
+/// The words that say what is known of a capture.
+fn words(record: &Record) -> Vec<OsString> {
+    let plate = record
+        .facts
+        .plate
+        .and_then(|number| record.files.get(&number));
+    let words = record.facts.words(plate.map(|kept| kept.file.as_str()));
+    words.into_iter().map(OsString::from).collect()
+}
+
+/// The folder, which no word is mistaken for a flag of.
+fn folder(words: &mut Vec<OsString>, place: &Place) {
+    words.extend(["--".into(), place.photos().into_os_string()]);
+}
+
+/// Why something came to nothing; where the capture lies is nobody's matter on a page.
+fn told(place: &Place, fault: &Fault) -> String {
+    let folder = place.photos().display().to_string();
+    fault.text().replace(&folder, "this capture")
+}
+
+/// Looks at a capture; keeps and returns what was seen, or `wrong`: why nothing can be.
+///
+/// # Errors
+///
+/// The disk refuses.
+pub(super) fn look(app: &App, place: &Place) -> std::io::Result<Value> {
+    let _alone = app.looking.lock().unwrap_or_else(|e| e.into_inner());
+    // Another tab asked meanwhile.
+    if let Some(look) = place.look() {
+        return Ok(look);
+    }
+    let record = place.record()?;
+    let mut words = words(&record);
+    folder(&mut words, place);
+    let found = arguments::<Doctor>(words).and_then(|doctor| seen(&doctor, &app.quiet()));
+    let look = match found {
+        Ok((mut found, warnings)) => {
+            found["warnings"] = warnings.into();
+            found
+        }
+        Err(fault) => json!({ "wrong": told(place, &fault) }),
+    };
+    place.keep_look(&look)?;
+    Ok(look)
+}
+
+/// What a run of a capture is, before it runs.
+pub(super) fn prepared(place: &Place) -> Result<Prepared, Fault> {
+    let record = place.record().map_err(Fault::stage)?;
+    let mut words = words(&record);
+    words.push("--out".into());
+    words.push(place.out().into_os_string());
+    for (asked, word) in [
+        (record.facts.walk, "--walk"),
+        (record.facts.quick, "--variant=quick"),
+        (record.facts.inches, "--unit=in"),
+    ] {
+        words.extend(asked.then(|| OsString::from(word)));
+    }
+    folder(&mut words, place);
+    prepared_one(&arguments::<Measure>(words)?)
+}
+
+/// Measures a capture on a thread of its own, unless somebody does already; whether it is new.
+///
+/// # Errors
+///
+/// What is said of the capture is wrong, or the disk refuses: in words, which stand on its page as well.
+pub(super) fn measure(app: &Arc<App>, place: &Place) -> Result<bool, String> {
+    let (job, new) = app.jobs.begin(&place.id);
+    if !new {
+        return Ok(false);
+    }
+    let begun = || -> Result<Prepared, Fault> {
+        let ready = prepared(place)?;
+        let begun = Ended {
+            state: "begun".into(),
+            ..Ended::default()
+        };
+        place.keep_ended(&begun).map_err(Fault::stage)?;
+        Ok(ready)
+    };
+    let ready = begun().map_err(|fault| {
+        let why = told(place, &fault);
+        end(place, &job, "failed", vec![why.clone()], &None);
+        why
+    })?;
+    let (app, place) = (Arc::clone(app), place.clone());
+    std::thread::spawn(move || work(&app, &place, &job, &ready));
+    Ok(true)
+}
+
+/// Runs, and tells how it ended.
+fn work(app: &App, place: &Place, job: &Job, ready: &Prepared) {
+    let mut teller = None;
+    let ran = app.jobs.alone(job, || {
+        let told = &*teller.insert(begun(app, job, ready));
+        catch_unwind(AssertUnwindSafe(|| run(app, job, ready, told)))
+    });
+    match ran {
+        None => end(place, job, "stopped", vec![], &teller),
+        Some(Err(_)) => {
+            let why = "a bug: the program broke off; what is done is kept".to_owned();
+            end(place, job, "failed", vec![why], &teller);
+        }
+        Some(Ok(Err(fault))) if fault.code() == 130 => end(place, job, "stopped", vec![], &teller),
+        Some(Ok(Err(fault))) => end(place, job, "failed", vec![told(place, &fault)], &teller),
+        Some(Ok(Ok(()))) => end(place, job, "done", vec![], &teller),
+    }
+}
+
+/// Tells what will run.
+fn begun(app: &App, job: &Job, ready: &Prepared) -> Teller {
+    let graph = &ready.graph;
+    let history = History::of(&app.global.cache, Of::default());
+    let needed = walk::all(graph, &ready.wanted).into_iter();
+    let step = |node: usize| Step {
+        node: graph.nodes[node].name.clone(),
+        state: "open",
+        done: 0,
+        of: 0,
+        seconds: 0.0,
+        expected: history
+            .last(&graph.nodes[node].name)
+            .map(|line| line.seconds),
+    };
+    let steps = needed.map(step).collect();
+    let warnings = ready.warnings.clone();
+    let state = "running";
+    job.sender.send_replace(Progress {
+        state,
+        steps,
+        warnings,
+        ..Progress::default()
+    });
+    let nodes = graph.nodes.iter();
+    let shown = nodes.filter(|n| n.name == "photos" || SHOWN.iter().any(|(s, _)| *s == n.name));
+    let shown: BTreeMap<String, &'static str> =
+        shown.map(|n| (n.name.clone(), n.stage.name())).collect();
+    Teller::new(job.sender.clone(), shown)
+}
+
+fn run(app: &App, job: &Job, ready: &Prepared, teller: &Teller) -> Result<(), Fault> {
+    let graph = &ready.graph;
+    let store = Store::open(&app.global.cache).map_err(Fault::input)?;
+    let mut wanted = ready.wanted.clone();
+    let beside: Vec<usize> = wanted
+        .iter()
+        .filter_map(|at| out::beside(graph, *at))
+        .collect();
+    wanted.extend(beside);
+    let options = Options {
+        cache: app.global.cache.clone(),
+        threads: app.global.threads.map(|n| n.get()),
+        keep_going: false,
+    };
+    let folders = &ready.folders;
+    let outcome = engine::run_in(
+        store,
+        graph,
+        folders,
+        &wanted,
+        &options,
+        teller,
+        &job.cancel,
+    );
+    let outcome = outcome.map_err(Fault::input)?;
+    let failures = outcome.failures(graph);
+    if !failures.is_empty() {
+        let lines: Vec<&str> = failures.iter().map(|(_, why)| *why).collect();
+        return Err(Fault::stage(lines.join("\n")));
+    }
+    if outcome.cancelled() || job.cancel.load(Ordering::Relaxed) {
+        return Err(Fault::stopped());
+    }
+    let warnings = outcome
+        .nodes
+        .iter()
+        .flatten()
+        .flat_map(|done| done.warnings.clone());
+    job.sender.send_modify(|p| p.warnings.extend(warnings));
+    ready.deliver(&outcome, true, &app.quiet())
+}
+
+/// Keeps and tells how it ended.
+fn end(place: &Place, job: &Job, state: &'static str, why: Vec<String>, teller: &Option<Teller>) {
+    let told = job.sender.borrow().clone();
+    let ended = Ended {
+        state: state.to_owned(),
+        why: why.clone(),
+        warnings: told.warnings,
+        seconds: teller.as_ref().map_or(0.0, Teller::seconds),
+        results: told.pictures,
+    };
+    let seconds = ended.seconds;
+    // A full disk must not hide how it ended from who looks.
+    let kept = place.keep_ended(&ended);
+    job.sender.send_modify(|p| {
+        (p.state, p.seconds) = (state, seconds);
+        p.why.extend(why);
+        p.why.extend(kept.err().map(|e| e.to_string()));
+    });
+}

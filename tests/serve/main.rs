@@ -1,0 +1,17 @@
+//! `tailor serve` as programs and browsers meet it.
+#![cfg(feature = "serve")]
+
+mod api;
+mod calls;
+#[cfg(chromium)]
+mod flows;
+mod measuring;
+mod security;
+mod server;
+#[cfg(chromium)]
+mod whole;
+
+#[cfg(chromium)]
+#[allow(dead_code)]
+#[path = "../../stages/report/tests/chromium/mod.rs"]
+mod chromium;
