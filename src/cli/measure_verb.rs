@@ -219,7 +219,7 @@ fn one(
     let own = whose(&[("photos".to_owned(), capture.to_owned())]);
     let mut delivery = Delivery::open(&out, &own).map_err(Fault::stage)?;
     delivery.begin().map_err(Fault::stage)?;
-    write(&graph, &outcome, &mut delivery)?;
+    write(&graph, &outcome, &shown, &mut delivery)?;
     finish(delivery, &graph, &outcome, measure.clean, global)?;
     if !global.json
         && let Some(girths) = get::<Girths>(&graph, &outcome, "girths")

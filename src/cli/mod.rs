@@ -5,12 +5,14 @@ mod delivered;
 mod doctor;
 mod facts;
 mod folder;
+mod follow;
 mod init;
 mod length;
 mod mat;
 mod mat_file;
 mod measure_verb;
 mod provenance;
+mod repeat;
 mod said;
 mod scoring;
 mod screen;
@@ -62,6 +64,24 @@ static TAILOR: Program = Program {
             },
             run: |said, global| compare::compare_sides(&read(said)?, global),
             runs: true,
+        },
+        Verb {
+            name: "follow",
+            arguments: |own| {
+                let about = "One person over time: girths at the same level, changes with intervals, what grew and shrank";
+                with::<follow::Following>(own, about)
+            },
+            run: |said, global| follow::following(&read(said)?, global),
+            runs: false,
+        },
+        Verb {
+            name: "repeat",
+            arguments: |own| {
+                let about = "How near captures of the same people come to each other: technical error, least significant change, correlation";
+                with::<repeat::Repeating>(own, about)
+            },
+            run: |said, global| repeat::repeating(&read(said)?, global),
+            runs: false,
         },
         Verb {
             name: "mat",
