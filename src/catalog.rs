@@ -12,7 +12,7 @@ pub(crate) use capture::{READ, foreign, is_photo, is_raw, is_video};
 pub(crate) use pose::ringed;
 
 // Sections of surfaces, for the score.
-pub(crate) use measure::{flat, section, tape};
+pub(crate) use measure::{Body, body, flat, limbs, parts, section, taken as section_at, tape};
 
 /// The rooms' stages, in the order in which data flows.
 pub const ROOMS: &[&[&dyn AnyStage]] = &[

@@ -14,12 +14,15 @@ pub const KINDS: &[Kind] = &[
     Kind {
         facts: |artifact| artifact.downcast().map_or(vec![], |g| girths(&g)),
         names: girth_names,
-        ..written(Girths::KIND, &["json", "csv", "schema", "definitions"])
+        ..written(
+            Girths::KIND,
+            &["json", "csv", "fhir", "schema", "definitions"],
+        )
     },
     Kind {
         facts: |artifact| artifact.downcast().map_or(vec![], |m| mesh(&m)),
         names: mesh_names,
-        ..written(Mesh::KIND, &["ply", "glb", "obj", "views"])
+        ..written(Mesh::KIND, &["ply", "glb", "obj", "stl", "3mf", "views"])
     },
     Kind {
         facts: |artifact| {
@@ -27,7 +30,10 @@ pub const KINDS: &[Kind] = &[
             textured.map_or(vec![], |t| mesh(&t.mesh))
         },
         names: mesh_names,
-        ..written(Textured::KIND, &["glb", "ply", "obj", "views"])
+        ..written(
+            Textured::KIND,
+            &["glb", "ply", "obj", "stl", "3mf", "views"],
+        )
     },
     written(
         Cameras::KIND,
@@ -122,9 +128,13 @@ fn mesh(mesh: &Mesh) -> Vec<Metric> {
     let area: f64 = (0..mesh.faces.len())
         .map(|f| mesh.area_vector(f).norm() / 2.0)
         .sum();
+    let (volume, unit) = mesh.unit.volume(mesh.volume());
     vec![
-        metric("volume", mesh.volume() * 1e-6, "l"),
-        metric("area", area * 1e-6, "m²"),
+        metric("volume", volume, unit),
+        match mesh.unit {
+            Unit::Metric => metric("area", area * 1e-6, "m²"),
+            unit => metric("area", area * 1e-6, unit.length(1.0).1),
+        },
         metric("faces", mesh.faces.len() as f64, ""),
         metric("vertices", mesh.positions.len() as f64, ""),
     ]

@@ -2,13 +2,14 @@
 
 pub mod catalog;
 mod cli;
-pub mod closest;
 pub mod compare;
 mod errors;
+pub mod girth_file;
 pub mod kinds;
 pub mod measured;
+pub mod over_time;
 mod photos;
-mod relative;
+pub mod repeat;
 pub mod score;
 #[cfg(feature = "serve")]
 pub mod serve;

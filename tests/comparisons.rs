@@ -3,7 +3,7 @@
 use serde_json::{Value, json};
 use shape::{Mesh, mesh_to_ply};
 use std::path::{Path, PathBuf};
-use tailor::compare::{Side, compare, json as told, markdown, page};
+use tailor::compare::{Side, TechnicalErrors, compare, json as told, markdown, page};
 
 /// A node of a `run.json`.
 fn node(name: &str, stage: &str, content: &str, provenance: &[(&str, &str)]) -> Value {
@@ -28,7 +28,7 @@ fn cube(edge: f32) -> Mesh {
     Mesh {
         positions: (0..8).map(corner).collect(),
         faces: faces.collect(),
-        colors: vec![],
+        ..Mesh::default()
     }
 }
 
@@ -70,7 +70,7 @@ fn the_first_difference_the_girths_and_the_surfaces_are_told() {
     let a = folder(place.path(), "a", "3.0", "h1", 80.0, 100.0);
     let b = folder(place.path(), "b", "2.0", "h2", 81.2, 104.0);
     let sides = [("a", &a), ("b", &b)].map(|(n, f)| Side::from_folder(n, f).unwrap());
-    let c = compare(sides.to_vec(), None);
+    let c = compare(sides.to_vec(), None, &TechnicalErrors::new());
     let d = &c.differences[0];
     assert_eq!(d.first.as_deref(), Some("hull"));
     assert_eq!(d.diverged, ["hull", "girths"]);
@@ -97,7 +97,7 @@ fn the_first_difference_the_girths_and_the_surfaces_are_told() {
     ] {
         assert!(words.contains(line), "{line}: {words}");
     }
-    let other = compare(sides.to_vec(), Some(20.0));
+    let other = compare(sides.to_vec(), Some(20.0), &TechnicalErrors::new());
     assert_eq!(other.girths[0].same, [Some(true)]);
     assert_eq!(told(&c)["against_first"][0]["first_diverging"], "hull");
     let page = page(&c, true);
@@ -113,7 +113,7 @@ fn what_is_told_otherwise_and_makes_the_same_bytes_is_no_divergence() {
     let a = folder(place.path(), "a", "3.0", "h1", 80.0, 100.0);
     let b = folder(place.path(), "b", "2.0", "h1", 80.0, 100.0);
     let sides = [("a", &a), ("b", &b)].map(|(n, f)| Side::from_folder(n, f).unwrap());
-    let c = compare(sides.to_vec(), None);
+    let c = compare(sides.to_vec(), None, &TechnicalErrors::new());
     assert_eq!(c.differences[0].first, None);
     assert_eq!(c.differences[0].met_again, ["hull"]);
     assert_eq!(c.apart[0].as_ref().unwrap().max_mm, 0.0);
@@ -180,7 +180,11 @@ fn every_waist_has_the_limit_of_a_large_girth_and_a_file_may_say_the_part_itself
         std::fs::write(folder.join("girths.json"), file.to_string()).unwrap();
         Side::from_folder(name, &folder).unwrap()
     };
-    let c = compare(vec![girths("a", 0.0), girths("b", 0.7)], None);
+    let c = compare(
+        vec![girths("a", 0.0), girths("b", 0.7)],
+        None,
+        &TechnicalErrors::new(),
+    );
     let told: Vec<_> = c
         .girths
         .iter()

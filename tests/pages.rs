@@ -9,7 +9,7 @@ use chromium::Tab;
 use nalgebra::{Rotation3, Vector3};
 use shape::{Camera, Intrinsics, Mask, Mesh, Pose};
 use stage::{Metric, Value};
-use tailor::compare::{Side, View, Views, compare};
+use tailor::compare::{Side, TechnicalErrors, View, Views, compare};
 use tailor::sweep::{End, Point, Row};
 
 const DESK: [u32; 2] = [1280, 900];
@@ -97,7 +97,7 @@ fn surfaces_are_coloured_by_distance_split_by_the_slider_and_turned_together() {
         side("small", [40.0, 40.0, 90.0]),
         side("large", [44.0, 44.0, 94.0]),
     ];
-    let page = tailor::compare::page(&compare(sides, None), true);
+    let page = tailor::compare::page(&compare(sides, None, &TechnicalErrors::new()), true);
     let mut tab = Tab::open(&page, DESK, false, false);
     let [body, orange, blue, first] = seen(&mut tab);
     assert!(body > 10_000, "two halves are drawn: {body}");
@@ -175,7 +175,7 @@ fn silhouettes_and_surfaces_stand_side_by_side_photo_by_photo() {
     ];
     sides[0].views = seen_by(&["0000", "0001"], 60);
     sides[1].views = seen_by(&["0000"], 80);
-    let page = tailor::compare::page(&compare(sides, None), true);
+    let page = tailor::compare::page(&compare(sides, None, &TechnicalErrors::new()), true);
     let mut tab = Tab::open(&page, DESK, false, false);
     let words = |tab: &mut Tab| {
         let all = "[...document.querySelectorAll('#pictures figcaption')].map((c) => c.textContent).join('; ')";

@@ -1,6 +1,7 @@
 //! `tailor compare`: variants, runs and folders side by side.
 
-use crate::compare::{NodeRun, Side, compare, json, markdown, mixed, page};
+use crate::compare::{NodeRun, Side, TechnicalErrors, compare, json, markdown, mixed, page};
+use crate::repeat::technical_errors;
 use crate::store::Store;
 use crate::{delivery, walk};
 use clap::Args;
@@ -21,6 +22,9 @@ pub(crate) struct CompareArgs {
     /// Differences up to this are none, for every girth; else each has its limit of ISO 20685-1
     #[arg(long)]
     tolerance_mm: Option<f64>,
+    /// A repeat.json of `tailor repeat`: its technical errors tell what repetition alone gives; else the captures do
+    #[arg(long)]
+    repeat: Option<PathBuf>,
     /// Write compare.md, compare.json and compare.html into this folder
     #[arg(long)]
     out: Option<PathBuf>,
@@ -41,6 +45,7 @@ pub(crate) fn compare_sides(args: &CompareArgs, global: &GlobalArgs) -> Result<(
     if let Some(out) = &args.out {
         delivery::check(out).map_err(Fault::input)?;
     }
+    let known = known_errors(args.repeat.as_deref())?;
     // A pipeline that cannot be is refused before any other runs.
     let mut graphs = Vec::new();
     for text in &what {
@@ -81,7 +86,7 @@ pub(crate) fn compare_sides(args: &CompareArgs, global: &GlobalArgs) -> Result<(
     if let Some(why) = mixed(&sides) {
         return Err(Fault::input(why));
     }
-    let comparison = compare(sides, args.tolerance_mm);
+    let comparison = compare(sides, args.tolerance_mm, &known);
     let pretty = || serde_json::to_string_pretty(&json(&comparison)).expect("bug: JSON");
     if let Some(folder) = &args.out {
         for (file, text) in [
@@ -98,6 +103,16 @@ pub(crate) fn compare_sides(args: &CompareArgs, global: &GlobalArgs) -> Result<(
         false => engine::out!("{}", markdown(&comparison)),
     }
     Ok(())
+}
+
+/// The technical errors of a `repeat.json`; none where none is given.
+pub(super) fn known_errors(file: Option<&Path>) -> Result<TechnicalErrors, Fault> {
+    let Some(file) = file else {
+        return Ok(TechnicalErrors::new());
+    };
+    let wrong = |why: String| Fault::input(format!("{}: {why}", file.display()));
+    let text = std::fs::read_to_string(file).map_err(|e| wrong(e.to_string()))?;
+    technical_errors(&text).map_err(wrong)
 }
 
 /// `quick+hull.voxel_mm=2` beside what is changed for all.

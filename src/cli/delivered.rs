@@ -4,10 +4,10 @@ use super::provenance::{self, get};
 use crate::delivery::{self, Delivery};
 use crate::engine::Outcome;
 use crate::graph::Graph;
-use crate::relative;
 use engine::cli::{Fault, inside, lies_in, there, whose};
 use engine::out;
-use shape::{Cameras, Document, Unit};
+use shape::{Document, Girths};
+use stage::AnyArtifact;
 use std::path::{Path, PathBuf};
 
 /// What is written: nodes, of which the first that there is counts, file in the folder, format.
@@ -82,26 +82,33 @@ fn place(graph: &Graph, nodes: &[&str]) -> Option<usize> {
     nodes.iter().find_map(|node| graph.node(node))
 }
 
-/// Writes all that the contract names.
+/// Girths with the capture's name where nobody gave one: results of several captures may be put together.
+fn named(artifact: AnyArtifact, name: &str) -> AnyArtifact {
+    match artifact.clone().downcast::<Girths>() {
+        Some(girths) if girths.capture.is_none() => AnyArtifact::new(Girths {
+            capture: Some(name.to_owned()),
+            ..Girths::clone(&girths)
+        }),
+        _ => artifact,
+    }
+}
+
+/// Writes all that the contract names, of a capture called so.
 pub(super) fn write(
     graph: &Graph,
     outcome: &Outcome,
+    name: &str,
     delivery: &mut Delivery,
 ) -> Result<(), Fault> {
-    let cameras = get::<Cameras>(graph, outcome, "cameras");
-    let relative = cameras.is_some_and(|c| c.scale.unit() == Unit::Relative);
     for (nodes, file, format) in WRITTEN {
         let Some(at) = place(graph, nodes) else {
             continue;
         };
         let (artifact, raw) = there(graph, outcome, at)?;
+        let artifact = named(artifact, name);
         let photos = out::beside(graph, at).and_then(|at| outcome.artifact(graph, at));
         let files = out::files(graph.catalog, artifact, || raw, photos, Some(format));
-        let mut files = files.map_err(Fault::stage)?;
-        if relative {
-            let marked = |(name, bytes)| (name, relative::marked(bytes));
-            files = files.into_iter().map(marked).collect();
-        }
+        let files = files.map_err(Fault::stage)?;
         delivery.put(file, &files).map_err(Fault::stage)?;
     }
     if let Some(report) = get::<Document>(graph, outcome, "report") {

@@ -46,6 +46,9 @@ pub(crate) struct Facts {
     /// The photo of the same scene without the subject
     #[arg(long, value_name = "FILE")]
     plate: Option<String>,
+    /// The day of the capture: 2026-05-01, or `exif` for the photos' own; it goes into girths and exports
+    #[arg(long, value_name = "DAY")]
+    date: Option<String>,
     /// What the capture is called in the report
     #[arg(long)]
     name: Option<String>,
@@ -157,6 +160,7 @@ impl Facts {
         for (flag, said, key) in [
             ("--plate", &self.plate, "plate"),
             ("--name", &self.name, "name"),
+            ("--date", &self.date, "date"),
         ] {
             if let Some(text) = said {
                 all.put(flag, text, key, text.clone().into());

@@ -5,6 +5,7 @@ mod delivered;
 pub(crate) mod doctor;
 mod facts;
 mod folder;
+mod follow;
 mod init;
 mod length;
 mod mat;
@@ -13,6 +14,7 @@ pub(crate) mod measure_verb;
 pub(crate) mod measuring;
 pub(crate) mod prepared;
 mod provenance;
+mod repeat;
 mod said;
 mod scoring;
 mod screen;
@@ -80,6 +82,24 @@ const PRODUCT: Program = Program {
             },
             run: |said, global| compare::compare_sides(&read(said)?, global),
             runs: true,
+        },
+        Verb {
+            name: "follow",
+            arguments: |own| {
+                let about = "One person over time: girths at the same level, changes with intervals, what grew and shrank";
+                with::<follow::Following>(own, about)
+            },
+            run: |said, global| follow::following(&read(said)?, global),
+            runs: false,
+        },
+        Verb {
+            name: "repeat",
+            arguments: |own| {
+                let about = "How near captures of the same people come to each other: technical error, least significant change, correlation";
+                with::<repeat::Repeating>(own, about)
+            },
+            run: |said, global| repeat::repeating(&read(said)?, global),
+            runs: false,
         },
         Verb {
             name: "mat",

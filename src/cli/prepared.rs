@@ -40,7 +40,7 @@ impl Prepared {
         let own = whose(&[("photos".to_owned(), self.capture.clone())]);
         let mut delivery = Delivery::open(&self.out, &own).map_err(Fault::stage)?;
         delivery.begin().map_err(Fault::stage)?;
-        write(&self.graph, outcome, &mut delivery)?;
+        write(&self.graph, outcome, &self.shown, &mut delivery)?;
         finish(delivery, &self.graph, outcome, clean, global)
     }
 }

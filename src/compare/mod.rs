@@ -2,7 +2,7 @@
 //!
 //! ```text
 //! variant ─ run ─┐                  ┌─ differ: params, first result that is another
-//! run of a cache ┼─ Side ─ compare ─┼─ girths: within tolerance or not      ─┬─ words: Markdown, JSON
+//! run of a cache ┼─ Side ─ compare ─┼─ girths: changed or not, and by ISO   ─┬─ words: Markdown, JSON
 //! folder ────────┘                  ├─ surfaces: how far apart, everywhere  ─┴─ page: HTML with a view
 //!                                   └─ pictures: silhouettes and surfaces as each camera saw them
 //! ```
@@ -10,18 +10,17 @@
 mod girths;
 mod page;
 mod pictures;
-mod read_girths;
-mod render;
+pub(crate) mod render;
 mod side;
 mod surfaces;
 mod views;
 mod words;
 
 pub use crate::differ::{Change, Difference, NodeRun, differ};
+pub use crate::girth_file::ReadGirth;
 pub use crate::provenance::PackedProvenance;
-pub use girths::{GirthRow, girths, mixed};
+pub use girths::{GirthRow, Judged, TechnicalErrors, girths, mixed};
 pub use page::page;
-pub use read_girths::ReadGirth;
 pub use side::{Side, SideError};
 pub use surfaces::{Apart, apart};
 pub use views::{View, Views};
@@ -40,8 +39,8 @@ pub struct Comparison {
 }
 
 /// Compares each side with the first. `tolerance_mm` is for all girths; without it each has the
-/// limit of ISO 20685-1.
-pub fn compare(sides: Vec<Side>, tolerance_mm: Option<f64>) -> Comparison {
+/// limit of ISO 20685-1. `known` errors of repetition take the place of what captures tell themselves.
+pub fn compare(sides: Vec<Side>, tolerance_mm: Option<f64>, known: &TechnicalErrors) -> Comparison {
     let (first, others) = sides.split_first().expect("bug: nothing to compare");
     let surface = |side: &Side| Some(apart(first.mesh.as_ref()?, side.mesh.as_ref()?));
     Comparison {
@@ -49,7 +48,7 @@ pub fn compare(sides: Vec<Side>, tolerance_mm: Option<f64>) -> Comparison {
             .iter()
             .map(|side| differ(&first.nodes, &side.nodes))
             .collect(),
-        girths: girths(&sides, tolerance_mm),
+        girths: girths(&sides, tolerance_mm, known),
         apart: others.iter().map(surface).collect(),
         sides,
     }

@@ -8,7 +8,7 @@ const BACK: [u8; 3] = [233, 234, 236];
 
 /// The surface, a colour 0..=1 a vertex, in the size of the camera's photo. Faces that reach
 /// behind the camera are left out.
-pub(super) fn render(mesh: &Mesh, camera: &Camera, color: &dyn Fn(usize) -> [f32; 3]) -> Rgb {
+pub(crate) fn render(mesh: &Mesh, camera: &Camera, color: &dyn Fn(usize) -> [f32; 3]) -> Rgb {
     let (width, height) = (camera.lens.width as usize, camera.lens.height as usize);
     let mut picture = Rgb::filled(width, height, BACK);
     let mut nearest = Image::filled(width, height, 0.0f64);
@@ -105,7 +105,7 @@ mod tests {
         let mesh = Mesh {
             positions: [square(50.0, 0.0), square(10.0, -100.0)].concat(),
             faces: vec![[0, 1, 2], [0, 2, 3], [4, 5, 6], [4, 6, 7]],
-            colors: vec![],
+            ..Mesh::default()
         };
         // One pixel is 1 mm at the large square, which the camera sees from 1000 mm.
         let camera = Camera {

@@ -1,8 +1,8 @@
 //! One side: what ran, the girths and the surface that came out.
 
-use super::read_girths::{ReadGirth, read_girths};
 use super::views::{self, Views};
 use crate::differ::NodeRun;
+use crate::girth_file::{GirthFile, ReadGirth};
 use crate::store::Store;
 use io::girths_to_json;
 use serde_json::Value;
@@ -76,12 +76,12 @@ impl Side {
         let run: Value = serde_json::from_slice(&run).map_err(|e| wrong(folder, "run.json", e))?;
         let girths = match read("girths.json")? {
             Some(bytes) => Some(
-                read_girths(&String::from_utf8_lossy(&bytes))
+                GirthFile::read(&String::from_utf8_lossy(&bytes))
                     .map_err(|e| wrong(folder, "girths.json", e))?,
             ),
             None => None,
         };
-        let (unit, girths) = girths.unzip();
+        let (unit, girths) = girths.map(|g| (g.unit, g.girths)).unzip();
         let mut mesh = None;
         for file in ["body.ply", "hull.ply"] {
             if let (None, Some(bytes)) = (&mesh, read(file)?) {
@@ -143,8 +143,9 @@ impl Side {
         let masks = there("masks").and_then(|a| a.downcast::<Masks>());
         let cameras = there("cameras").and_then(|a| a.downcast::<Cameras>());
         let views = photos.map(|p| views::of_run(&p, masks.as_deref(), cameras.as_deref()));
-        let girths = girths.map(|g| read_girths(&girths_to_json(&g)).expect("bug: girths JSON"));
-        let (unit, girths) = girths.unzip();
+        let girths =
+            girths.map(|g| GirthFile::read(&girths_to_json(&g)).expect("bug: girths JSON"));
+        let (unit, girths) = girths.map(|g| (g.unit, g.girths)).unzip();
         Ok(Side {
             name: name.into(),
             unit,

@@ -1,6 +1,6 @@
 //! How far two surfaces are apart, at every vertex and in all.
 
-use crate::closest::Closest;
+use follow::Closest;
 use rayon::prelude::*;
 use serde::Serialize;
 use shape::Mesh;

@@ -28,19 +28,30 @@ pub(super) fn girth_table(c: &Comparison) -> Table {
     };
     head.extend(c.sides.iter().map(|s| format!("{} [{word}]", s.name)));
     for side in c.sides.iter().skip(1) {
-        head.extend([format!("{} off [mm]", side.name), "within".into()]);
+        let off = format!("{} off [mm]", side.name);
+        let rest = ["by intervals [mm]", "LSC [mm]", "changed", "within"];
+        head.push(off);
+        head.extend(rest.map(String::from));
     }
     let mut table = vec![head];
     for row in &c.girths {
         let mut line = vec![format!("{} ({})", row.name, row.label)];
         line.extend(row.tape.iter().map(|length| number(*length, digits)));
-        for (off, same) in row.off_mm.iter().zip(&row.same) {
+        for ((off, same), judged) in row.off_mm.iter().zip(&row.same).zip(&row.judged) {
             let word = match same {
                 Some(true) => format!("yes, {} mm", row.tolerance_mm),
                 Some(false) => format!("NO, {} mm", row.tolerance_mm),
                 None => "-".into(),
             };
-            line.extend([signed(*off), word]);
+            let ends = judged.interval_mm;
+            let ends = ends.map_or("-".into(), |[a, b]| format!("{a:+.1} to {b:+.1}"));
+            let changed = match judged.changed {
+                Some(true) => "YES",
+                Some(false) => "no",
+                None => "-",
+            };
+            let least = number(judged.least_change_mm, 1);
+            line.extend([signed(*off), ends, least, changed.into(), word]);
         }
         table.push(line);
     }

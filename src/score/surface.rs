@@ -1,8 +1,8 @@
 //! How far a surface is from the true one: both ways, in all and on the trunk.
 
-use crate::closest::Closest;
 use crate::score::align::{Motion, align};
 use crate::score::truth::True;
+use follow::Closest;
 use nalgebra::{Point3, Vector3};
 use rayon::prelude::*;
 use serde::Serialize;

@@ -3,6 +3,7 @@
 //! `files` → [`Load`] → `photos`; videos and raw photos go through [`Video`] or [`Raw`] before.
 
 mod alike;
+mod date;
 mod error;
 mod exif;
 mod facts;

@@ -1,6 +1,7 @@
 //! The stage that reads the photos of a turn.
 
 use crate::alike::{one_size, other_cameras, out_of_order, two_turns};
+use crate::date::{Day, day_of};
 use crate::error::CaptureError;
 use crate::facts::Facts;
 use crate::glance::{Glance, glance, together};
@@ -96,12 +97,19 @@ impl Stage for Load {
         other_cameras(&photos).iter().for_each(|w| ctx.warn(w));
         let times = photos.iter().filter_map(|p| p.time_s);
         let start = times.fold(f64::MAX, f64::min);
+        let day = (start < f64::MAX).then(|| day_of(start));
         photos
             .iter_mut()
             .for_each(|p| p.time_s = p.time_s.map(|t| t - start));
         out_of_order(&photos).iter().for_each(|w| ctx.warn(w));
         two_turns(&photos).iter().for_each(|w| ctx.warn(w));
         let mut rig = known.rig;
+        if known.day == Some(Day::Exif) {
+            rig.date = day;
+            if rig.date.is_none() {
+                ctx.warn("`date = \"exif\"`: the photos tell no day");
+            }
+        }
         if !p.even && rig.step.take().is_some() {
             ctx.warn("frames of a video are not at even steps: `step_deg` was passed over (how many are taken: --set frames.step_deg=)");
         }

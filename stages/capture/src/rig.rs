@@ -1,5 +1,6 @@
 //! `capture.toml`: what the user knows of the capture.
 
+use crate::date::{Day, read_day};
 use crate::facts::Facts;
 use crate::keys::{Keys, RigError};
 use crate::rig_tags::{read_mat, read_rim};
@@ -11,6 +12,8 @@ use toml::{Table, Value};
 pub struct RigFile {
     /// What is known.
     pub rig: Rig,
+    /// Where the day comes from.
+    pub(crate) day: Option<Day>,
     /// How many photos there should be.
     pub views: Option<usize>,
     /// The plate's file, relative to the folder.
@@ -42,6 +45,10 @@ pub(crate) fn read_table(table: Table) -> Result<RigFile, RigError> {
     let mut file = RigFile::default();
     let rig = &mut file.rig;
     rig.name = root.text("name")?;
+    file.day = read_day(&mut root)?;
+    if let Some(Day::Said(day)) = &file.day {
+        rig.date = Some(day.clone());
+    }
     rig.step = root.number("step_deg", -360.0, 360.0)?.map(f64::to_radians);
     file.views = root.number("views", 0.0, 10_000.0)?.map(|x| x as usize);
     file.plate = root.text("plate")?;

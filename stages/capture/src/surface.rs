@@ -44,7 +44,8 @@ stage::choice! {
 stage::params! {
     /// How to read a surface.
     pub struct SurfaceParams {
-        /// Unit of the file's numbers.
+        /// Unit of the file's numbers. A file that calls its lengths relative keeps them so, unless a unit
+        /// other than mm is said.
         unit: Unit = Unit::Mm,
         /// The axis that points up.
         up: Up = Up::Z,
@@ -128,6 +129,10 @@ fn upright(
         return Err(SurfaceError::Empty(name.into()));
     }
     let mm = p.unit.mm() as f32;
+    if p.unit != Unit::Mm {
+        mesh.unit = shape::Unit::Metric;
+    }
+    let metric = mesh.unit == shape::Unit::Metric;
     for at in &mut mesh.positions {
         let [x, y, z] = at.map(|v| v * mm);
         // Turned, never mirrored.
@@ -148,7 +153,7 @@ fn upright(
         Err(fault) => return Err(SurfaceError::Fault(name.into(), fault)),
     }
     let high_mm = mesh.bounds().map_or(0.0, |(low, high)| high.z - low.z);
-    if !HEIGHTS.contains(&high_mm) {
+    if metric && !HEIGHTS.contains(&high_mm) {
         let unit = match p.unit {
             Unit::Mm => "mm",
             Unit::Cm => "cm",

@@ -152,7 +152,10 @@ impl Stage for Carve {
         let (volume, unit) = input.cameras.scale.unit().volume(mesh.volume());
         ctx.metric("volume", volume, unit);
         ctx.metric("cells looked into", cells as f64 / 1e6, "million");
-        Ok(mesh)
+        Ok(Mesh {
+            unit: input.cameras.scale.unit(),
+            ..mesh
+        })
     }
 }
 

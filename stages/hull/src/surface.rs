@@ -39,7 +39,7 @@ pub fn surface(lattice: &Lattice, bricks: &Bricks) -> Mesh {
     Mesh {
         positions: vertices.into_iter().map(|v| v.1).collect(),
         faces,
-        colors: vec![],
+        ..Mesh::default()
     }
 }
 

@@ -4,7 +4,9 @@ use crate::by_photo::{tags_to_json, warps_to_json};
 use crate::cameras::{cameras_to_colmap_binary, cameras_to_colmap_text, cameras_to_json};
 use crate::capture::photos_to_capture;
 use crate::definitions::definitions_to_markdown;
-use crate::girths::{girths_schema, girths_to_csv, girths_to_json};
+use crate::fhir::girths_to_fhir;
+use crate::girths::{girths_schema, girths_to_json};
+use crate::girths_csv::girths_to_csv;
 use crate::glb::{mesh_to_glb, textured_to_glb};
 use crate::landmarks::landmarks_to_json;
 use crate::marks::{keypoints_to_png, tracks_to_png};
@@ -12,6 +14,8 @@ use crate::middlebury::cameras_to_middlebury;
 use crate::obj::{mesh_to_obj, textured_to_obj};
 use crate::ring::cameras_to_svg;
 use crate::sheet::masks_to_sheet;
+use crate::stl::mesh_to_stl;
+use crate::three_mf::mesh_to_3mf;
 use crate::views::mesh_to_views;
 use shape::{
     Cameras, Document, Girths, Keypoints, Landmarks, Masks, Mesh, Photos, Tags, Textured, Tracks,
@@ -78,6 +82,10 @@ pub fn files(
         ("mesh", "ply") => one(mesh_to_ply(&*take!(Mesh))),
         ("mesh", "glb") => one(mesh_to_glb(&*take!(Mesh))),
         ("mesh", "obj") => Ok(mesh_to_obj(&*take!(Mesh))),
+        ("mesh", "stl") => one(mesh_to_stl(&*take!(Mesh))?),
+        ("mesh", "3mf") => one(mesh_to_3mf(&*take!(Mesh))?),
+        ("textured", "stl") => one(mesh_to_stl(&take!(Textured).mesh)?),
+        ("textured", "3mf") => one(mesh_to_3mf(&take!(Textured).mesh)?),
         ("mesh", "views") => one(views(&*take!(Mesh))),
         ("textured", "views") => one(views(&take!(Textured).mesh)),
         ("textured", "ply") => one(mesh_to_ply(&take!(Textured).mesh)),
@@ -92,6 +100,7 @@ pub fn files(
         ("cameras", "colmap") => Ok(cameras_to_colmap_text(&*take!(Cameras))),
         ("girths", "json") => one(girths_to_json(&*take!(Girths)).into_bytes()),
         ("girths", "csv") => one(girths_to_csv(&*take!(Girths)).into_bytes()),
+        ("girths", "fhir") => one(girths_to_fhir(&*take!(Girths))?.into_bytes()),
         ("girths", "schema") => one(girths_schema().into()),
         ("girths", "definitions") => one(definitions_to_markdown().into_bytes()),
         ("landmarks", "json") => one(landmarks_to_json(&*take!(Landmarks)).into_bytes()),

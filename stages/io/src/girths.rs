@@ -1,14 +1,13 @@
-//! Girths as JSON and CSV.
+//! Girths as JSON.
 
 use serde_json::{Map, Value, json};
 use shape::{Girth, GirthId, Girths, Missing, Plane, Region, Side, Sigmas, Unit};
-use std::fmt::Write;
 
 /// How lengths are written: their unit in names of keys and columns, and the numbers themselves.
 #[derive(Clone, Copy)]
 pub(crate) struct Written {
     pub(crate) unit: &'static str,
-    suffix: &'static str,
+    pub(crate) suffix: &'static str,
     per_mm: f64,
     digits: i32,
 }
@@ -44,30 +43,30 @@ impl Written {
     }
 
     /// A cell of a table.
-    fn cell(&self, mm: Option<f64>) -> String {
+    pub(crate) fn cell(&self, mm: Option<f64>) -> String {
         let digits = self.digits as usize;
         mm.map_or(String::new(), |mm| format!("{:.digits$}", self.length(mm)))
     }
 }
 
 /// A girth as files have it; the mean of both upper arms is one, too.
-struct Row {
-    id: GirthId,
-    by: GirthId,
-    name: String,
-    label: String,
-    definition: String,
-    region: Region,
-    contour_mm: f64,
-    tape_mm: f64,
-    spline_mm: f64,
-    silhouette_mm: Option<f64>,
-    interval_mm: Option<[f64; 2]>,
-    sigmas: Sigmas,
-    repeat_mm: Option<f64>,
-    split: Option<f64>,
-    remarks: Vec<String>,
-    plane: Option<Plane>,
+pub(crate) struct Row {
+    pub(crate) id: GirthId,
+    pub(crate) by: GirthId,
+    pub(crate) name: String,
+    pub(crate) label: String,
+    pub(crate) definition: String,
+    pub(crate) region: Region,
+    pub(crate) contour_mm: f64,
+    pub(crate) tape_mm: f64,
+    pub(crate) spline_mm: f64,
+    pub(crate) silhouette_mm: Option<f64>,
+    pub(crate) interval_mm: Option<[f64; 2]>,
+    pub(crate) sigmas: Sigmas,
+    pub(crate) repeat_mm: Option<f64>,
+    pub(crate) split: Option<f64>,
+    pub(crate) remarks: Vec<String>,
+    pub(crate) plane: Option<Plane>,
 }
 
 fn row(g: &Girth) -> Row {
@@ -170,7 +169,7 @@ fn girth_json(row: &Row, to: Written) -> Value {
 }
 
 /// Every girth, the mean of the arms behind them.
-fn rows(girths: &Girths) -> Vec<Row> {
+pub(crate) fn rows(girths: &Girths) -> Vec<Row> {
     let own = girths.girths.iter().map(row);
     own.chain(mean_of_arms(girths)).collect()
 }
@@ -189,12 +188,18 @@ pub fn girths_to_json(girths: &Girths) -> String {
     let mut file = Map::new();
     let mut put = |key: &str, value: Value| file.insert(key.to_owned(), value);
     put("unit", json!(to.unit));
+    put("capture", json!(girths.capture));
+    put("date", json!(girths.date));
+    let percent = |share: f64| (share * 1e6).round() / 1e4;
+    put("scale_sigma_pct", json!(girths.scale_sigma.map(percent)));
     put("compression_pct", json!(girths.compression_pct));
     put("girths", json!(list));
     put("ratios", json!(ratios));
     put("missing", json!(missing));
     let stature = girths.stature_mm.map(|mm| to.length(mm));
     put(&to.key("stature"), json!(stature));
+    let sigma = girths.stature_sigma_mm.map(|mm| to.length(mm));
+    put(&to.key("stature_sigma"), json!(sigma));
     put("weight_kg", json!(girths.weight_kg));
     put("bmi", json!(girths.bmi));
     put("volume_l", json!(girths.volume_l));
@@ -204,65 +209,4 @@ pub fn girths_to_json(girths: &Girths) -> String {
 /// The JSON schema (draft 2020-12) of what [`girths_to_json`] writes.
 pub fn girths_schema() -> &'static str {
     include_str!("girths.schema.json")
-}
-
-/// A table for a spreadsheet (RFC 4180): one girth a row, lengths as in [`girths_to_json`]; what is
-/// missing has a row with a note and no number.
-pub fn girths_to_csv(girths: &Girths) -> String {
-    let to = Written::of(girths.unit);
-    let sigmas = Sigmas::default()
-        .named()
-        .map(|(name, _)| format!("sigma_{name}"));
-    let lengths = [
-        "tape",
-        "interval_low",
-        "interval_high",
-        "",
-        "spline",
-        "height",
-        "silhouette",
-    ];
-    let lengths = lengths.iter().map(|l| (*l).to_owned());
-    let columns: Vec<String> = lengths
-        .chain(sigmas)
-        .chain(["repeat".to_owned()])
-        .map(|l| match l.as_str() {
-            "" => to.suffix.to_owned(),
-            named => to.key(named),
-        })
-        .collect();
-    let mut csv = format!("name,label,{},note\n", columns.join(","));
-    let quoted = |text: &str| match text.is_empty() {
-        true => String::new(),
-        false => format!("\"{}\"", text.replace('"', "\"\"")),
-    };
-    for r in rows(girths) {
-        let [low, high] = match r.interval_mm {
-            Some(ends) => ends.map(Some),
-            None => [None; 2],
-        };
-        let mut cells = vec![
-            Some(r.tape_mm),
-            low,
-            high,
-            Some(r.contour_mm),
-            Some(r.spline_mm),
-            r.plane.map(|p| p.point_mm[2]),
-            r.silhouette_mm,
-        ];
-        cells.extend(r.sigmas.named().map(|(_, mm)| mm));
-        cells.push(r.repeat_mm);
-        let cells: Vec<String> = cells.into_iter().map(|mm| to.cell(mm)).collect();
-        let note = match r.id {
-            GirthId::UpperArmMean => r.definition,
-            _ => r.remarks.join("; "),
-        };
-        let (name, label) = (r.name, quoted(&r.label));
-        let _ = writeln!(csv, "{name},{label},{},{}", cells.join(","), quoted(&note));
-    }
-    for missing in &girths.missing {
-        let empty = ",".repeat(columns.len());
-        let _ = writeln!(csv, "{},{empty},{}", missing.name, quoted(&missing.why));
-    }
-    csv
 }

@@ -1,7 +1,7 @@
-//! Meshes as GLB (glTF 2.0 binary), in metres, y up, as the format says.
+//! Meshes as GLB (glTF 2.0 binary), in metres, y up, as the format says; the asset says so where lengths are relative.
 
 use serde_json::{Value, json};
-use shape::{Mesh, Textured, rgb_to_jpeg};
+use shape::{Mesh, Textured, Unit, rgb_to_jpeg};
 use std::collections::BTreeMap;
 
 /// World millimetres (z up) to glTF metres (y up).
@@ -76,7 +76,12 @@ pub fn mesh_to_glb(mesh: &Mesh) -> Vec<u8> {
     let primitive = json!({ "attributes": attributes, "indices": indices, "material": 0 });
     let material =
         json!({ "pbrMetallicRoughness": { "metallicFactor": 0.0, "roughnessFactor": 1.0 } });
-    glb(buffer, primitive, json!({ "materials": [material] }))
+    glb(
+        buffer,
+        mesh.unit,
+        primitive,
+        json!({ "materials": [material] }),
+    )
 }
 
 /// A mesh with its atlas. Vertices are split where the atlas is cut.
@@ -111,16 +116,20 @@ pub fn textured_to_glb(body: &Textured) -> Vec<u8> {
         "samplers": [{ "magFilter": 9729, "minFilter": 9987, "wrapS": 33071, "wrapT": 33071 }],
         "images": [{ "bufferView": image, "mimeType": "image/jpeg" }],
     });
-    glb(buffer, primitive, rest)
+    glb(buffer, body.mesh.unit, primitive, rest)
 }
 
 /// Header, JSON chunk, binary chunk.
-fn glb(mut buffer: Buffer, primitive: Value, rest: Value) -> Vec<u8> {
+fn glb(mut buffer: Buffer, unit: Unit, primitive: Value, rest: Value) -> Vec<u8> {
     buffer
         .bytes
         .resize(buffer.bytes.len().next_multiple_of(4), 0);
+    let mut asset = json!({ "version": "2.0", "generator": "tailor" });
+    if unit == Unit::Relative {
+        asset["extras"] = json!({ "unit": "relative: 1 is the radius of the camera ring" });
+    }
     let mut file = json!({
-        "asset": { "version": "2.0", "generator": "tailor" },
+        "asset": asset,
         "scene": 0, "scenes": [{ "nodes": [0] }], "nodes": [{ "mesh": 0, "name": "body" }],
         "meshes": [{ "primitives": [primitive] }],
         "buffers": [{ "byteLength": buffer.bytes.len() }],

@@ -1,4 +1,4 @@
-//! Nouns as files for people and other programs: JSON, CSV, GLB, OBJ, COLMAP, drawings, pictures.
+//! Nouns as files for people and other programs: JSON, CSV, FHIR, GLB, OBJ, STL, 3MF, COLMAP, drawings, pictures.
 //!
 //! [`files()`] writes any artifact in one of the formats of its kind. PLY, JPEG and PNG, which rooms read
 //! and write as well, are `shape`'s.
@@ -7,8 +7,10 @@ mod by_photo;
 mod cameras;
 mod capture;
 mod definitions;
+mod fhir;
 mod files;
 mod girths;
+mod girths_csv;
 mod glb;
 mod landmarks;
 mod lettering;
@@ -18,13 +20,17 @@ mod obj;
 mod odd_masks;
 mod ring;
 mod sheet;
+mod stl;
+mod three_mf;
 mod views;
 
 pub use cameras::{cameras_to_colmap_binary, cameras_to_colmap_text, cameras_to_json};
 pub use capture::photos_to_capture;
 pub use definitions::definitions_to_markdown;
+pub use fhir::{NoLengths, girths_to_fhir};
 pub use files::{NamedFiles, NoFormat, WriteError, document_extension, files};
-pub use girths::{girths_schema, girths_to_csv, girths_to_json};
+pub use girths::{girths_schema, girths_to_json};
+pub use girths_csv::girths_to_csv;
 pub use glb::{mesh_to_glb, textured_to_glb};
 pub use landmarks::landmarks_to_json;
 pub use marks::{keypoints_to_png, tracks_to_png};
@@ -32,4 +38,6 @@ pub use middlebury::{Distorted, cameras_to_middlebury};
 pub use obj::{mesh_to_obj, textured_to_obj};
 pub use ring::cameras_to_svg;
 pub use sheet::{mask_on_photo, masks_to_sheet};
+pub use stl::mesh_to_stl;
+pub use three_mf::{NoUnit, mesh_to_3mf};
 pub use views::mesh_to_views;

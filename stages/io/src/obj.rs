@@ -1,6 +1,6 @@
-//! Meshes as OBJ with MTL, for programs that read no GLB: in millimetres, z up, as inside.
+//! Meshes as OBJ with MTL, for programs that read no GLB: in millimetres or relative, z up, as inside.
 
-use shape::{Mesh, Textured, rgb_to_jpeg};
+use shape::{Mesh, Textured, Unit, rgb_to_jpeg};
 use std::collections::BTreeMap;
 use std::fmt::Write;
 
@@ -43,7 +43,11 @@ pub fn textured_to_obj(body: &Textured) -> Files {
 }
 
 fn head(mesh: &Mesh) -> String {
-    let mut obj = String::from("# unit mm, z up\nmtllib body.mtl\no body\nusemtl body\n");
+    let unit = match mesh.unit {
+        Unit::Metric => "mm",
+        Unit::Relative => "relative: 1000 is the radius of the camera ring",
+    };
+    let mut obj = format!("# unit {unit}, z up\nmtllib body.mtl\no body\nusemtl body\n");
     for (v, [x, y, z]) in mesh.positions.iter().enumerate() {
         let _ = write!(obj, "v {x} {y} {z}");
         if let Some(color) = mesh.colors.get(v) {
@@ -72,6 +76,7 @@ mod tests {
             positions: vec![[0.0; 3], [1.5, 0.0, 0.0], [1.5, 2.0, 0.0], [0.0, 2.0, 0.25]],
             faces: vec![[0, 1, 2], [0, 2, 3]],
             colors: vec![[255, 0, 51]; 4],
+            ..Mesh::default()
         }
     }
 

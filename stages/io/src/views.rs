@@ -115,7 +115,7 @@ mod tests {
                 .iter()
                 .flat_map(|q| [[q[0], q[1], q[2]], [q[0], q[2], q[3]]])
                 .collect(),
-            colors: vec![],
+            ..Mesh::default()
         };
         let picture = mesh_to_views(&mesh);
         let wide = picture.width / 4;

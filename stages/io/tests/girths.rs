@@ -277,3 +277,40 @@ fn relative_lengths_name_no_centimetres() {
         ("tape_rel", "0.29996")
     );
 }
+
+#[test]
+fn the_published_schema_is_the_programs() {
+    let published = concat!(env!("CARGO_MANIFEST_DIR"), "/../../docs/girths.schema.json");
+    assert_eq!(std::fs::read_to_string(published).unwrap(), girths_schema());
+}
+
+#[test]
+fn a_table_tells_of_its_capture_on_every_row() {
+    let told = Girths {
+        capture: Some("anna, \"May\"".into()),
+        date: Some("2026-05-01".into()),
+        scale_sigma: Some(0.0012),
+        stature_sigma_mm: Some(3.5),
+        weight_kg: Some(64.2),
+        ..girths()
+    };
+    let rows = cells(&girths_to_csv(&told));
+    let at = |name: &str| rows[0].iter().position(|c| c == name).unwrap();
+    for (name, want) in [
+        ("capture", "anna, \"May\""),
+        ("date", "2026-05-01"),
+        ("scale_sigma_pct", "0.1200"),
+        ("stature_cm", "172.00"),
+        ("stature_sigma_cm", "0.35"),
+        ("weight_kg", "64.2000"),
+        ("WHR", "0.9000"),
+        ("WHtR", ""),
+    ] {
+        assert!(rows[1..].iter().all(|row| row[at(name)] == want), "{name}");
+    }
+    let file: Value = serde_json::from_str(&girths_to_json(&told)).unwrap();
+    assert_eq!(
+        (&file["date"], &file["scale_sigma_pct"]),
+        (&json!("2026-05-01"), &json!(0.12))
+    );
+}

@@ -68,10 +68,7 @@ impl Stage for Measure {
         // Where the landmarks have it: of a body that stands nowhere, nothing was found.
         let body = landmarks.ground_mm.and_then(|ground| body(mesh, ground));
         let mut girths = Girths {
-            unit: input
-                .cameras
-                .as_ref()
-                .map_or(Unit::Metric, |c| c.scale.unit()),
+            unit: input.cameras.as_ref().map_or(mesh.unit, |c| c.scale.unit()),
             missing: landmarks.missing.clone(),
             ..Girths::default()
         };
@@ -112,6 +109,9 @@ impl Stage for Measure {
         let rig = input.photos.as_ref().map(|photos| photos.rig.clone());
         let rig = rig.unwrap_or_default();
         let (stature, kg) = (rig.stature_mm, rig.weight_kg);
+        (girths.capture, girths.date) = (rig.name, rig.date);
+        girths.scale_sigma = input.cameras.as_ref().and_then(|c| c.scale_sigma);
+        girths.stature_sigma_mm = landmarks.stature_sigma_mm;
         derive(&mut girths, mesh, landmarks.stature_mm, stature, kg);
         warnings(&girths).into_iter().for_each(|w| ctx.warn(w));
         Ok(girths)

@@ -65,10 +65,7 @@ impl Stage for FindLandmarks {
         let stands = standing(mesh, input.cameras.as_deref()).ok_or(NoBody)?;
         let body = stands.body;
         let mut found = Landmarks {
-            unit: input
-                .cameras
-                .as_ref()
-                .map_or(Unit::Metric, |c| c.scale.unit()),
+            unit: input.cameras.as_ref().map_or(mesh.unit, |c| c.scale.unit()),
             ..Landmarks::default()
         };
         if let Some(why) = stands.refused {

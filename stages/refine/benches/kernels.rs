@@ -92,7 +92,7 @@ fn ball(edge_mm: f64) -> Mesh {
             [3, 1, 5],
             [0, 3, 5],
         ],
-        colors: vec![],
+        ..Mesh::default()
     };
     let round = |mesh: &mut Mesh| {
         for p in &mut mesh.positions {

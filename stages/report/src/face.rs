@@ -196,6 +196,7 @@ mod tests {
             positions,
             faces: vec![[0, 1, 2], [3, 4, 5]],
             colors: vec![[9; 3]; 6],
+            ..Mesh::default()
         };
         let corners = vec![
             [[0.0, 0.0], [0.4, 0.0], [0.0, 1.0]],

@@ -101,6 +101,14 @@ pub struct Profile {
 pub struct Girths {
     /// What the numbers mean.
     pub unit: Unit,
+    /// What the capture is called, where somebody says.
+    pub capture: Option<String>,
+    /// The day of the capture, `YYYY-MM-DD`, where it may be told.
+    pub date: Option<String>,
+    /// Relative standard deviation of the unit of length, if known.
+    pub scale_sigma: Option<f64>,
+    /// Standard deviation of the stature, if known. \[mm\]
+    pub stature_sigma_mm: Option<f64>,
     /// By how much tapes were shortened for the flesh that a tape presses in, as the user declared. \[%\]
     pub compression_pct: f64,
     /// The girths.
@@ -138,7 +146,7 @@ impl Girths {
 
 impl Artifact for Girths {
     const KIND: &'static str = "girths";
-    const FORMAT: u32 = 2;
+    const FORMAT: u32 = 3;
 
     fn pack(&self, to: &mut Packer) {
         to.meta(self);

@@ -26,6 +26,7 @@ mod keypoints;
 mod landmarks;
 mod masks;
 mod mesh;
+mod mesh_bytes;
 mod missing;
 mod photos;
 mod pieces;

@@ -1,18 +1,20 @@
 //! A triangle mesh as flat arrays, and who is whose neighbour.
 
+use crate::Unit;
 use nalgebra::{Point3, Vector3};
 use serde::{Deserialize, Serialize};
-use stage::{Artifact, Corrupt, Packer, Unpacker};
 
 /// A triangle mesh, counter-clockwise seen from outside.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Mesh {
-    /// Vertices in the world. \[mm\]
+    /// Vertices in the world; thousandths of the camera ring's radius where the unit is relative. \[mm\]
     pub positions: Vec<[f32; 3]>,
     /// Three vertices a face.
     pub faces: Vec<[u32; 3]>,
     /// Red, green, blue of each vertex; empty if unknown.
     pub colors: Vec<[u8; 3]>,
+    /// What its lengths mean.
+    pub unit: Unit,
 }
 
 /// What is wrong with a mesh.
@@ -230,33 +232,6 @@ fn rows(count: usize, mut pairs: Vec<(u32, u32)>) -> (Vec<u32>, Vec<u32>) {
     )
 }
 
-impl Artifact for Mesh {
-    const KIND: &'static str = "mesh";
-    const FORMAT: u32 = 1;
-
-    fn pack(&self, to: &mut Packer) {
-        to.section("positions", &self.positions);
-        to.section("faces", &self.faces);
-        to.section("colors", &self.colors);
-    }
-
-    fn unpack(from: &Unpacker<'_>) -> Result<Self, Corrupt> {
-        let positions = from.section("positions")?;
-        let (faces, colors) = (from.section("faces")?, from.section("colors")?);
-        let mesh = Mesh {
-            positions,
-            faces,
-            colors,
-        };
-        mesh.validate()
-            .map_err(|fault| Corrupt(fault.to_string()))?;
-        if !mesh.colors.is_empty() && mesh.colors.len() != mesh.positions.len() {
-            return Err(Corrupt("not a color a vertex".into()));
-        }
-        Ok(mesh)
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -267,7 +242,7 @@ mod tests {
         Mesh {
             positions,
             faces,
-            colors: vec![],
+            ..Mesh::default()
         }
     }
 

@@ -52,7 +52,7 @@ mod tests {
         let mesh = Mesh {
             positions: (0..9).map(|i| [i as f32, 0.0, 0.0]).collect(),
             faces: vec![[7, 8, 2], [1, 3, 5], [5, 6, 3], [2, 0, 7]],
-            colors: vec![],
+            ..Mesh::default()
         };
         let all = mesh.pieces(|_| true);
         assert_eq!(all, [Some(0), Some(1), Some(1), Some(0)]);

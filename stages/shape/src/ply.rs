@@ -1,6 +1,6 @@
 //! The one file that knows ply-rs: meshes to and from PLY, in millimetres.
 
-use crate::Mesh;
+use crate::{Mesh, Unit};
 use ply_rs::parser::Parser;
 use ply_rs::ply::{
     Addable, ElementDef, Encoding, Ply, PropertyAccess, PropertyAccessResult, PropertyDef,
@@ -72,11 +72,18 @@ impl PropertyAccess for Element {
     }
 }
 
-/// The mesh as a binary little-endian PLY file with a comment `unit mm`.
+/// What a file says where nothing of known length was given.
+const RELATIVE: &str = "unit relative: 1000 is the radius of the camera ring";
+
+/// The mesh as a binary little-endian PLY file with a comment `unit mm`, or that lengths are relative.
 pub fn mesh_to_ply(mesh: &Mesh) -> Vec<u8> {
     let mut ply = Ply::<Element>::new();
     ply.header.encoding = Encoding::BinaryLittleEndian;
-    ply.header.comments.push("unit mm".into());
+    let unit = match mesh.unit {
+        Unit::Metric => "unit mm",
+        Unit::Relative => RELATIVE,
+    };
+    ply.header.comments.push(unit.into());
     let scalar = |name: &str, scalar| PropertyDef::new(name.into(), PropertyType::Scalar(scalar));
     let mut vertex = ElementDef::new("vertex".into());
     ["x", "y", "z"]
@@ -113,7 +120,8 @@ pub fn mesh_to_ply(mesh: &Mesh) -> Vec<u8> {
     bytes
 }
 
-/// A mesh from a PLY file. Polygons become fans of triangles.
+/// A mesh from a PLY file. Polygons become fans of triangles. Lengths are millimetres unless a comment says that they
+/// are relative.
 ///
 /// # Errors
 ///
@@ -134,6 +142,10 @@ pub fn mesh_from_ply(bytes: &[u8]) -> Result<Mesh, PlyError> {
             .swap_remove(name)
             .ok_or_else(|| error(format!("it has no element `{name}`")))
     };
+    let unit = match ply.header.comments.iter().any(|c| c.trim() == RELATIVE) {
+        true => Unit::Relative,
+        false => Unit::Metric,
+    };
     let (vertices, polygons) = (take("vertex")?, take("face")?);
     let positions = vertices.iter().map(|v| v.at.map(|x| x as f32)).collect();
     let colors = if colored {
@@ -145,6 +157,7 @@ pub fn mesh_from_ply(bytes: &[u8]) -> Result<Mesh, PlyError> {
         positions,
         faces: vec![],
         colors,
+        unit,
     };
     for polygon in &polygons {
         for pair in polygon.corners.windows(2).skip(1) {
@@ -172,11 +185,15 @@ mod tests {
         let mut mesh = Mesh {
             positions,
             faces,
-            colors: vec![],
+            ..Mesh::default()
         };
         assert_eq!(mesh_from_ply(&mesh_to_ply(&mesh)).unwrap(), mesh);
         mesh.colors = vec![[1, 2, 3], [4, 5, 6], [255, 0, 9], [0, 0, 0]];
         assert_eq!(mesh_from_ply(&mesh_to_ply(&mesh)).unwrap(), mesh);
+        mesh.unit = Unit::Relative;
+        let file = mesh_to_ply(&mesh);
+        assert!(!String::from_utf8_lossy(&file).contains("mm"));
+        assert_eq!(mesh_from_ply(&file).unwrap(), mesh);
     }
 
     #[test]
@@ -184,7 +201,7 @@ mod tests {
         let mesh = Mesh {
             positions: vec![[0.0; 3]; 3],
             faces: vec![[0, 1, 2]],
-            colors: vec![],
+            ..Mesh::default()
         };
         let bytes = mesh_to_ply(&mesh);
         assert!((0..bytes.len()).all(|end| mesh_from_ply(&bytes[..end]).is_err()));

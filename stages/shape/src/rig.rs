@@ -7,6 +7,8 @@ use serde::{Deserialize, Serialize};
 pub struct Rig {
     /// What the user calls it.
     pub name: Option<String>,
+    /// The day of the capture, `YYYY-MM-DD`, where it may be told.
+    pub date: Option<String>,
     /// Nominal turn between photos, positive if the subject turns counter-clockwise seen from above. \[rad\]
     pub step: Option<f64>,
     /// Focal length as if the photo were taken on 36 × 24 mm film. \[mm\]

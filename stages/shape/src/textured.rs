@@ -1,6 +1,6 @@
 //! A mesh with an atlas: what a viewer shows.
 
-use crate::{Image, Mesh, Rgb};
+use crate::{Image, Mesh, Rgb, Unit};
 use stage::{Artifact, Corrupt, Packer, Unpacker};
 
 /// A mesh, the place of each face's corners on the atlas, and the atlas.
@@ -16,20 +16,22 @@ pub struct Textured {
 
 impl Artifact for Textured {
     const KIND: &'static str = "textured";
-    const FORMAT: u32 = 1;
+    const FORMAT: u32 = 2;
 
     fn pack(&self, to: &mut Packer) {
-        to.meta(&(self.atlas.width as u64, self.atlas.height as u64));
-        to.section("positions", &self.mesh.positions);
-        to.section("faces", &self.mesh.faces);
-        to.section("colors", &self.mesh.colors);
+        to.meta(&(
+            self.mesh.unit,
+            self.atlas.width as u64,
+            self.atlas.height as u64,
+        ));
+        self.mesh.sections(to);
         to.section("corners", &self.corners);
         to.section("atlas", &self.atlas.data);
     }
 
     fn unpack(from: &Unpacker<'_>) -> Result<Self, Corrupt> {
-        let mesh = Mesh::unpack(from)?;
-        let (width, height): (u64, u64) = from.meta()?;
+        let (unit, width, height): (Unit, u64, u64) = from.meta()?;
+        let mesh = Mesh::from_sections(unit, from)?;
         let atlas = Image {
             width: width as usize,
             height: height as usize,

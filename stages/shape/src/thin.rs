@@ -66,6 +66,7 @@ fn clustered(mesh: &Mesh, cell: f32) -> Mesh {
                 .map(|(_, _, first)| mesh.colors[*first])
                 .collect(),
         },
+        unit: mesh.unit,
     }
 }
 
@@ -107,7 +108,7 @@ mod tests {
         let mesh = Mesh {
             positions: vec![[1.0; 3]; 3],
             faces: vec![[0, 1, 2]; 40],
-            colors: vec![],
+            ..Mesh::default()
         };
         assert!(thinned(&mesh, 10).faces.is_empty());
         assert_eq!(thinned(&mesh, 40), mesh);

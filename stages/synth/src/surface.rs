@@ -65,7 +65,7 @@ pub fn surface(solid: &Solid, low: Point3<f64>, high: Point3<f64>, cell_mm: f64)
     Mesh {
         positions: positions.collect(),
         faces,
-        colors: vec![],
+        ..Mesh::default()
     }
 }
 

@@ -73,6 +73,7 @@ mod tests {
             ],
             faces: vec![[3, 0, 1], [0, 1, 2], [2, 1, 4]],
             colors: Vec::new(),
+            ..Mesh::default()
         };
         let part = near(&mesh, &Point3::origin(), 50.0, (-1.0, 50.0));
         assert_eq!(part.faces.len(), 1);

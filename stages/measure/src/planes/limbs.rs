@@ -212,7 +212,7 @@ pub(crate) fn calf(limbs: &Limbs<'_>, body: &Body, side: f64) -> Result<Placed, 
 }
 
 /// The part of each vertex: limbs by their own land, head above the neck; the rest is trunk.
-pub(crate) fn parts(mesh: &Mesh, body: &Body, limbs: &Limbs<'_>) -> Vec<u8> {
+pub fn parts(mesh: &Mesh, body: &Body, limbs: &Limbs<'_>) -> Vec<u8> {
     let neck = body.neck.unwrap_or(f64::MAX);
     let part = |v: usize| match limbs.parts[v] {
         Some(part) => part,

@@ -48,6 +48,6 @@ pub(crate) fn sphere(radius: f64, cuts: u32) -> Mesh {
     Mesh {
         positions,
         faces,
-        colors: vec![],
+        ..Mesh::default()
     }
 }

@@ -51,7 +51,10 @@ pub(crate) fn capped(mesh: &Mesh, mut gone: BTreeSet<u32>) -> Mesh {
     for hole in holes(&kept) {
         cap(&mut positions, &mut kept, &hole, mesh.mean_edge());
     }
-    Mesh::packed(&positions, &kept)
+    Mesh {
+        unit: mesh.unit,
+        ..Mesh::packed(&positions, &kept)
+    }
 }
 
 /// Faces and all that share a vertex with them.

@@ -128,7 +128,7 @@ mod tests {
         let mesh = Mesh {
             positions,
             faces,
-            colors: vec![],
+            ..Mesh::default()
         };
         let map = DepthMap::new(&mesh, &picture, 1.0);
         let x = Point3::new(0.0, 0.0, 80.0);

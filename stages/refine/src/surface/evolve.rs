@@ -85,7 +85,10 @@ impl Stage for Evolve {
         ctx.metric("consistency", state.score, "");
         ctx.metric("seen twice", state.seen, "");
         ctx.metric("faces", state.best.faces.len() as f64, "");
-        Ok(state.best)
+        Ok(Mesh {
+            unit: input.mesh.unit,
+            ..state.best
+        })
     }
 }
 

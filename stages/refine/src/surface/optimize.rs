@@ -126,6 +126,7 @@ impl Stage for OptimizeSurface {
         ctx.metric("contour gap", stats.gap_px, "px");
         ctx.metric("crossing faces", crossed as f64, "pairs");
         ctx.metric("faces", mesh.faces.len() as f64, "");
+        mesh.unit = input.mesh.unit;
         Ok(mesh)
     }
 }
@@ -139,14 +140,14 @@ struct Checkpoint {
 
 impl stage::Artifact for Checkpoint {
     const KIND: &'static str = "optimize_surface.checkpoint";
-    const FORMAT: u32 = 1;
+    const FORMAT: u32 = 2;
     fn pack(&self, to: &mut stage::Packer) {
         to.meta(&(self.done, self.stats));
-        self.mesh.pack(to);
+        self.mesh.sections(to);
     }
     fn unpack(from: &stage::Unpacker<'_>) -> Result<Self, stage::Corrupt> {
         let (done, stats) = from.meta()?;
-        let mesh = Mesh::unpack(from)?;
+        let mesh = Mesh::from_sections(shape::Unit::default(), from)?;
         Ok(Checkpoint { mesh, done, stats })
     }
 }

@@ -49,7 +49,7 @@ impl stage::Artifact for Progress {
             let mesh = Mesh {
                 positions: from.section(&format!("{name} positions"))?,
                 faces: from.section(&format!("{name} faces"))?,
-                colors: vec![],
+                ..Mesh::default()
             };
             let whole = mesh.validate();
             whole.map_err(|fault| stage::Corrupt(fault.to_string()))?;

@@ -115,7 +115,7 @@ mod tests {
                 [-5.0, 5.0, 0.0],
             ],
             faces: vec![[0, 1, 2], [0, 2, 3]],
-            colors: vec![],
+            ..Mesh::default()
         };
         for (k, count) in (0u32..).zip(long) {
             let (mut a, mut b) = (k, (k + 1) % 4);

@@ -46,7 +46,8 @@ pub(super) fn ordered(mesh: &Mesh) -> Mesh {
     Mesh {
         positions: positions.collect(),
         faces,
-        colors: vec![],
+        unit: mesh.unit,
+        ..Mesh::default()
     }
 }
 

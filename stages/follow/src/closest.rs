@@ -187,7 +187,7 @@ mod tests {
         let mesh = Mesh {
             positions,
             faces,
-            colors: vec![],
+            ..Mesh::default()
         };
         let tree = Closest::new(&mesh);
         for _ in 0..300 {

@@ -1,0 +1,58 @@
+//! A person over time as one page, without a network and without a script.
+
+use super::change::Followed;
+use super::curve::curve_svg;
+use super::pictures::{FULL_MM, colored, picture};
+use super::series::Series;
+use super::words::{LEGEND, girth_table, heads, volume_table};
+use crate::page;
+use shape::mesh_to_ply;
+
+/// The page, and a coloured surface (PLY) for each capture but the first, by its name.
+pub fn page(told: &Followed, series: &Series) -> (String, Vec<(String, Vec<u8>)>) {
+    let mut body = format!("<h1>{}</h1>\n", page::escaped(&told.person));
+    for warning in &told.warnings {
+        body += &format!("<p><strong>{}.</strong></p>\n", page::escaped(warning));
+    }
+    let table = |title: &str, table: &super::words::Table, legend: &str| {
+        let html = page::table("", &table[0], &table[1..]);
+        format!(
+            "<section><h2>{title}</h2>{html}<p class=\"soft\">{}</p></section>\n",
+            page::escaped(legend)
+        )
+    };
+    body += &table("Girths", &girth_table(told), LEGEND);
+    body += "<section><h2>Girths over time</h2>\n";
+    told.lines
+        .iter()
+        .for_each(|line| body += &curve_svg(told, line));
+    body += "<p class=\"soft\">The grey band is what repetition alone gives about the first capture; filled points exceed it. Bars hold the true change nine times in ten.</p></section>\n<section><h2>What grew and what shrank</h2>\n";
+    let first = &series.visits[0];
+    let mut surfaces = Vec::new();
+    for ((growth, head), visit) in told
+        .growth
+        .iter()
+        .zip(heads(told).iter().skip(1))
+        .zip(&series.visits[1..])
+    {
+        let head = page::escaped(head);
+        body += &format!(
+            "<figure><img alt=\"the first body from the front and from behind, orange where {head} lies outside of it, blue inside\" src=\"{}\"><figcaption>{head}</figcaption></figure>\n",
+            picture(first, growth)
+        );
+        let name = format!("growth-{}.ply", visit.capture.name);
+        surfaces.push((name, mesh_to_ply(&colored(&first.mesh, growth))));
+    }
+    body += &format!(
+        "<p class=\"soft\">On the first body: orange grew, blue shrank, fully coloured from {FULL_MM:.0} mm on; limbs are laid on each other first.</p></section>\n"
+    );
+    body += &table(
+        "Volume by part",
+        &volume_table(told),
+        "Parts meet where the first body's do, carried to the others. What a part lost, its neighbour may have got: heads and limbs are parted from the trunk on the surface alone.",
+    );
+    (
+        page::page(&told.person, &body, &serde_json::Value::Null, ""),
+        surfaces,
+    )
+}

@@ -1,0 +1,189 @@
+//! A person over time as Markdown, CSV and JSON.
+
+use super::change::{Change, Followed};
+use follow::PARTS;
+use serde_json::{Value, json};
+use shape::Part;
+use std::fmt::Write;
+
+/// A table as rows of texts, its head first.
+pub(super) type Table = Vec<Vec<String>>;
+
+/// What the words of the tables mean.
+pub(super) const LEGEND: &str = "Tapes lie at the level of the first capture, carried to the others by laying the first body on each. ± holds the true change nine times in ten. \
+    LSC: least significant change, what measuring the same body twice exceeds one time in twenty; * marks what exceeds it.";
+
+pub(super) fn word(part: Part) -> &'static str {
+    match part {
+        Part::Head => "head",
+        Part::Trunk => "trunk",
+        Part::ArmLeft => "left arm",
+        Part::ArmRight => "right arm",
+        Part::LegLeft => "left leg",
+        Part::LegRight => "right leg",
+    }
+}
+
+/// What a capture is headed by: its day, else its name.
+pub(super) fn heads(told: &Followed) -> Vec<String> {
+    told.days
+        .iter()
+        .map(|d| d.day.clone().unwrap_or_else(|| d.name.clone()))
+        .collect()
+}
+
+fn cell(change: &Change) -> String {
+    match (&change.tape_mm, change.change_mm) {
+        (Err(why), _) => format!("none: {}", why.code()),
+        (Ok(tape), None) => format!("{:.1}", tape / 10.0),
+        (Ok(tape), Some(off)) => {
+            let reach = change
+                .interval_mm
+                .map(|[low, high]| format!(" ± {:.1}", (high - low) / 2.0));
+            let mark = if change.changed == Some(true) {
+                " *"
+            } else {
+                ""
+            };
+            format!(
+                "{:.1} ({off:+.1}{} mm){mark}",
+                tape / 10.0,
+                reach.unwrap_or_default()
+            )
+        }
+    }
+}
+
+pub(super) fn girth_table(told: &Followed) -> Table {
+    let mut head = vec!["girth [cm]".to_owned()];
+    head.extend(heads(told));
+    head.push("LSC [mm]".into());
+    let mut table = vec![head];
+    for line in &told.lines {
+        let mut row = vec![format!("{} ({})", line.name, line.label)];
+        row.extend(
+            line.at
+                .iter()
+                .enumerate()
+                .map(|(i, c)| match (i, &c.tape_mm) {
+                    (0, Ok(tape)) => format!("{:.1}", tape / 10.0),
+                    _ => cell(c),
+                }),
+        );
+        let least = line
+            .at
+            .iter()
+            .filter_map(|c| c.least_change_mm)
+            .reduce(f64::max);
+        row.push(least.map_or("-".into(), |mm| format!("{mm:.1}")));
+        table.push(row);
+    }
+    table
+}
+
+pub(super) fn volume_table(told: &Followed) -> Table {
+    let mut head = vec!["volume [l]".to_owned()];
+    head.extend(heads(told));
+    let mut table = vec![head];
+    for (i, part) in PARTS.into_iter().enumerate() {
+        let mut row = vec![word(part).to_owned()];
+        row.extend(told.days.iter().map(|d| format!("{:.2}", d.volumes_l[i])));
+        table.push(row);
+    }
+    let mut row = vec!["all".to_owned()];
+    row.extend(
+        told.days
+            .iter()
+            .map(|d| format!("{:.2}", d.volumes_l.iter().sum::<f64>())),
+    );
+    table.push(row);
+    table
+}
+
+fn rows(table: &Table) -> String {
+    let line = |row: &Vec<String>| {
+        let cells: Vec<String> = row.iter().map(|c| c.replace('|', "\\|")).collect();
+        format!("| {} |\n", cells.join(" | "))
+    };
+    let mut text = line(&table[0]);
+    let _ = writeln!(text, "|{}", "---|".repeat(table[0].len()));
+    table.iter().skip(1).for_each(|row| text += &line(row));
+    text
+}
+
+/// What is said in all, as Markdown.
+pub fn markdown(told: &Followed) -> String {
+    let mut text = format!(
+        "# {}\n\n{}\n{LEGEND}\n\n{}",
+        told.person,
+        rows(&girth_table(told)),
+        rows(&volume_table(told))
+    );
+    for warning in &told.warnings {
+        let _ = write!(text, "\nWarning: {warning}.\n");
+    }
+    text
+}
+
+/// A table for a spreadsheet (RFC 4180): a girth on a day a row; millimetres, empty where unknown.
+pub fn csv(told: &Followed) -> String {
+    let mut text = String::from(
+        "person,capture,date,name,label,tape_mm,own_tape_mm,change_mm,change_low_mm,change_high_mm,lsc95_mm,changed\n",
+    );
+    let cell = |x: Option<f64>| x.map_or(String::new(), |x| format!("{x:.2}"));
+    let quoted = |t: &str| format!("\"{}\"", t.replace('"', "\"\""));
+    for line in &told.lines {
+        for (day, c) in told.days.iter().zip(&line.at) {
+            let ends = c.interval_mm;
+            let numbers = [
+                c.tape_mm.ok(),
+                c.own_mm,
+                c.change_mm,
+                ends.map(|e| e[0]),
+                ends.map(|e| e[1]),
+                c.least_change_mm,
+            ]
+            .map(cell);
+            let changed = c.changed.map_or("", |c| if c { "yes" } else { "no" });
+            let _ = writeln!(
+                text,
+                "{},{},{},{},{},{},{changed}",
+                quoted(&told.person),
+                quoted(&day.name),
+                day.day.as_deref().unwrap_or_default(),
+                line.name,
+                quoted(&line.label),
+                numbers.join(",")
+            );
+        }
+    }
+    text
+}
+
+/// The same for other programs.
+pub fn json(told: &Followed) -> Value {
+    let day = |d: &super::change::Day| {
+        let volumes = PARTS
+            .iter()
+            .zip(&d.volumes_l)
+            .map(|(p, v)| (word(*p).to_owned(), json!(v)));
+        json!({
+            "capture": d.name, "date": d.day, "stature_mm": d.stature_mm, "volume_l": volumes.collect::<serde_json::Map<_, _>>(),
+            "turned_deg": d.turned_deg, "median_growth_mm": d.growth_mm, "somebody_else": d.doubts.iter().map(ToString::to_string).collect::<Vec<_>>(),
+        })
+    };
+    let one = |c: &Change| {
+        json!({
+            "tape_mm": c.tape_mm.ok(), "reason": c.tape_mm.err().map(|r| r.code()), "own_tape_mm": c.own_mm, "change_mm": c.change_mm,
+            "change_interval_mm": c.interval_mm, "lsc95_mm": c.least_change_mm, "changed": c.changed,
+        })
+    };
+    let line = |l: &super::change::Line| json!({ "name": l.name, "label": l.label, "at": l.at.iter().map(one).collect::<Vec<_>>() });
+    json!({
+        "program": concat!("tailor ", env!("CARGO_PKG_VERSION")),
+        "person": told.person,
+        "captures": told.days.iter().map(day).collect::<Vec<_>>(),
+        "girths": told.lines.iter().map(line).collect::<Vec<_>>(),
+        "warnings": told.warnings,
+    })
+}

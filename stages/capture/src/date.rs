@@ -1,0 +1,126 @@
+//! The day of a capture: said, or read from the photos where the user asks for that. Never the time of day.
+
+use crate::keys::{Keys, RigError};
+use toml::Value;
+
+/// Where the day of a capture comes from.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub(crate) enum Day {
+    /// `date = "2026-05-01"`.
+    Said(String),
+    /// `date = "exif"`: that of the first photo.
+    Exif,
+}
+
+const WANTS: &str = "a day such as \"2026-05-01\", or \"exif\" to take the photos' own";
+
+/// The key `date` of `capture.toml`.
+pub(crate) fn read_day(root: &mut Keys<'_>) -> Result<Option<Day>, RigError> {
+    let Some(value) = root.take("date") else {
+        return Ok(None);
+    };
+    let text = match &value {
+        Value::String(text) => text.clone(),
+        Value::Datetime(date) => date.date.map_or_else(String::new, |d| d.to_string()),
+        _ => String::new(),
+    };
+    match text.as_str() {
+        "exif" => Ok(Some(Day::Exif)),
+        day if is_day(day) => Ok(Some(Day::Said(text))),
+        _ => Err(root.wrong("date", WANTS, &value)),
+    }
+}
+
+/// Whether a text is a day of the calendar, `YYYY-MM-DD`.
+fn is_day(text: &str) -> bool {
+    let parts: Vec<&str> = text.split('-').collect();
+    let [year, month, day] = parts.as_slice() else {
+        return false;
+    };
+    let digits =
+        |part: &str, count: usize| part.len() == count && part.bytes().all(|b| b.is_ascii_digit());
+    if !(digits(year, 4) && digits(month, 2) && digits(day, 2)) {
+        return false;
+    }
+    let number = |part: &str| part.parse::<u32>().unwrap_or(0);
+    let (year, month, day) = (number(year), number(month), number(day));
+    let leap = year.is_multiple_of(4) && (!year.is_multiple_of(100) || year.is_multiple_of(400));
+    let most = match month {
+        1 | 3 | 5 | 7 | 8 | 10 | 12 => 31,
+        4 | 6 | 9 | 11 => 30,
+        2 => 28 + u32::from(leap),
+        _ => 0,
+    };
+    (1..=most).contains(&day)
+}
+
+/// The day of a time in seconds since 0000-03-01 of the proleptic Gregorian calendar (Howard Hinnant's algorithm).
+pub(crate) fn day_of(seconds: f64) -> String {
+    let days = (seconds / 86400.0).floor() as i64;
+    let era = days.div_euclid(146_097);
+    let of_era = days.rem_euclid(146_097);
+    let year = (of_era - of_era / 1460 + of_era / 36_524 - of_era / 146_096) / 365;
+    let of_year = of_era - (365 * year + year / 4 - year / 100);
+    let month = (5 * of_year + 2) / 153;
+    let day = of_year - (153 * month + 2) / 5 + 1;
+    let (month, later) = if month < 10 {
+        (month + 3, 0)
+    } else {
+        (month - 9, 1)
+    };
+    format!("{:04}-{month:02}-{day:02}", year + era * 400 + later)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn days_of_the_calendar_and_no_others() {
+        for day in ["2026-05-01", "2024-02-29", "2000-02-29", "1999-12-31"] {
+            assert!(is_day(day), "{day}");
+        }
+        for none in [
+            "2026-5-1",
+            "2026-02-29",
+            "1900-02-29",
+            "2026-13-01",
+            "2026-00-10",
+            "2026-04-31",
+            "yesterday",
+            "2026-05-01T10:00",
+        ] {
+            assert!(!is_day(none), "{none}");
+        }
+    }
+
+    #[test]
+    fn a_time_has_its_day() {
+        // 2000-03-01 is 2000 years of the calendar after 0000-03-01.
+        let start = 5.0 * 146_097.0 * 86400.0;
+        assert_eq!(day_of(start), "2000-03-01");
+        assert_eq!(day_of(start - 1.0), "2000-02-29");
+        assert_eq!(day_of(start + 366.0 * 86400.0), "2001-03-02");
+    }
+
+    #[test]
+    fn the_key_is_a_text_a_toml_date_or_exif() {
+        let read = |text: &str| read_day(&mut Keys::root(text.parse().unwrap()));
+        assert_eq!(
+            read("date = \"2026-05-01\"").unwrap(),
+            Some(Day::Said("2026-05-01".into()))
+        );
+        assert_eq!(
+            read("date = 2026-05-01").unwrap(),
+            Some(Day::Said("2026-05-01".into()))
+        );
+        assert_eq!(read("date = \"exif\"").unwrap(), Some(Day::Exif));
+        assert_eq!(read("").unwrap(), None);
+        for wrong in ["date = 5", "date = \"May\"", "date = 10:00:00"] {
+            assert!(
+                read(wrong).unwrap_err().to_string().contains("2026-05-01"),
+                "{wrong}"
+            );
+        }
+    }
+}

@@ -1,0 +1,100 @@
+//! `tailor repeat`: captures of the same people, from the command line.
+
+use serde_json::{Value, json};
+use std::path::{Path, PathBuf};
+
+/// A folder as `measure` writes it, as far as it is read: tapes by name. \[mm\]
+fn capture(place: &Path, name: &str, tapes: &[(&str, f64)]) -> PathBuf {
+    let folder = place.join(name);
+    std::fs::create_dir_all(&folder).unwrap();
+    let girth = |(name, mm): &(&str, f64)| json!({ "name": name, "label": name, "part": null, "cm": mm / 10.0, "tape_cm": mm / 10.0 });
+    let list: Vec<Value> = tapes.iter().map(girth).collect();
+    let file = json!({ "unit": "cm", "girths": list });
+    std::fs::write(folder.join("girths.json"), file.to_string()).unwrap();
+    folder
+}
+
+fn tailor(args: &[&str]) -> (Option<i32>, String, String) {
+    let mut command = std::process::Command::new(env!("CARGO_BIN_EXE_tailor"));
+    let ran = command.args(args).output().unwrap();
+    let text = |bytes: Vec<u8>| String::from_utf8(bytes).unwrap();
+    (ran.status.code(), text(ran.stdout), text(ran.stderr))
+}
+
+#[test]
+fn two_people_twice_have_errors_correlation_and_plots() {
+    let place = tempfile::tempdir().unwrap();
+    let all = [
+        capture(place.path(), "anna-1", &[("WC", 800.0), ("NC", 330.0)]),
+        capture(place.path(), "anna-2-out", &[("WC", 804.0), ("NC", 331.0)]),
+        capture(
+            place.path(),
+            "bert-2026-05-01",
+            &[("WC", 950.0), ("NC", 400.0)],
+        ),
+        capture(place.path(), "bert-2026-06-01", &[("WC", 947.0)]),
+    ];
+    let out = place.path().join("out");
+    let mut args = vec!["repeat", "--json", "--out", out.to_str().unwrap()];
+    args.extend(all.iter().map(|p| p.to_str().unwrap()));
+    let (code, text, errors) = tailor(&args);
+    assert_eq!(code, Some(0), "{errors}");
+    let told: Value = serde_json::from_str(&text).unwrap();
+    assert_eq!(told["people"][1]["person"], "bert");
+    let waist = &told["repeatability"][0];
+    // Differences of 4 and 3 mm: √(25 / 4).
+    proof::near(waist["tem_mm"].as_f64().unwrap(), 2.5, 1e-9);
+    proof::near(waist["lsc95_mm"].as_f64().unwrap(), 6.93, 0.01);
+    assert_eq!(waist["allowed_mm"], 12.0);
+    assert!(waist["icc_2_1"].as_f64().unwrap() > 0.99);
+    let neck = &told["repeatability"][1];
+    assert_eq!(
+        (&neck["degrees_of_freedom"], &neck["icc_2_1"]),
+        (&json!(1), &Value::Null)
+    );
+    let read = |name: &str| std::fs::read_to_string(out.join(name)).unwrap();
+    let known = tailor::repeat::technical_errors(&read("repeat.json")).unwrap();
+    proof::near(known["WC"], 2.5, 1e-9);
+    assert!(
+        read("repeat.csv")
+            .lines()
+            .nth(1)
+            .unwrap()
+            .starts_with("WC,\"WC\",2,4,")
+    );
+    assert!(read("bland-altman-WC.svg").contains("bias +0.5"));
+    let page = read("repeat.html");
+    assert_eq!(page.matches("<svg").count(), 2);
+    assert!(read("repeat.md").contains("27 (30 people twice"));
+}
+
+#[test]
+fn what_cannot_be_told_is_refused_with_what_to_do() {
+    let place = tempfile::tempdir().unwrap();
+    let anna = capture(place.path(), "anna", &[("WC", 800.0)]);
+    let bert = capture(place.path(), "bert", &[("WC", 900.0)]);
+    let unmeasured = place.path().join("carl");
+    std::fs::create_dir(&unmeasured).unwrap();
+    let [anna, bert, carl] = [&anna, &bert, &unmeasured].map(|p| p.to_str().unwrap());
+    for (args, what) in [
+        (
+            ["repeat", anna, bert],
+            "nobody was measured twice among anna, bert",
+        ),
+        (["repeat", anna, carl], "run `tailor measure"),
+        (["repeat", anna, anna], "is given twice"),
+        (["repeat", anna, "nosuch"], "nosuch is not there"),
+    ] {
+        let (code, _, errors) = tailor(&args);
+        assert_eq!(code, Some(2), "{args:?}: {errors}");
+        assert!(errors.contains(what), "{args:?}: {errors}");
+    }
+    let (code, text, _) = tailor(&["repeat", anna, bert, "--by", "one"]);
+    assert_eq!(code, Some(0));
+    assert!(text.contains("one person: no correlation"), "{text}");
+    assert!(
+        tailor::repeat::technical_errors("{}")
+            .unwrap_err()
+            .contains("repeat.json")
+    );
+}
