@@ -145,7 +145,7 @@ pub fn run_in(
     cancel: &AtomicBool,
 ) -> Result<Outcome, EngineError> {
     let start = std::time::Instant::now();
-    let _keeping = foreign::Keeping::new();
+    let _keeping = foreign::Keeping::new(store.root());
     let using = store.using();
     let stop = || cancel.load(std::sync::atomic::Ordering::Relaxed);
     settled(graph, &crate::walk::all(graph, wanted), &store, &stop)?;

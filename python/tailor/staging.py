@@ -9,10 +9,11 @@ import sys
 import sysconfig
 import textwrap
 import types
-from typing import Any, Callable, Dict, List, Mapping, Optional, Tuple
+from typing import Any, Callable, Dict, List, Mapping, Optional, Sequence, Tuple
 
 from . import _native
 from ._errors import Error
+from .graphs import beside
 from .values import toml
 
 #: The kinds that a stage of yours can make.
@@ -73,11 +74,15 @@ class Stage:
     def __repr__(self) -> str:
         return f"<Stage {self.__name__}({', '.join([*self.ports, *self.params])}) → {self.out}>"
 
-    def node(self, kinds: Mapping[str, str], said: Mapping[str, Any]) -> Tuple[str, str, str]:
+    def node(
+        self, nodes: Sequence[dict], kinds: Mapping[str, str], said: Mapping[str, Any]
+    ) -> Tuple[str, str, str]:
         """The stage as a node of a pipeline.
 
         Parameters
         ----------
+        nodes : list of dict
+            The pipeline's nodes, as `Pipeline.nodes`.
         kinds : dict
             The kinds of what it may read: of nodes by name, of inputs by ``@name``.
         said : dict
@@ -101,7 +106,8 @@ class Stage:
         # Masks are named after photos, which must be there for that.
         read = [kinds[source] for source in from_.values()]
         if "photos" not in read and ("masks" in read or self.out == "masks"):
-            photos = next((n for n, kind in kinds.items() if kind == "photos"), None)
+            of = [source for source in from_.values() if kinds[source] == "masks"] or list(from_.values())
+            photos = beside(nodes, of[0], "photos") if of else None
             if photos is None:
                 raise Error(f"{self.__name__}: masks belong to photos, and this pipeline has none")
             from_["_photos"] = photos

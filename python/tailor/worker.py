@@ -18,7 +18,7 @@ from typing import Any, Callable, Dict, List
 
 from . import _native
 from ._errors import Error
-from .artifacts import read
+from .artifacts import Cameras, read
 from .files import write
 
 _LOADED: Dict[str, dict] = {}
@@ -43,6 +43,8 @@ def _taken(kind: str, path: str, beside: Any) -> Any:
     """What lies at a path, as `Run` gives it."""
     if kind in ("girths", "landmarks", "tags", "warps"):
         return json.loads(Path(path).read_text())
+    if kind == "cameras":
+        return Cameras.of(json.loads(Path(path).read_text()))
     if kind == "files":
         return Path(path)
     if os.path.isfile(path):
