@@ -4,6 +4,7 @@ import copy
 import json
 import os
 import re
+import sys
 import tempfile
 from pathlib import Path as _Path
 from typing import TYPE_CHECKING, Any, Dict, List, Mapping, Optional, Sequence, Tuple, Union
@@ -255,6 +256,8 @@ class Pipeline:
 
     def _graph(self) -> "_native.Graph":
         if self._opened is None:
+            # Beside this Python, whether PATH names its folder or not.
+            _native.bring("tailor-stage", os.path.join(os.path.dirname(sys.executable), "tailor-stage"))
             self._opened = _native.Graph(
                 self._file(), self._variant, self._sets, self._cache, self._threads, self._allow
             )

@@ -4,14 +4,11 @@ import ast
 import builtins
 import dis
 import inspect
-import os
 import sys
-import sysconfig
 import textwrap
 import types
 from typing import Any, Callable, Dict, List, Mapping, Optional, Sequence, Tuple
 
-from . import _native
 from ._errors import Error
 from .graphs import beside
 from .values import toml
@@ -23,8 +20,6 @@ READ = {
     "photos": "", "masks": "", "mesh": "", "cameras": "", "document": "", "files": "", "girths": "", "landmarks": "",
     "tags": "", "warps": "", "textured": ":ply",
 }  # fmt: skip
-
-_native.bring("tailor-stage", os.path.join(sysconfig.get_path("scripts"), "tailor-stage"))
 
 
 class Stage:

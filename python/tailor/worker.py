@@ -18,7 +18,7 @@ from typing import Any, Callable, Dict, List
 
 from . import _native
 from ._errors import Error
-from .artifacts import Cameras, read
+from .artifacts import Cameras, Photos, read
 from .files import write
 
 _LOADED: Dict[str, dict] = {}
@@ -97,7 +97,7 @@ def run(words: List[str]) -> None:
     if made is None:
         raise Error(f"{function.__name__} gave nothing back; it must return what `{out}` are")
     target = Path(place) if os.path.isdir(place) else Path(place).parent
-    write(out, made, target, lambda: read(photos).names if photos is not None else [])
+    write(out, made, target, lambda: Photos(photos).names if photos is not None else [])
 
 
 def _told(why: BaseException) -> str:
