@@ -161,7 +161,7 @@ pub(crate) fn run_files(
     cancel: &AtomicBool,
 ) -> Result<Outcome, EngineError> {
     let start = std::time::Instant::now();
-    let _keeping = foreign::Keeping::new();
+    let _keeping = foreign::Keeping::new(store.root());
     let using = store.using();
     let contents: Vec<Hash> = files.iter().map(stage::content).collect();
     for (content, files) in contents.iter().zip(&files) {

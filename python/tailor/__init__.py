@@ -7,6 +7,8 @@ Lengths are millimetres, pixels have the centre of the top-left one at (0, 0), t
 origin on the axis at the disk's top, z up.
 """
 
+from typing import TYPE_CHECKING, Any
+
 from ._errors import Error
 from ._native import version as __version__
 from .artifacts import READERS
@@ -14,7 +16,9 @@ from .measuring import measure
 from .pipeline import Pipeline, pipelines
 from .progress import Event
 from .runs import Measured, Run
-from .staging import Stage, stage
+
+if TYPE_CHECKING:
+    from .staging import Stage, stage
 
 __all__ = [
     "Error",
@@ -29,3 +33,12 @@ __all__ = [
     "pipelines",
     "stage",
 ]
+
+
+def __getattr__(name: str) -> Any:
+    # What reads sources is loaded when it is used.
+    if name in ("Stage", "stage"):
+        from . import staging
+
+        return getattr(staging, name)
+    raise AttributeError(f"module 'tailor' has no attribute {name!r}")

@@ -219,6 +219,16 @@ class Cameras(Artifact):
         Points of the scene that the cameras were found by.
     """
 
+    @classmethod
+    def of(cls, document: dict) -> "Cameras":
+        """Cameras as ``cameras.json`` has them: without points."""
+        cameras = cls.__new__(cls)
+        cameras.kind, cameras._document, cameras._run, cameras._places = "cameras", document, None, {}
+        return cameras
+
+    def __repr__(self) -> str:
+        return f"<Cameras: {len(self)}, {self.unit}>"
+
     @property
     def views(self) -> List[Camera]:
         return [Camera(view) for view in self.document["views"]]

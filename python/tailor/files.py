@@ -4,7 +4,7 @@ import json
 import os
 import shutil
 from pathlib import Path
-from typing import Any, Callable, List, Mapping
+from typing import Any, Callable, Dict, List, Mapping
 
 from . import _native
 from ._errors import Error
@@ -18,13 +18,16 @@ def write(kind: str, value: Any, folder: Path, names: Callable[[], List[str]]) -
     Error
         The value is not of the kind: another form, another type of numbers.
     """
-    writers = {"masks": _masks, "mesh": _mesh, "cameras": _cameras, "photos": _photos, "document": _document}
+    writers: Dict[str, Callable[[Any, Path], None]] = {
+        "masks": lambda value, folder: _masks(value, folder, names),
+        "mesh": _mesh,
+        "cameras": _cameras,
+        "photos": _photos,
+        "document": _document,
+    }
     if kind not in writers:
         raise Error(f"{kind} cannot be written from Python; known: {', '.join(writers)}")
-    if kind == "masks":
-        _masks(value, folder, names)
-    else:
-        writers[kind](value, folder)
+    writers[kind](value, folder)
 
 
 def _pixels(value: Any, what: str, channels: int) -> bytes:

@@ -4,6 +4,7 @@ import copy
 import json
 import os
 import re
+import sys
 import tempfile
 from pathlib import Path as _Path
 from typing import TYPE_CHECKING, Any, Dict, List, Mapping, Optional, Sequence, Tuple, Union
@@ -12,6 +13,7 @@ from . import _native
 from ._errors import Error
 from .files import write
 from .frames import frame
+from .graphs import beside
 from .measuring import Path, default_cache
 from .progress import Hearing, Progress
 from .runs import Run
@@ -61,6 +63,7 @@ class Pipeline:
         self._allow = False
         # What is put in or added here: tables of a pipeline that extends the base, and the folder that it lies in.
         self._tables: Dict[str, str] = {}
+        self._goal: List[str] = []
         self._folders: List[tempfile.TemporaryDirectory] = []
         self._opened: Optional[_native.Graph] = None
 
@@ -145,10 +148,11 @@ class Pipeline:
         Pipeline
             Another pipeline.
         """
-        nodes = {n["node"]: n for n in self.nodes}
+        all_ = self.nodes
+        nodes = {n["node"]: n for n in all_}
         if node not in nodes:
             raise Error(f"there is no node `{node}`; known: {', '.join(nodes)}")
-        kind, order = nodes[node]["kind"], list(nodes)
+        kind = nodes[node]["kind"]
         importers = {i["kind"]: i for i in json.loads(_native.importers())}
         if kind not in importers:
             raise Error(f"`{node}` makes {kind}, which cannot be put in; known: {', '.join(importers)}")
@@ -160,15 +164,15 @@ class Pipeline:
             held = tempfile.TemporaryDirectory(prefix="tailor-put-")
             other._folders.append(held)
             folder = held.name
-            write(kind, value, _Path(folder), self._names if kind == "masks" else lambda: [])
+            write(kind, value, _Path(folder), lambda: self._names(node))
         name = f"put_{node}"
         sources = []
         for port in importer["ports"]:
-            before = [n for n in order[: order.index(node)] if nodes[n]["kind"] == port["kind"]]
+            source = beside(all_, node, port["kind"])
             if port["kind"] == "files":
                 sources.append(f'{port["name"]} = "@{name}"')
-            elif before:
-                sources.append(f'{port["name"]} = "{before[0]}"')
+            elif source:
+                sources.append(f"{port['name']} = {toml(source)}")
         with_ = "".join(f"{toml(k)} = {toml(v, k)}, " for k, v in params.items())
         other._tables[f"input.{name}"] = f'about = "Put in from Python."\nfiles = {toml(importer["files"])}\n'
         other._tables[f"node.{node}"] = (
@@ -200,22 +204,26 @@ class Pipeline:
         if not _NAME.match(node):
             raise Error(f"`{node}` is no name: say letters, digits, `_` and `-`")
         kinds = {n["node"]: n["kind"] for n in self.nodes}
+        new = node not in kinds
         kinds.update({"@" + i["name"]: "files" for i in self.inputs})
         other = self._changed()
         held = tempfile.TemporaryDirectory(prefix="tailor-stage-")
         other._folders.append(held)
-        table, file, source = stage.node(kinds, said)
+        table, file, source = stage.node(self.nodes, kinds, said)
+        if new:
+            other._goal = [*(self._goal or self.goal), node]
+        other._sets = [s for s in other._sets if not s.startswith(f"{node}.")]
         other._tables[f"node.{node}"] = table
         other._tables[f"file {file}"] = source
         other._allow = True
         return other
 
-    def _names(self) -> List[str]:
-        """The photos' names, in turning order."""
-        photos = [n["node"] for n in self.nodes if n["kind"] == "photos"]
-        if not photos:
+    def _names(self, masks: str) -> List[str]:
+        """The names of the photos that masks belong to, in turning order."""
+        photos = beside(self.nodes, masks, "photos")
+        if photos is None:
             raise Error("this pipeline has no photos that masks could belong to")
-        return self.run(photos[0], progress=False)[photos[0]].names
+        return self.run(photos, progress=False)[photos].names
 
     def _file(self) -> str:
         """The pipeline's file: its own, or one that extends it."""
@@ -237,7 +245,7 @@ class Pipeline:
     def _written(self, folder: _Path) -> _Path:
         path = _Path(self._base)
         base = str(path.resolve()) if path.is_file() else self._base
-        text = f"extends = {toml(base)}\n"
+        text = f"extends = {toml(base)}\n" + (f"goal = {toml(self._goal)}\n" if self._goal else "")
         for name, body in self._tables.items():
             if name.startswith("file "):
                 (folder / name[5:]).write_text(body)
@@ -248,6 +256,8 @@ class Pipeline:
 
     def _graph(self) -> "_native.Graph":
         if self._opened is None:
+            # Beside this Python, whether PATH names its folder or not.
+            _native.bring("tailor-stage", os.path.join(os.path.dirname(sys.executable), "tailor-stage"))
             self._opened = _native.Graph(
                 self._file(), self._variant, self._sets, self._cache, self._threads, self._allow
             )

@@ -4,15 +4,13 @@ import ast
 import builtins
 import dis
 import inspect
-import os
 import sys
-import sysconfig
 import textwrap
 import types
-from typing import Any, Callable, Dict, List, Mapping, Optional, Tuple
+from typing import Any, Callable, Dict, List, Mapping, Optional, Sequence, Tuple
 
-from . import _native
 from ._errors import Error
+from .graphs import beside
 from .values import toml
 
 #: The kinds that a stage of yours can make.
@@ -22,8 +20,6 @@ READ = {
     "photos": "", "masks": "", "mesh": "", "cameras": "", "document": "", "files": "", "girths": "", "landmarks": "",
     "tags": "", "warps": "", "textured": ":ply",
 }  # fmt: skip
-
-_native.bring("tailor-stage", os.path.join(sysconfig.get_path("scripts"), "tailor-stage"))
 
 
 class Stage:
@@ -73,11 +69,15 @@ class Stage:
     def __repr__(self) -> str:
         return f"<Stage {self.__name__}({', '.join([*self.ports, *self.params])}) → {self.out}>"
 
-    def node(self, kinds: Mapping[str, str], said: Mapping[str, Any]) -> Tuple[str, str, str]:
+    def node(
+        self, nodes: Sequence[dict], kinds: Mapping[str, str], said: Mapping[str, Any]
+    ) -> Tuple[str, str, str]:
         """The stage as a node of a pipeline.
 
         Parameters
         ----------
+        nodes : list of dict
+            The pipeline's nodes, as `Pipeline.nodes`.
         kinds : dict
             The kinds of what it may read: of nodes by name, of inputs by ``@name``.
         said : dict
@@ -101,7 +101,8 @@ class Stage:
         # Masks are named after photos, which must be there for that.
         read = [kinds[source] for source in from_.values()]
         if "photos" not in read and ("masks" in read or self.out == "masks"):
-            photos = next((n for n, kind in kinds.items() if kind == "photos"), None)
+            of = [source for source in from_.values() if kinds[source] == "masks"] or list(from_.values())
+            photos = beside(nodes, of[0], "photos") if of else None
             if photos is None:
                 raise Error(f"{self.__name__}: masks belong to photos, and this pipeline has none")
             from_["_photos"] = photos

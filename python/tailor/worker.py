@@ -18,7 +18,7 @@ from typing import Any, Callable, Dict, List
 
 from . import _native
 from ._errors import Error
-from .artifacts import read
+from .artifacts import Cameras, Photos, read
 from .files import write
 
 _LOADED: Dict[str, dict] = {}
@@ -43,6 +43,8 @@ def _taken(kind: str, path: str, beside: Any) -> Any:
     """What lies at a path, as `Run` gives it."""
     if kind in ("girths", "landmarks", "tags", "warps"):
         return json.loads(Path(path).read_text())
+    if kind == "cameras":
+        return Cameras.of(json.loads(Path(path).read_text()))
     if kind == "files":
         return Path(path)
     if os.path.isfile(path):
@@ -95,7 +97,7 @@ def run(words: List[str]) -> None:
     if made is None:
         raise Error(f"{function.__name__} gave nothing back; it must return what `{out}` are")
     target = Path(place) if os.path.isdir(place) else Path(place).parent
-    write(out, made, target, lambda: read(photos).names if photos is not None else [])
+    write(out, made, target, lambda: Photos(photos).names if photos is not None else [])
 
 
 def _told(why: BaseException) -> str:

@@ -20,10 +20,13 @@ def said(text):
 
 def test_import_is_quick_and_loads_no_numpy():
     text = (
-        "import time, sys; t = time.perf_counter(); import tailor; "
-        "print(time.perf_counter() - t); assert 'numpy' not in sys.modules"
+        "import time, sys; t = time.perf_counter(), time.process_time(); import tailor; "
+        "print(time.process_time() - t[1], time.perf_counter() - t[0]); assert 'numpy' not in sys.modules"
     )
-    assert min(float(said(text)) for _ in range(7)) <= 0.15
+    cpu, wall = (min(column) for column in zip(*([float(x) for x in said(text).split()] for _ in range(7))))
+    print(f"import tailor: {cpu * 1e3:.0f} ms of the processor, {wall * 1e3:.0f} ms by the clock")
+    # By the clock it depends on who else works here.
+    assert cpu <= 0.15
 
 
 def test_the_stub_names_what_there_is():

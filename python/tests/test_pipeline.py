@@ -86,10 +86,10 @@ def test_a_node_that_there_is_not(doll):
 
 def test_a_stage_that_fails_is_told_with_its_node(doll):
     with pytest.raises(tailor.Error) as error:
-        doll.set("carved.voxel_mm", 400).run("carved", progress=False)
+        doll.set("carved.voxel_mm", 50).run("carved", progress=False)
     assert error.value.code == 1
     assert [node for node, _ in error.value.failures] == ["carved"]
-    run = doll.set("carved.voxel_mm", 400).run("carved", "rig", progress=False, keep_going=True)
+    run = doll.set("carved.voxel_mm", 50).run("carved", "rig", progress=False, keep_going=True)
     assert [node for node, _ in run.failures] == ["carved"] and "rig" in run and "carved" not in run
 
 
@@ -113,7 +113,7 @@ def test_a_sweep_is_a_frame(doll):
 
 
 def test_a_point_that_fails_has_its_trouble(doll):
-    rows = doll.sweep(over={"carved.voxel_mm": [6, 400]}, nodes=["carved"], kind="dicts", progress=False)
+    rows = doll.sweep(over={"carved.voxel_mm": [6, 50]}, nodes=["carved"], kind="dicts", progress=False)
     assert rows[0]["trouble"] is None and "carved failed" in rows[1]["trouble"]
 
 

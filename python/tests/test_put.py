@@ -80,9 +80,13 @@ def test_meshes_that_are_none_are_refused(doll, shown):
         with pytest.raises(tailor.Error) as error:
             doll.put("body", mesh)
         assert told in str(error.value), told
-    with pytest.raises(tailor.Error) as error:
-        doll.put("body", (v, f[1:])).run("body", progress=False)
+    twice = f.copy()
+    twice[0, 0] = twice[0, 1]
+    with pytest.raises(tailor.Error, match="names a vertex twice") as error:
+        doll.put("body", (v, twice)).run("body", progress=False)
     assert error.value.code == 1
+    holed = doll.put("body", (v, f[1:])).run("body", progress=False)
+    assert "may be missing" in holed.warnings[0]
 
 
 def test_cameras_are_put_in(doll, shown):

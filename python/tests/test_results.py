@@ -48,9 +48,10 @@ def test_a_mesh_as_trimesh(shown):
     assert solid.volume * 1e-6 == pytest.approx(shown.metrics["carved.volume"], rel=1e-4)
 
 
-def test_a_mesh_is_what_the_command_writes(shown, command, tmp_path):
+def test_a_mesh_is_what_the_command_writes(doll, shown, command, tmp_path):
     import trimesh
 
+    doll.run("carved", progress=False)
     command("show", "carved", "--pipeline", str(DOLL), "-o", str(tmp_path / "a.ply"))
     loaded = trimesh.load(tmp_path / "a.ply", process=False)
     assert (numpy.asarray(loaded.vertices, numpy.float32) == shown["carved"].vertices).all()

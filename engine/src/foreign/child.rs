@@ -58,7 +58,7 @@ pub(super) fn run(
     stop: &dyn Fn() -> bool,
     heard: &mut dyn FnMut(&Line) -> bool,
 ) -> Result<Tail, ForeignError> {
-    let mut child = started(task, Stdio::null())?;
+    let mut child = started(task)?;
     let running = Running::new(child.id(), task.root);
     let lines = listened(&mut child);
     let mut tail = Tail::default();
@@ -110,8 +110,16 @@ fn how(status: ExitStatus) -> String {
     }
 }
 
-/// Starts it, and does not wait.
-pub(super) fn started(task: &Task<'_>, stdin: Stdio) -> Result<Child, ForeignError> {
+fn started(task: &Task<'_>) -> Result<Child, ForeignError> {
+    let spawned = command(task, Stdio::null())?.spawn();
+    spawned.map_err(|why| ForeignError::Start {
+        program: task.words[0].clone(),
+        why,
+    })
+}
+
+/// The command that starts it. In the sandbox it ends with the thread that starts it.
+pub(super) fn command(task: &Task<'_>, stdin: Stdio) -> Result<Command, ForeignError> {
     let first = &task.words[0];
     let missing = || ForeignError::Missing(first.clone());
     let program: PathBuf = match first.contains('/') {
@@ -146,10 +154,7 @@ pub(super) fn started(task: &Task<'_>, stdin: Stdio) -> Result<Child, ForeignErr
         .stdin(stdin)
         .stdout(Stdio::piped())
         .stderr(Stdio::piped());
-    command.spawn().map_err(|why| ForeignError::Start {
-        program: first.clone(),
-        why,
-    })
+    Ok(command)
 }
 
 /// Both outputs, line by line.

@@ -4,19 +4,16 @@
 //!
 //! One runs a thread at most: who has a job takes an idle one that is like it, and puts it back.
 
-use super::child::{self, Line, Task};
+use super::child::{Line, Task};
 use super::error::ForeignError;
-use super::family::{self, Running};
 use super::layout::Layout;
 use super::program::Program;
+use super::resident::{AtWork, Limits, answer};
 use super::tail::Tail;
-use super::weight::weigh;
-use serde_json::Value;
 use stage::process;
+use std::collections::BTreeMap;
 use std::io::Write;
 use std::path::{Path, PathBuf};
-use std::process::{Child, ChildStdin, Stdio};
-use std::sync::mpsc::{Receiver, RecvTimeoutError};
 use std::sync::{Arc, Mutex};
 use std::time::Instant;
 
@@ -37,46 +34,55 @@ pub(super) struct Kept {
     at_work: Option<AtWork>,
 }
 
-/// The process itself.
-struct AtWork {
-    child: Child,
-    words: ChildStdin,
-    lines: Receiver<Line>,
-    /// Processes of the family when it was ready.
-    own: Vec<u32>,
-    _running: Running,
+/// Idle ones, and by how many runs those of a store are held.
+struct Idle {
+    kept: Vec<Kept>,
+    held: BTreeMap<PathBuf, usize>,
 }
 
-/// Idle ones, and how many hold them.
-static IDLE: Mutex<(Vec<Kept>, usize)> = Mutex::new((Vec::new(), 0));
+static IDLE: Mutex<Idle> = Mutex::new(Idle {
+    kept: Vec::new(),
+    held: BTreeMap::new(),
+});
 
-/// As long as one is held, programs stay; then idle ones end.
-pub(crate) struct Keeping(());
+/// As long as one is held, programs of a store's runs stay; then idle ones end.
+pub(crate) struct Keeping(PathBuf);
 
 impl Keeping {
-    pub(crate) fn new() -> Keeping {
-        IDLE.lock().expect("bug: poisoned").1 += 1;
-        Keeping(())
+    /// For a store, which need not be there yet.
+    pub(crate) fn new(store: &Path) -> Keeping {
+        let above = || {
+            Some(
+                store
+                    .parent()?
+                    .canonicalize()
+                    .ok()?
+                    .join(store.file_name()?),
+            )
+        };
+        let store = store.canonicalize().ok().or_else(above);
+        let store = store.unwrap_or_default();
+        let mut idle = IDLE.lock().expect("bug: poisoned");
+        *idle.held.entry(store.clone()).or_default() += 1;
+        Keeping(store)
     }
 }
 
 impl Drop for Keeping {
     fn drop(&mut self) {
         let mut idle = IDLE.lock().expect("bug: poisoned");
-        idle.1 -= 1;
-        let ending = match idle.1 {
-            0 => std::mem::take(&mut idle.0),
-            _ => vec![],
-        };
+        let count = idle.held.entry(self.0.clone()).or_default();
+        *count -= 1;
+        if *count > 0 {
+            return;
+        }
+        idle.held.remove(&self.0);
+        let all = std::mem::take(&mut idle.kept);
+        let (ending, others): (Vec<Kept>, Vec<Kept>) =
+            all.into_iter().partition(|kept| kept.like.store == self.0);
+        idle.kept = others;
         drop(idle);
         drop(ending);
-    }
-}
-
-impl Drop for AtWork {
-    fn drop(&mut self) {
-        family::end(&self._running.folder, Some(self.child.id()));
-        let _ = self.child.wait();
     }
 }
 
@@ -91,8 +97,8 @@ impl Kept {
         };
         let mut idle = IDLE.lock().expect("bug: poisoned");
         let serves = |kept: &mut Kept| kept.like == like && kept.lives();
-        let found = idle.0.iter_mut().position(serves);
-        let found = found.map(|at| idle.0.remove(at));
+        let found = idle.kept.iter_mut().position(serves);
+        let found = found.map(|at| idle.kept.remove(at));
         drop(idle);
         match found {
             Some(kept) => kept.layout.emptied().map(|()| kept),
@@ -112,8 +118,8 @@ impl Kept {
     /// Puts it back for the next job, as long as somebody holds idle ones.
     pub(super) fn rest(self) {
         let mut idle = IDLE.lock().expect("bug: poisoned");
-        if idle.1 > 0 {
-            idle.0.push(self);
+        if idle.held.contains_key(&self.like.store) {
+            idle.kept.push(self);
         }
     }
 
@@ -165,6 +171,7 @@ impl Kept {
             }
             answer
         })?;
+        at_work.besides(heard, tail);
         let stayed = at_work.left_behind(task);
         match (answer, stayed.is_empty()) {
             (Ok(()), true) => Ok(()),
@@ -178,111 +185,6 @@ impl Kept {
                 why,
                 tail: String::new(),
             }),
-        }
-    }
-}
-
-/// What a job may take.
-struct Limits<'a> {
-    task: &'a Task<'a>,
-    stop: &'a dyn Fn() -> bool,
-    start: Instant,
-}
-
-/// What a line of the program says of its job: done, or why it failed.
-fn answer(line: &Line) -> Option<Result<(), String>> {
-    let said = object(line)?;
-    match (said.get("done"), said.get("failed")) {
-        (Some(Value::Bool(true)), _) => Some(Ok(())),
-        (_, Some(Value::String(why))) => Some(Err(why.clone())),
-        _ => None,
-    }
-}
-
-fn object(line: &Line) -> Option<Value> {
-    let text = line.text.trim();
-    let likely = line.out && text.starts_with('{');
-    serde_json::from_str(text).ok().filter(|_| likely)
-}
-
-impl AtWork {
-    /// Starts it, and waits until it is ready.
-    fn started(limits: &Limits<'_>, tail: &mut Tail) -> Result<AtWork, ForeignError> {
-        let task = limits.task;
-        let mut child = child::started(task, Stdio::piped())?;
-        let _running = Running::new(child.id(), task.root);
-        let lines = child::listened(&mut child);
-        let words = child.stdin.take().expect("bug: no standard input");
-        let mut at_work = AtWork {
-            child,
-            words,
-            lines,
-            own: vec![],
-            _running,
-        };
-        at_work.heard(limits, &mut |line| {
-            let ready = object(line).is_some_and(|said| said.get("ready").is_some());
-            if !ready {
-                tail.push(&line.text);
-            }
-            ready.then_some(())
-        })?;
-        let family = family::members(task.root, Some(at_work.child.id()));
-        at_work.own = family.iter().map(|member| member.id).collect();
-        Ok(at_work)
-    }
-
-    /// Listens until a line is what is waited for.
-    fn heard<T>(
-        &mut self,
-        limits: &Limits<'_>,
-        wanted: &mut dyn FnMut(&Line) -> Option<T>,
-    ) -> Result<T, ForeignError> {
-        let (task, mut weighed) = (limits.task, Instant::now());
-        loop {
-            match self.lines.recv_timeout(child::LOOK) {
-                Ok(line) => match wanted(&line) {
-                    Some(found) => return Ok(found),
-                    None => continue,
-                },
-                Err(RecvTimeoutError::Timeout) => {}
-                Err(RecvTimeoutError::Disconnected) if process::has_ended(&mut self.child) => {
-                    return Err(ForeignError::Failed {
-                        program: task.name.into(),
-                        how: "no answer to its job".into(),
-                        tail: String::new(),
-                    });
-                }
-                Err(RecvTimeoutError::Disconnected) => std::thread::sleep(child::LOOK),
-            }
-            if (limits.stop)() {
-                return Err(ForeignError::Cancelled);
-            }
-            if limits.start.elapsed() > task.timeout {
-                return Err(ForeignError::Timeout {
-                    program: task.name.into(),
-                    limit: task.timeout,
-                    tail: String::new(),
-                });
-            }
-            if weighed.elapsed() > child::WEIGH {
-                weigh(task.name, task.root, task.memory_mb, task.most)?;
-                weighed = Instant::now();
-            }
-        }
-    }
-
-    /// Who is there after a job that was not there before, a moment later still.
-    fn left_behind(&self, task: &Task<'_>) -> String {
-        let start = Instant::now();
-        loop {
-            let mut left = family::members(task.root, Some(self.child.id()));
-            left.retain(|member| !self.own.contains(&member.id));
-            if left.is_empty() || start.elapsed() > child::GRACE {
-                let who = left.iter().map(|m| format!("{} {}", m.name, m.id));
-                return who.collect::<Vec<_>>().join(", ");
-            }
-            std::thread::sleep(child::LOOK / 5);
         }
     }
 }

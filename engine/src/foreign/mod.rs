@@ -4,7 +4,7 @@
 //!
 //! `template` (a command with its placeholders) → `program` (a node's program, what its key holds, what
 //! the user allows) → `permit` (what was allowed here; identities) → `stage` (the run: `layout`, `run`,
-//! `child` in a `sandbox` with its `family`, or one that is `kept`; `results`).
+//! `child` in a `sandbox` with its `family`, or one that is `kept` (`resident`); `results`).
 
 mod child;
 mod error;
@@ -15,6 +15,7 @@ mod layout;
 pub mod listing;
 mod permit;
 mod program;
+mod resident;
 mod results;
 mod run;
 mod sandbox;

@@ -2,5 +2,6 @@
 
 mod allowed;
 mod bad;
+mod kept;
 mod node;
 mod trade;
