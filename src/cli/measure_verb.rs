@@ -1,5 +1,6 @@
 //! `tailor measure`: from a folder of photos to girths and a report.
 
+use super::cohort;
 use super::delivered::{called, place_of_results, write, written};
 use super::facts::Facts;
 use super::folder;
@@ -7,7 +8,7 @@ use super::provenance::get;
 use super::said::{Said, opened};
 use super::screen::screen;
 use super::source::Source;
-use crate::delivery::Delivery;
+use crate::delivery::{self, Delivery};
 use crate::graph::Graph;
 use crate::photos::{photos, photos_node};
 use crate::store::Store;
@@ -76,23 +77,30 @@ pub(crate) struct Measure {
 pub(crate) fn measure(measure: &Measure, global: &GlobalArgs) -> Result<(), Fault> {
     let said = measure.facts.said()?;
     if let [capture] = measure.folders.as_slice() {
-        let run = one(measure, capture, measure.out.as_deref(), &said, global)?.1;
+        let run = one(measure, capture, measure.out.as_deref(), &said, global)?.run;
         if global.json {
             engine::outln!("{}", pretty(&run));
         }
         return Ok(());
     }
+    many(measure, &said, global)
+}
+
+/// Several captures: a row each, one table.
+fn many(measure: &Measure, said: &[Said], global: &GlobalArgs) -> Result<(), Fault> {
     let places = places(measure)?;
-    let (mut answers, mut failed) = (Vec::new(), Vec::new());
+    let (mut answers, mut rows, mut failed) = (Vec::new(), Vec::new(), Vec::new());
     for (capture, out) in measure.folders.iter().zip(&places) {
         let shown = capture.display().to_string();
         if !global.json && !global.quiet {
             engine::errln!("{shown}:");
         }
-        match one(measure, capture, Some(out), &said, global) {
-            Ok((out, run)) => {
-                answers
-                    .push(json!({ "folder": shown, "out": out.display().to_string(), "run": run }));
+        match one(measure, capture, Some(out), said, global) {
+            Ok(Measured { out, run, row }) => {
+                let out = out.display().to_string();
+                let told = cohort::json(&row);
+                answers.push(json!({ "folder": shown, "out": out, "row": told, "run": run }));
+                rows.push(row);
             }
             // The user asked to stop.
             Err(fault) if fault.code() == 130 => return Err(fault),
@@ -101,14 +109,29 @@ pub(crate) fn measure(measure: &Measure, global: &GlobalArgs) -> Result<(), Faul
                     engine::errln!("{shown}: {}", fault.text());
                 }
                 failed.push(shown.clone());
+                let row = cohort::Row::failed(capture, out, &fault);
                 let mut answer = fault.json();
+                answer["row"] = cohort::json(&row);
+                rows.push(row);
                 answer["folder"] = shown.into();
                 answers.push(answer);
             }
         }
     }
-    if global.json {
-        engine::outln!("{}", pretty(&answers));
+    if let Some(out) = &measure.out {
+        let told = rows.iter().map(cohort::json).collect::<Vec<_>>();
+        let json = pretty(&json!({ "program": global.catalog().program, "captures": told }));
+        for (name, bytes) in [
+            ("cohort.csv", cohort::csv(&rows)),
+            ("cohort.json", json.into_bytes()),
+        ] {
+            let file = [(String::new(), bytes)];
+            delivery::write(&out.join(name), &file).map_err(Fault::stage)?;
+        }
+    }
+    match global.json {
+        true => engine::outln!("{}", pretty(&answers)),
+        false => engine::outln!("\n{}", cohort::text(&rows)),
     }
     match failed.as_slice() {
         [] => Ok(()),
@@ -187,14 +210,23 @@ fn pipeline(
     Ok((graph, folders))
 }
 
-/// Measures one capture: where its results lie, and how they were made.
+/// A capture that was measured.
+struct Measured {
+    /// Where its results lie.
+    out: PathBuf,
+    /// How they were made.
+    run: Value,
+    row: cohort::Row,
+}
+
+/// Measures one capture.
 fn one(
     measure: &Measure,
     capture: &Path,
     out: Option<&Path>,
     said: &[Said],
     global: &GlobalArgs,
-) -> Result<(PathBuf, Value), Fault> {
+) -> Result<Measured, Fault> {
     let looked = folder::look(capture, &measure.facts, measure.recursive, measure.video)?;
     let more: Vec<Said> = said.iter().chain(&looked.more).cloned().collect();
     let (mut graph, folders) = pipeline(measure, &looked.source, &more)?;
@@ -232,6 +264,9 @@ fn one(
         engine::outln!("\nall files: {}", out.display());
         engine::outln!("report:    {}", out.join("report.html").display());
     }
-    let run = outcome.json(&graph);
-    Ok((out, run))
+    Ok(Measured {
+        row: cohort::Row::measured(capture, &out, &graph, &outcome),
+        run: outcome.json(&graph),
+        out,
+    })
 }
