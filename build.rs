@@ -1,5 +1,6 @@
 //! Where a Chromium is to test pages in: then `cfg(chromium)` is set, and `CHROMIUM` says where; without
-//! one browser tests are reported as ignored. `stages/report` is built by this file, too.
+//! one browser tests are reported as ignored. So are tests on Slurm's daemons without `cfg(slurm)`.
+//! `stages/report` is built by this file, too.
 
 /// Names under which it is installed.
 const NAMES: [&str; 4] = [
@@ -9,11 +10,19 @@ const NAMES: [&str; 4] = [
     "google-chrome",
 ];
 
+/// What a Slurm on one machine needs.
+const SLURM: [&str; 4] = ["munged", "slurmctld", "slurmd", "sbatch"];
+
 fn main() {
+    println!("cargo::rustc-check-cfg=cfg(slurm)");
     println!("cargo::rustc-check-cfg=cfg(chromium)");
     println!("cargo::rerun-if-env-changed=PATH");
     let paths = std::env::var_os("PATH").unwrap_or_default();
     let folders: Vec<_> = std::env::split_paths(&paths).collect();
+    let there = |name: &&str| folders.iter().any(|f| f.join(name).is_file());
+    if SLURM.iter().all(|name| there(&name)) {
+        println!("cargo::rustc-cfg=slurm");
+    }
     let places = NAMES
         .iter()
         .flat_map(|name| folders.iter().map(move |f| f.join(name)));

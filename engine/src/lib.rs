@@ -82,6 +82,7 @@
 mod agenda;
 pub mod cli;
 pub mod clock;
+pub mod cluster;
 pub mod delivery;
 pub mod differ;
 mod done;

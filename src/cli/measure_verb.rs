@@ -1,8 +1,11 @@
 //! `tailor measure`: from a folder of photos to girths and a report.
 
+use super::cohort;
 use super::delivered::{called, place_of_results};
 use super::facts::Facts;
 use super::measuring::one;
+use super::said::Said;
+use crate::delivery;
 use clap::Args;
 use engine::cli::{Fault, GlobalArgs};
 use serde_json::json;
@@ -70,17 +73,25 @@ pub(crate) fn measure(measure: &Measure, global: &GlobalArgs) -> Result<(), Faul
         }
         return Ok(());
     }
+    many(measure, &said, global)
+}
+
+/// Several captures: a row each, one table.
+fn many(measure: &Measure, said: &[Said], global: &GlobalArgs) -> Result<(), Fault> {
     let places = places(measure)?;
-    let (mut answers, mut failed) = (Vec::new(), Vec::new());
+    let (mut answers, mut rows, mut failed) = (Vec::new(), Vec::new(), Vec::new());
     for (capture, out) in measure.folders.iter().zip(&places) {
         let shown = capture.display().to_string();
         if !global.json && !global.quiet {
             engine::errln!("{shown}:");
         }
-        match one(measure, capture, Some(out), &said, global) {
+        match one(measure, capture, Some(out), said, global) {
             Ok(measured) => {
                 let (out, run) = (measured.out.display().to_string(), measured.run());
-                answers.push(json!({ "folder": shown, "out": out, "run": run }));
+                let row = cohort::Row::measured(capture, &measured);
+                let told = cohort::json(&row);
+                answers.push(json!({ "folder": shown, "out": out, "row": told, "run": run }));
+                rows.push(row);
             }
             // The user asked to stop.
             Err(fault) if fault.code() == 130 => return Err(fault),
@@ -89,14 +100,29 @@ pub(crate) fn measure(measure: &Measure, global: &GlobalArgs) -> Result<(), Faul
                     engine::errln!("{shown}: {}", fault.text());
                 }
                 failed.push(shown.clone());
+                let row = cohort::Row::failed(capture, out, &fault);
                 let mut answer = fault.json();
+                answer["row"] = cohort::json(&row);
+                rows.push(row);
                 answer["folder"] = shown.into();
                 answers.push(answer);
             }
         }
     }
-    if global.json {
-        engine::outln!("{}", pretty(&answers));
+    if let Some(out) = &measure.out {
+        let told = rows.iter().map(cohort::json).collect::<Vec<_>>();
+        let json = pretty(&json!({ "program": global.catalog().program, "captures": told }));
+        for (name, bytes) in [
+            ("cohort.csv", cohort::csv(&rows)),
+            ("cohort.json", json.into_bytes()),
+        ] {
+            let file = [(String::new(), bytes)];
+            delivery::write(&out.join(name), &file).map_err(Fault::stage)?;
+        }
+    }
+    match global.json {
+        true => engine::outln!("{}", pretty(&answers)),
+        false => engine::outln!("\n{}", cohort::text(&rows)),
     }
     match failed.as_slice() {
         [] => Ok(()),

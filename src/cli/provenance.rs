@@ -21,7 +21,7 @@ fn escaped(text: &str) -> String {
 }
 
 /// What the stages warned of, without what the table says anyway.
-fn warnings(outcome: &Outcome, graph: &Graph, girths: Option<&Girths>) -> Vec<String> {
+pub(super) fn warnings(outcome: &Outcome, graph: &Graph, girths: Option<&Girths>) -> Vec<String> {
     let said: Vec<String> = girths
         .iter()
         .flat_map(|g| &g.missing)

@@ -21,7 +21,7 @@ SlurmctldHost=$host(127.0.0.1)
 SlurmUser=$(id -un)
 SlurmdUser=$(id -un)
 AuthType=auth/munge
-AuthInfo=socket=$folder/run/munge.sock
+AuthInfo=socket=$folder/run/munge.sock,cred_expire=5
 CryptoType=crypto/munge
 SlurmctldPort=$port
 SlurmdPort=$((port + 1))
@@ -49,11 +49,11 @@ PartitionName=debug Nodes=ALL Default=YES MaxTime=INFINITE State=UP
 CONF
   slurmctld -c
   slurmd -c
-  for _ in $(seq 100); do
+  for _ in $(seq 300); do
     case $(sinfo -h -o %T 2>/dev/null) in idle | mixed) return 0 ;; esac
     sleep 0.1
   done
-  tail -5 "$folder"/*.log >&2
+  tail -q -n 5 "$folder"/*.log >&2
   echo "slurm did not come up" >&2
   return 1
 }

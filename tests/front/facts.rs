@@ -154,6 +154,37 @@ fn several_folders_are_measured_each_on_its_own() {
         told[0]["error"].as_str().unwrap().contains("heif-convert"),
         "{told}"
     );
+    // Each is a row with its reason, on the screen and in files.
+    assert!(
+        told[1]["row"]["why"].as_str().unwrap().contains("nowhere"),
+        "{told}"
+    );
+    let ran = place.run("measure a nowhere --out all").code(1);
+    assert!(
+        ran.out.contains("heif-convert") || ran.out.contains("a holds no photo"),
+        "{}",
+        ran.out
+    );
+    let csv = std::fs::read_to_string(place.path("all/cohort.csv")).unwrap();
+    let lines: Vec<&str> = csv.lines().collect();
+    assert_eq!(
+        lines[0],
+        "capture,unit,scale,stature,missing,warnings,trouble"
+    );
+    assert!(
+        lines[1].starts_with("a,,,,,,") && lines[1].contains("holds no photo"),
+        "{csv}"
+    );
+    assert!(lines[2].starts_with("nowhere,,,,,,"), "{csv}");
+    let json = std::fs::read(place.path("all/cohort.json")).unwrap();
+    let json: serde_json::Value = serde_json::from_slice(&json).unwrap();
+    let done: Vec<_> = json["captures"]
+        .as_array()
+        .unwrap()
+        .iter()
+        .map(|c| &c["done"])
+        .collect();
+    assert_eq!(done, [false, false]);
     // Two of one name would overwrite each other.
     place.photos("p1/scan", 3);
     place.photos("p2/scan", 3);

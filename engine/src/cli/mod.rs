@@ -15,7 +15,9 @@ mod answers;
 mod arguments;
 mod budget;
 mod cache;
+mod cluster;
 mod deliver;
+mod export;
 mod fault;
 mod host;
 mod impact;
@@ -95,6 +97,14 @@ enum Own {
     Sweep(sweep_asked::SweepArgs),
     /// Strands of a plan (`plan --strands`), on any machine that sees the cache
     Work(strands::Work),
+    /// A plan onto a cluster: what is neither done nor sent; to say it again sends nothing twice
+    Submit(cluster::Submit),
+    /// How far a plan is: what is done by the cache, and why the rest is not
+    Status(cluster::Asked),
+    /// End the jobs of a plan; what is done stays
+    Cancel(cluster::Asked),
+    /// A plan as a Makefile or a Snakefile: one rule a strand
+    Export(export::Export),
     /// Which nodes a param reaches, and what it would cost to change it
     Impact(impact::ImpactArgs),
     /// The pipeline as a drawing: DOT or Mermaid
@@ -210,6 +220,10 @@ fn done(
         Own::Run(verb) => run_verb::run(verb, global),
         Own::Plan(verb) => answers::plan(verb, global),
         Own::Work(verb) => strands::work(verb, global),
+        Own::Submit(verb) => cluster::submit(verb, global),
+        Own::Status(verb) => cluster::status(verb, global),
+        Own::Cancel(verb) => cluster::cancel(verb, global),
+        Own::Export(verb) => export::export(verb, global),
         Own::Why(verb) => answers::why(verb, global),
         Own::Sweep(verb) => sweep::sweep(verb, global),
         Own::Impact(verb) => impact::impact(verb, global),

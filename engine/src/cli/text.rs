@@ -29,7 +29,7 @@ pub fn short(x: f64) -> String {
 }
 
 /// A table without lines, two spaces between columns.
-pub(crate) fn table() -> Table {
+pub fn table() -> Table {
     let mut table = Table::new();
     table
         .load_style(comfy_table::presets::NOTHING)
@@ -38,14 +38,14 @@ pub(crate) fn table() -> Table {
 }
 
 /// Numbers stand to the right.
-pub(crate) fn to_the_right(table: &mut Table, column: usize) {
+pub fn to_the_right(table: &mut Table, column: usize) {
     if let Some(column) = table.column_mut(column) {
         column.set_cell_alignment(CellAlignment::Right);
     }
 }
 
 /// The lines of a table.
-pub(crate) fn lines(table: &mut Table) -> String {
+pub fn lines(table: &mut Table) -> String {
     table.column_iter_mut().for_each(|column| {
         column.set_padding((0, 2));
     });

@@ -1,0 +1,258 @@
+//! `tailor submit`, `status` and `cancel`: a plan on Slurm, fire and forget.
+
+use super::fault::Fault;
+use super::program::GlobalArgs;
+use crate::cluster::{self, Layer, Limits, Packing, Sent, Slurm, Strands, Wish};
+use crate::lasttime::History;
+use crate::past::Of;
+use crate::store::Store;
+use crate::strands::{self, Plan};
+use clap::{Args, ValueEnum};
+use serde_json::json;
+use std::collections::BTreeMap;
+use std::path::PathBuf;
+
+/// Who carries the work.
+#[derive(Clone, Copy, PartialEq, ValueEnum)]
+enum Engine {
+    /// Slurm
+    Slurm,
+}
+
+/// Arguments of `tailor submit`.
+#[derive(Args)]
+pub(crate) struct Submit {
+    /// The plan that `--strands` told, or its first digits
+    plan: String,
+    /// Who carries the work
+    #[arg(long)]
+    engine: Engine,
+    /// The partition
+    #[arg(long)]
+    partition: Option<String>,
+    /// Cores of an element
+    #[arg(long, default_value_t = 1)]
+    cpus: usize,
+    /// Memory of an element: 4G
+    #[arg(long)]
+    mem: Option<String>,
+    /// How long an element may take: 2:00:00
+    #[arg(long)]
+    time: Option<String>,
+    /// An element should work at least so long; short strands are packed \[s\]
+    #[arg(long, default_value_t = 60.0)]
+    least_s: f64,
+    /// A word more for sbatch, such as --sbatch=--account=lab
+    #[arg(long)]
+    sbatch: Vec<String>,
+    /// Where elements write what they say; nowhere if not said
+    #[arg(long)]
+    logs: Option<PathBuf>,
+}
+
+/// Arguments of `tailor status` and `tailor cancel`.
+#[derive(Args)]
+pub(crate) struct Asked {
+    /// The plan that was submitted, or its first digits
+    plan: String,
+}
+
+/// A plan with what is done of it.
+struct Known {
+    name: String,
+    plan: Plan,
+    strands: Strands,
+}
+
+fn known(name: &str, global: &GlobalArgs) -> Result<Known, Fault> {
+    let store = Store::open(&global.cache).map_err(Fault::input)?;
+    let (name, plan) = Plan::read(&store, name).map_err(Fault::input)?;
+    let pipeline = strands::pipeline(&plan, global.catalog()).map_err(Fault::input)?;
+    let strands = cluster::state(&plan, &pipeline, &store).map_err(Fault::input)?;
+    Ok(Known {
+        name,
+        plan,
+        strands,
+    })
+}
+
+/// `tailor submit`: sends what is neither done nor sent. To say it again sends nothing twice.
+pub(crate) fn submit(args: &Submit, global: &GlobalArgs) -> Result<(), Fault> {
+    let Known {
+        name,
+        plan,
+        strands,
+    } = known(&args.plan, global)?;
+    let Engine::Slurm = args.engine;
+    let layers = cut(&plan, &strands, args, global)?;
+    let slurm = Slurm {
+        name: &name,
+        plan: &plan,
+    };
+    let wish = wish(args, global)?;
+    let alive: BTreeMap<usize, String> = slurm
+        .sent()
+        .map_err(Fault::input)?
+        .into_iter()
+        .filter(Sent::is_alive)
+        .map(|sent| (sent.layer, sent.id))
+        .collect();
+    let mut sent = Vec::new();
+    let mut below: Option<(&Layer, String, bool)> = None;
+    for layer in &layers {
+        let at = plan.strands[layer.strands.start].layer;
+        let (id, fresh) = match alive.get(&at) {
+            Some(id) => (id.clone(), false),
+            None => {
+                let fresh = below.as_ref().is_none_or(|b| b.2);
+                let under = below.as_ref().map(|(layer, id, _)| (*layer, id.as_str()));
+                let after = slurm.after(layer, under, fresh);
+                let id = slurm
+                    .send(layer, after.as_deref(), &wish)
+                    .map_err(Fault::input)?;
+                (id, true)
+            }
+        };
+        if !global.json && !global.quiet {
+            let (elements, strands) = (layer.elements.len(), layer.strands.len());
+            let how = if fresh { "sent" } else { "is there already" };
+            crate::outln!("layer {at}: job {id} {how}: {elements} elements for {strands} strands");
+        }
+        sent.push(json!({
+            "layer": at, "job": id, "sent": fresh, "elements": layer.elements.len(),
+            "pack": layer.pack, "seconds": layer.seconds,
+        }));
+        below = Some((layer, id, fresh));
+    }
+    match global.json {
+        true => crate::outln!("{}", json!({ "plan": name, "layers": sent })),
+        false if layers.is_empty() => crate::outln!("all strands are done; nothing was sent"),
+        false => crate::outln!("tailor status {} tells how far it is", &name[..12]),
+    }
+    Ok(())
+}
+
+/// The layers that have something to do, packed by how long nodes took the last time.
+fn cut(
+    plan: &Plan,
+    strands: &Strands,
+    args: &Submit,
+    global: &GlobalArgs,
+) -> Result<Vec<Layer>, Fault> {
+    let limits = Limits::of_site().map_err(Fault::input)?;
+    let history = History::of(&global.cache, Of::default());
+    let mut took: BTreeMap<&str, Option<f64>> = BTreeMap::new();
+    for node in plan.strands.iter().flat_map(|s| &s.nodes) {
+        let last = || history.last(node).map(|line| line.seconds);
+        took.entry(node).or_insert_with(last);
+    }
+    let seconds = |strand: usize| {
+        let nodes = plan.strands[strand].nodes.iter();
+        nodes.map(|node| took[node.as_str()]).sum::<Option<f64>>()
+    };
+    let packing = Packing {
+        most_elements: limits.most_elements,
+        most_jobs: limits.most_jobs,
+        least_seconds: args.least_s,
+    };
+    Ok(cluster::layers(plan, &strands.done, packing, &seconds))
+}
+
+fn wish(args: &Submit, global: &GlobalArgs) -> Result<Wish, Fault> {
+    let whole = |path: &PathBuf| std::path::absolute(path).map_err(Fault::input);
+    let logs = match &args.logs {
+        // Slurm writes there itself, and says nothing where it cannot.
+        Some(folder) => {
+            std::fs::create_dir_all(folder)
+                .map_err(|e| Fault::input(format!("--logs {}: {e}", folder.display())))?;
+            Some(whole(folder)?)
+        }
+        None => None,
+    };
+    Ok(Wish {
+        partition: args.partition.clone(),
+        cpus: args.cpus,
+        mem: args.mem.clone(),
+        time: args.time.clone(),
+        more: args.sbatch.clone(),
+        logs,
+        program: std::env::current_exe().map_err(Fault::input)?,
+        cache: whole(&global.cache)?,
+    })
+}
+
+/// `tailor status`: what is done by the store; Slurm is asked once to explain what is missing.
+pub(crate) fn status(asked: &Asked, global: &GlobalArgs) -> Result<(), Fault> {
+    let Known {
+        name,
+        plan,
+        strands,
+    } = known(&asked.plan, global)?;
+    let left = strands.done.iter().any(|done| !done);
+    let slurm = Slurm {
+        name: &name,
+        plan: &plan,
+    };
+    let sent = match left {
+        true => slurm.sent().map_err(Fault::input)?,
+        false => vec![],
+    };
+    let mut layers = Vec::new();
+    for at in 0..plan.layers() {
+        let all = plan.layer(at);
+        let (of, done) = (all.len(), strands.done_in(all));
+        let mut states: BTreeMap<String, usize> = BTreeMap::new();
+        for sent in sent
+            .iter()
+            .filter(|s| s.layer == at && s.state != "COMPLETED")
+        {
+            let why = match sent.reason.as_str() {
+                "" | "None" => sent.state.clone(),
+                reason => format!("{} ({reason})", sent.state),
+            };
+            *states.entry(why).or_default() += 1;
+        }
+        if !global.json {
+            let told: Vec<String> = states.iter().map(|(s, n)| format!("{n} {s}")).collect();
+            let told = match told.is_empty() || done == of {
+                true => String::new(),
+                false => format!("; elements: {}", told.join(", ")),
+            };
+            crate::outln!("layer {at}: {done} of {of} strands done{told}");
+        }
+        layers.push(json!({ "layer": at, "strands": of, "done": done, "elements": states }));
+    }
+    let alive = sent.iter().filter(|s| s.is_alive()).count();
+    if global.json {
+        crate::outln!(
+            "{}",
+            json!({ "plan": name, "done": !left, "alive": alive, "layers": layers })
+        );
+    }
+    match (left, alive) {
+        (false, _) | (true, 1..) => Ok(()),
+        (true, 0) => Err(Fault::stage(match global.json {
+            true => String::new(),
+            false => format!(
+                "strands are missing, and nothing works on them: submit {} again (what ran out of memory or time: with more --mem or --time)",
+                &name[..12]
+            ),
+        })),
+    }
+}
+
+/// `tailor cancel`: ends what is alive; what is done stays.
+pub(crate) fn cancel(asked: &Asked, global: &GlobalArgs) -> Result<(), Fault> {
+    let store = Store::open(&global.cache).map_err(Fault::input)?;
+    let (name, plan) = Plan::read(&store, &asked.plan).map_err(Fault::input)?;
+    let slurm = Slurm {
+        name: &name,
+        plan: &plan,
+    };
+    let count = slurm.cancel().map_err(Fault::input)?;
+    match global.json {
+        true => crate::outln!("{}", json!({ "plan": name, "cancelled": count })),
+        false => crate::outln!("{count} jobs were cancelled; what is done stays"),
+    }
+    Ok(())
+}

@@ -1,0 +1,59 @@
+//! `tailor export`: a plan as rules for another engine.
+
+use super::fault::Fault;
+use super::program::GlobalArgs;
+use crate::cluster;
+use crate::delivery;
+use crate::store::Store;
+use crate::strands::Plan;
+use clap::{Args, ValueEnum};
+use std::path::PathBuf;
+
+/// For whom a plan is written.
+#[derive(Clone, Copy, PartialEq, ValueEnum)]
+enum Form {
+    /// GNU make
+    Makefile,
+    /// Snakemake
+    Snakemake,
+}
+
+/// Arguments of `tailor export`.
+#[derive(Args)]
+pub(crate) struct Export {
+    /// The plan that `--strands` told, or its first digits
+    plan: String,
+    /// For whom
+    #[arg(long = "as")]
+    form: Form,
+    /// Threads of a rule
+    #[arg(long, default_value_t = 1)]
+    cpus: usize,
+    /// Write it there instead of printing it
+    #[arg(short, long)]
+    out: Option<PathBuf>,
+}
+
+/// `tailor export`: a plan as rules for another engine, one a strand.
+pub(crate) fn export(args: &Export, global: &GlobalArgs) -> Result<(), Fault> {
+    let store = Store::open(&global.cache).map_err(Fault::input)?;
+    let (name, plan) = Plan::read(&store, &args.plan).map_err(Fault::input)?;
+    let rules = cluster::Rules {
+        name: &name,
+        program: &std::env::current_exe().map_err(Fault::input)?,
+        cache: &std::path::absolute(&global.cache).map_err(Fault::input)?,
+        threads: args.cpus.max(1),
+    };
+    let text = match args.form {
+        Form::Makefile => cluster::makefile(&plan, rules),
+        Form::Snakemake => cluster::snakefile(&plan, rules),
+    };
+    match &args.out {
+        None => crate::out!("{text}"),
+        Some(file) => {
+            let file_of = [(String::new(), text.into_bytes())];
+            delivery::write(file, &file_of).map_err(Fault::stage)?;
+        }
+    }
+    Ok(())
+}

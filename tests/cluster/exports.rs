@@ -1,0 +1,64 @@
+//! Plans as rules of other engines.
+
+use crate::place::Place;
+use std::process::Command;
+
+#[test]
+fn make_makes_each_strand_once_and_goes_on_beside_what_fails() {
+    let place = Place::new();
+    let (plan, strands) = place.plan("50,45,40");
+    assert_eq!(strands, 4);
+    let rules = place.path("rules.mk");
+    let file = rules.display().to_string();
+    let written = place.run(&["export", &plan[..10], "--as", "makefile", "-o", &file]);
+    assert!(written.status.success());
+    let make = || {
+        let mut make = Command::new("make");
+        make.args(["-k", "-j2", "-f"])
+            .arg(&rules)
+            .current_dir(place.path("."));
+        let ran = make.output().unwrap();
+        let said = String::from_utf8_lossy(&ran.stderr).into_owned();
+        (ran.status.success(), said)
+    };
+    let (done, said) = make();
+    assert!(done, "{said}");
+    assert_eq!(place.made(), 4);
+    assert!(make().0, "again: all is found");
+    assert_eq!(place.made(), 4);
+    assert_eq!(place.swept("50,45,40"), (0, 6));
+    // A rule that cannot: the others go on.
+    let text = std::fs::read_to_string(&rules).unwrap();
+    std::fs::write(&rules, text.replace("--strand 2 ", "--strand 99 ")).unwrap();
+    let (done, said) = make();
+    assert!(
+        !done && said.contains("strand 99 is not in the plan"),
+        "{said}"
+    );
+}
+
+#[test]
+fn a_snakefile_has_a_rule_a_strand_with_what_it_reads() {
+    let place = Place::new();
+    let (plan, _) = place.plan("50,45");
+    let ran = place.run(&["export", &plan, "--as", "snakemake", "--cpus", "2"]);
+    let text = String::from_utf8(ran.stdout).unwrap();
+    let mark = |at: usize| format!("\"tailor-{}/s{at}\"", &plan[..12]);
+    assert!(text.contains(&format!(
+        "    input: {}, {}, {}\n",
+        mark(0),
+        mark(1),
+        mark(2)
+    )));
+    assert!(text.contains(&format!(
+        "rule s0:\n    output: touch({})\n    threads: 2\n",
+        mark(0)
+    )));
+    let second = format!(
+        "rule s2:\n    input: {}\n    output: touch({})\n",
+        mark(0),
+        mark(2)
+    );
+    assert!(text.contains(&second), "{text}");
+    assert_eq!(text.matches(" work --plan ").count(), 3);
+}

@@ -1,0 +1,196 @@
+//! Plans on Slurm's real daemons, and what goes wrong there.
+
+use crate::site::Site;
+use std::process::Command;
+
+#[test]
+#[cfg_attr(not(slurm), ignore = "slurmctld, slurmd, munged are not installed")]
+fn a_sweep_on_slurm_comes_to_what_it_does_here_each_result_once() {
+    let site = Site::new(4);
+    let all = "1,2,3,4,5,6,7,8,9,10,11";
+    let plan = site.plan(all, &["x.s=0"]);
+    let said = site.submit(&plan);
+    assert!(
+        said.contains("layer 1: job ") && said.contains("elements for 11 strands"),
+        "{said}"
+    );
+    let again = site.submit(&plan);
+    assert!(!again.contains(" sent: "), "{again}");
+    site.settle();
+    assert_eq!(
+        site.jobs().len(),
+        2,
+        "one sbatch a layer, whatever the largest array"
+    );
+    let (code, told) = site.said(&["status", &plan[..12]]);
+    assert_eq!(code, Some(0), "{told}");
+    assert!(told.contains("layer 1: 11 of 11 strands done"), "{told}");
+    assert_eq!(site.place.made(), 12, "event logs: each result once");
+    assert!(site.submit(&plan).contains("nothing was sent"));
+    let there = site.place.contents();
+    assert_eq!(site.table(all, &["x.s=0"]), (11, 0));
+    // The same in a store of its own, here.
+    std::fs::rename(site.place.cache(), site.place.path("there")).unwrap();
+    site.plan(all, &["x.s=0"]);
+    assert_eq!(site.table(all, &["x.s=0"]), (11, 12));
+    assert_eq!(site.place.contents(), there);
+}
+
+#[test]
+#[cfg_attr(not(slurm), ignore = "slurmctld, slurmd, munged are not installed")]
+fn a_failing_element_drops_only_what_reads_it() {
+    let site = Site::new(1001);
+    let plan = site.plan("1,13,2", &["x.s=0"]);
+    site.submit(&plan);
+    site.settle();
+    let (code, told) = site.said(&["status", &plan]);
+    assert_eq!(code, Some(1), "{told}");
+    assert!(told.contains("layer 0: 1 of 1 strands done"), "{told}");
+    assert!(
+        told.contains("layer 1: 2 of 3 strands done; elements: 1 FAILED"),
+        "{told}"
+    );
+    assert!(told.contains("nothing works on them"), "{told}");
+    // What it is missing is sent again, and nothing else.
+    let said = site.submit(&plan);
+    assert!(
+        said.contains("1 elements for 3 strands") && !said.contains("layer 0"),
+        "{said}"
+    );
+    site.settle();
+    let (done, made) = site.table("1,13,2", &["x.s=0"]);
+    assert_eq!((done, made), (2, 0));
+}
+
+#[test]
+#[cfg_attr(not(slurm), ignore = "slurmctld, slurmd, munged are not installed")]
+fn a_submitter_that_is_killed_at_any_step_sends_nothing_twice() {
+    let site = Site::new(1001);
+    let real = site.ask("sh", &["-c", "command -v sbatch"]);
+    for (round, (count, before)) in [(1, true), (1, false), (2, true), (2, false)]
+        .into_iter()
+        .enumerate()
+    {
+        let over = format!("{round},{}", round + 100);
+        let plan = site.plan(&over, &["x.s=1", &format!("base.b={round}")]);
+        // Kills who calls it, before or after what it does the second or first time.
+        let folder = site.place.path(&format!("bin{round}"));
+        std::fs::create_dir(&folder).unwrap();
+        let calls = folder.join("calls");
+        let kill = format!(
+            "[ \"$(wc -l < {})\" = {count} ] && kill -9 $PPID",
+            calls.display()
+        );
+        let (first, last) = if before {
+            (kill.as_str(), ":")
+        } else {
+            (":", kill.as_str())
+        };
+        let text = format!(
+            "#!/bin/sh\necho x >> {}\n{first}\n{} \"$@\"\ncode=$?\n{last}\nexit $code\n",
+            calls.display(),
+            real.trim()
+        );
+        let wrapper = folder.join("sbatch");
+        std::fs::write(&wrapper, text).unwrap();
+        let made = Command::new("chmod").arg("+x").arg(&wrapper).status();
+        assert!(made.unwrap().success());
+        let path = format!("{}:{}", folder.display(), std::env::var("PATH").unwrap());
+        let mut submit = site.tailor(&["submit", &plan, "--engine", "slurm"]);
+        let killed = submit.env("PATH", path).output().unwrap();
+        assert_eq!(
+            killed.status.code(),
+            None,
+            "round {round}: it was not killed"
+        );
+        let before = site.jobs().len();
+        site.submit(&plan);
+        site.settle();
+        assert_eq!(
+            site.jobs().len(),
+            2 * (round + 1),
+            "{before} before: two layers a round"
+        );
+        let (code, told) = site.said(&["status", &plan]);
+        assert_eq!(code, Some(0), "{told}");
+    }
+    assert_eq!(site.place.made(), 4 * 3, "each result once");
+}
+
+#[test]
+#[cfg_attr(not(slurm), ignore = "slurmctld, slurmd, munged are not installed")]
+fn workers_that_are_killed_or_requeued_lose_nothing() {
+    let site = Site::new(1001);
+    let plan = site.plan("1,2", &["x.s=3"]);
+    site.submit(&plan);
+    let running = || site.ask("squeue", &["-h", "-r", "-t", "R", "-o", "%i %j"]);
+    let element = |line: &str| line.split(' ').next().unwrap().to_owned();
+    let second = format!("{}-L1", &plan[..12]);
+    let found = || running().lines().find(|l| l.contains(&second)).map(element);
+    site.wait("an element of the second layer", || found().is_some());
+    // In the midst of a stage, back into the queue.
+    std::thread::sleep(std::time::Duration::from_millis(1500));
+    let one = found().expect("it takes three seconds");
+    site.ask("scontrol", &["requeue", &one]);
+    site.settle();
+    let (code, told) = site.said(&["status", &plan]);
+    assert_eq!(code, Some(0), "{told}");
+    // Killed outright: the program, then whatever runs for it.
+    let plan = site.plan("3,4", &["x.s=3"]);
+    site.submit(&plan);
+    let second = format!("{}-L1", &plan[..12]);
+    let found = || running().lines().find(|l| l.contains(&second)).map(element);
+    site.wait("an element of the second layer", || found().is_some());
+    std::thread::sleep(std::time::Duration::from_millis(1500));
+    let one = found().expect("it takes three seconds");
+    site.ask("scancel", &["--signal=KILL", "--full", &one]);
+    site.settle();
+    let (code, told) = site.said(&["status", &plan]);
+    assert_eq!(code, Some(1), "{told}");
+    site.submit(&plan);
+    site.settle();
+    assert_eq!(site.said(&["status", &plan]).0, Some(0));
+    assert_eq!(site.place.made(), 1 + 4, "none lost, none twice");
+    assert!(site.place.run(&["cache", "verify"]).status.success());
+}
+
+#[test]
+#[cfg_attr(not(slurm), ignore = "slurmctld, slurmd, munged are not installed")]
+fn a_plan_that_is_cancelled_keeps_what_is_done_and_goes_on() {
+    let site = Site::new(1001);
+    let plan = site.plan("1,2,3", &["x.s=30"]);
+    site.submit(&plan);
+    site.wait("the first layer", || site.place.made() == 1);
+    let (code, told) = site.said(&["status", &plan]);
+    assert_eq!(code, Some(0), "work is on its way: {told}");
+    let (code, told) = site.said(&["cancel", &plan]);
+    assert_eq!(code, Some(0), "{told}");
+    site.settle();
+    let (code, told) = site.said(&["status", &plan]);
+    assert_eq!(code, Some(1), "{told}");
+    assert!(
+        told.contains("layer 0: 1 of 1") && told.contains(" CANCELLED"),
+        "{told}"
+    );
+    let said = site.submit(&plan);
+    assert!(!said.contains("layer 0"), "{said}");
+    assert_eq!(site.said(&["cancel", &plan]).0, Some(0));
+}
+
+#[test]
+#[cfg_attr(not(slurm), ignore = "slurmctld, slurmd, munged are not installed")]
+fn what_slurm_refuses_is_told() {
+    let site = Site::new(1001);
+    let plan = site.plan("1", &["x.s=0"]);
+    let (code, said) = site.said(&["submit", &plan, "--engine", "slurm", "--partition", "none"]);
+    assert_eq!(code, Some(2), "{said}");
+    assert!(
+        said.contains("sbatch") && said.contains("partition"),
+        "{said}"
+    );
+    let mut submit = site.tailor(&["submit", &plan, "--engine", "slurm"]);
+    let ran = submit.env("PATH", "/nowhere").output().unwrap();
+    let said = String::from_utf8_lossy(&ran.stderr).into_owned();
+    assert_eq!(ran.status.code(), Some(2), "{said}");
+    assert!(said.contains("is not here"), "{said}");
+}
