@@ -31,7 +31,7 @@ pub fn schema<'a>(stages: impl Iterator<Item = &'a dyn AnyStage>) -> Value {
     let named = |value: Value| json!({ "type": "object", "additionalProperties": value });
     let mut schema = json!({
         "$schema": "https://json-schema.org/draft/2020-12/schema",
-        "title": "A pipeline of tailor",
+        "title": "A pipeline",
         "type": "object",
         "if": { "not": { "required": ["extends"] } },
         "then": {

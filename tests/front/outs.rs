@@ -35,13 +35,13 @@ fn what_did_not_change_keeps_its_time_and_what_is_left_is_told() {
     file.set_modified(past).unwrap();
     place.write("out/mine.txt", "a user's own");
     // A process that was killed left this.
-    place.write("out/.tailor-4000000-0-1f", "half");
-    place.write("out/.tailor-notes", "a user's own");
+    place.write("out/.writing-4000000-0-1f", "half");
+    place.write("out/.writing-notes", "a user's own");
     let said = place.run(command).code(0);
     assert!(!said.err.contains("left from"), "{}", said.err);
     let time = |path| fs::metadata(path).unwrap().modified().unwrap();
     assert_eq!(time(&body), past);
-    assert!(!place.path("out/.tailor-4000000-0-1f").exists());
+    assert!(!place.path("out/.writing-4000000-0-1f").exists());
     place
         .run(&format!("{command} --set body.cell_mm=30"))
         .code(0);
@@ -61,7 +61,7 @@ fn what_did_not_change_keeps_its_time_and_what_is_left_is_told() {
         "{}",
         said.err
     );
-    let there = [".tailor-notes", "mine.txt", "run.json", "sway.tailor"];
+    let there = [".writing-notes", "mine.txt", "run.json", "sway.tailor"];
     assert_eq!(names(place.path("out")), there);
     // What somebody has changed since is not removed.
     place.run("run small.toml --out out").code(0);

@@ -84,8 +84,8 @@ fn a_private_run_leaves_its_results_and_nothing_else() {
     let place = Place::new();
     fs::create_dir(place.path("tmp")).unwrap();
     // Of a process that was killed.
-    place.write("tmp/tailor-private-4000000-x/cas/ab", "x");
-    place.write("tmp/tailor-private-notes", "mine");
+    place.write("tmp/private-cache-4000000-x/cas/ab", "x");
+    place.write("tmp/private-cache-notes", "mine");
     let private = |args: &str| {
         let line = format!("TMPDIR=tmp exec {} {args}", env!("CARGO_BIN_EXE_tailor"));
         place.bash(&line)

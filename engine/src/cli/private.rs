@@ -7,7 +7,7 @@ use std::sync::Mutex;
 
 static CACHE: Mutex<Option<tempfile::TempDir>> = Mutex::new(None);
 
-const NAME: &str = "tailor-private-";
+const NAME: &str = "private-cache-";
 
 /// Makes one, for the owner only; what killed processes left of theirs goes.
 pub(super) fn cache() -> Result<PathBuf, Fault> {

@@ -24,7 +24,7 @@ pub(crate) enum FileKind {
 }
 
 /// What names of files that are being written begin with; process, count and time follow.
-const WRITING: &str = ".tailor-";
+const WRITING: &str = ".writing-";
 
 /// The name of a file while it is being written.
 fn writing(count: u64) -> String {
