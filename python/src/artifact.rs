@@ -123,7 +123,7 @@ impl Artifact {
     fn document(&self, py: Python<'_>) -> PyResult<String> {
         guarded(py, || match self.kind() {
             "photos" => Ok(crate::describe::photos(&*self.photos()?).to_string()),
-            _ => describe(&self.blob, self.stage).map(|json| json.to_string()),
+            _ => describe(&self.blob, self.stage),
         })
     }
 
