@@ -49,12 +49,13 @@ pub(crate) fn sweep(args: &SweepArgs, global: &GlobalArgs) -> Result<(), Fault> 
         )));
     }
     if args.strands {
-        let points: Vec<Overrides> = asked.points.iter().map(|p| p.overrides(&all)).collect();
+        let folders = folders(&args.change)?;
+        let one = |p: Point| (p.overrides(&all), folders.clone());
+        let points: Vec<_> = asked.points.iter().map(one).collect();
         let asked = Asked {
             pipeline: &pipeline,
             points: &points,
             nodes: &asked.nodes,
-            folders: &folders(&args.change)?,
         };
         return written(&asked, global);
     }
