@@ -85,3 +85,67 @@ fn what_cannot_be_worked_on_is_told() {
         assert!(said.contains(part), "{said}");
     }
 }
+
+/// Reads a folder; fails where it holds thirteen.
+const READER: &str = r#"goal = "x"
+[input.src]
+files = "*.txt"
+[node.x]
+stage = "exec"
+out = "document"
+from = { src = "@src" }
+command = ["sh", "-c", "cat $2/a.txt > $1/a.txt; ! grep -q 13 $1/a.txt", "sh", "{out}", "{from.src}"]
+"#;
+
+#[test]
+fn a_cohort_is_a_strand_a_folder_and_one_that_fails_fails_alone() {
+    let place = Place::new();
+    std::fs::write(place.path("x.toml"), READER).unwrap();
+    // Two folders with equal files are two strands, and one result.
+    for (folder, text) in [("p1", "one"), ("p2", "13"), ("p10", "ten"), ("p11", "one")] {
+        let folder = place.path("all").join(folder);
+        std::fs::create_dir_all(&folder).unwrap();
+        std::fs::write(folder.join("a.txt"), text).unwrap();
+    }
+    let (file, all) = (place.path("x.toml"), place.path("all"));
+    let (file, each) = (file.display().to_string(), format!("src={}", all.display()));
+    let told = place.json(&["plan", &file, "--strands", "--each", &each, "--allow-exec"]);
+    assert_eq!(
+        (&told["points"], &told["strands"]),
+        (&4.into(), &4.into()),
+        "{told}"
+    );
+    let plan = told["plan"].as_str().unwrap();
+    let worked = place.json(&["work", "--plan", plan, "--strand", "0-3"]);
+    let whys: Vec<bool> = worked["strands"]
+        .as_array()
+        .unwrap()
+        .iter()
+        .map(|s| s["why"].is_null())
+        .collect();
+    assert_eq!(
+        whys,
+        [true, false, true, true],
+        "in natural order of their names: {worked}"
+    );
+    assert_eq!(place.made(), 2, "equal files have one result");
+    // A run of one of them finds what its strand made.
+    let input = format!("src={}", all.join("p10").display());
+    let run = place.json(&["run", &file, "--input", &input]);
+    assert_eq!(run["nodes"][0]["status"], "found", "{run}");
+    for (each, part) in [
+        ("src", "say NAME=FOLDER"),
+        ("src=nowhere", "No such file"),
+        ("other=all", "No such file"),
+    ] {
+        let ran = place.run(&["plan", &file, "--strands", "--each", each]);
+        let said = String::from_utf8_lossy(&ran.stderr).into_owned();
+        assert_eq!(ran.status.code(), Some(2));
+        assert!(said.contains(part), "{said}");
+    }
+    std::fs::create_dir(all.join("p3")).unwrap();
+    let ran = place.run(&["plan", &file, "--strands", "--each", &each]);
+    let said = String::from_utf8_lossy(&ran.stderr).into_owned();
+    assert_eq!(ran.status.code(), Some(2));
+    assert!(said.contains("p3 has no file that fits"), "{said}");
+}

@@ -26,6 +26,9 @@ pub(crate) struct PlanArgs {
     /// Cut it into strands for a cluster instead; the plan lies in the cache, its name is told
     #[arg(long)]
     strands: bool,
+    /// With --strands: one run for every folder in FOLDER, as the input NAME: NAME=FOLDER
+    #[arg(long, requires = "strands")]
+    each: Vec<String>,
 }
 
 /// Arguments of `tailor why`.
@@ -73,7 +76,7 @@ fn planned(wanted: &Wanted, global: &GlobalArgs) -> Result<Answer, Fault> {
 pub(crate) fn plan(args: &PlanArgs, global: &GlobalArgs) -> Result<(), Fault> {
     let wanted = &args.wanted;
     if args.strands {
-        return strands::plan(wanted, global);
+        return strands::plan(wanted, &args.each, global);
     }
     let Answer { graph, plan, .. } = planned(wanted, global)?;
     let (mut lines, mut seconds, mut unknown) = (Vec::new(), [0.0; 2], 0);

@@ -8,13 +8,15 @@ use super::programs::permitted;
 use super::speech::CANCEL;
 use crate::lasttime::History;
 use crate::past::Of;
+use crate::pattern::natural;
 use crate::recipe::{Overrides, Pipeline};
 use crate::store::Store;
-use crate::strands::{self, Asked, Plan, Worked};
+use crate::strands::{self, Asked, Folders, Plan, Worked};
 use crate::walk::{Status, Watch};
 use clap::Args;
 use serde_json::{Value, json};
 use stage::Hash;
+use std::path::Path;
 use std::sync::Mutex;
 use std::sync::atomic::Ordering;
 
@@ -29,8 +31,8 @@ pub(crate) struct Work {
     strand: String,
 }
 
-/// `tailor plan --strands`: the plan of a run.
-pub(crate) fn plan(wanted: &Wanted, global: &GlobalArgs) -> Result<(), Fault> {
+/// `tailor plan --strands`: the plan of a run, or of one of each folder.
+pub(crate) fn plan(wanted: &Wanted, each: &[String], global: &GlobalArgs) -> Result<(), Fault> {
     let pipeline = Pipeline::read(&wanted.pipeline, global.catalog()).map_err(Fault::mistakes)?;
     let point = Overrides {
         variant: wanted.change.variant.clone(),
@@ -41,13 +43,47 @@ pub(crate) fn plan(wanted: &Wanted, global: &GlobalArgs) -> Result<(), Fault> {
     for name in &wanted.nodes {
         node(&graph, name)?;
     }
+    let mut points = vec![(point, folders(&wanted.change)?)];
+    for text in each {
+        points = crossed(&points, text)?;
+    }
     let asked = Asked {
         pipeline: &pipeline,
-        points: &[point],
+        points: &points,
         nodes: &wanted.nodes,
-        folders: &folders(&wanted.change)?,
     };
     written(&asked, global)
+}
+
+/// Every point with every folder that lies in the one that `NAME=FOLDER` says, in natural order.
+fn crossed(
+    points: &[(Overrides, Folders)],
+    text: &str,
+) -> Result<Vec<(Overrides, Folders)>, Fault> {
+    let wrong = |why: &str| Fault::input(format!("`--each {text}`: {why}"));
+    let (name, folder) = text
+        .split_once('=')
+        .ok_or_else(|| wrong("say NAME=FOLDER"))?;
+    let entries = std::fs::read_dir(folder).map_err(|e| wrong(&e.to_string()))?;
+    let shown = |e: std::fs::DirEntry| {
+        let name = e.file_name().into_string().ok()?;
+        (e.path().is_dir() && !name.starts_with('.')).then_some(name)
+    };
+    let mut names: Vec<String> = entries.flatten().filter_map(shown).collect();
+    names.sort_by_key(|name| natural(name));
+    if names.is_empty() {
+        return Err(wrong("no folder lies in it"));
+    }
+    let mut crossed = Vec::with_capacity(names.len() * points.len());
+    for inner in names {
+        for (point, folders) in points {
+            let mut folders = folders.clone();
+            folders.retain(|(known, _)| known != name);
+            folders.push((name.to_owned(), Path::new(folder).join(&inner)));
+            crossed.push((point.clone(), folders));
+        }
+    }
+    Ok(crossed)
 }
 
 /// Makes a plan, writes it into the store, tells its name.

@@ -94,13 +94,13 @@ fn ready(args: &SweepArgs, global: &GlobalArgs) -> Result<Ready, Fault> {
 /// Cuts a sweep into strands instead of running it.
 fn cut(args: &SweepArgs, global: &GlobalArgs) -> Result<(), Fault> {
     let ready = ready(args, global)?;
-    let points = ready.asked.points.iter();
-    let points: Vec<Overrides> = points.map(|p| p.overrides(&ready.all)).collect();
+    let folders = folders(&args.change)?;
+    let one = |p: Point| (p.overrides(&ready.all), folders.clone());
+    let points: Vec<_> = ready.asked.points.iter().map(one).collect();
     let asked = strands::Asked {
         pipeline: &ready.pipeline,
         points: &points,
         nodes: &ready.asked.nodes,
-        folders: &folders(&args.change)?,
     };
     written(&asked, global)
 }

@@ -17,5 +17,5 @@ mod work;
 
 pub use cut::{Strand, cut};
 pub use file::{InputLine, Plan, PlanError, PointLine, StrandLine};
-pub use planned::{Asked, Unplanned, planned};
+pub use planned::{Asked, Folders, Unplanned, planned};
 pub use work::{WorkError, Worked, pipeline, work};

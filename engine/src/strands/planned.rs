@@ -14,13 +14,14 @@ use std::path::PathBuf;
 pub struct Asked<'a> {
     /// The pipeline.
     pub pipeline: &'a Pipeline,
-    /// What each point changes; a run is one point.
-    pub points: &'a [Overrides],
+    /// What each point changes, and the user's folders that it reads; a run is one point.
+    pub points: &'a [(Overrides, Folders)],
     /// The nodes that are wanted; none is the pipeline's goal.
     pub nodes: &'a [String],
-    /// The user's folders.
-    pub folders: &'a [(String, PathBuf)],
 }
+
+/// Inputs by name, and where each lies.
+pub type Folders = Vec<(String, PathBuf)>;
 
 /// Why there is no plan.
 #[derive(Debug, thiserror::Error)]
@@ -41,11 +42,10 @@ pub enum Unplanned {
 pub fn planned(asked: &Asked<'_>, program: &str, store: &Store) -> Result<Plan, Unplanned> {
     let mut whole = Whole::default();
     let mut members: Vec<Member> = Vec::new();
-    for overrides in asked.points {
+    for (overrides, folders) in asked.points {
         let graph = asked.pipeline.graph(overrides).map_err(Unplanned::Wrong)?;
         let wanted = wanted(&graph, asked.nodes);
-        whole.inputs_of(&graph, asked.folders, store)?;
-        members.push(whole.add(graph, wanted));
+        members.push(whole.add(graph, wanted, folders, store)?);
     }
     let texts = asked.pipeline.texts();
     let mut plan = Plan::new(program, texts, asked.nodes.to_vec());
@@ -57,7 +57,7 @@ pub fn planned(asked: &Asked<'_>, program: &str, store: &Store) -> Result<Plan, 
     plan.inputs = inputs
         .map(|(i, files)| InputLine::of(&i.name, files))
         .collect();
-    for (overrides, member) in asked.points.iter().zip(&members) {
+    for ((overrides, _), member) in asked.points.iter().zip(&members) {
         plan.points.push(PointLine {
             variant: overrides.variant.clone(),
             sets: overrides.sets.clone(),

@@ -74,8 +74,7 @@ fn gathered(
                     wanted = graph.goal.clone();
                 }
                 session::settled(&graph, &crate::walk::all(&graph, &wanted), store, &stop)?;
-                whole.inputs_of(&graph, sweeping.folders, store)?;
-                Ok(whole.add(graph, wanted))
+                Ok(whole.add(graph, wanted, sweeping.folders, store)?)
             }
         };
         nodes += member.as_ref().map_or(1, |m| m.places.len().max(1));

@@ -25,7 +25,8 @@ pub(crate) struct Whole {
     nodes: Vec<Bound>,
     /// The place of a node by its recipe and what it reads.
     known: HashMap<Hash, usize>,
-    inputs: Vec<InputDecl>,
+    /// Each with its folder, as it was said.
+    inputs: Vec<(InputDecl, PathBuf)>,
     /// The files of each input.
     pub(crate) files: Vec<Files>,
     /// Their content.
@@ -34,42 +35,58 @@ pub(crate) struct Whole {
 }
 
 impl Whole {
-    /// Reads the inputs of a graph that are not read yet.
+    /// Adds a graph with all that the wanted nodes need, and reads its inputs that are not read yet.
     ///
     /// # Errors
     ///
     /// An input has no folder, is unknown, or cannot be read.
-    pub(crate) fn inputs_of(
+    pub(crate) fn add(
+        &mut self,
+        graph: Graph,
+        wanted: Vec<usize>,
+        folders: &[(String, PathBuf)],
+        store: &Store,
+    ) -> Result<Member, EngineError> {
+        let inputs = self.inputs_of(&graph, folders, store)?;
+        Ok(self.put(graph, wanted, inputs))
+    }
+
+    /// The places of a graph's inputs, which are read if they are not yet.
+    fn inputs_of(
         &mut self,
         graph: &Graph,
         folders: &[(String, PathBuf)],
         store: &Store,
-    ) -> Result<(), EngineError> {
-        let first = self.like.is_none();
-        if !first && graph.inputs.iter().all(|i| self.inputs.contains(i)) {
-            return Ok(());
-        }
-        let files = session::inputs(graph, folders, store)?;
-        for (input, files) in graph.inputs.iter().zip(files) {
-            if !self.inputs.contains(input) {
-                let content = stage::content(&files);
-                store.note_capture(content, &files.root);
-                self.inputs.push(input.clone());
-                self.contents.push(content);
-                self.files.push(files);
+    ) -> Result<Vec<usize>, EngineError> {
+        let said = |input: &InputDecl| {
+            let said = folders.iter().find(|(name, _)| *name == input.name);
+            said.map(|(_, folder)| folder.clone()).unwrap_or_default()
+        };
+        let all: Vec<(InputDecl, PathBuf)> =
+            graph.inputs.iter().map(|i| (i.clone(), said(i))).collect();
+        let is_known = |one: &(InputDecl, PathBuf)| self.inputs.contains(one);
+        // The first graph's folders are looked at even if it reads none: some may be unknown.
+        if self.like.is_none() || !all.iter().all(is_known) {
+            let files = session::inputs(graph, folders, store)?;
+            for (one, files) in all.iter().zip(files) {
+                if !self.inputs.contains(one) {
+                    let content = stage::content(&files);
+                    store.note_capture(content, &files.root);
+                    self.inputs.push(one.clone());
+                    self.contents.push(content);
+                    self.files.push(files);
+                }
             }
         }
-        Ok(())
+        let place = |one: &(InputDecl, PathBuf)| self.inputs.iter().position(|i| i == one);
+        let places = all.iter().map(place);
+        Ok(places
+            .map(|p| p.expect("bug: an input that was not read"))
+            .collect())
     }
 
-    /// Adds a graph whose inputs are read, with all that the wanted nodes need.
-    pub(crate) fn add(&mut self, graph: Graph, wanted: Vec<usize>) -> Member {
-        let place = |input: &InputDecl| self.inputs.iter().position(|i| i == input);
-        let inputs: Vec<usize> = graph
-            .inputs
-            .iter()
-            .map(|input| place(input).expect("bug: an input that was not read"))
-            .collect();
+    /// Puts a graph to the others.
+    fn put(&mut self, graph: Graph, wanted: Vec<usize>, inputs: Vec<usize>) -> Member {
         let needed = crate::walk::needed(&graph, &wanted);
         let mut places: Vec<Option<usize>> = vec![None; graph.nodes.len()];
         for (i, node) in graph.nodes.iter().enumerate().filter(|(i, _)| needed[*i]) {
@@ -108,7 +125,7 @@ impl Whole {
         let graph = self.like.map(|like| Graph {
             goal: (0..self.nodes.len()).collect(),
             nodes: self.nodes,
-            inputs: self.inputs,
+            inputs: self.inputs.into_iter().map(|(input, _)| input).collect(),
             shared: vec![],
             ..like
         });

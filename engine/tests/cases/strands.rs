@@ -45,12 +45,15 @@ fn points(mids: i64, finals: i64) -> Vec<Overrides> {
 /// The plan of some points.
 pub(crate) fn planned(place: &Place, text: &str, points: &[Overrides]) -> Plan {
     let pipeline = Pipeline::of_text("toy.toml", text, &CATALOG).unwrap();
-    let folders = [("src".to_owned(), place.src())];
+    let folders = vec![("src".to_owned(), place.src())];
+    let points: Vec<_> = points
+        .iter()
+        .map(|p| (p.clone(), folders.clone()))
+        .collect();
     let asked = Asked {
         pipeline: &pipeline,
-        points,
+        points: &points,
         nodes: &[],
-        folders: &folders,
     };
     strands::planned(&asked, CATALOG.program, &place.store()).unwrap()
 }
