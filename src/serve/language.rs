@@ -111,10 +111,14 @@ impl Words {
 
     /// A number with so many decimals, as it is written in the language.
     pub(super) fn number(self, value: f64, decimals: usize) -> String {
-        let text = format!("{value:.decimals$}");
+        self.written(&format!("{value:.decimals$}"))
+    }
+
+    /// A number with a decimal point, as it is written in the language.
+    pub(super) fn written(self, number: &str) -> String {
         match self.language {
-            Language::En => text,
-            Language::De => text.replace('.', ","),
+            Language::En => number.to_owned(),
+            Language::De => number.replace('.', ","),
         }
     }
 
@@ -177,11 +181,7 @@ impl Words {
 
     /// A number for a field that somebody types into.
     pub(super) fn field(self, value: f64) -> String {
-        let text = format!("{value}");
-        match self.language {
-            Language::En => text,
-            Language::De => text.replace('.', ","),
-        }
+        self.written(&value.to_string())
     }
 }
 

@@ -4,7 +4,7 @@
 //! |---|---|
 //! | `guard.rs` | who may ask |
 //! | `routes.rs` | every call, and what all of them pass |
-//! | `visits.rs`, `pages/`, `handed.rs` | pages and their forms, files handed out; `typed.rs` reads what was typed, `language.rs` and `words/` say it |
+//! | `visits.rs`, `pages/`, `handed.rs` | pages and their forms, files handed out; `typed.rs` reads what was typed, `language.rs`, `findings.rs` and `words/` say it |
 //! | `api.rs`, `events.rs` | calls of programs and scripts; progress as it happens |
 //! | `upload.rs`, `sniff.rs` | files that come in |
 //! | `home.rs`, `record.rs`, `facts.rs`, `delete.rs` | captures on the disk |
@@ -20,6 +20,7 @@ mod batch;
 mod delete;
 mod events;
 mod facts;
+mod findings;
 mod guard;
 mod handed;
 mod home;

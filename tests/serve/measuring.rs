@@ -4,6 +4,12 @@ use crate::calls::events;
 use crate::server::Server;
 use serde_json::{Value, json};
 
+/// Pictures for the book, where there is a browser and somebody wants them.
+#[cfg(chromium)]
+use crate::whole::picture;
+#[cfg(not(chromium))]
+fn picture(_: &Server, _: &str, _: &str) {}
+
 /// So long a capture of the sample may take on a busy machine. \[s\]
 const LONG: u64 = 900;
 
@@ -30,6 +36,8 @@ fn a_capture_is_measured_once_by_all_who_ask_and_goes_on_after_a_stop_and_a_kill
         (&json!(18), &json!("turn")),
         "{look}"
     );
+    let page = format!("/captures/{id}");
+    picture(&server, &page, "serve-seen");
     // Two tabs: the second joins.
     assert_eq!(ask(&server, "measure").is(202).json()["joined"], false);
     assert_eq!(ask(&server, "measure").is(200).json()["joined"], true);
@@ -51,6 +59,7 @@ fn a_capture_is_measured_once_by_all_who_ask_and_goes_on_after_a_stop_and_a_kill
     server.until(&id, LONG, |told| {
         count(told, "made") + count(told, "found") >= 5
     });
+    picture(&server, &page, "serve-measuring");
     server.kill_and_start();
     let told = server.ask("GET", &at, &Value::Null).is(200).json();
     assert_eq!(state(&told), "interrupted");
@@ -67,6 +76,9 @@ fn a_capture_is_measured_once_by_all_who_ask_and_goes_on_after_a_stop_and_a_kill
                 .any(|e| e["sentence"].as_str().unwrap().contains("Surface"))
     );
     done(&server, &id);
+    picture(&server, "/", "serve-start");
+    picture(&server, &page, "serve-result");
+    picture(&server, &format!("{page}/masks"), "serve-brush");
     deleted(&server, &id);
 }
 

@@ -52,21 +52,33 @@ fn axe(tab: &mut Tab) -> Value {
     )
 }
 
-/// Keeps what the window shows, the whole page, if somebody wants it.
+/// Keeps what the page shows, if somebody wants it.
 fn keep(tab: &mut Tab, name: &str) {
+    let params = json!({ "format": "png", "captureBeyondViewport": true });
+    kept(tab, params, &format!("{name}.png"));
+}
+
+/// A picture for the book: the window at a desk, once its pictures are there.
+pub(crate) fn picture(server: &Server, path: &str, name: &str) {
+    if std::env::var_os("TAILOR_SHOTS").is_none() {
+        return;
+    }
+    let mut tab = tab("en");
+    tab.go(&server.url());
+    tab.go(&format!("{}{path}", server.origin()));
+    tab.until("[...document.images].every((i) => i.complete || i.getBoundingClientRect().top > innerHeight)");
+    std::thread::sleep(std::time::Duration::from_millis(500));
+    let params = json!({ "format": "jpeg", "quality": 80 });
+    kept(&mut tab, params, &format!("{name}.jpg"));
+}
+
+fn kept(tab: &mut Tab, params: Value, name: &str) {
     let Some(folder) = std::env::var_os("TAILOR_SHOTS") else {
         return;
     };
-    // At a desk what the book shows: the window; else the whole page.
-    let whole = !name.ends_with("-1280");
-    let params = json!({ "format": "png", "captureBeyondViewport": whole });
     let shot = tab.ask("Page.captureScreenshot", params);
     let bytes = base64_decoded(shot["data"].as_str().unwrap());
-    std::fs::write(
-        std::path::Path::new(&folder).join(format!("{name}.png")),
-        bytes,
-    )
-    .unwrap();
+    std::fs::write(std::path::Path::new(&folder).join(name), bytes).unwrap();
 }
 
 fn base64_decoded(text: &str) -> Vec<u8> {

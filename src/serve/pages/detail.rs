@@ -124,10 +124,10 @@ pub(crate) fn gone(words: Words, name: &str, gone: &Gone) -> Markup {
     let (files, results) = (size(gone.bytes), size(gone.results_bytes));
     let main = html! {
         h1 { (title) }
-        ul role="status" {
+        div role="status" { ul {
             li { (words.with("delete-files", &[("count", gone.files.into()), ("size", files.into())])) }
             li { (words.with("gone-results", &[("count", gone.results.into()), ("size", results.into())])) }
-        }
+        } }
         @if !gone.shared.is_empty() { p { (words.say("gone-shared")) } }
         p { a href="/" { (words.say("to-start")) } }
     };

@@ -85,7 +85,7 @@ pub(crate) fn result(words: Words, place: &Place, girths: &Value) -> Markup {
                             }
                         }
                         @for (name, value) in ratios {
-                            @if let Some(value) = value.as_f64() {
+                            @if let Some(value) = value.as_f64().filter(|_| words.knows(&format!("girth-{name}"))) {
                                 tr { th scope="row" { (label(words, name, name)) } td .n { (words.number(value, 3)) } td {} }
                             }
                         }

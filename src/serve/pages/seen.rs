@@ -1,5 +1,6 @@
 //! What `tailor doctor` saw of a capture, photo by photo.
 
+use super::super::findings::translated;
 use super::super::language::Words;
 use super::super::record::{Kept, Record};
 use super::said;
@@ -60,7 +61,7 @@ fn told(words: Words, record: &Record, look: &Value) -> Markup {
             @for finding in findings(look) {
                 li class=(text(finding, "grade")) {
                     strong { (words.say(&format!("grade-{}", text(finding, "grade")))) } " "
-                    span lang="en" { (said(words, text(finding, "what"))) " – " (said(words, text(finding, "mend"))) }
+                    (sentence(words, text(finding, "what"))) " – " (sentence(words, text(finding, "mend")))
                     @if let Some(names) = names(record, finding) { " " span .soft { (names) } }
                 }
             }
@@ -72,9 +73,17 @@ fn told(words: Words, record: &Record, look: &Value) -> Markup {
         dl .can {
             @for (what, how) in can {
                 dt { (words.say(&format!("can-{what}"))) }
-                dd lang="en" { (said(words, how.as_str().unwrap_or_default())) }
+                dd { (sentence(words, how.as_str().unwrap_or_default())) }
             }
         }
+    }
+}
+
+/// What the stage says, in the reader's language where it is known.
+fn sentence(words: Words, text: &str) -> Markup {
+    match translated(words, text) {
+        Some(text) => html! { (text) },
+        None => html! { span lang="en" { (said(words, text)) } },
     }
 }
 

@@ -1,0 +1,152 @@
+//! What `capture.look` says of photos, in the reader's language: its sentences, and the texts that stand for
+//! them in `words/`. A sentence that is not known stays as it is.
+
+use super::language::Words;
+
+/// Sentences, `*` for what is put in, and their texts, in which that is `a` and `b`.
+#[rustfmt::skip]
+const TOLD: [(&str, &str); 46] = [
+    ("only * % of the picture stands still: the camera, or all behind the subject, moved between the photos", "find-moved"),
+    ("a turn wants one camera on a tripod and the subject on a disk; is this a walk around somebody who stands still? Then say --walk", "find-moved-mend"),
+    ("photos are more like others far away in order than like their neighbours: they are not in turning order", "find-shuffled"),
+    ("name photos in turning order, or list them with `images = [...]`; `tailor run pipelines/any-order.toml` finds cameras without an order", "find-shuffled-mend"),
+    ("far more like one far away in order than like its neighbours", "find-stranger"),
+    ("look whether these photos are in their place", "find-stranger-mend"),
+    ("nothing turned between these photos and the next", "find-same"),
+    ("leave one of each two out", "find-same-mend"),
+    ("the next photo differs by far more than others do", "find-gap"),
+    ("look whether a photo is missing there", "find-gap-mend"),
+    ("blurred beside the others", "find-blurred"),
+    ("take them again, or leave them out", "find-blurred-mend"),
+    ("overexposed over a tenth of the picture or more", "find-burnt"),
+    ("black over a tenth of the picture or more", "find-black"),
+    ("take them again with the exposure held", "find-lost-mend"),
+    ("exposed from * to * EV against the middle", "find-uneven"),
+    ("hold exposure and white balance (on phones: press and hold until AE/AF lock shows)", "find-uneven-mend"),
+    ("photos of *×* pixels are small", "find-pixels"),
+    ("hand over the camera's own files", "find-pixels-mend"),
+    ("what moves reaches the upper border: the head may be cut off", "find-head"),
+    ("leave room above the head", "find-head-mend"),
+    ("what moves reaches both sides: arms may be cut off, or people walk behind the subject", "find-arms"),
+    ("step back, and keep the background still", "find-arms-mend"),
+    ("a mat is told of, but no tag of it was found", "find-mat"),
+    ("is it in view, in good light, and flat?", "find-mat-mend"),
+    ("* photos are few: without a mat features are followed over steps of 30° at most", "find-few"),
+    ("take 18 to 36 photos of a full turn, or lay a mat on the disk", "find-few-mend"),
+    ("nothing tells of the focal length", "find-focal"),
+    ("keep EXIF in the photos, or say --focal", "find-focal-mend"),
+    ("nothing of known length is given: lengths will be relative", "find-length"),
+    ("say --stature, or --disk-diameter, or lay a mat on the disk", "find-length-mend"),
+    ("there is no photo of the empty scene", "find-plate"),
+    ("take one without the subject and call it plate.jpg: silhouettes become surer", "find-plate-mend"),
+    ("no, as it is: see above", "find-can-stopped"),
+    ("from the mat, photo by photo", "find-can-mat"),
+    ("from what turns with the subject: clothes with a pattern, a patterned cloth on the disk", "find-can-features"),
+    ("not as a turn", "find-can-walked"),
+    ("in centimetres, from *", "find-can-cm"),
+    ("relative: ratios hold, no centimetres", "find-can-relative"),
+    ("no", "find-can-no"),
+    ("yes, with ratios and the body mass index", "find-can-bmi"),
+    ("yes, with ratios; the body mass index wants --weight and --stature", "find-can-ratios"),
+    ("the marker mat", "find-from-mat"),
+    ("the reference length", "find-from-reference"),
+    ("the disk's diameter, if its edge is seen", "find-from-disk"),
+    ("the stature", "find-from-stature"),
+];
+
+/// What stands in a text where a pattern has `*`, if it fits.
+fn put_in<'a>(pattern: &str, text: &'a str) -> Option<Vec<&'a str>> {
+    let mut parts = pattern.split('*');
+    let mut rest = text.strip_prefix(parts.next()?)?;
+    let mut found = Vec::new();
+    for part in parts {
+        let at = if part.is_empty() {
+            rest.len()
+        } else {
+            rest.find(part)?
+        };
+        found.push(&rest[..at]);
+        rest = &rest[at + part.len()..];
+    }
+    rest.is_empty().then_some(found)
+}
+
+/// A sentence in the reader's language; none if it is not known.
+pub(super) fn translated(words: Words, text: &str) -> Option<String> {
+    let (key, found) = TOLD
+        .iter()
+        .find_map(|(pattern, key)| Some((key, put_in(pattern, text)?)))?;
+    // A number as it is written there; or something that is told itself: where centimetres come from.
+    let shown = |inner: &&str| match inner.parse::<f64>() {
+        Ok(_) => words.written(inner),
+        Err(_) => translated(words, inner).unwrap_or_else(|| (*inner).to_owned()),
+    };
+    let shown: Vec<String> = found.iter().map(shown).collect();
+    let put: Vec<_> = ["a", "b"]
+        .into_iter()
+        .zip(shown.iter().map(|s| s.as_str().into()))
+        .collect();
+    Some(words.with(key, &put))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::language::Language;
+    use super::*;
+
+    /// The sentences of a file of the room: long literals, with `*` where something is put in.
+    fn sentences(file: &str) -> Vec<String> {
+        let root = std::path::Path::new(env!("CARGO_MANIFEST_DIR"));
+        let text = std::fs::read_to_string(root.join("stages/capture/src").join(file)).unwrap();
+        let code: Vec<&str> = text
+            .lines()
+            .filter(|l| !l.trim_start().starts_with("//"))
+            .collect();
+        let code = code.join("\n");
+        let literals = code
+            .split('"')
+            .skip(1)
+            .step_by(2)
+            .filter(|l| l.contains(' '));
+        let stars = |literal: &str| {
+            let mut parts = literal.split('{');
+            let first = parts.next().unwrap().to_owned();
+            parts.fold(first, |all, part| {
+                all + "*" + part.split_once('}').unwrap().1
+            })
+        };
+        literals.map(stars).collect()
+    }
+
+    #[test]
+    fn every_sentence_of_the_room_is_known() {
+        let all = [sentences("odd.rs"), sentences("verdict.rs")].concat();
+        assert!(all.len() > 40, "{all:?}");
+        // What only joins names and sentences has no words, but for the count of photos.
+        let says = |s: &&String| s.contains(char::is_alphabetic) && !s.ends_with("photos): ");
+        for sentence in all.iter().filter(says) {
+            let known = TOLD.iter().any(|(pattern, _)| pattern == sentence);
+            assert!(known, "findings.rs does not know: {sentence}");
+        }
+    }
+
+    #[test]
+    fn a_sentence_is_told_with_what_is_put_in() {
+        let de = Words {
+            language: Language::De,
+            inches: false,
+        };
+        let told = |text: &str| translated(de, text);
+        let uneven = told("exposed from -0.31 to +0.50 EV against the middle").unwrap();
+        assert_eq!(
+            uneven,
+            "von -0,31 bis +0,50 EV gegen die mittlere belichtet"
+        );
+        assert_eq!(
+            told("in centimetres, from the stature").unwrap(),
+            "in Zentimetern, aus: Körpergröße"
+        );
+        assert_eq!(told("no").unwrap(), "nein");
+        assert_eq!(told("no such sentence"), None);
+    }
+}
