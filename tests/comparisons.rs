@@ -233,3 +233,46 @@ fn relative_lengths_are_never_held_against_centimetres() {
     assert_eq!(code, Some(2), "{text}");
     assert!(text.contains("its lengths are relative"), "{text}");
 }
+
+#[test]
+fn a_surface_that_stands_otherwise_is_laid_on_the_first_before_it_is_judged() {
+    let place = tempfile::tempdir().unwrap();
+    let solid = synth::body_solid(&synth::Build {
+        stature: 1750.0,
+        stout: 1.0,
+        furrow: 14.0,
+        arms: 0.7,
+        exponent: 2.3,
+    });
+    let (low, high) = synth::bounds(&solid);
+    let body = synth::surface(&solid, low, high, 14.0);
+    let turn =
+        nalgebra::Rotation3::from_axis_angle(&nalgebra::Vector3::z_axis(), 15f64.to_radians());
+    let moved = |p: &[f32; 3]| {
+        let at = turn * nalgebra::Point3::from(p.map(f64::from))
+            + nalgebra::Vector3::new(30.0, 0.0, 0.0);
+        at.coords.map(|x| x as f32).into()
+    };
+    let other = Mesh {
+        positions: body.positions.iter().map(moved).collect(),
+        ..body.clone()
+    };
+    let side = |name: &str, mesh: &Mesh| {
+        let folder = folder(place.path(), name, "3.0", name, 80.0, 100.0);
+        std::fs::write(folder.join("body.ply"), mesh_to_ply(mesh)).unwrap();
+        Side::from_folder(name, &folder).unwrap()
+    };
+    let sides = vec![side("a", &body), side("b", &other), side("c", &body)];
+    let c = compare(sides, None, &TechnicalErrors::new());
+    assert!(
+        c.apart[0].as_ref().unwrap().mean_mm > 15.0,
+        "{:?}",
+        c.apart[0]
+    );
+    let laid = c.laid[0].as_ref().unwrap();
+    assert!(laid.apart.mean_mm < 0.2, "{:?}", laid.apart);
+    proof::near(laid.turned_deg, 15.0, 0.1);
+    assert_eq!(c.laid[1], None);
+    assert!(markdown(&c).contains("b, laid on a (turned 15.0°"));
+    assert!(page(&c, false).contains("laid on a"));
+}

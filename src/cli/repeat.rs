@@ -1,7 +1,8 @@
 //! `tailor repeat`: how near captures of the same people come to each other.
 
 use crate::delivery;
-use crate::repeat::{By, bland_altman_svg, captures, csv, json, markdown, page, study};
+use crate::over_time::repeated;
+use crate::repeat::{By, bland_altman_svg, captures, csv, json, markdown, page, study, study_of};
 use clap::Args;
 use engine::cli::{Fault, GlobalArgs};
 use std::path::PathBuf;
@@ -16,6 +17,10 @@ pub(crate) struct Repeating {
     /// What tells whose they are
     #[arg(long, value_enum, default_value = "name")]
     by: By,
+    /// Take each person's girths at the levels of the first capture, carried to the others as `follow` does: how near changes
+    /// come, where levels are not found anew
+    #[arg(long)]
+    same_level: bool,
     /// Write repeat.md, repeat.json, repeat.csv, repeat.html and a Bland–Altman plot a girth into this folder
     #[arg(long)]
     out: Option<PathBuf>,
@@ -27,7 +32,11 @@ pub(crate) fn repeating(args: &Repeating, global: &GlobalArgs) -> Result<(), Fau
         delivery::check(out).map_err(Fault::input)?;
     }
     let captures = captures(&args.captures, args.by).map_err(Fault::input)?;
-    let study = study(&captures).map_err(Fault::input)?;
+    let study = match args.same_level {
+        true => study_of(&repeated(captures).map_err(Fault::input)?),
+        false => study(&captures),
+    };
+    let study = study.map_err(Fault::input)?;
     let pretty = serde_json::to_string_pretty(&json(&study)).expect("bug: JSON");
     if let Some(out) = &args.out {
         let mut files = vec![

@@ -8,6 +8,7 @@
 //! ```
 
 mod girths;
+mod laid;
 mod page;
 mod pictures;
 pub(crate) mod render;
@@ -20,6 +21,7 @@ pub use crate::differ::{Change, Difference, NodeRun, differ};
 pub use crate::girth_file::ReadGirth;
 pub use crate::provenance::PackedProvenance;
 pub use girths::{GirthRow, Judged, TechnicalErrors, girths, mixed};
+pub use laid::{Laid, laid};
 pub use page::page;
 pub use side::{Side, SideError};
 pub use surfaces::{Apart, apart};
@@ -34,8 +36,10 @@ pub struct Comparison {
     pub differences: Vec<Difference>,
     /// The girths of all sides.
     pub girths: Vec<GirthRow>,
-    /// How far each surface is from the first; `None` where a side has none.
+    /// How far each surface is from the first as they stand; `None` where a side has none.
     pub apart: Vec<Option<Apart>>,
+    /// The same of a body that stands otherwise, laid on the first; `None` where it need not be.
+    pub laid: Vec<Option<Laid>>,
 }
 
 /// Compares each side with the first. `tolerance_mm` is for all girths; without it each has the
@@ -43,13 +47,18 @@ pub struct Comparison {
 pub fn compare(sides: Vec<Side>, tolerance_mm: Option<f64>, known: &TechnicalErrors) -> Comparison {
     let (first, others) = sides.split_first().expect("bug: nothing to compare");
     let surface = |side: &Side| Some(apart(first.mesh.as_ref()?, side.mesh.as_ref()?));
+    let all: Vec<Option<Apart>> = others.iter().map(surface).collect();
+    let again = |(side, apart): (&Side, &Option<Apart>)| {
+        laid(first.mesh.as_ref()?, side.mesh.as_ref()?, apart.as_ref()?)
+    };
     Comparison {
         differences: others
             .iter()
             .map(|side| differ(&first.nodes, &side.nodes))
             .collect(),
         girths: girths(&sides, tolerance_mm, known),
-        apart: others.iter().map(surface).collect(),
+        laid: others.iter().zip(&all).map(again).collect(),
+        apart: all,
         sides,
     }
 }

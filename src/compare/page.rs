@@ -34,13 +34,18 @@ const FULL_MM: f64 = 3.0;
 pub fn page(c: &Comparison, show_photos: bool) -> String {
     let names: Vec<&str> = c.sides.iter().map(|s| s.name.as_str()).collect();
     let title = names.join(" against ");
-    let surfaces = surfaces(c);
-    let pictures = pictures(&c.sides, &surfaces, show_photos, FULL_MM);
+    let shown = surfaces(c, true);
+    // Cameras see surfaces where they stand.
+    let stand = match c.laid.iter().any(Option::is_some) {
+        true => &surfaces(c, false),
+        false => &shown,
+    };
+    let pictures = pictures(&c.sides, stand, show_photos, FULL_MM);
     let mut body = format!("<h1>{}</h1>\n", page::escaped(&title));
     for sentence in sentences(c) {
         body += &format!("<p>{}</p>\n", marked(&page::escaped(&sentence)));
     }
-    if surfaces.len() > 1 {
+    if shown.len() > 1 {
         body += VIEW;
     }
     if pictures["uris"]
@@ -57,7 +62,7 @@ pub fn page(c: &Comparison, show_photos: bool) -> String {
     ] {
         body += &section(title, &table);
     }
-    let meshes: Vec<Value> = surfaces.iter().map(packed).collect();
+    let meshes: Vec<Value> = shown.iter().map(packed).collect();
     let data = json!({ "meshes": meshes, "pictures": pictures });
     page::page(&title, &body, &data, SCRIPT)
 }
@@ -80,11 +85,16 @@ fn section(title: &str, table: &Table) -> String {
 }
 
 /// The surfaces for the view: the first with its distance to the second, the others to the first.
-fn surfaces(c: &Comparison) -> Vec<Surface<'_>> {
+/// What stands otherwise is shown as it was laid on the first, or where it stands.
+fn surfaces(c: &Comparison, laid: bool) -> Vec<Surface<'_>> {
+    let moved = |l: &'_ Option<super::Laid>| l.as_ref().filter(|_| laid).map(|l| l.mesh.clone());
+    let moved: Vec<Option<Mesh>> = c.laid.iter().map(moved).collect();
+    let moved = std::iter::once(&None).chain(&moved);
     let there: Vec<(&str, &Mesh)> = c
         .sides
         .iter()
-        .filter_map(|s| Some((s.name.as_str(), s.mesh.as_ref()?)))
+        .zip(moved)
+        .filter_map(|(s, moved)| Some((s.name.as_str(), moved.as_ref().or(s.mesh.as_ref())?)))
         .collect();
     let mut all = Vec::new();
     for (i, (side, mesh)) in there.iter().enumerate() {

@@ -95,12 +95,21 @@ pub(super) fn surface_table(c: &Comparison) -> Table {
         "volume [l]",
     ];
     let mut table = vec![head.map(String::from).to_vec()];
-    for (side, apart) in c.sides.iter().skip(1).zip(&c.apart) {
-        let Some(a) = apart else { continue };
-        let mut line = vec![side.name.clone()];
+    let line = |name: String, a: &super::Apart| {
+        let mut line = vec![name];
         line.extend([a.mean_mm, a.rms_mm, a.p95_mm, a.max_mm].map(|x| format!("{x:.3}")));
         line.extend([format!("{:+.3}", a.bias_mm), format!("{:+.4}", a.volume_l)]);
-        table.push(line);
+        line
+    };
+    for ((side, apart), laid) in c.sides.iter().skip(1).zip(&c.apart).zip(&c.laid) {
+        table.extend(apart.as_ref().map(|a| line(side.name.clone(), a)));
+        table.extend(laid.as_ref().map(|l| {
+            let how = format!(
+                "{}, laid on {} (turned {:.1}°, moved {:.0} mm)",
+                side.name, c.sides[0].name, l.turned_deg, l.moved_mm
+            );
+            line(how, &l.apart)
+        }));
     }
     table
 }
@@ -235,13 +244,18 @@ pub fn json(c: &Comparison) -> Value {
             "nodes": s.nodes.iter().map(node).collect::<Vec<_>>(),
         })
     };
-    let others = c.sides.iter().skip(1).zip(&c.differences).zip(&c.apart);
-    let against = |((side, d), apart): ((&super::Side, &Difference), &Option<super::Apart>)| {
+    let surfaces = c.apart.iter().zip(&c.laid);
+    let others = c.sides.iter().skip(1).zip(&c.differences).zip(surfaces);
+    type Surfaces<'a> = (&'a Option<super::Apart>, &'a Option<super::Laid>);
+    let against = |((side, d), (apart, laid)): ((&super::Side, &Difference), Surfaces<'_>)| {
+        let laid = laid.as_ref().map(
+            |l| json!({ "turned_deg": l.turned_deg, "moved_mm": l.moved_mm, "surface": l.apart }),
+        );
         let change = |c: &super::Change| json!({ "node": c.node, "what": c.what, "old": c.old, "new": c.new });
         json!({
             "name": side.name, "first_diverging": d.first, "diverged": d.diverged,
             "only_first": d.gone, "only_this": d.new, "same_bytes_though_told_otherwise": d.met_again,
-            "changes": d.changes.iter().map(change).collect::<Vec<_>>(), "surface": apart,
+            "changes": d.changes.iter().map(change).collect::<Vec<_>>(), "surface": apart, "laid_on_first": laid,
         })
     };
     json!({

@@ -69,6 +69,8 @@ pub struct Followed {
     pub lines: Vec<Line>,
     /// For each capture but the first: how far it lies outside of the first at each vertex of the first. \[mm\]
     pub growth: Vec<Vec<f64>>,
+    /// Whether what repetition gives is made of what captures say of themselves, for nobody measured it.
+    pub by_captures: bool,
     /// What is odd, in sentences.
     pub warnings: Vec<String>,
 }
@@ -157,6 +159,7 @@ pub fn follow(person: &str, series: &Series, known: &TechnicalErrors) -> Followe
         days: vec![],
         lines: starts(first),
         growth: vec![],
+        by_captures: known.is_empty(),
         warnings: series.warnings.clone(),
     };
     for other in others {

@@ -4,6 +4,7 @@ use super::part_of::landmark;
 use super::series::Visit;
 use crate::catalog::{limbs, parts, section_at};
 use follow::{Halves, Posed, Segments, Target, carried, posed, segments};
+use nalgebra::Point3;
 use shape::{Mesh, Part, Plane, Refusal};
 
 /// A girth of the first capture taken on another one.
@@ -27,6 +28,9 @@ pub struct Laid {
     /// The segments of the first.
     pub segments: Segments,
 }
+
+/// How far from its middle a tape may lie, in radii of a circle as long.
+const NEAR: f64 = 1.5;
 
 /// Lays the first on another.
 pub fn lay(first: &Visit, other: &Visit) -> Laid {
@@ -54,9 +58,14 @@ pub fn tapes(first: &Visit, laid: &Laid, other: &Visit) -> Vec<Tape> {
         let (point_mm, normal) = girth.plane?;
         let plane = Plane { point_mm, normal };
         let part = landmark(girth, plane)?.part;
+        let reach = NEAR * 10.0 * girth.tape / std::f64::consts::TAU;
+        let near =
+            |mesh: &Mesh, v: usize| (mesh.point(v as u32) - Point3::from(point_mm)).norm() < reach;
         let on = |moved: &Mesh| -> Result<f64, Refusal> {
-            let there = carried(&plane, &first.mesh, moved, |v| goes_with(of[v], part))
-                .ok_or(Refusal::NoSection)?;
+            let there = carried(&plane, &first.mesh, moved, |v| goes_with(of[v], part));
+            // A limb that was not told apart from the trunk there: what is about the tape's middle.
+            let about = || carried(&plane, &first.mesh, moved, |v| near(&first.mesh, v));
+            let there = there.or_else(about).ok_or(Refusal::NoSection)?;
             let mark = landmark(girth, there).ok_or(Refusal::NoSection)?;
             Ok(section_at(&other.mesh, Some(&other.body), &mark)?.tape_mm)
         };

@@ -4,9 +4,14 @@ use super::change::Followed;
 use super::curve::curve_svg;
 use super::pictures::{FULL_MM, colored, picture};
 use super::series::Series;
-use super::words::{LEGEND, girth_table, heads, volume_table};
+use super::words::{BY_CAPTURES, LEGEND, girth_table, heads, volume_table};
 use crate::page;
 use shape::mesh_to_ply;
+
+/// A drawing within a page, which needs no name space.
+fn inline(svg: &str) -> String {
+    svg.replace(" xmlns=\"http://www.w3.org/2000/svg\"", "")
+}
 
 /// The page, and a coloured surface (PLY) for each capture but the first, by its name.
 pub fn page(told: &Followed, series: &Series) -> (String, Vec<(String, Vec<u8>)>) {
@@ -22,10 +27,13 @@ pub fn page(told: &Followed, series: &Series) -> (String, Vec<(String, Vec<u8>)>
         )
     };
     body += &table("Girths", &girth_table(told), LEGEND);
+    if told.by_captures {
+        body += &format!("<p class=\"soft\">{}</p>\n", page::escaped(BY_CAPTURES));
+    }
     body += "<section><h2>Girths over time</h2>\n";
     told.lines
         .iter()
-        .for_each(|line| body += &curve_svg(told, line));
+        .for_each(|line| body += &inline(&curve_svg(told, line)));
     body += "<p class=\"soft\">The grey band is what repetition alone gives about the first capture; filled points exceed it. Bars hold the true change nine times in ten.</p></section>\n<section><h2>What grew and what shrank</h2>\n";
     let first = &series.visits[0];
     let mut surfaces = Vec::new();

@@ -72,6 +72,11 @@ fn visit(capture: Capture) -> Result<Visit, String> {
     })
 }
 
+/// Their surfaces beside captures.
+pub(super) fn visits(captures: Vec<Capture>) -> Result<Vec<Visit>, String> {
+    captures.into_iter().map(visit).collect()
+}
+
 /// Reads the captures of one person.
 ///
 /// # Errors
@@ -84,7 +89,7 @@ pub fn series(folders: &[PathBuf]) -> Result<Series, String> {
         );
     }
     let all = captures(folders, By::One)?;
-    let mut visits: Vec<Visit> = all.into_iter().map(visit).collect::<Result<_, _>>()?;
+    let mut visits: Vec<Visit> = visits(all)?;
     let mut warnings = Vec::new();
     let number = |v: &Visit| v.day.as_deref().and_then(day_number);
     let unknown: Vec<&str> = visits

@@ -13,6 +13,10 @@ pub(super) type Table = Vec<Vec<String>>;
 pub(super) const LEGEND: &str = "Tapes lie at the level of the first capture, carried to the others by laying the first body on each. ± holds the true change nine times in ten. \
     LSC: least significant change, what measuring the same body twice exceeds one time in twenty; * marks what exceeds it.";
 
+/// What is said where nobody measured what repetition gives.
+pub(super) const BY_CAPTURES: &str = "LSC is made of what captures say of themselves, which holds errors that all of them share: it is wide. Measure what repetition gives with \
+    `tailor repeat --same-level`, and hand that over with --repeat.";
+
 pub(super) fn word(part: Part) -> &'static str {
     match part {
         Part::Head => "head",
@@ -119,6 +123,9 @@ pub fn markdown(told: &Followed) -> String {
         rows(&girth_table(told)),
         rows(&volume_table(told))
     );
+    if told.by_captures {
+        let _ = write!(text, "\n{BY_CAPTURES}\n");
+    }
     for warning in &told.warnings {
         let _ = write!(text, "\nWarning: {warning}.\n");
     }

@@ -20,7 +20,7 @@ pub use known::{KNOWN, Known, allowed_mm};
 pub use page::page;
 pub use plot::bland_altman_svg;
 pub use statistics::{Agreement, Repeats, chi_square_quantile};
-pub use study::{GirthStudy, NotRepeated, Study, study, study_of};
+pub use study::{GirthStudy, NotRepeated, Study, Tapes, study, study_of};
 pub use words::{csv, json, markdown};
 
 use serde_json::Value;

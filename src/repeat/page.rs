@@ -5,6 +5,9 @@ use super::study::Study;
 use super::words::{LEGEND, girth_table, known_table, people};
 use crate::page;
 
+/// A drawing within a page needs no name space.
+const XMLNS: &str = " xmlns=\"http://www.w3.org/2000/svg\"";
+
 /// The page: it works without a network and without a script.
 pub fn page(study: &Study) -> String {
     let mut body = String::from("<h1>Repeatability</h1>\n<ul>");
@@ -24,7 +27,7 @@ pub fn page(study: &Study) -> String {
     study
         .girths
         .iter()
-        .for_each(|g| body += &bland_altman_svg(g));
+        .for_each(|g| body += &bland_altman_svg(g).replace(XMLNS, ""));
     let table = known_table();
     body += &format!(
         "</section>\n<section><h2>What others report</h2>{}</section>\n",

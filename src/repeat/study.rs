@@ -84,7 +84,7 @@ pub fn study(captures: &[Capture]) -> Result<Study, NotRepeated> {
 }
 
 /// A capture as numbers: whose, what it is called, and each girth's name, label, part and tape. \[mm\]
-type Tapes = (String, String, Vec<(String, String, Option<String>, f64)>);
+pub type Tapes = (String, String, Vec<(String, String, Option<String>, f64)>);
 
 /// The same from tapes that were taken otherwise. \[mm\]
 ///
