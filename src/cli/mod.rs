@@ -9,6 +9,7 @@ mod init;
 mod length;
 mod mat;
 mod mat_file;
+mod measure_args;
 mod measure_verb;
 mod measured;
 mod provenance;
@@ -33,7 +34,7 @@ static TAILOR: Program = Program {
         Verb {
             name: "measure",
             arguments: |own| {
-                with::<measure_verb::Measure>(own, "Photos of one turn to girths, with a report")
+                with::<measure_args::Measure>(own, "Photos of one turn to girths, with a report")
             },
             run: |said, global| measure_verb::measure(&read(said)?, global),
             runs: true,
