@@ -1,8 +1,9 @@
 //! A pipeline that can run: its nodes, its plan, its run.
 
+use crate::asked::{Folders, global};
 use crate::fault::{guarded, wrong};
 use crate::outcome::{self, Run};
-use engine::cli::{Change, Fault, GlobalArgs, Host};
+use engine::cli::{Change, Fault, GlobalArgs};
 use engine::graph::Source;
 use engine::plan::{self, State};
 use pyo3::prelude::*;
@@ -12,29 +13,11 @@ use std::collections::BTreeSet;
 use std::path::PathBuf;
 use std::sync::Arc;
 
-/// Folders of inputs by name.
-pub(crate) type Folders = Vec<(String, PathBuf)>;
-
 /// A pipeline bound to stages, with all that was set.
 #[pyclass(frozen, module = "tailor._native")]
 pub(crate) struct Graph {
     pub(crate) graph: Arc<engine::graph::Graph>,
     pub(crate) global: GlobalArgs,
-}
-
-/// The arguments of every verb, without a host.
-pub(crate) fn global(cache: PathBuf, threads: Option<usize>) -> Result<GlobalArgs, Fault> {
-    let mut global = GlobalArgs::of(tailor::program(), cache, Host::default());
-    global.threads = match threads.map(std::num::NonZeroUsize::try_from) {
-        None => None,
-        Some(Ok(threads)) => Some(threads),
-        Some(Err(_)) => {
-            return Err(Fault::input(
-                "threads=0: say 1 or more, or None for one a core",
-            ));
-        }
-    };
-    Ok(global)
 }
 
 #[pymethods]
@@ -136,7 +119,8 @@ impl Graph {
         hear: Option<Py<PyAny>>,
     ) -> PyResult<Run> {
         let wanted = wanted(&self.graph, &nodes).map_err(|fault| wrong(py, fault.text()))?;
-        outcome::run(py, self, folders, wanted, keep_going, hear)
+        let (graph, global) = (self.graph.clone(), self.global.clone());
+        outcome::run(py, graph, global, folders, wanted, keep_going, hear)
     }
 }
 

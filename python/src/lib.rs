@@ -1,6 +1,7 @@
 //! `tailor._native`: the engine and the product for Python. What Python sees is `python/tailor/`.
 
 mod artifact;
+mod asked;
 mod describe;
 mod fault;
 mod files;

@@ -1,10 +1,10 @@
 //! What came of a run: results by node, the record, files.
 
 use crate::artifact::Artifact;
+use crate::asked::{Folders, global};
 use crate::fault::guarded;
-use crate::graph::{Folders, Graph, global};
 use crate::job;
-use engine::cli::{Fault, Heard, Host, SweepArgs};
+use engine::cli::{Fault, GlobalArgs, Heard, Host, SweepArgs};
 use engine::sweep::End;
 use engine::walk::Watch;
 use engine::{Options, Outcome, out};
@@ -80,13 +80,13 @@ impl Run {
 /// Runs wanted nodes of a graph.
 pub(crate) fn run(
     py: Python<'_>,
-    graph: &Graph,
+    graph: Arc<engine::graph::Graph>,
+    global: GlobalArgs,
     folders: Folders,
     mut wanted: Vec<usize>,
     keep_going: bool,
     hear: Option<Py<PyAny>>,
 ) -> PyResult<Run> {
-    let (global, graph) = (graph.global.clone(), graph.graph.clone());
     job::run(py, hear, move |host, listener| {
         // What it takes to write what is wanted must be there.
         let needed = engine::walk::all(&graph, &wanted);

@@ -136,7 +136,7 @@ class Pipeline:
         node : str
             The node; its kind must be one that can be taken from elsewhere: masks, a mesh, cameras, photos, a document.
         value
-            Masks: a (h, w) array a photo, in turning order or by the photo's place or name; above 127 is body.
+            Masks: a (h, w) array of uint8 or bool a photo, in turning order or by the photo's place or name; 255 is body, less its border.
             A mesh: a pair of vertices [mm] and faces, a ``trimesh.Trimesh``, a result. Cameras: ``cameras.json`` as a
             dict, a ``pycolmap.Reconstruction``, a result. Photos: arrays by name, in turning order. A document: a name
             with its ending, and a text or bytes. Or a folder with files of the kind.
@@ -168,7 +168,8 @@ class Pipeline:
         name = f"put_{node}"
         sources = []
         for port in importer["ports"]:
-            source = beside(all_, node, port["kind"])
+            # What is put in depends on nothing of its own kind.
+            source = beside(all_, node, port["kind"]) if port["kind"] != kind else None
             if port["kind"] == "files":
                 sources.append(f'{port["name"]} = "@{name}"')
             elif source:
@@ -332,7 +333,7 @@ class Pipeline:
         KeyboardInterrupt
             Ctrl-C. What is done is kept: the same call goes on.
         """
-        with Hearing(progress, len(self.plan(*nodes, kind="dicts")) if progress is not False else None) as hear:
+        with Hearing(progress, lambda: len(self.plan(*nodes, kind="dicts"))) as hear:
             native = self._graph().run(self._said(), list(nodes), keep_going, hear)
         return Run(native, list(self._folders))
 

@@ -77,7 +77,7 @@ class _Bar:
 class Hearing:
     """Makes a function that the engine calls out of what a user says; closes the bar behind it."""
 
-    def __init__(self, progress: Progress, total: Optional[int] = None, unit: str = "node") -> None:
+    def __init__(self, progress: Progress, total: Optional[Callable[[], int]] = None, unit: str = "node") -> None:
         self.bar: Optional[_Bar] = None
         self.call: Optional[Callable[..., Any]] = None
         if callable(progress):
@@ -86,7 +86,7 @@ class Hearing:
         wanted = progress is True or (progress is None and (sys.stderr.isatty() or _notebook()))
         if wanted:
             try:
-                bar = self.bar = _Bar(total, unit)
+                bar = self.bar = _Bar(total() if total else None, unit)
             except ImportError:
                 if progress is True:
                     raise

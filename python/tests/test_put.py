@@ -121,3 +121,14 @@ def test_what_cannot_be_put_in_is_told(doll):
         doll.put("girths", {})
     with pytest.raises(tailor.Error, match="no node `mask`"):
         doll.put("mask", {})
+
+
+def test_photos_are_put_in(doll, shown):
+    photos = {name: shown["photos"][i] for i, name in enumerate(shown["photos"].names)}
+    run = doll.put("photos", photos).run("photos", "keypoints", progress=False)
+    assert len(run["photos"]) == 8 and (run["photos"][5] == shown["photos"][5]).all()
+    assert "keypoints" in run.made
+    with pytest.raises(tailor.Error, match=r"\(h, w, 3\)"):
+        doll.put("photos", [shown["masks"][0]])
+    with pytest.raises(tailor.Error, match="no photo"):
+        doll.put("photos", [])

@@ -2,7 +2,7 @@
 
 use super::delivered::{place_of_results, written};
 use super::folder;
-use super::measure_verb::{Measure, Shown};
+use super::measure_args::{Measure, Shown};
 use super::prepared::Prepared;
 use super::provenance::get;
 use super::said::{Said, opened};

@@ -11,7 +11,8 @@ mod init;
 mod length;
 mod mat;
 mod mat_file;
-pub(crate) mod measure_verb;
+pub(crate) mod measure_args;
+mod measure_verb;
 pub(crate) mod measuring;
 pub(crate) mod prepared;
 mod provenance;
@@ -41,7 +42,7 @@ const PRODUCT: Program = Program {
         Verb {
             name: "measure",
             arguments: |own| {
-                with::<measure_verb::Measure>(own, "Photos of one turn to girths, with a report")
+                with::<measure_args::Measure>(own, "Photos of one turn to girths, with a report")
             },
             run: |said, global| measure_verb::measure(&read(said)?, global),
             runs: true,

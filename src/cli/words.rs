@@ -20,7 +20,7 @@ pub(crate) fn arguments<A: Args>(words: Vec<OsString>) -> Result<A, Fault> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::cli::measure_verb::Measure;
+    use crate::cli::measure_args::Measure;
 
     #[test]
     fn no_folder_is_a_flag() {

@@ -7,7 +7,7 @@ use super::progress::{Progress, Step, Teller};
 use super::record::{Ended, Record};
 use super::show::SHOWN;
 use crate::cli::doctor::{Doctor, seen};
-use crate::cli::measure_verb::Measure;
+use crate::cli::measure_args::Measure;
 use crate::cli::measuring::prepared_one;
 use crate::cli::prepared::Prepared;
 use crate::cli::words::arguments;
