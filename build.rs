@@ -20,7 +20,7 @@ fn main() {
     let paths = std::env::var_os("PATH").unwrap_or_default();
     let folders: Vec<_> = std::env::split_paths(&paths).collect();
     let there = |name: &&str| folders.iter().any(|f| f.join(name).is_file());
-    if SLURM.iter().all(|name| there(&name)) {
+    if SLURM.iter().all(there) {
         println!("cargo::rustc-cfg=slurm");
     }
     let places = NAMES
