@@ -2,7 +2,7 @@
 
 use super::home::Place;
 use super::progress::Progress;
-use std::collections::HashMap;
+use std::collections::BTreeMap;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, Condvar, Mutex, MutexGuard};
 use std::time::Duration;
@@ -19,7 +19,7 @@ pub(super) struct Job {
 /// All of them.
 #[derive(Default)]
 pub(super) struct Jobs {
-    jobs: Mutex<HashMap<String, Arc<Job>>>,
+    jobs: Mutex<BTreeMap<String, Arc<Job>>>,
     /// Whether one runs; a run uses all cores and much memory.
     busy: Mutex<bool>,
     free: Condvar,

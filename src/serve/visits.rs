@@ -41,7 +41,11 @@ pub(super) async fn rows(State(app): Shared, Extension(words): Reader) -> Answer
 
 /// Measures every capture that was not.
 pub(super) async fn measure_all(State(app): Shared) -> Answer {
-    aside(move || Ok(batch::measure(&app))).await?;
+    aside(move || {
+        batch::measure(&app);
+        Ok(())
+    })
+    .await?;
     Ok(Redirect::to("/").into_response())
 }
 
@@ -142,7 +146,11 @@ pub(super) async fn measure(
             .change(&place, |record| record.facts.inches = words.inches)?;
     }
     // What is wrong with the capture stands on its page.
-    aside(move || Ok(drop(work::measure(&app, &place)))).await?;
+    aside(move || {
+        let _ = work::measure(&app, &place);
+        Ok(())
+    })
+    .await?;
     Ok(to)
 }
 

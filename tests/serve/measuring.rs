@@ -37,7 +37,7 @@ fn a_capture_is_measured_once_by_all_who_ask_and_goes_on_after_a_stop_and_a_kill
         "{look}"
     );
     let page = format!("/captures/{id}");
-    picture(&server, &page, "serve-seen");
+    picture(&server, &format!("{page}#seen"), "serve-seen");
     // Two tabs: the second joins.
     assert_eq!(ask(&server, "measure").is(202).json()["joined"], false);
     assert_eq!(ask(&server, "measure").is(200).json()["joined"], true);

@@ -1,7 +1,7 @@
 //! The report in a real browser: clicks, drags, keys, fingers, sizes, schemes, and no request.
 //! Without a Chromium these tests are ignored (touch `build.rs` once one is installed); what the page holds is tested in `page.rs`.
 
-// The pages of the product use more of it.
+// Tests of other pages use more of it.
 #[allow(dead_code)]
 mod chromium;
 mod tube;
