@@ -51,7 +51,7 @@ fn known(table: &str) -> Vec<String> {
 fn every_key_of_capture_toml_has_its_flag() {
     let all = said(
         "--stature 178 --weight 80 --focal 26 --focal-px 3000 --centre-px 4,5 --step 20 --views 18 --images a.jpg \
-         --plate p.jpg --name me --disk-diameter 70 --mat-tag 60 --mat-ids 0-11 --mat-ring 187 --rim-tag 24 \
+         --plate p.jpg --name me --date 2026-05-01 --disk-diameter 70 --mat-tag 60 --mat-ids 0-11 --mat-ring 187 --rim-tag 24 \
          --rim-ids 12-47 --rim-radius 225 --reference tag_size=60",
     );
     let places: Vec<&str> = all

@@ -24,118 +24,135 @@ fn places(told: &Followed) -> (Vec<f64>, bool) {
     }
 }
 
+/// Where captures and lengths stand on the plot.
+struct Axes {
+    /// The capture's places, 0 to `last`.
+    at: Vec<f64>,
+    last: f64,
+    /// The lengths at the plot's foot and top. \[mm\]
+    low: f64,
+    high: f64,
+}
+
+impl Axes {
+    fn x(&self, i: usize) -> f64 {
+        let [left, right, ..] = MARGIN;
+        left + 12.0 + self.at[i] / self.last * (WIDE - left - right - 24.0)
+    }
+
+    fn y(&self, mm: f64) -> f64 {
+        let [.., top, bottom] = MARGIN;
+        HIGH - bottom - (mm - self.low) / (self.high - self.low) * (HIGH - top - bottom)
+    }
+}
+
 /// The curve of a girth. Bars hold the true change nine times in ten; the grey band is what repetition gives about the first
 /// capture; a point that exceeds it is filled.
 pub(super) fn curve_svg(told: &Followed, line: &Line) -> String {
     let (at, by_days) = places(told);
     let first = line.at[0].tape_mm.ok().unwrap_or(0.0);
-    let least = line
-        .at
-        .iter()
-        .filter_map(|c| c.least_change_mm)
-        .reduce(f64::max)
-        .unwrap_or(0.0);
-    let ends = line
-        .at
-        .iter()
-        .filter_map(|c| c.interval_mm.map(|e| e.map(|x| first + x)));
-    let all = ends
-        .flatten()
-        .chain(line.at.iter().filter_map(|c| c.tape_mm.ok()))
-        .chain([first - least, first + least]);
+    let least = line.at.iter().filter_map(|c| c.least_change_mm);
+    let least = least.reduce(f64::max).unwrap_or(0.0);
+    let ends = line.at.iter().filter_map(|c| c.interval_mm);
+    let tapes = line.at.iter().filter_map(|c| c.tape_mm.ok());
+    let all = ends.flatten().map(|x| first + x).chain(tapes);
+    let all = all.chain([first - least, first + least]);
     let (low, high) = all.fold((f64::MAX, f64::MIN), |(a, b), x| (a.min(x), b.max(x)));
     let room = (0.1 * (high - low)).max(1.0);
-    let (low, high) = (low - room, high + room);
+    let axes = Axes {
+        last: at.iter().copied().fold(1e-9, f64::max),
+        at,
+        low: low - room,
+        high: high + room,
+    };
     let [left, right, top, bottom] = MARGIN;
-    let last = at.iter().copied().fold(1e-9, f64::max);
-    let x = |v: f64| left + 12.0 + v / last * (WIDE - left - right - 24.0);
-    let y = |mm: f64| HIGH - bottom - (mm - low) / (high - low) * (HIGH - top - bottom);
     let title = crate::page::escaped(&format!("{} ({}) [cm]", line.name, line.label));
     let (far, foot) = (WIDE - right, HIGH - bottom);
+    let (band_top, band_foot) = (axes.y(first + least), axes.y(first - least));
     let mut svg = format!(
         "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {WIDE} {HIGH}\" width=\"{WIDE}\" height=\"{HIGH}\" role=\"img\" aria-label=\"{title}\" font-family=\"sans-serif\" font-size=\"12\" fill=\"#777\">\n\
          <text x=\"{left}\" y=\"18\" font-size=\"14\">{title}</text>\n\
-         <rect x=\"{left}\" y=\"{:.1}\" width=\"{:.1}\" height=\"{:.1}\" fill=\"#777\" fill-opacity=\"0.18\"/>\n\
+         <rect x=\"{left}\" y=\"{band_top:.1}\" width=\"{:.1}\" height=\"{:.1}\" fill=\"#777\" fill-opacity=\"0.18\"/>\n\
          <path d=\"M{left} {top}V{foot}H{far}\" fill=\"none\" stroke=\"#777\"/>\n",
-        y(first + least),
         far - left,
-        y(first - least) - y(first + least)
+        band_foot - band_top
     );
-    for mm in [low + room, first, high - room] {
+    for mm in [low, first, high] {
+        let (x, y) = (left - 6.0, axes.y(mm) + 4.0);
         let _ = writeln!(
             svg,
-            "<text x=\"{:.1}\" y=\"{:.1}\" text-anchor=\"end\">{:.1}</text>",
-            left - 6.0,
-            y(mm) + 4.0,
+            "<text x=\"{x:.1}\" y=\"{y:.1}\" text-anchor=\"end\">{:.1}</text>",
             mm / 10.0
         );
     }
+    svg += &points(&axes, line, first);
+    svg += &days(&axes, told);
+    if !by_days {
+        let y = HIGH - 6.0;
+        let _ = writeln!(
+            svg,
+            "<text x=\"{far:.1}\" y=\"{y:.1}\" text-anchor=\"end\">not to scale: days are unknown or the same</text>"
+        );
+    }
+    svg + "</svg>\n"
+}
+
+/// Points with their bars, joined where none between is missing.
+fn points(axes: &Axes, line: &Line, first: f64) -> String {
+    const BLUE: &str = "#1a59d9";
+    let mut svg = String::new();
     let mut before: Option<(f64, f64)> = None;
     for (i, c) in line.at.iter().enumerate() {
         let Ok(tape) = c.tape_mm else {
             before = None;
             continue;
         };
-        let (px, py) = (x(at[i]), y(tape));
+        let (x, y) = (axes.x(i), axes.y(tape));
         if let Some((ox, oy)) = before {
             let _ = writeln!(
                 svg,
-                "<line x1=\"{ox:.1}\" y1=\"{oy:.1}\" x2=\"{px:.1}\" y2=\"{py:.1}\" stroke=\"#1a59d9\"/>"
+                "<line x1=\"{ox:.1}\" y1=\"{oy:.1}\" x2=\"{x:.1}\" y2=\"{y:.1}\" stroke=\"{BLUE}\"/>"
             );
         }
-        if let Some([a, b]) = c.interval_mm {
+        if let Some(ends) = c.interval_mm {
+            let [a, b] = ends.map(|mm| axes.y(first + mm));
             let _ = writeln!(
                 svg,
-                "<line x1=\"{px:.1}\" x2=\"{px:.1}\" y1=\"{:.1}\" y2=\"{:.1}\" stroke=\"#1a59d9\" stroke-width=\"2\"/>",
-                y(first + a),
-                y(first + b)
+                "<line x1=\"{x:.1}\" x2=\"{x:.1}\" y1=\"{a:.1}\" y2=\"{b:.1}\" stroke=\"{BLUE}\" stroke-width=\"2\"/>"
             );
         }
         let fill = if c.changed == Some(true) {
-            "#1a59d9"
+            BLUE
         } else {
             "#fff"
         };
         let _ = writeln!(
             svg,
-            "<circle cx=\"{px:.1}\" cy=\"{py:.1}\" r=\"4.5\" fill=\"{fill}\" stroke=\"#1a59d9\" stroke-width=\"2\"/>"
+            "<circle cx=\"{x:.1}\" cy=\"{y:.1}\" r=\"4.5\" fill=\"{fill}\" stroke=\"{BLUE}\" stroke-width=\"2\"/>"
         );
-        before = Some((px, py));
+        before = Some((x, y));
     }
+    svg
+}
+
+/// Days, or names, under the points; of many the first and the last.
+fn days(axes: &Axes, told: &Followed) -> String {
     let heads = super::words::heads(told);
-    let shown = if heads.len() > 5 {
-        vec![0, heads.len() - 1]
-    } else {
-        (0..heads.len()).collect()
-    };
-    for i in shown {
-        let anchor = if i == 0 {
-            "start"
-        } else if i + 1 == heads.len() {
-            "end"
-        } else {
-            "middle"
+    let last = heads.len() - 1;
+    let y = HIGH - MARGIN[3] + 16.0;
+    let mut svg = String::new();
+    for (i, head) in heads.iter().enumerate() {
+        let (x, anchor) = match i {
+            0 => (MARGIN[0], "start"),
+            i if i == last => (WIDE - MARGIN[1], "end"),
+            _ if last > 4 => continue,
+            i => (axes.x(i), "middle"),
         };
-        let edge = if i == 0 {
-            left
-        } else if i + 1 == heads.len() {
-            far
-        } else {
-            x(at[i])
-        };
+        let head = crate::page::escaped(head);
         let _ = writeln!(
             svg,
-            "<text x=\"{edge:.1}\" y=\"{:.1}\" text-anchor=\"{anchor}\">{}</text>",
-            foot + 16.0,
-            crate::page::escaped(&heads[i])
+            "<text x=\"{x:.1}\" y=\"{y:.1}\" text-anchor=\"{anchor}\">{head}</text>"
         );
     }
-    if !by_days {
-        let _ = writeln!(
-            svg,
-            "<text x=\"{far:.1}\" y=\"{:.1}\" text-anchor=\"end\">not to scale: days are unknown or the same</text>",
-            HIGH - 6.0
-        );
-    }
-    svg + "</svg>\n"
+    svg
 }

@@ -12,8 +12,10 @@ pub(super) fn day_in(name: &str) -> Option<String> {
         let long = name.get(i..i + 10).filter(|_| whole(i, i + 10));
         let short = name.get(i..i + 8).filter(|t| digits(t) && whole(i, i + 8));
         let short = short.map(|t| format!("{}-{}-{}", &t[..4], &t[4..6], &t[6..]));
-        let day = long.map(str::to_owned).or(short)?;
-        day_number(&day).map(|_| day)
+        let both = [long.map(str::to_owned), short];
+        both.into_iter()
+            .flatten()
+            .find(|day| day_number(day).is_some())
     })
 }
 

@@ -27,31 +27,14 @@ fn marks(low: f64, high: f64) -> (Vec<f64>, usize) {
     ((first..=last).map(|i| i as f64 * step).collect(), digits)
 }
 
-/// The difference of each later measurement from the person's first over the mean of both, with bias and limits of
-/// agreement (Bland and Altman 1986). It has its own colours, for light and dark pages.
-pub fn bland_altman_svg(girth: &GirthStudy) -> String {
-    let agreement = &girth.agreement;
-    let over = |f: fn(f64, f64) -> f64, at: usize, start: f64| {
-        agreement.pairs.iter().map(|p| p[at]).fold(start, f)
-    };
-    let (x0, x1) = (over(f64::min, 0, f64::MAX), over(f64::max, 0, f64::MIN));
-    let room = (0.08 * (x1 - x0)).max(1.0);
-    let (x0, x1) = (x0 - room, x1 + room);
-    let limits = agreement.limits.unwrap_or([agreement.bias; 2]);
-    let low = over(f64::min, 1, limits[0].min(0.0));
-    let high = over(f64::max, 1, limits[1].max(0.0));
-    let room = (0.1 * (high - low)).max(0.1);
-    let (y0, y1) = (low - room, high + room);
+/// An axis: its ends, and where a value of it stands on the plot.
+type Axis<'a> = (f64, f64, &'a dyn Fn(f64) -> f64);
+
+/// Both axes with their marks and words.
+fn axes((x0, x1, x): Axis<'_>, (y0, y1, y): Axis<'_>) -> String {
     let [left, right, top, bottom] = MARGIN;
-    let x = |v: f64| left + (v - x0) / (x1 - x0) * (WIDE - left - right);
-    let y = |v: f64| HIGH - bottom - (v - y0) / (y1 - y0) * (HIGH - top - bottom);
-    let mut svg = format!(
-        "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {WIDE} {HIGH}\" width=\"{WIDE}\" height=\"{HIGH}\" role=\"img\" \
-         aria-label=\"Bland–Altman plot of {0}\" font-family=\"sans-serif\" font-size=\"12\" fill=\"#777\">\n\
-         <text x=\"{left}\" y=\"18\" font-size=\"14\">{0}</text>\n",
-        crate::page::escaped(&format!("{} ({})", girth.name, girth.label))
-    );
     let (far, foot) = (WIDE - right, HIGH - bottom);
+    let mut svg = String::new();
     let (ticks, digits) = marks(x0, x1);
     for v in ticks {
         let at = x(v);
@@ -88,6 +71,35 @@ pub fn bland_altman_svg(girth: &GirthStudy) -> String {
         svg,
         "<text x=\"14\" y=\"{middle:.1}\" text-anchor=\"middle\" transform=\"rotate(-90 14 {middle:.1})\">later − first [mm]</text>"
     );
+    svg
+}
+
+/// The difference of each later measurement from the person's first over the mean of both, with bias and limits of
+/// agreement (Bland and Altman 1986). It has its own colours, for light and dark pages.
+pub fn bland_altman_svg(girth: &GirthStudy) -> String {
+    let agreement = &girth.agreement;
+    let over = |f: fn(f64, f64) -> f64, at: usize, start: f64| {
+        agreement.pairs.iter().map(|p| p[at]).fold(start, f)
+    };
+    let (x0, x1) = (over(f64::min, 0, f64::MAX), over(f64::max, 0, f64::MIN));
+    let room = (0.08 * (x1 - x0)).max(1.0);
+    let (x0, x1) = (x0 - room, x1 + room);
+    let limits = agreement.limits.unwrap_or([agreement.bias; 2]);
+    let low = over(f64::min, 1, limits[0].min(0.0));
+    let high = over(f64::max, 1, limits[1].max(0.0));
+    let room = (0.1 * (high - low)).max(0.1);
+    let (y0, y1) = (low - room, high + room);
+    let [left, right, top, bottom] = MARGIN;
+    let x = |v: f64| left + (v - x0) / (x1 - x0) * (WIDE - left - right);
+    let y = |v: f64| HIGH - bottom - (v - y0) / (y1 - y0) * (HIGH - top - bottom);
+    let mut svg = format!(
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {WIDE} {HIGH}\" width=\"{WIDE}\" height=\"{HIGH}\" role=\"img\" \
+         aria-label=\"Bland–Altman plot of {0}\" font-family=\"sans-serif\" font-size=\"12\" fill=\"#777\">\n\
+         <text x=\"{left}\" y=\"18\" font-size=\"14\">{0}</text>\n",
+        crate::page::escaped(&format!("{} ({})", girth.name, girth.label))
+    );
+    let far = WIDE - right;
+    svg += &axes((x0, x1, &x), (y0, y1, &y));
     let mut line = |v: f64, dash: &str, word: &str| {
         let at = y(v);
         let _ = writeln!(

@@ -12,6 +12,9 @@ pub(crate) enum Day {
     Exif,
 }
 
+/// What is said where photos were asked for their day and tell none.
+pub(crate) const NO_DAY: &str = "`date = \"exif\"`: the photos tell no day";
+
 const WANTS: &str = "a day such as \"2026-05-01\", or \"exif\" to take the photos' own";
 
 /// The key `date` of `capture.toml`.

@@ -1,7 +1,7 @@
 //! The stage that reads the photos of a turn.
 
 use crate::alike::{one_size, other_cameras, out_of_order, two_turns};
-use crate::date::{Day, day_of};
+use crate::date::{Day, NO_DAY, day_of};
 use crate::error::CaptureError;
 use crate::facts::Facts;
 use crate::glance::{Glance, glance, together};
@@ -106,9 +106,8 @@ impl Stage for Load {
         let mut rig = known.rig;
         if known.day == Some(Day::Exif) {
             rig.date = day;
-            if rig.date.is_none() {
-                ctx.warn("`date = \"exif\"`: the photos tell no day");
-            }
+            let silent = rig.date.is_none().then_some(NO_DAY);
+            silent.iter().for_each(|w| ctx.warn(*w));
         }
         if !p.even && rig.step.take().is_some() {
             ctx.warn("frames of a video are not at even steps: `step_deg` was passed over (how many are taken: --set frames.step_deg=)");
