@@ -1,6 +1,7 @@
 //! What changed from the first capture on, each with its interval and with what repetition alone gives.
 
 use super::lay::{Laid, lay, tapes};
+use super::median::median;
 use super::series::{Series, Visit};
 use super::who::{Doubt, doubts};
 use crate::compare::TechnicalErrors;
@@ -79,13 +80,6 @@ pub struct Followed {
 fn sigma(visit: &Visit, name: &str) -> Option<f64> {
     let girth = visit.capture.girths.get(name)?;
     Some(10.0 * girth.surface?.hypot(girth.scale.unwrap_or(0.0)))
-}
-
-/// The middle value, or 0 of none.
-pub(super) fn median(values: &[f64]) -> f64 {
-    let mut sorted = values.to_vec();
-    sorted.sort_by(f64::total_cmp);
-    sorted.get(sorted.len() / 2).copied().unwrap_or(0.0)
 }
 
 fn change(

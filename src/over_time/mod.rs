@@ -10,6 +10,7 @@ mod change;
 mod curve;
 mod day;
 mod lay;
+mod median;
 mod page;
 mod part_of;
 mod pictures;

@@ -1,6 +1,6 @@
 //! Whether two captures are of the same person: what weight does not change.
 
-use super::change::median;
+use super::median::median;
 use super::series::Visit;
 use std::fmt;
 

@@ -4,7 +4,7 @@
 //! names and the clauses of ISO 8559-1:2017. No LOINC code is made up, and each waist has the code of where it
 //! was taken.
 
-use crate::files::WriteError;
+use crate::write_error::WriteError;
 use serde_json::{Map, Value, json};
 use shape::{Girth, GirthId, Girths, Unit};
 

@@ -17,19 +17,16 @@ use crate::sheet::masks_to_sheet;
 use crate::stl::mesh_to_stl;
 use crate::three_mf::mesh_to_3mf;
 use crate::views::mesh_to_views;
+use crate::write_error::WriteError;
 use shape::{
     Cameras, Document, Girths, Keypoints, Landmarks, Masks, Mesh, Photos, Tags, Textured, Tracks,
     Warps, gray_to_png, mesh_to_ply, rgb_to_jpeg,
 };
 use stage::AnyArtifact;
-use std::error::Error;
 use std::path::Path;
 
 /// Files of an artifact: names and bytes. One nameless file, or several in a folder.
 pub type NamedFiles = Vec<(String, Vec<u8>)>;
-
-/// Why an artifact cannot be written.
-pub type WriteError = Box<dyn Error + Send + Sync>;
 
 /// An artifact of another kind, or a format that its kind does not have.
 #[derive(Debug, thiserror::Error)]

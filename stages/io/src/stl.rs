@@ -1,6 +1,6 @@
 //! Meshes as binary STL, for printers and slicers. The format has no unit: the header says it.
 
-use crate::files::WriteError;
+use crate::write_error::WriteError;
 use shape::{Mesh, Unit};
 
 /// A mesh as binary STL, z up: millimetres where lengths are known; else the header says that they are relative.

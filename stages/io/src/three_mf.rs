@@ -1,6 +1,6 @@
 //! Meshes as 3MF (core specification 1.3), for printers: always in millimetres.
 
-use crate::files::WriteError;
+use crate::write_error::WriteError;
 use shape::{Mesh, Unit};
 use std::fmt::Write as _;
 use std::io::{Cursor, Write as _};

@@ -192,7 +192,7 @@ mod tests {
         assert_eq!(mesh_from_ply(&mesh_to_ply(&mesh)).unwrap(), mesh);
         mesh.unit = Unit::Relative;
         let file = mesh_to_ply(&mesh);
-        assert!(!String::from_utf8_lossy(&file).contains("mm"));
+        assert!(!String::from_utf8_lossy(&file).contains("unit mm"));
         assert_eq!(mesh_from_ply(&file).unwrap(), mesh);
     }
 
