@@ -3,7 +3,7 @@
 use engine::cli::Fault;
 use engine::out;
 use serde_json::{Value, json};
-use shape::{Document, Photo, PhotoId, Photos, Solid, Sway};
+use shape::{Document, Photo, PhotoId, Photos, Solid, Sway, Unit};
 use stage::{AnyArtifact, AnyStage, Artifact, Files};
 
 /// As JSON. A kind that is all arrays has nothing.
@@ -27,8 +27,12 @@ fn value(bytes: &[u8], stage: &'static dyn AnyStage) -> Result<Value, Fault> {
     Ok(match stage.yields() {
         // Photo, width, height.
         "masks" => json!(file.meta::<Vec<(u32, u32, u32)>>().map_err(Fault::stage)?),
+        "mesh" => json!({ "unit": unit(file.meta().map_err(Fault::stage)?) }),
         // Width and height of the atlas.
-        "textured" => json!(file.meta::<(u64, u64)>().map_err(Fault::stage)?),
+        "textured" => {
+            let (lengths, width, height): (Unit, u64, u64) = file.meta().map_err(Fault::stage)?;
+            json!({ "unit": unit(lengths), "width": width, "height": height })
+        }
         "keypoints" => json!(file.meta::<Vec<PhotoId>>().map_err(Fault::stage)?),
         // Photo, cell in pixels, columns.
         "warps" => json!(file.meta::<Vec<(u32, f64, u32)>>().map_err(Fault::stage)?),
@@ -50,6 +54,11 @@ fn value(bytes: &[u8], stage: &'static dyn AnyStage) -> Result<Value, Fault> {
         }
         _ => Value::Null,
     })
+}
+
+/// What lengths are in.
+fn unit(lengths: Unit) -> &'static str {
+    lengths.length(0.0).1
 }
 
 fn typed<A: Artifact>(artifact: AnyArtifact) -> Result<std::sync::Arc<A>, Fault> {

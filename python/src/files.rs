@@ -73,6 +73,8 @@ pub(crate) fn ply(
             positions: numbers(positions, f32::from_le_bytes),
             faces: numbers(faces, u32::from_le_bytes),
             colors: colors.as_chunks::<3>().0.to_vec(),
+            // What its numbers are in is said where it is taken.
+            unit: shape::Unit::Metric,
         };
         if !mesh.colors.is_empty() && mesh.colors.len() != mesh.positions.len() {
             return Err(Fault::input("a surface has a colour a vertex, or none"));

@@ -73,7 +73,9 @@ class Mesh(Artifact):
     Attributes
     ----------
     vertices : numpy.ndarray, (n, 3) float32
-        Millimetres, z up.
+        In ``unit``, z up.
+    unit : str
+        ``"mm"``, or ``"relative"`` where nothing of known length was given: 1000 are then the radius of the camera ring.
     faces : numpy.ndarray, (m, 3) uint32
         Vertices of each face, counter-clockwise seen from outside.
     colors : numpy.ndarray, (n, 3) uint8, or None
@@ -83,6 +85,10 @@ class Mesh(Artifact):
     @property
     def vertices(self) -> Any:
         return self.array("positions", "<f4", 3)
+
+    @property
+    def unit(self) -> str:
+        return str(self.document["unit"])
 
     @property
     def faces(self) -> Any:
@@ -120,7 +126,7 @@ class Textured(Mesh):
 
     @property
     def atlas(self) -> Any:
-        width, height = self.document
+        width, height = self.document["width"], self.document["height"]
         return self.array("atlas").reshape(height, width, 3)
 
 
