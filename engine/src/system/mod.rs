@@ -1,6 +1,7 @@
 //! What differs between systems, each with a portable way: files for the owner only, folders that are
 //! entered without going through a link, memory. Processes are in `stage::process`.
 
+mod entries;
 mod files;
 #[cfg(unix)]
 #[path = "nofollow.rs"]
@@ -9,28 +10,12 @@ pub(crate) mod nofollow;
 #[path = "nofollow_portable.rs"]
 pub(crate) mod nofollow;
 
+pub(crate) use entries::FileKind;
+use entries::WRITING;
 pub(crate) use files::{
     Stamp, Use, can_start, is_mine, may_write, permit, private_file, private_folder, read_exact_at,
 };
 pub(crate) use nofollow::Folder;
-
-/// What may lie in a folder; all else is let be.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum FileKind {
-    /// A plain file.
-    File,
-    /// A folder.
-    Folder,
-}
-
-/// What names of files that are being written begin with; process, count and time follow.
-const WRITING: &str = ".writing-";
-
-/// The name of a file while it is being written.
-fn writing(count: u64) -> String {
-    let (process, now) = (std::process::id(), crate::clock::now_ns());
-    format!("{WRITING}{process}-{count}-{now:x}")
-}
 
 /// Removes what killed processes were writing into a folder.
 pub(crate) fn tidy(at: &Folder) {

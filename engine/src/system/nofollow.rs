@@ -1,6 +1,6 @@
 //! Folders entered, and files listed, written and removed in them, without ever going through a link.
 
-use super::FileKind;
+use super::entries::{FileKind, writing};
 use rustix::fs::{
     AtFlags, CWD, Dir, FileType, Mode, OFlags, mkdirat, openat, renameat, statat, unlinkat,
 };
@@ -98,7 +98,7 @@ pub(crate) fn replace(at: &Folder, name: &str, bytes: &[u8]) -> Result<()> {
         return Ok(());
     }
     static COUNT: AtomicU64 = AtomicU64::new(0);
-    let tmp = super::writing(COUNT.fetch_add(1, Ordering::Relaxed));
+    let tmp = writing(COUNT.fetch_add(1, Ordering::Relaxed));
     let flags = OFlags::WRONLY | OFlags::CREATE | OFlags::EXCL | OFlags::CLOEXEC;
     let mut file = File::from(openat(at, &tmp, flags, Mode::RUSR | Mode::WUSR)?);
     let written = file.write_all(bytes);

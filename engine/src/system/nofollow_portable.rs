@@ -2,7 +2,7 @@
 //! by its parent: each name on the way is looked at first. A link that somebody puts there between the look
 //! and the use is not seen; a folder that only its owner writes into has no such somebody.
 
-use super::FileKind;
+use super::entries::{FileKind, writing};
 use std::fs::{self, OpenOptions};
 use std::io::{Error, ErrorKind, Result, Write};
 use std::path::{Path, PathBuf};
@@ -91,8 +91,7 @@ pub(crate) fn replace(at: &Folder, name: &str, bytes: &[u8]) -> Result<()> {
         return Ok(());
     }
     static COUNT: AtomicU64 = AtomicU64::new(0);
-    let tmp =
-        at.0.join(super::writing(COUNT.fetch_add(1, Ordering::Relaxed)));
+    let tmp = at.0.join(writing(COUNT.fetch_add(1, Ordering::Relaxed)));
     let mut open = OpenOptions::new();
     let mut file = open.write(true).create_new(true).open(&tmp)?;
     let written = file.write_all(bytes);

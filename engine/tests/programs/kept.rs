@@ -1,6 +1,7 @@
 //! A program that stays for the run: told of each job, ended at last, whatever it does.
 
 use crate::trade::{Nobody, Place, Text, left};
+use engine::Options;
 use engine::recipe::Overrides;
 use engine::sweep::{self, End, Points, Sweeping, axes};
 use std::path::PathBuf;
@@ -51,7 +52,11 @@ fn one_program_serves_all_points_and_ends_with_them() {
         open: &|point| open(&point.overrides(&Overrides::default()).sets),
         nodes: &[],
         folders: &[],
-        options: &place.options(),
+        // One program serves a thread.
+        options: &Options {
+            threads: Some(1),
+            ..place.options()
+        },
         tell: &[],
         errors: None,
         watch: &Nobody,

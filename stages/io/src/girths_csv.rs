@@ -44,7 +44,7 @@ fn of_capture(girths: &Girths, to: Written) -> (String, String) {
     (columns.join(","), cells.join(","))
 }
 
-/// A table for a spreadsheet (RFC 4180): one girth a row, lengths as in [`girths_to_json`], each row with what is known of
+/// A table for a spreadsheet (RFC 4180): one girth a row, lengths as in [`crate::girths_to_json`], each row with what is known of
 /// the capture, so that tables of several captures may be put under each other; what is missing has a row with a note and
 /// no number.
 pub fn girths_to_csv(girths: &Girths) -> String {
