@@ -58,7 +58,7 @@ def test_a_mesh_is_what_the_command_writes(doll, shown, command, tmp_path):
     assert shown.save("carved", tmp_path / "b.ply").read_bytes() == (tmp_path / "a.ply").read_bytes()
     assert shown.formats("carved")[0] == "ply"
     with pytest.raises(tailor.Error, match="ply"):
-        shown.save("carved", tmp_path / "c.stl", "stl")
+        shown.save("carved", tmp_path / "c.dae", "dae")
 
 
 def test_masks_are_what_the_command_writes(shown, command, tmp_path):

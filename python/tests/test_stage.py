@@ -124,7 +124,7 @@ def test_the_source_is_in_the_key_with_all_that_it_uses(doll, monkeypatch):
     assert "# test_stage 3.1" in tailor.stage(out="masks")(cut.function).source
 
 
-def test_one_worker_serves_all_points_of_a_sweep(doll):
+def test_a_worker_a_thread_serves_all_points_of_a_sweep(doll):
     mine = doll.add("told", table, cameras="cameras", girths="girths_formula")
     mine.run("girths_formula", progress=False)
     one, two = (mine.set("told.decimals", n) for n in (4, 5))
@@ -132,7 +132,7 @@ def test_one_worker_serves_all_points_of_a_sweep(doll):
     mine.sweep(over={"told.decimals": list(range(6, 26))}, nodes=["told"], progress=False)
     each = (time.perf_counter() - start) / 20
     pids = {mine.set("told.decimals", n).run("told", progress=False)["told"].frame("dicts")[-1]["cm"] for n in range(6, 26)}
-    assert len(pids) == 1
+    assert len(pids) <= os.cpu_count()
     run = [p.run("told", progress=False)["told"].frame("dicts")[-1]["cm"] for p in (one, two)]
     assert run[0] != run[1] and not set(run) & pids
     print(f"a point of a stage in Python: {each * 1e3:.0f} ms")
