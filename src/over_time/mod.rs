@@ -20,7 +20,6 @@ mod who;
 mod words;
 
 pub use change::{Change, Followed, Line, follow};
-pub use day::day_number;
 pub use lay::{Laid, lay, tapes};
 pub use page::page;
 pub use repeated::repeated;

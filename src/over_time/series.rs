@@ -1,10 +1,10 @@
 //! The captures of one person in the order of their days, with their surfaces.
 
-use super::day::{day_in, day_number};
+use super::day::day_in;
 use crate::catalog::{Body, body};
 use crate::repeat::{By, Capture, captures};
 use serde_json::Value;
-use shape::{Mesh, Unit, mesh_from_ply};
+use shape::{Mesh, Unit, day_number, mesh_from_ply};
 use std::path::{Path, PathBuf};
 
 /// One capture.

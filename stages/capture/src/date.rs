@@ -1,6 +1,7 @@
 //! The day of a capture: said, or read from the photos where the user asks for that. Never the time of day.
 
 use crate::keys::{Keys, RigError};
+use shape::day_number;
 use toml::Value;
 
 /// Where the day of a capture comes from.
@@ -29,32 +30,9 @@ pub(crate) fn read_day(root: &mut Keys<'_>) -> Result<Option<Day>, RigError> {
     };
     match text.as_str() {
         "exif" => Ok(Some(Day::Exif)),
-        day if is_day(day) => Ok(Some(Day::Said(text))),
+        day if day_number(day).is_some() => Ok(Some(Day::Said(text))),
         _ => Err(root.wrong("date", WANTS, &value)),
     }
-}
-
-/// Whether a text is a day of the calendar, `YYYY-MM-DD`.
-fn is_day(text: &str) -> bool {
-    let parts: Vec<&str> = text.split('-').collect();
-    let [year, month, day] = parts.as_slice() else {
-        return false;
-    };
-    let digits =
-        |part: &str, count: usize| part.len() == count && part.bytes().all(|b| b.is_ascii_digit());
-    if !(digits(year, 4) && digits(month, 2) && digits(day, 2)) {
-        return false;
-    }
-    let number = |part: &str| part.parse::<u32>().unwrap_or(0);
-    let (year, month, day) = (number(year), number(month), number(day));
-    let leap = year.is_multiple_of(4) && (!year.is_multiple_of(100) || year.is_multiple_of(400));
-    let most = match month {
-        1 | 3 | 5 | 7 | 8 | 10 | 12 => 31,
-        4 | 6 | 9 | 11 => 30,
-        2 => 28 + u32::from(leap),
-        _ => 0,
-    };
-    (1..=most).contains(&day)
 }
 
 /// The day of a time in seconds since 0000-03-01 of the proleptic Gregorian calendar (Howard Hinnant's algorithm).
@@ -81,7 +59,7 @@ mod tests {
     #[test]
     fn days_of_the_calendar_and_no_others() {
         for day in ["2026-05-01", "2024-02-29", "2000-02-29", "1999-12-31"] {
-            assert!(is_day(day), "{day}");
+            assert!(day_number(day).is_some(), "{day}");
         }
         for none in [
             "2026-5-1",
@@ -93,7 +71,7 @@ mod tests {
             "yesterday",
             "2026-05-01T10:00",
         ] {
-            assert!(!is_day(none), "{none}");
+            assert!(day_number(none).is_none(), "{none}");
         }
     }
 
