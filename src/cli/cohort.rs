@@ -140,7 +140,7 @@ pub(super) fn csv(rows: &[Row]) -> Vec<u8> {
 }
 
 /// A cell of CSV (RFC 4180).
-fn cell(text: &str) -> String {
+pub(crate) fn cell(text: &str) -> String {
     match text.contains([',', '"', '\n', '\r']) {
         true => format!("\"{}\"", text.replace('"', "\"\"")),
         false => text.to_owned(),

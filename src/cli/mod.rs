@@ -1,6 +1,6 @@
 //! The product's command line: what it adds to the engine's verbs.
 
-mod cohort;
+pub(crate) mod cohort;
 mod compare;
 mod delivered;
 pub(crate) mod doctor;

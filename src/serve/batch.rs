@@ -3,6 +3,7 @@
 use super::app::App;
 use super::pages::home::Line;
 use super::work;
+use crate::cli::cohort;
 use serde_json::Value;
 use std::sync::Arc;
 
@@ -32,15 +33,11 @@ pub(super) fn measure(app: &Arc<App>) {
     }
 }
 
-/// A cell (RFC 4180) that no spreadsheet takes for a formula.
+/// A cell that no spreadsheet takes for a formula.
 fn cell(text: &str) -> String {
-    let text = match text.starts_with(['=', '+', '-', '@', '\t']) {
-        true => format!("'{text}"),
-        false => text.to_owned(),
-    };
-    match text.contains(['"', ',', '\n', '\r']) {
-        true => format!("\"{}\"", text.replace('"', "\"\"")),
-        false => text,
+    match text.starts_with(['=', '+', '-', '@', '\t']) {
+        true => cohort::cell(&format!("'{text}")),
+        false => cohort::cell(text),
     }
 }
 
