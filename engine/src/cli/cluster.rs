@@ -127,7 +127,10 @@ pub(crate) fn submit(args: &Submit, global: &GlobalArgs) -> Result<(), Fault> {
     match global.json {
         true => crate::outln!("{}", json!({ "plan": name, "layers": sent })),
         false if layers.is_empty() => crate::outln!("all strands are done; nothing was sent"),
-        false => crate::outln!("tailor status {} tells how far it is", &name[..12]),
+        false => {
+            let program = global.program().name;
+            crate::outln!("{program} status {} tells how far it is", &name[..12]);
+        }
     }
     Ok(())
 }
