@@ -40,6 +40,8 @@ pub const IMPORTERS: &[Importer] = &[
         &erase::<pose::Import>(),
         &["*.json", "*_par.txt", "*.txt", "*.bin"],
     ),
+    taken(&erase::<pose::ImportTags>(), &["tags.json"]),
+    taken(&erase::<pose::ImportTracks>(), &["tracks.json"]),
     taken(
         &erase::<silhouette::Import>(),
         &["*.{png,jpg,jpeg,tif,tiff}"],

@@ -104,7 +104,7 @@ fn one(girth: &Value, suffix: &str) -> Option<ReadGirth> {
         _ => &girth["plane"]["point_rel"],
     };
     let ends = length("interval").as_array();
-    let surface = sigma("surface").map(|s| s.hypot(sigma("split").unwrap_or(0.0)));
+    let surface = sigma("surface").map(|s| libm::hypot(s, sigma("split").unwrap_or(0.0)));
     Some(ReadGirth {
         name: text("name")?,
         label: text("label")?,

@@ -49,7 +49,7 @@ pub const KINDS: &[Kind] = &[
     written(Tags::KIND, &["json"]),
     written(Warps::KIND, &["json"]),
     on_photos(Keypoints::KIND, &["png"]),
-    on_photos(Tracks::KIND, &["png"]),
+    on_photos(Tracks::KIND, &["png", "json"]),
 ];
 
 /// A kind that is written in these formats and tells nothing of itself.

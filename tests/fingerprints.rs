@@ -62,6 +62,8 @@ fn no_stage_gives_other_bytes_under_the_same_version() {
     let mut now = run(place.path(), "stages.toml", &more);
     let tables = Path::new(env!("CARGO_MANIFEST_DIR")).join("models/tables");
     let tables = format!("tables={}", tables.display());
+    let found = folder().join("found").display().to_string();
+    let [tags, tracks] = ["tags", "tracks"].map(|kind| format!("{kind}={found}"));
     let inputs = [
         "photos=out/photos",
         "cameras=out",
@@ -69,6 +71,8 @@ fn no_stage_gives_other_bytes_under_the_same_version() {
         "surface=out",
         "table=out",
         &tables,
+        &tags,
+        &tracks,
     ];
     let inputs: Vec<&str> = inputs.iter().flat_map(|i| ["--input", *i]).collect();
     now.extend(run(place.path(), "imports.toml", &inputs));

@@ -23,7 +23,7 @@ fn body(arms_deg: f64, stature: f64, belt_mm: f64) -> Mesh {
         let high = (z - 0.62 * stature) / 60.0;
         // Arms hang far outside.
         if x.abs() < 280.0 {
-            let by = belt_mm * (-0.5 * high * high).exp() / x.hypot(y).max(1.0);
+            let by = belt_mm * libm::exp(-0.5 * high * high) / libm::hypot(x, y).max(1.0);
             (at[0], at[1]) = ((x + x * by) as f32, (y + y * by) as f32);
         }
     }

@@ -224,7 +224,10 @@ fn row(voxel: f64, method: &str, waist: Option<f64>) -> Row {
             Some(_) => End::Done,
             None => End::Failed("hull".into(), "<too> fine".into()),
         },
-        metrics: vec![("girths.WC".into(), waist.map(metric))],
+        metrics: vec![
+            ("girths.WC".into(), waist.map(metric)),
+            ("girths.count".into(), waist.map(|_| metric(17.0))),
+        ],
         known: vec![],
         made: 1,
         found: 0,
@@ -266,6 +269,25 @@ fn a_sweep_is_plotted_lights_up_and_sorts() {
     tab.click("#points th:nth-child(3)");
     tab.click("#points th:nth-child(3)");
     assert_eq!(tab.value(first), "3", "the widest waist on top");
+    let words = |tab: &mut Tab, selector: &str| {
+        let text = tab.value(&format!("document.querySelector({selector:?}).textContent"));
+        text.as_str().unwrap().to_owned()
+    };
+    let figure = words(&mut tab, "figure:nth-child(2)");
+    for said in ["girths.WC [cm]", "over hull.voxel_mm", "variant = rigid"] {
+        assert!(figure.contains(said), "{said}: {figure}");
+    }
+    let still = words(&mut tab, "#legend");
+    assert!(
+        still.contains("not drawn: girths.count [cm] 17."),
+        "{still}"
+    );
+    let cut = tab.value(
+        "[...document.querySelectorAll('figure svg')].flatMap((svg) => { const s = svg.getBoundingClientRect();
+         return [...svg.querySelectorAll('text')].filter((t) => { const r = t.getBoundingClientRect();
+           return r.left < s.left - 1 || r.right > s.right + 1 || r.bottom > s.bottom + 1; }).map((t) => t.textContent); })",
+    );
+    assert_eq!(cut, serde_json::json!([]), "no tick is cut off");
     let trouble = tab.value("document.querySelector('tr[data-row=\"4\"]').textContent");
     assert!(
         trouble

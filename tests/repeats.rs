@@ -60,7 +60,7 @@ fn two_people_twice_have_errors_correlation_and_plots() {
             .lines()
             .nth(1)
             .unwrap()
-            .starts_with("WC,\"WC\",2,4,")
+            .starts_with("WC,WC,2,4,")
     );
     assert!(read("bland-altman-WC.svg").contains("bias +0.5"));
     let page = read("repeat.html");

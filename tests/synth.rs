@@ -103,12 +103,12 @@ fn off(found: &Cameras, truth: &Cameras) -> (f64, f64) {
     let turn = synth::turn_between(found, truth);
     let radius = |c: &Cameras| {
         let all = c.views.values().map(|v| v.camera.centre());
-        all.map(|p| p.x.hypot(p.y)).sum::<f64>() / c.views.len() as f64
+        all.map(|p| libm::hypot(p.x, p.y)).sum::<f64>() / c.views.len() as f64
     };
     let (own, real) = (radius(found), radius(truth));
     let place = found.views.join(&truth.views).map(|(_, a, b)| {
         let (a, b) = (turn * a.camera.centre() / own, b.camera.centre() / real);
-        (a.x - b.x).hypot(a.y - b.y)
+        libm::hypot(a.x - b.x, a.y - b.y)
     });
     let focal = |c: &Cameras| c.views.values().next().unwrap().camera.lens.focal[0];
     let focal = focal(found) / focal(truth) - 1.0;

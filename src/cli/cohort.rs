@@ -5,7 +5,7 @@ use super::provenance::{get, warnings};
 use engine::cli::Fault;
 use engine::cli::text::{lines, table, to_the_right};
 use serde_json::{Value, json};
-use shape::{Cameras, Girths, Scale, Unit};
+use shape::{Cameras, Girths, Scale, Unit, csv_table};
 use std::path::Path;
 use std::sync::Arc;
 
@@ -132,19 +132,7 @@ pub(super) fn csv(rows: &[Row]) -> Vec<u8> {
         line.push(row.came.as_ref().err().cloned().unwrap_or_default());
         all.push(line);
     }
-    let text: Vec<String> = all
-        .iter()
-        .map(|line| line.iter().map(|c| cell(c)).collect::<Vec<_>>().join(",") + "\n")
-        .collect();
-    text.concat().into_bytes()
-}
-
-/// A cell of CSV (RFC 4180).
-pub(crate) fn cell(text: &str) -> String {
-    match text.contains([',', '"', '\n', '\r']) {
-        true => format!("\"{}\"", text.replace('"', "\"\"")),
-        false => text.to_owned(),
-    }
+    csv_table(all).into_bytes()
 }
 
 /// For other programs: each capture as `girths.json` has it would be too much; what the table has.

@@ -59,11 +59,11 @@ fn judged(a: &ReadGirth, b: &ReadGirth, known: &TechnicalErrors) -> Judged {
             true => (x[1] - a.tape, b.tape - y[0]),
             false => (a.tape - x[0], y[1] - b.tape),
         };
-        Some(10.0 * first.hypot(second))
+        Some(10.0 * libm::hypot(first, second))
     };
     let ends = reach(true).zip(reach(false));
-    let own = |g: &ReadGirth| Some((g.repeat? / NINE_IN_TEN).hypot(g.scale.unwrap_or(0.0)));
-    let told = || Some(1.96 * 10.0 * own(a)?.hypot(own(b)?));
+    let own = |g: &ReadGirth| Some(libm::hypot(g.repeat? / NINE_IN_TEN, g.scale.unwrap_or(0.0)));
+    let told = || Some(1.96 * 10.0 * libm::hypot(own(a)?, own(b)?));
     let least = known
         .get(&a.name)
         .map(|error| LEAST_CHANGE * error)

@@ -89,7 +89,11 @@ mod tests {
                     std::f32::consts::PI * i as f32 / n as f32,
                     std::f32::consts::PI * j as f32 / n as f32,
                 );
-                let at = [t.sin() * p.cos(), t.sin() * p.sin(), t.cos()];
+                let at = [
+                    libm::sinf(t) * libm::cosf(p),
+                    libm::sinf(t) * libm::sinf(p),
+                    libm::cosf(t),
+                ];
                 mesh.positions.push(at.map(|x| x * radius));
             }
         }

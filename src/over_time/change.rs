@@ -79,7 +79,7 @@ pub struct Followed {
 /// Parts of a tape's standard deviation in its own capture, without the level: surface and split, and the scale. \[mm\]
 fn sigma(visit: &Visit, name: &str) -> Option<f64> {
     let girth = visit.capture.girths.get(name)?;
-    Some(10.0 * girth.surface?.hypot(girth.scale.unwrap_or(0.0)))
+    Some(10.0 * libm::hypot(girth.surface?, girth.scale.unwrap_or(0.0)))
 }
 
 fn change(
@@ -93,7 +93,7 @@ fn change(
     let change = tape.tape_mm.ok().zip(own(first)).map(|(b, a)| b - a);
     let both = sigma(first, name)
         .zip(sigma(other, name))
-        .map(|(a, b)| a.hypot(b).hypot(tape.level_mm));
+        .map(|(a, b)| libm::hypot(libm::hypot(a, b), tape.level_mm));
     let least = known
         .get(name)
         .map(|tem| LEAST_CHANGE * tem)

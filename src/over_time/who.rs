@@ -58,7 +58,7 @@ pub fn doubts(first: &Visit, other: &Visit, growth: &[f64]) -> Vec<Doubt> {
 fn told(statures: Option<((f64, f64), (f64, f64))>, growth: &[f64]) -> Vec<Doubt> {
     let stature = statures.and_then(|(a, b)| {
         let off_mm = b.0 - a.0;
-        let most_mm = STATURE_MM.hypot(1.96 * a.1.hypot(b.1));
+        let most_mm = libm::hypot(STATURE_MM, 1.96 * libm::hypot(a.1, b.1));
         (off_mm.abs() > most_mm).then_some(Doubt::Stature { off_mm, most_mm })
     });
     let far: Vec<f64> = growth.iter().map(|g| g.abs()).collect();

@@ -134,11 +134,9 @@ pub fn markdown(told: &Followed) -> String {
 
 /// A table for a spreadsheet (RFC 4180): a girth on a day a row; millimetres, empty where unknown.
 pub fn csv(told: &Followed) -> String {
-    let mut text = String::from(
-        "person,capture,date,name,label,tape_mm,own_tape_mm,change_mm,change_low_mm,change_high_mm,lsc95_mm,changed\n",
-    );
+    let head = "person,capture,date,name,label,tape_mm,own_tape_mm,change_mm,change_low_mm,change_high_mm,lsc95_mm,changed";
+    let mut table: Table = vec![head.split(',').map(String::from).collect()];
     let cell = |x: Option<f64>| x.map_or(String::new(), |x| format!("{x:.2}"));
-    let quoted = |t: &str| format!("\"{}\"", t.replace('"', "\"\""));
     for line in &told.lines {
         for (day, c) in told.days.iter().zip(&line.at) {
             let ends = c.interval_mm;
@@ -149,22 +147,20 @@ pub fn csv(told: &Followed) -> String {
                 ends.map(|e| e[0]),
                 ends.map(|e| e[1]),
                 c.least_change_mm,
-            ]
-            .map(cell);
-            let changed = c.changed.map_or("", |c| if c { "yes" } else { "no" });
-            let _ = writeln!(
-                text,
-                "{},{},{},{},{},{},{changed}",
-                quoted(&told.person),
-                quoted(&day.name),
-                day.day.as_deref().unwrap_or_default(),
-                line.name,
-                quoted(&line.label),
-                numbers.join(",")
+            ];
+            let date = day.day.clone().unwrap_or_default();
+            let mut row = vec![told.person.clone(), day.name.clone(), date];
+            row.extend([line.name.clone(), line.label.clone()]);
+            row.extend(numbers.map(cell));
+            row.push(
+                c.changed
+                    .map_or("", |c| if c { "yes" } else { "no" })
+                    .into(),
             );
+            table.push(row);
         }
     }
-    text
+    shape::csv_table(table)
 }
 
 /// The same for other programs.

@@ -11,7 +11,7 @@ const MARGIN: [f64; 4] = [58.0, 96.0, 30.0, 44.0];
 
 /// A step of an axis: 1, 2 or 5 times a power of ten, about `span / 5`.
 fn step(span: f64) -> f64 {
-    let power = 10f64.powf((span / 5.0).log10().floor());
+    let power = libm::pow(10f64, libm::log10(span / 5.0).floor());
     let times = [1.0, 2.0, 5.0, 10.0]
         .into_iter()
         .find(|t| t * power >= span / 5.0);
@@ -23,7 +23,7 @@ fn marks(low: f64, high: f64) -> (Vec<f64>, usize) {
     let step = step(high - low);
     let first = (low / step).ceil() as i64;
     let last = (high / step).floor() as i64;
-    let digits = (-step.log10().floor()).max(0.0) as usize;
+    let digits = (-libm::log10(step).floor()).max(0.0) as usize;
     ((first..=last).map(|i| i as f64 * step).collect(), digits)
 }
 

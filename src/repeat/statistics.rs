@@ -128,14 +128,14 @@ pub fn chi_square_quantile(p: f64, free: usize) -> f64 {
     let start = if free.is_multiple_of(2) {
         0.0
     } else {
-        std::f64::consts::PI.sqrt().ln()
+        libm::log(std::f64::consts::PI.sqrt())
     };
     let steps = (a + 0.5 - first) as usize;
     let ln_gamma: f64 = start
         + (0..=steps)
             .map(|i| first + i as f64)
             .filter(|x| *x < a + 0.75)
-            .map(f64::ln)
+            .map(libm::log)
             .sum::<f64>();
     let below = |x: f64| {
         let (mut term, mut sum, mut n) = (1.0, 1.0, 1.0);
@@ -144,7 +144,7 @@ pub fn chi_square_quantile(p: f64, free: usize) -> f64 {
             sum += term;
             n += 1.0;
         }
-        (a * (x / 2.0).ln() - x / 2.0 - ln_gamma).exp() * sum
+        libm::exp(a * libm::log(x / 2.0) - x / 2.0 - ln_gamma) * sum
     };
     let (mut low, mut high) = (0.0, 20.0 + 4.0 * free as f64);
     for _ in 0..200 {

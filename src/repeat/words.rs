@@ -134,14 +134,16 @@ pub fn json(study: &Study) -> Value {
 
 /// A table for a spreadsheet (RFC 4180), one girth a row; millimetres and percent, empty where unknown.
 pub fn csv(study: &Study) -> String {
-    let mut text = String::from(
-        "name,label,people,captures,mean_mm,degrees_of_freedom,tem_mm,tem_low_mm,tem_high_mm,tem_pct,rms_cv_pct,lsc95_mm,icc_2_1,reliability,bias_mm,limit_low_mm,limit_high_mm,allowed_mm\n",
-    );
+    let head = "name,label,people,captures,mean_mm,degrees_of_freedom,tem_mm,tem_low_mm,tem_high_mm,tem_pct,rms_cv_pct,lsc95_mm,icc_2_1,reliability,bias_mm,limit_low_mm,limit_high_mm,allowed_mm";
+    let mut table: Table = vec![head.split(',').map(String::from).collect()];
     let cell = |x: Option<f64>| x.map_or(String::new(), |x| format!("{x:.4}"));
     for g in &study.girths {
         let again: Vec<_> = g.people.iter().filter(|p| p.1.len() > 1).collect();
         let count: usize = again.iter().map(|p| p.1.len()).sum();
         let limits = g.agreement.limits;
+        let mut row = vec![g.name.clone(), g.label.clone()];
+        row.extend([again.len().to_string(), count.to_string()]);
+        row.extend([format!("{:.3}", g.mean), g.freedom.to_string()]);
         let numbers = [
             Some(g.tem),
             Some(g.tem_interval[0]),
@@ -156,16 +158,8 @@ pub fn csv(study: &Study) -> String {
             limits.map(|l| l[1]),
             g.allowed,
         ];
-        let numbers = numbers.map(cell).join(",");
-        let label = g.label.replace('"', "\"\"");
-        let _ = writeln!(
-            text,
-            "{},\"{label}\",{},{count},{:.3},{},{numbers}",
-            g.name,
-            again.len(),
-            g.mean,
-            g.freedom
-        );
+        row.extend(numbers.map(cell));
+        table.push(row);
     }
-    text
+    shape::csv_table(table)
 }

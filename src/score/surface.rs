@@ -138,7 +138,9 @@ fn trunk(girths: &BTreeMap<String, True>) -> Option<impl Fn(&Point3<f64>) -> boo
     let radius = widest.fold(0.0, f64::max) / std::f64::consts::TAU * 1.35;
     let axis = plane(GirthId::Waist)?.0;
     Some(move |p: &Point3<f64>| {
-        p.z > hip.min(chest) && p.z < hip.max(chest) && (p.x - axis.x).hypot(p.y - axis.y) < radius
+        p.z > hip.min(chest)
+            && p.z < hip.max(chest)
+            && libm::hypot(p.x - axis.x, p.y - axis.y) < radius
     })
 }
 

@@ -3,7 +3,6 @@
 use super::app::App;
 use super::pages::home::Line;
 use super::work;
-use crate::cli::cohort;
 use serde_json::Value;
 use std::sync::Arc;
 
@@ -33,17 +32,20 @@ pub(super) fn measure(app: &Arc<App>) {
     }
 }
 
-/// A cell that no spreadsheet takes for a formula.
-fn cell(text: &str) -> String {
-    match text.starts_with(['=', '+', '-', '@', '\t']) {
-        true => cohort::cell(&format!("'{text}")),
-        false => cohort::cell(text),
-    }
-}
-
 /// One girth of one capture a row; lengths of captures without a scale have `relative` for a unit.
 pub(super) fn csv(lines: &[Line]) -> String {
-    let mut csv = "capture,id,begun,name,label,unit,tape,interval_low,interval_high\n".to_owned();
+    let head = [
+        "capture",
+        "id",
+        "begun",
+        "name",
+        "label",
+        "unit",
+        "tape",
+        "interval_low",
+        "interval_high",
+    ];
+    let mut rows = vec![head.map(String::from).to_vec()];
     for line in lines {
         let Some(girths) = &line.girths else { continue };
         let relative = girths["unit"] == "relative";
@@ -56,31 +58,18 @@ pub(super) fn csv(lines: &[Line]) -> String {
             let text = |value: &Value| value.as_str().unwrap_or_default().to_owned();
             let number = |value: &Value| value.as_f64().map_or(String::new(), |n| n.to_string());
             let interval = &girth[&format!("interval_{suffix}")];
-            let cells = [
-                cell(&line.record.name),
+            rows.push(vec![
+                line.record.name.clone(),
                 line.place.id.clone(),
                 line.record.begun.to_string(),
-                cell(&text(&girth["name"])),
-                cell(&text(&girth["label"])),
+                text(&girth["name"]),
+                text(&girth["label"]),
                 unit.to_owned(),
                 number(&girth[&format!("tape_{suffix}")]),
                 number(&interval[0]),
                 number(&interval[1]),
-            ];
-            csv += &(cells.join(",") + "\n");
+            ]);
         }
     }
-    csv
-}
-
-#[cfg(test)]
-mod tests {
-    use super::cell;
-
-    #[test]
-    fn no_name_becomes_a_formula_or_another_cell() {
-        assert_eq!(cell("=1+1"), "'=1+1");
-        assert_eq!(cell("a,\"b\""), "\"a,\"\"b\"\"\"");
-        assert_eq!(cell("Anna"), "Anna");
-    }
+    shape::csv_table(rows)
 }

@@ -5,6 +5,7 @@ mod bad_input;
 mod causes;
 mod doctor;
 mod facts;
+mod foreign;
 mod keeping;
 mod limits;
 mod manual;

@@ -112,7 +112,10 @@ pub fn together(all: &[Glance]) -> Together {
     };
     let firm: Vec<usize> = clear.into_iter().filter(|i| still[*i]).collect();
     let exposure_ev = match firm.len() >= FIRM {
-        true => all.iter().map(|g| GAMMA * gain(g, &firm).log2()).collect(),
+        true => all
+            .iter()
+            .map(|g| GAMMA * libm::log2(gain(g, &firm)))
+            .collect(),
         false => vec![],
     };
     let n = all.len();
@@ -172,8 +175,8 @@ mod tests {
             let across = (x as f64 - 48.0) / 20.0;
             let v = match across.abs() < 1.0 && y > 12 {
                 true => {
-                    let a = across.asin() + angle;
-                    120.0 + 60.0 * (a.sin() * 2.0 + (3.0 * a).cos()).tanh()
+                    let a = libm::asin(across) + angle;
+                    120.0 + 60.0 * libm::tanh(libm::sin(a) * 2.0 + libm::cos(3.0 * a))
                 }
                 false => 60.0 + (x * 7 % 90) as f64,
             };
@@ -208,7 +211,7 @@ mod tests {
         all[4] = turned(std::f64::consts::TAU * 4.0 / 18.0, 0.8, 0);
         all.swap(9, 15);
         let told = together(&all);
-        proof::near(told.exposure_ev[4], 2.2 * 0.8f64.log2(), 0.1);
+        proof::near(told.exposure_ev[4], 2.2 * libm::log2(0.8f64), 0.1);
         let astray = |i: usize| told.astray[i] < 0.65;
         assert!(astray(9) && astray(15), "{:?}", told.astray);
         assert!(

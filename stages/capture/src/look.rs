@@ -36,7 +36,7 @@ pub struct Look;
 
 impl Stage for Look {
     const NAME: &'static str = "capture.look";
-    const VERSION: u32 = 3;
+    const VERSION: u32 = 4;
     const ABOUT: &'static str = "Looks at photos at a glance: order, gaps, blur, exposure, tags, frame, and what can be measured with them.";
     type Params = LookParams;
     type Input = LookInput;
@@ -83,6 +83,7 @@ impl Stage for Look {
                 let round = |x: f64, tens: f64| (x * tens).round() / tens;
                 json!({
                     "name": photo.name,
+                    "taken_s": photo.time_s.map(|s| round(s, 1e1)),
                     "sharpness": round(sharpness[i], 1e3),
                     "exposure_ev": together.exposure_ev.get(i).map(|ev| round(*ev, 1e3)),
                     "overexposed_pct": round(100.0 * glances[i].burnt, 1e2),

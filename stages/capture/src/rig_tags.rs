@@ -95,7 +95,7 @@ pub(crate) fn doubts(rig: &Rig) -> Vec<String> {
         return said;
     };
     if let Some(mat) = &rig.mat {
-        let reach = (mat.ring_mm + mat.tag_mm / 2.0).hypot(mat.tag_mm / 2.0);
+        let reach = libm::hypot(mat.ring_mm + mat.tag_mm / 2.0, mat.tag_mm / 2.0);
         if reach > 1.005 * radius {
             said.push(format!(
                 "capture.toml: the tags of `[mat]` reach {reach:.0} mm from the disk's middle, but the disk ends at {radius:.0} mm: measure a printed tag, the ring and the disk, and correct what is wrong"

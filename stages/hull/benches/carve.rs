@@ -20,7 +20,7 @@ const BONES: [([f64; 3], [f64; 3], f64); 5] = [
 ];
 
 fn camera(angle: f64) -> Camera {
-    let (s, c) = angle.sin_cos();
+    let (s, c) = libm::sincos(angle);
     let (forward, right) = (Vector3::new(-c, -s, 0.0), Vector3::new(-s, c, 0.0));
     let rows = [right, forward.cross(&right), forward].map(|r| r.transpose());
     let rotation = Rotation3::from_matrix_unchecked(Matrix3::from_rows(&rows));
@@ -120,7 +120,7 @@ fn main() {
         let (took, work) = (start.elapsed().as_secs_f64(), computed() - before);
         // Cells along the body's height.
         let n = 2000.0 / voxel_mm;
-        let relative = work / (n * n * n.ln()) * 1e6;
+        let relative = work / (n * n * libm::log(n)) * 1e6;
         let status = std::fs::read_to_string("/proc/self/status").unwrap_or_default();
         let most = status
             .lines()

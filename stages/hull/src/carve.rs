@@ -78,7 +78,7 @@ pub struct Carve;
 
 impl Stage for Carve {
     const NAME: &'static str = "hull.carve";
-    const VERSION: u32 = 3;
+    const VERSION: u32 = 4;
     const ABOUT: &'static str =
         "Carves the visual hull (Laurentini 1994) and gives its surface by marching cubes.";
     type Params = CarveParams;
@@ -144,7 +144,7 @@ impl Stage for Carve {
         let small: f64 = rest.iter().map(|v| v.abs()).sum();
         if small > 0.01 * mesh.volume() {
             ctx.warn(format!(
-                "{} smaller parts, {:.1} % of the volume in all, were left out",
+                "{} smaller parts, {:.1} % of the volume in all, were left out: if a part of the body is missing, look at the masks",
                 rest.len(),
                 100.0 * small / mesh.volume()
             ));

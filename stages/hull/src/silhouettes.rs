@@ -87,7 +87,7 @@ pub fn bounds(
                 -reach + f64::from(j) * step,
                 ground + f64::from(k) * step,
             );
-            let out = x.x.hypot(x.y) > reach || far_outside(views, &x, dissent, step as f32);
+            let out = libm::hypot(x.x, x.y) > reach || far_outside(views, &x, dissent, step as f32);
             if out || f64::from(consensus(views, &x, dissent)) < -step {
                 continue;
             }

@@ -9,7 +9,7 @@ use std::sync::Arc;
 /// Cameras 2 m from the axis, looking at it or away from it, and masks that show a body.
 fn turn(away: bool) -> (Masks, Cameras) {
     let one = |k: u32| {
-        let (s, c) = (f64::from(k) * std::f64::consts::TAU / 8.0).sin_cos();
+        let (s, c) = libm::sincos(f64::from(k) * std::f64::consts::TAU / 8.0);
         let turned = if away { -1.0 } else { 1.0 };
         let forward = Vector3::new(-c, -s, 0.0) * turned;
         let right = Vector3::new(-s, c, 0.0) * turned;

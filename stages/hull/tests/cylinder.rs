@@ -14,7 +14,7 @@ const AWAY: f64 = 2500.0;
 /// A camera at an angle around the axis, level with the cylinder's middle.
 fn camera(angle: f64) -> Camera {
     let lens = Intrinsics::simple(400, 60, 900.0);
-    let (s, c) = angle.sin_cos();
+    let (s, c) = libm::sincos(angle);
     let (forward, right) = (Vector3::new(-c, -s, 0.0), Vector3::new(-s, c, 0.0));
     let down = forward.cross(&right);
     let rows =
@@ -38,7 +38,7 @@ fn silhouette(camera: &Camera) -> Mask {
     for (i, c) in mask.data.iter_mut().enumerate() {
         let ray = camera.ray(Point2::new((i % 400) as f64, (i / 400) as f64));
         let (dx, dy) = (-centre.x, -centre.y);
-        let beside = (dx * ray.y - dy * ray.x).abs() / ray.x.hypot(ray.y);
+        let beside = (dx * ray.y - dy * ray.x).abs() / libm::hypot(ray.x, ray.y);
         *c = ((0.5 + (RADIUS - beside) / size).clamp(0.0, 1.0) * 255.0).round() as u8;
     }
     mask
@@ -110,14 +110,14 @@ fn girth(mesh: &shape::Mesh, z: f64) -> f64 {
 
 /// Circumference of the polygon that the views' tangents form around a circle.
 fn polygon(views: usize) -> f64 {
-    let lean = (RADIUS / AWAY).acos();
+    let lean = libm::acos(RADIUS / AWAY);
     let mut touch: Vec<f64> = (0..views)
         .flat_map(|k| [lean, -lean].map(|l| (k as f64 * TAU / views as f64 + l).rem_euclid(TAU)))
         .collect();
     touch.sort_by(f64::total_cmp);
     let n = touch.len();
     let gaps = (0..n).map(|i| (touch[(i + 1) % n] - touch[i]).rem_euclid(TAU));
-    gaps.map(|gap| 2.0 * RADIUS * (gap / 2.0).tan()).sum()
+    gaps.map(|gap| 2.0 * RADIUS * libm::tan(gap / 2.0)).sum()
 }
 
 #[test]

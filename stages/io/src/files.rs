@@ -1,6 +1,6 @@
 //! An artifact in one of the formats of its kind.
 
-use crate::by_photo::{tags_to_json, warps_to_json};
+use crate::by_photo::{tags_to_json, tracks_to_json, warps_to_json};
 use crate::cameras::{cameras_to_colmap_binary, cameras_to_colmap_text, cameras_to_json};
 use crate::capture::photos_to_capture;
 use crate::definitions::definitions_to_markdown;
@@ -91,6 +91,7 @@ pub fn files(
         ("cameras", "json") => one(cameras_to_json(&*take!(Cameras)).into_bytes()),
         ("cameras", "svg") => one(cameras_to_svg(&*take!(Cameras)).into_bytes()),
         ("keypoints", _) => Ok(keypoints_to_png(&*take!(Keypoints), names)?),
+        ("tracks", "json") => one(tracks_to_json(&*take!(Tracks)).into_bytes()),
         ("tracks", _) => Ok(tracks_to_png(&*take!(Tracks), names)?),
         ("cameras", "colmap-binary") => Ok(cameras_to_colmap_binary(&*take!(Cameras))),
         ("cameras", "middlebury") => one(cameras_to_middlebury(&*take!(Cameras))?.into_bytes()),

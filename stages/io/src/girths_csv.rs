@@ -1,24 +1,15 @@
 //! Girths as a table for a spreadsheet.
 
 use crate::girths::{Written, rows};
-use shape::{GirthId, Girths, Sigmas};
-use std::fmt::Write;
-
-/// A text as a cell.
-fn quoted(text: &str) -> String {
-    match text.is_empty() {
-        true => String::new(),
-        false => format!("\"{}\"", text.replace('"', "\"\"")),
-    }
-}
+use shape::{GirthId, Girths, Sigmas, csv_table};
 
 /// What is the same for all girths of a capture: columns and cells.
-fn of_capture(girths: &Girths, to: Written) -> (String, String) {
+fn of_capture(girths: &Girths, to: Written) -> (Vec<String>, Vec<String>) {
     let mut columns = ["capture", "date", "scale_sigma_pct"]
         .map(String::from)
         .to_vec();
     let number = |x: Option<f64>| x.map_or(String::new(), |x| format!("{x:.4}"));
-    let text = |t: &Option<String>| quoted(t.as_deref().unwrap_or_default());
+    let text = |t: &Option<String>| t.clone().unwrap_or_default();
     let percent = girths.scale_sigma.map(|share| 100.0 * share);
     let mut cells = vec![text(&girths.capture), text(&girths.date), number(percent)];
     for (name, mm) in [
@@ -41,7 +32,7 @@ fn of_capture(girths: &Girths, to: Written) -> (String, String) {
         columns.push(name.into());
         cells.push(number(ratio.map(|r| r.1)));
     }
-    (columns.join(","), cells.join(","))
+    (columns, cells)
 }
 
 /// A table for a spreadsheet (RFC 4180): one girth a row, lengths as in [`crate::girths_to_json`], each row with what is known of
@@ -71,7 +62,9 @@ pub fn girths_to_csv(girths: &Girths) -> String {
         })
         .collect();
     let (of_all, told) = of_capture(girths, to);
-    let mut csv = format!("name,label,{},{of_all},note\n", columns.join(","));
+    let named = ["name", "label"].map(String::from).into_iter();
+    let head = named.chain(columns.iter().cloned()).chain(of_all);
+    let mut table: Vec<Vec<String>> = vec![head.chain(["note".to_owned()]).collect()];
     for r in rows(girths) {
         let [low, high] = match r.interval_mm {
             Some(ends) => ends.map(Some),
@@ -88,27 +81,19 @@ pub fn girths_to_csv(girths: &Girths) -> String {
         ];
         cells.extend(r.sigmas.named().map(|(_, mm)| mm));
         cells.push(r.repeat_mm);
-        let cells: Vec<String> = cells.into_iter().map(|mm| to.cell(mm)).collect();
+        let cells = cells.into_iter().map(|mm| to.cell(mm));
         let note = match r.id {
             GirthId::UpperArmMean => r.definition,
             _ => r.remarks.join("; "),
         };
-        let (name, label) = (r.name, quoted(&r.label));
-        let _ = writeln!(
-            csv,
-            "{name},{label},{},{told},{}",
-            cells.join(","),
-            quoted(&note)
-        );
+        let row = [r.name, r.label].into_iter().chain(cells);
+        table.push(row.chain(told.iter().cloned()).chain([note]).collect());
     }
     for missing in &girths.missing {
-        let empty = ",".repeat(columns.len());
-        let _ = writeln!(
-            csv,
-            "{},{empty},{told},{}",
-            missing.name,
-            quoted(&missing.why)
-        );
+        let empty = std::iter::repeat_n(String::new(), columns.len() + 1);
+        let row = [missing.name.clone()].into_iter().chain(empty);
+        let row = row.chain(told.iter().cloned());
+        table.push(row.chain([missing.why.clone()]).collect());
     }
-    csv
+    csv_table(table)
 }

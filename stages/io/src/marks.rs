@@ -38,7 +38,7 @@ fn line(picture: &mut Rgb, from: [f32; 2], to: [f32; 2], colour: [u8; 3]) {
 fn features(picture: &mut Rgb, by: f32, features: &Features) {
     for k in &features.points {
         let at = |turn: f32, far: f32| {
-            let (sin, cos) = turn.sin_cos();
+            let (sin, cos) = libm::sincosf(turn);
             [k.x / by + far * cos, k.y / by + far * sin]
         };
         let far = (3.0 * k.scale / by).max(1.0);
@@ -88,7 +88,7 @@ pub fn tracks_to_png(
                 continue;
             };
             let (from, to) = (a.at_px.map(|v| v / by), b.at_px.map(|v| v / by));
-            let far = (to[0] - from[0]).hypot(to[1] - from[1]);
+            let far = libm::hypotf(to[0] - from[0], to[1] - from[1]);
             let red = (far / (0.1 * LONGER as f32)).min(1.0);
             let colour = [(80.0 + 175.0 * red) as u8, (230.0 * (1.0 - red)) as u8, 60];
             line(picture, from, to, colour);

@@ -96,7 +96,7 @@ mod tests {
     /// A body half as wide from the side as from the front, on 18 photos.
     fn turn() -> Vec<Mask> {
         let one = |k: usize| {
-            let wide = 30.0 + 10.0 * (k as f64 * 0.698).cos();
+            let wide = 30.0 + 10.0 * libm::cos(k as f64 * 0.698);
             let mut mask = Mask::filled(120, 160, 0);
             for y in 20..140 {
                 let half = wide as usize;

@@ -8,9 +8,9 @@ use std::fmt::Write;
 /// disk, the cylinder that all of them have in view, and the points that hold them (the paper's Fig. 2).
 pub fn cameras_to_svg(cameras: &Cameras) -> String {
     let centres: Vec<Point3<f64>> = cameras.views.values().map(|v| v.camera.centre()).collect();
-    let far = |c: &Point3<f64>| c.x.hypot(c.y);
+    let far = |c: &Point3<f64>| libm::hypot(c.x, c.y);
     let radius = centres.iter().map(far).fold(1.0f64, f64::max);
-    let (sin, cos) = 35f64.to_radians().sin_cos();
+    let (sin, cos) = libm::sincos(35f64.to_radians());
     let slant = Slant {
         sin,
         cos,
@@ -22,7 +22,7 @@ pub fn cameras_to_svg(cameras: &Cameras) -> String {
     points(&mut svg, cameras, &slant);
     if let Some(disk) = cameras.disk_radius_mm {
         let rim = |i: i32| {
-            let (s, c) = angle(i).sin_cos();
+            let (s, c) = libm::sincos(angle(i));
             Point3::new(disk * c, disk * s, 0.0)
         };
         let rim: Vec<_> = (0..72).map(rim).collect();
@@ -82,7 +82,7 @@ fn points(svg: &mut String, cameras: &Cameras, slant: &Slant) {
     let every = cameras.points.len().div_ceil(3000).max(1);
     for p in cameras.points.iter().step_by(every) {
         let [x, y] = slant.flat(&Point3::from(p.map(f64::from)));
-        if x.hypot(y) < 900.0 {
+        if libm::hypot(x, y) < 900.0 {
             let _ = writeln!(svg, "<circle cx=\"{x:.1}\" cy=\"{y:.1}\" r=\"0.8\"/>");
         }
     }

@@ -2,7 +2,7 @@
 
 use crate::lettering::write_on;
 use nalgebra::Vector3;
-use shape::{Image, Mesh, Rgb};
+use shape::{Image, Mesh, Rgb, fill_triangle};
 
 /// Height of each view. \[px\]
 const TALL: usize = 900;
@@ -18,14 +18,14 @@ pub fn mesh_to_views(mesh: &Mesh) -> Rgb {
     let (mut reach, mut lo, mut hi) = (1.0f64, f64::MAX, f64::MIN);
     for v in 0..mesh.positions.len() as u32 {
         let p = mesh.point(v);
-        reach = reach.max(p.x.hypot(p.y));
+        reach = reach.max(libm::hypot(p.x, p.y));
         (lo, hi) = (lo.min(p.z), hi.max(p.z));
     }
     let unit = (TALL - 2 * MARGIN) as f64 / (hi - lo).max(1.0);
     let wide = (2.0 * reach * unit) as usize + 2 * MARGIN;
     let mut picture = Rgb::filled(4 * wide, TALL, BACK);
     for (k, angle) in [270.0f64, 0.0, 90.0, 180.0].into_iter().enumerate() {
-        let (s, c) = angle.to_radians().sin_cos();
+        let (s, c) = libm::sincos(angle.to_radians());
         // Towards the eye, and to the right of the picture.
         let (eye, right) = (Vector3::new(c, s, 0.0), Vector3::new(-s, c, 0.0));
         let mut near = Image::filled(wide, TALL, f64::MIN);
@@ -42,7 +42,7 @@ pub fn mesh_to_views(mesh: &Mesh) -> Rgb {
                 true => [230, 40, 30],
                 false => SKIN.map(|s| (s * light) as u8),
             };
-            fill(corners, &mut near, &mut |x, y| {
+            fill_triangle(corners, &mut near, &mut |x, y| {
                 *picture.at_mut(k * wide + x, y) = color;
             });
         }
@@ -56,38 +56,6 @@ pub fn mesh_to_views(mesh: &Mesh) -> Rgb {
     );
     write_on(&mut picture, (6, TALL - 27), 3, [255; 3], &label);
     picture
-}
-
-/// Calls `at` for the pixels of a triangle (x, y, nearness) that are nearer than what was there.
-fn fill(corners: [[f64; 3]; 3], near: &mut Image<f64>, at: &mut dyn FnMut(usize, usize)) {
-    let [a, b, c] = corners;
-    let cross = |p: [f64; 3], q: [f64; 3], r: [f64; 2]| {
-        (q[0] - p[0]) * (r[1] - p[1]) - (q[1] - p[1]) * (r[0] - p[0])
-    };
-    let whole = cross(a, b, [c[0], c[1]]);
-    if whole == 0.0 || !whole.is_finite() {
-        return;
-    }
-    let span = |axis: usize, size: usize| {
-        let values = corners.map(|p| p[axis]);
-        let lo = values.into_iter().fold(f64::MAX, f64::min).ceil().max(0.0);
-        let hi = values.into_iter().fold(f64::MIN, f64::max).floor();
-        lo as usize..(hi.min(size as f64 - 1.0) + 1.0).max(0.0) as usize
-    };
-    for y in span(1, near.height) {
-        for x in span(0, near.width) {
-            let p = [x as f64, y as f64];
-            let share = [cross(b, c, p), cross(c, a, p), cross(a, b, p)].map(|s| s / whole);
-            if share.iter().any(|s| *s < 0.0) {
-                continue;
-            }
-            let depth = (0..3).map(|i| share[i] * corners[i][2]).sum();
-            if depth > near.at(x, y) {
-                *near.at_mut(x, y) = depth;
-                at(x, y);
-            }
-        }
-    }
 }
 
 #[cfg(test)]

@@ -86,7 +86,7 @@ fn row(path: &Path) -> Result<Option<Vec<String>>, Fault> {
     row.push(format!("{s:.1}"));
     let number = |v: Option<f64>| v.map_or(String::new(), |v| format!("{v:.5}"));
     row.extend(Reading::ALL.iter().map(|r| number(read.get(*r))));
-    row.push(number(Some((s / 1700.0).ln())));
+    row.push(number(Some(libm::log(s / 1700.0))));
     row.extend(MARKS.iter().map(|m| share(height(m.1))));
     row.extend(["neck", "hip", "navel", "chest"].map(|p| share(tape(p))));
     // Waist and hip bone are known only where a body was driven to a measured person.

@@ -81,5 +81,5 @@ fn rig_lean(truth: &Value, neck: &NeckFeatures) -> Option<f64> {
     let n: Vec<f64> = normal.iter().filter_map(Value::as_f64).collect();
     let [x, y, z] = n.as_slice() else { return None };
     let ahead = neck.front();
-    Some((x * ahead[0] + y * ahead[1]).atan2(*z))
+    Some(libm::atan2(x * ahead[0] + y * ahead[1], *z))
 }

@@ -57,7 +57,7 @@ const EVEN: f64 = 0.1;
 
 impl Stage for Measure {
     const NAME: &'static str = "measure.girths";
-    const VERSION: u32 = 20;
+    const VERSION: u32 = 21;
     const ABOUT: &'static str = "Measures girths at landmarks: along the skin, as a tape, and as the paper's closed spline (eq. 8).";
     type Params = GirthParams;
     type Input = GirthInput;
@@ -161,7 +161,7 @@ fn sure<'a>(
         .collect();
     let square = off.iter().map(|o| o * o).sum::<f64>() / off.len().max(1) as f64;
     Sure {
-        surface_mm: p.surface_mm.hypot(EVEN * input.mesh.mean_edge()),
+        surface_mm: libm::hypot(p.surface_mm, EVEN * input.mesh.mean_edge()),
         off_mm: square.sqrt(),
         cameras: input.cameras.as_deref(),
     }
@@ -202,7 +202,7 @@ fn warnings(girths: &Girths) -> Vec<String> {
     let unknown = names(&|g| g.interval_mm.is_none());
     if !unknown.is_empty() {
         told.push(format!(
-            "{}: no interval is given, for a part of it that matters is not known",
+            "{}: no interval is given, for a part of it that matters is not known (the report says which)",
             unknown.join(", ")
         ));
     }

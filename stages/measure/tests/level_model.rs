@@ -62,7 +62,7 @@ fn read(text: &str) -> Result<LevelModel, String> {
 
 fn readings(stature_mm: f64, buttock: f64) -> Readings {
     Readings::default()
-        .with(Reading::LnStature, Some((stature_mm / 1700.0).ln()))
+        .with(Reading::LnStature, Some(libm::log(stature_mm / 1700.0)))
         .with(Reading::Buttock, Some(buttock))
 }
 
@@ -79,7 +79,7 @@ fn a_level_is_told_with_its_scatter_and_what_repeats() {
     // Without the buttock the level scatters as the buttock does, too.
     let blind = Readings::default().with(Reading::LnStature, Some(0.0));
     let told = model.estimate(&blind, 1700.0, Level::Waist).unwrap();
-    proof::near(told.sigma_mm, 1700.0 * 0.0068f64.hypot(0.006), 0.01);
+    proof::near(told.sigma_mm, 1700.0 * libm::hypot(0.0068f64, 0.006), 0.01);
     assert!(
         model
             .estimate(&Readings::default(), 1700.0, Level::Waist)
@@ -106,7 +106,7 @@ fn a_body_beyond_the_people_is_told_by_made_ones_and_beyond_both_with_growing_in
     // Another size altogether.
     let small = LevelModel::built_in();
     let child = Readings::default()
-        .with(Reading::LnStature, Some((900.0f64 / 1700.0).ln()))
+        .with(Reading::LnStature, Some(libm::log(900.0f64 / 1700.0)))
         .with(Reading::Buttock, Some(0.50));
     let told = small.estimate(&child, 900.0, Level::Waist).unwrap();
     assert_ne!(told.cover, Cover::People);

@@ -34,9 +34,9 @@ fn limb(from: Vector3<f64>, to: Vector3<f64>, half: [[f64; 2]; 2], round: f64) -
 /// Shoulder, elbow, wrist and fingertip of the left arm; forearms bend forward.
 fn arm_line(pose: Pose) -> [Vector3<f64>; 4] {
     let shoulder = Vector3::from(SHOULDER);
-    let (s, c) = pose.arm.to_radians().sin_cos();
+    let (s, c) = libm::sincos(pose.arm.to_radians());
     let down = Vector3::new(s, 0.0, -c);
-    let (s, c) = pose.elbow.to_radians().sin_cos();
+    let (s, c) = libm::sincos(pose.elbow.to_radians());
     let fore = down * c - Vector3::y() * s;
     let elbow = shoulder + down * ARM[0];
     let wrist = elbow + fore * ARM[1];
@@ -45,7 +45,7 @@ fn arm_line(pose: Pose) -> [Vector3<f64>; 4] {
 
 /// Hip, knee and ankle of the left leg; a bent knee goes forward.
 fn leg_line(pose: Pose) -> [Vector3<f64>; 3] {
-    let (s, c) = (pose.knee.to_radians() / 2.0).sin_cos();
+    let (s, c) = libm::sincos(pose.knee.to_radians() / 2.0);
     let hip = Vector3::new(95.0, 6.0, 880.0);
     let knee = hip + Vector3::new(8.0, -390.0 * s, -390.0 * c);
     [hip, knee, knee + Vector3::new(8.0, 400.0 * s, -400.0 * c)]

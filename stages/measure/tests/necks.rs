@@ -13,7 +13,11 @@ const NECK: [f64; 2] = [54.0, 60.0];
 /// A standing body with a neck of even width that leans forward, times a scale.
 fn leaning(degrees: f64, scale: f64) -> Solid {
     let mut solid = built(1750.0 * scale, 1.0, 32.0);
-    let axis = Vector3::new(0.0, -degrees.to_radians().sin(), degrees.to_radians().cos());
+    let axis = Vector3::new(
+        0.0,
+        -libm::sin(degrees.to_radians()),
+        libm::cos(degrees.to_radians()),
+    );
     let base = Vector3::new(0.0, 6.0, 1400.0);
     let at = |along: f64| ((base + axis * along) * scale).into();
     if let SolidPart::Stack { levels, .. } = &mut solid.parts[0] {
@@ -52,7 +56,7 @@ fn a_plane_is_square_to_the_necks_axis_however_it_leans() {
     for degrees in [0.0, 12.0, 24.0, 35.0] {
         let (landmark, tape) = neck(meshed(&leaning(degrees, 1.0), 7.0)).unwrap();
         let [_, y, z] = landmark.plane.normal;
-        let told = (-y).atan2(z).to_degrees();
+        let told = libm::atan2(-y, z).to_degrees();
         assert!((told - degrees).abs() < 2.0, "{told} for {degrees}");
         assert!(
             (tape / around - 1.0).abs() < 0.02,
@@ -97,7 +101,7 @@ fn a_lean_that_is_set_adds_to_the_necks_own() {
             .unwrap()
             .found;
         let [_, y, z] = found.iter().find(|l| l.name == "NC").unwrap().plane.normal;
-        (-y).atan2(z).to_degrees()
+        libm::atan2(-y, z).to_degrees()
     };
     proof::near(lean(10.0), lean(0.0) + 10.0, 1e-6);
 }

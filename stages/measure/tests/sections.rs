@@ -16,9 +16,9 @@ fn ellipsoid(half_mm: [f64; 3], rings: u32, sectors: u32) -> Mesh {
     };
     put(0.0, 0.0, -1.0);
     for r in 1..rings {
-        let (s, c) = (PI * f64::from(r) / f64::from(rings)).sin_cos();
+        let (s, c) = libm::sincos(PI * f64::from(r) / f64::from(rings));
         for k in 0..sectors {
-            let (y, x) = (TAU * f64::from(k) / f64::from(sectors)).sin_cos();
+            let (y, x) = libm::sincos(TAU * f64::from(k) / f64::from(sectors));
             put(s * x, s * y, -c);
         }
     }
@@ -41,8 +41,8 @@ fn ellipsoid(half_mm: [f64; 3], rings: u32, sectors: u32) -> Mesh {
 fn ellipse(a: f64, b: f64) -> f64 {
     const N: u32 = 4096;
     let speed = |k: u32| {
-        let (s, c) = (TAU * f64::from(k) / f64::from(N)).sin_cos();
-        (a * s).hypot(b * c)
+        let (s, c) = libm::sincos(TAU * f64::from(k) / f64::from(N));
+        libm::hypot(a * s, b * c)
     };
     (0..N).map(speed).sum::<f64>() * TAU / f64::from(N)
 }
@@ -131,25 +131,25 @@ fn a_tape_bridges_a_hollow_and_is_never_longer_than_the_contour() {
             (
                 t,
                 if t < 1.0 {
-                    100.0 - 50.0 * (PI * t).sin()
+                    100.0 - 50.0 * libm::sin(PI * t)
                 } else {
                     100.0
                 },
             )
         })
-        .map(|(t, r)| [r * t.cos(), r * t.sin()])
+        .map(|(t, r)| [r * libm::cos(t), r * libm::sin(t)])
         .collect();
     assert!(tape(&hollow) < length(&hollow));
     proof::near(
         tape(&hollow),
-        100.0 * (TAU - 1.0) + 200.0 * 0.5_f64.sin(),
+        100.0 * (TAU - 1.0) + 200.0 * libm::sin(0.5_f64),
         0.1,
     );
     let mut dice = proof::Dice(3);
     for _ in 0..50 {
         let star: Vec<[f64; 2]> = (0..60)
             .map(|k| (TAU * f64::from(k) / 60.0, dice.within(20.0, 100.0)))
-            .map(|(t, r)| [r * t.cos(), r * t.sin()])
+            .map(|(t, r)| [r * libm::cos(t), r * libm::sin(t)])
             .collect();
         assert!(tape(&star) <= length(&star) + 1e-9);
     }
@@ -171,7 +171,7 @@ fn points_picked_by_hand_give_the_papers_girth_through_them() {
     let k = (1.0 - (50.0f64 / 200.0).powi(2)).sqrt();
     let points: Vec<Vec<f64>> = (0..6)
         .map(|i| {
-            let (s, c) = (TAU * f64::from(i) / 6.0).sin_cos();
+            let (s, c) = libm::sincos(TAU * f64::from(i) / 6.0);
             let off = if i % 2 == 0 { 0.4 } else { -0.4 };
             vec![150.0 * k * c, 100.0 * k * s, 50.0 + off]
         })
@@ -192,7 +192,7 @@ fn picked_points_that_tell_no_girth_are_refused_in_words() {
     assert_eq!(picked(&mesh, &line), Err(BadPoints::NoPlane));
     assert_eq!(picked(&mesh, &[vec![1.0, 2.0]]), Err(BadPoints::NotThree));
     let far: Vec<Vec<f64>> = (0..5)
-        .map(|i| (TAU * f64::from(i) / 5.0).sin_cos())
+        .map(|i| libm::sincos(TAU * f64::from(i) / 5.0))
         .map(|(s, c)| vec![9e3 + 50.0 * c, 50.0 * s, 9e3])
         .collect();
     assert_eq!(picked(&mesh, &far), Err(BadPoints::NoSection));

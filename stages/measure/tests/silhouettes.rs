@@ -10,7 +10,7 @@ const B: f64 = 110.0;
 
 fn ellipse(n: u32) -> Vec<Point3<f64>> {
     (0..n)
-        .map(|k| (TAU * f64::from(k) / f64::from(n)).sin_cos())
+        .map(|k| libm::sincos(TAU * f64::from(k) / f64::from(n)))
         .map(|(s, c)| Point3::new(A * c, B * s, 1000.0))
         .collect()
 }
@@ -24,7 +24,7 @@ fn perimeter() -> f64 {
 
 /// A camera 2.5 m from the axis at height 1 m, looking at it, turned by an angle.
 fn camera(angle: f64) -> Camera {
-    let (s, c) = angle.sin_cos();
+    let (s, c) = libm::sincos(angle);
     let eye = Point3::new(2500.0 * c, 2500.0 * s, 1000.0);
     let (forward, down) = (Vector3::new(-c, -s, 0.0), -Vector3::z());
     let right = down.cross(&forward);
@@ -91,7 +91,7 @@ fn eighteen_silhouettes_give_an_ellipses_girth_to_a_tenth_of_a_percent() {
 #[test]
 fn tangents_behind_an_arm_are_left_out_and_a_wide_gap_gives_no_girth() {
     let arm: Vec<Point3<f64>> = (0..60)
-        .map(|k| (TAU * f64::from(k) / 60.0).sin_cos())
+        .map(|k| libm::sincos(TAU * f64::from(k) / 60.0))
         .map(|(s, c)| Point3::new(230.0 + 40.0 * c, 40.0 * s, 1000.0))
         .collect();
     let some = seen(&[&arm]);
@@ -99,13 +99,15 @@ fn tangents_behind_an_arm_are_left_out_and_a_wide_gap_gives_no_girth() {
     for t in &some {
         let (near, far) = arm
             .iter()
-            .map(|p| t.angle.cos() * (p.x - 5.0) + t.angle.sin() * (p.y + 3.0) - t.support)
+            .map(|p| {
+                libm::cos(t.angle) * (p.x - 5.0) + libm::sin(t.angle) * (p.y + 3.0) - t.support
+            })
             .fold((f64::MAX, f64::MIN), |e, d| (e.0.min(d), e.1.max(d)));
         assert!(near > -3.0 || far < 3.0, "{t:?} runs through the arm");
     }
     let half: Vec<Tangent> = seen(&[])
         .into_iter()
-        .filter(|t| t.angle.cos() > -0.3)
+        .filter(|t| libm::cos(t.angle) > -0.3)
         .collect();
     assert_eq!(support_girth(&half), None);
 }

@@ -54,8 +54,11 @@ pub use frame::stage::{Frame, FrameInput, FrameParams};
 pub use frame::stature::{Stature, stature};
 pub use import::colmap::{from_colmap_binary, from_colmap_text};
 pub use import::foreign::{Foreign, ForeignError, Model};
+pub use import::found::FoundError;
 pub use import::stage::{Import, ImportError, ImportInput, ImportParams, World};
+pub use import::tags::{ImportTags, TagsFileInput};
 pub use import::text::{from_json, from_middlebury};
+pub use import::tracks::{ImportTracks, TracksFileInput};
 pub use mat::bloom::outward;
 pub use mat::corners::mat_corners;
 pub use mat::layout::{LayoutError, Mark, mat_for, mat_marks, mat_toml};
@@ -90,5 +93,7 @@ pub const STAGES: &[&dyn stage::AnyStage] = &[
     &stage::erase::<Walk>(),
     &stage::erase::<Frame>(),
     &stage::erase::<Import>(),
+    &stage::erase::<ImportTags>(),
+    &stage::erase::<ImportTracks>(),
     &stage::erase::<PrintMat>(),
 ];

@@ -28,8 +28,8 @@ fn seen(camera: &Camera) -> Mask {
         for side in 0..72 {
             let angle = f64::from(side) * 5f64.to_radians();
             let at = Point3::new(
-                90.0 * angle.cos(),
-                90.0 * angle.sin(),
+                90.0 * libm::cos(angle),
+                90.0 * libm::sin(angle),
                 -400.0 + f64::from(step) / 2.0,
             );
             let Some(px) = camera.project(&at) else {

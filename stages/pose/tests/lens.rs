@@ -65,11 +65,11 @@ fn with_strip(cameras: &[Camera], mut tags: Tags, printed_mm: f64) -> Tags {
         let turn = 1.0 + f64::from(id) / f64::from(RIM.count) * std::f64::consts::TAU;
         let radius = RIM.radius_mm + 0.4;
         let point = |u: f64, v: f64| {
-            let (sin, cos) = (turn + (along + u * printed_mm) / radius).sin_cos();
+            let (sin, cos) = libm::sincos(turn + (along + u * printed_mm) / radius);
             let z = v * printed_mm * 1.0005 - 15.0 - down;
             Point3::new(0.5 + radius * cos, radius * sin - 0.3, z)
         };
-        let out = Vector3::new(turn.cos(), turn.sin(), 0.0);
+        let out = Vector3::new(libm::cos(turn), libm::sin(turn), 0.0);
         for (i, camera) in cameras.iter().enumerate() {
             if out.dot(&(camera.centre() - point(0.0, 0.0)).normalize()) < 0.3 {
                 continue;
@@ -137,7 +137,7 @@ fn from(rig: Rig, cameras: &[Camera], tags: Tags) -> Cameras {
 
 /// How far the ring is too large, as a share of it.
 fn oversize(found: &Cameras) -> f64 {
-    let radius = |c: &Camera| c.centre().x.hypot(c.centre().y);
+    let radius = |c: &Camera| libm::hypot(c.centre().x, c.centre().y);
     let real = radius(&truth()[0]);
     let sum: f64 = found.views.values().map(|v| radius(&v.camera)).sum();
     sum / found.views.len() as f64 / real - 1.0

@@ -75,7 +75,7 @@ fn tags_are_found_where_they_were_printed() {
     for tag in tags {
         for (want, got) in mat_corners(&mat, tag.id).unwrap().iter().zip(tag.corners) {
             let at = [want.x, -want.y].map(|v| v * scale + size as f64 / 2.0);
-            let off = (at[0] - got[0]).hypot(at[1] - got[1]);
+            let off = libm::hypot(at[0] - got[0], at[1] - got[1]);
             assert!(off < 0.7, "tag {}: {off} px", tag.id);
         }
     }
@@ -88,7 +88,7 @@ fn the_mats_of_usual_disks_fit_and_impossible_ones_say_so() {
         assert!(mat.count >= 12, "{disk}: {mat:?}");
         for id in 0..mat.count {
             for corner in mat_corners(&mat, id).unwrap() {
-                assert!(corner.x.hypot(corner.y) < disk / 2.0);
+                assert!(libm::hypot(corner.x, corner.y) < disk / 2.0);
             }
         }
     }
@@ -105,7 +105,7 @@ fn pages_cover_the_mat_at_true_scale() {
     };
     let (corners, room) = tiles(700.0, &paper);
     for k in 0..360 {
-        let (sin, cos) = (f64::from(k) * 0.01745).sin_cos();
+        let (sin, cos) = libm::sincos(f64::from(k) * 0.01745);
         let covers = |c: &[f64; 2]| {
             let (x, y) = (350.0 * cos - c[0], 350.0 * sin - c[1]);
             x > 0.0 && y > 0.0 && x < room[0] && y < room[1]

@@ -45,14 +45,18 @@ fn scattered(cameras: &[Camera], sway_mm: f64, noise_px: f64) -> Tracks {
             dice.within(0.0, std::f64::consts::TAU),
             dice.within(-800.0, 700.0),
         );
-        let out = Vector3::new(angle.cos(), angle.sin(), 0.0);
+        let out = Vector3::new(libm::cos(angle), libm::sin(angle), 0.0);
         let at = Point3::new(190.0 * out.x + 30.0, 120.0 * out.y, z);
         let mut track = Vec::new();
         for (i, camera) in cameras.iter().enumerate() {
             let t = i as f64 / PHOTOS as f64 * std::f64::consts::TAU;
             let lean = sway_mm * (z + 900.0) / 1500.0;
-            let moved =
-                at + Vector3::new(lean * (1.7 * t).sin(), lean * (1.1 * t + 0.6).cos(), 0.0);
+            let moved = at
+                + Vector3::new(
+                    lean * libm::sin(1.7 * t),
+                    lean * libm::cos(1.1 * t + 0.6),
+                    0.0,
+                );
             if out.dot(&(camera.centre() - at).normalize()) < 0.55 {
                 continue;
             }
@@ -107,7 +111,7 @@ fn error(found: &Cameras, truth: &[Camera]) -> f64 {
     let ring = camera_circle(found).unwrap();
     let level = |c: Point3<f64>, z0: f64, r: f64| Point3::new(c.x / r, c.y / r, (c.z - z0) / r);
     let real = truth[0].centre();
-    let r = real.x.hypot(real.y);
+    let r = libm::hypot(real.x, real.y);
     let want: Vec<_> = truth.iter().map(|c| level(c.centre(), real.z, r)).collect();
     let z0 = ring.centre.z;
     let got: Vec<_> = found
@@ -121,7 +125,7 @@ fn error(found: &Cameras, truth: &[Camera]) -> f64 {
         .zip(&want)
         .map(|(a, b)| turn(a, b))
         .fold((0.0, 0.0), |s, t| (s.0 + t.0, s.1 + t.1));
-    let back = Rotation3::from_axis_angle(&Vector3::z_axis(), sum.1.atan2(sum.0));
+    let back = Rotation3::from_axis_angle(&Vector3::z_axis(), libm::atan2(sum.1, sum.0));
     got.iter()
         .zip(&want)
         .map(|(a, b)| (back * a - b).norm())

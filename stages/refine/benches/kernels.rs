@@ -5,9 +5,10 @@
 use nalgebra::{Matrix3x4, Point3, Rotation3, Vector3};
 use refine::evidence::contours::pulls;
 use refine::evidence::patch::{Pairing, Window};
-use refine::evidence::visibility::{Visibility, VisibilityRules};
+use refine::evidence::visibility::{Scene, Visibility, VisibilityRules};
 use refine::geometry::curvature::{Laplacian, shape_operators};
 use refine::geometry::remesh::{relax, remesh};
+use refine::motion::normal_equations::point_shifts;
 use refine::pictures::depth::DepthMap;
 use refine::pictures::picture::{Picture, halved};
 use refine::surface::energy::Forces;
@@ -23,7 +24,7 @@ const SIZE: [usize; 2] = [1600, 2400];
 /// The ball from a ring of cameras, brightness a few waves through space.
 fn picture(k: usize) -> Picture {
     let angle = k as f64 * std::f64::consts::TAU / 18.0;
-    let centre = Point3::new(3000.0 * angle.cos(), 3000.0 * angle.sin(), 300.0);
+    let centre = Point3::new(3000.0 * libm::cos(angle), 3000.0 * libm::sin(angle), 300.0);
     let forward = (Point3::origin() - centre).normalize();
     let right = forward.cross(&Vector3::z()).normalize();
     let axes = [right, forward.cross(&right), forward].map(|a| a.transpose());
@@ -52,9 +53,9 @@ fn picture(k: usize) -> Picture {
             let root = b * b - centre.coords.norm_squared() + RADIUS * RADIUS;
             if root > 0.0 {
                 let p = centre + ray * (-b - root.sqrt());
-                let waves = (0.9 * p.x + 0.4 * p.z).sin()
-                    + (0.7 * p.y - 0.8 * p.z).sin()
-                    + (1.3 * p.z + 0.3 * p.x).sin();
+                let waves = libm::sin(0.9 * p.x + 0.4 * p.z)
+                    + libm::sin(0.7 * p.y - 0.8 * p.z)
+                    + libm::sin(1.3 * p.z + 0.3 * p.x);
                 *gray.at_mut(x, y) = (128.0 + 25.0 * waves) as f32;
             }
         }
@@ -137,7 +138,7 @@ impl Timer {
             mesh.faces.len()
         );
         println!(
-            "{:28} {:>9} {:>9} {:>14}",
+            "{:34} {:>9} {:>9} {:>14}",
             "",
             "1 thread",
             format!("{cores} threads"),
@@ -154,7 +155,7 @@ impl Timer {
     fn line(&self, name: &str, run: &(dyn Fn() + Sync)) {
         let [one, all] = [0, 1].map(|k| least(|| self.pools[k].install(run)));
         println!(
-            "{name:28} {one:9.1} {all:9.1} {:14.0}",
+            "{name:34} {one:9.1} {all:9.1} {:14.0}",
             one * 1e6 / self.vertices as f64
         );
     }
@@ -175,12 +176,13 @@ fn main() {
     let window = Window::new(4, true);
     let rules = VisibilityRules::new(65.0, Pairing::between(3.0, 50.0), 4.0);
     let around = Adjacency::new(&mesh);
+    let scene = Scene::new(&mesh, &around, &pictures, &window, &rules);
     let normals = mesh.normals();
     let x: Vec<_> = (0..count as u32).map(|v| mesh.point(v).coords).collect();
     let laplacian = Laplacian::new(&mesh, &around);
     let rest = Rest::new(&laplacian, &x, &normals, 20);
-    let visible = Visibility::new(&mesh, &around, &pictures, &window, &rules);
-    let contours = pulls(&mesh, &around, &normals, &pictures, 3.0);
+    let visible = Visibility::new(&scene);
+    let contours = pulls(&scene, 3.0);
     let footprint = 3000.0 / 4500.0;
     let bending = 0.04 * 8f64.powi(4) * footprint * footprint;
     let forces = Forces {
@@ -199,18 +201,19 @@ fn main() {
         anchor: 1e-4,
     };
     let still = vec![0.0; count];
-    let seen = forces.agreements::<true>(&still);
+    let seen = forces.agreements::<1>(&still);
     let data_term = forces.data_term(&seen);
     tell("visibility and weights", &|| {
-        drop(Visibility::new(&mesh, &around, &pictures, &window, &rules));
+        drop(Visibility::new(&scene));
     });
-    tell("consistency", &|| drop(forces.agreements::<false>(&still)));
+    tell("the same, and equations of motion", &|| {
+        drop(point_shifts(&scene, footprint))
+    });
+    tell("consistency", &|| drop(forces.agreements::<0>(&still)));
     tell("consistency and its slope", &|| {
-        drop(forces.agreements::<true>(&still));
+        drop(forces.agreements::<1>(&still));
     });
-    tell("contours", &|| {
-        drop(pulls(&mesh, &around, &normals, &pictures, 3.0));
-    });
+    tell("contours", &|| drop(pulls(&scene, 3.0)));
     tell("Laplacian", &|| drop(Laplacian::new(&mesh, &around)));
     tell("rest shape, 20 rings", &|| {
         drop(Rest::new(&laplacian, &x, &normals, 20));
@@ -250,7 +253,7 @@ fn mesh_and_pictures(timer: &Timer, mesh: &Mesh, picture: &Picture) {
     tell("shape operators", &|| {
         drop(shape_operators(mesh, &around, &normals, 0.1));
     });
-    tell("relaxing", &|| relax(&mut mesh.clone()));
+    tell("relaxing", &|| relax(&mut mesh.clone(), &around));
     tell("remeshing to other edges", &|| {
         drop(remesh(mesh, mesh.mean_edge() * 0.9, 1));
     });

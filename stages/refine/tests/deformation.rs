@@ -13,8 +13,8 @@ fn offset(k: u32, [x, y]: [f64; 2]) -> [f64; 2] {
     let sign = if k.is_multiple_of(2) { 1.0 } else { -1.0 };
     let phase = f64::from(k / 2);
     [
-        sign * 0.9 * (0.03 * y + phase).sin(),
-        sign * 0.7 * (0.025 * x + 2.0 * phase).cos(),
+        sign * 0.9 * libm::sin(0.03 * y + phase),
+        sign * 0.7 * libm::cos(0.025 * x + 2.0 * phase),
     ]
 }
 

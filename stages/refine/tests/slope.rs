@@ -3,11 +3,11 @@
 mod turn;
 
 use nalgebra::Vector3;
-use refine::evidence::agreement::agreement;
+use refine::evidence::agreement::{agreement, agreement_as_compiled};
 use refine::evidence::contours::{Pull, pulls};
 use refine::evidence::outside::outside;
 use refine::evidence::patch::{Pairing, Window};
-use refine::evidence::visibility::{Visibility, VisibilityRules};
+use refine::evidence::visibility::{Scene, Visibility, VisibilityRules};
 use refine::geometry::curvature::Laplacian;
 use refine::pictures::picture::Picture;
 use refine::pictures::prepare::{footprint, pictures};
@@ -22,7 +22,7 @@ fn rules() -> VisibilityRules {
 }
 
 /// The ball's photos.
-fn scene() -> Vec<Picture> {
+fn looked_at() -> Vec<Picture> {
     let (photos, cameras, masks) = turn(18.0, &[]);
     pictures::<Stop>(&photos, &cameras, Some(&masks), 0, 6.0, || Ok(())).unwrap()
 }
@@ -31,7 +31,7 @@ fn scene() -> Vec<Picture> {
 fn bumpy() -> (Mesh, Vec<Vector3<f64>>) {
     let mut mesh = ball(RADIUS + 0.7);
     for p in &mut mesh.positions {
-        let wave = 1.0 + 0.01 * (0.2 * p[0] + 0.13 * p[1]).sin() * (0.17 * p[2]).cos();
+        let wave = 1.0 + 0.01 * libm::sinf(0.2 * p[0] + 0.13 * p[1]) * libm::cosf(0.17 * p[2]);
         *p = p.map(|x| x * wave);
     }
     let x = (0..mesh.positions.len() as u32)
@@ -56,14 +56,16 @@ struct Held {
 }
 
 fn held(level: bool) -> Held {
-    let (pictures, (mesh, x)) = (scene(), bumpy());
+    let (pictures, (mesh, x)) = (looked_at(), bumpy());
     let around = Adjacency::new(&mesh);
     let normals = mesh.normals();
     let (window, rules) = (Window::new(4, level), rules());
+    let scene = Scene::new(&mesh, &around, &pictures, &window, &rules);
+    let (visible, pulls) = (Visibility::new(&scene), pulls(&scene, 3.0));
     let laplacian = Laplacian::new(&mesh, &around);
     Held {
-        visible: Visibility::new(&mesh, &around, &pictures, &window, &rules),
-        pulls: pulls(&mesh, &around, &normals, &pictures, 3.0),
+        visible,
+        pulls,
         rest: Rest::new(&laplacian, &x, &normals, 5),
         outside: outside(&mesh, &normals, &pictures, 0.2, footprint(&mesh, &pictures)),
         footprint: footprint(&mesh, &pictures),
@@ -110,12 +112,10 @@ fn the_slope_of_consistency_is_its_derivative() {
             }
             let pairing = held.rules.pairing;
             let at = |d: f64| {
-                let a =
-                    agreement::<false>(&held.pictures, visible, frame, d, &held.window, pairing);
+                let a = agreement::<0>(&held.pictures, visible, frame, d, &held.window, pairing);
                 a.score
             };
-            let given =
-                agreement::<true>(&held.pictures, visible, frame, 0.0, &held.window, pairing);
+            let given = agreement::<1>(&held.pictures, visible, frame, 0.0, &held.window, pairing);
             assert!((given.score - at(0.0)).abs() < 1e-6 * given.weight.max(1.0));
             assert!(given.stiffness >= 0.0 && given.score <= given.weight * 1.0001);
             let h = 4e-3;
@@ -148,7 +148,7 @@ fn the_pull_on_the_surface_is_minus_the_slope_of_the_energy() {
     ] {
         let forces = held.forces(contour_weight, hull_weight, bending);
         let still = vec![0.0; held.x.len()];
-        let data_term = forces.data_term(&forces.agreements::<true>(&still));
+        let data_term = forces.data_term(&forces.agreements::<1>(&still));
         // Against very stiff data terms the step is the pull over the stiffness: bending included.
         let stiff = 1e9;
         let hard = DataTerm {
@@ -168,7 +168,7 @@ fn the_pull_on_the_surface_is_minus_the_slope_of_the_energy() {
             let way: Vec<f64> = still.iter().map(|_| dice.normal()).collect();
             let energy = |h: f64| {
                 let d: Vec<f64> = way.iter().map(|w| w * h).collect();
-                forces.energy(&forces.agreements::<false>(&d), &d, &held.x)
+                forces.energy(&forces.agreements::<0>(&d), &d, &held.x)
             };
             let h = 2e-3;
             let want = (energy(h) - energy(-h)) / (2.0 * h);
@@ -193,7 +193,7 @@ fn the_bending_term_does_not_shrink_a_cylinder() {
         for (k, i) in (0..along).flat_map(|k| (0..around).map(move |i| (k, i))) {
             let angle = i as f64 / around as f64 * std::f64::consts::TAU;
             let z = (k as f64 - along as f64 / 2.0) * edge;
-            let p = [radius * angle.cos(), radius * angle.sin(), z];
+            let p = [radius * libm::cos(angle), radius * libm::sin(angle), z];
             mesh.positions.push(p.map(|x| x as f32));
         }
         let at = |k: usize, i: usize| (k * around + i % around) as u32;
@@ -238,5 +238,23 @@ fn the_bending_term_does_not_shrink_a_cylinder() {
         };
         let d = displacements(&data_term, &laplacian, &x, &normals, &plain, bending, 100);
         assert!(d[at(along / 2, 0) as usize] < -1e-3 * radius);
+    }
+}
+
+/// Wide registers change the time and not the bytes, nor does reading a picture once for two purposes.
+#[test]
+fn consistency_is_the_same_in_registers_of_any_width() {
+    let held = held(true);
+    let (window, pairing) = (&held.window, held.rules.pairing);
+    for v in 0..held.x.len() {
+        let (visible, frame) = (held.visible.of(v), &held.visible.frames[v]);
+        for d in [0.0, 0.13] {
+            let wide = agreement::<1>(&held.pictures, visible, frame, d, window, pairing);
+            let plain =
+                agreement_as_compiled::<1>(&held.pictures, visible, frame, d, window, pairing);
+            assert_eq!(wide, plain, "vertex {v} moved by {d} mm");
+            let score = agreement::<0>(&held.pictures, visible, frame, d, window, pairing).score;
+            assert_eq!(wide.score, score);
+        }
     }
 }

@@ -71,7 +71,7 @@ pub struct Html;
 
 impl Stage for Html {
     const NAME: &'static str = "report.html";
-    const VERSION: u32 = 10;
+    const VERSION: u32 = 11;
     const ABOUT: &'static str = "Makes one self-contained page: 3D view, girths, photos, cameras.";
     type Params = HtmlParams;
     type Input = HtmlInput;
@@ -96,6 +96,7 @@ impl Stage for Html {
             cameras: &input.cameras,
             girths: &input.girths,
             landmarks: input.landmarks.as_deref(),
+            body: &input.body,
             surfaces,
             figures,
             without_photos: !p.photos,

@@ -33,13 +33,19 @@ impl Lengths {
         }
     }
 
+    /// Millimetres in one of them, and digits behind the point.
+    pub(crate) fn scale(self) -> (f64, usize) {
+        match self {
+            Lengths::Cm => (10.0, 1),
+            Lengths::Inch => (25.4, 1),
+            Lengths::Relative => (1000.0, 4),
+        }
+    }
+
     /// A length for people, without its unit.
     pub(crate) fn text(self, mm: f64) -> String {
-        match self {
-            Lengths::Cm => format!("{:.1}", mm / 10.0),
-            Lengths::Inch => format!("{:.1}", mm / 25.4),
-            Lengths::Relative => format!("{:.4}", mm / 1000.0),
-        }
+        let (one, digits) = self.scale();
+        format!("{:.digits$}", mm / one)
     }
 
     /// The same for what is small, such as a standard deviation.

@@ -10,6 +10,7 @@
 
 mod face;
 mod html;
+mod labels;
 mod lengths;
 mod overlay;
 mod packing;
@@ -19,6 +20,7 @@ mod profile;
 mod ring;
 mod ring_picture;
 mod scene;
+mod sides;
 mod tables;
 mod take;
 mod tape;

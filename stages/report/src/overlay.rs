@@ -175,7 +175,7 @@ mod tests {
             },
         };
         for turn in [1.0f32, -1.0] {
-            let at = |i: i32| (turn * i as f32 * std::f32::consts::TAU / 100.0).sin_cos();
+            let at = |i: i32| libm::sincosf(turn * i as f32 * std::f32::consts::TAU / 100.0);
             let contour = (0..100).map(at).map(|(s, c)| [50.0 * c, 50.0 * s, 0.0]);
             let plane = shape::Plane {
                 point_mm: [0.0; 3],

@@ -1,7 +1,7 @@
 //! The page itself, out of its parts.
 
 use crate::lengths::Lengths;
-use crate::{profile, ring, scene, tables};
+use crate::{profile, ring, scene, sides, tables};
 use shape::{Cameras, Girths, Landmarks, Mesh, Photos, Scale, Textured};
 
 /// A surface that the viewer can show.
@@ -22,6 +22,8 @@ pub(crate) struct Content<'a> {
     pub(crate) girths: &'a Girths,
     /// Which way the subject faces.
     pub(crate) landmarks: Option<&'a Landmarks>,
+    /// The surface that was measured.
+    pub(crate) body: &'a Mesh,
     /// What to switch between, the first at first.
     pub(crate) surfaces: Vec<Surface>,
     /// The photos, as HTML.
@@ -32,11 +34,13 @@ pub(crate) struct Content<'a> {
     pub(crate) lengths: Lengths,
 }
 
-const SCRIPT: [&str; 6] = [
+const SCRIPT: [&str; 8] = [
     include_str!("viewer/unpack.js"),
     include_str!("viewer/draw.js"),
     include_str!("viewer/look.js"),
     include_str!("viewer/hands.js"),
+    include_str!("viewer/plane_curve.js"),
+    include_str!("viewer/girth.js"),
     include_str!("viewer/pick.js"),
     include_str!("viewer/photos.js"),
 ];
@@ -58,6 +62,7 @@ pub(crate) fn page(content: &Content<'_>) -> String {
             Surface::Textured(label, body, atlas_px) => scene::textured(label, body, *atlas_px),
         })
         .collect();
+    let (at, faces) = measured(content);
     let of_photos = photos
         .iter()
         .map(|(id, _)| cameras.views.get(id).map(|v| &v.camera));
@@ -70,7 +75,7 @@ pub(crate) fn page(content: &Content<'_>) -> String {
     let ground = ground.unwrap_or(cameras.ground_mm);
     let scene = serde_json::json!({
         "meshes": meshes, "tapes": scene::tapes(girths, lengths), "front": front,
-        "views": scene::views(of_photos),
+        "views": scene::views(of_photos), "measured": at, "lengths": scene::written(girths, lengths),
     });
     let name = photos.rig.name.as_deref().unwrap_or("one turn");
     let note = match content.without_photos {
@@ -88,6 +93,8 @@ pub(crate) fn page(content: &Content<'_>) -> String {
             ("unit", tables::unit(girths, lengths)),
             ("derived", tables::derived(girths, lengths)),
             ("scale", tables::scale(cameras, &photos.rig, lengths)),
+            ("sides", sides::figure(content.body, girths, front, lengths)),
+            ("coarse", coarser(faces, content.body.faces.len())),
             ("profile", profile::svg(girths, ground, lengths)),
             ("ring", ring::svg(cameras)),
             (
@@ -98,6 +105,38 @@ pub(crate) fn page(content: &Content<'_>) -> String {
             ("viewer", format!("(() => {{\n{}}})();", SCRIPT.concat())),
         ],
     )
+}
+
+/// Which of the surfaces on the page is the measured one at its finest, and of how many faces.
+fn measured(content: &Content<'_>) -> (usize, usize) {
+    let faces = |surface: &Surface| match surface {
+        Surface::Textured(_, t, _) => {
+            let same = t.mesh.faces.len() == content.body.faces.len();
+            let same = same && t.mesh.positions.len() == content.body.positions.len();
+            same.then_some(t.mesh.faces.len())
+        }
+        Surface::Plain(label, mesh) => {
+            let body = label.split(" = ").next() == Some("body");
+            body.then_some(mesh.faces.len())
+        }
+    };
+    let all = content.surfaces.iter().map(faces).enumerate();
+    let known = all.filter_map(|(at, faces)| Some((at, faces?)));
+    // The first of the finest.
+    known.fold((0, 0), |best, here| match here.1 > best.1 {
+        true => here,
+        false => best,
+    })
+}
+
+/// What is said where the page carries less than was measured.
+fn coarser(on_page: usize, measured: usize) -> String {
+    match on_page < measured {
+        true => format!(
+            " The page carries the surface with {on_page} of its {measured} faces, so the command may give a slightly different girth (finer pages: --set report.most_faces={measured})."
+        ),
+        false => String::new(),
+    }
 }
 
 /// The template with its `{{slots}}` filled, once: what a slot brings in is not looked into.

@@ -1,5 +1,6 @@
 //! Girth of the trunk over height, as a drawing.
 
+use crate::labels::spread;
 use crate::lengths::Lengths;
 use crate::tables::escaped;
 use shape::{Girth, Girths};
@@ -8,7 +9,11 @@ use std::fmt::Write;
 /// A girth that changes by more than this from one height to the next jumps.
 const JUMP: f64 = 0.06;
 
-/// An SVG of the curve, with a line at each horizontal girth. Empty without a curve. Where the girth
+/// Width of the column that holds names of girths, and height of a line of it.
+const NAMES: f64 = 152.0;
+const LINE: f64 = 13.0;
+
+/// An SVG of the curve; each horizontal girth is a dot on it, led to its name beside the drawing. Empty without a curve. Where the girth
 /// jumps, because limbs join or part, the curve is dotted.
 pub(crate) fn svg(girths: &Girths, ground_mm: f64, lengths: Lengths) -> String {
     let profile = &girths.profile;
@@ -25,9 +30,9 @@ pub(crate) fn svg(girths: &Girths, ground_mm: f64, lengths: Lengths) -> String {
     let widest = pairs.iter().map(|p| p.1).fold(1.0, f64::max);
     let narrowest = pairs.iter().map(|p| p.1).fold(widest, f64::min);
     let span = (widest - narrowest).max(1.0);
-    let (w, h, left, bottom) = (560.0, 320.0, 46.0, 30.0);
-    let x =
-        |girth: f64| left + (girth - narrowest + 0.05 * span) / (1.1 * span) * (w - left - 10.0);
+    let (w, h, left, bottom) = (620.0, 320.0, 46.0, 30.0);
+    let right = w - NAMES;
+    let x = |girth: f64| left + (girth - narrowest + 0.05 * span) / (1.1 * span) * (right - left);
     let y = |height: f64| 8.0 + (high - height) / (high - low) * (h - bottom - 8.0);
     let tick = |mm: f64| lengths.coarse(mm);
     let mut svg = format!(
@@ -52,13 +57,6 @@ pub(crate) fn svg(girths: &Girths, ground_mm: f64, lengths: Lengths) -> String {
             zcm = tick(z),
         );
     }
-    let level = |g: &&Girth| g.plane.normal[2].abs() > 0.999;
-    for girth in girths.girths.iter().filter(level) {
-        let z = girth.plane.point_mm[2] - ground_mm;
-        if (low..=high).contains(&z) && (narrowest..=widest * 1.02).contains(&girth.tape_mm) {
-            mark(&mut svg, &girth.name, left, [x(girth.tape_mm), y(z)]);
-        }
-    }
     for pair in pairs.windows(2) {
         let [(z0, g0), (z1, g1)] = [pair[0], pair[1]];
         let class = match (g1 - g0).abs() > JUMP * g0 {
@@ -71,11 +69,20 @@ pub(crate) fn svg(girths: &Girths, ground_mm: f64, lengths: Lengths) -> String {
             "<path class=\"{class}\" d=\"M{x0:.1},{y0:.1}L{x1:.1},{y1:.1}\"/>"
         );
     }
+    let level = |g: &&Girth| g.plane.normal[2].abs() > 0.999;
+    let mut marks = Vec::new();
+    for girth in girths.girths.iter().filter(level) {
+        let z = girth.plane.point_mm[2] - ground_mm;
+        if (low..=high).contains(&z) && (narrowest..=widest * 1.02).contains(&girth.tape_mm) {
+            marks.push(([x(girth.tape_mm), y(z)], girth));
+        }
+    }
+    names(&mut svg, marks, right, h - bottom);
     let _ = write!(
         svg,
         "<text x=\"{:.0}\" y=\"{}\" text-anchor=\"middle\">girth of the trunk [{unit}]</text>\
          <text transform=\"translate(11 {:.0}) rotate(-90)\" text-anchor=\"middle\">height [{unit}]</text></svg>",
-        (w + left) / 2.0,
+        (right + left) / 2.0,
         h - 2.0,
         (h - bottom) / 2.0,
         unit = lengths.word(),
@@ -83,14 +90,21 @@ pub(crate) fn svg(girths: &Girths, ground_mm: f64, lengths: Lengths) -> String {
     svg
 }
 
-/// A line from the left to a girth's place on the curve, with its name.
-fn mark(svg: &mut String, name: &str, left: f64, [x, y]: [f64; 2]) {
-    let _ = write!(
-        svg,
-        "<line class=\"mark\" x1=\"{left}\" x2=\"{x:.1}\" y1=\"{y:.1}\" y2=\"{y:.1}\"/>\
-         <text class=\"mark\" x=\"{tx}\" y=\"{ty:.1}\">{}</text>",
-        escaped(name),
-        tx = left + 4.0,
-        ty = y - 3.0,
-    );
+/// Names in a column beside the curve. A level line meets the curve at its own height alone, so none
+/// crosses it; where names would lie on one another they are moved apart.
+fn names(svg: &mut String, mut marks: Vec<([f64; 2], &Girth)>, right: f64, bottom: f64) {
+    marks.sort_by(|a, b| a.0[1].total_cmp(&b.0[1]));
+    let wanted: Vec<f64> = marks.iter().map(|(at, _)| at[1]).collect();
+    for (([x, y], girth), to) in marks.iter().zip(spread(&wanted, LINE, [10.0, bottom])) {
+        let _ = write!(
+            svg,
+            "<path class=\"lead\" d=\"M{x:.1},{y:.1}H{right:.1}L{:.1},{to:.1}h5\"/>\
+             <circle class=\"mark\" cx=\"{x:.1}\" cy=\"{y:.1}\" r=\"3\"/>\
+             <text class=\"mark\" x=\"{:.1}\" y=\"{:.1}\">{}</text>",
+            right + 12.0,
+            right + 20.0,
+            to + 4.0,
+            escaped(&girth.label),
+        );
+    }
 }

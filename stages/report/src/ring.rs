@@ -13,7 +13,7 @@ pub(crate) fn svg(cameras: &Cameras) -> String {
         .collect();
     let reach = centres
         .iter()
-        .map(|(_, c)| c.x.hypot(c.y).max(c.z.abs()))
+        .map(|(_, c)| libm::hypot(c.x, c.y).max(c.z.abs()))
         .fold(1.0, f64::max)
         * 1.12;
     let disk = cameras.disk_radius_mm.unwrap_or(reach * 0.1);
@@ -111,13 +111,13 @@ fn bounding_cylinder(cameras: &Cameras) -> (f64, f64, f64) {
     for view in cameras.views.values() {
         let camera = &view.camera;
         let centre = camera.centre();
-        let away = centre.x.hypot(centre.y);
+        let away = libm::hypot(centre.x, centre.y);
         let (w, h) = (f64::from(camera.lens.width), f64::from(camera.lens.height));
         let slope = (w / 2.0) / camera.lens.focal[0];
         radius = radius.min(away * slope / (1.0 + slope * slope).sqrt());
         let at_axis = |y: f64| {
             let ray = camera.ray(Point2::new(w / 2.0, y));
-            centre.z + ray.z * away / ray.x.hypot(ray.y).max(1e-9)
+            centre.z + ray.z * away / libm::hypot(ray.x, ray.y).max(1e-9)
         };
         (low, high) = (low.max(at_axis(h)), high.min(at_axis(0.0)));
     }

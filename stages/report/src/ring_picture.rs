@@ -18,7 +18,7 @@ pub struct RingPicture;
 
 impl Stage for RingPicture {
     const NAME: &'static str = "report.ring";
-    const VERSION: u32 = 3;
+    const VERSION: u32 = 4;
     const ABOUT: &'static str = "Draws the cameras around the subject, from above and the side.";
     type Params = ();
     type Input = RingInput;

@@ -95,6 +95,14 @@ pub(crate) fn tapes(girths: &Girths, lengths: Lengths) -> Value {
     girths.girths.iter().map(tape).collect()
 }
 
+/// How the page writes lengths: millimetres in one, digits, what they are in; and by how much a worn
+/// tape is shorter.
+pub(crate) fn written(girths: &Girths, lengths: Lengths) -> Value {
+    let (mm, digits) = lengths.scale();
+    let worn = 1.0 - girths.compression_pct / 100.0;
+    json!({ "mm": mm, "digits": digits, "word": lengths.word(), "worn": worn })
+}
+
 /// Where each camera stood; null for a photo without one. \[mm\]
 pub(crate) fn views<'a>(cameras: impl Iterator<Item = Option<&'a Camera>>) -> Value {
     let centre = |c: &Camera| <[f64; 3]>::from(c.centre()).map(f64::round);

@@ -1,7 +1,7 @@
 //! The tables of the page: girths with intervals, what is missing, ratios, scale.
 
 use crate::lengths::Lengths;
-use shape::{Cameras, Girth, Girths, Rig, Scale, Unit};
+use shape::{Cameras, Girth, Girths, Missing, Rig, Scale, Unit};
 use std::fmt::Write;
 
 /// Text that may stand in HTML.
@@ -93,23 +93,56 @@ fn weight(kg: f64, lengths: Lengths) -> String {
     }
 }
 
+/// A missing girth by its short name, as commands take it, and in words.
+fn called(missing: &Missing) -> String {
+    let label = missing.id.map(|id| id.definition().label);
+    let label = label.filter(|label| *label != missing.name);
+    let label = label.map_or(String::new(), |label| format!(" ({})", escaped(label)));
+    format!("<b>{}</b>{label}", escaped(&missing.name))
+}
+
 /// What is not measured, and why; the same reason once.
 fn missing(girths: &Girths) -> String {
     let mut reasons: Vec<(&str, Vec<String>)> = Vec::new();
     for m in &girths.missing {
         match reasons.iter_mut().find(|(why, _)| *why == m.why) {
-            Some((_, names)) => names.push(escaped(&m.name)),
-            None => reasons.push((&m.why, vec![escaped(&m.name)])),
+            Some((_, names)) => names.push(called(m)),
+            None => reasons.push((&m.why, vec![called(m)])),
         }
     }
     let line = |(why, names): &(&str, Vec<String>)| {
-        format!("<li><b>{}</b>: {}</li>", names.join(", "), escaped(why))
+        format!("<li>{}: {}</li>", names.join(", "), escaped(why))
     };
     let lines: String = reasons.iter().map(line).collect();
     match lines.is_empty() {
         true => lines,
         false => format!("<ul class=\"missing\">{lines}</ul>"),
     }
+}
+
+/// The waist that the WHO's thresholds are of: midway between the lowest rib and the iliac crest (WHO 2011, Waist
+/// circumference and waist–hip ratio: report of an expert consultation, Geneva, 8–11 December 2008).
+fn waist(girths: &Girths, lengths: Lengths) -> Option<(String, String, String)> {
+    let waist = girths.get("WC").filter(|_| lengths != Lengths::Relative)?;
+    let [men, women, most_men, most_women] =
+        [940.0, 800.0, 1020.0, 880.0].map(|mm| lengths.text(mm));
+    let note = format!(
+        "WHO 2008, adults: risk increased above {men} (men), {women} (women), substantially above {most_men}, {most_women}"
+    );
+    let value = format!("{} {}", lengths.text(waist.tape_mm), lengths.word());
+    Some(("waist".into(), value, note))
+}
+
+/// A ratio's short name with what it is.
+fn in_words(name: &str) -> String {
+    let what = match name {
+        "WHR" => "waist over hip",
+        "WHR_tape" => "waist over hip, by tapes",
+        "WHtR" => "waist over stature",
+        "density_kg_l" => return "density [kg/l]".into(),
+        _ => return name.into(),
+    };
+    format!("{what} ({name})")
 }
 
 /// Ratios and the like, with the thresholds of the WHO beside them as text.
@@ -129,13 +162,17 @@ pub(crate) fn derived(girths: &Girths, lengths: Lengths) -> String {
         let note = "WHO, adults: 18.5 to 24.9 normal, from 25 overweight, from 30 obese".into();
         rows.push(("body mass index".into(), format!("{bmi:.1} kg/m²"), note));
     }
+    rows.extend(waist(girths, lengths));
     for (name, value, note) in &girths.ratios {
         let note = match (name.as_str(), note.is_empty()) {
-            ("WHR", true) => "WHO 2008, adults: risk raised from 0.90 (men), 0.85 (women)".into(),
+            ("WHR", true) => {
+                "WHO 2008, adults: risk substantially increased from 0.90 (men), 0.85 (women)"
+                    .into()
+            }
             ("WHtR", true) => "often used bound: 0.5".into(),
             _ => note.clone(),
         };
-        rows.push((name.clone(), format!("{value:.3}"), note));
+        rows.push((in_words(name), format!("{value:.3}"), note));
     }
     if let Some(litres) = girths.volume_l {
         rows.push((

@@ -76,13 +76,13 @@ mod tests {
         let mut dice = Dice(3);
         let mut points = Vec::new();
         for i in 0..200 {
-            let (s, c) = (f64::from(i) * std::f64::consts::TAU / 200.0).sin_cos();
+            let (s, c) = libm::sincos(f64::from(i) * std::f64::consts::TAU / 200.0);
             points.push((100.0 * (a * c + b * s)).cast::<f32>().into());
             let r = 90.0 * dice.unit();
             points.push((r * (a * s + b * c)).cast::<f32>().into());
         }
         let tape = around(&points, n.into());
-        let chord = 200.0 * 200.0 * (std::f64::consts::PI / 200.0).sin();
+        let chord = 200.0 * 200.0 * libm::sin(std::f64::consts::PI / 200.0);
         assert!((length(&tape) - chord).abs() < 1e-2, "{}", length(&tape));
     }
 }

@@ -115,21 +115,48 @@ fn clicks_pick_points_on_the_body_for_a_line_to_paste() {
     let text = tab.value(line);
     let text = text.as_str().unwrap();
     let points = text.strip_prefix("--set 'girths.points=").unwrap();
+    let points_text = text;
     let points: Vec<[f64; 3]> = serde_json::from_str(points.strip_suffix('\'').unwrap()).unwrap();
     assert_eq!(points.len(), 4, "a drag turns and picks nothing: {text}");
     for p in &points {
-        let radius = p[0].hypot(p[1]);
+        let radius = libm::hypot(p[0], p[1]);
         assert!((79.0..=80.2).contains(&radius), "on the tube: {p:?}");
         assert!((p[2] - points[0][2]).abs() < 1.0, "at one height: {text}");
     }
-    let apart = (points[0][0] - points[2][0]).hypot(points[0][1] - points[2][1]);
+    let apart = libm::hypot(points[0][0] - points[2][0], points[0][1] - points[2][1]);
     assert!(apart > 60.0, "from different sides: {text}");
-    tab.click("#unpick");
+    // The girth of a tube with 48 corners, by tape, contour and spline, as it is picked.
     let told = "document.getElementById('picked').textContent";
-    assert_eq!(tab.value(told), "3 points");
+    let all = tab.value(told);
+    assert_eq!(all, "4 points: tape 50.2, contour 50.2, spline 50.2 cm");
+    let [_, _, _, with] = seen(&mut tab);
     tab.click("#unpick");
+    let three = tab.value(told);
+    assert_eq!(three, "3 points: tape 50.2, contour 50.2, spline 50.2 cm");
+    tab.click("#unpick");
+    assert_ne!(seen(&mut tab)[3], with, "the tape through them was drawn");
     assert_eq!(tab.value(told), "2 of at least 3 points");
     assert_eq!(tab.value(line), "");
+    // A line of before is put in; points on a line, or far away, are told.
+    let put = |tab: &mut Tab, text: &str| {
+        tab.value(&format!(
+            "(() => {{ const e = document.getElementById('points'); e.value = {text:?}; e.dispatchEvent(new Event('input')); }})()"
+        ));
+        tab.value(told)
+    };
+    assert_eq!(put(&mut tab, points_text), all);
+    let straight = put(&mut tab, "[[0, 0, 1], [0, 0, 2], [0, 0, 3]]");
+    assert_eq!(
+        straight,
+        "these points lie on one line: pick around the body"
+    );
+    let away = put(&mut tab, "[[900, 0, 1], [900, 90, 2], [990, 0, 3]]");
+    assert!(
+        away.as_str()
+            .unwrap()
+            .contains("meets no closed section near them"),
+        "{away}"
+    );
 }
 
 #[test]

@@ -80,10 +80,14 @@ fn inches_are_shown_where_they_are_wanted_and_relative_lengths_stay_relative() {
         assert!(told.contains(text) && !plain.contains(text), "{text}");
     }
     assert!(!told.contains("[cm]"), "one unit on a page");
+    // The WHO's thresholds are in what the reader reads.
+    assert!(told.contains("above 37.0 (men), 31.5 (women), substantially above 40.2, 34.6"));
+    assert!(plain.contains("above 94.0 (men), 80.0 (women), substantially above 102.0, 88.0"));
     let tape = input().girths.girths[0].tape_mm;
     assert!(told.contains(&format!("{:.1} in", tape / 25.4)));
     let mut input = input();
     Arc::make_mut(&mut input.girths).unit = shape::Unit::Relative;
     let relative = page_of(&inches, input);
     assert!(relative.contains("tape [relative]") && !relative.contains("[in]"));
+    assert!(!relative.contains("WHO 2008, adults: risk increased above"));
 }

@@ -73,6 +73,7 @@ impl Intrinsics {
     }
 
     /// The pixel of a point on the plane z = 1.
+    #[inline(always)]
     pub fn distort(&self, p: Vector2<f64>) -> Point2<f64> {
         let r2 = p.norm_squared();
         let q = p * (1.0 + r2 * (self.radial[0] + r2 * self.radial[1]));

@@ -18,12 +18,16 @@ impl Cylinder {
     /// A point of its mantle: angle \[rad\], and share of the height from the bottom.
     pub fn point(&self, angle: f64, share: f64) -> Point3<f64> {
         let z = self.bottom + share * (self.top - self.bottom);
-        Point3::new(self.radius * angle.cos(), self.radius * angle.sin(), z)
+        Point3::new(
+            self.radius * libm::cos(angle),
+            self.radius * libm::sin(angle),
+            z,
+        )
     }
 
     /// Whether a point is inside or on it.
     pub fn holds(&self, x: &Point3<f64>) -> bool {
-        x.x.hypot(x.y) <= self.radius && (self.bottom..=self.top).contains(&x.z)
+        libm::hypot(x.x, x.y) <= self.radius && (self.bottom..=self.top).contains(&x.z)
     }
 }
 
@@ -53,7 +57,7 @@ impl Side {
 
     /// Length of the normal's level part.
     fn level(&self) -> f64 {
-        self.normal.x.hypot(self.normal.y)
+        libm::hypot(self.normal.x, self.normal.y)
     }
 
     /// Whether it bounds heights rather than widths; a camera may lie on its side.
@@ -116,7 +120,7 @@ pub fn bounding_cylinder(cameras: &Cameras) -> Option<Cylinder> {
 /// the highest that any camera sees there.
 pub fn seen_by_half(cameras: &Cameras) -> Option<Cylinder> {
     let away = cameras.views.values().map(|v| v.camera.centre());
-    let nearest = away.map(|c| c.x.hypot(c.y)).fold(f64::MAX, f64::min);
+    let nearest = away.map(|c| libm::hypot(c.x, c.y)).fold(f64::MAX, f64::min);
     let bottom = cameras.ground_mm;
     let (mut widest, mut top) = (0.0f64, f64::MIN);
     let views = cameras.views.values().map(|v| Side::of(&v.camera));
@@ -152,8 +156,9 @@ mod tests {
     /// aside, and all may lie on their side.
     fn ring(count: u32, down: f64, aside: f64, lying: bool) -> Cameras {
         let view = |k: u32| {
-            let (s, c) = (f64::from(k) * std::f64::consts::TAU / f64::from(count)).sin_cos();
-            let forward = Vector3::new(-c * down.cos(), -s * down.cos(), -down.sin());
+            let (s, c) = libm::sincos(f64::from(k) * std::f64::consts::TAU / f64::from(count));
+            let forward =
+                Vector3::new(-c * libm::cos(down), -s * libm::cos(down), -libm::sin(down));
             let right = Vector3::new(-s, c, 0.0);
             let rows = [right, forward.cross(&right), forward].map(|r| r.transpose());
             let twist =
@@ -206,7 +211,7 @@ mod tests {
         // Half the width is seen at 400/1000, half the height at 600/1000: 1.2 m up and down.
         for lying in [false, true] {
             let cylinder = bounding_cylinder(&ring(12, 0.0, 0.0, lying)).unwrap();
-            let radius = 2000.0 * (0.4f64).atan().sin();
+            let radius = 2000.0 * libm::sin(libm::atan(0.4f64));
             proof::near(cylinder.radius, radius, 1e-9);
             proof::near(cylinder.top, 2000.0, 1e-9);
             assert_eq!(cylinder.bottom, 0.0);

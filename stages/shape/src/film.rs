@@ -6,12 +6,12 @@ const FILM_DIAGONAL_MM: f64 = 43.266_615_305_567_87;
 /// The focal length in pixels of a photo of this size that equals `mm` on film: the angle across
 /// the *diagonal* is the same (CIPA DCG-001), whatever the photo's proportions. \[px\]
 pub fn film_to_px(mm: f64, width: u32, height: u32) -> f64 {
-    mm / FILM_DIAGONAL_MM * f64::from(width).hypot(f64::from(height))
+    mm / FILM_DIAGONAL_MM * libm::hypot(f64::from(width), f64::from(height))
 }
 
 /// The other way round. \[mm\]
 pub fn px_to_film(px: f64, width: u32, height: u32) -> f64 {
-    px / f64::from(width).hypot(f64::from(height)) * FILM_DIAGONAL_MM
+    px / libm::hypot(f64::from(width), f64::from(height)) * FILM_DIAGONAL_MM
 }
 
 #[cfg(test)]

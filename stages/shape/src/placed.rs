@@ -42,8 +42,8 @@ impl Placed {
 
     /// The longest way of a corner. \[px\]
     pub fn way(&self, width: usize, height: usize) -> f64 {
-        let half = (width as f64).hypot(height as f64) / 2.0;
-        self.shift[0].hypot(self.shift[1]) + self.roll.abs() * half
+        let half = libm::hypot(width as f64, height as f64) / 2.0;
+        libm::hypot(self.shift[0], self.shift[1]) + self.roll.abs() * half
     }
 
     /// Whether it lies just where the other does.
@@ -174,11 +174,11 @@ mod tests {
             let (p, q) = (p.unwrap(), q.unwrap());
             let there = placed.of([q.x, q.y], [600, 800]);
             assert!(
-                (there[0] - p.x).hypot(there[1] - p.y) < 0.01,
+                libm::hypot(there[0] - p.x, there[1] - p.y) < 0.01,
                 "{there:?} {p}"
             );
             let back = placed.inverse().of(there, [600, 800]);
-            assert!((back[0] - q.x).hypot(back[1] - q.y) < 0.01);
+            assert!(libm::hypot(back[0] - q.x, back[1] - q.y) < 0.01);
         }
     }
 }

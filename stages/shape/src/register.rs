@@ -33,10 +33,10 @@ pub fn register(picture: &Gray, other: &Gray) -> Option<Placed> {
 
 /// The placement, its shift and roll none where corners go less than [`LEAST_WAY`].
 pub(crate) fn or_unmoved(placed: Placed, picture: &Gray) -> Placed {
-    let half = (picture.width as f64).hypot(picture.height as f64) / 2.0;
+    let half = libm::hypot(picture.width as f64, picture.height as f64) / 2.0;
     let [dx, dy] = placed.shift;
     Placed {
-        shift: if dx.hypot(dy) < LEAST_WAY {
+        shift: if libm::hypot(dx, dy) < LEAST_WAY {
             [0.0; 2]
         } else {
             placed.shift
@@ -140,7 +140,7 @@ fn stepped(picture: &Gray, other: &Gray, from: &Placed) -> Option<(Placed, f64, 
     // Two fifths of a normal distribution lie within 0.524 standard deviations.
     let bound = BOUND * (*quiet / 0.5244).max(LEAST_NOISE);
     let middle = [(w as f64 - 1.0) / 2.0, (h as f64 - 1.0) / 2.0];
-    let half = middle[0].hypot(middle[1]);
+    let half = libm::hypot(middle[0], middle[1]);
     let (mut normal, mut right) = (SMatrix::<f64, 5, 5>::zeros(), SVector::<f64, 5>::zeros());
     let mut kept = 0usize;
     for ((x, y), r) in places().zip(&residuals) {
@@ -177,7 +177,7 @@ fn stepped(picture: &Gray, other: &Gray, from: &Placed) -> Option<(Placed, f64, 
     if !(0.2..5.0).contains(&placed.gain) {
         return None;
     }
-    let way = step[0].hypot(step[1]) + step[2].abs();
+    let way = libm::hypot(step[0], step[1]) + step[2].abs();
     Some((placed, way, kept as f64 / residuals.len() as f64))
 }
 
@@ -189,15 +189,17 @@ pub(crate) mod tests {
     pub(crate) fn photo(placed: &Placed, angle: f64, dice: &mut proof::Dice) -> Gray {
         let (w, h) = (240usize, 320usize);
         let room = |x: f64, y: f64| {
-            120.0 + 40.0 * (x / 9.0).sin() * (y / 7.0).cos() + 30.0 * ((x + 2.0 * y) / 23.0).sin()
+            120.0
+                + 40.0 * libm::sin(x / 9.0) * libm::cos(y / 7.0)
+                + 30.0 * libm::sin((x + 2.0 * y) / 23.0)
         };
         let mut image = Gray::filled(w, h, 0.0);
         for i in 0..w * h {
             let at = [(i % w) as f64, (i / w) as f64];
             let [x, y] = placed.inverse().of(at, [w, h]);
             let (dx, dy) = (x - 120.0, y - 170.0);
-            let (s, c) = angle.sin_cos();
-            let shown = if (dx / 60.0).hypot(dy / 110.0) < 1.0 {
+            let (s, c) = libm::sincos(angle);
+            let shown = if libm::hypot(dx / 60.0, dy / 110.0) < 1.0 {
                 room(300.0 + c * dx - s * dy, 500.0 + s * dx + c * dy)
             } else {
                 room(x, y)

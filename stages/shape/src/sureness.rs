@@ -103,8 +103,8 @@ impl Note {
                 100.0 * share
             ),
             Note::SplineLeft { share } => format!(
-                "the paper's spline (eq. 8) is {:+.0} % off the exact curve: the surface is too coarse there, so that its points \
-                 leave the ring; take the tape or the exact curve",
+                "the smooth curve through the surface's points (the spline) is {:+.0} % off the exact section: the surface is too coarse \
+                 there; take the tape or the contour",
                 100.0 * share
             ),
             Note::Folds { share } => format!(

@@ -3,6 +3,7 @@
 use crate::ByPhoto;
 use crate::PhotoId;
 use stage::{Artifact, Corrupt, Packer, Unpacker};
+use std::ops::Range;
 
 /// A smooth field of offsets over a photo, free of distortion: what should be seen at a pixel is
 /// seen at the pixel plus the offset there.
@@ -35,19 +36,22 @@ impl Warp {
     /// The four nodes around a pixel, and how much each counts.
     #[inline]
     pub fn around(&self, at: [f64; 2]) -> [(usize, f64); 4] {
-        let place = |x: f64, nodes: usize| {
-            let x = (x / self.cell_px).clamp(0.0, nodes as f64 - 1.0);
-            let cell = (x as usize).min(nodes.saturating_sub(2));
-            (cell, x - cell as f64)
-        };
-        let ((i, u), (j, v)) = (place(at[0], self.columns), place(at[1], self.rows()));
+        let ((i, u), (j, v)) = (
+            self.place(at[0], self.columns),
+            self.place(at[1], self.rows()),
+        );
         let k = j * self.columns + i;
-        [
-            (k, (1.0 - u) * (1.0 - v)),
-            (k + 1, u * (1.0 - v)),
-            (k + self.columns, (1.0 - u) * v),
-            (k + self.columns + 1, u * v),
-        ]
+        let nodes = [k, k + 1, k + self.columns, k + self.columns + 1];
+        let shares = shares(u, v);
+        [0, 1, 2, 3].map(|n| (nodes[n], shares[n]))
+    }
+
+    /// The node before a pixel along one side with so many nodes, and how far it lies past that.
+    #[inline]
+    fn place(&self, x: f64, nodes: usize) -> (usize, f64) {
+        let x = (x / self.cell_px).clamp(0.0, nodes as f64 - 1.0);
+        let cell = (x as usize).min(nodes.saturating_sub(2));
+        (cell, x - cell as f64)
     }
 
     /// The offset at a pixel, bilinear. \[px\]
@@ -61,6 +65,59 @@ impl Warp {
         }
         sum
     }
+
+    /// The offsets row by row, at the same columns in each. \[px\]
+    pub fn rows_at(&self, columns: &[f64]) -> WarpRows<'_> {
+        let places = columns.iter().map(|x| self.place(*x, self.columns));
+        let (cells, across): (Vec<usize>, Vec<f64>) = places.unzip();
+        let mut runs: Vec<(usize, Range<usize>)> = vec![];
+        for run in cells.chunk_by(|a, b| a == b) {
+            let from = runs.last().map_or(0, |r| r.1.end);
+            runs.push((run[0], from..from + run.len()));
+        }
+        WarpRows {
+            warp: self,
+            runs,
+            across,
+        }
+    }
+}
+
+/// A warp at the same columns in every row: [`Warp::at`], byte for byte, without looking nodes up at each pixel.
+pub struct WarpRows<'a> {
+    warp: &'a Warp,
+    /// Runs of columns between the same two nodes: the node before, the columns.
+    runs: Vec<(usize, Range<usize>)>,
+    /// How far each column lies past that node, 0..=1.
+    across: Vec<f64>,
+}
+
+impl WarpRows<'_> {
+    /// Hands the offset at each column of a row to `to`. \[px\]
+    #[inline(always)]
+    pub fn offsets(&self, row: f64, mut to: impl FnMut(usize, [f64; 2])) {
+        let (j, v) = self.warp.place(row, self.warp.rows());
+        for (i, columns) in &self.runs {
+            let k = j * self.warp.columns + i;
+            let nodes = [k, k + 1, k + self.warp.columns, k + self.warp.columns + 1];
+            let nodes = nodes.map(|n| self.warp.offsets[n].map(f64::from));
+            for x in columns.clone() {
+                let shares = shares(self.across[x], v);
+                let mut sum = [0.0; 2];
+                for n in 0..4 {
+                    sum[0] += shares[n] * nodes[n][0];
+                    sum[1] += shares[n] * nodes[n][1];
+                }
+                to(x, sum);
+            }
+        }
+    }
+}
+
+/// How much the four nodes around a place between them count.
+#[inline(always)]
+fn shares(u: f64, v: f64) -> [f64; 4] {
+    [(1.0 - u) * (1.0 - v), u * (1.0 - v), (1.0 - u) * v, u * v]
 }
 
 /// One warp a photo.

@@ -19,7 +19,7 @@ fn disc(n: usize) -> Grid {
     for i in 0..n * n {
         let (x, y) = (i % n, i / n);
         let off = |v: usize| v as f64 - n as f64 / 2.0;
-        let inside = off(x).hypot(off(y)) < 0.3 * n as f64;
+        let inside = libm::hypot(off(x), off(y)) < 0.3 * n as f64;
         let level = if inside { 160 } else { 90 } + (thrown(i) - 128) / 2;
         grid.set_terminal(x, y, level.max(0), (250 - level).max(0));
         for d in 4..8 {
@@ -54,7 +54,7 @@ fn photo() -> (Rgb, Rgb) {
     for (i, p) in photo.data.iter_mut().enumerate() {
         let (x, y) = ((i % w) as f64 - 800.0, (i / w) as f64 - 1200.0);
         if (x / 300.0).powi(2) + (y / 950.0).powi(2) < 1.0 {
-            let shade = 20.0 * (x / 90.0).sin();
+            let shade = 20.0 * libm::sin(x / 90.0);
             *p = [205.0, 165.0, 140.0].map(|c: f64| (c + shade) as u8 + (thrown(i + 7) % 5) as u8);
         }
     }

@@ -26,7 +26,7 @@ pub fn on_disk(camera: &Camera, at_px: Point2<f64>, radius: f64) -> Option<Point
         return None;
     }
     let hit = centre - ray.into_inner() * (centre.z / ray.z);
-    (hit.x.hypot(hit.y) < radius).then_some(hit)
+    (libm::hypot(hit.x, hit.y) < radius).then_some(hit)
 }
 
 /// A pixel between pixels, bilinear; [`None`] outside.
@@ -56,7 +56,8 @@ pub fn plate_turn(photo: &Rgb, plate: &Rgb, camera: &Camera, radius: f64) -> (f6
     for ring in 0..12 {
         let r = radius * (0.62 + 0.34 * f64::from(ring) / 11.0);
         for i in 0..180 {
-            let (s, c) = (f64::from(i) * std::f64::consts::TAU / 180.0 + f64::from(ring)).sin_cos();
+            let (s, c) =
+                libm::sincos(f64::from(i) * std::f64::consts::TAU / 180.0 + f64::from(ring));
             let x = Point3::new(r * c, r * s, 0.0);
             let seen = camera.project(&x).and_then(|px| sample(photo, px));
             places.extend(seen.map(|color| (x, color)));
@@ -99,7 +100,7 @@ pub fn expected(plate: &Rgb, disk: Option<(&Camera, f64, f64)>) -> Rgb {
     // Only rows and columns around the disk's outline can see its top.
     let (mut lo, mut hi) = ([f64::MAX; 2], [f64::MIN; 2]);
     for i in 0..90 {
-        let (s, c) = (f64::from(i) * std::f64::consts::TAU / 90.0).sin_cos();
+        let (s, c) = libm::sincos(f64::from(i) * std::f64::consts::TAU / 90.0);
         if let Some(px) = camera.project(&Point3::new(radius * c, radius * s, 0.0)) {
             lo = [lo[0].min(px.x), lo[1].min(px.y)];
             hi = [hi[0].max(px.x), hi[1].max(px.y)];

@@ -155,7 +155,7 @@ mod tests {
         for (i, p) in image.data.iter_mut().enumerate() {
             let (x, y) = ((i % 120) as f64 - 59.3, (i / 120) as f64 - 59.8);
             let part = |s: i32| (f64::from(s) + 0.5) / 8.0 - 0.5;
-            let inside = (0..64).filter(|s| (x + part(s % 8)).hypot(y + part(s / 8)) < radius);
+            let inside = (0..64).filter(|s| libm::hypot(x + part(s % 8), y + part(s / 8)) < radius);
             let share = inside.count() as f64 / 64.0;
             let level = wall + share * (body - wall);
             *p = [0, 1, 2].map(|_| (level + 1.5 * dice.normal()).round() as u8);

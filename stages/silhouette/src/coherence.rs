@@ -120,7 +120,7 @@ fn block(
     let away = views
         .iter()
         .map(|(_, _, c)| c.centre())
-        .map(|c| c.x.hypot(c.y));
+        .map(|c| libm::hypot(c.x, c.y));
     let reach = away.fold(f64::MAX, f64::min) * 0.8;
     let step = reach / 40.0;
     let (mut lo, mut hi) = ([f64::MAX; 3], [f64::MIN; 3]);
@@ -131,7 +131,7 @@ fn block(
                 f64::from(j) * step,
                 ground + (f64::from(k) + 0.5) * step,
             ];
-            if x[0].hypot(x[1]) < reach && shows(&Point3::from(x)) {
+            if libm::hypot(x[0], x[1]) < reach && shows(&Point3::from(x)) {
                 (0..3).for_each(|a| {
                     (lo[a], hi[a]) = (lo[a].min(x[a] - step), hi[a].max(x[a] + step))
                 });

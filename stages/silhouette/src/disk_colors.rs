@@ -62,7 +62,7 @@ pub(crate) fn disk_colors(disk: &Backdrop, beyond: f64) -> Option<Gmm> {
     let side = disk.image.width;
     let colors: Vec<[u8; 3]> = (0..side * side)
         .filter(|i| disk.seen.data[*i])
-        .filter(|i| point(*i, 1.0, side).is_some_and(|x| x.x.hypot(x.y) > beyond))
+        .filter(|i| point(*i, 1.0, side).is_some_and(|x| libm::hypot(x.x, x.y) > beyond))
         .map(|i| disk.image.data[i])
         .collect();
     mixture(&colors)

@@ -19,7 +19,7 @@ pub fn laid_out(photo: &Rgb, camera: &Camera, radius: f64, side: usize) -> Vec<O
 pub fn point(i: usize, radius: f64, side: usize) -> Option<Point3<f64>> {
     let place = |v: usize| ((v as f64 + 0.5) / side as f64 * 2.0 - 1.0) * radius;
     let (x, y) = (place(i % side), place(i / side));
-    (x.hypot(y) < radius).then(|| Point3::new(x, y, 0.0))
+    (libm::hypot(x, y) < radius).then(|| Point3::new(x, y, 0.0))
 }
 
 /// The map is laid as far out as this share of the radius: at its rim its points have no neighbours.

@@ -75,7 +75,7 @@ fn ratio(pairs: &[(u8, u8)]) -> Option<f32> {
     let mut all = 0u32;
     for (photo, plate) in pairs.iter().filter(|(_, e)| TELLING.contains(e)) {
         all += 1;
-        let log = (f32::from(*photo).max(1.0) / f32::from(*plate)).ln();
+        let log = libm::logf(f32::from(*photo).max(1.0) / f32::from(*plate));
         let bin = log / WIDE + BINS as f32 / 2.0;
         if bin >= 0.0 && (bin as usize) < BINS && *photo < CUT_OFF.0 {
             counts[bin as usize] += 1;
@@ -90,7 +90,7 @@ fn ratio(pairs: &[(u8, u8)]) -> Option<f32> {
     let moment: f32 = (best - 2..=best + 2)
         .map(|b| place(b) * counts[b] as f32)
         .sum();
-    Some((moment / around(best) as f32).exp())
+    Some(libm::expf(moment / around(best) as f32))
 }
 
 /// What the photo's levels are off `gain` times the plate's, at the middles of steps of the plate's

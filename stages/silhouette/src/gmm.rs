@@ -79,7 +79,7 @@ impl Gmm {
             Some(Cluster {
                 mean: *mean,
                 inverse: spread.try_inverse()?,
-                log_scale: weight.ln() - norm.ln(),
+                log_scale: libm::log(weight) - libm::log(norm),
             })
         });
         Some(Gmm {

@@ -92,7 +92,7 @@ impl Stage for Import {
         for (id, photo) in input.photos.iter() {
             ctx.check()?;
             let Some(entry) = of_photo(&input.files, &photo.name)? else {
-                ctx.warn(format!("{} has no mask and is left out", photo.name));
+                ctx.warn(format!("{} has no mask and is left out: put its mask beside the others, under the name of the photo", photo.name));
                 continue;
             };
             let mask = gray_from_file(&input.files.read(entry)?)

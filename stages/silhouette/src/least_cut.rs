@@ -74,7 +74,7 @@ pub(crate) fn least_cut(photo: &Rgb, window: &Window, gamma: f64, terms: &Terms<
             } else {
                 std::f64::consts::FRAC_1_SQRT_2
             };
-            let weight = gamma * length * (LEAST + (1.0 - LEAST) * (-contrast).exp());
+            let weight = gamma * length * (LEAST + (1.0 - LEAST) * libm::exp(-contrast));
             grid.set_arc(x, y, d, (weight * UNIT / 8.0) as i32);
         }
     }

@@ -126,7 +126,9 @@ mod tests {
     /// otherwise; the wall, and how each lies.
     fn turn() -> (Rgb, Vec<Rgb>, Vec<[f64; 2]>) {
         let wave = |x: f64, y: f64, c: f64| {
-            110.0 + 35.0 * (x / 5.0 + c).sin() * (y / 4.0).cos() + 20.0 * ((x - y) / 11.0 + c).sin()
+            110.0
+                + 35.0 * libm::sin(x / 5.0 + c) * libm::cos(y / 4.0)
+                + 20.0 * libm::sin((x - y) / 11.0 + c)
         };
         let wall = |[dx, dy]: [f64; 2], gains: [f64; 3], left: Option<f64>| {
             let mut image = Rgb::filled(160, 200, [0; 3]);
@@ -142,13 +144,13 @@ mod tests {
         };
         let shifts: Vec<[f64; 2]> = (0..9)
             .map(|k| f64::from(k) * 1.3)
-            .map(|t| [0.8 * t.sin(), 0.6 * t.cos()])
+            .map(|t| [0.8 * libm::sin(t), 0.6 * libm::cos(t)])
             .collect();
         let photo = |(k, shift): (usize, &[f64; 2])| {
             let t = k as f64 * 0.9;
-            let (light, warm) = (1.0 + 0.06 * t.sin(), 0.02 * t.cos());
+            let (light, warm) = (1.0 + 0.06 * libm::sin(t), 0.02 * libm::cos(t));
             let gains = [light * (1.0 + warm), light, light * (1.0 - warm)];
-            wall(*shift, gains, Some(50.0 + 15.0 * t.sin()))
+            wall(*shift, gains, Some(50.0 + 15.0 * libm::sin(t)))
         };
         let photos = shifts.iter().enumerate().map(photo).collect();
         (wall([0.0; 2], [1.0; 3], None), photos, shifts)

@@ -105,10 +105,11 @@ pub fn fine(
         seen,
     } = without;
     let on = |x: usize, y: usize| ground(&ready.disk, factor, x, y);
-    let noise = Noise::measure(pixels, without, &|x, y| {
-        // The ground of every pixel is dear, and that of its neighbourhood serves.
-        on(x / 8 * 8, y / 8 * 8)
-    });
+    // The ground of every pixel is dear, and that of its neighbourhood serves.
+    let (wide, tall) = (pixels.width.div_ceil(8), pixels.height.div_ceil(8));
+    let places = (0..tall).flat_map(|y| (0..wide).map(move |x| (8 * x, 8 * y)));
+    let near: Vec<Ground> = places.map(|(x, y)| on(x, y)).collect();
+    let noise = Noise::measure(pixels, without, &|x, y| near[y / 8 * wide + x / 8]);
     if factor == 1 {
         return soft_border(pixels, without, coarse, noise);
     }
@@ -215,7 +216,7 @@ fn ground(disk: &Option<(Camera, f64)>, factor: usize, x: usize, y: usize) -> Gr
     );
     match hit {
         None => Ground::Room,
-        Some(hit) if hit.x.hypot(hit.y) < *radius => Ground::Disk,
+        Some(hit) if libm::hypot(hit.x, hit.y) < *radius => Ground::Disk,
         Some(_) => Ground::Floor,
     }
 }
@@ -251,7 +252,7 @@ fn certain(image: &Rgb, disk: Disk<'_>, side_mm: f64) -> Vec<Known> {
     // The disk's front rim: pixels below the top's outline in each column see its side or the floor.
     let mut front = vec![f64::MAX; image.width];
     for i in 0..720 {
-        let (s, c) = (f64::from(i) * std::f64::consts::TAU / 720.0).sin_cos();
+        let (s, c) = libm::sincos(f64::from(i) * std::f64::consts::TAU / 720.0);
         if let Some(px) = camera.project(&Point3::new(radius * c, radius * s, 0.0)) {
             let x = px.x.round();
             if x >= 0.0 && x < image.width as f64 {
@@ -272,7 +273,7 @@ fn certain(image: &Rgb, disk: Disk<'_>, side_mm: f64) -> Vec<Known> {
                 // Left and right of the disk nothing below its top can be body.
                 let centre = camera.centre();
                 let ray = camera.ray(at_px);
-                let away = centre.x.hypot(centre.y) / ray.x.hypot(ray.y).max(1e-9);
+                let away = libm::hypot(centre.x, centre.y) / libm::hypot(ray.x, ray.y).max(1e-9);
                 centre.z + ray.z * away < -0.2 * side_mm
             };
             if below && on_disk(camera, at_px, radius).is_none() || beside {

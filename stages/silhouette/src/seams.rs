@@ -37,7 +37,8 @@ const MOST: f64 = 0.85;
 /// Of each pixel the mode that is the room, if any is.
 pub(crate) fn chosen(modes: &Modes, photos: &[Rgb]) -> Vec<Option<usize>> {
     let (width, count) = (modes.width, modes.width * modes.height);
-    let weight = |far: usize| EDGE + (1.0 - EDGE) * (-(far as f32) * STEP as f32 / CONTRAST).exp();
+    let weight =
+        |far: usize| EDGE + (1.0 - EDGE) * libm::expf(-(far as f32) * STEP as f32 / CONTRAST);
     let weights: Vec<f32> = (0..2048).map(weight).collect();
     let beside = |step: usize, there: &(dyn Fn(usize) -> bool + Sync)| -> Vec<Pairs> {
         let one = |i: usize| match there(i) {
@@ -190,7 +191,7 @@ mod tests {
         let body = |left: usize, x: usize| (left..left + 40).contains(&x);
         let photo = |(k, left): (usize, &usize)| {
             let mut photo = wall.clone();
-            let shade = 24.0 * (k as f64 * 2.2).sin();
+            let shade = 24.0 * libm::sin(k as f64 * 2.2);
             for (i, p) in photo.data.iter_mut().enumerate() {
                 let shown = match (body(*left, i % 160), i / 160) {
                     (true, 85..110) => [255.0; 3],

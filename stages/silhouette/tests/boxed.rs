@@ -13,7 +13,7 @@ fn photo(dice: &mut Dice) -> (Rgb, Image<bool>) {
         let (x, y) = ((i % w) as f64 - 100.0, (i / w) as f64 - 170.0);
         (x / 50.0).powi(2) + (y / 110.0).powi(2) < 1.0
     };
-    let ball = |i: usize| ((i % w) as f64 - 215.0).hypot((i / w) as f64 - 40.0) < 18.0;
+    let ball = |i: usize| libm::hypot((i % w) as f64 - 215.0, (i / w) as f64 - 40.0) < 18.0;
     let mut photo = Rgb::filled(w, h, [0; 3]);
     for (i, p) in photo.data.iter_mut().enumerate() {
         let shown = match (body(i), ball(i)) {

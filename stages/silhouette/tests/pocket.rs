@@ -10,19 +10,19 @@ const SIZE: (usize, usize) = (120, 160);
 /// A flat trunk with a handle before its belly, standing on z = 0. \[mm\]
 fn body(x: &Point3<f64>) -> bool {
     let trunk = (x.x / 150.0).powi(2) + (x.y / 60.0).powi(2) < 1.0 && (0.0..520.0).contains(&x.z);
-    let across = (x.y - 60.0).hypot(x.z - 270.0);
+    let across = libm::hypot(x.y - 60.0, x.z - 270.0);
     trunk || x.x.abs() < 18.0 && x.y > 0.0 && (85.0..115.0).contains(&across)
 }
 
 /// Where the handle lets through, up to its rim by some millimetres.
 fn pocket(x: &Point3<f64>) -> bool {
-    x.x.abs() < 2.0 && x.y > 68.0 && (x.y - 60.0).hypot(x.z - 270.0) < 77.0
+    x.x.abs() < 2.0 && x.y > 68.0 && libm::hypot(x.y - 60.0, x.z - 270.0) < 77.0
 }
 
 /// The camera before which the body has turned on by an angle. \[rad\]
 fn camera(angle: f64) -> Camera {
     // Right, down and forward as rows, for a body that faces along y.
-    let (s, c) = angle.sin_cos();
+    let (s, c) = libm::sincos(angle);
     let rows = nalgebra::Matrix3::new(c, s, 0.0, 0.0, 0.0, -1.0, -s, c, 0.0);
     Camera {
         lens: Intrinsics::simple(SIZE.0 as u32, SIZE.1 as u32, 400.0),
@@ -46,8 +46,8 @@ fn turn(count: usize, wall: &Rgb, dice: &mut proof::Dice) -> Vec<Shot> {
             let mut shown = p.map(f64::from);
             if let Some(hit) = steps.into_iter().find(body) {
                 // Light from one side of the room, and spots that turn with the skin.
-                let light = 22.0 * (hit.y.atan2(hit.x) - angle).sin();
-                let spots = 14.0 * (hit.x * 0.31).sin() * (hit.z * 0.27 + hit.y * 0.2).sin();
+                let light = 22.0 * libm::sin(libm::atan2(hit.y, hit.x) - angle);
+                let spots = 14.0 * libm::sin(hit.x * 0.31) * libm::sin(hit.z * 0.27 + hit.y * 0.2);
                 shown = [206.0, 152.0, 122.0].map(|v| v + light + spots);
             }
             *p = shown.map(|v| (v + dice.within(-1.0, 1.0)).round() as u8);

@@ -17,7 +17,7 @@ fn turn(dice: &mut proof::Dice) -> (Rgb, Vec<Rgb>, Vec<Image<bool>>) {
         let body = |i: usize| (left..left + 14).contains(&(i % 60)) && (8..32).contains(&(i / 60));
         let mut photo = wall.clone();
         for (i, p) in photo.data.iter_mut().enumerate() {
-            let shade = 25.0 * (k as f64 * 1.1 + (i % 60) as f64 * 0.2).sin();
+            let shade = 25.0 * libm::sin(k as f64 * 1.1 + (i % 60) as f64 * 0.2);
             let shown = if body(i) {
                 [210.0 + shade, 180.0 + shade, 160.0 + shade]
             } else {

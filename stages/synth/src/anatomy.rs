@@ -137,7 +137,7 @@ fn arm(
     planes: &mut Planes,
 ) {
     let shoulder = Vector3::new(side * 140.0, 6.0, 1398.0) * s;
-    let down = Vector3::new(side * angle.sin(), 0.0, -angle.cos());
+    let down = Vector3::new(side * libm::sin(angle), 0.0, -libm::cos(angle));
     let bent = (down + Vector3::new(-0.1 * side, -0.14, 0.0)).normalize();
     let elbow = shoulder + down * (325.0 * s);
     let wrist = elbow + bent * (250.0 * s);

@@ -28,7 +28,7 @@ pub fn contour(solid: &Solid, plane: &Plane) -> Option<Vec<Point3<f64>>> {
     let u = (other - normal * normal.dot(&other)).normalize();
     let v = normal.cross(&u);
     let leave = |k: usize| {
-        let (sin, cos) = (std::f64::consts::TAU * k as f64 / DIRECTIONS as f64).sin_cos();
+        let (sin, cos) = libm::sincos(std::f64::consts::TAU * k as f64 / DIRECTIONS as f64);
         let along = u * cos + v * sin;
         let inside = |r: f64| field.value(&(from + along * r)) < 0.0;
         let mut high = STRIDE;

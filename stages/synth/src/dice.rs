@@ -24,8 +24,8 @@ impl Dice {
 
     /// A normally distributed number (Box and Muller 1958).
     pub(crate) fn normal(&mut self) -> f64 {
-        let r = (-2.0 * (1.0 - self.unit()).ln()).sqrt();
-        r * (std::f64::consts::TAU * self.unit()).cos()
+        let r = (-2.0 * libm::log(1.0 - self.unit())).sqrt();
+        r * libm::cos(std::f64::consts::TAU * self.unit())
     }
 }
 

@@ -71,7 +71,7 @@ impl Disk {
         (t > 0.0 && (-self.thick..=0.0).contains(&hit.z)).then(|| {
             // The strip is as tall as a tag with a margin of an eighth at either side.
             if let Some(rim) = self.rim.filter(|rim| -hit.z < 1.25 * rim.tag_mm) {
-                let ink = in_rim_tag(&rim, hit.y.atan2(hit.x), -hit.z);
+                let ink = in_rim_tag(&rim, libm::atan2(hit.y, hit.x), -hit.z);
                 return [if ink { 0.02 } else { PAPER }; 3];
             }
             let at = hit.coords.map(|x| x as f32).into();
@@ -96,8 +96,9 @@ impl Disk {
         ];
         let dot = |k: u32| chance(cell, self.seed + 30 + k);
         let middle = [0, 1].map(|i| (cell[i] as f32 + 0.3 + 0.4 * dot(i as u32)) * size);
-        let far = (at[0] - middle[0]).hypot(at[1] - middle[1]);
-        let dotted = x.hypot(y) < inner && far < size * (0.12 + 0.17 * dot(2)) && dot(3) < 0.8;
+        let far = libm::hypotf(at[0] - middle[0], at[1] - middle[1]);
+        let dotted =
+            libm::hypot(x, y) < inner && far < size * (0.12 + 0.17 * dot(2)) && dot(3) < 0.8;
         [if dotted { 0.05 + 0.4 * dot(4) } else { ink }; 3]
     }
 }
@@ -105,8 +106,8 @@ impl Disk {
 /// Whether a place on a mat is black of a tag.
 fn in_tag(mat: &Mat, x: f64, y: f64) -> bool {
     let step = std::f64::consts::TAU / f64::from(mat.count);
-    let i = (y.atan2(x) / step).round();
-    let (sin, cos) = (i * step).sin_cos();
+    let i = (libm::atan2(y, x) / step).round();
+    let (sin, cos) = libm::sincos(i * step);
     let (out, left) = (x * cos + y * sin - mat.ring_mm, y * cos - x * sin);
     // Printed columns run from the left as one looks outward, rows from the outside inward.
     let module = mat.tag_mm / 8.0;

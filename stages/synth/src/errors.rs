@@ -27,8 +27,8 @@ pub(crate) fn camera_errors(found: &Cameras, truth: &Cameras) -> CameraErrors {
     for (_, a, b) in found.views.join(&truth.views) {
         let (at, want) = (turn * a.camera.centre(), b.camera.centre());
         far.push((at - want).norm());
-        radii.0 += at.x.hypot(at.y);
-        radii.1 += want.x.hypot(want.y);
+        radii.0 += libm::hypot(at.x, at.y);
+        radii.1 += libm::hypot(want.x, want.y);
         focal = a.camera.lens.focal[0] / b.camera.lens.focal[0] - 1.0;
     }
     far.sort_by(f64::total_cmp);

@@ -113,7 +113,10 @@ fn across(x: f64, y: f64, half: [f64; 2], exponent: f64) -> f64 {
     let radius = if exponent == 2.0 {
         (u * u + v * v).sqrt()
     } else {
-        (u.powf(exponent) + v.powf(exponent)).powf(1.0 / exponent)
+        libm::pow(
+            libm::pow(u, exponent) + libm::pow(v, exponent),
+            1.0 / exponent,
+        )
     };
     (radius - 1.0) * half[0].min(half[1])
 }
@@ -184,7 +187,7 @@ fn furrowed(furrow: &Furrow, x: f64, back: f64, z: f64) -> f64 {
     };
     let up = smooth(1.0 - ((z - furrow.z) / furrow.long).abs());
     let behind = smooth((back - 0.1) / 0.5);
-    furrow.deep * up * behind * (-(x / furrow.wide) * (x / furrow.wide)).exp()
+    furrow.deep * up * behind * libm::exp(-(x / furrow.wide) * (x / furrow.wide))
 }
 
 /// The superellipse at a height, cubic Hermite with Catmull and Rom's slopes between levels.

@@ -14,7 +14,7 @@ pub fn turn_between(from: &Cameras, to: &Cameras) -> Rotation3<f64> {
     let angle = if sin == 0.0 && cos == 0.0 {
         0.0
     } else {
-        sin.atan2(cos)
+        libm::atan2(sin, cos)
     };
     Rotation3::from_axis_angle(&Vector3::z_axis(), angle)
 }

@@ -32,7 +32,7 @@ pub struct TrueMasks;
 
 impl Stage for TrueMasks {
     const NAME: &'static str = "synth.masks";
-    const VERSION: u32 = 1;
+    const VERSION: u32 = 2;
     const ABOUT: &'static str =
         "Tells the true silhouettes: how much of each pixel the body covers.";
     type Params = MaskParams;

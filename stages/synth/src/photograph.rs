@@ -121,7 +121,7 @@ pub(crate) fn developed(image: &Linear, noise: f32, linear: bool, seed: u32) -> 
             } else if light <= 0.003_130_8 {
                 12.92 * light
             } else {
-                1.055 * light.powf(1.0 / 2.4) - 0.055
+                1.055 * libm::powf(light, 1.0 / 2.4) - 0.055
             };
             let grain = if noise > 0.0 { grain(c) } else { 0.0 };
             (255.0 * encoded + grain).round().clamp(0.0, 255.0) as u8
@@ -164,7 +164,7 @@ fn filled(
 /// turned about z so that the camera is at -y. A room is built around it.
 pub(crate) fn fixed_pose(first: &Pose) -> Pose {
     let centre: Point3<f64> = first.centre();
-    let angle = centre.y.atan2(centre.x) + std::f64::consts::FRAC_PI_2;
+    let angle = libm::atan2(centre.y, centre.x) + std::f64::consts::FRAC_PI_2;
     Pose {
         rotation: first.rotation * Rotation3::from_axis_angle(&Vector3::z_axis(), angle),
         translation: first.translation,

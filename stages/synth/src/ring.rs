@@ -62,7 +62,7 @@ pub struct MakeRing;
 
 impl Stage for MakeRing {
     const NAME: &'static str = "synth.ring";
-    const VERSION: u32 = 2;
+    const VERSION: u32 = 3;
     const ABOUT: &'static str =
         "Sets up the true cameras of one turn: one fixed camera before a disk that turns.";
     type Params = RingParams;

@@ -35,7 +35,7 @@ pub struct Score;
 
 impl Stage for Score {
     const NAME: &'static str = "synth.score";
-    const VERSION: u32 = 1;
+    const VERSION: u32 = 2;
     const ABOUT: &'static str = "Holds girths, cameras, silhouettes and a surface against what is true by formula; errors are metrics.";
     type Params = ();
     type Input = ScoreInput;

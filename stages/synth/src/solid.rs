@@ -65,7 +65,7 @@ pub struct MakeSolid;
 
 impl Stage for MakeSolid {
     const NAME: &'static str = "synth.solid";
-    const VERSION: u32 = 1;
+    const VERSION: u32 = 2;
     const ABOUT: &'static str =
         "Names a solid whose girths are a formula: a standing body, or something plain.";
     type Params = SolidParams;

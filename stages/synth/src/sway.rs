@@ -36,7 +36,7 @@ pub struct MakeSway;
 
 impl Stage for MakeSway {
     const NAME: &'static str = "synth.sway";
-    const VERSION: u32 = 1;
+    const VERSION: u32 = 2;
     const ABOUT: &'static str =
         "Lets the subject lean about its ankles, slowly, a little in each photo.";
     type Params = SwayParams;
@@ -78,7 +78,7 @@ fn leans(count: usize, seed: u32) -> Vec<[f64; 2]> {
         let t = i as f64 / count.max(1) as f64 * std::f64::consts::TAU;
         waves[side]
             .iter()
-            .map(|(a, w, p)| a * (w * t + p).sin())
+            .map(|(a, w, p)| a * libm::sin(w * t + p))
             .sum()
     };
     let mut leans: Vec<[f64; 2]> = (0..count).map(|i| [at(i, 0), at(i, 1)]).collect();
@@ -86,7 +86,10 @@ fn leans(count: usize, seed: u32) -> Vec<[f64; 2]> {
         let mean = leans.iter().map(|l| l[side]).sum::<f64>() / count.max(1) as f64;
         leans.iter_mut().for_each(|l| l[side] -= mean);
     }
-    let most = leans.iter().map(|l| l[0].hypot(l[1])).fold(0.0, f64::max);
+    let most = leans
+        .iter()
+        .map(|l| libm::hypot(l[0], l[1]))
+        .fold(0.0, f64::max);
     if most > 0.0 {
         leans.iter_mut().for_each(|l| *l = l.map(|x| x / most));
     }

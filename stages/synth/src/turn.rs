@@ -76,7 +76,7 @@ pub struct TakePhotos;
 
 impl Stage for TakePhotos {
     const NAME: &'static str = "synth.turn";
-    const VERSION: u32 = 3;
+    const VERSION: u32 = 4;
     const ABOUT: &'static str =
         "Takes the photos of a turn of any mesh: textured, lit, on a disk in a furnished room.";
     type Params = TurnParams;
@@ -189,7 +189,7 @@ fn step(cameras: &Cameras) -> Option<f64> {
     let turn = |w: &[nalgebra::Point3<f64>]| {
         let (a, b) = (&w[0], &w[1]);
         // The camera goes around one way as the disk turns the other.
-        -(a.x * b.y - a.y * b.x).atan2(a.x * b.x + a.y * b.y)
+        -libm::atan2(a.x * b.y - a.y * b.x, a.x * b.x + a.y * b.y)
     };
     let turns: Vec<f64> = centres.windows(2).map(turn).collect();
     let mean = turns.iter().sum::<f64>() / turns.len().max(1) as f64;

@@ -33,12 +33,15 @@ fn planes(solid: &Solid) -> Vec<(String, Plane)> {
 fn superellipse(a: f64, b: f64, n: f64) -> f64 {
     const STEPS: u32 = 200_000;
     let at = |k: u32| {
-        let (s, c) = (FRAC_PI_2 * f64::from(k) / f64::from(STEPS)).sin_cos();
-        (a * c.max(0.0).powf(2.0 / n), b * s.powf(2.0 / n))
+        let (s, c) = libm::sincos(FRAC_PI_2 * f64::from(k) / f64::from(STEPS));
+        (
+            a * libm::pow(c.max(0.0), 2.0 / n),
+            b * libm::pow(s, 2.0 / n),
+        )
     };
     let piece = |k: u32| {
         let ((x, y), (u, v)) = (at(k), at(k + 1));
-        (u - x).hypot(v - y)
+        libm::hypot(u - x, v - y)
     };
     4.0 * (0..STEPS).map(piece).sum::<f64>()
 }

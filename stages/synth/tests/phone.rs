@@ -48,7 +48,7 @@ fn taken(values: &[(&str, f64)]) -> Photos {
 
 /// Light of a channel in the middle of a photo, in proportion to that of level 150.
 fn light(photo: &Photo, c: usize) -> f64 {
-    let linear = |v: f64| ((v / 255.0 + 0.055) / 1.055).powf(2.4);
+    let linear = |v: f64| libm::pow((v / 255.0 + 0.055) / 1.055, 2.4);
     let pixels = photo.decode().unwrap();
     linear(f64::from(pixels.at(40, 24)[c])) / linear(150.0)
 }
@@ -61,7 +61,11 @@ fn without_faults_the_very_files_come_out() {
 #[test]
 fn an_exposure_of_a_tenth_of_a_stop_changes_light_by_as_much_and_all_channels_alike() {
     let photos = taken(&[("exposure_ev", 0.1)]);
-    let stops: Vec<f64> = photos.photos.iter().map(|p| light(p, 1).log2()).collect();
+    let stops: Vec<f64> = photos
+        .photos
+        .iter()
+        .map(|p| libm::log2(light(p, 1)))
+        .collect();
     let most = stops.iter().map(|s| s.abs()).fold(0.0, f64::max);
     assert!((most - 0.1).abs() < 0.01, "{stops:?}");
     // It drifts, and it steps.

@@ -152,7 +152,7 @@ mod tests {
             let angle = TAU * (from + (to - from) * k as f64 / frames as f64);
             let pixel = |i: usize| {
                 let a = angle + 0.15 * i as f64;
-                (25.0 * (2.0 * a).sin() + 40.0 * a.cos() + 10.0 * (5.0 * a).sin()) as f32
+                (25.0 * libm::sin(2.0 * a) + 40.0 * libm::cos(a) + 10.0 * libm::sin(5.0 * a)) as f32
             };
             (0..40).map(pixel).collect()
         };

@@ -215,7 +215,9 @@ fn told(
         ));
     }
     if !moves.iter().any(|m| *m) {
-        ctx.warn(format!("{name}: hardly anything moves"));
+        ctx.warn(format!(
+            "{name}: hardly anything moves: is the subject on a disk that turns, and in view?"
+        ));
     }
     picked.frames.clone()
 }

@@ -98,8 +98,11 @@ mod tests {
             let across = (x as f64 - 16.0) / 9.0;
             match across.abs() < 1.0 && y > 4 {
                 true => {
-                    let a = across.asin() + angle;
-                    (120.0 + 30.0 * (2.0 * a).cos() + 50.0 * a.sin() + 15.0 * (5.0 * a).sin()) as u8
+                    let a = libm::asin(across) + angle;
+                    (120.0
+                        + 30.0 * libm::cos(2.0 * a)
+                        + 50.0 * libm::sin(a)
+                        + 15.0 * libm::sin(5.0 * a)) as u8
                 }
                 false => (60 + x * 7 % 90) as u8,
             }

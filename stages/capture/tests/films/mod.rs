@@ -27,9 +27,10 @@ pub(crate) fn frame(turns: f64) -> Vec<u8> {
             let across = (x as f64 - 108.0) / 50.0;
             let level = match across.abs() < 1.0 && y > 40 {
                 true => {
-                    let a = across.asin() + TAU * turns;
-                    let wave =
-                        0.6 * (2.0 * a).cos() + a.sin() + 0.5 * (7.0 * a + y as f64 * 0.08).sin();
+                    let a = libm::asin(across) + TAU * turns;
+                    let wave = 0.6 * libm::cos(2.0 * a)
+                        + libm::sin(a)
+                        + 0.5 * libm::sin(7.0 * a + y as f64 * 0.08);
                     125.0 + 45.0 * wave
                 }
                 false => 70.0 + ((x / 6 + y / 9) % 7) as f64 * 15.0,

@@ -57,7 +57,7 @@ pub fn ground(mesh: &Mesh, told: Option<&GivenGround>) -> Result<Ground, Refusal
     };
     let as_told = |more: f64, word: Option<String>| Ground {
         height_mm: told.height_mm,
-        sigma_mm: told.sigma_mm.hypot(more),
+        sigma_mm: libm::hypot(told.sigma_mm, more),
         word,
     };
     let Some(found) = found else {

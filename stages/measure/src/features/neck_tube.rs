@@ -47,7 +47,7 @@ const AROUND: f64 = 2.2;
 
 /// Upward, leaning forward by an angle; unit.
 pub(crate) fn leaning(front: &Vector3<f64>, lean: f64) -> Vector3<f64> {
-    Vector3::z() * lean.cos() + front * lean.sin()
+    Vector3::z() * libm::cos(lean) + front * libm::sin(lean)
 }
 
 impl Tube {
@@ -223,7 +223,7 @@ fn line(tube: &Tube) -> Option<f64> {
         let d = (p.0 - mean.0, p.1 - mean.1);
         (s.0 + d.0 * d.0, s.1 + d.0 * d.1)
     });
-    (along > 0.0).then(|| tube.lean + (across / along).atan())
+    (along > 0.0).then(|| tube.lean + libm::atan(across / along))
 }
 
 #[cfg(test)]

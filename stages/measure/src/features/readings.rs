@@ -107,7 +107,10 @@ pub fn readings(body: &Body, marks: &Marks, absolute: bool) -> Option<Readings> 
     let depth = marks.reach.front(0.6667) - marks.reach.back(0.6667);
     let neck = body.trunk(body.ground + marks.neck);
     let read = Readings::default()
-        .with(Reading::LnStature, absolute.then(|| (s / USUAL_MM).ln()))
+        .with(
+            Reading::LnStature,
+            absolute.then(|| libm::log(s / USUAL_MM)),
+        )
         .with(Reading::Buttock, Some(marks.hip / s))
         .with(Reading::Neck, Some(marks.neck / s))
         .with(Reading::NeckTape, neck.map(|r| r.tape / s))

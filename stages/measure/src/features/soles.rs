@@ -77,7 +77,7 @@ pub(crate) fn soles(mesh: &Mesh) -> Option<Soles> {
     let sole = |(height, foot): (f64, bool)| Soles {
         height,
         sigma: match foot {
-            true => (SIGMA * tall).hypot(0.3 * edge),
+            true => libm::hypot(SIGMA * tall, 0.3 * edge),
             false => NO_FOOT * tall,
         },
         sure: foot,
@@ -198,7 +198,7 @@ fn end(leg: &Leg, low: f64, tall: f64, step: f64) -> Option<(f64, bool)> {
 /// The greatest breadth of points, seen from above. \[mm\]
 fn longest(points: &[Point3<f64>]) -> f64 {
     let along = |k: u32| {
-        let (s, c) = (f64::from(k) * std::f64::consts::PI / 18.0).sin_cos();
+        let (s, c) = libm::sincos(f64::from(k) * std::f64::consts::PI / 18.0);
         let reach = points.iter().map(|p| c * p.x + s * p.y);
         let (low, high) = reach.fold((f64::MAX, f64::MIN), |e, x| (e.0.min(x), e.1.max(x)));
         (high - low).max(0.0)

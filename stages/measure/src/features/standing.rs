@@ -47,7 +47,7 @@ pub(crate) fn standing(mesh: &Mesh, cameras: Option<&Cameras>) -> Option<Standin
     let below = found.as_ref().map_or(0.0, |g| g.sigma_mm);
     Some(Standing {
         ground: found.ok(),
-        stature_sigma: scale.map(|s| below.hypot(crown).hypot(s * body.stature)),
+        stature_sigma: scale.map(|s| libm::hypot(libm::hypot(below, crown), s * body.stature)),
         refused,
         body,
     })

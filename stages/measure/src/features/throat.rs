@@ -116,7 +116,7 @@ fn marks(t: &mut NeckProfile, tightest: usize) {
 /// The place farthest within the line between two places, and how far.
 fn deepest(at: &[f64], reach: &[f64], from: usize, to: usize) -> (usize, f64) {
     let (up, out) = (at[to] - at[from], reach[to] - reach[from]);
-    let long = up.hypot(out).max(1e-9);
+    let long = libm::hypot(up, out).max(1e-9);
     let within = |k: usize| (out * (at[k] - at[from]) - up * (reach[k] - reach[from])) / long;
     (from..=to)
         .map(|k| (k, within(k)))

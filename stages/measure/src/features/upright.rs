@@ -28,7 +28,7 @@ pub(crate) fn unfit(mesh: &Mesh, body: &Body) -> Option<Refusal> {
 /// Whether a surface reaches farther across than up.
 fn lies(mesh: &Mesh, stature: f64) -> bool {
     let across = |k: u32| {
-        let (s, c) = (f64::from(k) * std::f64::consts::PI / 12.0).sin_cos();
+        let (s, c) = libm::sincos(f64::from(k) * std::f64::consts::PI / 12.0);
         let reach = mesh
             .positions
             .iter()

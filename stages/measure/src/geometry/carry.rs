@@ -13,11 +13,14 @@ pub fn reaches(curve: &[[f64; 2]]) -> Vec<Option<f64>> {
     for (i, a) in curve.iter().enumerate() {
         let b = curve[(i + 1) % curve.len()];
         let cross = a[0] * b[1] - a[1] * b[0];
-        let (from, turn) = (a[1].atan2(a[0]), cross.atan2(a[0] * b[0] + a[1] * b[1]));
+        let (from, turn) = (
+            libm::atan2(a[1], a[0]),
+            libm::atan2(cross, a[0] * b[0] + a[1] * b[1]),
+        );
         let (low, high) = (from.min(from + turn), from.max(from + turn));
         let mut k = (low / step).ceil() as i64;
         while (k as f64) * step <= high {
-            let (s, c) = (k as f64 * step).sin_cos();
+            let (s, c) = libm::sincos(k as f64 * step);
             let across = (b[0] - a[0]) * s - (b[1] - a[1]) * c;
             if across.abs() > 1e-12 {
                 let t = (a[1] * c - a[0] * s) / across;
@@ -34,7 +37,7 @@ pub fn reaches(curve: &[[f64; 2]]) -> Vec<Option<f64>> {
 
 /// The unit vector of a ray.
 pub fn ray(k: usize) -> [f64; 2] {
-    let (s, c) = (TAU * k as f64 / RAYS as f64).sin_cos();
+    let (s, c) = libm::sincos(TAU * k as f64 / RAYS as f64);
     [c, s]
 }
 
@@ -116,8 +119,8 @@ mod tests {
     fn fused(a: f64, b: f64) -> Vec<[f64; 2]> {
         (0..720)
             .map(|k| {
-                let (s, c) = (TAU * f64::from(k) / 720.0).sin_cos();
-                let trunk = a * b / (b * c).hypot(a * s);
+                let (s, c) = libm::sincos(TAU * f64::from(k) / 720.0);
+                let trunk = a * b / libm::hypot(b * c, a * s);
                 // Farthest crossing of a disk about (a + 20, 0).
                 let m = (a + 20.0) * c;
                 let under = 40f64.powi(2) - (a + 20.0).powi(2) * s * s;
@@ -135,7 +138,7 @@ mod tests {
     #[test]
     fn reaches_are_the_radii_of_a_circle() {
         let circle: Vec<[f64; 2]> = (0..1000)
-            .map(|k| (TAU * f64::from(k) / 1000.0).sin_cos())
+            .map(|k| libm::sincos(TAU * f64::from(k) / 1000.0))
             .map(|(s, c)| [50.0 * c, 50.0 * s])
             .collect();
         for r in reaches(&circle) {
@@ -147,7 +150,7 @@ mod tests {
     fn an_arm_fused_to_an_ellipse_is_taken_off_by_a_clear_section_below() {
         let (here, clear) = (reaches(&fused(180.0, 120.0)), {
             let below: Vec<[f64; 2]> = (0..720)
-                .map(|k| (TAU * f64::from(k) / 720.0).sin_cos())
+                .map(|k| libm::sincos(TAU * f64::from(k) / 720.0))
                 .map(|(s, c)| [0.95 * 180.0 * c, 0.95 * 120.0 * s])
                 .collect();
             reaches(&below)
@@ -159,7 +162,7 @@ mod tests {
         let truth: Vec<[f64; 2]> = (0..RAYS)
             .map(|k| {
                 let [c, s] = ray(k);
-                let r = 180.0 * 120.0 / (120.0 * c).hypot(180.0 * s);
+                let r = 180.0 * 120.0 / libm::hypot(120.0 * c, 180.0 * s);
                 [r * c, r * s]
             })
             .collect();

@@ -15,7 +15,7 @@ pub(crate) fn near(
     let mut part = Mesh::default();
     for (v, slot) in name.iter_mut().enumerate() {
         let p = mesh.point(v as u32);
-        if p.z >= low && p.z <= high && (p.x - middle.x).hypot(p.y - middle.y) <= radius {
+        if p.z >= low && p.z <= high && libm::hypot(p.x - middle.x, p.y - middle.y) <= radius {
             *slot = part.positions.len() as u32;
             part.positions.push(mesh.positions[v]);
         }

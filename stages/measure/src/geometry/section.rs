@@ -104,7 +104,10 @@ pub fn length(points: &[[f64; 2]]) -> f64 {
     let n = points.len();
     (0..n)
         .map(|i| {
-            (points[(i + 1) % n][0] - points[i][0]).hypot(points[(i + 1) % n][1] - points[i][1])
+            libm::hypot(
+                points[(i + 1) % n][0] - points[i][0],
+                points[(i + 1) % n][1] - points[i][1],
+            )
         })
         .sum()
 }

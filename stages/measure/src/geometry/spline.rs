@@ -81,7 +81,7 @@ pub fn spline_length(points: &[Point3<f64>], plane: &Plane) -> Option<f64> {
     let mut bins = vec![(0.0, 0.0, 0.0); count];
     for p in points {
         let (x, y) = (u.dot(&(p - middle)), v.dot(&(p - middle)));
-        let turn = (y.atan2(x) / std::f64::consts::TAU).rem_euclid(1.0);
+        let turn = (libm::atan2(y, x) / std::f64::consts::TAU).rem_euclid(1.0);
         let bin = &mut bins[((turn * count as f64) as usize).min(count - 1)];
         *bin = (bin.0 + x, bin.1 + y, bin.2 + 1.0);
     }
@@ -100,7 +100,12 @@ pub fn closed_spline_length(knots: &[[f64; 2]]) -> Option<f64> {
         return None;
     }
     let h: Vec<f64> = (0..n)
-        .map(|i| (knots[(i + 1) % n][0] - knots[i][0]).hypot(knots[(i + 1) % n][1] - knots[i][1]))
+        .map(|i| {
+            libm::hypot(
+                knots[(i + 1) % n][0] - knots[i][0],
+                knots[(i + 1) % n][1] - knots[i][1],
+            )
+        })
         .collect();
     if h.iter().any(|h| *h < 1e-9) {
         return None;
@@ -131,7 +136,7 @@ pub fn closed_spline_length(knots: &[[f64; 2]]) -> Option<f64> {
                 (k1 - k0) / h[i] - h[i] / 6.0 * (m1 - m0)
                     + (m1 * t * t - m0 * (1.0 - t) * (1.0 - t)) * h[i] / 2.0
             };
-            s(0).hypot(s(1))
+            libm::hypot(s(0), s(1))
         };
         // Simpson's rule over eight parts.
         let parts = 8;
@@ -183,7 +188,7 @@ mod tests {
     #[test]
     fn the_spline_around_a_circle_is_as_long_as_the_circle() {
         let knots: Vec<[f64; 2]> = (0..40)
-            .map(|i| (f64::from(i) * std::f64::consts::TAU / 40.0).sin_cos())
+            .map(|i| libm::sincos(f64::from(i) * std::f64::consts::TAU / 40.0))
             .map(|(s, c)| [100.0 * c, 100.0 * s])
             .collect();
         let length = closed_spline_length(&knots).unwrap();

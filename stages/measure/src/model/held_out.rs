@@ -199,7 +199,7 @@ mod tests {
                 let read = lined_up.mean(&person.anatomy) + &scatter * error;
                 let read = Reading::ALL.into_iter().zip(read.iter());
                 let read = read.fold(Readings::default(), |all, (r, v)| all.with(r, Some(*v)));
-                let stature = 1700.0 * person.anatomy[0].exp();
+                let stature = 1700.0 * libm::exp(person.anatomy[0]);
                 let told = model.estimate(&read, stature, level).unwrap();
                 let miss = told.height_mm - person.levels[level as usize] * stature;
                 off.push((miss, miss.abs() <= NINE_IN_TEN * told.sigma_mm));

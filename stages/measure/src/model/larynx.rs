@@ -31,7 +31,7 @@ pub(crate) fn larynx(notch: LawEstimate, angle: f64) -> LawEstimate {
         sigma: parts.iter().map(|p| p * p).sum::<f64>().sqrt(),
         repeat: notch
             .repeat
-            .map(|r| ((1.0 - share) * r).hypot(share * ANGLE_SD)),
+            .map(|r| libm::hypot((1.0 - share) * r, share * ANGLE_SD)),
         inside: notch.inside,
     }
 }

@@ -49,12 +49,18 @@ impl Normal {
         let factor = among.cholesky()?;
         let (weights, scaled) = (factor.solve(&cross), factor.solve(&off));
         let distance = off.dot(&scaled);
-        let log_determinant: f64 = 2.0 * factor.l().diagonal().iter().map(|d| d.ln()).sum::<f64>();
+        let log_determinant: f64 = 2.0
+            * factor
+                .l()
+                .diagonal()
+                .iter()
+                .map(|d| libm::log(*d))
+                .sum::<f64>();
         let found = Conditional {
             mean: self.mean[target] + weights.dot(&off),
             variance: self.covariance[(target, target)] - weights.dot(&cross),
             log_density: -0.5
-                * (distance + log_determinant + n as f64 * std::f64::consts::TAU.ln()),
+                * (distance + log_determinant + n as f64 * libm::log(std::f64::consts::TAU)),
             distance,
             weights: weights.iter().copied().collect(),
         };

@@ -133,7 +133,7 @@ fn mixture(answers: &[Answer<'_>]) -> Option<(f64, f64)> {
         .iter()
         .map(|a| a.given.log_density)
         .reduce(f64::max)?;
-    let weight = |a: &Answer<'_>| a.population.weight * (a.given.log_density - best).exp();
+    let weight = |a: &Answer<'_>| a.population.weight * libm::exp(a.given.log_density - best);
     let total: f64 = answers.iter().map(weight).sum();
     let share = |a: &Answer<'_>| weight(a) / total;
     let mean: f64 = answers.iter().map(|a| share(a) * a.given.mean).sum();

@@ -62,7 +62,7 @@ pub(crate) fn people(table: &Table) -> Result<Vec<Person>, TableError> {
     );
     let one = |i: usize| {
         let s = stature[i];
-        let mut anatomy = [(s / 1700.0).ln(); ANATOMY.len()];
+        let mut anatomy = [libm::log(s / 1700.0); ANATOMY.len()];
         for (k, column) in columns.iter().enumerate() {
             anatomy[k + 1] = column[i] / s;
         }

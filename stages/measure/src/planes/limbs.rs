@@ -159,7 +159,7 @@ pub(crate) fn thigh(limbs: &Limbs<'_>, body: &Body, side: f64) -> Result<Placed,
         .ok_or(Refusal::NoSection)?;
     // The lower the legs part, the farther above may be what they hide.
     let hidden = (EXPECTED * body.stature - top).max(0.0) / 2.0;
-    Ok((fullest.0, sure((EXTREME * body.stature).hypot(hidden))))
+    Ok((fullest.0, sure(libm::hypot(EXTREME * body.stature, hidden))))
 }
 
 /// Whether a ring reaches the line of the other leg; if that is not known, it may.

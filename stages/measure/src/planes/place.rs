@@ -81,7 +81,7 @@ pub(crate) fn across_neck(
         let at = plane_at(&f, level.share)?;
         let at = tilted(&f, at, lean_deg.to_radians())?;
         // A plane that had to slide is as unsure as it slid far.
-        let off = level.sigma.hypot(at.share - level.share) * f.diameter_mm();
+        let off = libm::hypot(level.sigma, at.share - level.share) * f.diameter_mm();
         let sigma = PlaneSigma {
             level_mm: Some(off),
             tilt_rad: Some(level.tilt),

@@ -83,7 +83,7 @@ impl<'a> Trunk<'a> {
         let z = self.body.ground + m.hip + at * (m.neck - m.hip);
         let ends = [Reading::Buttock, Reading::Neck].map(|r| self.model.reading(r, s));
         let level = match ends {
-            [Some(hip), Some(neck)] => Some(((1.0 - at) * hip.0).hypot(at * neck.0)),
+            [Some(hip), Some(neck)] => Some(libm::hypot((1.0 - at) * hip.0, at * neck.0)),
             _ => None,
         };
         let sigma = PlaneSigma {

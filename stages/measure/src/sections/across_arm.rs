@@ -35,7 +35,7 @@ const DOUBT: f64 = 0.04;
 const MISFIT_DOUBT: f64 = 2.0;
 
 fn way(k: usize) -> [f64; 2] {
-    let (s, c) = (TAU * k as f64 / WAYS as f64).sin_cos();
+    let (s, c) = libm::sincos(TAU * k as f64 / WAYS as f64);
     [c, s]
 }
 
@@ -64,7 +64,7 @@ pub(crate) fn freed(
 ) -> Option<CompletedArm> {
     let radius = tape(clear) / TAU;
     // Of a ring that the trunk is part of, only what is near can be the arm.
-    let close = |p: &&[f64; 2]| p[0].hypot(p[1]) < 1.6 * radius;
+    let close = |p: &&[f64; 2]| libm::hypot(p[0], p[1]) < 1.6 * radius;
     let open = here.iter().filter(close).count() < here.len();
     // Its inner side is the trunk's by then.
     let out = |p: &[f64; 2]| p[0] * outward[0] + p[1] * outward[1];
@@ -208,7 +208,7 @@ pub(crate) fn across_arm(
         Some((at, free)) if free.told == 0.0 => return plain(mesh, plane, all[at].clone()),
         Some((_, free)) => {
             let told = InferredSection {
-                doubt: (DOUBT * free.told).hypot(MISFIT_DOUBT * free.misfit),
+                doubt: libm::hypot(DOUBT * free.told, MISFIT_DOUBT * free.misfit),
                 share: free.told,
                 outline: free.outline,
             };
@@ -228,7 +228,7 @@ mod tests {
 
     fn oval(a: f64, b: f64) -> Vec<[f64; 2]> {
         (0..360)
-            .map(|k| (TAU * f64::from(k) / 360.0).sin_cos())
+            .map(|k| libm::sincos(TAU * f64::from(k) / 360.0))
             .map(|(s, c)| [a * c, b * s])
             .collect()
     }

@@ -93,7 +93,7 @@ fn half(
     let origin = Point3::from(plane.point_mm);
     // left · (origin + u x + v y) >= middle
     let n = [left.dot(&u), left.dot(&v)];
-    let long = n[0].hypot(n[1]);
+    let long = libm::hypot(n[0], n[1]);
     if long < 0.5 {
         return None;
     }
@@ -108,7 +108,7 @@ fn half(
     let cut: f64 = (0..count)
         .map(|i| (outline[i], outline[(i + 1) % count]))
         .filter(|(a, b)| at(a) && at(b))
-        .map(|(a, b)| (b[0] - a[0]).hypot(b[1] - a[1]))
+        .map(|(a, b)| libm::hypot(b[0] - a[0], b[1] - a[1]))
         .sum();
     let tape_mm = tape(&outline);
     let contour_mm = length(&outline);
@@ -141,7 +141,7 @@ mod tests {
         let curve: Vec<Point3<f64>> = (0..720)
             .map(|k| TAU * (f64::from(k) / 720.0 - 0.5))
             .filter_map(|t| {
-                let (s, c) = t.sin_cos();
+                let (s, c) = libm::sincos(t);
                 let x = 76.0 + 80.0 * c;
                 (x >= 0.0).then_some((x, 80.0 * s))
             })

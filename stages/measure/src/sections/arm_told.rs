@@ -42,7 +42,7 @@ pub(crate) fn held(mut told: InferredSection, other: Option<InferredSection>) ->
         for p in &mut told.outline {
             *p = [0, 1].map(|i| mean[i] + by * (p[i] - mean[i]));
         }
-        told.doubt = told.doubt.hypot(share * wider / 2.0);
+        told.doubt = libm::hypot(told.doubt, share * wider / 2.0);
     }
     told
 }
@@ -72,7 +72,7 @@ pub(crate) fn onward(
     Some(InferredSection {
         outline,
         share: 1.0,
-        doubt: (ONWARD.0 * (here - first) / here).hypot(ONWARD.1),
+        doubt: libm::hypot(ONWARD.0 * (here - first) / here, ONWARD.1),
     })
 }
 
@@ -110,7 +110,7 @@ mod tests {
 
     fn disk(radius: f64) -> Vec<[f64; 2]> {
         (0..180)
-            .map(|k| (TAU * f64::from(k) / 180.0).sin_cos())
+            .map(|k| libm::sincos(TAU * f64::from(k) / 180.0))
             .map(|(s, c)| [radius * c, radius * s])
             .collect()
     }

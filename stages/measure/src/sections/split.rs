@@ -30,7 +30,7 @@ fn even(outline: &[[f64; 2]], count: usize) -> Vec<[f64; 2]> {
     let (mut out, mut left) = (Vec::with_capacity(count), 0.0);
     for i in 0..n {
         let (a, b) = (outline[i], outline[(i + 1) % n]);
-        let long = (b[0] - a[0]).hypot(b[1] - a[1]);
+        let long = libm::hypot(b[0] - a[0], b[1] - a[1]);
         while left < long && out.len() < count {
             let t = left / long;
             out.push([a[0] + t * (b[0] - a[0]), a[1] + t * (b[1] - a[1])]);
@@ -78,13 +78,13 @@ fn seam(points: &[[f64; 2]], middle: [f64; 2], side: f64, fore: f64) -> Option<S
     let way = |k: usize| {
         let (a, b) = (seen(along(k + n - REACH)), seen(along(k + REACH)));
         let (x, y) = (b[0] - a[0], b[1] - a[1]);
-        let length = x.hypot(y).max(1e-9);
+        let length = libm::hypot(x, y).max(1e-9);
         [x / length, y / length]
     };
     let mut turned: Vec<f64> = Vec::with_capacity(long);
     for k in 0..long {
         let [x, y] = way(k);
-        let raw = (-y).atan2(x);
+        let raw = libm::atan2(-y, x);
         let last = turned.last().copied().unwrap_or(raw);
         turned.push(raw + ((last - raw) / TAU).round() * TAU);
     }
@@ -116,7 +116,7 @@ fn seam(points: &[[f64; 2]], middle: [f64; 2], side: f64, fore: f64) -> Option<S
 /// a circle's arc where both are alike. Returns its points and its doubt.
 fn bridge(a: [f64; 2], u: [f64; 2], b: [f64; 2], v: [f64; 2]) -> (Vec<[f64; 2]>, f64) {
     let (dx, dy) = (b[0] - a[0], b[1] - a[1]);
-    let chord = dx.hypot(dy);
+    let chord = libm::hypot(dx, dy);
     let cross = u[0] * v[1] - u[1] * v[0];
     // a + s u = b + t v
     let s = (dx * v[1] - dy * v[0]) / cross;
@@ -187,7 +187,7 @@ pub fn parted(outline: &[[f64; 2]], middle: [f64; 2], sides: &[f64]) -> Option<P
         path.push(points[*to]);
         share += path
             .windows(2)
-            .map(|w| (w[1][0] - w[0][0]).hypot(w[1][1] - w[0][1]))
+            .map(|w| libm::hypot(w[1][0] - w[0][0], w[1][1] - w[0][1]))
             .sum::<f64>()
             / whole;
     }
@@ -206,9 +206,12 @@ mod tests {
     /// between are filled up to a line from disk to trunk, or open.
     fn with_arms(filled: bool) -> (Vec<[f64; 2]>, f64) {
         let trunk: Vec<[f64; 2]> = (0..720)
-            .map(|k| (TAU * f64::from(k) / 720.0).sin_cos())
+            .map(|k| libm::sincos(TAU * f64::from(k) / 720.0))
             .map(|(s, c)| {
-                let r = ((c / 180.0).abs().powf(2.5) + (s / 120.0).abs().powf(2.5)).powf(-0.4);
+                let r = libm::pow(
+                    libm::pow((c / 180.0).abs(), 2.5) + libm::pow((s / 120.0).abs(), 2.5),
+                    -0.4,
+                );
                 [r * c, r * s]
             })
             .collect();
@@ -217,7 +220,7 @@ mod tests {
         let mut solids = vec![trunk];
         for side in [1.0, -1.0] {
             let disk: Vec<[f64; 2]> = (0..360)
-                .map(|k| (TAU * f64::from(k) / 360.0).sin_cos())
+                .map(|k| libm::sincos(TAU * f64::from(k) / 360.0))
                 .map(|(s, c)| [side * 215.0 + 55.0 * c, -20.0 + 55.0 * s])
                 .collect();
             if filled {
@@ -259,7 +262,7 @@ mod tests {
         let tape = crate::geometry::section::tape(&one.points);
         assert!(tape > 1.03 * own && tape < crate::geometry::section::tape(&union));
         let bare: Vec<[f64; 2]> = (0..360)
-            .map(|k| (TAU * f64::from(k) / 360.0).sin_cos())
+            .map(|k| libm::sincos(TAU * f64::from(k) / 360.0))
             .map(|(s, c)| [180.0 * c, 120.0 * s])
             .collect();
         assert_eq!(parted(&bare, [0.0, 0.0], &[1.0, -1.0]), None);

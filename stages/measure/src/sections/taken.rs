@@ -198,7 +198,7 @@ fn behind_arms(
 ) -> Vec<bool> {
     let (u, v) = axes(plane);
     let nearest = |d: &Vector3<f64>| {
-        let turn = v.dot(d).atan2(u.dot(d)) / std::f64::consts::TAU;
+        let turn = libm::atan2(v.dot(d), u.dot(d)) / std::f64::consts::TAU;
         (turn * RAYS as f64).round() as i64
     };
     let mut hidden = vec![false; RAYS];

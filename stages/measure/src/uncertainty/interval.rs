@@ -44,7 +44,7 @@ pub(crate) fn level_spread(
         None => Some(0.0),
     };
     Level {
-        against_definition: level.zip(tilt).map(|(l, t)| l.hypot(t)),
+        against_definition: level.zip(tilt).map(|(l, t)| libm::hypot(l, t)),
         again: sigma.repeat_mm.and_then(|mm| beside.moved(mm)),
     }
 }
@@ -127,7 +127,7 @@ pub(crate) fn together(mesh: (f64, f64), silhouettes: Option<(f64, f64)>) -> (f6
 /// reaches; a length of corners that no outline confirms may be missing from it. It holds the mesh's
 /// tape. \[mm\]
 pub(crate) fn interval(mesh: f64, mean: f64, reach: f64, open: f64) -> [f64; 2] {
-    let below = reach.hypot(NINE_IN_TEN * open);
+    let below = libm::hypot(reach, NINE_IN_TEN * open);
     [(mean - below).min(mesh), (mean + reach).max(mesh)]
 }
 

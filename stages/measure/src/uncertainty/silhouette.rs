@@ -51,13 +51,13 @@ pub fn tangents(
         // The outward normal of the line from the eye to a point, on this side.
         let normal = |p: &Point3<f64>| {
             let (dx, dy) = (p.x - eye.x, p.y - eye.y);
-            let length = dx.hypot(dy);
+            let length = libm::hypot(dx, dy);
             (length > 1.0).then(|| (turn * dy / length, -turn * dx / length))
         };
         let axis = normal(&origin)?;
         let lean = |p: &Point3<f64>| {
             let (dx, dy) = (p.x - eye.x, p.y - eye.y);
-            (axis.0 * dx + axis.1 * dy) / dx.hypot(dy)
+            (axis.0 * dx + axis.1 * dy) / libm::hypot(dx, dy)
         };
         let touch = curve
             .iter()
@@ -94,7 +94,7 @@ pub fn tangents(
         let border = at(crossing);
         let n = normal(&border)?;
         Some(Tangent {
-            angle: n.1.atan2(n.0),
+            angle: libm::atan2(n.1, n.0),
             support: n.0 * (border.x - origin.x) + n.1 * (border.y - origin.y),
         })
     };
@@ -134,8 +134,8 @@ pub fn support_girth(tangents: &[Tangent]) -> Option<Support> {
     let unknowns = 1 + 2 * order;
     let row = |t: &Tangent, j: usize| match j {
         0 => 1.0,
-        j if j % 2 == 1 => (j.div_ceil(2) as f64 * t.angle).cos(),
-        j => ((j / 2) as f64 * t.angle).sin(),
+        j if j % 2 == 1 => libm::cos(j.div_ceil(2) as f64 * t.angle),
+        j => libm::sin((j / 2) as f64 * t.angle),
     };
     let design = DMatrix::from_fn(n, unknowns, |i, j| row(&tangents[i], j));
     let want = DVector::from_iterator(n, tangents.iter().map(|t| t.support));

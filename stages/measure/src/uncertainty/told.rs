@@ -36,12 +36,12 @@ impl Sure<'_> {
     /// The surface along its normal around a place, by itself and by cameras. \[mm\]
     fn surface(&self, at: Point3<f64>) -> f64 {
         let by_cameras = self.cameras.and_then(|c| surface_by_cameras(c, at));
-        self.surface_mm.hypot(by_cameras.unwrap_or(0.0))
+        libm::hypot(self.surface_mm, by_cameras.unwrap_or(0.0))
     }
 
     /// The same where no silhouette tells the girth: what they say of others widens it. \[mm\]
     fn unseen(&self, at: Point3<f64>) -> f64 {
-        self.surface(at).hypot(self.off_mm)
+        libm::hypot(self.surface(at), self.off_mm)
     }
 
     /// What the scale leaves open of a length; nobody vouches for the unit of a surface or of cameras
@@ -82,7 +82,7 @@ impl Sure<'_> {
         };
         let outline = seen.support.as_ref().map(|s| {
             let shared = self.cameras.map_or(0.0, |c| shared_border(c, at));
-            (s.girth, s.sigma.hypot(shared))
+            (s.girth, libm::hypot(s.sigma, shared))
         });
         let (mean, width) = together((here.tape_mm, TAU * surface), outline);
         let sigmas = Sigmas {
@@ -97,7 +97,9 @@ impl Sure<'_> {
             },
         };
         let interval_mm = told(here.tape_mm, mean, &sigmas)?;
-        let again = level.again.map(|mm| mm.hypot(width).hypot(here.sigma_mm));
+        let again = level
+            .again
+            .map(|mm| libm::hypot(libm::hypot(mm, width), here.sigma_mm));
         Ok(Girth {
             contour_mm: here.contour_mm,
             spline_mm: here.spline_mm,

@@ -37,7 +37,7 @@ pub(crate) fn clear_sights(
             let (near, far) = out.fold((f64::MAX, f64::MIN), |e, d| (e.0.min(d), e.1.max(d)));
             near < clearance && far > -clearance
         };
-        (!limbs.iter().any(met)).then(|| n.y.atan2(n.x).rem_euclid(TAU))
+        (!limbs.iter().any(met)).then(|| libm::atan2(n.y, n.x).rem_euclid(TAU))
     };
     [1.0, -1.0].into_iter().filter_map(side).collect()
 }
@@ -53,7 +53,7 @@ pub(crate) fn unconfirmed(section: &[[f64; 2]], mut sights: Vec<f64>) -> f64 {
     }
     let point = |i: usize| Point2::from(around[i % n]);
     let touch = |angle: f64| {
-        let way = Vector2::new(angle.cos(), angle.sin());
+        let way = Vector2::new(libm::cos(angle), libm::sin(angle));
         let far = |i: &usize| point(*i).coords.dot(&way);
         let all = (0..n).max_by(|a, b| far(a).total_cmp(&far(b)));
         all.expect("bug: no point")
@@ -72,7 +72,7 @@ pub(crate) fn unconfirmed(section: &[[f64; 2]], mut sights: Vec<f64>) -> f64 {
             .map(|k| (point(k + 1) - point(k)).norm())
             .sum();
         let chord = (point(b) - point(a)).norm();
-        let arc = chord * (turned / 2.0) / (turned / 2.0).sin();
+        let arc = chord * (turned / 2.0) / libm::sin(turned / 2.0);
         more += (path - arc).max(0.0);
     }
     more.min(length(&around))
@@ -85,8 +85,8 @@ mod tests {
     /// An ellipse of 360 by 240 mm; where its normal lies within the half angle about the front it may
     /// run out to the corner of its tangents there.
     fn section(corner: Option<f64>) -> (Vec<[f64; 2]>, f64) {
-        let at = |t: f64| [180.0 * t.cos(), 120.0 * t.sin()];
-        let normal = |t: f64| (t.sin() / 120.0).atan2(t.cos() / 180.0);
+        let at = |t: f64| [180.0 * libm::cos(t), 120.0 * libm::sin(t)];
+        let normal = |t: f64| libm::atan2(libm::sin(t) / 120.0, libm::cos(t) / 180.0);
         let all = (0..720).map(|k| TAU * f64::from(k) / 720.0);
         let Some(half) = corner else {
             return (all.map(at).collect(), 0.0);
@@ -96,13 +96,13 @@ mod tests {
         let cut: Vec<f64> = all.filter(|t| off(*t) <= half).collect();
         let (first, last) = (at(cut[0]), at(cut[cut.len() - 1]));
         // By symmetry the tangents meet before the middle.
-        let tip = first[1] + first[0] * half.tan();
+        let tip = first[1] + first[0] * libm::tan(half);
         let mut points: Vec<[f64; 2]> = round.iter().map(|t| at(*t)).collect();
         let place = round.iter().filter(|t| **t < TAU / 4.0).count();
         points.splice(place..place, [first, [0.0, tip], last]);
         let arc = length(&cut.iter().map(|t| at(*t)).collect::<Vec<_>>())
-            - (first[0] - last[0]).hypot(first[1] - last[1]);
-        let legs = 2.0 * first[0].hypot(tip - first[1]);
+            - libm::hypot(first[0] - last[0], first[1] - last[1]);
+        let legs = 2.0 * libm::hypot(first[0], tip - first[1]);
         (points, legs - arc)
     }
 

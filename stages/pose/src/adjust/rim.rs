@@ -87,7 +87,7 @@ impl OnRim {
     fn point(&self, tag: usize, [along, up]: [f64; 2]) -> Point3<f64> {
         let [out, x, y, stretch] = [0, 1, 2, 3].map(|i| self.open[i]);
         let own = SHARED + OWN * tag;
-        let (sin, cos) = self.angle(tag, along).sin_cos();
+        let (sin, cos) = libm::sincos(self.angle(tag, along));
         let r = self.rim.radius_mm + out;
         let z = self.middles[tag][1] - self.open[own + 1] + up * self.rim.tag_mm * (1.0 + stretch);
         Point3::new(x + r * cos, y + r * sin, z)
@@ -106,7 +106,7 @@ impl OnRim {
     pub(crate) fn by_open(&self, i: usize) -> ([usize; SHARED + OWN], Matrix3xX<f64>) {
         let (tag, [along, up]) = (i / 4, Self::place(i));
         let own = SHARED + OWN * tag;
-        let (sin, cos) = self.angle(tag, along).sin_cos();
+        let (sin, cos) = libm::sincos(self.angle(tag, along));
         let around = (self.rim.radius_mm + self.open[0]) / self.rim.radius_mm;
         let mut d = Matrix3xX::zeros(SHARED + OWN);
         (d[(0, 0)], d[(1, 0)]) = (cos, sin);
@@ -132,7 +132,7 @@ pub(crate) fn met(camera: &Camera, px: [f64; 2], radius: f64) -> Option<(f64, f6
         return None;
     }
     let at = from + ray * ((-b - under.sqrt()) / a);
-    Some((at.y.atan2(at.x), at.z))
+    Some((libm::atan2(at.y, at.x), at.z))
 }
 
 /// By how much corners are seen away from where they are, because straight lines are laid through
@@ -184,7 +184,7 @@ mod tests {
     fn corners_run_around_as_printed_and_their_arcs_are_as_long() {
         let c = on_rim().corners();
         assert!((c[0].z + 3.0).abs() < 1e-12 && (c[2].z + 27.0).abs() < 1e-12);
-        let angle = |p: &Point3<f64>| p.y.atan2(p.x);
+        let angle = |p: &Point3<f64>| libm::atan2(p.y, p.x);
         // From outside, what is further to the right is further counter-clockwise.
         proof::near((angle(&c[1]) - angle(&c[0])) * 225.0, 24.0, 1e-9);
         proof::near(angle(&c[4]) + angle(&c[5]), 2.2, 1e-12);

@@ -91,7 +91,7 @@ pub fn cost(scene: &Scene, observations: &[PointObservation], beliefs: &Beliefs,
     let seen: f64 = observations
         .iter()
         .map(|observation| match look(scene, observation) {
-            Some(d) => c2 * (d.residual.norm_squared() / c2).ln_1p(),
+            Some(d) => c2 * libm::log1p(d.residual.norm_squared() / c2),
             None => BEHIND,
         })
         .sum();

@@ -56,7 +56,7 @@ pub(crate) fn focal_sigma(rig: &Rig, lens: &Intrinsics, p: &CalibrateParams) -> 
     let (width, height) = (f64::from(lens.width), f64::from(lens.height));
     let long = width.max(height) / width.min(height).max(1.0);
     let crop = if long > CROPPED { CROP_SIGMA } else { 0.0 };
-    p.focal_sigma.hypot(rounded).hypot(crop)
+    libm::hypot(libm::hypot(p.focal_sigma, rounded), crop)
 }
 
 /// The belief about the lens: `focal_sigma` is a share of its focal length.

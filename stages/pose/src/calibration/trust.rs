@@ -15,7 +15,9 @@ pub(crate) fn median_px(scene: &Scene, observations: &[PointObservation]) -> f64
             pose: scene.poses[s.camera],
         };
         let at = camera.project(&scene.points[s.point]);
-        at.map_or(f64::MAX, |at| (at.x - s.at_px[0]).hypot(at.y - s.at_px[1]))
+        at.map_or(f64::MAX, |at| {
+            libm::hypot(at.x - s.at_px[0], at.y - s.at_px[1])
+        })
     };
     let mut all: Vec<f64> = observations.iter().map(off).collect();
     all.sort_by(f64::total_cmp);
@@ -81,7 +83,7 @@ pub(crate) fn warnings(
         .poses
         .iter()
         .map(|p| p.centre())
-        .map(|c| (c.x.hypot(c.y), c.z))
+        .map(|c| (libm::hypot(c.x, c.y), c.z))
         .collect();
     let count = ring.len() as f64;
     let (radius, height) = (
@@ -89,7 +91,7 @@ pub(crate) fn warnings(
         ring.iter().map(|r| r.1).sum::<f64>() / count,
     );
     for (id, (r, z)) in ids.iter().zip(&ring) {
-        let out = (r - radius).hypot(z - height) / radius;
+        let out = libm::hypot(r - radius, z - height) / radius;
         if out > 0.02 {
             let name = photos.get(*id).map_or("", |p| p.name.as_str());
             warnings.push(format!(
@@ -99,7 +101,7 @@ pub(crate) fn warnings(
         }
     }
     if fit.sigma_mm.iter().flatten().any(|s| !s.is_finite()) {
-        warnings.push("the adjustment is degenerate: do not trust its uncertainties".into());
+        warnings.push("the photos do not tell all of the cameras, so how sure they are is not to be trusted: lay a mat on the disk, or take more photos".into());
     }
     warnings
 }
@@ -145,7 +147,7 @@ pub(crate) fn uneven(photos: &Photos, ids: &[PhotoId], poses: &[Pose]) -> Vec<St
         .windows(2)
         .map(|w| {
             let between = w[0].rotation.inverse() * w[1].rotation;
-            between[(1, 0)].atan2(between[(0, 0)]).to_degrees()
+            libm::atan2(between[(1, 0)], between[(0, 0)]).to_degrees()
         })
         .collect();
     let mut sorted = turns.clone();

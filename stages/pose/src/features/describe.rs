@@ -15,7 +15,7 @@ const PADDED: usize = CELLS + 2;
 
 /// The descriptor of a point with a direction. \[rad\]
 pub fn describe(image: &Gray, e: &Extremum, angle: f32, fading: &[f32]) -> [u8; 128] {
-    let (sin, cos) = angle.sin_cos();
+    let (sin, cos) = libm::sincosf(angle);
     let cell = CELL_SCALES * e.scale;
     let half = CELLS as f32 / 2.0;
     let radius = (cell * std::f32::consts::SQRT_2 * (half + 0.5)).round() as i32;

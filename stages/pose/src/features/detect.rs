@@ -167,7 +167,7 @@ fn refined(
         return Some(Extremum {
             x: (x as f64 + off.x) as f32,
             y: (y as f64 + off.y) as f32,
-            scale: SIGMA * 2f64.powf(s / INTERVALS as f64) as f32,
+            scale: SIGMA * libm::pow(2f64, s / INTERVALS as f64) as f32,
             layer: (s.round() as usize).clamp(0, INTERVALS + 2),
             contrast: peak.abs() as f32,
         });

@@ -19,7 +19,7 @@ pub(crate) fn turn(gx: f32, gy: f32) -> f32 {
 /// exp(-x) for 0 <= x < 8 in steps of 1/128.
 pub fn fading() -> Vec<f32> {
     (0..1024)
-        .map(|i| (-(i as f32 + 0.5) / 128.0).exp())
+        .map(|i| libm::expf(-(i as f32 + 0.5) / 128.0))
         .collect()
 }
 
@@ -76,7 +76,7 @@ mod tests {
     fn directions_are_those_of_the_arc_tangent() {
         for k in 0..1000 {
             let angle = (k as f32 + 0.3) / 1000.0 * std::f32::consts::TAU;
-            let (sin, cos) = angle.sin_cos();
+            let (sin, cos) = libm::sincosf(angle);
             let got = turn(7.0 * cos, 7.0 * sin) * std::f32::consts::TAU;
             assert!((got - angle).abs() < 2e-5, "{got} {angle}");
         }

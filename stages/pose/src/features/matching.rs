@@ -56,7 +56,7 @@ pub fn still(a: &Features, b: &Features, still_px: f32) -> [Vec<bool>; 2] {
     for (i, (k, d)) in a.points.iter().zip(&a.descriptors).enumerate() {
         for j in rows.near(k.y, still_px) {
             let other = &b.points[*j as usize];
-            let here = (other.x - k.x).hypot(other.y - k.y) < still_px
+            let here = libm::hypotf(other.x - k.x, other.y - k.y) < still_px
                 && (0.75..1.34).contains(&(other.scale / k.scale));
             if here && likeness(d, &b.descriptors[*j as usize]) > ALIKE {
                 stands[0][i] = true;
@@ -142,7 +142,7 @@ fn two_nearest(
     let b = rows.features;
     let elsewhere = |i: usize, j: usize| {
         let (p, q) = (&b.points[i], &b.points[j]);
-        (p.x - q.x).hypot(p.y - q.y) >= PLACE_PX
+        libm::hypotf(p.x - q.x, p.y - q.y) >= PLACE_PX
     };
     let mut best = Best::default();
     for j in rows.near(k.y, rise_px) {

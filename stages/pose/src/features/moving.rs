@@ -153,18 +153,24 @@ mod tests {
         let mut dice = proof::Dice(5);
         let (w, h) = (160usize, 220usize);
         let room = |x: f64, y: f64| {
-            110.0 + 40.0 * (x / 7.0).sin() * (y / 5.0).cos() + 30.0 * ((x + 2.0 * y) / 17.0).sin()
+            110.0
+                + 40.0 * libm::sin(x / 7.0) * libm::cos(y / 5.0)
+                + 30.0 * libm::sin((x + 2.0 * y) / 17.0)
         };
         (0..9)
             .map(|k| {
                 let phase = f64::from(k) * 0.7;
-                let left = 55.0 + 12.0 * phase.sin();
+                let left = 55.0 + 12.0 * libm::sin(phase);
                 let shift = match (camera_moves, phone) {
                     (true, _) => 37.0 * f64::from(k),
-                    (_, true) => 0.7 * phase.cos(),
+                    (_, true) => 0.7 * libm::cos(phase),
                     _ => 0.0,
                 };
-                let gain = if phone { 1.0 + 0.06 * phase.cos() } else { 1.0 };
+                let gain = if phone {
+                    1.0 + 0.06 * libm::cos(phase)
+                } else {
+                    1.0
+                };
                 let mut image = Gray::filled(w, h, 0.0);
                 for i in 0..w * h {
                     let (x, y) = ((i % w) as f64, (i / w) as f64);

@@ -27,7 +27,7 @@ pub fn blur(image: &Gray, sigma: f32) -> Gray {
 fn blurred(w: usize, h: usize, sigma: f32, mut source: impl FnMut(usize, &mut [f32])) -> Gray {
     let radius = (sigma * 3.2).ceil() as usize;
     let mut kernel: Vec<f32> = (0..=radius)
-        .map(|i| (-((i * i) as f32) / (2.0 * sigma * sigma)).exp())
+        .map(|i| libm::expf(-((i * i) as f32) / (2.0 * sigma * sigma)))
         .collect();
     let total = kernel[0] + 2.0 * kernel[1..].iter().sum::<f32>();
     kernel.iter_mut().for_each(|k| *k /= total);
@@ -138,7 +138,7 @@ pub fn octaves(image: &Gray, fine: bool) -> Vec<(f32, Octave)> {
 }
 
 fn octave(first: Gray) -> Octave {
-    let step = 2f32.powf(1.0 / INTERVALS as f32);
+    let step = libm::powf(2f32, 1.0 / INTERVALS as f32);
     let mut blurred = vec![first];
     for i in 1..INTERVALS + 3 {
         let before = SIGMA * step.powi(i as i32 - 1);
@@ -177,7 +177,7 @@ mod tests {
             .iter_mut()
             .for_each(|v| *v = dice.within(0.0, 255.0) as f32);
         let (sigma, radius) = (1.5f64, 5i32);
-        let weight = |i: i32| (-f64::from(i * i) / (2.0 * sigma * sigma)).exp();
+        let weight = |i: i32| libm::exp(-f64::from(i * i) / (2.0 * sigma * sigma));
         let total: f64 = (-radius..=radius).map(weight).sum();
         let got = blur(&image, sigma as f32);
         for (x, y) in (0..23).flat_map(|y| (0..37).map(move |x| (x, y))) {

@@ -65,7 +65,7 @@ pub struct Sift;
 
 impl Stage for Sift {
     const NAME: &'static str = "pose.sift";
-    const VERSION: u32 = 4;
+    const VERSION: u32 = 5;
     const ABOUT: &'static str =
         "Finds scale-invariant features (Lowe 2004) and describes them (RootSIFT).";
     type Params = SiftParams;
@@ -211,7 +211,7 @@ mod tests {
     /// Soft blobs at known places.
     fn blobs(turn: f32, shift: [f32; 2]) -> (Gray, Vec<[f32; 2]>) {
         let mut dice = proof::Dice(4);
-        let (s, c) = turn.sin_cos();
+        let (s, c) = libm::sincosf(turn);
         let mut image = Gray::filled(320, 320, 90.0);
         let mut places = Vec::new();
         for _ in 0..60 {
@@ -229,7 +229,7 @@ mod tests {
             for (i, v) in image.data.iter_mut().enumerate() {
                 let (dx, dy) = ((i % 320) as f32 - at[0], (i / 320) as f32 - at[1]);
                 let (u, w) = (c * dx + s * dy, c * dy - s * dx);
-                *v += high * (-(u * u / (sx * sx) + w * w / (sy * sy)) / 2.0).exp();
+                *v += high * libm::expf(-(u * u / (sx * sx) + w * w / (sy * sy)) / 2.0);
             }
         }
         (image, places)
@@ -245,7 +245,7 @@ mod tests {
             features(&blobs(0.0, [0.0, 0.0]).0, &p),
             features(&blobs(0.6, [3.3, -2.7]).0, &p),
         );
-        let (s, c) = 0.6f32.sin_cos();
+        let (s, c) = libm::sincosf(0.6f32);
         let (mut near, mut right) = (0, 0);
         for (k, d) in a.points.iter().zip(&a.descriptors) {
             let (x, y) = (k.x - 160.0, k.y - 160.0);
@@ -259,7 +259,7 @@ mod tests {
             let best = (0..b.points.len())
                 .min_by_key(|i| differ(&b.descriptors[*i]))
                 .unwrap();
-            let off = (b.points[best].x - want[0]).hypot(b.points[best].y - want[1]);
+            let off = libm::hypotf(b.points[best].x - want[0], b.points[best].y - want[1]);
             near += usize::from(off < 3.0);
             right += usize::from(off < 0.3);
         }

@@ -59,7 +59,7 @@ pub struct Follow;
 
 impl Stage for Follow {
     const NAME: &'static str = "pose.tracks";
-    const VERSION: u32 = 7;
+    const VERSION: u32 = 8;
     const ABOUT: &'static str = "Follows features over the photos: what stands still and what breaks the epipolar constraint goes.";
     type Params = TracksParams;
     type Input = TracksInput;
@@ -136,7 +136,7 @@ impl Stage for Follow {
             if seen < 20 {
                 let name = input.photos.get(*id).map_or("", |p| p.name.as_str());
                 ctx.warn(format!(
-                    "{name}: only {seen} features are seen on other photos, too"
+                    "{name}: only {seen} features are seen on other photos, too: lay a mat or a patterned cloth on the disk, or turn by smaller steps"
                 ));
             }
         }
@@ -211,7 +211,7 @@ fn matched(
     };
     moving.retain(|m| {
         let [k, l] = both(m);
-        (k[0] - l[0]).hypot(k[1] - l[1]) >= p.still_px
+        libm::hypot(k[0] - l[0], k[1] - l[1]) >= p.still_px
     });
     let (rounds, seed) = (p.rounds as usize, p.seed as u64);
     let mut pairs: Vec<Both> = moving.iter().map(both).collect();

@@ -133,7 +133,7 @@ mod tests {
         let turn = Rotation3::from_euler_angles(0.4, -0.7, 1.1);
         let centre = Point3::new(300.0, -80.0, 1200.0);
         let at = |k: i32| {
-            let (sin, cos) = (f64::from(k) * 0.21).sin_cos();
+            let (sin, cos) = libm::sincos(f64::from(k) * 0.21);
             centre + turn * Vector3::new(900.0 * cos, 900.0 * sin, 0.0)
         };
         let found = circle(&(0..9).map(at).collect::<Vec<_>>()).unwrap();

@@ -165,12 +165,12 @@ fn steps_around(
     beside: f64,
 ) -> Option<Vec<f64>> {
     let centre = camera.centre();
-    let towards = centre.y.atan2(centre.x);
+    let towards = libm::atan2(centre.y, centre.x);
     let mut steps = Vec::with_capacity(AROUND);
     for k in 0..AROUND {
         // A little more than half of it: beside the subject the far edge shows too.
         let angle = towards + (k as f64 / (AROUND - 1) as f64 - 0.5) * 4.0;
-        let (sin, cos) = angle.sin_cos();
+        let (sin, cos) = libm::sincos(angle);
         let at = camera.project(&Point3::new(radius * cos, radius * sin, height))?;
         let ahead = camera.project(&Point3::from(
             Vector3::new(radius * cos, radius * sin, height)
@@ -220,7 +220,7 @@ mod tests {
                 let ray = camera.ray([x as f64, y as f64].into());
                 let c = camera.centre();
                 let at = c + *ray * ((-40.0 - c.z) / ray.z);
-                let lit = at.x.hypot(at.y) < 210.0;
+                let lit = libm::hypot(at.x, at.y) < 210.0;
                 *gray.at_mut(x, y) = if lit { bright } else { 60.0 };
             }
         }

@@ -68,7 +68,7 @@ struct Measure {
 
 impl Stage for Frame {
     const NAME: &'static str = "pose.frame";
-    const VERSION: u32 = 6;
+    const VERSION: u32 = 7;
     const ABOUT: &'static str = "Puts the origin on the disk and scales to millimetres: by the mat, a reference length, the disk, or the stature.";
     type Params = FrameParams;
     type Input = FrameInput;
@@ -111,7 +111,7 @@ impl Stage for Frame {
             return Ok(cameras.clone());
         }
         if edge.is_none() && body.is_none() {
-            ctx.warn("neither the disk's edge nor soles were seen: the ground lies at the lowest feature");
+            ctx.warn("neither the disk's edge nor soles were seen: the ground lies at the lowest feature, so heights and stature may be off; keep feet and disk in view");
         }
         let size = first.mm_per_unit;
         let disk = rig.disk_diameter_mm.map(|d| d / 2.0);
@@ -158,7 +158,7 @@ fn measures(cameras: &Cameras, rig: &Rig, seen: &Seen, warn: impl Fn(String)) ->
             what,
             scale,
             mm_per_unit: mm / height,
-            sigma: Some((spread / height).hypot(0.003)),
+            sigma: Some(libm::hypot(spread / height, 0.003)),
         })
     };
     let round = |mm: f64, what, scale| {
@@ -244,7 +244,7 @@ fn on_ground(cameras: &Cameras, ground: f64, mm_per_unit: f64) -> Cameras {
 
 /// Standard deviation of the difference of two, as far as it is known.
 fn both(a: Option<f64>, b: Option<f64>) -> f64 {
-    [a, b].into_iter().flatten().fold(0.0, f64::hypot)
+    [a, b].into_iter().flatten().fold(0.0, libm::hypot)
 }
 
 /// What stands still, reduced: the plate, or the median of photos laid on each other.
@@ -274,7 +274,7 @@ fn search(
 ) -> Option<DiskEdge> {
     let camera = &cameras.views.values().next()?.camera;
     let centre = camera.centre();
-    let ring = centre.x.hypot(centre.y);
+    let ring = libm::hypot(centre.x, centre.y);
     let heights = match body {
         Some(body) => {
             let reach = 0.04 * (body.crown - body.ground);

@@ -116,7 +116,7 @@ mod tests {
     fn seen(camera: &Camera, radius: f64, ground: f64, crown: f64) -> Mask {
         let mut mask = Mask::filled(400, 600, 0);
         for k in 0..720 {
-            let (sin, cos) = (f64::from(k) * std::f64::consts::TAU / 720.0).sin_cos();
+            let (sin, cos) = libm::sincos(f64::from(k) * std::f64::consts::TAU / 720.0);
             for h in 0..=600 {
                 let z = ground + (crown - ground) * f64::from(h) / 600.0;
                 for r in [radius, radius * 0.8, radius * 0.5, radius * 0.2] {

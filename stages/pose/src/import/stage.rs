@@ -73,7 +73,7 @@ pub struct Import;
 
 impl Stage for Import {
     const NAME: &'static str = "pose.import";
-    const VERSION: u32 = 1;
+    const VERSION: u32 = 2;
     const ABOUT: &'static str =
         "Takes cameras from a COLMAP model, a Middlebury _par.txt or a cameras.json.";
     type Params = ImportParams;
@@ -105,7 +105,7 @@ impl Stage for Import {
         } else {
             match camera_circle(&cameras) {
                 None => {
-                    ctx.warn("the cameras stand on no circle: the file's world was kept");
+                    ctx.warn("the cameras stand on no circle: the file's world was kept; if they are of one turn, check the file");
                     cameras
                 }
                 Some(circle) => {

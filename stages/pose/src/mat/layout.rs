@@ -82,7 +82,7 @@ pub fn mat_for(disk_mm: f64, tag_mm: f64, count: u32, first_id: u32) -> Result<M
     // Neighbours touch first at their inner corners.
     let inner = ring_mm - reach;
     let most = if inner > reach {
-        (std::f64::consts::PI / (reach / inner).atan()).floor() as u32
+        (std::f64::consts::PI / libm::atan(reach / inner)).floor() as u32
     } else {
         0
     };
@@ -170,7 +170,7 @@ pub fn mat_marks(mat: &Mat, disk_mm: f64, dots: bool) -> Vec<Mark> {
             let (radius, angle) = (inner * unit().sqrt(), unit() * std::f64::consts::TAU);
             let (size, grey) = (1.5 + 3.0 * unit(), 0.7 * unit());
             if radius + size < inner && radius > 8.0 {
-                let (sin, cos) = angle.sin_cos();
+                let (sin, cos) = libm::sincos(angle);
                 marks.push(Mark::Dot([radius * cos, radius * sin], size, grey));
             }
         }

@@ -11,7 +11,7 @@ pub(crate) fn homography(pairs: &[([f64; 2], [f64; 2])]) -> Option<Matrix3<f64>>
     }
     let spread = pairs
         .iter()
-        .map(|(p, _)| p[0].hypot(p[1]))
+        .map(|(p, _)| libm::hypot(p[0], p[1]))
         .fold(1e-9, f64::max);
     let mut a = DMatrix::zeros((2 * pairs.len()).max(9), 9);
     for (i, (plane, seen)) in pairs.iter().enumerate() {

@@ -73,7 +73,7 @@ pub struct PrintMat;
 
 impl Stage for PrintMat {
     const NAME: &'static str = "pose.mat";
-    const VERSION: u32 = 4;
+    const VERSION: u32 = 5;
     const ABOUT: &'static str = "Lays out a marker mat (AprilTag 36h11) for a disk, and a strip for its rim, to be printed at true scale.";
     type Params = MatParams;
     type Input = MatInput;

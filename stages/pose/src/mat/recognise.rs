@@ -53,7 +53,7 @@ fn next(tag: &Tag, other: &Tag) -> Option<(f64, f64)> {
     let at = other.corners.map(|c| place(&back, c));
     let right = at[1] - at[0] + at[2] - at[3];
     let middle = (at[0] + at[1] + at[2] + at[3]) / 4.0;
-    Some((right.y.atan2(right.x), middle.norm()))
+    Some((libm::atan2(right.y, right.x), middle.norm()))
 }
 
 fn median(mut all: Vec<f64>) -> f64 {
@@ -79,7 +79,7 @@ pub fn ringed(tags: &Tags) -> Option<Ringed> {
         let far = median(seen.iter().map(|s| s.1).collect());
         let count = TAU / turn;
         if (3.0..100.0).contains(&count) && (count - count.round()).abs() < 0.3 {
-            let ring = far / (2.0 * (turn / 2.0).sin());
+            let ring = far / (2.0 * libm::sin(turn / 2.0));
             votes
                 .entry(count.round() as u32)
                 .or_default()
@@ -111,7 +111,7 @@ fn misfit(photos: &[Seen], count: u32, ring: f64, bloom_px: f64) -> Option<f64> 
     for tags in photos {
         let mut pairs = Vec::new();
         for (place, corners, out) in tags {
-            let (sin, cos) = (f64::from(*place) * TAU / f64::from(count)).sin_cos();
+            let (sin, cos) = libm::sincos(f64::from(*place) * TAU / f64::from(count));
             for (([x, y], px), out) in SQUARE.into_iter().zip(corners).zip(out) {
                 let far = ring + y;
                 let on_mat = [far * cos + x * sin, far * sin - x * cos];

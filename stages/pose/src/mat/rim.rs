@@ -113,7 +113,7 @@ fn middle(eye: &Camera, tag: &Tag, rim: &Rim) -> Option<[f64; 2]> {
     let side = |i: usize| (corners[(i + 1) % 4] - corners[i]).norm();
     let px = corners.iter().sum::<Vector2<f64>>() / 4.0;
     let (angle, height) = met(eye, px.into(), rim.radius_mm)?;
-    let (sin, cos) = angle.sin_cos();
+    let (sin, cos) = libm::sincos(angle);
     let at = Point3::new(rim.radius_mm * cos, rim.radius_mm * sin, height);
     let to = (eye.centre() - at).normalize();
     let facing = to.x * cos + to.y * sin > ASLANT;

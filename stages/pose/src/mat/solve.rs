@@ -200,7 +200,7 @@ fn add_features(
     let points = seen.iter().map(|s| s.point.coords.map(|x| x as f32).into());
     let rigid = triangulate::median_residual(&seen) < 1.2 * p.feature_px;
     let radius = mat.ring_mm + mat.tag_mm / 2.0;
-    let on_disk = |s: &&Seen| s.point.z.abs() < 4.0 && s.point.x.hypot(s.point.y) < radius;
+    let on_disk = |s: &&Seen| s.point.z.abs() < 4.0 && libm::hypot(s.point.x, s.point.y) < radius;
     let keep: Vec<&Seen> = seen.iter().filter(|s| rigid || on_disk(s)).collect();
     for track in &keep {
         for (camera, at_px) in &track.observations {
@@ -241,7 +241,7 @@ fn pose(lens: &Intrinsics, mat: &Mat, tags: &[Tag]) -> Option<Pose> {
         };
         let off = |(p, px): &([f64; 2], [f64; 2])| {
             let at = camera.project(&Point3::new(p[0], p[1], 0.0));
-            at.map_or(f64::MAX, |at| (at.x - px[0]).hypot(at.y - px[1]))
+            at.map_or(f64::MAX, |at| libm::hypot(at.x - px[0], at.y - px[1]))
         };
         let mut all: Vec<f64> = pairs.iter().map(off).collect();
         all.sort_by(f64::total_cmp);

@@ -148,7 +148,7 @@ mod tests {
             })
             .collect();
         let seen = |(a, h): (f64, f64), place: i32, dice: &mut proof::Dice| {
-            let (sin, cos) = a.sin_cos();
+            let (sin, cos) = libm::sincos(a);
             let x = Vector3::new(0.08 * sin, h, -0.05 * cos);
             let r = Rotation3::from_axis_angle(&Unit::new_normalize(axis), f64::from(place) * STEP);
             let out = r * Vector3::new(sin, 0.0, -cos);

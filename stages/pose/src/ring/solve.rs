@@ -86,7 +86,7 @@ pub(crate) fn calibrate(
         .extend(out_of_place(&names, &places, step_deg));
     if swaying {
         found.warnings.push(
-            "the subject moved against the disk (free cameras would follow it): lens and steps were held at what EXIF and capture.toml say, and how sure the cameras are cannot be to_cameras".into(),
+            "the subject moved against the disk (free cameras would follow it): lens and steps were held at what EXIF and capture.toml say, and how sure the cameras are cannot be told".into(),
         );
     }
     Ok(found)

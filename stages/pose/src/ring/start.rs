@@ -86,7 +86,7 @@ fn directions(count: usize) -> impl Iterator<Item = Vector3<f64>> {
     (0..count).map(move |i| {
         // y from -1 to 0: the half that points up in the photo.
         let y = -1.0 + (i as f64 + 0.5) / count as f64;
-        let (sin, cos) = (golden * i as f64).sin_cos();
+        let (sin, cos) = libm::sincos(golden * i as f64);
         let r = (1.0 - y * y).sqrt();
         Vector3::new(r * sin, y, r * cos)
     })
@@ -133,7 +133,7 @@ fn apart(sorted: Vec<Start>, most: usize) -> Vec<Start> {
         let alike = |k: &Start| {
             k.axis.dot(&start.axis) > 0.995
                 && (k.beside - start.beside).abs() < 0.05
-                && (k.focal_px / start.focal_px).ln().abs() < 0.1
+                && libm::log(k.focal_px / start.focal_px).abs() < 0.1
                 && k.angles.last().map(|a| a.signum()) == start.angles.last().map(|a| a.signum())
         };
         if kept.len() < most && !kept.iter().any(alike) {
@@ -216,7 +216,7 @@ fn refine(pairs: &[Pair], known: &Known, start: Start) -> Start {
                 .collect(),
         };
         Start {
-            focal_px: start.focal_px * x[3].exp(),
+            focal_px: start.focal_px * libm::exp(x[3]),
             axis,
             beside: start.beside + x[2],
             angles,

@@ -44,7 +44,7 @@ pub struct FindTags;
 
 impl Stage for FindTags {
     const NAME: &'static str = "pose.tags";
-    const VERSION: u32 = 2;
+    const VERSION: u32 = 3;
     const ABOUT: &'static str =
         "Finds AprilTags (family 36h11, Olson 2011) and their corners to a part of a pixel.";
     type Params = TagsParams;
@@ -165,7 +165,8 @@ fn find(photo: &Photo, p: &TagsParams) -> Result<Vec<Tag>, Stop> {
         .map_err(|e| no(e.to_string()))?;
     detector.set_thread_number(1);
     detector.set_decimation(p.decimate as f32);
-    detector.set_refine_edges(true);
+    // The library's own refinement takes sines from the system: its last digits differ between systems.
+    detector.set_refine_edges(false);
     let mut tags: Vec<Tag> = detector
         .detect(&image)
         .iter()
@@ -175,7 +176,7 @@ fn find(photo: &Photo, p: &TagsParams) -> Result<Vec<Tag>, Stop> {
             let [tr, tl, bl, br] = found.corners().map(|[x, y]| [x - 0.5, y - 0.5]);
             Tag {
                 id: found.id() as u32,
-                corners: refined(&gray, [tl, tr, br, bl]),
+                corners: refined(&gray, refined(&gray, [tl, tr, br, bl])),
             }
         })
         .collect();

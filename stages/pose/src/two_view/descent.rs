@@ -10,7 +10,7 @@ pub(crate) fn descend(
     steps: usize,
 ) -> Vec<f64> {
     let c2 = loss * loss;
-    let cost = |r: &[f64]| r.iter().map(|r| c2 * (r * r / c2).ln_1p()).sum::<f64>();
+    let cost = |r: &[f64]| r.iter().map(|r| c2 * libm::log1p(r * r / c2)).sum::<f64>();
     let (mut x, n) = (start.to_vec(), start.len());
     let mut now = residuals(&x);
     let mut damping = 1e-3;

@@ -12,7 +12,7 @@ fn normaliser(points: &[[f64; 2]]) -> Matrix3<f64> {
     let mean = [0, 1].map(|i| points.iter().map(|p| p[i]).sum::<f64>() / n);
     let far = points
         .iter()
-        .map(|p| (p[0] - mean[0]).hypot(p[1] - mean[1]))
+        .map(|p| libm::hypot(p[0] - mean[0], p[1] - mean[1]))
         .sum::<f64>()
         / n;
     let s = std::f64::consts::SQRT_2 / far.max(1e-9);
@@ -167,7 +167,9 @@ fn sampled(
             let share = (own as f64 / pairs.len() as f64)
                 .powi(model.size as i32)
                 .clamp(1e-9, 0.999_999);
-            need = ((1e-3f64).ln() / (1.0 - share).ln()).ceil().max(20.0) as usize;
+            need = (libm::log(1e-3f64) / libm::log(1.0 - share))
+                .ceil()
+                .max(20.0) as usize;
         }
     }
     best

@@ -68,7 +68,7 @@ pub(crate) fn resected(
             pose: *pose,
         };
         let at = camera.project(point);
-        at.map_or(1e4, |at| (at.x - px[0]).hypot(at.y - px[1]))
+        at.map_or(1e4, |at| libm::hypot(at.x - px[0], at.y - px[1]))
     };
     let agree = |pose: &Pose, most: f64| known.iter().filter(|k| off(pose, k) < most).count();
     let mut starts: Vec<(usize, Pose)> = others.iter().map(|p| (agree(p, 60.0), *p)).collect();

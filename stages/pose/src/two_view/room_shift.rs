@@ -87,7 +87,9 @@ pub fn room_shift(
         let all = sorted(room.iter().map(|pair| pair[0][i]).collect());
         all[all.len() * 9 / 10] - all[all.len() / 10] > SPREAD * f64::from(size)
     };
-    let moves = room.iter().map(|[a, b]| (a[0] - b[0]).hypot(a[1] - b[1]));
+    let moves = room
+        .iter()
+        .map(|[a, b]| libm::hypot(a[0] - b[0], a[1] - b[1]));
     let moves = sorted(moves.collect());
     let by_px = moves[moves.len() / 2];
     (wide(0, lens.width) && wide(1, lens.height)).then_some(RoomShift { by_px, of })
@@ -120,7 +122,7 @@ mod tests {
         for _ in 0..300 {
             let (angle, y) = (dice.within(-1.2, 1.2), dice.within(-700.0, 700.0));
             let mut at = |a: f64| {
-                let x = Vector3::new(170.0 * a.sin(), y, 2600.0 - 120.0 * a.cos());
+                let x = Vector3::new(170.0 * libm::sin(a), y, 2600.0 - 120.0 * libm::cos(a));
                 x + Vector3::new(dice.normal(), dice.normal(), 0.0) * 0.2
             };
             let (before, after) = (at(angle), at(angle + 0.35));

@@ -98,7 +98,7 @@ pub(crate) fn cost(model: &Model, terms: &Terms) -> f64 {
         .map(|spot| {
             let one = |(s, px): &(usize, [f64; 2])| match Model::off_px(&cameras[*s], &spot.at, *px)
             {
-                Some(off) => c2 * ((off / terms.sigma_px).powi(2) / c2).ln_1p(),
+                Some(off) => c2 * libm::log1p((off / terms.sigma_px).powi(2) / c2),
                 None => BEHIND,
             };
             spot.observations.iter().map(one).sum()

@@ -62,7 +62,7 @@ pub(crate) fn guided(
     let rows = Strips::new(&b.points, |k| k.y, |k| k.x);
     let elsewhere = |i: usize, j: usize| {
         let (p, q) = (&b.points[i], &b.points[j]);
-        (p.x - q.x).hypot(p.y - q.y) >= PLACE_PX
+        libm::hypotf(p.x - q.x, p.y - q.y) >= PLACE_PX
     };
     let band = band_px as f32;
     let mut back = vec![(f32::MIN, usize::MAX); b.points.len()];

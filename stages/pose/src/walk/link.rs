@@ -74,7 +74,7 @@ pub struct LinkUp;
 
 impl Stage for LinkUp {
     const NAME: &'static str = "pose.link";
-    const VERSION: u32 = 1;
+    const VERSION: u32 = 2;
     const ABOUT: &'static str = "Follows features over photos in any order that a camera took on its way: all pairs by their largest features, those that hold together in full.";
     type Params = LinkParams;
     type Input = LinkInput;

@@ -58,7 +58,7 @@ impl Model {
     /// Distance of an observation from where its point projects; none behind the camera. \[px\]
     pub(crate) fn off_px(camera: &Camera, at: &Point3<f64>, [x, y]: [f64; 2]) -> Option<f64> {
         let px = camera.project(at)?;
-        Some((px.x - x).hypot(px.y - y))
+        Some(libm::hypot(px.x - x, px.y - y))
     }
 }
 

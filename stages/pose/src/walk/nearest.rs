@@ -31,7 +31,7 @@ pub(crate) fn nearest([a, b]: [&Features; 2], [of_a, of_b]: [&[u32]; 2], ratio: 
     let place = |j: usize| &b.points[of_b[j] as usize];
     let elsewhere = |i: usize, j: usize| {
         let (p, q) = (place(i), place(j));
-        (p.x - q.x).hypot(p.y - q.y) >= PLACE_PX
+        libm::hypotf(p.x - q.x, p.y - q.y) >= PLACE_PX
     };
     let mut alike = DMatrix::<f32>::zeros(of_b.len(), STRIDE);
     for from in (0..of_a.len()).step_by(STRIDE) {

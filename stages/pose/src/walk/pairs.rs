@@ -60,7 +60,7 @@ pub(crate) fn compared(views: [&Features; 2], some: [&[u32]; 2], rules: &Rules) 
     let all = found.len();
     found.retain(|m| {
         let [k, l] = both(m);
-        (k[0] - l[0]).hypot(k[1] - l[1]) >= rules.still_px
+        libm::hypot(k[0] - l[0], k[1] - l[1]) >= rules.still_px
     });
     let still = all - found.len();
     if found.len() < rules.least {
@@ -100,7 +100,7 @@ pub(crate) fn again(views: [&Features; 2], shared: Shared, rules: &Rules) -> Sha
     let mut found = guided(views, &motion, rules.epipolar_px, rules.ratio);
     found.retain(|m| {
         let [k, l] = both(m);
-        (k[0] - l[0]).hypot(k[1] - l[1]) >= rules.still_px
+        libm::hypot(k[0] - l[0], k[1] - l[1]) >= rules.still_px
     });
     match found.len() >= shared.matches.len() {
         true => Shared {

@@ -70,8 +70,8 @@ pub(crate) fn registered(lens: &Intrinsics, known: &[Known], samples: &Samples) 
             }
             best = Some(found);
             let share = (found.agree as f64 / known.len() as f64).powi(3);
-            let misses = (1.0 - share.clamp(1e-9, 0.999_999)).ln();
-            need = ((1e-4f64).ln() / misses).ceil().max(30.0) as usize;
+            let misses = libm::log(1.0 - share.clamp(1e-9, 0.999_999));
+            need = (libm::log(1e-4f64) / misses).ceil().max(30.0) as usize;
         }
     }
     best

@@ -150,7 +150,7 @@ pub(crate) fn turn(world: &World, first: &Camera) -> Rotation3<f64> {
 pub(crate) fn nearby(cameras: &mut Cameras, radius: f64) {
     cameras
         .points
-        .retain(|p| f64::from(p[0]).hypot(f64::from(p[1])) < radius);
+        .retain(|p| libm::hypot(f64::from(p[0]), f64::from(p[1])) < radius);
 }
 
 #[cfg(test)]
@@ -165,8 +165,11 @@ mod tests {
             .map(|k| {
                 let angle = f64::from(k) * 0.31;
                 let far = dice.within(2.0, 3.0);
-                let from =
-                    Vector3::new(far * angle.cos(), far * angle.sin(), dice.within(-0.5, 0.8));
+                let from = Vector3::new(
+                    far * libm::cos(angle),
+                    far * libm::sin(angle),
+                    dice.within(-0.5, 0.8),
+                );
                 let forward = -from.normalize();
                 let right = forward.cross(&Vector3::z()).normalize();
                 let rows = [right, forward.cross(&right), forward].map(|r| r.transpose());

@@ -28,7 +28,10 @@ fn cameras_of_a_walk_are_found_upright_and_sideways() {
         let (lens, want) = (&view.camera.lens, &camera.lens);
         assert_eq!((lens.width, lens.height), (want.width, want.height));
         proof::near(lens.focal[0] / want.focal[0], 1.0, 0.004);
-        let off = (lens.centre[0] - want.centre[0]).hypot(lens.centre[1] - want.centre[1]);
+        let off = libm::hypot(
+            lens.centre[0] - want.centre[0],
+            lens.centre[1] - want.centre[1],
+        );
         assert!(off < 4.0, "{:?} for {:?}", lens.centre, want.centre);
         let turned = view.camera.pose.rotation.matrix()
             * turn.transpose()

@@ -38,7 +38,11 @@ pub(crate) fn walk(count: usize) -> Vec<Camera> {
     let one = |i: usize| {
         let angle = ((7 * i) % count) as f64 / count as f64 * std::f64::consts::TAU;
         let far = dice.within(1.6, 2.6);
-        let from = Vector3::new(far * angle.cos(), far * angle.sin(), dice.within(-0.3, 0.7));
+        let from = Vector3::new(
+            far * libm::cos(angle),
+            far * libm::sin(angle),
+            dice.within(-0.3, 0.7),
+        );
         let forward =
             (Vector3::new(0.05 * dice.normal(), 0.05 * dice.normal(), 0.0) - from).normalize();
         let right = forward.cross(&Vector3::z()).normalize();
@@ -76,7 +80,7 @@ pub(crate) fn scene() -> Vec<(Point3<f64>, Option<Vector3<f64>>)> {
     let mut points = Vec::new();
     for k in 0..2600 {
         let angle = dice.within(0.0, std::f64::consts::TAU);
-        let out = Vector3::new(angle.cos(), angle.sin(), 0.0);
+        let out = Vector3::new(libm::cos(angle), libm::sin(angle), 0.0);
         let (at, facing) = match k % 2 {
             0 => (
                 0.3 * out + Vector3::z() * dice.within(-0.8, 0.8),

@@ -3,6 +3,7 @@
 use crate::evidence::look::{Look, dot};
 use crate::evidence::patch::{Frame, MOST_VIEWS, Pairing, VisibleView, Window};
 use crate::pictures::picture::Picture;
+use crate::pictures::registers::widest;
 
 /// How well the pictures agree at a vertex (paper, eq. 1), and how that changes outward.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -17,9 +18,9 @@ pub struct Agreement {
     pub stiffness: f64,
 }
 
-/// Compares all pairs of visible at a vertex moved outward by `offset` mm. With `SLOPE` the
+/// Compares all pairs of visible at a vertex moved outward by `offset` mm. With `N = 1` the
 /// derivative and the stiffness too: exact for this very score, weights, frame and visible held.
-pub fn agreement<const SLOPE: bool>(
+pub fn agreement<const N: usize>(
     pictures: &[Picture],
     visible: &[VisibleView],
     frame: &Frame,
@@ -27,16 +28,51 @@ pub fn agreement<const SLOPE: bool>(
     window: &Window,
     pairing: Pairing,
 ) -> Agreement {
-    let mut looks = [Look::EMPTY; MOST_VIEWS];
+    widest(
+        #[inline(always)]
+        || agreement_as_compiled::<N>(pictures, visible, frame, offset, window, pairing),
+    )
+}
+
+/// The same in the registers that the caller is compiled for: what [`agreement`] is held against.
+#[inline(always)]
+pub fn agreement_as_compiled<const N: usize>(
+    pictures: &[Picture],
+    visible: &[VisibleView],
+    frame: &Frame,
+    offset: f64,
+    window: &Window,
+    pairing: Pairing,
+) -> Agreement {
+    let mut looks = [Look::<N>::EMPTY; MOST_VIEWS];
     let mut seen = [false; MOST_VIEWS];
     for (i, view) in visible.iter().enumerate().take(MOST_VIEWS) {
         let picture = &pictures[view.picture as usize];
-        seen[i] = looks[i].read::<SLOPE>(picture, frame, offset, &frame.normal, window);
+        let outward = [frame.normal; N];
+        seen[i] = looks[i].read(picture, frame, offset, &outward, window);
+    }
+    compared(visible, &looks, &seen, window.len(), pairing)
+}
+
+/// Compares all pairs of looks, one a visible picture; of those that are not `seen` only the weights count.
+#[inline(always)]
+pub fn compared<const N: usize>(
+    visible: &[VisibleView],
+    looks: &[Look<N>],
+    seen: &[bool],
+    count: usize,
+    pairing: Pairing,
+) -> Agreement {
+    let views = visible.len().min(MOST_VIEWS);
+    let mut squares = [0.0f32; MOST_VIEWS];
+    for (square, look) in squares.iter_mut().zip(&looks[..views]) {
+        for slope in &look.slopes {
+            *square = dot(&slope[..count], &slope[..count]);
+        }
     }
     let mut sum = Agreement::default();
-    let count = window.len();
-    for i in 0..visible.len().min(MOST_VIEWS) {
-        for j in i + 1..visible.len().min(MOST_VIEWS) {
+    for i in 0..views {
+        for j in i + 1..views {
             if !pairing.takes(&visible[i], &visible[j]) {
                 continue;
             }
@@ -47,11 +83,11 @@ pub fn agreement<const SLOPE: bool>(
             }
             let (a, b) = (&looks[i], &looks[j]);
             sum.score += w * f64::from(a.agrees(b, count));
-            if SLOPE {
-                let (sa, sb) = (&a.slope[..count], &b.slope[..count]);
+            for (sa, sb) in a.slopes.iter().zip(&b.slopes) {
+                let (sa, sb) = (&sa[..count], &sb[..count]);
                 let (cross, turn) = (dot(sa, &b.z[..count]), dot(&a.z[..count], sb));
                 sum.slope += w * f64::from(cross + turn);
-                let square = dot(sa, sa) + dot(sb, sb) - 2.0 * dot(sa, sb);
+                let square = squares[i] + squares[j] - 2.0 * dot(sa, sb);
                 sum.stiffness += w * f64::from(square.max(0.0));
             }
         }

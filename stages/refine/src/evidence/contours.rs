@@ -4,11 +4,11 @@
 //! consistency of brightness says nothing and the silhouette says all (Hernández and Schmitt 2004,
 //! sec. 6; the horizon term of Delaunoy and Prados 2011 becomes this when silhouettes are known).
 
+use crate::evidence::visibility::Scene;
 use crate::pictures::depth::DepthMap;
 use crate::pictures::picture::Picture;
 use nalgebra::{Point3, Vector3};
 use rayon::prelude::*;
-use shape::{Adjacency, Mesh};
 
 /// One pull on a vertex: the contour lies `gap + slope * d` mm inside of the silhouette's border when
 /// the vertex has moved outward by `d` mm.
@@ -27,18 +27,12 @@ pub struct Pull {
 }
 
 /// All pulls on a mesh. Gaps beyond `most_px` pixels count less and less (Huber).
-pub fn pulls(
-    mesh: &Mesh,
-    around: &Adjacency,
-    normals: &[Vector3<f64>],
-    pictures: &[Picture],
-    most_px: f64,
-) -> Vec<Pull> {
-    let one = |(i, picture): (usize, &Picture)| -> Vec<Pull> {
+pub fn pulls(scene: &Scene<'_>, most_px: f64) -> Vec<Pull> {
+    let (mesh, normals) = (scene.mesh, &scene.normals);
+    let one = |(i, (picture, map)): (usize, (&Picture, &DepthMap))| -> Vec<Pull> {
         let Some(inside) = &picture.inside else {
             return vec![];
         };
-        let map = DepthMap::new(mesh, picture, 2.0);
         let facing: Vec<f64> = (0..mesh.positions.len())
             .map(|v| normals[v].dot(&(picture.centre - mesh.point(v as u32)).normalize()))
             .collect();
@@ -47,7 +41,7 @@ pub fn pulls(
             if facing[v] < 0.0 {
                 continue;
             }
-            for j in around.vertices(v as u32).iter().map(|j| *j as usize) {
+            for j in scene.around.vertices(v as u32).iter().map(|j| *j as usize) {
                 if facing[j] >= 0.0 {
                     continue;
                 }
@@ -57,7 +51,7 @@ pub fn pulls(
                 // The chord runs beneath the surface: by an eighth of edge times turn of the normal.
                 let sag = t * (1.0 - t) * 0.5 * (normals[j] - normals[v]).dot(&edge);
                 let x = a + edge * t + n * sag;
-                let Some(pull) = pull(picture, inside, &map, &x, &n, most_px) else {
+                let Some(pull) = pull(picture, inside, map, &x, &n, most_px) else {
                     continue;
                 };
                 for (vertex, share) in [(v, 1.0 - t), (j, t)] {
@@ -73,7 +67,8 @@ pub fn pulls(
         }
         pulls
     };
-    pictures.par_iter().enumerate().flat_map_iter(one).collect()
+    let pictures = scene.pictures.par_iter().zip(&scene.maps);
+    pictures.enumerate().flat_map_iter(one).collect()
 }
 
 /// Weight, gap and slope at one point of the contour. [`None`] where it is not the outermost.
@@ -90,7 +85,7 @@ fn pull(
         return None;
     }
     let [dx, dy] = picture.jacobian(x).map(|row| row.dot(normal));
-    let length = dx.hypot(dy);
+    let length = libm::hypot(dx, dy);
     if length <= 0.0 {
         return None;
     }

@@ -8,34 +8,34 @@ use crate::pictures::picture::Picture;
 use nalgebra::Vector3;
 
 /// What one picture shows of a patch: brightness less its mean (and slope), of unit weighted norm, and how it
-/// changes as the patch moves outward. \[1, 1/mm\]
+/// changes as the patch moves along `N` directions. \[1, 1/mm\]
 #[derive(Clone, Copy)]
-pub struct Look {
+pub struct Look<const N: usize> {
     /// Brightness, square roots of the window's weights multiplied in.
     pub z: [f32; MOST_POINTS],
-    /// Its derivative. \[1/mm\]
-    pub slope: [f32; MOST_POINTS],
+    /// Its derivative along each direction. \[1/mm\]
+    pub slopes: [[f32; MOST_POINTS]; N],
     /// Weighted variance of the brightness before it was normalised. \[grey levels²\]
     pub variance: f32,
 }
 
-impl Look {
+impl<const N: usize> Look<N> {
     /// Room for a look that is yet to be read.
-    pub const EMPTY: Look = Look {
+    pub const EMPTY: Self = Look {
         z: [0.0; MOST_POINTS],
-        slope: [0.0; MOST_POINTS],
+        slopes: [[0.0; MOST_POINTS]; N],
         variance: 0.0,
     };
 
     /// Reads a picture at a patch moved outward by `offset` mm; slopes are those of moving it
-    /// along `toward`. False where it shows nothing.
+    /// along each of `toward`. False where it shows nothing.
     #[inline(always)]
-    pub fn read<const SLOPE: bool>(
+    pub fn read(
         &mut self,
         picture: &Picture,
         frame: &Frame,
         offset: f64,
-        toward: &Vector3<f64>,
+        toward: &[Vector3<f64>; N],
         window: &Window,
     ) -> bool {
         let x = frame.x + frame.normal * offset;
@@ -79,7 +79,7 @@ impl Look {
             return false;
         }
         // The pixel moves by (t.xy − p t.z) / depth as the patch moves along t.
-        let dt = along(toward, 1.0);
+        let moves = toward.map(|t| along(&t, 1.0));
         for k in (0..count).step_by(LANES) {
             let mut corners = [[0.0f32; LANES]; 4];
             for l in 0..LANES {
@@ -97,26 +97,24 @@ impl Look {
                 let (across_top, across_bottom) = (tr - tl, br - bl);
                 let (upper, lower) = (tl + fx * across_top, bl + fx * across_bottom);
                 self.z[k + l] = upper + fy * (lower - upper);
-                if SLOPE {
-                    let gx = across_top + fy * (across_bottom - across_top);
-                    let gy = lower - upper;
-                    let moves = [dt[0] - px * dt[2], dt[1] - py * dt[2]];
-                    self.slope[k + l] = (gx * moves[0] + gy * moves[1]) * far[k + l];
+                let gx = across_top + fy * (across_bottom - across_top);
+                let gy = lower - upper;
+                for n in 0..N {
+                    let [dx, dy, dz] = moves[n];
+                    self.slopes[n][k + l] =
+                        (gx * (dx - px * dz) + gy * (dy - py * dz)) * far[k + l];
                 }
             }
         }
-        self.normalise::<SLOPE>(window, count);
+        self.normalise(window, count);
         true
     }
 
     /// Takes the mean (and slope across the patch) out, weights the brightness and makes its norm 1;
     /// the derivative follows.
     #[inline(always)]
-    fn normalise<const SLOPE: bool>(&mut self, window: &Window, count: usize) {
+    fn normalise(&mut self, window: &Window, count: usize) {
         flatten(&mut self.z[..count], window);
-        if SLOPE {
-            flatten(&mut self.slope[..count], window);
-        }
         // Weights go half to each factor: later products need none.
         let roots = &window.roots[..count];
         let z = &mut self.z[..count];
@@ -124,8 +122,9 @@ impl Look {
         self.variance = dot(z, z);
         let inverse = 1.0 / self.variance.max(1e-4).sqrt();
         z.iter_mut().for_each(|z| *z *= inverse);
-        if SLOPE {
-            let slope = &mut self.slope[..count];
+        for slope in &mut self.slopes {
+            let slope = &mut slope[..count];
+            flatten(slope, window);
             let scaled = slope.iter_mut().zip(roots);
             scaled.for_each(|(s, r)| *s *= inverse * r);
             let radial = dot(z, slope);
@@ -136,7 +135,7 @@ impl Look {
 
     /// Normalised cross-correlation of two looks.
     #[inline(always)]
-    pub fn agrees(&self, other: &Look, count: usize) -> f32 {
+    pub fn agrees(&self, other: &Self, count: usize) -> f32 {
         dot(&self.z[..count], &other.z[..count])
     }
 }

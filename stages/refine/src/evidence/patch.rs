@@ -48,7 +48,7 @@ impl Window {
         for k in 0..side * side {
             let (u, v) = (at(k % side), at(k / side));
             (across[k], down[k]) = (u, v);
-            weights[k] = (-(u * u + v * v) / (2.0 * sigma * sigma)).exp();
+            weights[k] = libm::expf(-(u * u + v * v) / (2.0 * sigma * sigma));
         }
         let total: f32 = weights.iter().sum();
         weights.iter_mut().for_each(|w| *w /= total);
@@ -118,7 +118,7 @@ impl Pairing {
     /// Those whose lines of sight stand between two angles apart. \[°\]
     pub fn between(from_deg: f64, to_deg: f64) -> Self {
         Pairing {
-            cosine: [to_deg, from_deg].map(|d| d.to_radians().cos() as f32),
+            cosine: [to_deg, from_deg].map(|d| libm::cos(d.to_radians()) as f32),
         }
     }
 

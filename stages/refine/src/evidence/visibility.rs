@@ -5,6 +5,7 @@ use crate::evidence::patch::{Frame, MOST_VIEWS, Pairing, VisibleView, Window};
 use crate::geometry::curvature::{shape_operators, tangents};
 use crate::pictures::depth::DepthMap;
 use crate::pictures::picture::Picture;
+use crate::pictures::registers::widest;
 use nalgebra::Vector3;
 use rayon::prelude::*;
 use shape::{Adjacency, Mesh};
@@ -34,6 +35,46 @@ impl VisibilityRules {
     }
 }
 
+/// A surface before its pictures.
+pub struct Scene<'a> {
+    /// The surface.
+    pub mesh: &'a Mesh,
+    /// Its neighbourhoods.
+    pub around: &'a Adjacency,
+    /// Unit normals, one a vertex.
+    pub normals: Vec<Vector3<f64>>,
+    /// The pictures.
+    pub pictures: &'a [Picture],
+    /// How far the surface is, seen from each picture.
+    pub maps: Vec<DepthMap>,
+    /// The patch.
+    pub window: &'a Window,
+    /// Which pictures are compared.
+    pub rules: &'a VisibilityRules,
+}
+
+impl<'a> Scene<'a> {
+    /// Draws the surface's depth in every picture.
+    pub fn new(
+        mesh: &'a Mesh,
+        around: &'a Adjacency,
+        pictures: &'a [Picture],
+        window: &'a Window,
+        rules: &'a VisibilityRules,
+    ) -> Self {
+        let map = |p| DepthMap::new(mesh, p, 2.0);
+        Scene {
+            mesh,
+            around,
+            normals: mesh.normals_among(around),
+            pictures,
+            maps: pictures.par_iter().map(map).collect(),
+            window,
+            rules,
+        }
+    }
+}
+
 /// The frames of all vertices and the pictures that see them.
 pub struct Visibility {
     /// One a vertex.
@@ -43,47 +84,57 @@ pub struct Visibility {
 }
 
 impl Visibility {
-    /// Looks at a mesh from all pictures.
-    pub fn new(
-        mesh: &Mesh,
-        around: &Adjacency,
-        pictures: &[Picture],
-        window: &Window,
-        rules: &VisibilityRules,
-    ) -> Self {
-        let normals = mesh.normals();
-        let maps: Vec<_> = pictures
-            .par_iter()
-            .map(|p| DepthMap::new(mesh, p, 2.0))
-            .collect();
-        let edge = mesh.mean_edge();
-        let shapes = shape_operators(mesh, around, &normals, 1.0 / (2.0 * edge));
-        let looked: Vec<(Frame, Vec<VisibleView>)> = (0..mesh.positions.len())
+    /// Looks at a surface from all pictures.
+    pub fn new(scene: &Scene<'_>) -> Self {
+        Self::with(scene, |_, _| [], |_, _, _| ()).0
+    }
+
+    /// Looks at a surface from all pictures, and hands over what they show at each vertex while it is at hand:
+    /// `then` gets the frame, the pictures that see it, and a look of each, slopes being those along what
+    /// `along` gives for a frame and a picture.
+    pub fn with<const N: usize, T: Send>(
+        scene: &Scene<'_>,
+        along: impl Fn(&Frame, &VisibleView) -> [Vector3<f64>; N] + Sync,
+        then: impl Fn(&Frame, &[VisibleView], &[Look<N>]) -> T + Sync,
+    ) -> (Self, Vec<T>) {
+        let edge = scene.mesh.mean_edge();
+        let shapes = shape_operators(scene.mesh, scene.around, &scene.normals, 1.0 / (2.0 * edge));
+        let room = || Box::new([Look::<N>::EMPTY; MOST_VIEWS]);
+        let looked: Vec<(Frame, Vec<VisibleView>, T)> = (0..scene.mesh.positions.len())
             .into_par_iter()
             .with_min_len(256)
-            .map(|v| {
+            .map_init(room, |looks, v| {
+                let normal = scene.normals[v];
                 let mut frame = Frame {
-                    x: mesh.point(v as u32),
-                    normal: normals[v],
-                    tangents: tangents(&normals[v]),
+                    x: scene.mesh.point(v as u32),
+                    normal,
+                    tangents: tangents(&normal),
                     shape: shapes[v],
                     spacing: 1.0,
                 };
-                let visible = visible(&mut frame, pictures, &maps, window, rules);
-                (frame, visible)
+                widest(
+                    #[inline(always)]
+                    || {
+                        let visible = visible(&mut frame, scene, &along, &mut looks[..]);
+                        let told = then(&frame, &visible, &looks[..visible.len()]);
+                        (frame, visible, told)
+                    },
+                )
             })
             .collect();
         let mut all = Visibility {
-            frames: vec![],
+            frames: Vec::with_capacity(looked.len()),
             starts: vec![0],
             visible: vec![],
         };
-        for (frame, visible) in looked {
+        let mut each = Vec::with_capacity(looked.len());
+        for (frame, visible, told) in looked {
             all.frames.push(frame);
             all.visible.extend(visible);
             all.starts.push(all.visible.len() as u32);
+            each.push(told);
         }
-        all
+        (all, each)
     }
 
     /// The pictures that see a vertex, in their order.
@@ -99,22 +150,61 @@ impl Visibility {
     }
 }
 
-/// The pictures that see one vertex; sets the spacing of its patch.
-fn visible(
+/// The pictures that see one vertex, a look of each in `looks`; sets the spacing of its patch.
+#[inline(always)]
+fn visible<const N: usize>(
     frame: &mut Frame,
-    pictures: &[Picture],
-    maps: &[DepthMap],
-    window: &Window,
-    rules: &VisibilityRules,
+    scene: &Scene<'_>,
+    along: &impl Fn(&Frame, &VisibleView) -> [Vector3<f64>; N],
+    looks: &mut [Look<N>],
 ) -> Vec<VisibleView> {
-    if frame.normal == Vector3::zeros() {
+    let found = facing(frame, scene);
+    if found.len() < 2 {
         return vec![];
     }
-    let radius = window.half as f64 * rules.spacing_px;
-    let least = rules.most_tilt.cos();
-    let mut found = Vec::new();
-    let mut spacing = f64::MAX;
-    for (i, (picture, map)) in pictures.iter().zip(maps).enumerate() {
+    let spacing = found.iter().map(|f| f.spacing);
+    frame.spacing = spacing.fold(f64::MAX, f64::min);
+    let mut visible = Vec::with_capacity(found.len().min(MOST_VIEWS));
+    for f in nearest(found) {
+        let picture = &scene.pictures[f.picture];
+        let mut view = VisibleView {
+            picture: f.picture as u16,
+            weight: 0.0,
+            toward: f.toward.map(|t| t as f32).into(),
+        };
+        let look = &mut looks[visible.len()];
+        if !look.read(picture, frame, 0.0, &along(frame, &view), scene.window) {
+            continue;
+        }
+        let floor = scene.rules.noise_gain * f64::from(picture.noise).powi(2);
+        let contrast = f64::from(look.variance) / (f64::from(look.variance) + floor);
+        view.weight = (f.cosine * contrast) as f32;
+        visible.push(view);
+    }
+    doubt(&mut visible, looks, scene.window.len(), scene.rules);
+    visible
+}
+
+/// A picture before which a vertex lies open.
+struct Facing {
+    picture: usize,
+    /// Of the angle between normal and line of sight.
+    cosine: f64,
+    /// Unit vector towards the camera.
+    toward: Vector3<f64>,
+    /// Distance of a patch's points that this picture asks for. \[mm\]
+    spacing: f64,
+}
+
+/// The pictures before which a vertex lies open, whatever they show there, in their order.
+fn facing(frame: &Frame, scene: &Scene<'_>) -> Vec<Facing> {
+    let (rules, mut found) = (scene.rules, Vec::new());
+    if frame.normal == Vector3::zeros() {
+        return found;
+    }
+    let radius = scene.window.half as f64 * rules.spacing_px;
+    let least = libm::cos(rules.most_tilt);
+    for (i, (picture, map)) in scene.pictures.iter().zip(&scene.maps).enumerate() {
         let toward = (picture.centre - frame.x).normalize();
         let cosine = toward.dot(&frame.normal);
         if cosine < least {
@@ -138,50 +228,42 @@ fn visible(
         if !map.shows(picture, &frame.x, bias) {
             continue;
         }
-        spacing = spacing.min(footprint * rules.spacing_px);
-        found.push((i, cosine, toward));
-    }
-    found.sort_by(|a, b| b.1.total_cmp(&a.1));
-    found.truncate(MOST_VIEWS);
-    found.sort_by_key(|f| f.0);
-    if found.len() < 2 {
-        return vec![];
-    }
-    frame.spacing = spacing;
-    let mut looks = Vec::new();
-    let mut visible = Vec::new();
-    for (i, cosine, toward) in found {
-        let mut look = Look::EMPTY;
-        if !look.read::<false>(&pictures[i], frame, 0.0, &frame.normal, window) {
-            continue;
-        }
-        let floor = rules.noise_gain * f64::from(pictures[i].noise).powi(2);
-        let contrast = f64::from(look.variance) / (f64::from(look.variance) + floor);
-        looks.push(look);
-        visible.push(VisibleView {
-            picture: i as u16,
-            weight: (cosine * contrast) as f32,
-            toward: [toward.x as f32, toward.y as f32, toward.z as f32],
+        found.push(Facing {
+            picture: i,
+            cosine,
+            toward,
+            spacing: footprint * rules.spacing_px,
         });
     }
-    doubt(&mut visible, &looks, window.len(), rules);
-    visible
+    found
+}
+
+/// Those that look at a vertex most squarely, at most [`MOST_VIEWS`], in the pictures' order.
+fn nearest(mut found: Vec<Facing>) -> Vec<Facing> {
+    found.sort_by(|a, b| b.cosine.total_cmp(&a.cosine));
+    found.truncate(MOST_VIEWS);
+    found.sort_by_key(|f| f.picture);
+    found
 }
 
 /// A picture that agrees with none of the others is not believed: a hand in front, a highlight.
-fn doubt(visible: &mut [VisibleView], looks: &[Look], count: usize, rules: &VisibilityRules) {
-    let trust: Vec<f32> = (0..visible.len())
-        .map(|i| {
-            let others = (0..visible.len())
-                .filter(|j| *j != i && rules.pairing.takes(&visible[i], &visible[*j]));
-            let best = others
-                .map(|j| looks[i].agrees(&looks[j], count))
-                .fold(-1.0f32, f32::max);
-            (best / 0.6).clamp(0.1, 1.0)
-        })
-        .collect();
-    visible
-        .iter_mut()
-        .zip(trust)
-        .for_each(|(s, t)| s.weight *= t);
+#[inline(always)]
+fn doubt<const N: usize>(
+    visible: &mut [VisibleView],
+    looks: &[Look<N>],
+    count: usize,
+    rules: &VisibilityRules,
+) {
+    let mut best = [-1.0f32; MOST_VIEWS];
+    for i in 0..visible.len() {
+        for j in i + 1..visible.len() {
+            if rules.pairing.takes(&visible[i], &visible[j]) {
+                let agree = looks[i].agrees(&looks[j], count);
+                best[i] = best[i].max(agree);
+                best[j] = best[j].max(agree);
+            }
+        }
+    }
+    let views = visible.iter_mut().zip(best);
+    views.for_each(|(view, best)| view.weight *= (best / 0.6).clamp(0.1, 1.0));
 }

@@ -14,57 +14,90 @@ pub struct Laplacian {
     pub areas: Vec<f64>,
 }
 
+/// What a face gives to one of its corners.
+struct Corner {
+    /// Cotangent of the angle.
+    cot: f64,
+    /// The share of the face's mixed area. \[mm²\]
+    area: f64,
+}
+
+/// What a face gives to its corners.
+fn corners(mesh: &Mesh, f: usize) -> [Corner; 3] {
+    let corners = mesh.triangle(f);
+    let double = mesh.area_vector(f).norm();
+    let cot = [0, 1, 2].map(|i| {
+        let [a, b, c] = [0, 1, 2].map(|k| corners[(i + k) % 3]);
+        ((b - a).dot(&(c - a)) / double.max(1e-12)).clamp(-20.0, 20.0)
+    });
+    [0, 1, 2].map(|i| {
+        let (j, k) = ((i + 1) % 3, (i + 2) % 3);
+        let squared = |p: usize| (corners[i] - corners[p]).norm_squared();
+        let area = if cot.iter().all(|c| *c >= 0.0) {
+            (squared(j) * cot[k] + squared(k) * cot[j]) / 8.0
+        } else if cot[i] < 0.0 {
+            double / 4.0
+        } else {
+            double / 8.0
+        };
+        Corner { cot: cot[i], area }
+    })
+}
+
+/// Which corner of a face a vertex is.
+fn place(mesh: &Mesh, f: u32, v: u32) -> usize {
+    let at = mesh.faces[f as usize].iter().position(|x| *x == v);
+    at.expect("bug: adjacency")
+}
+
 impl Laplacian {
     /// Of a valid mesh. Cotangents are held within ±20 and areas above a millionth of the mean,
     /// so that needles do no harm.
     pub fn new(mesh: &Mesh, around: &Adjacency) -> Self {
         let count = mesh.positions.len();
-        let mut areas = vec![0.0; count];
-        let mut entries: Vec<(u32, u32, f64)> = Vec::with_capacity(mesh.faces.len() * 6);
-        for (f, face) in mesh.faces.iter().enumerate() {
-            let corners = mesh.triangle(f);
-            let double = mesh.area_vector(f).norm();
-            let cot = [0, 1, 2].map(|i| {
-                let [a, b, c] = [0, 1, 2].map(|k| corners[(i + k) % 3]);
-                ((b - a).dot(&(c - a)) / double.max(1e-12)).clamp(-20.0, 20.0)
-            });
-            for i in 0..3 {
-                let (j, k) = ((i + 1) % 3, (i + 2) % 3);
-                entries.push((face[j], face[k], cot[i] / 2.0));
-                entries.push((face[k], face[j], cot[i] / 2.0));
-                let squared = |p: usize| (corners[i] - corners[p]).norm_squared();
-                areas[face[i] as usize] += if cot.iter().all(|c| *c >= 0.0) {
-                    (squared(j) * cot[k] + squared(k) * cot[j]) / 8.0
-                } else if cot[i] < 0.0 {
-                    double / 4.0
-                } else {
-                    double / 8.0
-                };
-            }
-        }
+        let faces = (0..mesh.faces.len()).into_par_iter().with_min_len(4096);
+        let corners: Vec<[Corner; 3]> = faces.map(|f| corners(mesh, f)).collect();
+        // All sums in the order of faces: equal bytes every time.
+        let area = |v: u32| -> f64 {
+            let faces = around.faces(v).iter();
+            let own = faces.map(|f| corners[*f as usize][place(mesh, *f, v)].area);
+            own.fold(0.0, |sum, a| sum + a)
+        };
+        let vertices = || (0..count as u32).into_par_iter().with_min_len(4096);
+        let mut areas: Vec<f64> = vertices().map(area).collect();
         let mean = areas.iter().sum::<f64>() / count.max(1) as f64;
         areas
             .iter_mut()
             .for_each(|a| *a = a.max(mean * 1e-6).max(f64::MIN_POSITIVE));
-        // The two halves of an edge are added in the order of faces: equal bytes every time.
-        entries.sort_by_key(|(v, j, _)| (*v, *j));
-        let mut laplacian = Laplacian {
-            starts: vec![0; count + 1],
-            columns: vec![],
-            weights: vec![],
-            areas,
-        };
-        let mut rows = entries.chunk_by(|a, b| (a.0, a.1) == (b.0, b.1)).peekable();
-        for v in 0..count as u32 {
-            while let Some(same) = rows.next_if(|e| e[0].0 == v) {
-                let weight: f64 = same.iter().map(|e| e.2).sum();
-                laplacian.columns.push(same[0].1);
-                laplacian.weights.push(weight / laplacian.areas[v as usize]);
-            }
-            laplacian.starts[v as usize + 1] = laplacian.columns.len() as u32;
+        let mut starts = vec![0; count + 1];
+        for v in 0..count {
+            starts[v + 1] = starts[v] + around.vertices(v as u32).len() as u32;
         }
-        debug_assert!((0..count as u32).all(|v| !around.vertices(v).is_empty() || count == 0));
-        laplacian
+        let row = |v: u32| {
+            let ring = around.vertices(v);
+            let mut weights = vec![0.0; ring.len()];
+            for f in around.faces(v) {
+                let (face, at) = (mesh.faces[*f as usize], place(mesh, *f, v));
+                // Before each edge at the vertex lies the face's third corner.
+                for (to, before) in [(1, 2), (2, 1)] {
+                    let j = ring.binary_search(&face[(at + to) % 3]);
+                    let cot = corners[*f as usize][(at + before) % 3].cot;
+                    weights[j.expect("bug: adjacency")] += cot / 2.0;
+                }
+            }
+            let area = areas[v as usize];
+            weights.iter_mut().for_each(|w| *w /= area);
+            weights
+        };
+        Laplacian {
+            starts,
+            columns: (0..count as u32)
+                .flat_map(|v| around.vertices(v))
+                .copied()
+                .collect(),
+            weights: vertices().flat_map_iter(row).collect(),
+            areas,
+        }
     }
 
     /// A row: neighbours and their weights.

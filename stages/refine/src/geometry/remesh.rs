@@ -8,6 +8,7 @@ mod order;
 mod split;
 
 use nalgebra::Vector3;
+use rayon::prelude::*;
 use shape::{Adjacency, Mesh};
 
 /// Remeshes to edges of about `edge_mm`, in so many rounds. Neighbours in
@@ -34,16 +35,18 @@ pub fn remesh(mesh: &Mesh, edge_mm: f64, rounds: usize) -> Mesh {
                 break;
             }
         }
-        relax(&mut mesh);
+        let around = Adjacency::new(&mesh);
+        relax(&mut mesh, &around);
     }
     order::ordered(&mesh)
 }
 
 /// Moves each vertex within its tangent plane towards the middle of its faces.
-pub fn relax(mesh: &mut Mesh) {
-    let around = Adjacency::new(mesh);
-    let normals = mesh.normals();
+pub fn relax(mesh: &mut Mesh, around: &Adjacency) {
+    let normals = mesh.normals_among(around);
     let moved: Vec<[f32; 3]> = (0..mesh.positions.len() as u32)
+        .into_par_iter()
+        .with_min_len(4096)
         .map(|v| {
             let x = mesh.point(v);
             let (mut sum, mut weight) = (Vector3::zeros(), 0.0);

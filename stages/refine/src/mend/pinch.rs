@@ -164,7 +164,7 @@ mod tests {
             // Radius over length: the ball up to 9, a neck, a lobe of 2 mm.
             if x > 9.0 {
                 let t = (x - 9.0) / 1.0;
-                let r = f64::from(p[1].hypot(p[2])).max(1e-9);
+                let r = f64::from(libm::hypotf(p[1], p[2])).max(1e-9);
                 let along = 9.0 + 14.0 * t;
                 let lobe = (t - 0.6) / 0.4;
                 let wanted = if t < 0.6 {

@@ -1,8 +1,9 @@
 //! The stage that compensates the motion of a swaying body: cameras as seen from the body instead of the disk.
 
 use crate::evidence::contours::pulls;
-use crate::evidence::visibility::Visibility;
+use crate::evidence::visibility::Scene;
 use crate::geometry::remesh::remesh;
+use crate::motion::normal_equations::point_shifts;
 use crate::motion::params::LookParams;
 use crate::motion::sway::{
     MotionPrior, NormalEquations, add_equations_of_contours, equations_of_brightness, moved,
@@ -46,7 +47,7 @@ pub struct CompensateMotion;
 
 impl Stage for CompensateMotion {
     const NAME: &'static str = "refine.compensate_motion";
-    const VERSION: u32 = 3;
+    const VERSION: u32 = 4;
     const ABOUT: &'static str = "Finds how the body swayed against the disk, six numbers a photo, and gives the cameras as seen from the body.";
     type Params = CompensateMotionParams;
     type Input = CompensateMotionInput;
@@ -137,15 +138,15 @@ fn one_round(
 ) -> f64 {
     let window = p.look.patches.window();
     let rules = p.look.rules();
-    let normals = mesh.normals();
-    let visible = Visibility::new(mesh, around, pictures, &window, &rules);
+    let scene = Scene::new(mesh, around, pictures, &window, &rules);
     let mut equations = if p.brightness {
-        equations_of_brightness(pictures, &visible, &window, prior)
+        let shifts = point_shifts(&scene, prior.footprint);
+        equations_of_brightness(pictures.len(), &shifts, prior)
     } else {
         vec![NormalEquations::NONE; pictures.len()]
     };
-    let pulls = pulls(mesh, around, &normals, pictures, 6.0);
-    add_equations_of_contours(&mut equations, mesh, &normals, &pulls, prior);
+    let pulls = pulls(&scene, 6.0);
+    add_equations_of_contours(&mut equations, mesh, &scene.normals, &pulls, prior);
     let before = motions.to_vec();
     for (m, equations) in motions.iter_mut().zip(&equations) {
         let step = equations.solve(prior, m);

@@ -1,9 +1,10 @@
 //! The stage that estimates how the body deformed between photos: a field of offsets a photo.
 
 use crate::evidence::contours::pulls;
-use crate::evidence::visibility::Visibility;
+use crate::evidence::visibility::Scene;
 use crate::geometry::remesh::remesh;
 use crate::motion::field::{Constraints, FieldPrior, seen_off};
+use crate::motion::normal_equations::point_shifts;
 use crate::motion::params::LookParams;
 use crate::pictures::prepare::{footprint, posed};
 use crate::pictures::turn::TurnInput;
@@ -42,7 +43,7 @@ pub struct EstimateDeformation;
 
 impl Stage for EstimateDeformation {
     const NAME: &'static str = "refine.estimate_deformation";
-    const VERSION: u32 = 1;
+    const VERSION: u32 = 2;
     const ABOUT: &'static str = "Finds how arms, head and chest moved against the rest of the body: a smooth field of offsets a photo.";
     type Params = EstimateDeformationParams;
     type Input = EstimateDeformationInput;
@@ -63,7 +64,7 @@ impl Stage for EstimateDeformation {
         let deformed = input.pictures(&p.look.size, || ctx.check().map_err(Stop::from))?;
         let footprint = footprint(&input.mesh, &deformed);
         let mesh = remesh(&input.mesh, p.look.edge_px * footprint, 3);
-        let (around, normals) = (Adjacency::new(&mesh), mesh.normals());
+        let around = Adjacency::new(&mesh);
         let prior = FieldPrior {
             shift_px: p.shift_px,
             differ_px: p.differ_px,
@@ -82,17 +83,10 @@ impl Stage for EstimateDeformation {
                 .zip(&warps)
                 .map(|(b, w)| b.undeformed(w, b.gray.width as u32))
                 .collect();
-            let visible = Visibility::new(&mesh, &around, &undeformed, &window, &rules);
-            let contours = pulls(&mesh, &around, &normals, &undeformed, 6.0);
-            let constraints = Constraints::new(
-                &mesh,
-                &undeformed,
-                &visible,
-                &contours,
-                &window,
-                &prior,
-                footprint,
-            );
+            let scene = Scene::new(&mesh, &around, &undeformed, &window, &rules);
+            let shifts = point_shifts(&scene, footprint);
+            let contours = pulls(&scene, 6.0);
+            let constraints = Constraints::new(&scene, shifts, &contours, &prior, footprint);
             warps = constraints.solve(&warps, &prior);
             steps.tick()?;
         }

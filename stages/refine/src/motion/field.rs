@@ -7,15 +7,13 @@
 //! taken out first.
 
 use crate::evidence::contours::Pull;
-use crate::evidence::look::Look;
-use crate::evidence::patch::{MOST_VIEWS, Window};
-use crate::evidence::visibility::Visibility;
+use crate::evidence::visibility::Scene;
 use crate::geometry::gradients::conjugate_gradients;
-use crate::motion::normal_equations::{PointShift, normal_equations_at};
+use crate::motion::normal_equations::PointShift;
 use crate::pictures::picture::Picture;
 use nalgebra::{Point3, Vector3};
 use rayon::prelude::*;
-use shape::{Mesh, Warp};
+use shape::Warp;
 
 /// What is expected of a deformation, and how well a contour is believed.
 #[derive(Debug, Clone, Copy)]
@@ -41,33 +39,20 @@ struct Constraint {
 pub struct Constraints(Vec<Vec<Constraint>>);
 
 impl Constraints {
-    /// From brightness and contours, on pictures that are undeformed as far as is known.
+    /// From brightness and contours, on pictures that are undeformed as far as is known; without what the surface
+    /// could explain of the `shifts`, one list a vertex.
     pub fn new(
-        mesh: &Mesh,
-        pictures: &[Picture],
-        visible: &Visibility,
+        scene: &Scene<'_>,
+        mut shifts: Vec<Vec<PointShift>>,
         contours: &[Pull],
-        window: &Window,
         prior: &FieldPrior,
         footprint: f64,
     ) -> Self {
-        let chunk = 512;
-        let chunks: Vec<Vec<PointShift>> = (0..visible.frames.len().div_ceil(chunk))
-            .into_par_iter()
-            .map(|c| {
-                let mut looks = [[Look::EMPTY; 2]; MOST_VIEWS];
-                let mut all = vec![];
-                for v in c * chunk..((c + 1) * chunk).min(visible.frames.len()) {
-                    let mut equations =
-                        normal_equations_at(v, pictures, visible, window, footprint, &mut looks);
-                    without_depth(&mut equations, &visible.frames[v].normal);
-                    all.extend(equations);
-                }
-                all
-            })
-            .collect();
+        let (mesh, pictures) = (scene.mesh, scene.pictures);
+        let at_vertices = shifts.par_iter_mut().zip(&scene.normals);
+        at_vertices.for_each(|(shifts, normal)| without_depth(shifts, normal));
         let mut constraints = Constraints(pictures.iter().map(|_| vec![]).collect());
-        for t in chunks.iter().flatten() {
+        for t in shifts.iter().flatten() {
             constraints.add(pictures, t);
         }
         for p in contours {
@@ -76,7 +61,7 @@ impl Constraints {
                 &PointShift {
                     picture: p.picture,
                     x: mesh.point(p.vertex),
-                    direction: visible.frames[p.vertex as usize].normal * -p.slope,
+                    direction: scene.normals[p.vertex as usize] * -p.slope,
                     gap: p.gap,
                     stiffness: p.weight * prior.contour_weight / (footprint * footprint),
                 },
@@ -91,7 +76,7 @@ impl Constraints {
             return;
         };
         let [x, y] = picture.jacobian(&t.x).map(|row| row.dot(&t.direction));
-        let long = x.hypot(y);
+        let long = libm::hypot(x, y);
         if long > 0.0 {
             self.0[t.picture as usize].push(Constraint {
                 at,

@@ -2,10 +2,9 @@
 //! against the mean of the others.
 
 use crate::evidence::look::{Look, dot};
-use crate::evidence::patch::{MOST_POINTS, MOST_VIEWS, Window};
-use crate::evidence::visibility::Visibility;
+use crate::evidence::patch::{Frame, MOST_POINTS, VisibleView, Window};
+use crate::evidence::visibility::{Scene, Visibility};
 use crate::geometry::curvature::tangents;
-use crate::pictures::picture::Picture;
 use nalgebra::{Point3, Vector3};
 
 /// A point that a photo shows elsewhere than where it is.
@@ -23,33 +22,34 @@ pub struct PointShift {
     pub stiffness: f64,
 }
 
-/// Room for the looks at one point, used again for the next.
-pub type Looks = [[Look; 2]; MOST_VIEWS];
+/// The equations at each vertex of a surface: two a photo at most, in order.
+pub fn point_shifts(scene: &Scene<'_>, footprint: f64) -> Vec<Vec<PointShift>> {
+    let (_, shifts) = Visibility::with(
+        scene,
+        |_, view| across(view),
+        #[inline(always)]
+        |frame, seen, looks| normal_equations_at(frame, seen, looks, scene.window, footprint),
+    );
+    shifts
+}
 
-/// All equations at a vertex, two a photo at most, in order. None where a photo cannot be read.
-pub fn normal_equations_at(
-    v: usize,
-    pictures: &[Picture],
-    visible: &Visibility,
+/// Two directions across a line of sight.
+fn across(view: &VisibleView) -> [Vector3<f64>; 2] {
+    tangents(&Vector3::from(view.toward.map(f64::from)))
+}
+
+/// All equations at a vertex, from a look of each picture that sees it with slopes [`across`] its line of sight.
+#[inline(always)]
+fn normal_equations_at(
+    frame: &Frame,
+    seen: &[VisibleView],
+    looks: &[Look<2>],
     window: &Window,
     footprint: f64,
-    looks: &mut Looks,
 ) -> Vec<PointShift> {
     let count = window.len();
-    let (frame, seen) = (&visible.frames[v], visible.of(v));
     let mut equations = vec![];
     if seen.len() < 2 {
-        return equations;
-    }
-    let across: Vec<[Vector3<f64>; 2]> = seen
-        .iter()
-        .map(|s| tangents(&Vector3::from(s.toward.map(f64::from))))
-        .collect();
-    let fine = seen.iter().enumerate().all(|(i, s)| {
-        let picture = &pictures[s.picture as usize];
-        (0..2).all(|k| looks[i][k].read::<true>(picture, frame, 0.0, &across[i][k], window))
-    });
-    if !fine {
         return equations;
     }
     for (i, view) in seen.iter().enumerate() {
@@ -57,7 +57,7 @@ pub fn normal_equations_at(
         let mut weight = 0.0;
         for (j, other) in seen.iter().enumerate().filter(|(j, _)| *j != i) {
             let w = other.weight;
-            (0..count).for_each(|k| others[k] += w * looks[j][0].z[k]);
+            (0..count).for_each(|k| others[k] += w * looks[j].z[k]);
             weight += w;
         }
         let norm = dot(&others[..count], &others[..count]).sqrt();
@@ -65,22 +65,22 @@ pub fn normal_equations_at(
             continue;
         }
         others[..count].iter_mut().for_each(|o| *o /= norm);
-        let look = &looks[i];
-        let agree = dot(&others[..count], &look[0].z[..count]);
+        let (look, [u, v]) = (&looks[i], across(view));
+        let agree = dot(&others[..count], &look.z[..count]);
         if agree < 0.3 {
             continue;
         }
-        let slope = |k: usize| &look[k].slope[..count];
-        let wanted: Vec<f32> = (0..count)
-            .map(|k| others[k] - agree * look[0].z[k])
-            .collect();
+        let slope = |k: usize| &look.slopes[k][..count];
+        let mut wanted = others;
+        (0..count).for_each(|k| wanted[k] -= agree * look.z[k]);
+        let wanted = &wanted[..count];
         // Two directions across the line of sight, made independent of each other.
         let (a, b, ab) = (
             dot(slope(0), slope(0)),
             dot(slope(1), slope(1)),
             dot(slope(0), slope(1)),
         );
-        let (ra, rb) = (dot(slope(0), &wanted), dot(slope(1), &wanted));
+        let (ra, rb) = (dot(slope(0), wanted), dot(slope(1), wanted));
         let (values, vectors) = eigen(f64::from(a), f64::from(ab), f64::from(b));
         for k in 0..2 {
             if values[k] < 1e-9 {
@@ -93,7 +93,7 @@ pub fn normal_equations_at(
             equations.push(PointShift {
                 picture: view.picture,
                 x: frame.x,
-                direction: across[i][0] * vectors[k][0] + across[i][1] * vectors[k][1],
+                direction: u * vectors[k][0] + v * vectors[k][1],
                 gap,
                 stiffness: values[k] * f64::from(view.weight * weight * agree) * sure,
             });
@@ -105,8 +105,8 @@ pub fn normal_equations_at(
 /// Eigenvalues and unit eigenvectors of a symmetric 2 × 2 matrix.
 fn eigen(a: f64, b: f64, c: f64) -> ([f64; 2], [[f64; 2]; 2]) {
     let (mean, half) = ((a + c) / 2.0, (a - c) / 2.0);
-    let far = half.hypot(b);
-    let angle = 0.5 * b.atan2(half);
-    let (sin, cos) = angle.sin_cos();
+    let far = libm::hypot(half, b);
+    let angle = 0.5 * libm::atan2(b, half);
+    let (sin, cos) = libm::sincos(angle);
     ([mean + far, mean - far], [[cos, sin], [-sin, cos]])
 }

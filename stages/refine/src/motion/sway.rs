@@ -5,11 +5,7 @@
 //! wherever the surface carries texture, and the silhouette's contour everywhere.
 
 use crate::evidence::contours::Pull;
-use crate::evidence::look::Look;
-use crate::evidence::patch::{MOST_VIEWS, Window};
-use crate::evidence::visibility::Visibility;
-use crate::motion::normal_equations::normal_equations_at;
-use crate::pictures::picture::Picture;
+use crate::motion::normal_equations::PointShift;
 use nalgebra::{Matrix3, Matrix6, Point3, Rotation3, Vector3, Vector6};
 use rayon::prelude::*;
 use shape::{Camera, Mesh, Pose};
@@ -77,31 +73,24 @@ impl NormalEquations {
     }
 }
 
-/// What brightness says of each photo's motion.
+/// What brightness says of each of `pictures` photos' motion, from the equations at each vertex.
 pub fn equations_of_brightness(
-    pictures: &[Picture],
-    visible: &Visibility,
-    window: &Window,
+    pictures: usize,
+    shifts: &[Vec<PointShift>],
     prior: &MotionPrior,
 ) -> Vec<NormalEquations> {
-    let chunk = 512;
-    let chunks: Vec<Vec<NormalEquations>> = (0..visible.frames.len().div_ceil(chunk))
-        .into_par_iter()
-        .map(|c| {
-            let mut equations = vec![NormalEquations::NONE; pictures.len()];
-            let mut looks = [[Look::EMPTY; 2]; MOST_VIEWS];
-            for v in c * chunk..((c + 1) * chunk).min(visible.frames.len()) {
-                for t in
-                    normal_equations_at(v, pictures, visible, window, prior.footprint, &mut looks)
-                {
-                    let equation = &mut equations[t.picture as usize];
-                    equation.add(prior, &t.x, &t.direction, t.gap, t.stiffness);
-                }
+    let chunks: Vec<Vec<NormalEquations>> = shifts
+        .par_chunks(512)
+        .map(|shifts| {
+            let mut equations = vec![NormalEquations::NONE; pictures];
+            for t in shifts.iter().flatten() {
+                let equation = &mut equations[t.picture as usize];
+                equation.add(prior, &t.x, &t.direction, t.gap, t.stiffness);
             }
             equations
         })
         .collect();
-    let mut sum = vec![NormalEquations::NONE; pictures.len()];
+    let mut sum = vec![NormalEquations::NONE; pictures];
     for equations in chunks {
         for (s, t) in sum.iter_mut().zip(equations) {
             s.matrix += t.matrix;

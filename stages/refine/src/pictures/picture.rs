@@ -1,6 +1,7 @@
 //! One photo, ready to be compared: free of distortion, one level of its Gaussian pyramid.
 
-use nalgebra::{Matrix3x4, Point3, Vector3};
+use crate::pictures::resample::resampled;
+use nalgebra::{Matrix3x4, Point3, Vector2, Vector3};
 use shape::{Camera, Gray, Intrinsics, Mask, Warp, signed_distance};
 
 /// A photo's brightness at one level of the pyramid, its pinhole camera, and its silhouette.
@@ -54,24 +55,29 @@ impl Picture {
     /// brought back. `warp` in pixels of the photo, `photo_width` wide.
     pub fn undeformed(&self, warp: &Warp, photo_width: u32) -> Self {
         let scale = self.gray.width as f64 / f64::from(photo_width);
-        let resampled = |image: &Gray| -> Gray {
-            let mut out = Gray::filled(image.width, image.height, 0.0);
-            for y in 0..image.height {
-                let row = (y as f64 + 0.5) / scale - 0.5;
-                for x in 0..image.width {
-                    let offset = warp.at([(x as f64 + 0.5) / scale - 0.5, row]);
-                    let at = [x as f64 + offset[0] * scale, y as f64 + offset[1] * scale];
-                    *out.at_mut(x, y) = image.sample(at[0] as f32, at[1] as f32);
-                }
-            }
-            out
+        let (width, height) = (self.gray.width, self.gray.height);
+        let columns: Vec<f64> = (0..width).map(|x| (x as f64 + 0.5) / scale - 0.5).collect();
+        let rows = warp.rows_at(&columns);
+        let drawn = |image: &Gray| -> Gray {
+            resampled(
+                image,
+                (width, height),
+                #[inline(always)]
+                |y, to_x, to_y| {
+                    let row = (y as f64 + 0.5) / scale - 0.5;
+                    rows.offsets(row, |x, offset| {
+                        to_x[x] = (x as f64 + offset[0] * scale) as f32;
+                        to_y[x] = (y as f64 + offset[1] * scale) as f32;
+                    });
+                },
+            )
         };
         Picture {
-            gray: resampled(&self.gray),
+            gray: drawn(&self.gray),
             projection: self.projection,
             centre: self.centre,
             focal: self.focal,
-            inside: self.inside.as_ref().map(resampled),
+            inside: self.inside.as_ref().map(drawn),
             noise: self.noise,
         }
     }
@@ -122,18 +128,20 @@ fn projection(lens: &Intrinsics, camera: &Camera) -> Matrix3x4<f64> {
 
 /// An image as a lens `to` without distortion shows it; `from` is the image's own lens.
 fn straightened(image: &Gray, from: &Intrinsics, to: &Intrinsics) -> Gray {
-    let mut out = Gray::filled(to.width as usize, to.height as usize, 0.0);
-    for y in 0..out.height {
-        for x in 0..out.width {
-            let straight = nalgebra::Vector2::new(
-                (x as f64 - to.centre[0]) / to.focal[0],
-                (y as f64 - to.centre[1]) / to.focal[1],
-            );
-            let at = from.distort(straight);
-            *out.at_mut(x, y) = image.sample(at.x as f32, at.y as f32);
-        }
-    }
-    out
+    let size = (to.width as usize, to.height as usize);
+    resampled(
+        image,
+        size,
+        #[inline(always)]
+        |y, columns, rows| {
+            let down = (y as f64 - to.centre[1]) / to.focal[1];
+            for x in 0..size.0 {
+                let across = (x as f64 - to.centre[0]) / to.focal[0];
+                let at = from.distort(Vector2::new(across, down));
+                (columns[x], rows[x]) = (at.x as f32, at.y as f32);
+            }
+        },
+    )
 }
 
 /// Half the size, by the binomial kernel [1 3 3 1]/8; pixel centres as in [`Intrinsics::resized`].

@@ -48,14 +48,14 @@ impl Forces<'_> {
         self.laplacian.areas[v] / (self.footprint * self.footprint)
     }
 
-    /// How the pictures agree at each vertex, displaced by `d` mm, with derivatives.
-    pub fn agreements<const SLOPE: bool>(&self, d: &[f64]) -> Vec<Agreement> {
+    /// How the pictures agree at each vertex, displaced by `d` mm, with derivatives if `N` is 1.
+    pub fn agreements<const N: usize>(&self, d: &[f64]) -> Vec<Agreement> {
         let one = |v: usize| {
             let (visible, frame) = (self.visible.of(v), &self.visible.frames[v]);
             if visible.len() < 2 {
                 return Agreement::default();
             }
-            agreement::<SLOPE>(
+            agreement::<N>(
                 self.pictures,
                 visible,
                 frame,
@@ -127,7 +127,7 @@ impl Forces<'_> {
     pub fn falls(&self, x: &[Vector3<f64>], d: &[f64], before: f64) -> f64 {
         for share in [1.0, 0.5, 0.25, 0.1] {
             let d: Vec<f64> = d.iter().map(|d| d * share).collect();
-            let seen = self.agreements::<false>(&d);
+            let seen = self.agreements::<0>(&d);
             if self.energy(&seen, &d, x) < before {
                 return share;
             }

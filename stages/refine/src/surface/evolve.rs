@@ -2,7 +2,7 @@
 
 use crate::evidence::agreement::{Agreement, agreement};
 use crate::evidence::patch::Pairing;
-use crate::evidence::visibility::{Visibility, VisibilityRules};
+use crate::evidence::visibility::{Scene, Visibility, VisibilityRules};
 use crate::geometry::curvature::Laplacian;
 use crate::geometry::remesh::{relax, remesh};
 use crate::pictures::picture::Picture;
@@ -23,7 +23,7 @@ pub struct Evolve;
 
 impl Stage for Evolve {
     const NAME: &'static str = "refine.evolve";
-    const VERSION: u32 = 3;
+    const VERSION: u32 = 4;
     const ABOUT: &'static str = "Evolves a surface towards inter-image consistency as the paper does: rigid (eq. 3) or by the weighted median (eq. 5-7).";
     type Params = EvolveParams;
     type Input = EvolveInput;
@@ -79,7 +79,7 @@ impl Stage for Evolve {
             steps.tick()?;
         }
         if state.score <= state.first && p.iterations > 0 {
-            ctx.warn("the evolution made the photos agree less; the mesh is handed on as it came");
+            ctx.warn("the evolution made the photos agree less; the mesh is handed on as it came: look at masks and cameras");
         }
         ctx.metric("consistency before", state.first, "");
         ctx.metric("consistency", state.score, "");
@@ -109,12 +109,12 @@ fn some_steps(
 ) -> StepStats {
     let window = p.patches.window();
     let pairing = Pairing {
-        cosine: [p.pair_to_deg.to_radians().cos() as f32 - 1e-6, 1.0],
+        cosine: [libm::cos(p.pair_to_deg.to_radians()) as f32 - 1e-6, 1.0],
     };
     let rules = VisibilityRules::new(p.patches.tilt_deg, pairing, 1.0);
     let around = Adjacency::new(mesh);
     let start = mesh.clone();
-    let mut visible = Visibility::new(mesh, &around, pictures, &window, &rules);
+    let mut visible = Visibility::new(&Scene::new(mesh, &around, pictures, &window, &rules));
     let mut before = None;
     for step in 0..=count {
         for (v, frame) in visible.frames.iter_mut().enumerate() {
@@ -124,7 +124,7 @@ fn some_steps(
             .into_par_iter()
             .with_min_len(128)
             .map(|v| {
-                agreement::<true>(
+                agreement::<1>(
                     pictures,
                     visible.of(v),
                     &visible.frames[v],
@@ -162,7 +162,7 @@ fn some_steps(
             mesh.positions[v] = [to.x as f32, to.y as f32, to.z as f32];
         }
     }
-    relax(mesh);
+    relax(mesh, &around);
     StepStats {
         before: before.unwrap_or(0.0),
         seen: visible.share(),

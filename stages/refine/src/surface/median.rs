@@ -21,7 +21,7 @@ pub fn weighted_median(samples: &mut [(f64, f64)]) -> Option<f64> {
 /// The weight of a neighbour (paper, eq. 7): `η e^{−|x − x_v|} + κ e^{−|H_x − H_v|}`, the distance in
 /// units of `length` and the difference of mean curvatures in units of its inverse.
 pub fn weight(eta: f64, kappa: f64, distance: f64, curvature: f64, length: f64) -> f64 {
-    eta * (-distance / length).exp() + kappa * (-curvature * length).exp()
+    eta * libm::exp(-distance / length) + kappa * libm::exp(-curvature * length)
 }
 
 #[cfg(test)]

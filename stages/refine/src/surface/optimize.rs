@@ -45,7 +45,7 @@ pub struct OptimizeSurface;
 
 impl Stage for OptimizeSurface {
     const NAME: &'static str = "refine.optimize_surface";
-    const VERSION: u32 = 9;
+    const VERSION: u32 = 10;
     const ABOUT: &'static str = "Refines a surface by inter-image consistency, silhouettes and a thin plate, the energy never rising.";
     type Params = OptimizeSurfaceParams;
     type Input = OptimizeSurfaceInput;
@@ -107,19 +107,19 @@ impl Stage for OptimizeSurface {
         } = state;
         if stats.seen < 0.5 {
             ctx.warn(format!(
-                "only {:.0} % of the surface is seen by two photos or more",
+                "only {:.0} % of the surface is seen by two photos or more: take more photos of the turn, or look at the masks",
                 stats.seen * 100.0
             ));
         }
         if stats.consistency < stats.before - 0.02 {
-            ctx.warn("the photos agree less on the optimized surface than on the one that came in");
+            ctx.warn("the photos agree less on the optimized surface than on the one that came in: look at masks and cameras before you trust girths to a millimetre");
         }
         if p.neck_edges > 0 {
             pinch(&mut mesh, p.neck_edges as usize);
         }
         let crossed = mend(&mut mesh);
         if crossed > 0 {
-            ctx.warn(format!("{crossed} pairs of faces pass through each other"));
+            ctx.warn(format!("{crossed} pairs of faces pass through each other: look at the surface there before you take a girth across"));
         }
         ctx.metric("consistency", stats.consistency, "");
         ctx.metric("seen twice", stats.seen, "");

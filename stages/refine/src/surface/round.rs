@@ -1,10 +1,10 @@
 //! One round of the optimization: who sees what is looked at anew, then steps are taken while the energy falls.
 
-use crate::evidence::agreement::Agreement;
+use crate::evidence::agreement::{Agreement, compared};
 use crate::evidence::contours::{Pull, pulls};
 use crate::evidence::outside::outside;
-use crate::evidence::patch::Pairing;
-use crate::evidence::visibility::{Visibility, VisibilityRules};
+use crate::evidence::patch::{MOST_VIEWS, Pairing};
+use crate::evidence::visibility::{Scene, Visibility, VisibilityRules};
 use crate::geometry::curvature::Laplacian;
 use crate::geometry::remesh::relax;
 use crate::mend::crossing::part;
@@ -49,13 +49,15 @@ pub(crate) fn one_round(
     let searches = usize::from(begin && p.reach_px > 0.0);
     for step in 0..p.steps as usize + searches {
         let searching = step < searches;
-        let visible = Visibility::new(mesh, &around, pictures, &window, &rules);
+        let scene = Scene::new(mesh, &around, pictures, &window, &rules);
+        let (visible, seen) = looked(&scene);
         stats.seen = visible.share();
         if stats.seen == 0.0 {
             return Err(RefineError::Unseen);
         }
-        let normals = mesh.normals();
-        let pulls = pulls(mesh, &around, &normals, pictures, 3.0);
+        let pulls = pulls(&scene, 3.0);
+        let Scene { normals, maps, .. } = scene;
+        drop(maps);
         let outside = match p.hull_weight > 0.0 {
             true => outside(mesh, &normals, pictures, p.slack_px, footprint),
             false => vec![],
@@ -80,7 +82,6 @@ pub(crate) fn one_round(
             anchor: 1e-4,
         };
         let still = vec![0.0; x.len()];
-        let seen = forces.agreements::<true>(&still);
         stats.consistency = consistency(&seen);
         if step == 0 {
             stats.before = stats.consistency;
@@ -102,10 +103,29 @@ pub(crate) fn one_round(
             break;
         }
         step_along(mesh, &x, &normals, &d, share);
-        relax(mesh);
+        relax(mesh, &around);
     }
     part(mesh, &start, &around);
     Ok(stats)
+}
+
+/// Who sees whom, and how the pictures agree at each vertex, with derivatives.
+fn looked(scene: &Scene<'_>) -> (Visibility, Vec<Agreement>) {
+    let all = [true; MOST_VIEWS];
+    Visibility::with(
+        scene,
+        |frame, _| [frame.normal],
+        #[inline(always)]
+        |_, visible, looks| {
+            compared::<1>(
+                visible,
+                looks,
+                &all,
+                scene.window.len(),
+                scene.rules.pairing,
+            )
+        },
+    )
 }
 
 /// Weight of the bending term: a typical pair-stiffness of 0.04 a pixel² balances it at the length asked

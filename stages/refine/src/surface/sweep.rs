@@ -30,7 +30,7 @@ pub fn sweep(
                     return 0.0;
                 }
                 let offset = (k as f64 - inward as f64) * step_mm;
-                let a = agreement::<false>(
+                let a = agreement::<0>(
                     forces.pictures,
                     visible,
                     frame,

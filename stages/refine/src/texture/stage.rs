@@ -40,7 +40,7 @@ const SMALL: PhotoSize = PhotoSize {
 
 impl Stage for Texture {
     const NAME: &'static str = "refine.texture";
-    const VERSION: u32 = 3;
+    const VERSION: u32 = 4;
     const ABOUT: &'static str = "Paints each face from the photo that shows it best, brightness evened out where photos meet.";
     type Params = TextureParams;
     type Input = TextureInput;
@@ -246,7 +246,7 @@ fn paint(atlas: &mut Rgb, [a, b, c]: [[f64; 2]; 3], colour: impl Fn([f64; 3]) ->
             let sides = [(b, c), (c, a), (a, b)];
             let beyond = (0..3).any(|i| {
                 let (p, q) = sides[i];
-                let long = (q[0] - p[0]).hypot(q[1] - p[1]);
+                let long = libm::hypot(q[0] - p[0], q[1] - p[1]);
                 raw[i] * area.abs() < -1.5 * long
             });
             if beyond {

@@ -12,7 +12,7 @@ pub(crate) const COUNT: u32 = 12;
 /// A camera on a ring, looking at the origin.
 pub(crate) fn camera(k: u32) -> Camera {
     let angle = f64::from(k) * std::f64::consts::TAU / f64::from(COUNT);
-    let centre = Point3::new(400.0 * angle.cos(), 400.0 * angle.sin(), 90.0);
+    let centre = Point3::new(400.0 * libm::cos(angle), 400.0 * libm::sin(angle), 90.0);
     let forward = (Point3::origin() - centre).normalize();
     let right = forward.cross(&Vector3::z()).normalize();
     let down = forward.cross(&right);
@@ -40,7 +40,7 @@ pub(crate) fn texture(x: &Point3<f64>, contrast: f64) -> f64 {
     ];
     let sum: f64 = waves
         .iter()
-        .map(|w| (w[0] * x.x + w[1] * x.y + w[2] * x.z + w[3]).sin())
+        .map(|w| libm::sin(w[0] * x.x + w[1] * x.y + w[2] * x.z + w[3]))
         .sum();
     128.0 + contrast * sum
 }

@@ -1,4 +1,6 @@
 // The 3D view: surfaces and tapes by WebGL 2. z is up, lengths are millimetres.
+// Where there is none, the pictures that the page brings along are shown (class `live`).
+document.documentElement.classList.add("live");
 const canvas = element("view");
 // The buffer is kept so that the picture can be saved and tested.
 const gl = canvas.getContext("webgl2", { antialias: true, preserveDrawingBuffer: true });
@@ -12,7 +14,7 @@ let draw = () => {};
 // From where the view was drawn last: rows of its turn, distance, focal length, width over height.
 let seen = null;
 // Without WebGL 2, or when a phone takes it away, the rest of the page still works.
-const no3d = () => { element("no3d").hidden = false; canvas.hidden = true; draw = () => {}; };
+const no3d = () => { document.documentElement.classList.remove("live"); element("no3d").hidden = false; canvas.hidden = true; draw = () => {}; };
 canvas.addEventListener("webglcontextlost", no3d);
 const prepare = () => {
   const program = (vertex, fragment) => {
@@ -42,8 +44,10 @@ const prepare = () => {
     "in vec3 n; in float side; uniform vec4 color; out vec4 o;" +
     "void main() { float l = 0.6 + 0.4 * abs(normalize(n).z); o = vec4(color.rgb * (abs(side) > 0.72 ? 0.55 : 1.0) * l, color.a); }");
   const feed = (place, data, width, type, unit) => {
-    gl.bindBuffer(gl.ARRAY_BUFFER, gl.createBuffer()); gl.bufferData(gl.ARRAY_BUFFER, data, gl.STATIC_DRAW);
+    const buffer = gl.createBuffer();
+    gl.bindBuffer(gl.ARRAY_BUFFER, buffer); gl.bufferData(gl.ARRAY_BUFFER, data, gl.STATIC_DRAW);
     gl.enableVertexAttribArray(place); gl.vertexAttribPointer(place, width, type, unit, 0, 0);
+    return buffer;
   };
   for (const m of meshes) {
     m.vao = gl.createVertexArray(); gl.bindVertexArray(m.vao);
@@ -65,17 +69,28 @@ const prepare = () => {
   }
   // A tape is a band around the hull of its section, as high as a tailor's: 1 % of the body.
   const height = 0.005 * size, outward = 0.0015 * size;
-  const tapes = scene.tapes.map((t) => {
-    const n = t.tape.length / 3, at = [], normal = [], side = [];
-    const c = [0, 1, 2].map((k) => { let s = 0; for (let i = 0; i < n; i++) s += t.tape[3 * i + k] / n; return s; });
+  const strip = (tape, along) => {
+    const n = tape.length / 3, at = [], normal = [], side = [];
+    const c = [0, 1, 2].map((k) => { let s = 0; for (let i = 0; i < n; i++) s += tape[3 * i + k] / n; return s; });
     for (let j = 0; j <= n; j++) {
-      const p = [0, 1, 2].map((k) => t.tape[3 * (j % n) + k]), out = p.map((x, k) => x - c[k]), far = Math.hypot(...out) || 1;
-      for (const s of [-1, 1]) { p.forEach((x, k) => { at.push(x + out[k] / far * outward + s * height * t.normal[k]); normal.push(out[k] / far); }); side.push(s, 0); }
+      const p = [0, 1, 2].map((k) => tape[3 * (j % n) + k]), out = p.map((x, k) => x - c[k]), far = Math.hypot(...out) || 1;
+      for (const s of [-1, 1]) { p.forEach((x, k) => { at.push(x + out[k] / far * outward + s * height * along[k]); normal.push(out[k] / far); }); side.push(s, 0); }
     }
     const vao = gl.createVertexArray(); gl.bindVertexArray(vao);
-    feed(0, new Float32Array(at), 3, gl.FLOAT, false); feed(1, new Float32Array(normal), 3, gl.FLOAT, false); feed(2, new Float32Array(side), 2, gl.FLOAT, false);
-    return { name: t.name, vao, count: 2 * n + 2 };
-  });
+    const buffers = [feed(0, new Float32Array(at), 3, gl.FLOAT, false), feed(1, new Float32Array(normal), 3, gl.FLOAT, false), feed(2, new Float32Array(side), 2, gl.FLOAT, false)];
+    return { vao, buffers, count: 2 * n + 2 };
+  };
+  const tapes = scene.tapes.map((t) => ({ name: t.name, ...strip(t.tape, t.normal) }));
+  // The tape through picked points.
+  let found = { of: null };
+  const drawFound = () => {
+    if (found.of !== state.found) {
+      if (found.vao) { gl.deleteVertexArray(found.vao); found.buffers.forEach((b) => gl.deleteBuffer(b)); }
+      found = { of: state.found, ...(state.found ? strip(state.found.around, state.found.normal) : {}) };
+    }
+    if (!found.vao) return;
+    gl.uniform4f(band.uniform.color, 0, 0.45, 1, 1); gl.bindVertexArray(found.vao); gl.drawArrays(gl.TRIANGLE_STRIP, 0, found.count);
+  };
   const multiply = (a, b) => { const o = new Float32Array(16); for (let c = 0; c < 4; c++) for (let r = 0; r < 4; r++) for (let k = 0; k < 4; k++) o[c * 4 + r] += a[k * 4 + r] * b[c * 4 + k]; return o; };
   // Picked points are small octahedra, drawn over the body.
   const dots = { vao: gl.createVertexArray(), buffer: gl.createBuffer(), of: null, count: 0 };
@@ -124,7 +139,7 @@ const prepare = () => {
       }
       gl.disable(gl.BLEND);
     }
-    if (state.picked.length) { use(band); drawDots(); }
+    if (state.picked.length) { use(band); drawFound(); drawDots(); }
     gl.bindVertexArray(null);
   };
 };

@@ -33,11 +33,29 @@ canvas.addEventListener("pointerup", (e) => {
 element("pick").addEventListener("click", () => { state.picking = !state.picking; changed(); });
 element("unpick").addEventListener("click", () => pick(state.picked.slice(0, -1)));
 element("nopick").addEventListener("click", () => pick([]));
+// Points of an earlier line may be put in, too.
+element("points").addEventListener("input", () => {
+  const rows = element("points").value.match(/\[\s*-?[\d.]+\s*,\s*-?[\d.]+\s*,\s*-?[\d.]+\s*\]/g) || [];
+  pick(rows.map((row) => JSON.parse(row)));
+});
+// The girth through the points, on the surface that was measured, whichever is shown.
+let measured = null;
+const shownIn = (mm) => (mm / scene.lengths.mm).toFixed(scene.lengths.digits);
+const through = (points) => {
+  if (points.length < 3) return { why: `${points.length} of at least 3 points` };
+  measured = measured || welded(meshes[scene.measured]);
+  return girthThrough(measured, points);
+};
 listeners.push(() => {
   element("pick").setAttribute("aria-pressed", String(state.picking));
   element("picker").hidden = !state.picking;
   canvas.classList.toggle("picking", state.picking);
+  if (state.told === state.picked) return;
+  state.told = state.picked;
   const text = state.picked.map((p) => `[${p.map((x) => x.toFixed(1)).join(", ")}]`).join(", ");
-  element("points").value = state.picked.length < 3 ? "" : `--set 'girths.points=[${text}]'`;
-  element("picked").textContent = state.picked.length < 3 ? `${state.picked.length} of at least 3 points` : `${state.picked.length} points`;
+  if (document.activeElement !== element("points")) element("points").value = state.picked.length < 3 ? "" : `--set 'girths.points=[${text}]'`;
+  const girth = through(state.picked), tape = girth.tape * scene.lengths.worn;
+  state.found = girth.why ? null : girth;
+  element("picked").textContent = girth.why || `${state.picked.length} points: tape ${shownIn(tape)}, contour ${shownIn(girth.contour)}, spline ${shownIn(girth.spline)} ${scene.lengths.word}`;
+  Object.assign(element("picked").dataset, { tape: tape || "", contour: girth.contour || "", spline: girth.spline || "" });
 });

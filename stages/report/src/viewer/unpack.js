@@ -39,6 +39,6 @@ const unpacked = (m) => {
 const scene = JSON.parse(document.getElementById("scene").textContent);
 const element = (id) => document.getElementById(id);
 // What the reader looks at: the same for the 3D view, the table and the photos.
-const state = { yaw: 0, pitch: 0.05, away: 1, pan: [0, 0], mesh: 0, marked: null, picking: false, picked: [] };
+const state = { yaw: 0, pitch: 0.05, away: 1, pan: [0, 0], mesh: 0, marked: null, picking: false, picked: [], told: null, found: null };
 const listeners = [];
 const changed = () => listeners.forEach((f) => f());

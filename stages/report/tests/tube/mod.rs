@@ -15,7 +15,7 @@ pub(crate) fn tube(radius: f32, height: f32, around: u32, rows: u32) -> Mesh {
     let mut mesh = Mesh::default();
     for row in 0..=rows {
         for i in 0..around {
-            let (s, c) = (i as f32 / around as f32 * std::f32::consts::TAU).sin_cos();
+            let (s, c) = libm::sincosf(i as f32 / around as f32 * std::f32::consts::TAU);
             mesh.positions
                 .push([radius * c, radius * s, height * row as f32 / rows as f32]);
         }
@@ -32,9 +32,9 @@ pub(crate) fn tube(radius: f32, height: f32, around: u32, rows: u32) -> Mesh {
 
 fn camera(angle: f64) -> Camera {
     let rotation = Rotation3::from_matrix_unchecked(nalgebra::Matrix3::from_rows(&[
-        Vector3::new(angle.cos(), angle.sin(), 0.0).transpose(),
+        Vector3::new(libm::cos(angle), libm::sin(angle), 0.0).transpose(),
         Vector3::new(0.0, 0.0, -1.0).transpose(),
-        Vector3::new(-angle.sin(), angle.cos(), 0.0).transpose(),
+        Vector3::new(-libm::sin(angle), libm::cos(angle), 0.0).transpose(),
     ]));
     let translation = Vector3::new(0.0, 200.0, 1500.0);
     Camera {
@@ -72,7 +72,7 @@ fn photos() -> Photos {
 /// A waist, with all that is known of how sure it is.
 fn waist() -> Girth {
     let contour = (0..60).map(|i| {
-        let (s, c) = (i as f32 / 60.0 * std::f32::consts::TAU).sin_cos();
+        let (s, c) = libm::sincosf(i as f32 / 60.0 * std::f32::consts::TAU);
         [80.0 * c, 80.0 * s, 200.0]
     });
     let plane = Plane {
@@ -114,7 +114,7 @@ pub(crate) fn input() -> HtmlInput {
     let profile = Profile {
         height_mm: (0..40).map(|i| f64::from(i) * 10.0).collect(),
         tape_mm: (0..40)
-            .map(|i| 500.0 + 20.0 * (f64::from(i) / 6.0).sin())
+            .map(|i| 500.0 + 20.0 * libm::sin(f64::from(i) / 6.0))
             .collect(),
     };
     let missing = vec![Missing::because(

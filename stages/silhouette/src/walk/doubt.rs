@@ -51,7 +51,7 @@ pub(crate) fn over_border(sides: &Image<bool>) -> f64 {
 pub(crate) fn widest_gap(shots: &[Shot]) -> f64 {
     let around = |s: &Shot| {
         let c: Vector2<f64> = s.camera.centre().coords.xy();
-        c.y.atan2(c.x).to_degrees()
+        libm::atan2(c.y, c.x).to_degrees()
     };
     let mut all: Vec<f64> = shots.iter().map(around).collect();
     all.sort_by(f64::total_cmp);

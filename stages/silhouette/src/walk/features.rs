@@ -45,7 +45,7 @@ pub(crate) fn spots(tracks: &Tracks, shots: &[Shot], full: &[[f64; 2]]) -> Vec<S
         let at = met(shots, &sights)?;
         let near = |(k, px): &(usize, [f64; 2])| {
             let on = shots[*k].camera.project(&at);
-            on.is_some_and(|on| (on.x - px[0]).hypot(on.y - px[1]) < NEAR)
+            on.is_some_and(|on| libm::hypot(on.x - px[0], on.y - px[1]) < NEAR)
         };
         sights.iter().all(near).then_some(Spot { at, sights })
     };

@@ -152,7 +152,7 @@ fn first_colors(scene: &Scene<'_>, search: &Search) -> Option<Vec<Colors>> {
         let disc = 0.08 * space.reach * c.lens.focal[0] / centre.norm();
         for i in (0..shot.small.data.len()).step_by(3) {
             let at = [(i % shot.small.width) as f64, (i / shot.small.width) as f64];
-            if (at[0] - middle.x).hypot(at[1] - middle.y) < disc {
+            if libm::hypot(at[0] - middle.x, at[1] - middle.y) < disc {
                 body.push((at[1] as u32, shot.small.data[i]));
             }
             let ray = c.ray(at.into());

@@ -54,7 +54,9 @@ impl Space {
         };
         let steps = (1..60).map(|k| f64::from(k) * nearest * 0.01);
         let reach = steps
-            .take_while(|r| share(&|a| Point3::new(r * a.cos(), r * a.sin(), middle)) >= SEEN[0])
+            .take_while(|r| {
+                share(&|a| Point3::new(r * libm::cos(a), r * libm::sin(a), middle)) >= SEEN[0]
+            })
             .last()?;
         let on_axis = |sign: f64| {
             let steps = (1..200).map(|k| middle + f64::from(k) * nearest * 0.01 * sign);

@@ -19,10 +19,10 @@ impl Belief {
     /// ln p(pixel | cell is body) − ln p(pixel | cell is free), from what the pixel's colour says:
     /// a room seen there frees the cell, a subject seen there may stand before or behind it.
     pub(crate) fn told(&self, favour: f32) -> f32 {
-        let r = favour.clamp(-12.0, 12.0).exp();
+        let r = libm::expf(favour.clamp(-12.0, 12.0));
         let body = (1.0 - self.misled) * r + self.misled;
         let free = self.behind * r + 1.0 - self.behind;
-        (body / free).ln()
+        libm::logf(body / free)
     }
 }
 

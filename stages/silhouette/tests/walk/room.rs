@@ -14,7 +14,7 @@ pub(crate) fn room(made: &Made, x: &Point3<f64>, axis: usize) -> [f64; 3] {
         let plank = [(x.x / 180.0).floor(), (x.y / 900.0).floor(), 0.0];
         let shade = 0.3 * (thrown(plank.map(|v| v as i64), 6) - 0.5);
         // The figure's shadow about its feet.
-        let shadow = 0.35 * (-(x.x - made.aside).hypot(x.y) / 230.0).exp();
+        let shadow = 0.35 * libm::exp(-libm::hypot(x.x - made.aside, x.y) / 230.0);
         let base = if x.z > 1.0 {
             [200.0, 198.0, 190.0]
         } else {

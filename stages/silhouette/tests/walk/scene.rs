@@ -275,8 +275,8 @@ fn camera(made: &Made, k: usize, dice: &mut Dice) -> Camera {
     let angle = part * made.round * std::f64::consts::TAU;
     let far = made.near * dice.within(0.9, 1.1);
     let from = Vector3::new(
-        far * angle.sin(),
-        -far * angle.cos(),
+        far * libm::sin(angle),
+        -far * libm::cos(angle),
         dice.within(1200.0, 1500.0),
     );
     let to = Vector3::new(

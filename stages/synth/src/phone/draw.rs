@@ -34,7 +34,7 @@ pub(crate) fn draw(p: &PhoneParams, count: usize) -> (Vec<Fault>, Fault) {
     let shaken = chosen(count, p.shaken as usize, p.seed);
     let one = |i: usize| {
         let stream = |kind: u32| Dice::new(p.seed, (kind << 20) + i as u32);
-        let gain = (p.exposure_ev * ev[i] + p.over_ev).exp2();
+        let gain = libm::exp2(p.exposure_ev * ev[i] + p.over_ev);
         let [red, blue] = [red[i], blue[i]].map(|d| 1.0 + p.white * d);
         let (mut shift, mut blur, mut shake) = (stream(4), stream(5), stream(6));
         let angle = TAU * shake.unit();
@@ -43,7 +43,7 @@ pub(crate) fn draw(p: &PhoneParams, count: usize) -> (Vec<Fault>, Fault) {
             gains: [gain * red, gain, gain * blue].map(|g| g as f32),
             shift: [shift.normal(), shift.normal()].map(|d| (p.shift_px * d) as f32),
             blur: (p.blur_px * (0.75 + 0.5 * blur.unit())) as f32,
-            shake: [angle.cos(), angle.sin()].map(|d| (along * d) as f32),
+            shake: [libm::cos(angle), libm::sin(angle)].map(|d| (along * d) as f32),
         }
     };
     let faults = (0..=count).map(one).collect::<Vec<_>>();
@@ -63,7 +63,7 @@ fn drift(count: usize, seed: u32, kind: u32) -> Vec<f64> {
         if dice.unit() < 0.2 {
             step = dice.unit() - 0.5;
         }
-        all.push(0.5 * (TAU * speed * t + phase).sin() + step);
+        all.push(0.5 * libm::sin(TAU * speed * t + phase) + step);
     }
     let most = all.iter().map(|v| v.abs()).fold(0.0, f64::max);
     if most > 0.0 {

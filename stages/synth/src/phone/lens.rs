@@ -12,7 +12,7 @@ pub(crate) fn light(photo: &Rgb) -> Linear {
         if v <= 0.040_45 {
             v / 12.92
         } else {
-            ((v + 0.055) / 1.055).powf(2.4)
+            libm::powf((v + 0.055) / 1.055, 2.4)
         }
     };
     let table: Vec<f32> = (0..256).map(one).collect();
@@ -24,7 +24,7 @@ pub(crate) fn light(photo: &Rgb) -> Linear {
 pub(crate) fn resampled(image: &Linear, shift: [f32; 2], lateral_px: f32) -> Linear {
     let (w, h) = (image.width, image.height);
     let middle = [(w as f32 - 1.0) / 2.0, (h as f32 - 1.0) / 2.0];
-    let corner = middle[0].hypot(middle[1]).max(1.0);
+    let corner = libm::hypotf(middle[0], middle[1]).max(1.0);
     let scale = [1.0 + lateral_px / corner, 1.0, 1.0 - lateral_px / corner];
     let mut out = image.clone();
     for y in 0..h {
@@ -57,7 +57,7 @@ fn cubic(image: &Linear, at: [f32; 2], channel: usize) -> f32 {
 /// The mean along a line through each pixel, as long as the hand moved. \[px\]
 pub(crate) fn shaken(image: &Linear, along: [f32; 2]) -> Linear {
     let (w, h) = (image.width, image.height);
-    let count = (2.0 * along[0].hypot(along[1])).ceil().max(1.0) as usize;
+    let count = (2.0 * libm::hypotf(along[0], along[1])).ceil().max(1.0) as usize;
     let mut out = image.clone();
     for y in 0..h {
         for x in 0..w {
@@ -76,7 +76,7 @@ pub(crate) fn shaken(image: &Linear, along: [f32; 2]) -> Linear {
 /// Blurred by a normal distribution. \[px\]
 pub(crate) fn blurred(image: &Linear, sigma: f32) -> Linear {
     let reach = (3.0 * sigma).ceil() as i64;
-    let weight = |d: i64| (-(d * d) as f32 / (2.0 * sigma * sigma)).exp();
+    let weight = |d: i64| libm::expf(-(d * d) as f32 / (2.0 * sigma * sigma));
     let total: f32 = (-reach..=reach).map(weight).sum();
     let weights: Vec<f32> = (-reach..=reach).map(|d| weight(d) / total).collect();
     let (w, h) = (image.width as i64, image.height as i64);
@@ -108,7 +108,7 @@ mod tests {
         let mut image = Linear::filled(81, 61, [0.0; 3]);
         for (i, p) in image.data.iter_mut().enumerate() {
             let (dx, dy) = ((i % 81) as f32 - at[0], (i / 81) as f32 - at[1]);
-            *p = [(-(dx * dx + dy * dy) / (2.0 * sigma * sigma)).exp(); 3];
+            *p = [libm::expf(-(dx * dx + dy * dy) / (2.0 * sigma * sigma)); 3];
         }
         image
     }
@@ -146,7 +146,7 @@ mod tests {
         let moved = resampled(&ball([64.0, 48.0], 3.0), [0.0; 2], 0.5);
         let away = |c: usize| {
             let (at, _) = moments(&moved, c);
-            (at[0] - 40.0).hypot(at[1] - 30.0)
+            libm::hypot(at[0] - 40.0, at[1] - 30.0)
         };
         let [red, green, blue] = [0, 1, 2].map(away);
         assert!((red - green - 0.3).abs() < 0.01, "{red} {green}");

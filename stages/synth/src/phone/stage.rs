@@ -23,7 +23,7 @@ pub struct Phone;
 
 impl Stage for Phone {
     const NAME: &'static str = "synth.phone";
-    const VERSION: u32 = 1;
+    const VERSION: u32 = 2;
     const ABOUT: &'static str = "Takes photos again with the faults of a phone's camera, each of which is off unless asked for.";
     type Params = PhoneParams;
     type Input = PhoneInput;

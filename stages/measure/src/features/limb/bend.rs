@@ -163,7 +163,7 @@ mod tests {
             .map(|i| {
                 let s = 8.0 * f64::from(i);
                 let over = (s - 250.0).max(0.0);
-                let (sin, cos) = angle.sin_cos();
+                let (sin, cos) = libm::sincos(angle);
                 let centre = Point3::new(over * sin, 0.0, s.min(250.0) + over * cos);
                 Knot {
                     s,

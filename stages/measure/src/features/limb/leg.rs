@@ -75,7 +75,7 @@ pub(crate) fn joints(limb: &mut Limb, ground: f64, stature: f64) -> Option<()> {
             a: 1.0,
             b: 0.0,
             c: bend.s,
-            sigma: BEND * stature / bend.angle.sin().clamp(0.25, 1.0),
+            sigma: BEND * stature / libm::sin(bend.angle).clamp(0.25, 1.0),
         });
     }
     let ([knee, crotch], cov) = places(&told)?;
@@ -96,7 +96,7 @@ pub(crate) fn joints(limb: &mut Limb, ground: f64, stature: f64) -> Option<()> {
     let c = crotch - sole;
     limb.root = Joint {
         s: sole + HIP.0 * c,
-        sigma: (HIP.0 * cov[2].sqrt()).hypot(HIP.1 * c),
+        sigma: libm::hypot(HIP.0 * cov[2].sqrt(), HIP.1 * c),
         again: None,
     };
     limb.shared = HIP.0 * cov[1];

@@ -1,18 +1,19 @@
 //! Edges and faces as remeshing looks at them.
 
 use nalgebra::{Point3, Vector3};
-use shape::Mesh;
+use shape::{Mesh, rows};
 
 /// Every edge once, its lesser vertex first, ascending.
 pub(super) fn edges(mesh: &Mesh) -> Vec<(u32, u32)> {
     let each = |&[a, b, c]: &[u32; 3]| [(a, b), (b, c), (c, a)];
-    let mut edges: Vec<_> = mesh
-        .faces
-        .iter()
-        .flat_map(each)
-        .filter(|(a, b)| a < b)
-        .collect();
-    edges.sort_unstable();
+    let all = mesh.faces.iter().flat_map(each).filter(|(a, b)| a < b);
+    let (starts, mut others) = rows(mesh.positions.len(), all);
+    let mut edges = Vec::with_capacity(others.len());
+    for (v, ends) in starts.windows(2).enumerate() {
+        let others = &mut others[ends[0] as usize..ends[1] as usize];
+        others.sort_unstable();
+        edges.extend(others.iter().map(|other| (v as u32, *other)));
+    }
     edges
 }
 
