@@ -120,7 +120,7 @@ class Store:
 
     def __init__(self, root):
         self.root = pathlib.Path(root)
-        if (self.root / "format").read_text() != "tailor store 1\n":
+        if (self.root / "format").read_text() not in ("stage store 1\n", "tailor store 1\n"):
             raise ValueError(f"{root} is no cache of a layout known here")
 
     def run(self):

@@ -1,23 +1,26 @@
-//! A pipeline as SVG: a row a step, so that every arrow points down; coloured by what a run would do.
+//! A pipeline as SVG: a row a step, so that every line goes down; what many nodes read is named in each;
+//! coloured by what a run would do.
 
+use crate::drawing_layout::{Line, Placed, placed};
 use crate::graph::{Graph, Source};
 use crate::plan::{Planned, State};
 use std::fmt::Write;
 
-const BOX: [usize; 2] = [150, 40];
-const GAP: [usize; 2] = [22, 46];
+/// Least width of a box, its height without and with a row of badges, and what lies between rows. \[px\]
+const LEAST: usize = 150;
+const TALL: [usize; 2] = [40, 58];
+const BETWEEN: usize = 34;
 const MARGIN: usize = 16;
-
-/// How far an arrow over so many rows bows out. \[px\]
-fn bow(rows: usize) -> usize {
-    if rows < 2 { 0 } else { 8 + 9 * rows }
-}
+/// What more nodes read than this is named in each of them, in place of a line to each.
+const LINES: usize = 4;
+/// Fills of badges.
+const BADGES: [&str; 6] = [
+    "#cfe3ff", "#ffd9c2", "#e3d5f5", "#c9ece6", "#fbe6a6", "#f6cfe0",
+];
 
 /// A box of the drawing: an input or a node.
 struct Spot {
     row: usize,
-    /// Place in the row, from the left.
-    at: usize,
     title: String,
     line: String,
     fill: &'static str,
@@ -26,63 +29,134 @@ struct Spot {
 
 /// The drawing.
 pub(crate) fn svg(graph: &Graph, plan: &[Option<Planned>]) -> String {
-    let mut spots = spots(graph, plan);
-    let widest = arrange(&mut spots);
-    let rows = spots.iter().map(|s| s.row + 1).max().unwrap_or(0);
-    let [w, h] = [0, 1].map(|i| BOX[i] + GAP[i]);
-    let longest = spots
-        .iter()
-        .flat_map(|s| s.reads.iter().map(|i| s.row - spots[*i].row));
-    let around = bow(longest.max().unwrap_or(0));
-    let width = widest * w - GAP[0] + 2 * MARGIN + around;
-    let height = rows * h - GAP[1] + 2 * MARGIN + 26;
+    let spots = spots(graph, plan);
+    let badges = badges(&spots);
+    let lines: Vec<(usize, usize)> = (0..spots.len())
+        .flat_map(|to| spots[to].reads.iter().map(move |from| (*from, to)))
+        .filter(|(from, _)| badges[*from].is_none())
+        .collect();
+    let badge_width = |i: &usize| 8 + 6 * spots[*i].title.chars().count();
+    let named = |s: &Spot| -> Vec<usize> {
+        let named = s.reads.iter().copied();
+        named.filter(|i| badges[*i].is_some()).collect()
+    };
+    let wide = |s: &Spot| {
+        let badges: usize = named(s).iter().map(|i| badge_width(i) + 4).sum();
+        (badges + 8).max(8 * s.title.chars().count() + 16)
+    };
+    let wide = spots.iter().map(wide).max().unwrap_or(0).max(LEAST);
+    let tall = TALL[usize::from(badges.iter().any(Option::is_some))];
+    let rows: Vec<usize> = spots.iter().map(|s| s.row).collect();
+    let placed = placed(&rows, &lines, wide as f64);
+    let width = (placed.width as usize).max(340) + 2 * MARGIN;
+    let count = rows.iter().map(|row| row + 1).max().unwrap_or(0);
+    let height = count * (tall + BETWEEN) + 2 * MARGIN;
     let mut svg = format!(
         "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {width} {height}\" width=\"{width}\" \
          height=\"{height}\" font-family=\"sans-serif\" font-size=\"12\">\n\
          <rect width=\"{width}\" height=\"{height}\" fill=\"#ffffff\"/>\n"
     );
-    let count = |row: usize| spots.iter().filter(|s| s.row == row).count();
-    let counts: Vec<usize> = (0..rows).map(count).collect();
-    // Rows stand in the middle, in half steps.
-    let left = |s: &Spot| MARGIN + s.at * w + (widest - counts[s.row]) * w / 2;
-    let top = |s: &Spot| MARGIN + s.row * h;
-    for spot in &spots {
-        for from in spot.reads.iter().map(|i| &spots[*i]) {
-            let path = match spot.row - from.row {
-                1 => {
-                    let (x0, y0) = (left(from) + BOX[0] / 2, top(from) + BOX[1]);
-                    let (x1, y1) = (left(spot) + BOX[0] / 2, top(spot));
-                    let y = (y0 + y1) / 2;
-                    format!("M{x0} {y0}C{x0} {y} {x1} {y} {x1} {y1}")
-                }
-                // Around the boxes between, on the right.
-                rows => {
-                    let [x0, x1] = [from, spot].map(|s| left(s) + BOX[0]);
-                    let [y0, y1] = [from, spot].map(|s| top(s) + BOX[1] / 2);
-                    let x = x0.max(x1) + bow(rows) * 4 / 3;
-                    format!("M{x0} {y0}C{x} {y0} {x} {y1} {x1} {y1}")
-                }
-            };
-            let _ = writeln!(svg, "<path d=\"{path}\" fill=\"none\" stroke=\"#8a8f98\"/>");
+    let top = |row: usize| MARGIN + row * (tall + BETWEEN);
+    for line in &placed.lines {
+        let path = path(line, &placed, [rows[line.from], rows[line.to]], tall);
+        let _ = writeln!(svg, "<path d=\"{path}\" fill=\"none\" stroke=\"#8a8f98\"/>");
+    }
+    for (i, (spot, middle)) in spots.iter().zip(&placed.middles).enumerate() {
+        let left = MARGIN as f64 + middle - wide as f64 / 2.0;
+        let at = [left, top(spot.row) as f64];
+        drawn(&mut svg, spot, at, [wide, tall], badges[i]);
+        let mut x = left + 6.0;
+        for from in named(spot) {
+            let size = badge_width(&from);
+            badge(
+                &mut svg,
+                [x, at[1] + 38.0],
+                size,
+                &spots[from].title,
+                badges[from],
+            );
+            x += size as f64 + 4.0;
         }
     }
-    for spot in &spots {
-        let (x, y) = (left(spot), top(spot));
-        let middle = x + BOX[0] / 2;
+    keys(&mut svg, height);
+    svg + "</svg>\n"
+}
+
+/// Which boxes are named where they are read, each with its fill.
+fn badges(spots: &[Spot]) -> Vec<Option<&'static str>> {
+    let readers = |i: usize| spots.iter().filter(|s| s.reads.contains(&i)).count();
+    let mut fills = BADGES.iter().copied().cycle();
+    let badge = |i: usize| (readers(i) > LINES).then(|| fills.next()).flatten();
+    (0..spots.len()).map(badge).collect()
+}
+
+/// A line's way: down through the rows between, straight beside boxes, bent between rows.
+fn path(line: &Line, placed: &Placed, [first, last]: [usize; 2], tall: usize) -> String {
+    let top = |row: usize| (MARGIN + row * (tall + BETWEEN)) as f64;
+    let mut x = MARGIN as f64 + placed.middles[line.from];
+    let mut y = top(first) + tall as f64;
+    let mut path = format!("M{x:.1} {y}");
+    let lanes = line.through.iter().map(|x| (*x, true));
+    let ends = [(placed.middles[line.to], false)];
+    for (row, (to, through)) in (first + 1..=last).zip(lanes.chain(ends)) {
+        let (to, below) = (MARGIN as f64 + to, top(row));
+        let bend = (y + below) / 2.0;
+        let _ = write!(path, "C{x:.1} {bend} {to:.1} {bend} {to:.1} {below}");
+        (x, y) = (to, below);
+        if through {
+            y += tall as f64;
+            let _ = write!(path, "V{y}");
+        }
+    }
+    path
+}
+
+/// A box with its two lines of text; what is named elsewhere has the fill of its badge on its left edge.
+fn drawn(
+    svg: &mut String,
+    spot: &Spot,
+    [x, y]: [f64; 2],
+    [wide, tall]: [usize; 2],
+    named: Option<&str>,
+) {
+    let middle = x + wide as f64 / 2.0;
+    let _ = writeln!(
+        svg,
+        "<g><title>{0}: {1}</title><rect x=\"{x:.1}\" y=\"{y}\" width=\"{wide}\" height=\"{tall}\" rx=\"6\" fill=\"{2}\" stroke=\"#555b66\"/>\
+         <text x=\"{middle:.1}\" y=\"{3}\" text-anchor=\"middle\" font-weight=\"bold\">{0}</text>\
+         <text x=\"{middle:.1}\" y=\"{4}\" text-anchor=\"middle\" font-size=\"10\" fill=\"#444\">{1}</text></g>",
+        escaped(&spot.title),
+        escaped(&spot.line),
+        spot.fill,
+        y + 16.0,
+        y + 29.0,
+    );
+    if let Some(fill) = named {
         let _ = writeln!(
             svg,
-            "<g><title>{0}: {1}</title><rect x=\"{x}\" y=\"{y}\" width=\"{2}\" height=\"{3}\" rx=\"6\" fill=\"{4}\" stroke=\"#555b66\"/>\
-             <text x=\"{middle}\" y=\"{5}\" text-anchor=\"middle\" font-weight=\"bold\">{0}</text>\
-             <text x=\"{middle}\" y=\"{6}\" text-anchor=\"middle\" font-size=\"10\" fill=\"#444\">{1}</text></g>",
-            escaped(&spot.title),
-            escaped(&spot.line),
-            BOX[0],
-            BOX[1],
-            spot.fill,
-            y + 17,
-            y + 31,
+            "<rect x=\"{:.1}\" y=\"{}\" width=\"10\" height=\"{}\" rx=\"4\" fill=\"{fill}\" stroke=\"#555b66\"/>",
+            x - 5.0,
+            y + 8.0,
+            tall - 16,
         );
     }
+}
+
+/// The name of what a node reads, in the node's box.
+fn badge(svg: &mut String, [x, y]: [f64; 2], size: usize, name: &str, fill: Option<&str>) {
+    let _ = writeln!(
+        svg,
+        "<rect x=\"{x:.1}\" y=\"{y}\" width=\"{size}\" height=\"15\" rx=\"7\" fill=\"{}\" stroke=\"#555b66\" stroke-width=\".6\"/>\
+         <text x=\"{:.1}\" y=\"{}\" text-anchor=\"middle\" font-size=\"10\">{}</text>",
+        fill.unwrap_or("#ffffff"),
+        x + size as f64 / 2.0,
+        y + 11.0,
+        escaped(name),
+    );
+}
+
+/// What the fills mean.
+fn keys(svg: &mut String, height: usize) {
     let mut x = MARGIN;
     for (fill, word) in legend() {
         let y = height - MARGIN - 10;
@@ -95,7 +169,6 @@ pub(crate) fn svg(graph: &Graph, plan: &[Option<Planned>]) -> String {
         );
         x += 24 + 6 * word.len();
     }
-    svg + "</svg>\n"
 }
 
 fn legend() -> [(&'static str, &'static str); 4] {
@@ -114,7 +187,6 @@ fn spots(graph: &Graph, plan: &[Option<Planned>]) -> Vec<Spot> {
     for input in &graph.inputs {
         spots.push(Spot {
             row: 0,
-            at: 0,
             title: format!("@{}", input.name),
             line: shortened(&input.files.join(", ")),
             fill: "#ffffff",
@@ -132,7 +204,6 @@ fn spots(graph: &Graph, plan: &[Option<Planned>]) -> Vec<Spot> {
         let row = reads.iter().map(|i| spots[*i].row + 1).max().unwrap_or(0);
         spots.push(Spot {
             row,
-            at: 0,
             title: node.name.clone(),
             line: shortened(node.stage.name()),
             fill: color(planned.as_ref().map(|p| &p.state)),
@@ -140,27 +211,6 @@ fn spots(graph: &Graph, plan: &[Option<Planned>]) -> Vec<Spot> {
         });
     }
     spots
-}
-
-/// Puts the boxes of each row in the order of the mean place of what they read. Returns the
-/// greatest number of boxes in a row.
-fn arrange(spots: &mut [Spot]) -> usize {
-    let rows = spots.iter().map(|s| s.row + 1).max().unwrap_or(0);
-    let mut widest = 1;
-    for row in 0..rows {
-        let mut here: Vec<usize> = (0..spots.len()).filter(|i| spots[*i].row == row).collect();
-        let mean = |i: &usize| {
-            let reads = &spots[*i].reads;
-            let sum: usize = reads.iter().map(|j| spots[*j].at).sum();
-            sum as f64 / reads.len().max(1) as f64
-        };
-        here.sort_by(|a, b| mean(a).total_cmp(&mean(b)).then(a.cmp(b)));
-        widest = widest.max(here.len());
-        for (at, i) in here.into_iter().enumerate() {
-            spots[i].at = at;
-        }
-    }
-    widest
 }
 
 /// What fits into a box.

@@ -87,6 +87,7 @@ pub mod delivery;
 pub mod differ;
 mod done;
 pub mod drawing;
+mod drawing_layout;
 mod drawing_svg;
 pub mod foreign;
 pub mod graph;

@@ -23,7 +23,7 @@ pub enum OutError {
 }
 
 /// The format of a kind that has no other: the artifact's own file, as it lies in the store.
-pub const RAW: &str = "tailor";
+pub const RAW: &str = "artifact";
 
 /// The formats of a kind, the usual one first.
 pub fn formats(catalog: &Catalog, kind: &str) -> &'static [&'static str] {

@@ -10,7 +10,7 @@ use std::path::{Path, PathBuf};
 type Form = fn(&str) -> bool;
 
 /// The store's folders, and the form of the names in each.
-const FOLDERS: [(&str, Form); 13] = [
+const FOLDERS: [(&str, Form); 15] = [
     ("cas", is_prefix),
     ("ac", is_prefix),
     ("part", is_prefix),
@@ -23,6 +23,8 @@ const FOLDERS: [(&str, Form); 13] = [
     ("tmp", is_writing),
     ("allowed", is_hash),
     ("plans", is_hash),
+    ("shared", is_tag),
+    ("waiting", is_waiting),
     ("exec", is_writing),
 ];
 
@@ -64,6 +66,17 @@ pub(crate) fn is_hash(name: &str) -> bool {
 /// The file of a lease.
 pub(crate) fn is_lease(name: &str) -> bool {
     name.len() == 3 && is_hex(name)
+}
+
+/// What names a shared store.
+fn is_tag(name: &str) -> bool {
+    name.len() == 16 && is_hex(name)
+}
+
+/// What waits to be uploaded: a key, and to which shared store.
+pub(crate) fn is_waiting(name: &str) -> bool {
+    name.split_once('-')
+        .is_some_and(|(key, tag)| is_hash(key) && is_tag(tag))
 }
 
 /// A file that is being written: process, count, time.

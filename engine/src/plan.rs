@@ -64,7 +64,9 @@ pub fn plan(
             Some(inputs) => {
                 let key = key::key(node, &inputs);
                 let found = store.found(key);
-                match found.filter(|f| f.present || !is_wanted.contains(&i)) {
+                match found.filter(|f| {
+                    f.present || !is_wanted.contains(&i) || store.is_elsewhere(f.record.content)
+                }) {
                     Some(found) => {
                         contents[i] = Some(found.record.content);
                         absent[i] = !found.present;

@@ -115,7 +115,11 @@ pub(crate) fn find(
     store: &Store,
 ) -> Option<Done> {
     let key = key::key(&job.graph.nodes[node], inputs);
-    let found = store.found(key).filter(|f| f.present || !there)?;
+    let found = store.found(key)?;
+    if there && !found.present && !store.fetch(found.record.content) {
+        return None;
+    }
+    store.share(key);
     Some(done(Status::Hit, key, found.record))
 }
 
@@ -214,10 +218,11 @@ fn make(
         // Where the disk knows no locks, or two machines made it, somebody may have been first.
         let first = around.store.record(key);
         if let Some(first) = first.filter(|first| around.store.holds(first.content)) {
+            around.store.share_again(key, first.content);
             return Ok((first, content));
         }
-        around.store.write_record(key, &record)?;
-        Ok((record, content))
+        let first = around.store.create_record(key, &record)?;
+        Ok((first.unwrap_or(record), content))
     });
     match published {
         Ok((record, ours)) if record.content != ours => {

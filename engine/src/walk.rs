@@ -52,24 +52,46 @@ pub(crate) fn walk_told(
 /// ready must be made.
 fn settle(job: &Job<'_>, around: &Surroundings<'_>, told: &Told<'_>, agenda: &mut Agenda<'_>) {
     let mut missing = Vec::new();
-    while let Some(node) = agenda.next() {
-        let found = match around.cancelled() {
-            true => None,
-            false => agenda.contents(node).and_then(|inputs| {
-                run_one::find(job, node, &inputs, agenda.there(node), around.store)
-            }),
-        };
-        match found {
-            Some(done) => {
-                around.watch.done(&job.graph.nodes[node].name, &done);
-                told(node, &done);
-                agenda.finish(node, done, None);
+    loop {
+        let ready = ready(job, around, agenda);
+        if ready.is_empty() {
+            break;
+        }
+        for node in ready {
+            let found = match around.cancelled() {
+                true => None,
+                false => agenda.contents(node).and_then(|inputs| {
+                    run_one::find(job, node, &inputs, agenda.there(node), around.store)
+                }),
+            };
+            match found {
+                Some(done) => {
+                    around.watch.done(&job.graph.nodes[node].name, &done);
+                    told(node, &done);
+                    agenda.finish(node, done, None);
+                }
+                None => missing.push(node),
             }
-            None => missing.push(node),
         }
     }
     missing.into_iter().for_each(|node| agenda.put_off(node));
     agenda.retry();
+}
+
+/// What is looked for next: the first node that is ready. With a shared store it is all of them, so that
+/// their records come side by side.
+fn ready(job: &Job<'_>, around: &Surroundings<'_>, agenda: &mut Agenda<'_>) -> Vec<usize> {
+    if !around.store.is_shared() {
+        return agenda.next().into_iter().collect();
+    }
+    let ready: Vec<usize> = std::iter::from_fn(|| agenda.next()).collect();
+    let key = |node: &usize| {
+        let inputs = agenda.contents(*node)?;
+        Some(crate::key::key(&job.graph.nodes[*node], &inputs))
+    };
+    let keys: Vec<stage::Hash> = ready.iter().filter_map(key).collect();
+    around.store.bring_all(&keys);
+    ready
 }
 
 /// One worker: takes a ready node, runs it, makes others ready.

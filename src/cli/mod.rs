@@ -37,6 +37,7 @@ static TAILOR: Program = PRODUCT;
 const PRODUCT: Program = Program {
     cache_env: "TAILOR_CACHE",
     size_env: "TAILOR_MAX_SIZE",
+    store_env: "TAILOR_STORE",
     pipeline: Some("body"),
     verbs: &[
         Verb {

@@ -166,7 +166,7 @@ fn a_full_disk_is_told_and_what_is_half_written_is_nowhere() {
     for left in std::fs::read_dir(place.path("out")).unwrap() {
         let name = left.unwrap().file_name().into_string().unwrap();
         assert!(
-            ["run.json", "sway.tailor"].contains(&&*name),
+            ["run.json", "sway.artifact"].contains(&&*name),
             "{name}: what is there is whole"
         );
     }

@@ -61,7 +61,7 @@ fn what_did_not_change_keeps_its_time_and_what_is_left_is_told() {
         "{}",
         said.err
     );
-    let there = [".writing-notes", "mine.txt", "run.json", "sway.tailor"];
+    let there = [".writing-notes", "mine.txt", "run.json", "sway.artifact"];
     assert_eq!(names(place.path("out")), there);
     // What somebody has changed since is not removed.
     place.run("run small.toml --out out").code(0);
@@ -245,7 +245,7 @@ fn two_processes_with_one_folder_end_well() {
         }
         assert_eq!(
             names(place.path("out")),
-            ["body.ply", "run.json", "sway.tailor"]
+            ["body.ply", "run.json", "sway.artifact"]
         );
     }
 }

@@ -1,4 +1,4 @@
-//! `tailor cache ls|du|runs|pin|unpin|pins|gc|forget|verify`.
+//! `tailor cache ls|du|runs|pin|unpin|pins|gc|forget|verify`; `cli/store.rs` has the rest.
 
 use super::fault::Fault;
 use super::program::GlobalArgs;
@@ -6,6 +6,7 @@ use super::size::mib;
 use crate::past::ago;
 use crate::past::{self, Head};
 use crate::store::keeper::{self, Budget, KEPT_RECORDS, Kept, Swept};
+use crate::store::remote::Sharing;
 use crate::store::{Forgotten, Store, forget};
 use clap::{Args, Subcommand};
 use serde_json::{Value, json};
@@ -61,6 +62,19 @@ enum Verb {
     },
     /// Read everything; put aside what is corrupt
     Verify,
+    /// What the shared store (--store) holds, how it answers, whether it keeps its word
+    Store,
+    /// Upload to the shared store (--store) what waits
+    Push,
+    /// Remove from the shared store (--store) what was written long ago, by its own clock
+    SweepStore {
+        /// How long ago \[days\]
+        #[arg(long)]
+        older_days: f64,
+        /// Say what would go, remove nothing
+        #[arg(long)]
+        dry_run: bool,
+    },
 }
 
 /// Prints the one or the other.
@@ -71,8 +85,37 @@ fn say(global: &GlobalArgs, json: Value, lines: impl FnOnce() -> Vec<String>) {
     }
 }
 
+/// Answers about the store that machines share, which needs none here.
+fn beside(
+    verb: &Verb,
+    global: &GlobalArgs,
+    sharing: Option<&Sharing>,
+) -> Option<Result<(), Fault>> {
+    match verb {
+        Verb::Store => Some(super::store::look(sharing, global)),
+        Verb::SweepStore {
+            older_days,
+            dry_run,
+        } => Some(super::store::sweep(sharing, *older_days, *dry_run, global)),
+        Verb::Push if sharing.is_none() => {
+            let say = "`cache push`: say where to, with --store";
+            Some(Err(Fault::input(say)))
+        }
+        // What waits goes there before the program ends.
+        Verb::Push => Some(Ok(())),
+        _ => None,
+    }
+}
+
 /// Answers about the store, or removes from it.
-pub(crate) fn cache(cache: &Cache, global: &GlobalArgs) -> Result<(), Fault> {
+pub(crate) fn cache(
+    cache: &Cache,
+    global: &GlobalArgs,
+    sharing: Option<&Sharing>,
+) -> Result<(), Fault> {
+    if let Some(answer) = beside(&cache.verb, global, sharing) {
+        return answer;
+    }
     if !global.cache.join("format").exists() {
         let place = global.cache.display();
         return Err(Fault::input(format!(
@@ -81,6 +124,7 @@ pub(crate) fn cache(cache: &Cache, global: &GlobalArgs) -> Result<(), Fault> {
     }
     let store = Store::open(&global.cache).map_err(Fault::input)?;
     match &cache.verb {
+        Verb::Store | Verb::Push | Verb::SweepStore { .. } => unreachable!("answered above"),
         Verb::Ls => ls(&store, global),
         Verb::Du => du(&store, global),
         Verb::Runs => runs(&store, global),

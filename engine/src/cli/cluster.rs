@@ -1,22 +1,34 @@
 //! `tailor submit`, `status` and `cancel`: a plan on Slurm, fire and forget.
 
+use super::dask;
 use super::fault::Fault;
+use super::itself;
+use super::known::{Known, known, past};
 use super::program::GlobalArgs;
 use crate::cluster::{self, Layer, Limits, Packing, Sent, Slurm, Strands, Wish};
 use crate::lasttime::History;
 use crate::past::Of;
 use crate::store::Store;
-use crate::strands::{self, Plan};
-use clap::{Args, ValueEnum};
+use crate::strands::Plan;
+use clap::Args;
 use serde_json::json;
 use std::collections::BTreeMap;
 use std::path::PathBuf;
 
 /// Who carries the work.
-#[derive(Clone, Copy, PartialEq, ValueEnum)]
+#[derive(Clone, Debug, PartialEq)]
 enum Engine {
-    /// Slurm
     Slurm,
+    /// With the scheduler's address.
+    Dask(String),
+}
+
+fn engine(text: &str) -> Result<Engine, String> {
+    match text.split_once('=') {
+        None if text == "slurm" => Ok(Engine::Slurm),
+        Some(("dask", address)) if !address.is_empty() => Ok(Engine::Dask(address.to_owned())),
+        _ => Err("say slurm, or dask=ADDRESS, such as dask=tcp://127.0.0.1:8786".into()),
+    }
 }
 
 /// Arguments of `tailor submit`.
@@ -24,8 +36,8 @@ enum Engine {
 pub(crate) struct Submit {
     /// The plan that `--strands` told, or its first digits
     plan: String,
-    /// Who carries the work
-    #[arg(long)]
+    /// Who carries the work: slurm, or dask=ADDRESS
+    #[arg(long, value_parser = engine)]
     engine: Engine,
     /// The partition
     #[arg(long)]
@@ -55,25 +67,9 @@ pub(crate) struct Submit {
 pub(crate) struct Asked {
     /// The plan that was submitted, or its first digits
     plan: String,
-}
-
-/// A plan with what is done of it.
-struct Known {
-    name: String,
-    plan: Plan,
-    strands: Strands,
-}
-
-fn known(name: &str, global: &GlobalArgs) -> Result<Known, Fault> {
-    let store = Store::open(&global.cache).map_err(Fault::input)?;
-    let (name, plan) = Plan::read(&store, name).map_err(Fault::input)?;
-    let pipeline = strands::pipeline(&plan, global.catalog()).map_err(Fault::input)?;
-    let strands = cluster::state(&plan, &pipeline, &store).map_err(Fault::input)?;
-    Ok(Known {
-        name,
-        plan,
-        strands,
-    })
+    /// Who carries the work: slurm, or dask=ADDRESS
+    #[arg(long, default_value = "slurm", value_parser = engine)]
+    engine: Engine,
 }
 
 /// `tailor submit`: sends what is neither done nor sent. To say it again sends nothing twice.
@@ -83,20 +79,24 @@ pub(crate) fn submit(args: &Submit, global: &GlobalArgs) -> Result<(), Fault> {
         plan,
         strands,
     } = known(&args.plan, global)?;
-    let Engine::Slurm = args.engine;
-    let layers = cut(&plan, &strands, args, global)?;
+    let limits = match &args.engine {
+        Engine::Slurm => Limits::of_site().map_err(Fault::input)?,
+        Engine::Dask(_) => dask::UNLIMITED,
+    };
+    let layers = cut(&plan, &strands, args, limits, global)?;
+    if let Engine::Dask(address) = &args.engine {
+        return dask::submit(address, (&name, &plan), &layers, args.cpus, global);
+    }
     let slurm = Slurm {
+        program: global.program().name,
         name: &name,
         plan: &plan,
     };
     let wish = wish(args, global)?;
-    let alive: BTreeMap<usize, String> = slurm
-        .sent()
-        .map_err(Fault::input)?
-        .into_iter()
-        .filter(Sent::is_alive)
-        .map(|sent| (sent.layer, sent.id))
-        .collect();
+    let jobs = slurm.sent().map_err(Fault::input)?;
+    let alive = jobs.iter().filter(|job| job.is_alive());
+    let alive: BTreeMap<usize, String> = alive.map(|job| (job.layer, job.id.clone())).collect();
+    let past = past(&slurm, &jobs, &layers);
     let mut sent = Vec::new();
     let mut below: Option<(&Layer, String, bool)> = None;
     for layer in &layers {
@@ -107,10 +107,12 @@ pub(crate) fn submit(args: &Submit, global: &GlobalArgs) -> Result<(), Fault> {
                 let fresh = below.as_ref().is_none_or(|b| b.2);
                 let under = below.as_ref().map(|(layer, id, _)| (*layer, id.as_str()));
                 let after = slurm.after(layer, under, fresh);
-                let id = slurm
-                    .send(layer, after.as_deref(), &wish)
-                    .map_err(Fault::input)?;
-                (id, true)
+                let wish = Wish {
+                    mem: cluster::more_memory(&past, at, wish.mem.as_deref()),
+                    ..wish.clone()
+                };
+                let id = slurm.send(layer, after.as_deref(), &wish);
+                (id.map_err(Fault::input)?, true)
             }
         };
         if !global.json && !global.quiet {
@@ -140,9 +142,9 @@ fn cut(
     plan: &Plan,
     strands: &Strands,
     args: &Submit,
+    limits: Limits,
     global: &GlobalArgs,
 ) -> Result<Vec<Layer>, Fault> {
-    let limits = Limits::of_site().map_err(Fault::input)?;
     let history = History::of(&global.cache, Of::default());
     let mut took: BTreeMap<&str, Option<f64>> = BTreeMap::new();
     for node in plan.strands.iter().flat_map(|s| &s.nodes) {
@@ -179,8 +181,9 @@ fn wish(args: &Submit, global: &GlobalArgs) -> Result<Wish, Fault> {
         time: args.time.clone(),
         more: args.sbatch.clone(),
         logs,
-        program: std::env::current_exe().map_err(Fault::input)?,
+        program: itself::program(global)?,
         cache: whole(&global.cache)?,
+        store: global.store.clone(),
     })
 }
 
@@ -191,8 +194,12 @@ pub(crate) fn status(asked: &Asked, global: &GlobalArgs) -> Result<(), Fault> {
         plan,
         strands,
     } = known(&asked.plan, global)?;
+    if let Engine::Dask(address) = &asked.engine {
+        return dask::status(address, &name, strands, &asked.plan, global);
+    }
     let left = strands.done.iter().any(|done| !done);
     let slurm = Slurm {
+        program: global.program().name,
         name: &name,
         plan: &plan,
     };
@@ -200,6 +207,16 @@ pub(crate) fn status(asked: &Asked, global: &GlobalArgs) -> Result<(), Fault> {
         true => slurm.sent().map_err(Fault::input)?,
         false => vec![],
     };
+    let sent = match left && sent.is_empty() {
+        true => slurm.remembered(),
+        false => sent,
+    };
+    // What ended while Slurm was asked is done by now.
+    let strands = match left && !sent.iter().any(Sent::is_alive) {
+        true => known(&name, global)?.strands,
+        false => strands,
+    };
+    let left = strands.done.iter().any(|done| !done);
     let mut layers = Vec::new();
     for at in 0..plan.layers() {
         let all = plan.layer(at);
@@ -237,7 +254,7 @@ pub(crate) fn status(asked: &Asked, global: &GlobalArgs) -> Result<(), Fault> {
         (true, 0) => Err(Fault::stage(match global.json {
             true => String::new(),
             false => format!(
-                "strands are missing, and nothing works on them: submit {} again (what ran out of memory or time: with more --mem or --time)",
+                "strands are missing, and nothing works on them: submit {} again (what ran out of memory gets half as much again; what ran out of time: with more --time)",
                 &name[..12]
             ),
         })),
@@ -248,7 +265,11 @@ pub(crate) fn status(asked: &Asked, global: &GlobalArgs) -> Result<(), Fault> {
 pub(crate) fn cancel(asked: &Asked, global: &GlobalArgs) -> Result<(), Fault> {
     let store = Store::open(&global.cache).map_err(Fault::input)?;
     let (name, plan) = Plan::read(&store, &asked.plan).map_err(Fault::input)?;
+    if let Engine::Dask(address) = &asked.engine {
+        return dask::cancel(address, &name, global);
+    }
     let slurm = Slurm {
+        program: global.program().name,
         name: &name,
         plan: &plan,
     };

@@ -1,6 +1,7 @@
 //! `tailor export`: a plan as rules for another engine.
 
 use super::fault::Fault;
+use super::itself;
 use super::program::GlobalArgs;
 use crate::cluster;
 use crate::delivery;
@@ -39,9 +40,11 @@ pub(crate) fn export(args: &Export, global: &GlobalArgs) -> Result<(), Fault> {
     let store = Store::open(&global.cache).map_err(Fault::input)?;
     let (name, plan) = Plan::read(&store, &args.plan).map_err(Fault::input)?;
     let rules = cluster::Rules {
+        called: global.program().name,
         name: &name,
-        program: &std::env::current_exe().map_err(Fault::input)?,
+        program: &itself::program(global)?,
         cache: &std::path::absolute(&global.cache).map_err(Fault::input)?,
+        store: global.store.as_deref(),
         threads: args.cpus.max(1),
     };
     let text = match args.form {

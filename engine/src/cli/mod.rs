@@ -16,11 +16,14 @@ mod arguments;
 mod budget;
 mod cache;
 mod cluster;
+mod dask;
 mod deliver;
 mod export;
 mod fault;
 mod host;
 mod impact;
+mod itself;
+mod known;
 mod manual;
 mod open;
 mod private;
@@ -29,9 +32,11 @@ mod programs;
 mod progress;
 mod result;
 mod run_verb;
+mod shared;
 mod show;
 mod size;
 mod speech;
+mod store;
 mod strands;
 mod sweep;
 mod sweep_asked;
@@ -51,6 +56,7 @@ pub use speech::{answer, answer_line, say_line};
 pub use sweep::{Heard, Swept, swept};
 pub use sweep_asked::SweepArgs;
 
+use crate::store::remote::Sharing;
 use clap::{ArgMatches, CommandFactory, FromArgMatches, Parser, Subcommand};
 use speech::LOST;
 use std::ffi::OsString;
@@ -133,7 +139,7 @@ enum Own {
     Completions(manual::Completions),
     /// Pages for `man`
     Man(manual::Man),
-    /// The store: ls, du, runs, pin, unpin, pins, gc, forget, verify
+    /// The store: ls, du, runs, pin, unpin, pins, gc, forget, verify; store, push, sweep-store
     Cache(cache::Cache),
 }
 
@@ -150,7 +156,8 @@ fn command(program: &'static Program) -> clap::Command {
         .version(program.version)
         .about(program.about)
         .mut_arg("cache", |arg| arg.env(program.cache_env))
-        .mut_arg("max_size", |arg| arg.env(program.size_env));
+        .mut_arg("max_size", |arg| arg.env(program.size_env))
+        .mut_arg("store", |arg| arg.env(program.store_env));
     for (place, verb) in program.verbs.iter().enumerate() {
         let own = clap::Command::new(verb.name);
         command = command.subcommand((verb.arguments)(own).display_order(place));
@@ -195,7 +202,20 @@ pub fn run<A: Into<OsString> + Clone>(
         Some(true) => private::cache().map(|cache| global.cache = cache),
         _ => Ok(()),
     };
-    let done = begun.and_then(|()| done(program, command, (&matches, own), &global));
+    let uses = !shared::NEEDS_NONE.contains(&name);
+    let sharing = begun.and_then(|()| match uses {
+        true => shared::begin(&global, name, private == Some(&true)),
+        false => Ok(None),
+    });
+    let done = sharing.and_then(|sharing| {
+        let done = done(
+            program,
+            command,
+            (&matches, own),
+            (&global, sharing.as_ref()),
+        );
+        shared::finish(sharing, name, done, &global)
+    });
     speech::flush();
     let verb = program.verbs.iter().find(|verb| verb.name == name);
     if verb.is_some_and(|verb| verb.runs) || ["run", "sweep"].contains(&name) {
@@ -209,7 +229,7 @@ fn done(
     program: &Program,
     command: clap::Command,
     (all, own): (&ArgMatches, &ArgMatches),
-    global: &GlobalArgs,
+    (global, sharing): (&GlobalArgs, Option<&Sharing>),
 ) -> Result<(), Fault> {
     let name = all.subcommand_name();
     if let Some(verb) = program.verbs.iter().find(|v| Some(v.name) == name) {
@@ -240,7 +260,7 @@ fn done(
             Ok(())
         }
         Own::Man(verb) => manual::man(verb, command),
-        Own::Cache(verb) => cache::cache(verb, global),
+        Own::Cache(verb) => cache::cache(verb, global, sharing),
     }
 }
 

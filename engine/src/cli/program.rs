@@ -25,6 +25,8 @@ pub struct Program {
     pub cache_env: &'static str,
     /// The variable of the environment that says how much the cache may hold.
     pub size_env: &'static str,
+    /// The variable of the environment that says which store machines share.
+    pub store_env: &'static str,
     /// The built-in pipeline that is meant where none is said.
     pub pipeline: Option<&'static str>,
     /// Verbs of its own, before the engine's.
@@ -62,6 +64,7 @@ impl Program {
             catalog,
             cache_env: "STAGE_CACHE",
             size_env: "STAGE_MAX_SIZE",
+            store_env: "STAGE_STORE",
             pipeline: None,
             verbs: &[],
             complete: |page, _, _| page.to_vec(),
@@ -85,6 +88,15 @@ pub struct GlobalArgs {
     /// What the cache may hold, such as 500M or 20G: what is worth least goes at the end of a run
     #[arg(long, global = true, value_parser = bytes)]
     pub max_size: Option<u64>,
+    /// Share results with other machines: s3://BUCKET/PREFIX, gs://…, az://…, or file:///FOLDER
+    #[arg(long, global = true, value_name = "ADDRESS")]
+    pub store: Option<String>,
+    /// Take results from the shared store, and put none there
+    #[arg(long, global = true, requires = "store")]
+    pub store_read_only: bool,
+    /// At the end, wait so long for uploads when nothing gets through; the rest waits in the cache \[s\]
+    #[arg(long, global = true, default_value_t = 60.0, value_name = "SECONDS")]
+    pub store_wait: f64,
     /// Let the programs of the pipeline run (`stage = "exec"`); remembered in the cache until one changes
     #[arg(long, global = true)]
     pub allow_exec: bool,
@@ -107,6 +119,9 @@ impl GlobalArgs {
             cache,
             threads: None,
             max_size: None,
+            store: None,
+            store_read_only: false,
+            store_wait: 60.0,
             allow_exec: false,
             quiet: true,
             program: Some(program),

@@ -20,7 +20,7 @@ pub fn short(x: f64) -> String {
     if !x.is_finite() || (x.fract() == 0.0 && x.abs() < 1e9) {
         return format!("{x}");
     }
-    let digits = 3 - x.abs().log10().floor() as i32;
+    let digits = 3 - libm::log10(x.abs()).floor() as i32;
     let text = format!("{x:.*}", digits.clamp(0, 8) as usize);
     match text.contains('.') {
         true => text.trim_end_matches('0').trim_end_matches('.').to_owned(),

@@ -7,12 +7,16 @@ use std::path::Path;
 /// What every rule runs.
 #[derive(Debug, Clone, Copy)]
 pub struct Rules<'a> {
+    /// What the program is called: the folder of marks is named after it.
+    pub called: &'a str,
     /// The plan's name.
     pub name: &'a str,
     /// The program.
     pub program: &'a Path,
     /// The store.
     pub cache: &'a Path,
+    /// The address of the store that machines share.
+    pub store: Option<&'a str>,
     /// Threads of a rule.
     pub threads: usize,
 }
@@ -22,10 +26,11 @@ impl Rules<'_> {
     fn command(&self, strand: usize) -> String {
         let quoted = |path: &Path| super::slurm::quoted(&path.to_string_lossy());
         format!(
-            "{} work --plan {} --strand {strand} --cache {} --threads {} --quiet",
+            "{} work --plan {} --strand {strand} --cache {}{} --threads {} --quiet",
             quoted(self.program),
             self.name,
             quoted(self.cache),
+            super::slurm::shared(self.store),
             self.threads
         )
     }
@@ -55,7 +60,7 @@ fn strands(places: impl Iterator<Item = usize>) -> String {
 /// For Snakemake: `snakemake --snakefile FILE --keep-going --cores 8`. A file in a folder named after
 /// the plan says that a strand is done.
 pub fn snakefile(plan: &Plan, rules: Rules<'_>) -> String {
-    let mark = |at: usize| format!("\"tailor-{}/s{at}\"", &rules.name[..12]);
+    let mark = |at: usize| format!("\"{}-{}/s{at}\"", rules.called, &rules.name[..12]);
     let marks = |places: &mut dyn Iterator<Item = usize>| {
         let all: Vec<String> = places.map(mark).collect();
         all.join(", ")

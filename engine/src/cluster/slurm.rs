@@ -2,6 +2,7 @@
 //! there already; no polling.
 
 use super::layers::Layer;
+use super::sent::Sent;
 use super::site::{SlurmError, ask};
 use crate::strands::Plan;
 use std::path::PathBuf;
@@ -25,50 +26,24 @@ pub struct Wish {
     pub program: PathBuf,
     /// The store.
     pub cache: PathBuf,
+    /// The address of the store that machines share.
+    pub store: Option<String>,
 }
 
 /// A plan's jobs.
 pub struct Slurm<'a> {
+    /// What the program is called: jobs are named after it.
+    pub program: &'a str,
     /// The plan's name.
     pub name: &'a str,
     /// The plan.
     pub plan: &'a Plan,
 }
 
-/// A job that is known.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Sent {
-    /// The layer, by its place in the plan.
-    pub layer: usize,
-    /// Its number.
-    pub id: String,
-    /// In what state: `PENDING`, `RUNNING`, …
-    pub state: String,
-    /// Why it waits or how it ended.
-    pub reason: String,
-}
-
-impl Sent {
-    /// Whether it may still work.
-    pub fn is_alive(&self) -> bool {
-        const ALIVE: [&str; 8] = [
-            "PENDING",
-            "RUNNING",
-            "SUSPENDED",
-            "CONFIGURING",
-            "COMPLETING",
-            "REQUEUED",
-            "RESIZING",
-            "STAGE_OUT",
-        ];
-        ALIVE.contains(&self.state.as_str())
-    }
-}
-
 impl Slurm<'_> {
     /// What the job of a layer is called.
     pub fn job(&self, layer: usize) -> String {
-        format!("tailor-{}-L{layer}", &self.name[..12])
+        format!("{}-{}-L{layer}", self.program, &self.name[..12])
     }
 
     /// All its jobs that Slurm still knows, each element of an array: one question.
@@ -78,22 +53,32 @@ impl Slurm<'_> {
     /// There is no Slurm, or it does not answer.
     pub fn sent(&self) -> Result<Vec<Sent>, SlurmError> {
         let names: Vec<String> = (0..self.plan.layers()).map(|l| self.job(l)).collect();
-        let words = ["-h", "-r", "--states=all", "-o", "%F|%j|%T|%r"].map(str::to_owned);
+        let words = ["-h", "-r", "--states=all", "-o", "%F|%j|%T|%m|%r"].map(str::to_owned);
         let mut words = words.to_vec();
         words.push(format!("--name={}", names.join(",")));
         let said = ask("squeue", &words, "")?;
-        let line = |line: &str| {
-            let mut parts = line.trim().splitn(4, '|').map(str::to_owned);
-            let (id, job, state) = (parts.next()?, parts.next()?, parts.next()?);
-            let layer = names.iter().position(|n| *n == job)?;
-            Some(Sent {
-                layer,
-                id,
-                state,
-                reason: parts.next().unwrap_or_default(),
-            })
-        };
+        let line = |line: &str| Sent::queued(line, &names);
         Ok(said.lines().filter_map(line).collect())
+    }
+
+    /// Its jobs of the last month that Slurm's accounting remembers: one question. None where the site
+    /// keeps no accounts, or `sacct` is not here.
+    pub fn remembered(&self) -> Vec<Sent> {
+        let names: Vec<String> = (0..self.plan.layers()).map(|l| self.job(l)).collect();
+        let words = [
+            "-X",
+            "-n",
+            "-P",
+            "-S",
+            "now-30days",
+            "-o",
+            "JobID,JobName,State,ReqMem",
+        ];
+        let mut words = words.map(str::to_owned).to_vec();
+        words.push(format!("--name={}", names.join(",")));
+        let said = ask("sacct", &words, "").unwrap_or_default();
+        let line = |line: &str| Sent::remembered(line, &names);
+        said.lines().filter_map(line).collect()
     }
 
     /// Sends one layer; `after` says what it waits for. Returns the job's number.
@@ -148,11 +133,12 @@ impl Slurm<'_> {
              first=$(({first} + SLURM_ARRAY_TASK_ID * {pack}))\n\
              last=$((first + {pack} - 1))\n\
              if [ \"$last\" -gt {last} ]; then last={last}; fi\n\
-             exec {program} work --plan {name} --strand \"$first-$last\" --cache {cache} \\\n  \
+             exec {program} work --plan {name} --strand \"$first-$last\" --cache {cache}{store} \\\n  \
              --threads \"${{SLURM_CPUS_PER_TASK:-1}}\" --quiet\n",
             name = self.name,
             program = quoted(&wish.program.to_string_lossy()),
             cache = quoted(&wish.cache.to_string_lossy()),
+            store = shared(wish.store.as_deref()),
         )
     }
 
@@ -191,6 +177,11 @@ impl Slurm<'_> {
         }
         Ok(ids.len())
     }
+}
+
+/// The words for a shell that say which store machines share.
+pub(super) fn shared(store: Option<&str>) -> String {
+    store.map_or(String::new(), |store| format!(" --store {}", quoted(store)))
 }
 
 /// A word for a shell.

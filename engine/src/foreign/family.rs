@@ -64,7 +64,7 @@ pub(super) fn members(folder: &Path, leader: Option<u32>) -> Vec<Member> {
         if leader == Some(id) || least.is_some_and(|least| id < least) {
             return None;
         }
-        let environment = environment(&entry.path().join("environ"), &mut buffer)?;
+        let environment = environment(&entry.path(), &mut buffer)?;
         if !environment.split(|byte| *byte == 0).any(|v| v == mark) {
             return None;
         }
@@ -78,13 +78,44 @@ pub(super) fn members(folder: &Path, leader: Option<u32>) -> Vec<Member> {
 /// More than any environment that we give. \[bytes\]
 const LARGEST_ENVIRONMENT: usize = 256 * 1024;
 
-/// The environment that a process was started with: few and large reads, since each costs.
-fn environment<'a>(file: &Path, buffer: &'a mut [u8]) -> Option<&'a [u8]> {
+/// How often a process that has no environment at the moment is asked again, a millisecond apart.
+const ASKED_AGAIN: usize = 5;
+
+/// The environment that a process was started with. One that is just becoming another program has none
+/// for a moment, and is asked again.
+fn environment<'a>(process: &Path, buffer: &'a mut [u8]) -> Option<&'a [u8]> {
+    let mut length = read(&process.join("environ"), buffer)?;
+    for _ in 0..ASKED_AGAIN {
+        if length > 0 || !may_have_one(process) {
+            break;
+        }
+        std::thread::sleep(Duration::from_millis(1));
+        length = read(&process.join("environ"), buffer)?;
+    }
+    Some(&buffer[..length])
+}
+
+/// Whether a process can have an environment: it has not ended, and is none of the kernel's (children of 2).
+fn may_have_one(process: &Path) -> bool {
+    let stat = std::fs::read_to_string(process.join("stat")).unwrap_or_default();
+    let mut fields = stat
+        .rsplit(')')
+        .next()
+        .unwrap_or_default()
+        .split_whitespace();
+    let ended = fields
+        .next()
+        .is_none_or(|state| ["Z", "X"].contains(&state));
+    !ended && fields.next() != Some("2")
+}
+
+/// Reads a file of the system's whole: few and large reads, since each costs. How much there was.
+fn read(file: &Path, buffer: &mut [u8]) -> Option<usize> {
     let mut file = File::open(file).ok()?;
     let mut length = 0;
     loop {
         match file.read(&mut buffer[length..]).ok()? {
-            0 => return Some(&buffer[..length]),
+            0 => return Some(length),
             more => length += more,
         }
     }

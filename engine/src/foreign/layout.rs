@@ -2,11 +2,10 @@
 //! For the owner only; gone when the program has ended.
 
 use super::error::ForeignError;
-use super::family;
+use super::leftover::{FOLDER, LOCK, remove};
 use super::program::Script;
-use crate::own;
 use crate::pattern::stays_inside;
-use crate::system::{Use, can_start, is_alive, permit, private_folder};
+use crate::system::{Use, can_start, permit, private_folder};
 use stage::Files;
 use std::fs::File;
 use std::path::{Path, PathBuf};
@@ -21,12 +20,6 @@ pub(super) struct Layout {
 
 /// Its folders.
 const INNER: [&str; 4] = ["here", "in", "out", "work"];
-
-/// The file that is locked.
-const LOCK: &str = "lock";
-
-/// Where a store keeps them.
-pub(super) const FOLDER: &str = "exec";
 
 fn at(path: &Path) -> impl FnOnce(std::io::Error) -> ForeignError + '_ {
     move |why| ForeignError::Folder {
@@ -163,42 +156,5 @@ impl Layout {
 impl Drop for Layout {
     fn drop(&mut self) {
         remove(&self.root);
-    }
-}
-
-/// Removes a folder of ours, whatever modes a program gave to what it left in it.
-fn remove(root: &Path) {
-    if std::fs::remove_dir_all(root).is_ok() {
-        return;
-    }
-    let mut open = vec![root.to_owned()];
-    while let Some(folder) = open.pop() {
-        let _ = permit(&folder, Use::All);
-        for entry in std::fs::read_dir(&folder).into_iter().flatten().flatten() {
-            if entry.file_type().is_ok_and(|kind| kind.is_dir()) {
-                open.push(entry.path());
-            }
-        }
-    }
-    let _ = std::fs::remove_dir_all(root);
-}
-
-/// Ends programs that outlived the process that started them, and removes their folders.
-pub fn clear(store: &Path) {
-    let root = store.join(FOLDER);
-    if std::fs::symlink_metadata(&root).is_ok_and(|m| m.is_dir()) {
-        for entry in std::fs::read_dir(&root).into_iter().flatten().flatten() {
-            let name = entry.file_name();
-            let name = name.to_str().filter(|name| own::is_writing(name));
-            let process = name.and_then(|name| name.split('-').next());
-            let here = process.is_none_or(is_alive);
-            let lock = File::open(entry.path().join(LOCK));
-            let elsewhere = lock.is_ok_and(|file| file.try_lock().is_err());
-            if !here && !elsewhere {
-                let path = entry.path().canonicalize().unwrap_or(entry.path());
-                family::end(&path, None);
-                remove(&path);
-            }
-        }
     }
 }

@@ -1,7 +1,7 @@
 //! What the user allowed: remembered by content in the store, for the owner only. A program that was not
 //! allowed does not run, nor does its identity.
 
-use super::layout;
+use super::leftover;
 use super::listing::{self, programs};
 use super::program::Grant;
 use super::run;
@@ -61,7 +61,7 @@ pub fn settle(graph: &Graph, nodes: &[usize], store: &Store, stop: &dyn Fn() -> 
             continue;
         }
         if !std::mem::replace(&mut cleared, true) {
-            layout::clear(store.root());
+            leftover::clear(store.root());
         }
         let folder = store.root().canonicalize();
         let folder = folder.unwrap_or_else(|_| store.root().to_owned());

@@ -23,7 +23,7 @@ pub(crate) fn between(s: &Stretch, share: f64) -> f64 {
         return if share <= 0.0 { s.from } else { s.to };
     }
     let x = match s.log {
-        true => s.from * (s.to / s.from).powf(share),
+        true => s.from * libm::pow(s.to / s.from, share),
         false => s.from + (s.to - s.from) * share,
     };
     // Twelve digits: 0.3 and not 0.30000000000000004.

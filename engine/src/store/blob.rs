@@ -25,7 +25,7 @@ impl Store {
     pub fn keep(&self, bytes: &[u8], seconds: f64) -> Result<Hash, StoreError> {
         let hash = blake3::hash(bytes);
         let (path, care) = (self.place("cas", hash), Care::worth(seconds));
-        match (self.blob(hash).is_some(), care) {
+        match (self.blob_here(hash).is_some(), care) {
             (false, care) => files::publish(self.disk(), &self.fresh(), &path, bytes, care)?,
             // Somebody who took less time may have made it, and left it to the system.
             (true, Care::Durable) => files::secure(self.disk(), &path)?,
@@ -39,8 +39,15 @@ impl Store {
         self.place("cas", hash).is_file()
     }
 
-    /// The bytes of a hash, verified. What is corrupt goes into quarantine and is a miss.
+    /// The bytes of a hash, verified. What is corrupt goes into quarantine and is a miss; what is not here
+    /// and is in a shared store is brought here.
     pub fn blob(&self, hash: Hash) -> Option<Blob> {
+        let here = self.blob_here(hash);
+        here.or_else(|| self.fetch(hash).then(|| self.blob_here(hash)).flatten())
+    }
+
+    /// The bytes of a hash, if they are here.
+    pub(super) fn blob_here(&self, hash: Hash) -> Option<Blob> {
         let path = self.place("cas", hash);
         // Read, not mapped: a map of a file that somebody cuts short kills the process.
         let bytes = std::fs::read(&path).ok()?;

@@ -36,6 +36,11 @@ pub(super) trait Disk: Send + Sync {
         fs::rename(from, to)
     }
 
+    /// Gives a file another name, if nothing has that name.
+    fn link(&self, from: &Path, to: &Path) -> Result<()> {
+        fs::hard_link(from, to)
+    }
+
     /// The names in a folder outlive a loss of power, once this is done.
     fn sync_names(&self, folder: &Path) -> Result<()> {
         nofollow::sync(folder)

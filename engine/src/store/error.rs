@@ -35,6 +35,14 @@ pub enum StoreError {
     /// A folder of the store that lies elsewhere.
     #[error("{} is a link, and nothing is removed through a link: nothing was removed; put the folder itself there", .0.display())]
     Link(PathBuf),
+    /// The store that machines share.
+    #[error("the store {name}: {why}")]
+    Shared {
+        /// What the user calls it.
+        name: String,
+        /// What is wrong, and what to do about it.
+        why: String,
+    },
     /// Not to be swept now.
     #[error("a run is using the cache at {}: nothing was removed; say it again when the run is done", .0.display())]
     Busy(PathBuf),

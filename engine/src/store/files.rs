@@ -53,7 +53,7 @@ fn above(disk: &dyn Disk, path: &Path) -> Result<()> {
 }
 
 /// A file to be written; the folder that it is to lie in is made when it is missed, which is rare.
-fn create(disk: &dyn Disk, path: &Path) -> Result<File> {
+pub(super) fn create(disk: &dyn Disk, path: &Path) -> Result<File> {
     match disk.create(path) {
         Err(error) if error.kind() == ErrorKind::NotFound => {
             above(disk, path)?;
@@ -63,7 +63,8 @@ fn create(disk: &dyn Disk, path: &Path) -> Result<File> {
     }
 }
 
-fn rename(disk: &dyn Disk, from: &Path, to: &Path) -> Result<()> {
+/// Gives a file a name whose folder is made when it is missed.
+pub(super) fn rename(disk: &dyn Disk, from: &Path, to: &Path) -> Result<()> {
     match disk.rename(from, to) {
         Err(error) if error.kind() == ErrorKind::NotFound => {
             above(disk, to)?;
@@ -81,6 +82,16 @@ fn sync_way(disk: &dyn Disk, root: &Path, path: &Path) -> Result<()> {
     below.try_for_each(|folder| disk.sync_names(folder))
 }
 
+/// Writes a file that nobody reads yet.
+fn write(disk: &dyn Disk, tmp: &Path, bytes: &[u8], care: Care) -> std::io::Result<()> {
+    let mut file = create(disk, tmp)?;
+    disk.write(&mut file, tmp, bytes)?;
+    match care {
+        Care::Durable => disk.sync(&file, tmp),
+        Care::Cheap => Ok(()),
+    }
+}
+
 /// Writes a file of the store at `root` under another name and renames it: whole or not at all. Mode
 /// 0600.
 pub(super) fn publish(
@@ -91,12 +102,7 @@ pub(super) fn publish(
     care: Care,
 ) -> std::result::Result<(), StoreError> {
     let written = (|| {
-        let mut file = create(disk, tmp)?;
-        disk.write(&mut file, tmp, bytes)?;
-        if care == Care::Durable {
-            disk.sync(&file, tmp)?;
-        }
-        drop(file);
+        write(disk, tmp, bytes, care)?;
         rename(disk, tmp, path)?;
         match care {
             Care::Durable => sync_way(disk, root, path),
@@ -107,6 +113,52 @@ pub(super) fn publish(
         let _ = disk.remove(tmp);
         at(path)(why)
     })
+}
+
+/// As [`publish`], if nothing has the name; whether nothing had. A disk that knows no second names writes
+/// over what is there.
+pub(super) fn publish_new(
+    (disk, root): (&dyn Disk, &Path),
+    tmp: &Path,
+    path: &Path,
+    bytes: &[u8],
+    care: Care,
+) -> std::result::Result<bool, StoreError> {
+    let written = (|| {
+        write(disk, tmp, bytes, care)?;
+        let linked = match disk.link(tmp, path) {
+            Err(error) if error.kind() == ErrorKind::NotFound => {
+                above(disk, path)?;
+                disk.link(tmp, path)
+            }
+            linked => linked,
+        };
+        match linked {
+            Ok(()) => disk.remove(tmp)?,
+            Err(error) if error.kind() == ErrorKind::AlreadyExists => {
+                disk.remove(tmp)?;
+                return Ok(false);
+            }
+            Err(error) if knows_no_links(&error) => rename(disk, tmp, path)?,
+            Err(error) => return Err(error),
+        }
+        if care == Care::Durable {
+            sync_way(disk, root, path)?;
+        }
+        Ok(true)
+    })();
+    written.map_err(|why| {
+        let _ = disk.remove(tmp);
+        at(path)(why)
+    })
+}
+
+/// What disks without second names say: FAT, some that lie elsewhere.
+fn knows_no_links(error: &std::io::Error) -> bool {
+    matches!(
+        error.kind(),
+        ErrorKind::Unsupported | ErrorKind::PermissionDenied | ErrorKind::TooManyLinks
+    )
 }
 
 /// Makes a whole file of the store that was published without care as safe as one with it.

@@ -5,12 +5,17 @@ use super::error::StoreError;
 use super::files::{self, Care};
 use super::index::Index;
 use super::prefetch::Prefetch;
+use super::remote::{self, Link};
 use crate::own::{self, place};
 use stage::Hash;
 use std::path::{Path, PathBuf};
-use std::sync::{Mutex, MutexGuard, OnceLock};
+use std::sync::{Arc, Mutex, MutexGuard, OnceLock};
 
-const FORMAT: &str = "tailor store 1\n";
+/// What the file `format` says.
+const FORMAT: &str = "stage store 1\n";
+
+/// What it said before the engine was a crate of its own: the same layout, after the first program.
+const FORMER: &str = "tailor store 1\n";
 
 /// A store on disk.
 pub struct Store {
@@ -18,6 +23,8 @@ pub struct Store {
     pub(super) disk: Box<dyn Disk>,
     /// Read when somebody asks it first.
     index: OnceLock<Mutex<Index>>,
+    /// To a store that machines share, if there is one.
+    pub(super) link: Option<Arc<Link>>,
 }
 
 impl Store {
@@ -48,10 +55,11 @@ impl Store {
             root: root.to_owned(),
             disk,
             index,
+            link: remote::of(root),
         };
         let mark = root.join("format");
         let found = std::fs::read(&mark).unwrap_or_default();
-        if found == FORMAT.as_bytes() {
+        if [FORMAT, FORMER].iter().any(|mark| found == mark.as_bytes()) {
             return Ok(store);
         }
         // A loss of power may leave a file without all that was written, whose layout was this one.

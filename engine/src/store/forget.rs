@@ -103,7 +103,7 @@ fn derived(links: &[Link], seeds: &BTreeSet<String>) -> BTreeSet<usize> {
 ///
 /// # Errors
 ///
-/// A run uses the store, or the disk refuses.
+/// A run uses the store, the disk refuses, or the shared store that the store is linked to.
 pub fn forget(store: &Store, folder: &Path) -> Result<Forgotten, StoreError> {
     let root = store.root();
     if let Some(link) = own::link(root) {
@@ -152,6 +152,11 @@ pub fn forget(store: &Store, folder: &Path) -> Result<Forgotten, StoreError> {
     }
     forgotten.shared.sort();
     forgotten.shared.dedup();
+    let there: Vec<(Hash, Hash)> = going
+        .iter()
+        .map(|i| (links[*i].key, links[*i].content))
+        .collect();
+    store.forget_elsewhere(&there)?;
     for i in &going {
         let Link {
             key,
@@ -160,6 +165,7 @@ pub fn forget(store: &Store, folder: &Path) -> Result<Forgotten, StoreError> {
             ..
         } = links[*i];
         own::remove_from(root, "ac", key);
+        store.forget_waiting(key);
         if own::remove_from(root, "cas", content) {
             forgotten.bytes += bytes;
         }

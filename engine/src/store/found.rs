@@ -18,8 +18,15 @@ pub struct Found {
 
 impl Store {
     /// The record of a key, and whether its result is there: the one question of a walk. A result
-    /// that is there but corrupt is a miss.
+    /// that is there but corrupt is a miss. A record that is not here and is in a shared store is brought
+    /// here.
     pub fn found(&self, key: Hash) -> Option<Found> {
+        let here = self.found_here(key);
+        here.or_else(|| self.bring(key).then(|| self.found_here(key)).flatten())
+    }
+
+    /// As [`Store::found`], of what is here.
+    pub(super) fn found_here(&self, key: Hash) -> Option<Found> {
         let known = {
             let mut index = self.index();
             let entry = index.entries.get_mut(key.as_bytes());
@@ -37,7 +44,7 @@ impl Store {
         let record = self.record(key)?;
         let stamp = Stamp::of(&self.place("cas", record.content));
         if let Some(stamp) = stamp {
-            if self.blob(record.content).is_none() {
+            if self.blob_here(record.content).is_none() {
                 // Corrupt: made again at once, so that the store is whole again.
                 let _ = self.disk.remove(&self.place("ac", key));
                 return None;

@@ -2,6 +2,7 @@
 
 use super::error::StoreError;
 use super::folder::Store;
+use crate::foreign::leftover;
 use crate::own;
 use crate::past;
 use crate::system::is_alive;
@@ -109,7 +110,8 @@ pub fn gc(store: &Store, budget: &Budget, dry_run: bool) -> Result<Swept, StoreE
         ),
     };
     let pins: BTreeSet<String> = store.pins().into_iter().map(|(_, run)| run).collect();
-    let stays = past::contents(store.root(), budget.keep_runs, &pins);
+    let mut stays = past::contents(store.root(), budget.keep_runs, &pins);
+    stays.extend(store.waiting_contents());
     // Nodes may share a result: it is worth what the dearest of them took.
     let mut kept: BTreeMap<String, Kept> = BTreeMap::new();
     for k in list(store) {
@@ -164,8 +166,8 @@ pub(super) fn remove_parts(root: &Path) {
     }
 }
 
-/// Removes what killed processes left: files that were being written; files of leases; and what
-/// was put aside.
+/// Removes what killed processes left: files that were being written, programs with their folders,
+/// files of leases; and what was put aside.
 pub(super) fn sweep(root: &Path) {
     own::remove(root, &[], "index");
     for name in own::files(root, "quarantine", own::is_hash) {
@@ -178,6 +180,7 @@ pub(super) fn sweep(root: &Path) {
             own::remove(root, &["tmp"], &name);
         }
     }
+    leftover::clear(root);
     // Nobody runs, so nobody holds one.
     for name in own::files(root, "lease", own::is_lease) {
         own::remove(root, &["lease"], &name);
@@ -191,6 +194,6 @@ pub fn verify(store: &Store) -> usize {
         all.filter(|hash| !whole(*hash)).count()
     };
     bad("ac", &|key| store.is_sound(key))
-        + bad("cas", &|content| store.blob(content).is_some())
+        + bad("cas", &|content| store.blob_here(content).is_some())
         + bad("parts", &|key| store.recall(key).is_some())
 }

@@ -10,6 +10,8 @@
 //! pins/…                names of runs whose results stay
 //! in-use                locked by whoever runs, and by who sweeps; see `lease.rs`
 //! index                 what was verified; see `index.rs`; may go at any time
+//! shared/…              which results a shared store has; see `remote/known.rs`
+//! waiting/…             what waits to be uploaded; see `remote/waiting.rs`
 //! plans/…               what `plan --strands` wrote, named by its hash
 //! captures/…            which folders had files of this content; see `forget.rs`
 //! quarantine/…          what was found corrupt
@@ -39,6 +41,7 @@ mod pins;
 mod prefetch;
 mod record;
 mod records;
+pub mod remote;
 #[cfg(test)]
 mod simulated;
 

@@ -33,7 +33,36 @@ impl Store {
         read
     }
 
-    /// Writes the record of a key: the last step of publishing a result.
+    /// Writes the record of a key, if there is none: the last step of publishing a result. Returns the
+    /// record of somebody who was first, if its result is there.
+    ///
+    /// # Errors
+    ///
+    /// The disk refuses.
+    pub fn create_record(&self, key: Hash, record: &Record) -> Result<Option<Record>, StoreError> {
+        let (file, path) = (record.file(), self.place("ac", key));
+        let care = Care::worth(record.seconds);
+        let shared = self.will_share(key);
+        for _ in 0..2 {
+            if files::publish_new(self.disk(), &self.fresh(), &path, file.as_bytes(), care)? {
+                self.note_made(key, record);
+                if shared {
+                    self.offer(key);
+                }
+                return Ok(None);
+            }
+            match self.record(key) {
+                Some(first) if self.holds(first.content) => return Ok(Some(first)),
+                // Its result went away: this one counts.
+                Some(_) => break,
+                // Torn or corrupt, and put aside by now.
+                None => {}
+            }
+        }
+        self.write_record(key, record).map(|()| None)
+    }
+
+    /// Writes the record of a key, over what is there.
     ///
     /// # Errors
     ///
@@ -42,8 +71,13 @@ impl Store {
         let file = record.file();
         let (tmp, path) = (self.fresh(), self.place("ac", key));
         let care = Care::worth(record.seconds);
+        // Noted first: whoever is killed in between leaves a note too many, not one too few.
+        let shared = self.will_share(key);
         files::publish(self.disk(), &tmp, &path, file.as_bytes(), care)?;
         self.note_made(key, record);
+        if shared {
+            self.offer(key);
+        }
         Ok(())
     }
 }

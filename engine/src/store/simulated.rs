@@ -21,6 +21,7 @@ pub(super) enum Step {
     Write(PathBuf, Vec<u8>),
     Sync(PathBuf),
     Rename(PathBuf, PathBuf),
+    Link(PathBuf, PathBuf),
     SyncNames(PathBuf),
     Remove(PathBuf),
 }
@@ -75,6 +76,10 @@ impl Disk for Simulated {
     fn rename(&self, from: &Path, to: &Path) -> Result<()> {
         let step = Step::Rename(from.into(), to.into());
         self.step(step, || Real.rename(from, to))
+    }
+    fn link(&self, from: &Path, to: &Path) -> Result<()> {
+        let step = Step::Link(from.into(), to.into());
+        self.step(step, || Real.link(from, to))
     }
     fn sync_names(&self, folder: &Path) -> Result<()> {
         self.step(Step::SyncNames(folder.into()), || Ok(()))
@@ -132,6 +137,11 @@ impl Memory {
                 self.names.insert(to.clone(), file);
                 self.open.push((to.clone(), Some(Entry::File(file))));
                 self.open.push((from.clone(), None));
+            }
+            Step::Link(from, to) => {
+                let file = self.names[from];
+                self.names.insert(to.clone(), file);
+                self.open.push((to.clone(), Some(Entry::File(file))));
             }
             Step::SyncNames(folder) => {
                 let open = std::mem::take(&mut self.open);

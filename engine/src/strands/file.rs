@@ -123,11 +123,12 @@ impl Plan {
         below(layer)..below(layer + 1)
     }
 
-    /// Writes it into a store, if it is not there yet. Returns its name.
+    /// Writes it into a store, and into the one that machines share, if it is not there yet. Returns its
+    /// name.
     ///
     /// # Errors
     ///
-    /// The disk refuses.
+    /// The disk refuses, or the shared store.
     pub fn write(&self, store: &Store) -> Result<String, StoreError> {
         let mut bytes = serde_json::to_vec_pretty(self).expect("bug: JSON");
         bytes.push(b'\n');
@@ -137,6 +138,7 @@ impl Plan {
         if !std::fs::read(store.root().join(&file)).is_ok_and(|there| there == bytes) {
             store.write(&file, &bytes)?;
         }
+        store.publish_plan(&name, &bytes)?;
         Ok(name)
     }
 
@@ -148,6 +150,9 @@ impl Plan {
     pub fn read(store: &Store, name: &str) -> Result<(String, Plan), PlanError> {
         let named = name.len() >= SHORTEST;
         let fits = |n: &str| own::is_hash(n) && named && n.starts_with(name);
+        if named {
+            store.bring_plan(name)?;
+        }
         let found = own::files(store.root(), FOLDER, fits);
         let [whole] = found.as_slice() else {
             return Err(PlanError::None(name.into(), store.root().into()));

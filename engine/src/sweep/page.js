@@ -21,21 +21,40 @@
     const words = distinct(known);
     return { at: (t) => (words.indexOf(t) + 0.5) / words.length, ticks: words.map((w) => [w, w]) };
   };
-  const [W, H, L, R, T, B] = [320, 210, 48, 10, 8, 26];
+  // Letters of 10 px are about 5.8 px wide.
+  const wide = (text) => 5.8 * String(text).length;
+  const [W, H, R, T] = [320, 220, 12, 10];
   const legend = document.getElementById("legend"), plots = document.getElementById("view");
   const vary = data.params.map((_, p) => distinct(rows.map((r) => r.params[p])).length > 1);
+  const moves = data.metrics.map((_, m) => distinct(rows.map((r) => r.metrics[m]).filter((v) => v !== null)).length > 1);
 
   // --- one plot a param and a number; a line joins points that differ in this param only ---
-  const others = (row, p) => row.params.filter((_, q) => q !== p && vary[q]).join(", ");
+  const others = (row, p) => row.params.map((value, q) => (q !== p && vary[q] ? `${data.params[q]} = ${value}` : "")).filter((t) => t).join(", ");
+  // Ticks that lie on each other, or reach out of the drawing, are left out or moved in.
+  const along = (ticks, at, low, high, y) => {
+    let svg = "", end = -Infinity;
+    for (const [t, word] of ticks) {
+      const x = Math.min(Math.max(at(t), low + wide(word) / 2), high - wide(word) / 2);
+      if (x - wide(word) / 2 < end + 4) continue;
+      end = x + wide(word) / 2;
+      svg += `<text x="${x}" y="${y}" text-anchor="middle">${escape(word)}</text>`;
+    }
+    return svg;
+  };
+  const slanted = (ticks, at, y) => ticks.map(([t, word]) => `<text transform="translate(${at(t) + 3} ${y}) rotate(-35)" text-anchor="end">${escape(word)}</text>`).join("");
   const plot = (p, m) => {
     const shown = rows.filter((r) => r.metrics[m] !== null);
-    if (!shown.length) return;
     const x = axis(shown.map((r) => r.params[p])), y = axis(shown.map((r) => r.metrics[m]));
-    const X = (r) => L + 8 + x.at(r.params[p]) * (W - L - R - 16), Y = (v) => H - B - 6 - y.at(v) * (H - T - B - 12);
     const values = shown.map((r) => r.metrics[m]), lo = Math.min(...values), hi = Math.max(...values);
-    let svg = `<svg viewBox="0 0 ${W} ${H}" role="img">`;
-    for (const v of lo === hi ? [lo] : [lo, (lo + hi) / 2, hi]) svg += `<line class="grid" x1="${L}" x2="${W - R}" y1="${Y(v)}" y2="${Y(v)}"/><text x="${L - 4}" y="${Y(v) + 3}" text-anchor="end">${short(v)}</text>`;
-    for (const [t, word] of x.ticks) { const at = L + 8 + x.at(t) * (W - L - R - 16); svg += `<text x="${at}" y="${H - B + 12}" text-anchor="middle">${escape(word)}</text>`; }
+    const levels = [lo, (lo + hi) / 2, hi];
+    // The name of a method may be longer than its share of the axis: then all names stand aslant.
+    const words = x.ticks.map((t) => t[1]), longest = Math.max(...words.map(wide)), text = words.some((w) => number(w) === null);
+    const crowded = text && longest > 230 / words.length, L = Math.max(...levels.map((v) => wide(short(v)))) + 10, B = crowded ? 16 + Math.min(90, 0.6 * longest) : 26;
+    const left = crowded ? Math.max(L, 0.8 * longest - 100 / words.length) : L, at = (t) => left + 8 + x.at(t) * (W - left - R - 16);
+    const X = (r) => at(r.params[p]), Y = (v) => H - B - 6 - y.at(v) * (H - T - B - 12);
+    let svg = `<svg viewBox="0 0 ${W} ${H}" role="img" aria-label="${escape(data.metrics[m])} over ${escape(data.params[p])}">`;
+    for (const v of levels) svg += `<line class="grid" x1="${left}" x2="${W - R}" y1="${Y(v)}" y2="${Y(v)}"/><text x="${left - 4}" y="${Y(v) + 3}" text-anchor="end">${short(v)}</text>`;
+    svg += crowded ? slanted(x.ticks, at, H - B + 8) : along(x.ticks, at, 0, W, H - B + 12);
     const groups = distinct(shown.map((r) => others(r, p)));
     groups.forEach((g, k) => {
       const color = colors[k % colors.length];
@@ -44,21 +63,26 @@
       for (const r of line) svg += `<circle data-row="${r.i}" cx="${X(r)}" cy="${Y(r.metrics[m])}" r="3.2" fill="${color}"><title>${escape(r.name)}: ${r.metrics[m]}</title></circle>`;
     });
     const figure = document.createElement("figure");
-    figure.innerHTML = `<figcaption><b>${escape(data.metrics[m])}</b> over ${escape(data.params[p])}${groups.length > 1 && groups.length <= 10 ? "" : groups.length > 10 ? ` <span class="soft">(${groups.length} lines)</span>` : ""}</figcaption>${svg}</svg>`;
+    figure.innerHTML = `<figcaption><b>${escape(data.metrics[m])}</b> over ${escape(data.params[p])}${groups.length > 10 ? ` <span class="soft">(${groups.length} lines)</span>` : ""}</figcaption>${svg}</svg>`;
     if (groups.length > 1 && groups.length <= 10) figure.innerHTML += `<div class="legend">${groups.map((g, k) => `<span><i style="background:${colors[k % 10]}"></i>${escape(g)}</span>`).join("")}</div>`;
     plots.append(figure);
   };
-  data.metrics.forEach((_, m) => data.params.forEach((_, p) => { if (vary[p] && plots.children.length < 60) plot(p, m); }));
-  if (!plots.children.length) legend.textContent = "Nothing varies, or no metric was given.";
+  data.metrics.forEach((_, m) => data.params.forEach((_, p) => { if (vary[p] && moves[m] && plots.children.length < 60) plot(p, m); }));
+  const still = data.metrics.map((name, m) => [name, rows.map((r) => r.metrics[m]).find((v) => v !== null), m]).filter(([, v, m]) => !moves[m] && v !== undefined);
+  const told = plots.children.length ? [] : ["Nothing varies, or no metric was given."];
+  if (still.length && rows.length > 1) told.push(`The same at every point, so not drawn: ${still.map(([name, v]) => `${name} ${short(v)}`).join("; ")}.`);
+  legend.textContent = told.join(" ");
 
   // --- all columns as parallel axes: a line a point ---
   const place = document.getElementById("parallel");
   const shown = rows.filter((r) => r.metrics.some((v) => v !== null));
-  const axes = [...data.params.map((name, p) => ({ name, of: (r) => r.params[p], on: vary[p] })), ...data.metrics.map((name, m) => ({ name, of: (r) => r.metrics[m], on: shown.some((r) => r.metrics[m] !== null) }))].filter((a) => a.on).slice(0, 14);
+  const axes = [...data.params.map((name, p) => ({ name, of: (r) => r.params[p], on: vary[p] })), ...data.metrics.map((name, m) => ({ name, of: (r) => r.metrics[m], on: moves[m] }))].filter((a) => a.on).slice(0, 14);
   if (shown.length && axes.length > 1) {
-    const w = Math.max(700, axes.length * 110), h = 300, at = (i) => 50 + (i * (w - 110)) / (axes.length - 1);
+    // A name stands on two lines: the node, and what is its own.
+    const names = axes.map((a) => { const dot = a.name.indexOf("."); return dot < 0 ? ["", a.name] : [a.name.slice(0, dot), a.name.slice(dot + 1)]; });
+    const room = Math.max(...names.flat().map(wide), ...axes.flatMap((a) => axis(shown.map(a.of)).ticks.map((t) => wide(t[1])))) + 14, step = Math.max(100, room), w = axes.length * step, h = 300, at = (i) => (i + 0.5) * step;
     const scales = axes.map((a) => axis(shown.map(a.of))), Y = (i, v) => h - 24 - scales[i].at(v) * (h - 70);
-    let svg = `<svg viewBox="0 0 ${w} ${h}" style="min-width:${w * 0.8}px">`;
+    let svg = `<svg viewBox="0 0 ${w} ${h}" style="min-width:${w * 0.8}px;max-width:${w * 1.3}px">`;
     const last = axes.length - 1;
     for (const r of shown) {
       const points = axes.map((a, i) => [a.of(r), i]).filter(([v]) => v !== null).map(([v, i]) => `${at(i)},${Y(i, v)}`);
@@ -66,7 +90,7 @@
       svg += `<polyline data-row="${r.i}" fill="none" stroke="hsl(${215 - 195 * share} 70% 50%)" stroke-width="1.6" opacity=".7" points="${points.join(" ")}"><title>${escape(r.name)}</title></polyline>`;
     }
     axes.forEach((a, i) => {
-      svg += `<line class="grid" x1="${at(i)}" x2="${at(i)}" y1="40" y2="${h - 18}"/><text x="${at(i)}" y="${i % 2 ? 26 : 12}" text-anchor="middle">${escape(a.name)}</text>`;
+      svg += `<line class="grid" x1="${at(i)}" x2="${at(i)}" y1="40" y2="${h - 18}"/><text x="${at(i)}" y="12" text-anchor="middle">${escape(names[i][0])}</text><text x="${at(i)}" y="26" text-anchor="middle">${escape(names[i][1])}</text>`;
       for (const [t, word] of scales[i].ticks) svg += `<text x="${at(i) + 4}" y="${Y(i, t) + 3}">${escape(word)}</text>`;
     });
     place.innerHTML = svg + "</svg>";

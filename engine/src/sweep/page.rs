@@ -18,7 +18,10 @@ pub fn page(name: &str, about: &str, rows: &[Row]) -> String {
         .collect();
     let metrics: Vec<String> = columns
         .iter()
-        .map(|(n, u)| format!("{n} {u}").trim_end().to_owned())
+        .map(|(name, unit)| match unit.is_empty() {
+            true => name.clone(),
+            false => format!("{name} [{unit}]"),
+        })
         .collect();
     let mut head = heads.clone();
     head.extend(metrics.iter().cloned());
@@ -46,7 +49,7 @@ pub fn page(name: &str, about: &str, rows: &[Row]) -> String {
     let title = if about.is_empty() { name } else { about };
     let body = format!(
         "<h1>{}</h1>\n<p class=\"soft\">sweep <code>{}</code>; {}</p>\n\
-         <section><h2>Each number over each param</h2><div id=\"legend\" class=\"legend\"></div><div id=\"view\" class=\"plots\"></div></section>\n\
+         <section><h2>Each number over each param</h2><p id=\"legend\" class=\"soft\"></p><div id=\"view\" class=\"plots\"></div></section>\n\
          <section><h2>All side by side</h2><div id=\"parallel\"></div></section>\n\
          <section><h2>All points</h2>{}</section>",
         page::escaped(title),

@@ -1,13 +1,18 @@
 //! The engine on toys: what runs and what does not, kills, faults, many processes, laws.
 
+mod bucket;
 mod cutoff;
 mod document;
 mod extends;
 mod faults;
 mod laws;
 mod place;
+mod points;
+mod points_refused;
 mod power;
 mod processes;
+mod shared;
+mod shared_faults;
 mod strands;
 mod sweeping;
 pub mod toys;

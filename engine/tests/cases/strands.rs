@@ -65,9 +65,19 @@ pub(crate) fn worked(
     strand: usize,
     watch: &dyn Watch,
 ) -> Result<Worked, WorkError> {
+    worked_in(&place.cache(), plan, strand, watch)
+}
+
+/// As [`worked`], in a cache.
+pub(crate) fn worked_in(
+    cache: &std::path::Path,
+    plan: &Plan,
+    strand: usize,
+    watch: &dyn Watch,
+) -> Result<Worked, WorkError> {
     let pipeline = strands::pipeline(plan, &CATALOG).unwrap();
     let options = Options {
-        cache: place.cache(),
+        cache: cache.into(),
         threads: Some(2),
         keep_going: true,
     };

@@ -33,6 +33,7 @@ stage::params! {
     /// A number, and how long it takes.
     pub struct Number {
         /// A number.
+        #[range(0..=1_000_000)]
         n: i64 = 1,
         /// How long it takes.
         sleep_ms: u32 = 0,
@@ -65,7 +66,7 @@ impl Stage for Clean {
     }
 }
 
-/// Adds a number; fails at 13.
+/// Adds a number; tells ten times the number; fails at 13.
 struct Mid;
 impl Stage for Mid {
     const NAME: &'static str = "toy.mid";
@@ -74,11 +75,13 @@ impl Stage for Mid {
     type Params = Number;
     type Input = FromDocument;
     type Output = Document;
-    fn run(p: &Number, input: FromDocument, _: &Ctx<'_>) -> Result<Document, Stop> {
+    const METRICS: &'static [&'static str] = &["tenfold"];
+    fn run(p: &Number, input: FromDocument, ctx: &Ctx<'_>) -> Result<Document, Stop> {
         std::thread::sleep(std::time::Duration::from_millis(p.sleep_ms.into()));
         if p.n == 13 {
             return Err(std::io::Error::other("thirteen is not taken").into());
         }
+        ctx.metric("tenfold", p.n as f64 * 10.0, "mm");
         let text = String::from_utf8_lossy(&input.text.bytes);
         Ok(document(format!("{text} {}", p.n)))
     }

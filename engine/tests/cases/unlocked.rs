@@ -3,9 +3,10 @@
 use crate::place::Place;
 use crate::strands::{planned, worked};
 use engine::recipe::Overrides;
+use engine::store::{Record, Store};
 use engine::walk::Watch;
 use stage::Hash;
-use std::sync::Mutex;
+use std::sync::{Barrier, Mutex};
 
 /// Notes which nodes came out otherwise than somebody else's.
 #[derive(Default)]
@@ -47,5 +48,50 @@ fn who_comes_second_where_there_are_no_locks_compares_and_the_first_counts() {
         assert!(told.iter().all(|(node, theirs, ours)| {
             node == "x" && *theirs == contents[0] && *ours != contents[0]
         }));
+    }
+}
+
+#[test]
+fn of_many_who_write_one_record_at_once_the_first_counts_for_all() {
+    let folder = tempfile::tempdir().unwrap();
+    let store = Store::open(folder.path()).unwrap();
+    for round in 0..50 {
+        let provenance = vec![("stage".to_owned(), format!("toy v{round}"))];
+        let record = |n: u8| {
+            let content = store.keep(&[n; 9], 0.0).unwrap();
+            Record {
+                provenance: provenance.clone(),
+                content,
+                bytes: 9,
+                seconds: f64::from(n),
+                metrics: vec![],
+                warnings: vec![],
+            }
+        };
+        let key = engine::key::of(&provenance);
+        let records: Vec<Record> = (0..8).map(record).collect();
+        let together = Barrier::new(8);
+        let came: Vec<Option<Record>> = std::thread::scope(|scope| {
+            let one = |record| {
+                together.wait();
+                store.create_record(key, record).unwrap()
+            };
+            let all: Vec<_> = records
+                .iter()
+                .map(|r| scope.spawn(move || one(r)))
+                .collect();
+            all.into_iter().map(|t| t.join().unwrap()).collect()
+        });
+        let first = came
+            .iter()
+            .position(Option::is_none)
+            .expect("somebody is first");
+        for (at, theirs) in came.iter().enumerate().filter(|(at, _)| *at != first) {
+            assert_eq!(
+                theirs.as_ref(),
+                Some(&records[first]),
+                "round {round}, {at}"
+            );
+        }
     }
 }

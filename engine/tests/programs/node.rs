@@ -3,6 +3,7 @@
 use crate::trade::{Nobody, Pages, Place, Text, done, is_made, left, shell};
 use engine::foreign::{Sandbox, sandbox};
 use engine::plan::{State, plan};
+use engine::store::keeper::{Budget, gc};
 use engine::walk::Watch;
 use engine::{foreign, verify};
 use std::path::PathBuf;
@@ -244,4 +245,35 @@ fn what_a_killed_run_left_is_ended_and_removed() {
     let start = Instant::now();
     assert_eq!(place.text(&shell("echo 1 > $1", "")), "1\n");
     assert!(!orphan.wait().unwrap().success() && start.elapsed().as_secs() < 50);
+}
+
+#[test]
+fn gc_and_forget_clear_what_killed_programs_left_and_nothing_behind_a_link() {
+    let place = Place::new();
+    let store = place.store();
+    let exec = store.root().join("exec");
+    let (stale, apart) = (exec.join("4194399-0-1f"), store.root().join("../apart"));
+    let (linked, strange) = (exec.join("4194399-1-1f"), exec.join("notes"));
+    let whole = Budget {
+        most: u64::MAX,
+        keep_runs: 1,
+        keep_records: 1,
+    };
+    let sweeps: [&dyn Fn(); 2] = [&|| drop(gc(&store, &whole, false).unwrap()), &|| {
+        drop(engine::store::forget(&store, &exec).unwrap())
+    }];
+    for sweep in sweeps {
+        for folder in [&stale, &apart, &strange] {
+            std::fs::create_dir_all(folder.join("in")).unwrap();
+            std::fs::write(folder.join("in/photo.jpg"), "private").unwrap();
+        }
+        if !linked.is_symlink() {
+            std::os::unix::fs::symlink(&apart, &linked).unwrap();
+        }
+        gc(&store, &whole, true).unwrap();
+        assert!(stale.exists(), "a dry run removes nothing");
+        sweep();
+        assert!(!stale.exists());
+        assert!(apart.join("in/photo.jpg").exists() && strange.join("in/photo.jpg").exists());
+    }
 }

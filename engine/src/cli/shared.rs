@@ -1,0 +1,118 @@
+//! `--store`: the store here is linked to one that machines share, for as long as a verb runs.
+
+use super::fault::Fault;
+use super::program::GlobalArgs;
+use super::speech::CANCEL;
+use crate::store::remote::{Left, Objects, Sharing};
+use std::sync::atomic::Ordering;
+use std::time::Duration;
+
+/// Verbs that read no result and make none.
+pub(super) const NEEDS_NONE: [&str; 6] =
+    ["stages", "check", "pipelines", "completions", "man", "mat"];
+
+/// The place of an address.
+#[cfg(feature = "remote")]
+fn place(address: &str) -> Result<Box<dyn Objects>, Fault> {
+    let opened = crate::store::remote::open(address);
+    opened.map_err(|why| Fault::input(format!("--store {}: {why}", plain(address))))
+}
+
+/// There is none in this program.
+#[cfg(not(feature = "remote"))]
+fn place(address: &str) -> Result<Box<dyn Objects>, Fault> {
+    Err(Fault::input(format!(
+        "--store {}: this program was built without stores that machines share; build it with `--features remote`",
+        plain(address)
+    )))
+}
+
+/// An address without what it may hold of secrets.
+fn plain(address: &str) -> String {
+    let (scheme, rest) = address.split_once("://").unwrap_or(("", address));
+    let rest = rest.rsplit_once('@').map_or(rest, |(_, rest)| rest);
+    let rest = rest.split(['?', '#']).next().unwrap_or_default();
+    format!("{scheme}://{rest}")
+}
+
+/// Links the store to what `--store` says.
+pub(super) fn begin(
+    global: &GlobalArgs,
+    verb: &str,
+    private: bool,
+) -> Result<Option<Sharing>, Fault> {
+    let Some(address) = &global.store else {
+        return Ok(None);
+    };
+    if private {
+        return Err(Fault::input(
+            "--private keeps nothing and --store gives it to others: say one of them",
+        ));
+    }
+    if verb == "serve" {
+        return Err(Fault::input(
+            "`serve` keeps captures on this machine alone: leave --store out",
+        ));
+    }
+    if !(global.store_wait >= 0.0 && global.store_wait.is_finite()) {
+        return Err(Fault::input("--store-wait: say seconds, such as 60"));
+    }
+    let objects = place(address)?;
+    let say = |line: &str| crate::errln!("{line}");
+    Sharing::begin(
+        &global.cache,
+        objects,
+        global.store_read_only,
+        Box::new(say),
+    )
+    .map(Some)
+    .map_err(Fault::input)
+}
+
+/// Waits for what is being uploaded. A strand is not done before it is.
+pub(super) fn finish(
+    sharing: Option<Sharing>,
+    verb: &str,
+    done: Result<(), Fault>,
+    global: &GlobalArgs,
+) -> Result<(), Fault> {
+    let Some(sharing) = sharing else { return done };
+    let name = sharing.name().to_owned();
+    let patience = match CANCEL.load(Ordering::Relaxed) {
+        true => 0.0,
+        false => global.store_wait,
+    };
+    let left = sharing.finish(Duration::from_secs_f64(patience));
+    if left.waiting == 0 {
+        if left.sent > 0 && !global.quiet && !global.json {
+            crate::errln!("store {name}: {} results went there", left.sent);
+        }
+        return done;
+    }
+    let text = waits(&name, &left);
+    match (done, verb) {
+        (Ok(()), "work" | "push") => match global.json {
+            true => {
+                crate::errln!("{text}");
+                Err(Fault::stage(""))
+            }
+            false => Err(Fault::stage(text)),
+        },
+        (done, _) => {
+            crate::errln!("{text}");
+            done
+        }
+    }
+}
+
+fn waits(name: &str, left: &Left) -> String {
+    let why = left
+        .why
+        .as_ref()
+        .map_or(String::new(), |why| format!(" ({why})"));
+    format!(
+        "store {name}: {} results could not be uploaded{why}; they wait in the cache, and go there with the next \
+         run, or with `cache push`",
+        left.waiting
+    )
+}

@@ -1,0 +1,54 @@
+//! What programs left whose run was killed: ended, and their folders removed.
+
+use super::family;
+use crate::own;
+use crate::system::{Use, is_alive, permit};
+use std::fs::File;
+use std::path::Path;
+
+/// Where a store keeps the folders of programs that run.
+pub(super) const FOLDER: &str = "exec";
+
+/// The file in each that is locked while its program may run.
+pub(super) const LOCK: &str = "lock";
+
+/// Removes a folder of ours, whatever modes a program gave to what it left in it.
+pub(super) fn remove(root: &Path) {
+    if std::fs::remove_dir_all(root).is_ok() {
+        return;
+    }
+    let mut open = vec![root.to_owned()];
+    while let Some(folder) = open.pop() {
+        let _ = permit(&folder, Use::All);
+        for entry in std::fs::read_dir(&folder).into_iter().flatten().flatten() {
+            if entry.file_type().is_ok_and(|kind| kind.is_dir()) {
+                open.push(entry.path());
+            }
+        }
+    }
+    let _ = std::fs::remove_dir_all(root);
+}
+
+/// Ends programs that outlived the process that started them, and removes their folders. Never
+/// through a link: what is not a folder of ours stays.
+pub fn clear(store: &Path) {
+    let root = store.join(FOLDER);
+    if !std::fs::symlink_metadata(&root).is_ok_and(|m| m.is_dir()) {
+        return;
+    }
+    for entry in std::fs::read_dir(&root).into_iter().flatten().flatten() {
+        let name = entry.file_name();
+        let Some(name) = name.to_str().filter(|name| own::is_writing(name)) else {
+            continue;
+        };
+        let folder = entry.file_type().is_ok_and(|kind| kind.is_dir());
+        let here = name.split('-').next().is_none_or(is_alive);
+        let lock = File::open(entry.path().join(LOCK));
+        let elsewhere = lock.is_ok_and(|file| file.try_lock().is_err());
+        if folder && !here && !elsewhere {
+            let path = entry.path().canonicalize().unwrap_or(entry.path());
+            family::end(&path, None);
+            remove(&path);
+        }
+    }
+}

@@ -1,0 +1,87 @@
+//! What a bucket says when it does not do what it is asked, and what to do about it.
+
+use super::objects::Trouble;
+
+/// It is not there; or why it could not be asked.
+pub(super) fn absent(error: &object_store::Error) -> Result<(), Trouble> {
+    match error {
+        object_store::Error::NotFound { .. } if !no_bucket(&plain(error)) => Ok(()),
+        _ => Err(trouble(error)),
+    }
+}
+
+fn no_bucket(text: &str) -> bool {
+    [
+        "NoSuchBucket",
+        "ContainerNotFound",
+        "The specified bucket does not exist",
+    ]
+    .iter()
+    .any(|word| text.contains(word))
+}
+
+/// What went wrong, and what to do about it.
+pub(super) fn trouble(error: &object_store::Error) -> Trouble {
+    use object_store::Error::{NotFound, PermissionDenied, Unauthenticated};
+    let text = plain(error);
+    let has = |words: &[&str]| words.iter().any(|word| text.contains(word));
+    if has(&[
+        "RequestTimeTooSkewed",
+        "difference between the request time",
+    ]) {
+        return Trouble::Refused(format!(
+            "its clock and the one of this machine are apart: set this machine's clock ({text})"
+        ));
+    }
+    if has(&[
+        "QuotaExceeded",
+        "InsufficientStorage",
+        "status code: 507",
+        "XMinioStorageFull",
+        "No space left",
+        "os error 28",
+    ]) {
+        return Trouble::Refused(format!(
+            "its quota is full: make room there (`cache sweep-store`) ({text})"
+        ));
+    }
+    match error {
+        NotFound { .. } if no_bucket(&text) => Trouble::Refused(format!(
+            "there is no such bucket: make it first, or look at the address ({text})"
+        )),
+        PermissionDenied { .. } | Unauthenticated { .. } => Trouble::Refused(format!(
+            "it refuses: are the credentials in the environment (AWS_ACCESS_KEY_ID, AWS_SECRET_ACCESS_KEY, …) those of somebody who may do this? ({text})"
+        )),
+        NotFound { .. } => Trouble::Refused(text),
+        _ if has(&["status code: 4"]) && !has(&["status code: 408", "status code: 429"]) => {
+            Trouble::Refused(text)
+        }
+        _ => Trouble::Down(text),
+    }
+}
+
+/// An error with its causes on a line, without what addresses hold behind a `?`.
+pub(super) fn plain(error: &dyn std::error::Error) -> String {
+    let mut text = error.to_string();
+    let mut cause = error.source();
+    while let Some(error) = cause {
+        let more = error.to_string();
+        if !text.contains(&more) {
+            text += &format!(": {more}");
+        }
+        cause = error.source();
+    }
+    let cut = |word: &str| {
+        word.split_once('?')
+            .map_or(word.to_owned(), |(head, _)| format!("{head}?…"))
+    };
+    let words: Vec<String> = text.split_whitespace().map(cut).collect();
+    words
+        .join(" ")
+        .chars()
+        .filter(|c| !c.is_control())
+        .take(MOST_TEXT)
+        .collect()
+}
+
+const MOST_TEXT: usize = 400;

@@ -1,0 +1,135 @@
+//! A record as it lies in a shared store: the file that it is on disk, and behind it a small result.
+//!
+//! ```text
+//! tailor shared 1 NONCE RECORD_BYTES BLOB_BYTES\n
+//! the file of the record
+//! the result, if it is small; else it is a blob of its own
+//! ```
+//!
+//! The nonce tells who wrote it, where an answer was lost. All that is read is data from strangers.
+
+use super::super::record::{Record, Unread, parse as parse_record};
+use stage::Hash;
+
+const MAGIC: &str = "tailor shared ";
+const VERSION: &str = "1";
+
+/// Results up to this size ride in the record. \[bytes\]
+pub(super) const SMALL: usize = 64 << 10;
+
+/// No record with its small result is larger. \[bytes\]
+pub(super) const MOST: usize = 8 << 20;
+
+/// What was read.
+pub(super) struct Framed {
+    pub(super) record: Record,
+    /// The file of the record.
+    pub(super) file: Vec<u8>,
+    /// The result, if it is small.
+    pub(super) blob: Option<Vec<u8>>,
+}
+
+/// The bytes of an object.
+pub(super) fn bytes(nonce: &str, file: &[u8], blob: Option<&[u8]>) -> Vec<u8> {
+    let size = blob.map_or("-".to_owned(), |blob| blob.len().to_string());
+    let head = format!("{MAGIC}{VERSION} {nonce} {} {size}\n", file.len());
+    [head.as_bytes(), file, blob.unwrap_or_default()].concat()
+}
+
+/// The object of a key. Its record must be of that key, and its result must be what the record says.
+pub(super) fn parse(object: &[u8], key: Hash) -> Result<Framed, Unread> {
+    let end = object.iter().take(HEAD_MOST).position(|b| *b == b'\n');
+    let end = end.ok_or(Unread::Corrupt)?;
+    let head = std::str::from_utf8(&object[..end]).map_err(|_| Unread::Corrupt)?;
+    let words = head.strip_prefix(MAGIC).ok_or(Unread::Corrupt)?;
+    let words: Vec<&str> = words.split(' ').collect();
+    if words[0] != VERSION {
+        return Err(Unread::OtherVersion);
+    }
+    let [_, _, record, blob] = words[..] else {
+        return Err(Unread::Corrupt);
+    };
+    let length: usize = record.parse().map_err(|_| Unread::Corrupt)?;
+    let rest = &object[end + 1..];
+    let (file, tail) = rest.split_at_checked(length).ok_or(Unread::Corrupt)?;
+    let record = parse_record(file)?;
+    let whole = match blob {
+        "-" => tail.is_empty(),
+        size => size.parse() == Ok(tail.len()) && blake3::hash(tail) == record.content,
+    };
+    if !whole || record.key() != key || !is_plain(&record) {
+        return Err(Unread::Corrupt);
+    }
+    Ok(Framed {
+        record,
+        file: file.to_vec(),
+        blob: (blob != "-").then(|| tail.to_vec()),
+    })
+}
+
+const HEAD_MOST: usize = 200;
+
+/// Texts that are shown to people move no cursor and ring no bell.
+fn is_plain(record: &Record) -> bool {
+    let plain = |text: &str| {
+        !text
+            .chars()
+            .any(|c| c.is_control() && c != '\n' && c != '\t')
+    };
+    let metrics = record.metrics.iter();
+    let mut names = metrics.flat_map(|m| [m.name.as_str(), m.unit.as_str()]);
+    record.warnings.iter().all(|w| plain(w)) && names.all(plain)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn record(blob: &[u8]) -> Record {
+        Record {
+            provenance: vec![("stage".into(), "toy v1".into())],
+            content: blake3::hash(blob),
+            bytes: blob.len() as u64,
+            seconds: 0.5,
+            metrics: vec![],
+            warnings: vec!["so so".into()],
+        }
+    }
+
+    #[test]
+    fn what_is_cut_changed_or_of_another_key_is_refused() {
+        let (blob, record) = (b"small".as_slice(), record(b"small"));
+        let key = record.key();
+        let file = record.file();
+        for blob in [None, Some(blob)] {
+            let object = bytes("n0nce", file.as_bytes(), blob);
+            let read = parse(&object, key).ok().expect("whole");
+            assert_eq!((&read.record, read.blob.as_deref()), (&record, blob));
+            for end in 0..object.len() {
+                assert!(parse(&object[..end], key).is_err(), "{end}");
+            }
+            for at in 0..object.len() {
+                let mut other = object.clone();
+                other[at] ^= 1;
+                let same = parse(&other, key).ok().is_none_or(|o| o.record == record);
+                assert!(same, "{at}");
+            }
+            assert!(parse(&object, Hash::from_bytes([1; 32])).is_err());
+            assert!(parse(&[object.as_slice(), b"x"].concat(), key).is_err());
+        }
+        let later = String::from_utf8(bytes("n", file.as_bytes(), None)).unwrap();
+        let later = later.replacen("shared 1", "shared 2", 1);
+        assert!(matches!(
+            parse(later.as_bytes(), key),
+            Err(Unread::OtherVersion)
+        ));
+    }
+
+    #[test]
+    fn texts_that_would_move_a_cursor_are_refused() {
+        let mut bad = record(b"x");
+        bad.warnings = vec!["\u{1b}[2J".into()];
+        let object = bytes("n", bad.file().as_bytes(), Some(b"x"));
+        assert!(parse(&object, bad.key()).is_err());
+    }
+}

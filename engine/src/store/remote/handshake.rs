@@ -1,0 +1,134 @@
+//! Getting to know a place: whether it is there, whose it is, and whether it keeps its word.
+
+use super::objects::{Created, Objects, Trouble, whole};
+use stage::Hash;
+
+/// What `format` begins with: `tailor shared store 1 IDENTITY`.
+const FORMAT: &str = "tailor shared store 1 ";
+
+const NAME: &str = "format";
+
+/// Which store it is; another one after it was swept.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) struct Identity(pub(super) [u8; 32]);
+
+/// What a place does when two ask it to create one object.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Honest {
+    /// One of them wins.
+    Creates,
+    /// Both are told that they won.
+    Overwrites,
+}
+
+/// A hash that nobody else has.
+pub(super) fn fresh() -> Hash {
+    use std::sync::atomic::{AtomicU64, Ordering};
+    static COUNT: AtomicU64 = AtomicU64::new(0);
+    let count = COUNT.fetch_add(1, Ordering::Relaxed);
+    let (id, now) = (std::process::id(), crate::clock::now_ns());
+    // Seeded by the system, each differently.
+    let system = std::hash::BuildHasher::hash_one(&std::hash::RandomState::new(), count);
+    blake3::hash(format!("{id} {count} {now} {system}").as_bytes())
+}
+
+/// The identity of the store there. One that is not there yet is made, unless nothing is to be written.
+///
+/// # Errors
+///
+/// The place does not answer or refuses; it holds something else; or there is none.
+pub(super) fn identity(objects: &dyn Objects, read_only: bool) -> Result<Identity, Trouble> {
+    if let Some(found) = whole(objects, NAME, 4096)? {
+        return read(&found);
+    }
+    // A bucket that is not there says that it has no such object, too; a listing tells.
+    let mut strange = None;
+    objects.list("", &mut |page| {
+        strange = page.into_iter().next().map(|object| object.name);
+        strange.is_none()
+    })?;
+    if let Some(strange) = strange {
+        // Somebody may have made it meanwhile.
+        return match whole(objects, NAME, 4096)? {
+            Some(found) => read(&found),
+            None => Err(Trouble::Refused(format!(
+                "it is not empty and holds no store ({strange} is there): nothing was written; give another prefix"
+            ))),
+        };
+    }
+    if read_only {
+        return Err(Trouble::Refused(
+            "there is no store yet, and nothing is to be written: run something with --store and \
+             without --store-read-only first"
+                .into(),
+        ));
+    }
+    let own = text(fresh());
+    objects.create(NAME, own.as_bytes())?;
+    let found = whole(objects, NAME, 4096)?;
+    read(&found.ok_or_else(|| lies("what was written a moment ago is not there"))?)
+}
+
+/// Gives the store another identity: what others know of it no longer holds.
+///
+/// # Errors
+///
+/// The place does not answer, or refuses.
+pub(super) fn renew(objects: &dyn Objects) -> Result<(), Trouble> {
+    objects.put(NAME, text(fresh()).as_bytes())
+}
+
+fn text(identity: Hash) -> String {
+    format!("{FORMAT}{}\n", identity.to_hex())
+}
+
+fn read(bytes: &[u8]) -> Result<Identity, Trouble> {
+    let text = String::from_utf8_lossy(bytes);
+    let hex = text.trim().strip_prefix(FORMAT);
+    let hash = hex.and_then(|hex| Hash::from_hex(hex).ok());
+    hash.map(|hash| Identity(*hash.as_bytes())).ok_or_else(|| {
+        let found: String = text.trim().chars().filter(|c| !c.is_control()).take(40).collect();
+        Trouble::Refused(format!(
+            "its layout is another ({found:?}): another version of the program made it, use that or give another prefix"
+        ))
+    })
+}
+
+fn lies(what: &str) -> Trouble {
+    Trouble::Refused(format!(
+        "{what}: nothing of ours is kept in a store that does not keep what it is given"
+    ))
+}
+
+/// Whether of two that create one object one wins, and whether the place gives back what it was given.
+/// What was written for it is removed.
+///
+/// # Errors
+///
+/// The place does not answer, refuses, or gives back something else.
+pub(super) fn probe(objects: &dyn Objects) -> Result<Honest, Trouble> {
+    let name = format!("probe/{}", fresh().to_hex());
+    let one = |n: u8| format!("{n} {}", fresh().to_hex()).into_bytes();
+    let texts = [one(1), one(2)];
+    let create = |text: &Vec<u8>| objects.create(&name, text);
+    let came = std::thread::scope(|scope| {
+        let first = scope.spawn(|| create(&texts[0]));
+        let second = create(&texts[1]);
+        [first.join().expect("bug: a probe panicked"), second]
+    });
+    let found = whole(objects, &name, 4096);
+    let _ = objects.remove(&name);
+    let [first, second] = came;
+    let (first, second, found) = (first?, second?, found?);
+    let Some(found) = found else {
+        return Err(lies("what was written a moment ago is not there"));
+    };
+    if !texts.contains(&found) {
+        return Err(lies("it gives other bytes than it was given"));
+    }
+    // An answer that was lost and asked for again may say "there" to both: one object all the same.
+    match [first, second] {
+        [Created::New, Created::New] => Ok(Honest::Overwrites),
+        _ => Ok(Honest::Creates),
+    }
+}

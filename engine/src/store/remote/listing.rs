@@ -1,0 +1,65 @@
+//! Which records a shared store has, by one listing, where asking for each of them would take longer.
+
+use super::inventory::Inventory;
+use super::link::Link;
+use super::objects::Trouble;
+use stage::Hash;
+use std::collections::HashSet;
+use std::time::{Duration, Instant};
+
+/// So many records that are not there are asked for one by one; then a listing is worth it.
+const ASKED: usize = 8;
+
+/// A store of more records is not listed to its end: a request tells of a thousand, and every worker asks. \[records\]
+const MOST_LISTED: usize = 10_000;
+
+/// A record that was not there is not asked for again so soon.
+const ABSENT_FOR: Duration = Duration::from_secs(2);
+
+/// A listing is believed for so long.
+const HOLDS_FOR: Duration = Duration::from_secs(30);
+
+impl Link {
+    /// Whether it is worth to ask for the record of a key.
+    pub(super) fn may_have(&self, key: &[u8; 32]) -> bool {
+        let mut inventory = self.inventory.lock().expect("bug: poisoned");
+        if inventory
+            .absent
+            .get(key)
+            .is_some_and(|at| at.elapsed() < ABSENT_FOR)
+        {
+            return false;
+        }
+        // Others go on making results.
+        if inventory.tried.is_some_and(|at| at.elapsed() > HOLDS_FOR) {
+            *inventory = Inventory::default();
+        }
+        if inventory.missed >= ASKED && inventory.tried.is_none() {
+            inventory.tried = Some(Instant::now());
+            inventory.listed = self.ask(&|| self.listed()).ok().flatten();
+        }
+        inventory
+            .listed
+            .as_ref()
+            .is_none_or(|all| all.contains(key))
+    }
+
+    /// All keys of records; `None` if there are too many.
+    fn listed(&self) -> Result<Option<HashSet<[u8; 32]>>, Trouble> {
+        let mut keys = HashSet::new();
+        self.objects.list("ac", &mut |page| {
+            let names = page.iter().filter_map(|o| o.name.rsplit('/').next());
+            let hashes = names.filter_map(|name| Hash::from_hex(name).ok());
+            keys.extend(hashes.map(|hash| *hash.as_bytes()));
+            keys.len() <= MOST_LISTED
+        })?;
+        Ok((keys.len() <= MOST_LISTED).then_some(keys))
+    }
+
+    /// It was asked for, and is not there.
+    pub(super) fn is_absent(&self, key: [u8; 32]) {
+        let mut inventory = self.inventory.lock().expect("bug: poisoned");
+        inventory.missed += 1;
+        inventory.absent.insert(key, Instant::now());
+    }
+}

@@ -1,0 +1,41 @@
+//! A store that machines share, beside the one here, which is always first.
+//!
+//! ```text
+//! format                one line: version and identity
+//! ac/ab/abcdef…         records by key, small results within (`framed.rs`)
+//! cas/ab/abcdef…        larger results, named by the hash of their bytes
+//! plans/…               plans, named by their hash
+//! ```
+//!
+//! Read: record here, record there, blob here, blob there, hashed while it comes. Written: here first,
+//! then by threads beside the work, the blob before its record, the record only where there is none.
+//! Whatever the place does, a run goes on with the store here: what cannot be read is made, what cannot
+//! be uploaded waits on disk (`waiting.rs`).
+
+#[cfg(feature = "remote")]
+mod answer;
+#[cfg(feature = "remote")]
+mod bucket;
+mod framed;
+mod handshake;
+mod inventory;
+mod joined;
+mod known;
+mod link;
+mod listing;
+mod objects;
+mod plans;
+mod reads;
+mod sweep;
+mod upload;
+mod uploads;
+mod waiting;
+
+#[cfg(feature = "remote")]
+pub use bucket::open;
+pub use handshake::Honest;
+pub(super) use joined::of;
+pub use link::{Link, Say};
+pub use objects::{Created, Got, Object, Objects, Trouble};
+pub use sweep::{Looked, SweptThere};
+pub use uploads::{Left, NoSharing, Sharing};

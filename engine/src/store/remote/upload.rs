@@ -1,0 +1,118 @@
+//! Uploading one result: its blob before its record, and the record only if there is none.
+
+use super::framed::{self, SMALL};
+use super::handshake::{Honest, fresh};
+use super::link::Link;
+use super::objects::{Created, Trouble};
+use super::reads::{Theirs, object};
+use crate::store::{Blob, Record, Store};
+use stage::Hash;
+
+/// What came of it.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub(super) enum Came {
+    /// It was written now.
+    Sent,
+    /// It was there, and is the same.
+    There,
+    /// Somebody else's result of the same key has another content: the stage is not deterministic.
+    Differs(String),
+    /// There is no such record here yet, or its result is gone: nothing to upload.
+    Nothing,
+}
+
+/// Blobs of which it is asked first whether they are there: the question costs less than the bytes.
+const WORTH_ASKING: usize = 1 << 20;
+
+/// How often a record is created that is neither there nor taken.
+const CREATES: usize = 8;
+
+/// Uploads the result of a key.
+pub(super) fn upload(store: &Store, link: &Link, key: Hash) -> Result<Came, Trouble> {
+    let honest = link.honest()?;
+    let Some(record) = store.record(key) else {
+        return Ok(Came::Nothing);
+    };
+    let Some(blob) = store.blob_here(record.content) else {
+        return Ok(Came::Nothing);
+    };
+    let small = blob.len() <= SMALL;
+    if !small {
+        keep(link, record.content, &blob)?;
+    }
+    let file = record.file();
+    let nonce = fresh().to_hex().to_string();
+    let object = framed::bytes(&nonce, file.as_bytes(), small.then_some(&blob));
+    publish(link, key, &record, &object, honest)
+}
+
+/// Writes a blob that is not there yet, or not what its name says.
+fn keep(link: &Link, content: Hash, blob: &Blob) -> Result<(), Trouble> {
+    let name = object("cas", content);
+    let bad = link.queue().bad.contains(content.as_bytes());
+    if bad {
+        link.ask(&|| link.objects.put(&name, blob))?;
+        link.queue().bad.remove(content.as_bytes());
+        return Ok(());
+    }
+    let is_there = |size: Option<u64>| size == Some(blob.len() as u64);
+    if blob.len() > WORTH_ASKING && is_there(link.ask(&|| link.objects.size(&name))?) {
+        return Ok(());
+    }
+    // Equal names are equal bytes: nothing is lost where both write.
+    match link.ask(&|| link.objects.create(&name, blob))? {
+        Created::New => Ok(()),
+        Created::There => match is_there(link.ask(&|| link.objects.size(&name))?) {
+            true => Ok(()),
+            // Of another size, or not there yet: another request was under way.
+            false => link.ask(&|| link.objects.put(&name, blob)),
+        },
+    }
+}
+
+/// Creates the record; whoever was first counts.
+fn publish(
+    link: &Link,
+    key: Hash,
+    record: &Record,
+    bytes: &[u8],
+    honest: Honest,
+) -> Result<Came, Trouble> {
+    let name = object("ac", key);
+    for tried in 0..CREATES {
+        let created = match honest {
+            Honest::Creates => link.ask(&|| link.objects.create(&name, bytes))?,
+            Honest::Overwrites => match link.record(key)? {
+                Theirs::Absent => {
+                    link.ask(&|| link.objects.put(&name, bytes))?;
+                    Created::New
+                }
+                _ => Created::There,
+            },
+        };
+        if created == Created::New {
+            return Ok(Came::Sent);
+        }
+        match link.record(key)? {
+            // A create of ours that was cut off comes back as "there", too; the same result is the same.
+            Theirs::Whole(theirs) if theirs.record.content == record.content => {
+                return Ok(Came::There);
+            }
+            Theirs::Whole(theirs) => {
+                let content = theirs.record.content.to_hex();
+                return Ok(Came::Differs(content[..12].to_owned()));
+            }
+            Theirs::Other => return Ok(Came::There),
+            Theirs::Corrupt => {
+                link.say(&format!("{name} was not what it says: written anew"));
+                link.ask(&|| link.objects.put(&name, bytes))?;
+                return Ok(Came::Sent);
+            }
+            // Two requests met (409), and none of them won.
+            Theirs::Absent => std::thread::sleep(std::time::Duration::from_millis(10 << tried)),
+        }
+    }
+    Err(Trouble::Down(format!(
+        "{name} can neither be created nor read"
+    )))
+}

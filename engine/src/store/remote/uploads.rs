@@ -1,0 +1,239 @@
+//! Who uploads: some threads beside the work, for as long as a process uses a shared store.
+
+use super::joined;
+use super::link::{Link, MOST_HELD, Say};
+use super::objects::{Objects, Trouble};
+use super::upload::{Came, upload};
+use super::waiting;
+use crate::store::{Store, StoreError};
+use stage::Hash;
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+use std::thread::JoinHandle;
+use std::time::{Duration, Instant};
+
+/// Uploads under way at a time; each holds a result in memory.
+const THREADS: usize = 4;
+
+/// A process's use of a shared store: what it makes is uploaded beside the work. What is not uploaded
+/// when it ends stays noted on disk.
+pub struct Sharing {
+    root: PathBuf,
+    link: Arc<Link>,
+    threads: Vec<JoinHandle<()>>,
+}
+
+/// What was not uploaded.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Left {
+    /// So many results were.
+    pub sent: usize,
+    /// So many wait.
+    pub waiting: usize,
+    /// Why, if something is known of it.
+    pub why: Option<String>,
+}
+
+/// Why there is no sharing.
+#[derive(Debug, thiserror::Error)]
+pub enum NoSharing {
+    /// The store here.
+    #[error(transparent)]
+    Here(#[from] StoreError),
+    /// The place.
+    #[error("the store {0}: {1}")]
+    There(String, Trouble),
+}
+
+impl Sharing {
+    /// Links the store at `root` to a place: whoever opens it in this process reads what is there, and what
+    /// they make goes there unless it is `read_only`.
+    ///
+    /// # Errors
+    ///
+    /// The store here cannot be opened, or the place refuses. One that does not answer is told, and asked
+    /// again later.
+    pub fn begin(
+        root: &Path,
+        objects: Box<dyn Objects>,
+        read_only: bool,
+        say: Say,
+    ) -> Result<Sharing, NoSharing> {
+        let name = objects.name().to_owned();
+        Store::open(root)?;
+        let link = Link::new(root, objects, read_only, say)
+            .map_err(|trouble| NoSharing::There(name, trouble))?;
+        let link = Arc::new(link);
+        joined::join(root, &link);
+        let store = Arc::new(Store::open(root)?);
+        link.queue().more = !read_only;
+        let work = |_| {
+            let (store, link) = (store.clone(), link.clone());
+            std::thread::spawn(move || work(&store, &link))
+        };
+        let threads = (0..if read_only { 0 } else { THREADS }).map(work).collect();
+        Ok(Sharing {
+            root: root.into(),
+            link,
+            threads,
+        })
+    }
+
+    pub(super) fn link(&self) -> &Link {
+        &self.link
+    }
+
+    /// What the user calls the place.
+    pub fn name(&self) -> &str {
+        self.link.name()
+    }
+
+    /// Waits until all is uploaded, for as long as something is within `patience`; then lets go.
+    pub fn finish(mut self, patience: Duration) -> Left {
+        let begun = Instant::now();
+        let mut queue = self.link.queue();
+        let busy = |queue: &super::link::Queue| {
+            queue.stopped.is_none() && (queue.more || queue.running > 0 || !queue.held.is_empty())
+        };
+        while !self.threads.is_empty() && busy(&queue) {
+            let since = queue.since.map_or(begun, |since| since.max(begun));
+            if since.elapsed() >= patience {
+                break;
+            }
+            let step = Duration::from_millis(50);
+            queue = self
+                .link
+                .bell
+                .wait_timeout(queue, step)
+                .expect("bug: poisoned")
+                .0;
+        }
+        let (sent, stopped) = (queue.sent, queue.stopped.clone());
+        drop(queue);
+        self.end();
+        let store = Store::open(&self.root);
+        let waiting = store.map_or(0, |store| {
+            let keys = waiting::of(&store, &self.link);
+            keys.into_iter()
+                .filter(|key| store.record(*key).is_some())
+                .count()
+        });
+        let silent = || self.link.silent();
+        Left {
+            sent,
+            waiting,
+            why: stopped.or_else(silent),
+        }
+    }
+
+    fn end(&mut self) {
+        self.link.queue().closing = true;
+        self.link.bell.notify_all();
+        self.threads.drain(..).for_each(|thread| _ = thread.join());
+        joined::part(&self.root);
+    }
+}
+
+impl Drop for Sharing {
+    fn drop(&mut self) {
+        self.end();
+    }
+}
+
+/// One thread: takes what waits, uploads it.
+fn work(store: &Store, link: &Link) {
+    while let Some(key) = next(store, link) {
+        let came = upload(store, link, key);
+        noted(store, link, key, came);
+    }
+}
+
+/// What is to be uploaded next; `None` when the process is done with it.
+fn next(store: &Store, link: &Link) -> Option<Hash> {
+    let mut queue = link.queue();
+    loop {
+        if queue.closing {
+            return None;
+        }
+        let rests = link.rests_until().filter(|_| queue.stopped.is_none());
+        let rests = rests.map(|until| until.saturating_duration_since(Instant::now()));
+        if rests.is_none() && queue.stopped.is_none() {
+            if let Some(key) = queue.keys.pop_front() {
+                queue.running += 1;
+                return Some(Hash::from_bytes(key));
+            }
+            if queue.more && queue.running == 0 {
+                let held = queue.held.clone();
+                // Listed without the lock: whoever publishes does not wait for it.
+                queue.more = false;
+                // Whoever waits for the end waits for this, too.
+                queue.running += 1;
+                drop(queue);
+                let waiting = waiting::of(store, link).into_iter();
+                let waiting = waiting.filter(|key| store.record(*key).is_some());
+                let mut fresh = waiting
+                    .map(|key| *key.as_bytes())
+                    .filter(|key| !held.contains(key));
+                let some: Vec<[u8; 32]> = fresh.by_ref().take(MOST_HELD).collect();
+                let more = fresh.next().is_some();
+                queue = link.queue();
+                for key in some {
+                    if queue.held.insert(key) {
+                        queue.keys.push_back(key);
+                    }
+                }
+                queue.more |= more;
+                queue.running -= 1;
+                link.bell.notify_all();
+                continue;
+            }
+        }
+        let step = rests
+            .unwrap_or(Duration::from_millis(200))
+            .max(Duration::from_millis(5));
+        queue = link
+            .bell
+            .wait_timeout(queue, step)
+            .expect("bug: poisoned")
+            .0;
+    }
+}
+
+/// Notes what came of an upload.
+fn noted(store: &Store, link: &Link, key: Hash, came: Result<Came, Trouble>) {
+    let mut queue = link.queue();
+    queue.running -= 1;
+    match came {
+        Ok(came) => {
+            queue.held.remove(key.as_bytes());
+            queue.since = Some(Instant::now());
+            queue.sent += usize::from(came == Came::Sent);
+            drop(queue);
+            if let Came::Differs(theirs) = &came {
+                link.say(&format!(
+                    "not deterministic: the result {} was made elsewhere as {theirs}, here as something else; the first counts there",
+                    &key.to_hex()[..12]
+                ));
+            }
+            if came != Came::Nothing {
+                link.known().add(*key.as_bytes());
+            }
+            // Noted by somebody who writes the record only now: left to them.
+            if came != Came::Nothing || store.record(key).is_some() {
+                waiting::remove(store, link, key);
+            }
+        }
+        // Not known of yet to the user, it is said by the link; tried again when it answers.
+        Err(Trouble::Down(_)) => queue.keys.push_back(*key.as_bytes()),
+        Err(Trouble::Refused(why)) => {
+            queue.held.remove(key.as_bytes());
+            let first = queue.stopped.is_none();
+            queue.stopped.get_or_insert(why.clone());
+            drop(queue);
+            if first {
+                link.say(&format!("nothing more is uploaded: {why}"));
+            }
+        }
+    }
+    link.bell.notify_all();
+}

@@ -1,0 +1,100 @@
+//! What waits to be uploaded, on disk: `waiting/KEY-TAG` in the store, written before the record itself,
+//! removed when the shared store has it. So whatever is killed or cut off, the next one goes on.
+
+use super::link::{Link, MOST_HELD};
+use crate::own;
+use crate::store::Store;
+use stage::Hash;
+use std::collections::BTreeSet;
+
+const FOLDER: &str = "waiting";
+
+fn name(key: &[u8; 32], tag: &str) -> String {
+    format!("{}-{tag}", Hash::from_bytes(*key).to_hex())
+}
+
+fn key(name: &str) -> Option<Hash> {
+    Hash::from_hex(name.get(..64)?).ok()
+}
+
+/// The keys that wait for the place of a link.
+pub(super) fn of(store: &Store, link: &Link) -> Vec<Hash> {
+    let mine = |name: &str| own::is_waiting(name) && name.ends_with(&link.tag);
+    let names = own::files(store.root(), FOLDER, mine);
+    names.iter().filter_map(|name| key(name)).collect()
+}
+
+/// It is there now, or never will be.
+pub(super) fn remove(store: &Store, link: &Link, key: Hash) {
+    own::remove(store.root(), &[FOLDER], &name(key.as_bytes(), &link.tag));
+}
+
+impl Store {
+    /// Notes that a result is to be uploaded, and offers it; whoever holds the link goes on from there.
+    /// What is known to be there already is not noted.
+    pub(crate) fn share(&self, key: Hash) {
+        if self.will_share(key) {
+            self.offer(key);
+        }
+    }
+
+    /// As [`Store::share`], for a result that was made though its record was known: what the shared store
+    /// lacks of it, or has wrong, goes there.
+    pub(crate) fn share_again(&self, key: Hash, content: Hash) {
+        let Some(link) = &self.link else { return };
+        let lacks = {
+            let mut queue = link.queue();
+            let absent = queue.absent.remove(content.as_bytes());
+            absent || queue.bad.contains(content.as_bytes())
+        };
+        if lacks {
+            link.known().lose(key.as_bytes());
+        }
+        self.share(key);
+    }
+
+    /// Notes on disk that the result of a key is to be uploaded; whether there is anything to upload.
+    pub(in crate::store) fn will_share(&self, key: Hash) -> bool {
+        let Some(link) = self.link.as_ref().filter(|link| !link.read_only) else {
+            return false;
+        };
+        if link.known().has(key.as_bytes()) {
+            return false;
+        }
+        // A disk that is full says so when the result itself is written.
+        let note = format!("{FOLDER}/{}", name(key.as_bytes(), &link.tag));
+        self.write(&note, b"").is_ok()
+    }
+
+    /// Offers what was noted to who uploads.
+    pub(in crate::store) fn offer(&self, key: Hash) {
+        let Some(link) = &self.link else { return };
+        let mut queue = link.queue();
+        match queue.keys.len() < MOST_HELD {
+            true if queue.held.insert(*key.as_bytes()) => queue.keys.push_back(*key.as_bytes()),
+            true => {}
+            false => queue.more = true,
+        }
+        drop(queue);
+        link.bell.notify_all();
+    }
+
+    /// The contents of what waits, whatever for: they stay in the store.
+    pub(in crate::store) fn waiting_contents(&self) -> BTreeSet<String> {
+        let names = own::files(self.root(), FOLDER, own::is_waiting);
+        let keys = names.iter().filter_map(|name| key(name));
+        let records = keys.filter_map(|key| self.record(key));
+        records
+            .map(|record| record.content.to_hex().to_string())
+            .collect()
+    }
+
+    /// Lets go of what waits of a key, whatever for.
+    pub(in crate::store) fn forget_waiting(&self, key: Hash) {
+        let own = key.to_hex();
+        let mine = |name: &str| own::is_waiting(name) && name.starts_with(own.as_str());
+        for name in own::files(self.root(), FOLDER, mine) {
+            own::remove(self.root(), &[FOLDER], &name);
+        }
+    }
+}
