@@ -1,7 +1,8 @@
-//! What `capture.look` says of photos, in the reader's language: its sentences, and the texts that stand for
-//! them in `words/`. A sentence that is not known stays as it is.
+//! What stages say, in the reader's language: the sentences of `capture.look`, and the texts that stand for them
+//! in `words/`; those of warnings are in `warnings.rs`. A sentence that is not known stays as it is.
 
 use super::language::Words;
+use super::warnings::WARNINGS;
 
 /// Sentences, `*` for what is put in, and their texts, in which that is `a` and `b`.
 #[rustfmt::skip]
@@ -71,18 +72,25 @@ fn put_in<'a>(pattern: &str, text: &'a str) -> Option<Vec<&'a str>> {
     rest.is_empty().then_some(found)
 }
 
-/// A sentence in the reader's language; none if it is not known.
+/// A sentence of a stage in the reader's language; none if it is not known. What it is about may stand
+/// before it (`NC: `).
 pub(super) fn translated(words: Words, text: &str) -> Option<String> {
-    let (key, found) = TOLD
-        .iter()
-        .find_map(|(pattern, key)| Some((key, put_in(pattern, text)?)))?;
-    // A number as it is written there; or something that is told itself: where centimetres come from.
-    let shown = |inner: &&str| match inner.parse::<f64>() {
-        Ok(_) => words.written(inner),
-        Err(_) => translated(words, inner).unwrap_or_else(|| (*inner).to_owned()),
+    let all = TOLD.iter().chain(&WARNINGS);
+    let fits = |(pattern, key): &(&str, &'static str)| Some((*key, put_in(pattern, text)?));
+    let Some((key, found)) = all.clone().find_map(fits) else {
+        let (about, rest) = text.split_once(": ")?;
+        return Some(format!("{about}: {}", translated(words, rest)?));
+    };
+    // A number as it is written there, with its unit; or something that is told itself: where centimetres come from.
+    let shown = |inner: &&str| {
+        let number = inner.split(' ').next().unwrap_or_default();
+        match number.parse::<f64>() {
+            Ok(_) => words.written(number) + &inner[number.len()..],
+            Err(_) => translated(words, inner).unwrap_or_else(|| (*inner).to_owned()),
+        }
     };
     let shown: Vec<String> = found.iter().map(shown).collect();
-    let put: Vec<_> = ["a", "b"]
+    let put: Vec<_> = ["a", "b", "c", "d", "e", "f", "g", "h"]
         .into_iter()
         .zip(shown.iter().map(|s| s.as_str().into()))
         .collect();

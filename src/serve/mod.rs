@@ -4,7 +4,7 @@
 //! |---|---|
 //! | `guard.rs` | who may ask |
 //! | `routes.rs` | every call, and what all of them pass |
-//! | `visits.rs`, `pages/`, `handed.rs` | pages and their forms, files handed out; `typed.rs` reads what was typed, `language.rs`, `findings.rs` and `words/` say it |
+//! | `visits.rs`, `pages/`, `handed.rs` | pages and their forms, files handed out; `typed.rs` reads what was typed, `language.rs`, `findings.rs`, `warnings.rs` and `words/` say it |
 //! | `api.rs`, `events.rs` | calls of programs and scripts; progress as it happens |
 //! | `upload.rs`, `sniff.rs` | files that come in |
 //! | `home.rs`, `record.rs`, `facts.rs`, `delete.rs` | captures on the disk |
@@ -38,6 +38,7 @@ mod sniff;
 mod typed;
 mod upload;
 mod visits;
+mod warnings;
 mod work;
 
 pub use handed::OPENAPI;

@@ -22,6 +22,9 @@ pub(super) enum Strange {
     /// Neither a photo nor a video.
     #[error("it is neither a photo (JPEG, PNG, TIFF) nor a video (MP4, MOV, MKV, AVI)")]
     Kind,
+    /// HEIC, which this build does not read.
+    #[error("it is a HEIC photo, which this program was built without")]
+    Heic,
     /// The header of a photo is broken.
     #[error("its header is broken: {0}")]
     Broken(String),
@@ -61,8 +64,7 @@ fn ending(head: &[u8], name: &str) -> Option<(&'static str, Option<ImageFormat>)
         [b'R', b'I', b'F', b'F', ..] if brand == b"AVI " => ("avi", None),
         _ => return None,
     };
-    let read = found.0 != "heic" || READ.contains(&"heic");
-    read.then_some(found)
+    Some(found)
 }
 
 /// What a file is; `name` is what its owner calls it, and tells raw photos from others.
@@ -72,6 +74,9 @@ fn ending(head: &[u8], name: &str) -> Option<(&'static str, Option<ImageFormat>)
 /// It is no photo and no video, or one that nobody should decode.
 pub(super) fn sniff(file: &Path, head: &[u8], name: &str) -> Result<Sniffed, Strange> {
     let (ending, format) = ending(head, name).ok_or(Strange::Kind)?;
+    if ending == "heic" && !READ.contains(&ending) {
+        return Err(Strange::Heic);
+    }
     let video = ["mp4", "mov", "mkv", "avi"].contains(&ending);
     let Some(format) = format else {
         return Ok(Sniffed {
@@ -149,6 +154,9 @@ mod tests {
         assert!(matches!(broken, Err(Strange::Broken(_))), "{broken:?}");
         let video = of(b"\0\0\0\x20ftypisom\0\0\0\0", "a.html").unwrap();
         assert!(video.video && video.ending == "mp4");
+        let heic = of(b"\0\0\0\x18ftypheic\0\0\0\0", "a.jpg");
+        let read = cfg!(feature = "heic");
+        assert_eq!(heic == Err(Strange::Heic), !read, "{heic:?}");
         assert_eq!(of(b"II*\0 more of it", "a.DNG").unwrap().ending, "dng");
     }
 }

@@ -112,6 +112,7 @@ async fn receive(
 pub(super) fn strange(why: Strange) -> Wrong {
     match why {
         Strange::Kind => Wrong::new(StatusCode::UNSUPPORTED_MEDIA_TYPE, "wrong-kind"),
+        Strange::Heic => Wrong::new(StatusCode::UNSUPPORTED_MEDIA_TYPE, "wrong-heic"),
         Strange::Broken(why) => {
             Wrong::new(StatusCode::UNPROCESSABLE_ENTITY, "wrong-header").put("why", why)
         }

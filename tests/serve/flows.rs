@@ -2,12 +2,13 @@
 //! languages, light and dark, from a phone's width to 4K.
 
 use crate::chromium::Tab;
+use crate::live::live_girths;
 use crate::server::{Server, photos};
 use crate::whole::{complaints, tab, whole};
 use serde_json::{Value, json};
 
 #[test]
-fn photos_are_dropped_looked_at_measured_reported_and_deleted() {
+fn photos_are_dropped_looked_at_begun_to_measure_stopped_and_deleted() {
     let server = Server::new();
     let mut tab = tab("de");
     tab.go(&server.url());
@@ -56,20 +57,16 @@ fn photos_are_dropped_looked_at_measured_reported_and_deleted() {
     tab.click("form[action$='/measure'] button");
     tab.until("document.querySelector('#steps li')");
     whole(&mut tab, "measuring");
-    measured(&mut tab);
-    tab.until("[...document.querySelectorAll('#pictures img')].length === 4 && [...document.querySelectorAll('#pictures img')].every((i) => i.complete && i.naturalWidth > 0)");
-    whole(&mut tab, "result");
-    let waist = tab.value("document.querySelector('#result-title + div td').textContent");
-    let waist = waist.as_str().unwrap();
-    assert!(waist.contains(',') && waist.ends_with(" cm"), "{waist}");
+    // Stopped; the same capture measured to its end is in `measuring.rs`.
+    tab.click("form[action$='/stop'] button");
+    tab.until_within(300, "document.readyState === 'complete' && !document.querySelector('[data-events]') && document.querySelector('form[action$=\"/measure\"]')");
+    whole(&mut tab, "stopped");
     assert_eq!(
         complaints(&mut tab, &server),
         [
             "\"Failed to load resource: the server responded with a status of 422 (Unprocessable Entity)\""
         ]
     );
-    report(&mut tab, &server);
-    brush(&mut tab, &server);
     tab.click("a.danger");
     tab.until("document.querySelector('form[action$=\"/delete\"]')");
     whole(&mut tab, "delete");
@@ -79,6 +76,26 @@ fn photos_are_dropped_looked_at_measured_reported_and_deleted() {
     tab.click("main a");
     tab.until("location.pathname === '/' && document.querySelector('#drop')");
     assert_eq!(tab.value("document.querySelectorAll('tbody tr').length"), 0);
+}
+
+/// The page of a measured capture: its result, its report, its outlines corrected and measured anew.
+pub(crate) fn result_report_and_brush(server: &Server, id: &str) {
+    let mut tab = tab("de");
+    tab.go(&server.url());
+    tab.go(&format!("{}/captures/{id}", server.origin()));
+    measured(&mut tab);
+    tab.until("[...document.querySelectorAll('#pictures img')].length === 4 && [...document.querySelectorAll('#pictures img')].every((i) => i.complete && i.naturalWidth > 0)");
+    whole(&mut tab, "result");
+    let waist = tab.value("document.querySelector('#result-title + div td').textContent");
+    let waist = waist.as_str().unwrap();
+    assert!(waist.contains(',') && waist.ends_with(" cm"), "{waist}");
+    // What is warned of, and why girths are missing, is said in German.
+    let english =
+        tab.value("[...document.querySelectorAll('main [lang=en]')].map((e) => e.textContent)");
+    assert_eq!(english, json!([]), "nothing is left in English");
+    assert_eq!(complaints(&mut tab, server), Vec::<String>::new());
+    report(&mut tab, server);
+    brush(&mut tab, server);
 }
 
 /// Waits until a capture is measured, and its page is there.
@@ -147,6 +164,8 @@ fn report(tab: &mut Tab, server: &Server) {
     assert_eq!(reached, "refused");
     let origin = tab.value("self.origin");
     assert_eq!(origin, "null");
+    let id = at.as_str().unwrap().rsplit('/').next().unwrap();
+    live_girths(tab, server, id);
     tab.go(&format!("{}{}", server.origin(), at.as_str().unwrap()));
 }
 

@@ -5,6 +5,10 @@ mod api;
 mod calls;
 #[cfg(chromium)]
 mod flows;
+#[cfg(chromium)]
+mod kinds;
+#[cfg(chromium)]
+mod live;
 mod measuring;
 mod security;
 mod server;

@@ -10,6 +10,12 @@ use crate::whole::picture;
 #[cfg(not(chromium))]
 fn picture(_: &Server, _: &str, _: &str) {}
 
+/// What a browser does with the result, where there is one.
+#[cfg(chromium)]
+use crate::flows::result_report_and_brush as browsed;
+#[cfg(not(chromium))]
+fn browsed(_: &Server, _: &str) {}
+
 /// So long a capture of the sample may take on a busy machine. \[s\]
 const LONG: u64 = 900;
 
@@ -79,6 +85,7 @@ fn a_capture_is_measured_once_by_all_who_ask_and_goes_on_after_a_stop_and_a_kill
     picture(&server, "/", "serve-start");
     picture(&server, &page, "serve-result");
     picture(&server, &format!("{page}/masks"), "serve-brush");
+    browsed(&server, &id);
     deleted(&server, &id);
 }
 

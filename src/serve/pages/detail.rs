@@ -5,7 +5,7 @@ use super::super::home::Place;
 use super::super::language::Words;
 use super::super::progress::Progress;
 use super::super::record::Record;
-use super::{facts, page, progress, result, said, seen};
+use super::{facts, page, progress, result, seen, sentence};
 use maud::{Markup, html};
 use serde_json::Value;
 
@@ -73,7 +73,7 @@ fn measuring(words: Words, place: &Place, progress: &Progress, stopped: bool) ->
             data-events=[goes_on.then(|| format!("/api/captures/{}/events", place.id))] {
             h2 #measuring-title { (words.say("measuring-title")) }
             p #sentence role="status" { (progress::sentence(words, progress)) }
-            @for why in &progress.why { p .alert role="alert" lang="en" { (said(words, why)) } }
+            @for why in &progress.why { p .alert role="alert" { (sentence(words, why)) } }
             @if stopped && !goes_on && progress.state == "none" { p .alert { (words.say("measure-stopped")) } }
             div .bar {
                 @if goes_on {
@@ -90,7 +90,7 @@ fn measuring(words: Words, place: &Place, progress: &Progress, stopped: bool) ->
             div #pictures .pictures { (progress::pictures(words, &place.id, progress)) }
             @if !progress.warnings.is_empty() {
                 details { summary { (words.with("warnings", &[("count", progress.warnings.len().into())])) }
-                    ul lang="en" { @for warning in &progress.warnings { li { (said(words, warning)) } } } }
+                    ul { @for warning in &progress.warnings { li { (sentence(words, warning)) } } } }
             }
         }
     }

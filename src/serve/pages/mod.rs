@@ -9,6 +9,7 @@ pub(super) mod progress;
 pub(super) mod result;
 pub(super) mod seen;
 
+use super::findings::translated;
 use super::language::{Language, Words};
 use maud::{DOCTYPE, Markup, html};
 
@@ -85,8 +86,16 @@ const FLAGS: [(&str, &str); 8] = [
     ("--walk", "fact-walk"),
 ];
 
+/// What a stage says, in the reader's language where it is known.
+pub(super) fn sentence(words: Words, text: &str) -> Markup {
+    match translated(words, text) {
+        Some(text) => html! { (text) },
+        None => html! { span lang="en" { (said(words, text)) } },
+    }
+}
+
 /// What a stage says, as it is said on a page: fields in place of flags.
-pub(super) fn said(words: Words, text: &str) -> String {
+fn said(words: Words, text: &str) -> String {
     let field = |text: String, (flag, key): &(&str, &str)| match text.contains(flag) {
         true => text.replace(flag, &format!("“{}”", words.say(key))),
         false => text,

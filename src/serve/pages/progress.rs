@@ -7,7 +7,7 @@ use maud::{Markup, html};
 
 /// What a measuring goes through, and the nodes of each.
 const PARTS: [(&str, &[&str]); 7] = [
-    ("photos", &["video", "raw", "photos"]),
+    ("photos", &["frames", "developed", "photos"]),
     (
         "cameras",
         &[

@@ -2,6 +2,7 @@
 
 use super::super::home::Place;
 use super::super::language::Words;
+use super::sentence;
 use maud::{Markup, html};
 use serde_json::Value;
 
@@ -56,6 +57,23 @@ fn interval(words: Words, girth: &Value) -> String {
     }
 }
 
+/// What could not be measured, and why.
+fn missing(words: Words, girths: &Value) -> Markup {
+    let all = girths["missing"].as_array().into_iter().flatten();
+    let text = |one: &Value, key: &str| one[key].as_str().unwrap_or_default().to_owned();
+    let all: Vec<_> = all
+        .map(|one| (text(one, "name"), text(one, "why")))
+        .collect();
+    html! {
+        @if !all.is_empty() {
+            details {
+                summary { (words.with("result-missing", &[("count", all.len().into())])) }
+                ul { @for (name, why) in &all { li { (label(words, name, name)) ": " (sentence(words, why)) } } }
+            }
+        }
+    }
+}
+
 /// The results.
 pub(crate) fn result(words: Words, place: &Place, girths: &Value) -> Markup {
     let at = format!("/captures/{}", place.id);
@@ -92,6 +110,7 @@ pub(crate) fn result(words: Words, place: &Place, girths: &Value) -> Markup {
                     }
                 }
             }
+            (missing(words, girths))
             div .bar {
                 a .button .main href=(format!("{at}/report")) { (words.say("report")) }
                 a .button href=(format!("{at}/masks")) { (words.say("brush-open")) }

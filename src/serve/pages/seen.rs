@@ -1,9 +1,8 @@
 //! What `tailor doctor` saw of a capture, photo by photo.
 
-use super::super::findings::translated;
 use super::super::language::Words;
 use super::super::record::{Kept, Record};
-use super::said;
+use super::sentence;
 use maud::{Markup, html};
 use serde_json::Value;
 
@@ -52,7 +51,7 @@ fn told(words: Words, record: &Record, look: &Value) -> Markup {
     let warnings = look["warnings"].as_array().into_iter().flatten();
     let can = look["can"].as_object().into_iter().flatten();
     html! {
-        @if !text(look, "wrong").is_empty() { p .alert lang="en" { (said(words, text(look, "wrong"))) } }
+        @if !text(look, "wrong").is_empty() { p .alert { (sentence(words, text(look, "wrong"))) } }
         @else {
             p { (facts(words, look)) }
             @if findings(look).next().is_none() { p .good { (words.say("seen-well")) } }
@@ -67,7 +66,7 @@ fn told(words: Words, record: &Record, look: &Value) -> Markup {
             }
             @for warning in warnings {
                 li .doubt { strong { (words.say("grade-doubt")) } " "
-                    span lang="en" { (said(words, warning.as_str().unwrap_or_default())) } }
+                    (sentence(words, warning.as_str().unwrap_or_default())) }
             }
         }
         dl .can {
@@ -76,14 +75,6 @@ fn told(words: Words, record: &Record, look: &Value) -> Markup {
                 dd { (sentence(words, how.as_str().unwrap_or_default())) }
             }
         }
-    }
-}
-
-/// What the stage says, in the reader's language where it is known.
-fn sentence(words: Words, text: &str) -> Markup {
-    match translated(words, text) {
-        Some(text) => html! { (text) },
-        None => html! { span lang="en" { (said(words, text)) } },
     }
 }
 
@@ -178,6 +169,9 @@ fn numbers(words: Words, view: &Value, middle: Option<f64>) -> Markup {
     let number = |key: &str| view[key].as_f64();
     html! {
         dl {
+            @if let Some(seconds) = number("taken_s") {
+                dt { (words.say("photo-taken")) } dd { "+" (words.duration(seconds)) }
+            }
             @if let Some(sharp) = number("sharpness") {
                 dt { (words.say("photo-sharp")) } dd { (words.number(100.0 * sharp, 0)) " %" }
             }
