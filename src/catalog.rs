@@ -47,6 +47,8 @@ pub const IMPORTERS: &[Importer] = &[
         &["*.{png,jpg,jpeg,tif,tiff}"],
     ),
     taken(&erase::<capture::Surface>(), &["mesh.ply"]),
+    taken(&erase::<measure::ImportLandmarks>(), &["landmarks.json"]),
+    taken(&erase::<measure::ImportGirths>(), &["girths.json"]),
     taken(&erase::<report::Take>(), &["*"]),
 ];
 

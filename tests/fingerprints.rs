@@ -63,17 +63,16 @@ fn no_stage_gives_other_bytes_under_the_same_version() {
     let tables = Path::new(env!("CARGO_MANIFEST_DIR")).join("models/tables");
     let tables = format!("tables={}", tables.display());
     let found = folder().join("found").display().to_string();
-    let [tags, tracks] = ["tags", "tracks"].map(|kind| format!("{kind}={found}"));
-    let inputs = [
+    let found = ["tags", "tracks", "planes", "tapes"].map(|kind| format!("{kind}={found}"));
+    let mut inputs = vec![
         "photos=out/photos",
         "cameras=out",
         "masks=out/masks",
         "surface=out",
         "table=out",
         &tables,
-        &tags,
-        &tracks,
     ];
+    inputs.extend(found.iter().map(String::as_str));
     let inputs: Vec<&str> = inputs.iter().flat_map(|i| ["--input", *i]).collect();
     now.extend(run(place.path(), "imports.toml", &inputs));
     let covered: BTreeSet<&str> = now.iter().filter_map(|l| l.0.split(' ').next()).collect();

@@ -12,6 +12,7 @@ mod derive;
 mod features;
 mod geometry;
 mod girths;
+mod import;
 mod landmarks;
 mod model;
 mod planes;
@@ -35,6 +36,9 @@ pub use geometry::spline::{
     closed_spline_length, fitted_plane, grown, has_left, paper_girth, spline_length,
 };
 pub use girths::{GirthInput, GirthParams, Measure};
+pub use import::file::ImportError;
+pub use import::girths::{GirthsFileInput, ImportGirths};
+pub use import::landmarks::{ImportLandmarks, LandmarksFileInput};
 pub use landmarks::{FindLandmarks, LandmarkInput, LandmarkParams, NoBody};
 pub use model::error::ModelError;
 pub use model::file::LevelModel;
@@ -61,4 +65,6 @@ pub const STAGES: &[&dyn stage::AnyStage] = &[
     &stage::erase::<FindLandmarks>(),
     &stage::erase::<Measure>(),
     &stage::erase::<FitLevels>(),
+    &stage::erase::<ImportLandmarks>(),
+    &stage::erase::<ImportGirths>(),
 ];

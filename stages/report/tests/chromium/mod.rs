@@ -218,8 +218,10 @@ impl Tab {
         [at[0].as_f64().unwrap(), at[1].as_f64().unwrap()]
     }
 
-    /// A click as a hand does it: on whatever lies there.
+    /// A click as a hand does it: on whatever lies there, once the page is whole.
+    #[track_caller]
     pub(crate) fn click(&mut self, selector: &str) {
+        self.until("document.readyState === 'complete'");
         let at = self.middle(selector);
         self.mouse("mousePressed", at, 1);
         self.mouse("mouseReleased", at, 0);

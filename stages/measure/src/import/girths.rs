@@ -1,0 +1,122 @@
+//! The stage that takes girths that another program measured.
+
+use crate::import::file::{FilePlane, FileUnit, ImportError, once, read};
+use serde::Deserialize;
+use shape::{Girth, GirthId, Girths, Landmark, Part, Region, Unit};
+use stage::{Ctx, Files, Stage, Stop};
+use std::sync::Arc;
+
+stage::inputs! {
+    /// Somebody's girths.
+    pub struct GirthsFileInput {
+        /// One `girths.json`, as `tailor show --as json` writes it: `unit` (`cm` or `relative`) and `girths`, each with
+        /// `name`, `tape_cm` (or `tape_rel`), the `plane` that the tape lay in, and where they are known `cm`,
+        /// `interval_cm`, `label`, `definition`; `stature_cm`. All else in it is passed over.
+        files: Arc<Files>,
+    }
+}
+
+/// `measure.import_girths`: files → girths.
+pub struct ImportGirths;
+
+#[derive(Deserialize)]
+struct File {
+    unit: FileUnit,
+    girths: Vec<One>,
+    stature_cm: Option<f64>,
+    stature_rel: Option<f64>,
+}
+
+#[derive(Deserialize)]
+struct One {
+    name: String,
+    label: Option<String>,
+    definition: Option<String>,
+    tape_cm: Option<f64>,
+    tape_rel: Option<f64>,
+    cm: Option<f64>,
+    rel: Option<f64>,
+    interval_cm: Option<[f64; 2]>,
+    interval_rel: Option<[f64; 2]>,
+    plane: FilePlane,
+}
+
+impl Stage for ImportGirths {
+    const NAME: &'static str = "measure.import_girths";
+    const VERSION: u32 = 1;
+    const ABOUT: &'static str = "Takes girths that another program measured from a girths.json.";
+    type Params = ();
+    type Input = GirthsFileInput;
+    type Output = Girths;
+
+    fn run(_: &(), input: GirthsFileInput, _: &Ctx<'_>) -> Result<Girths, Stop> {
+        let (file, said): (String, File) = read(&input.files, "girths.json")?;
+        once(&file, said.girths.iter().map(|g| &g.name))?;
+        let unit = said.unit.unit();
+        let girths = said.girths.iter().map(|g| {
+            girth(g, unit).map_err(|why| ImportError::Entry {
+                file: file.clone(),
+                name: g.name.clone(),
+                why,
+            })
+        });
+        let girths: Vec<Girth> = girths.collect::<Result<_, _>>()?;
+        let stature_mm = length(unit, said.stature_cm, said.stature_rel);
+        Ok(Girths {
+            unit,
+            girths,
+            stature_mm: stature_mm.filter(|mm| *mm > 0.0),
+            ..Girths::default()
+        })
+    }
+}
+
+/// In millimetres, or thousandths of the relative unit.
+fn length(unit: Unit, cm: Option<f64>, rel: Option<f64>) -> Option<f64> {
+    match unit {
+        Unit::Metric => cm.map(|x| 10.0 * x),
+        Unit::Relative => rel.map(|x| 1000.0 * x),
+    }
+}
+
+fn girth(said: &One, unit: Unit) -> Result<Girth, &'static str> {
+    let id = GirthId::named(&said.name).unwrap_or(GirthId::Own);
+    let tape = length(unit, said.tape_cm, said.tape_rel).ok_or(match unit {
+        Unit::Metric => "it has no `tape_cm`",
+        Unit::Relative => "it has no `tape_rel`",
+    })?;
+    if tape <= 0.0 {
+        return Err("a tape is longer than nothing");
+    }
+    let ends = match unit {
+        Unit::Metric => said.interval_cm,
+        Unit::Relative => said.interval_rel,
+    };
+    let ends = ends.map(|ends| ends.map(|x| length(unit, Some(x), Some(x)).unwrap_or(x)));
+    if ends.is_some_and(|[low, high]| !(low..=high).contains(&tape)) {
+        return Err("its interval does not hold its tape");
+    }
+    let own = id == GirthId::Own;
+    let mark = Landmark::new(id, said.plane.plane(unit)?, Part::Trunk);
+    let label = said.label.clone();
+    let definition = said.definition.clone();
+    Ok(Girth {
+        region: if own { Region::Anywhere } else { mark.region },
+        name: said.name.clone(),
+        label: label.unwrap_or(if own {
+            said.name.replace('_', " ")
+        } else {
+            mark.label.clone()
+        }),
+        definition: definition.unwrap_or(if own {
+            "as another program says".into()
+        } else {
+            mark.definition.clone()
+        }),
+        contour_mm: length(unit, said.cm, said.rel)
+            .filter(|x| *x > 0.0)
+            .unwrap_or(tape),
+        interval_mm: ends,
+        ..Girth::at(&mark, tape)
+    })
+}

@@ -1,0 +1,147 @@
+//! The stage that takes planes to measure at from another program.
+
+use crate::features::limb::limbs;
+use crate::features::standing::standing;
+use crate::import::file::{FilePlane, FileUnit, ImportError, once, read, region, word};
+use crate::landmarks::NoBody;
+use crate::planes::limbs::parts;
+use serde::Deserialize;
+use shape::{Cameras, GirthId, Landmark, Landmarks, Mesh, Part, PlaneSigma, Unit};
+use stage::{Ctx, Files, Stage, Stop};
+use std::sync::Arc;
+
+stage::inputs! {
+    /// Somebody's landmarks, and the surface that they lie on.
+    pub struct LandmarksFileInput {
+        /// One `landmarks.json`, as `tailor show --as json` writes it: `unit` (`mm` or `relative`) and `landmarks`,
+        /// each with `name`, `part`, `plane`, and where they are known `label`, `definition`, `sigma`. All else in it
+        /// is passed over.
+        files: Arc<Files>,
+        /// The surface.
+        mesh: Arc<Mesh>,
+        /// Cameras: where the ground is said to be.
+        cameras: Option<Arc<Cameras>>,
+    }
+}
+
+/// `measure.import_landmarks`: files, mesh → landmarks.
+pub struct ImportLandmarks;
+
+#[derive(Deserialize)]
+struct File {
+    unit: FileUnit,
+    landmarks: Vec<One>,
+}
+
+#[derive(Deserialize)]
+struct One {
+    name: String,
+    label: Option<String>,
+    definition: Option<String>,
+    part: Part,
+    plane: FilePlane,
+    #[serde(default)]
+    sigma: FileSigma,
+}
+
+/// How sure a plane is; what is not there is not known.
+#[derive(Deserialize, Default)]
+#[serde(default)]
+struct FileSigma {
+    level_mm: Option<f64>,
+    level_rel: Option<f64>,
+    tilt_deg: Option<f64>,
+    repeat_mm: Option<f64>,
+    repeat_rel: Option<f64>,
+}
+
+impl FileSigma {
+    fn sigma(&self, unit: Unit) -> Result<PlaneSigma, &'static str> {
+        let either = |mm: Option<f64>, rel: Option<f64>| match unit {
+            Unit::Metric => mm,
+            Unit::Relative => rel.map(|x| 1000.0 * x),
+        };
+        let sigma = PlaneSigma {
+            level_mm: either(self.level_mm, self.level_rel),
+            tilt_rad: self.tilt_deg.map(f64::to_radians),
+            repeat_mm: either(self.repeat_mm, self.repeat_rel),
+        };
+        let all = [sigma.level_mm, sigma.tilt_rad, sigma.repeat_mm];
+        match all.iter().flatten().all(|s| *s >= 0.0) {
+            true => Ok(sigma),
+            false => Err("a standard deviation is below 0"),
+        }
+    }
+}
+
+impl Stage for ImportLandmarks {
+    const NAME: &'static str = "measure.import_landmarks";
+    const VERSION: u32 = 1;
+    const ABOUT: &'static str = "Takes planes to measure at from a landmarks.json.";
+    type Params = ();
+    type Input = LandmarksFileInput;
+    type Output = Landmarks;
+
+    fn run(_: &(), input: LandmarksFileInput, ctx: &Ctx<'_>) -> Result<Landmarks, Stop> {
+        let mesh = &input.mesh;
+        let unit = input.cameras.as_ref().map_or(mesh.unit, |c| c.scale.unit());
+        let (file, said): (String, File) = read(&input.files, "landmarks.json")?;
+        if said.unit.unit() != unit {
+            let (file_unit, unit) = (word(said.unit.unit()), word(unit));
+            let wrong = ImportError::Unit {
+                file,
+                file_unit,
+                unit,
+            };
+            return Err(wrong.into());
+        }
+        once(&file, said.landmarks.iter().map(|l| &l.name))?;
+        let found = said.landmarks.iter().map(|l| {
+            landmark(l, unit).map_err(|why| ImportError::Entry {
+                file: file.clone(),
+                name: l.name.clone(),
+                why,
+            })
+        });
+        let found = found.collect::<Result<Vec<_>, _>>()?;
+        let stands = standing(mesh, input.cameras.as_deref()).ok_or(NoBody)?;
+        let mut all = Landmarks {
+            unit,
+            found,
+            parts: parts(mesh, &stands.body, &limbs(mesh, &stands.body)),
+            ..Landmarks::default()
+        };
+        if let Some(ground) = stands.ground.filter(|_| stands.refused.is_none()) {
+            all.ground_mm = Some(stands.body.ground);
+            all.stature_mm = Some(stands.body.stature);
+            all.stature_sigma_mm = stands.stature_sigma;
+            ground.word.iter().for_each(|word| ctx.warn(word));
+        }
+        Ok(all)
+    }
+}
+
+fn landmark(said: &One, unit: Unit) -> Result<Landmark, &'static str> {
+    let (plane, sigma) = (said.plane.plane(unit)?, said.sigma.sigma(unit)?);
+    let id = GirthId::named(&said.name).unwrap_or(GirthId::Own);
+    let own = Landmark::new(id, plane, said.part);
+    Ok(Landmark {
+        region: match id {
+            GirthId::Own => region(said.part),
+            _ => own.region,
+        },
+        label: match (&said.label, id) {
+            (Some(label), _) => label.clone(),
+            (None, GirthId::Own) => said.name.replace('_', " "),
+            (None, _) => own.label,
+        },
+        definition: match (&said.definition, id) {
+            (Some(text), _) => text.clone(),
+            (None, GirthId::Own) => "as another program says".into(),
+            (None, _) => own.definition,
+        },
+        name: said.name.clone(),
+        sigma,
+        ..own
+    })
+}
