@@ -105,6 +105,7 @@ pub mod page;
 pub mod past;
 pub mod pattern;
 pub mod plan;
+mod profile;
 pub mod provenance;
 pub mod recipe;
 pub mod reference;

@@ -3,15 +3,18 @@
 use super::provenance::{self, get};
 use crate::delivery::{self, Delivery};
 use crate::engine::Outcome;
-use crate::graph::Graph;
+use crate::graph::{Graph, Source};
 use engine::cli::{Fault, inside, lies_in, there, whose};
 use engine::out;
-use shape::{Document, Girths};
-use stage::AnyArtifact;
+use shape::{Document, Girths, Mesh};
+use stage::{AnyArtifact, Artifact};
 use std::path::{Path, PathBuf};
 
+/// The surface that was measured, whatever its node is called.
+const BODY: &str = "body";
+
 /// What is written: nodes, of which the first that there is counts, file in the folder, format.
-/// Without refinement the hull is the body. Formats of several files go into the folder itself.
+/// Formats of several files go into the folder itself.
 const WRITTEN: [(&[&str], &str, &str); 9] = [
     (&["girths"], "girths.json", "json"),
     (&["girths"], "girths.csv", "csv"),
@@ -19,9 +22,9 @@ const WRITTEN: [(&[&str], &str, &str); 9] = [
     (&["cameras"], "cameras.json", "json"),
     (&["masks"], "masks", "png"),
     (&["hull"], "hull.ply", "ply"),
-    (&["body", "hull"], "body.ply", "ply"),
-    (&["textured", "body", "hull"], "body.glb", "glb"),
-    (&["textured", "body", "hull"], "", "obj"),
+    (&[BODY], "body.ply", "ply"),
+    (&["textured", BODY], "body.glb", "glb"),
+    (&["textured", BODY], "", "obj"),
 ];
 
 /// What a capture is called, after its folder; a video without its ending.
@@ -79,7 +82,23 @@ pub(super) fn written(graph: &Graph) -> impl Iterator<Item = usize> {
 
 /// The first of these nodes that there is.
 fn place(graph: &Graph, nodes: &[&str]) -> Option<usize> {
-    nodes.iter().find_map(|node| graph.node(node))
+    nodes.iter().find_map(|node| match *node {
+        BODY => measured(graph).or_else(|| graph.node(BODY)),
+        node => graph.node(node),
+    })
+}
+
+/// The surface that girths are taken on: what a variant measures is what is written.
+fn measured(graph: &Graph) -> Option<usize> {
+    let girths = &graph.nodes[graph.node("girths")?];
+    let port = girths
+        .ports
+        .iter()
+        .position(|port| port.kind == Mesh::KIND)?;
+    match girths.from[port] {
+        Some(Source::Node(node)) => Some(node),
+        _ => None,
+    }
 }
 
 /// Girths with the capture's name where nobody gave one: results of several captures may be put together.

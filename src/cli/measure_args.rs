@@ -31,6 +31,9 @@ pub(crate) struct Measure {
     /// A variant of the pipeline
     #[arg(long)]
     pub(super) variant: Option<String>,
+    /// A first answer: waist and hip from the coarse surface, with wider intervals; the rest of the work is left out
+    #[arg(long, conflicts_with = "variant")]
+    pub(super) fast: bool,
     /// Another value for a param: NODE.PARAM=VALUE
     #[arg(long)]
     pub(super) set: Vec<String>,
@@ -52,6 +55,9 @@ pub(crate) struct Measure {
     /// Take the folder's video, though there are photos, too
     #[arg(long)]
     pub(super) video: bool,
+    /// Show what each node and loop took of clock, processor and memory, and write a trace of it into this file
+    #[arg(long, value_name = "FILE")]
+    pub(super) profile: Option<PathBuf>,
     #[command(flatten)]
     pub(super) facts: Facts,
 }

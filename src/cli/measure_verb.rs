@@ -13,6 +13,13 @@ use std::path::PathBuf;
 /// `tailor measure`: each folder on its own; one that fails does not stop the others.
 pub(crate) fn measure(measure: &Measure, global: &GlobalArgs) -> Result<(), Fault> {
     let said = measure.facts.said()?;
+    if measure.profile.is_some() && measure.folders.len() > 1 {
+        return Err(Fault::input("--profile is of one run: say one folder"));
+    }
+    let global = &GlobalArgs {
+        profile: measure.profile.clone(),
+        ..global.clone()
+    };
     if let [capture] = measure.folders.as_slice() {
         let measured = one(measure, capture, measure.out.as_deref(), &said, global)?;
         if global.json {

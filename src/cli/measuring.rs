@@ -19,6 +19,9 @@ use shape::{Cameras, Girths};
 use std::ffi::OsString;
 use std::path::{Path, PathBuf};
 
+/// The variant of pipelines that stops at the coarse surface.
+const FAST: &str = "fast";
+
 /// The folder of a capture that holds masks.
 const MASKS: &str = "masks";
 
@@ -51,7 +54,9 @@ fn pipeline(
     if masks.is_dir() {
         folders.push((MASKS.to_owned(), masks));
     }
-    let graph = opened(name, source.over(), measure.variant.clone(), said, &sets)?;
+    let fast = measure.fast.then(|| FAST.to_owned());
+    let variant = fast.or_else(|| measure.variant.clone());
+    let graph = opened(name, source.over(), variant, said, &sets)?;
     Ok((graph, folders))
 }
 

@@ -27,6 +27,7 @@ mod known;
 mod manual;
 mod open;
 mod private;
+mod profiled;
 mod program;
 mod programs;
 mod progress;

@@ -103,6 +103,9 @@ pub struct GlobalArgs {
     /// Say nothing but results and errors
     #[arg(long, global = true)]
     pub quiet: bool,
+    /// Where a profile of the run is written, if one is wanted.
+    #[arg(skip)]
+    pub profile: Option<PathBuf>,
     /// The program whose command line it is.
     #[arg(skip)]
     pub program: Option<&'static Program>,
@@ -124,6 +127,7 @@ impl GlobalArgs {
             store_wait: 60.0,
             allow_exec: false,
             quiet: true,
+            profile: None,
             program: Some(program),
             host,
         }

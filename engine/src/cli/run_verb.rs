@@ -4,6 +4,7 @@ use super::arguments::Wanted;
 use super::deliver;
 use super::fault::Fault;
 use super::open::{folders, open, options, prefetch};
+use super::profiled::profiled;
 use super::program::GlobalArgs;
 use super::progress::Progress;
 use crate::delivery::Delivery;
@@ -39,6 +40,9 @@ pub(crate) struct Run {
     /// Run every stage once more and compare: a stage must give the same bytes twice
     #[arg(long)]
     verify: bool,
+    /// Show what each node and loop took of clock, processor and memory, and write a trace of it into this file
+    #[arg(long, value_name = "FILE")]
+    profile: Option<PathBuf>,
 }
 
 /// Runs in a store, and turns failures into faults; `again` is the command that repeats a failed node.
@@ -97,7 +101,9 @@ fn execute_some(
         None => &speaker,
     };
     let cancel = global.host.cancel();
-    let outcome = session::run_in(store, graph, folders, wanted, &options, watch, cancel);
+    let outcome = profiled(watch, global, |watch| {
+        session::run_in(store, graph, folders, wanted, &options, watch, cancel)
+    })?;
     let outcome = outcome.map_err(Fault::input)?;
     let failures = outcome.failures(graph);
     if !failures.is_empty() {
@@ -145,6 +151,10 @@ fn verify(
 
 /// Runs a pipeline and writes its results.
 pub(crate) fn run(run: &Run, global: &GlobalArgs) -> Result<(), Fault> {
+    let global = &GlobalArgs {
+        profile: run.profile.clone(),
+        ..global.clone()
+    };
     let prefetch = prefetch(&run.wanted, global);
     let (graph, wanted) = open(&run.wanted, global)?;
     let folders = folders(&run.wanted.change)?;

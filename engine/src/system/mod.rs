@@ -50,3 +50,27 @@ pub(crate) fn free_memory() -> Option<u64> {
     };
     [machine, group].into_iter().flatten().min()
 }
+
+/// What each thread of this process had of the processor, by its number, which grows; none if the system does
+/// not say. \[s\]
+pub(crate) fn thread_times() -> Option<Vec<(u64, f64)>> {
+    let folder = std::fs::read_dir("/proc/self/task").ok()?;
+    let one = |entry: std::fs::DirEntry| {
+        let id = entry.file_name().to_str()?.parse().ok()?;
+        // The first number: nanoseconds on a processor.
+        let text = std::fs::read_to_string(entry.path().join("schedstat")).ok()?;
+        let ns: u64 = text.split_whitespace().next()?.parse().ok()?;
+        Some((id, ns as f64 / 1e9))
+    };
+    let mut times: Vec<(u64, f64)> = folder.flatten().filter_map(one).collect();
+    times.sort_by_key(|(id, _)| *id);
+    (!times.is_empty()).then_some(times)
+}
+
+/// Memory that this process has now; none if the system does not say. \[bytes\]
+pub(crate) fn resident_bytes() -> Option<u64> {
+    let status = std::fs::read_to_string("/proc/self/status").ok()?;
+    let line = status.lines().find_map(|l| l.strip_prefix("VmRSS:"))?;
+    let kib: u64 = line.split_whitespace().next()?.parse().ok()?;
+    Some(1024 * kib)
+}

@@ -1,0 +1,14 @@
+//! Where a run's time and memory go: what each node and each loop in it took of the clock, of the processor, and of
+//! memory, as a table and as a trace that Perfetto and Chrome's `about:tracing` show.
+//!
+//! Arrows: `sample`, `spans` ← `profiler` ← `cost` ← `trace`.
+
+mod cost;
+mod profiler;
+mod sample;
+mod spans;
+mod trace;
+
+pub(crate) use cost::{Cost, costs};
+pub(crate) use profiler::{Profile, Profiler};
+pub(crate) use trace::trace;
