@@ -102,4 +102,4 @@ pub(super) const WARNINGS: [(&str, &str); 95] = [
 
 #[cfg(test)]
 #[path = "warnings_tests.rs"]
-mod tests;
+pub(super) mod tests;

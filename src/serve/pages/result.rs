@@ -51,7 +51,12 @@ pub(crate) fn tape(words: Words, girths: &Value, name: &str) -> Option<String> {
 fn interval(words: Words, girth: &Value) -> String {
     let ends = |key: &str| Some([girth[key][0].as_f64()?, girth[key][1].as_f64()?]);
     match (ends("interval_cm"), ends("interval_rel")) {
-        (Some([low, high]), _) => format!("{} – {}", words.length(low), words.length(high)),
+        (Some([low, high]), _) => {
+            // The unit once: three columns fit a phone.
+            let low = words.length(low);
+            let low = low.split(' ').next().unwrap_or(&low);
+            format!("{low} – {}", words.length(high))
+        }
         (_, Some([low, high])) => format!("{} – {}", words.number(low, 3), words.number(high, 3)),
         _ => String::new(),
     }
