@@ -1,7 +1,7 @@
 //! The page itself, out of its parts.
 
 use crate::lengths::Lengths;
-use crate::{profile, ring, scene, sides, tables};
+use crate::{derived, profile, ring, scene, sides, tables};
 use shape::{Cameras, Girths, Landmarks, Mesh, Photos, Scale, Textured};
 
 /// A surface that the viewer can show.
@@ -94,7 +94,7 @@ pub(crate) fn page(content: &Content<'_>) -> String {
             ("warnings", warnings(photos, cameras)),
             ("girths", tables::girths(girths, lengths)),
             ("unit", tables::unit(girths, lengths)),
-            ("derived", tables::derived(girths, lengths)),
+            ("derived", derived::derived(girths, lengths)),
             ("scale", tables::scale(cameras, &photos.rig, lengths)),
             ("sides", sides::figure(content.body, girths, front, lengths)),
             ("coarse", coarser(faces, content.body.faces.len())),
