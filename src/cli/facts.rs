@@ -1,8 +1,8 @@
 //! What is known of a capture, as flags: each is a key of `capture.toml`, said over the file.
 
-use super::length::{length_mm, weight_kg};
+use super::length::{age_months, length_mm, weight_kg};
 use super::mat_file::mat_file;
-use super::said::{All, PLACE, Said};
+use super::said::{All, Said, place};
 use clap::Args;
 use engine::cli::Fault;
 use std::path::PathBuf;
@@ -17,6 +17,15 @@ pub(crate) struct Facts {
     /// The subject's weight: 80 (kg), 176lb
     #[arg(long, value_name = "WEIGHT")]
     weight: Option<String>,
+    /// For growth references and thresholds: female or male
+    #[arg(long, value_name = "SEX")]
+    sex: Option<String>,
+    /// The subject's age on the day of the capture, for growth references: 9.5 (years), 9y6mo, 114mo
+    #[arg(long, value_name = "AGE", conflicts_with = "born")]
+    age: Option<String>,
+    /// The subject's day of birth, in place of an age: 2016-05-01; the capture's own day must be known
+    #[arg(long, value_name = "DAY")]
+    born: Option<String>,
     /// Focal length as if on 36 × 24 mm film, by the diagonal \[mm\], where photos do not tell
     #[arg(long, value_name = "MM")]
     focal: Option<f64>,
@@ -91,6 +100,21 @@ impl Facts {
         &self.images
     }
 
+    /// What was said of the person under a key of `[subject]`, as TOML has it.
+    ///
+    /// # Errors
+    ///
+    /// A flag that cannot be read.
+    pub(super) fn personal(&self, key: &str) -> Result<Option<String>, Fault> {
+        let begin = format!("{}=", place(&format!("subject.{key}")));
+        let said = self.said()?;
+        let value = said.iter().find_map(|s| s.set.strip_prefix(&begin));
+        Ok(value.map(|text| match text.parse::<f64>() {
+            Ok(_) => text.to_owned(),
+            Err(_) => toml::Value::from(text.trim_matches('"')).to_string(),
+        }))
+    }
+
     /// Whether marker tags are named.
     pub(super) fn tagged(&self) -> bool {
         let mat = |fact: &String| fact.starts_with("mat.");
@@ -133,6 +157,10 @@ impl Facts {
             let kg = weight_kg(text).map_err(|why| Fault::input(format!("--weight: {why}")))?;
             all.put("--weight", text, "subject.weight_kg", kg.into());
         }
+        if let Some(text) = &self.age {
+            let months = age_months(text).map_err(|why| Fault::input(format!("--age: {why}")))?;
+            all.put("--age", text, "subject.age_years", (months / 12.0).into());
+        }
         for (flag, said, key) in [
             ("--focal", self.focal, "camera.focal_35mm"),
             ("--focal-px", self.focal_px, "camera.focal_px"),
@@ -161,6 +189,8 @@ impl Facts {
             ("--plate", &self.plate, "plate"),
             ("--name", &self.name, "name"),
             ("--date", &self.date, "date"),
+            ("--sex", &self.sex, "subject.sex"),
+            ("--born", &self.born, "subject.born"),
         ] {
             if let Some(text) = said {
                 all.put(flag, text, key, text.clone().into());
@@ -220,7 +250,7 @@ impl Facts {
                 ))
             };
             let (key, value) = text.split_once('=').ok_or_else(wrong)?;
-            let set = format!("{PLACE}.{}={}", key.trim(), value.trim());
+            let set = format!("{}={}", place(key.trim()), value.trim());
             all.0.push(Said {
                 flag: format!("--fact {text}"),
                 set,

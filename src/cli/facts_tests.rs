@@ -50,10 +50,13 @@ fn known(table: &str) -> Vec<String> {
 #[test]
 fn every_key_of_capture_toml_has_its_flag() {
     let all = said(
-        "--stature 178 --weight 80 --focal 26 --focal-px 3000 --centre-px 4,5 --step 20 --views 18 --images a.jpg \
+        "--stature 178 --weight 80 --sex male --born 2016-05-01 --focal 26 --focal-px 3000 --centre-px 4,5 --step 20 --views 18 --images a.jpg \
          --plate p.jpg --name me --date 2026-05-01 --disk-diameter 70 --mat-tag 60 --mat-ids 0-11 --mat-ring 187 --rim-tag 24 \
          --rim-ids 12-47 --rim-radius 225 --reference tag_size=60",
-    );
+    )
+    .into_iter()
+    .chain(said("--age 9.5"));
+    let all: Vec<Said> = all.collect();
     let places: Vec<&str> = all
         .iter()
         .map(|s| s.set.split('=').next().unwrap())
@@ -69,8 +72,8 @@ fn every_key_of_capture_toml_has_its_flag() {
             .filter(|k| !silent.contains(&k.as_str()) && !tables.contains(&k.as_str()))
         {
             let place = match *table {
-                "" => format!("photos.facts.{key}"),
-                table => format!("photos.facts.{table}.{key}"),
+                "" => place(key),
+                table => place(&format!("{table}.{key}")),
             };
             assert!(places.contains(&place.as_str()), "{place} has no flag");
         }
@@ -83,6 +86,12 @@ fn flags_become_keys_in_their_units() {
     assert_eq!(
         sets("--stature 5ft10in"),
         ["photos.facts.subject.height_cm=177.8"]
+    );
+    // What is personal is no fact of the photos.
+    assert_eq!(sets("--age 9y6mo"), ["person.facts.subject.age_years=9.5"]);
+    assert_eq!(
+        sets("--fact subject.sex=male"),
+        ["person.facts.subject.sex=male"]
     );
     assert_eq!(sets("--steps 18"), ["photos.facts.step_deg=20.0"]);
     assert_eq!(sets("--mat-tag 6cm"), ["photos.facts.mat.tag_size_mm=60.0"]);

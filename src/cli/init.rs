@@ -43,7 +43,7 @@ pub(crate) fn init(args: &Init, global: &GlobalArgs) -> Result<(), Fault> {
         .file_name()
         .unwrap_or("turn".as_ref())
         .to_string_lossy();
-    let text = draft(&name, &seen, args.facts.images());
+    let text = draft(&name, &seen, &args.facts)?;
     let cannot = |e: std::io::Error| Fault::input(format!("cannot write {shown}: {e}"));
     // Never over one that came meanwhile.
     let mut new = std::fs::File::create_new(&file).map_err(cannot)?;
@@ -83,17 +83,17 @@ fn quoted(text: &str) -> String {
 }
 
 /// The file's text.
-fn draft(name: &str, seen: &Look, images: &[String]) -> String {
+fn draft(name: &str, seen: &Look, facts: &Facts) -> Result<String, Fault> {
     let rig = &seen.photos.rig;
     let mut to = String::from(
         "# What is known of this capture. A line that begins with # says nothing: take the # away where you know.\n\
          # Every key has a flag of `tailor measure`, which wins. `tailor doctor` says what would help.\n",
     );
-    turn(&mut to, name, seen, images);
+    turn(&mut to, name, seen, facts.images());
     camera(&mut to, seen);
-    subject(&mut to, rig);
+    subject(&mut to, rig, facts)?;
     mat(&mut to, seen, rig);
-    to
+    Ok(to)
 }
 
 /// The photos: how many there are, which, and how far apart.
@@ -147,17 +147,36 @@ fn camera(to: &mut String, seen: &Look) {
 }
 
 /// Who stood on the disk, and the disk.
-fn subject(to: &mut String, rig: &Rig) {
+fn subject(to: &mut String, rig: &Rig, facts: &Facts) -> Result<(), Fault> {
     let cm = |mm: f64| number(mm / 10.0);
     let _ = writeln!(to, "\n[subject]");
     let note = "tells lengths where no mat, reference or disk does";
     line(to, "height_cm", rig.stature_mm.map(cm), "178.0", note);
     let weight = rig.weight_kg.map(number);
     line(to, "weight_kg", weight, "80.0", "for the body mass index");
+    for (key, like, note) in [
+        (
+            "sex",
+            "\"female\"",
+            "or \"male\": whose growth reference is meant",
+        ),
+        (
+            "age_years",
+            "9.5",
+            "on the day of the capture, for a child's growth",
+        ),
+        ("born", "\"2016-05-01\"", "in place of an age, with `date`"),
+    ] {
+        let known = facts.personal(key)?;
+        if known.is_some() || key != "born" {
+            line(to, key, known, like, note);
+        }
+    }
     let _ = writeln!(to, "\n[disk]");
     let diameter = rig.disk_diameter_mm.map(cm);
     let note = "of the disk that turned";
     line(to, "diameter_cm", diameter, "70.0", note);
+    Ok(())
 }
 
 /// What is known of a mat, and what photos show of one.

@@ -1,4 +1,4 @@
-//! Lengths and weights as people write them: `178`, `1.78m`, `70in`, `5ft10in`, `176lb`.
+//! Lengths, weights and ages as people write them: `178`, `1.78m`, `70in`, `5ft10in`, `176lb`, `9y6mo`.
 
 /// Units of length, each in millimetres; longer words first where one begins another.
 const LENGTHS: [(&str, f64); 7] = [
@@ -27,6 +27,14 @@ pub(super) fn length_mm(text: &str, bare: &str) -> Result<f64, String> {
 /// A weight; a bare number is in kilograms. \[kg\]
 pub(super) fn weight_kg(text: &str) -> Result<f64, String> {
     amount(text, "kg", &WEIGHTS, "a weight such as 80, 80kg or 176lb")
+}
+
+/// Units of age, each in months.
+const AGES: [(&str, f64); 4] = [("y", 12.0), ("years", 12.0), ("mo", 1.0), ("months", 1.0)];
+
+/// An age; a bare number is in years. \[months\]
+pub(super) fn age_months(text: &str) -> Result<f64, String> {
+    amount(text, "y", &AGES, "an age such as 9.5, 9y6mo or 114mo")
 }
 
 /// Numbers with their units, summed.
@@ -80,6 +88,10 @@ mod tests {
         }
         assert_eq!(length_mm("60", "mm"), Ok(60.0));
         assert_eq!(weight_kg("100lb"), Ok(45.359_237));
+        for (text, months) in [("9.5", 114.0), ("9y6mo", 114.0), ("114 months", 114.0)] {
+            assert_eq!(age_months(text), Ok(months), "{text}");
+        }
+        assert!(age_months("9y6").is_err() && age_months("old").is_err());
         for wrong in ["", "tall", "1.7.8", "178kg", "-3", "1,78m"] {
             assert!(
                 length_mm(wrong, "cm").unwrap_err().contains("5ft10in"),

@@ -5,6 +5,9 @@ use crate::graph::Graph;
 use engine::cli::text::short;
 use shape::Girths;
 
+/// The stage whose params are facts of a person.
+const PERSONAL: &str = "capture.person";
+
 /// A node's result, if it is of this kind.
 pub(super) fn get<A: stage::Artifact>(
     graph: &Graph,
@@ -56,6 +59,8 @@ fn table(outcome: &Outcome, graph: &Graph) -> String {
     for (done, node) in outcome.nodes.iter().zip(&graph.nodes) {
         let Some(done) = done else { continue };
         let params = node.params.values.iter();
+        // Who is measured is nobody's matter whom the page is shown.
+        let params = params.filter(|_| node.stage.name() != PERSONAL);
         let params: Vec<String> = params.map(|(k, v)| format!("{k} = {v}")).collect();
         let number = |m: &stage::Metric| {
             format!("{} {} {}", m.name, short(m.value), m.unit)

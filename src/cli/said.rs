@@ -6,7 +6,22 @@ use crate::recipe::{Overrides, Pipeline};
 use engine::cli::Fault;
 
 /// The node that reads the photos, and its param that takes facts.
-pub(super) const PLACE: &str = "photos.facts";
+const PLACE: &str = "photos.facts";
+
+/// The node that reads who is measured, and its param; what is said there is in no key of the photos.
+const PERSON: &str = "person.facts";
+
+/// The keys of `capture.toml` that only that node reads.
+pub(super) const PERSONAL: [&str; 3] = ["subject.sex", "subject.born", "subject.age_years"];
+
+/// The param that takes a key of `capture.toml`.
+pub(super) fn place(key: &str) -> String {
+    let node = match PERSONAL.contains(&key) {
+        true => PERSON,
+        false => PLACE,
+    };
+    format!("{node}.{key}")
+}
 
 /// A flag as it was said, and the change of the pipeline that it is.
 #[derive(Clone)]
@@ -23,7 +38,7 @@ impl All {
     pub(super) fn put(&mut self, flag: &str, said: &impl ToString, key: &str, value: toml::Value) {
         self.0.push(Said {
             flag: format!("{flag} {}", said.to_string()),
-            set: format!("{PLACE}.{key}={value}"),
+            set: format!("{}={value}", place(key)),
         });
     }
 }

@@ -1,6 +1,6 @@
 //! The last screen of `tailor measure`: what was measured, what was not, and where it lies.
 
-use shape::{Cameras, Girths, Scale, Unit};
+use shape::{Cameras, Girths, Scale, Score, Unit};
 
 /// Lines are broken before this column.
 const WIDTH: usize = 100;
@@ -60,6 +60,7 @@ pub(crate) fn screen(
     if let Some(bmi) = girths.bmi {
         text += &format!("{:<wide$} {bmi:>8.1}  kg/m²\n", "body mass index");
     }
+    text += &grown(girths, wide);
     if !girths.missing.is_empty() {
         text += "\nnot measured\n";
     }
@@ -113,6 +114,24 @@ fn broken(line: &str, indent: usize) -> String {
         column += word.chars().count();
     }
     text + "\n"
+}
+
+/// A child beside the growth reference: a line a number.
+fn grown(girths: &Girths, wide: usize) -> String {
+    let Some(growth) = girths.growth else {
+        return String::new();
+    };
+    let line = |(name, score): (&str, Option<Score>)| {
+        let Score { z, centile } = score?;
+        Some(format!(
+            "{name:<wide$} {z:>8.2}  z, WHO 2007; centile {centile:.1}; no diagnosis\n"
+        ))
+    };
+    let lines = [
+        ("height for age", growth.height),
+        ("BMI for age", growth.bmi),
+    ];
+    lines.into_iter().filter_map(line).collect()
 }
 
 #[cfg(test)]

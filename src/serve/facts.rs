@@ -12,6 +12,12 @@ pub(super) struct Facts {
     /// \[kg\]
     #[serde(skip_serializing_if = "Option::is_none")]
     pub(super) weight_kg: Option<f64>,
+    /// Whose growth reference is meant.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(super) sex: Option<Sex>,
+    /// On the day of the capture. \[years\]
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(super) age_years: Option<f64>,
     /// Edge length of a mat tag's black square. \[mm\]
     #[serde(skip_serializing_if = "Option::is_none")]
     pub(super) mat_tag_mm: Option<f64>,
@@ -35,6 +41,26 @@ pub(super) struct Facts {
     pub(super) inches: bool,
 }
 
+/// Whose growth reference is meant.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub(super) enum Sex {
+    Female,
+    Male,
+}
+
+impl Sex {
+    pub(super) const ALL: [Sex; 2] = [Sex::Female, Sex::Male];
+
+    /// As `--sex` has it.
+    pub(super) fn word(self) -> &'static str {
+        match self {
+            Sex::Female => "female",
+            Sex::Male => "male",
+        }
+    }
+}
+
 /// A fact that cannot be.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[error("{field}: {said} is not between {least} and {most}")]
@@ -51,10 +77,11 @@ pub(super) struct Unlikely {
 
 impl Facts {
     /// The numbers with the limits that are believed: a slip of the keyboard is told at once.
-    fn numbers(&self) -> [(&'static str, Option<f64>, f64, f64); 6] {
+    fn numbers(&self) -> [(&'static str, Option<f64>, f64, f64); 7] {
         [
             ("stature_cm", self.stature_cm, 40.0, 260.0),
             ("weight_kg", self.weight_kg, 2.0, 400.0),
+            ("age_years", self.age_years, 0.0, 130.0),
             ("mat_tag_mm", self.mat_tag_mm, 5.0, 500.0),
             ("disk_diameter_cm", self.disk_diameter_cm, 20.0, 300.0),
             ("focal_mm", self.focal_mm, 5.0, 1000.0),
@@ -89,6 +116,8 @@ impl Facts {
         let said = [
             number("stature", self.stature_cm, "cm"),
             number("weight", self.weight_kg, "kg"),
+            self.sex.map(|sex| format!("--sex={}", sex.word())),
+            number("age", self.age_years, "y"),
             number("mat-tag", self.mat_tag_mm, "mm"),
             number("disk-diameter", self.disk_diameter_cm, "cm"),
             number("focal", self.focal_mm, ""),

@@ -1,6 +1,7 @@
 //! What stages say, in the reader's language: the sentences of `capture.look`, and the texts that stand for them
-//! in `words/`; those of warnings are in `warnings.rs`. A sentence that is not known stays as it is.
+//! in `words/`; those of warnings are in `warnings.rs`, of failures in `errors.rs`. A sentence that is not known stays as it is.
 
+use super::errors::ERRORS;
 use super::language::Words;
 use super::warnings::WARNINGS;
 
@@ -75,9 +76,16 @@ fn put_in<'a>(pattern: &str, text: &'a str) -> Option<Vec<&'a str>> {
 /// A sentence of a stage in the reader's language; none if it is not known. What it is about may stand
 /// before it (`NC: `).
 pub(super) fn translated(words: Words, text: &str) -> Option<String> {
-    let all = TOLD.iter().chain(&WARNINGS);
+    let all = TOLD.iter().chain(&WARNINGS).chain(&ERRORS);
     let fits = |(pattern, key): &(&str, &'static str)| Some((*key, put_in(pattern, text)?));
     let Some((key, found)) = all.clone().find_map(fits) else {
+        // What is odd, and what mends it.
+        let parts = text.split_once("; ");
+        let parts =
+            parts.and_then(|(odd, mend)| Some((translated(words, odd)?, translated(words, mend)?)));
+        if let Some((odd, mend)) = parts {
+            return Some(format!("{odd}; {mend}"));
+        }
         let (about, rest) = text.split_once(": ")?;
         return Some(format!("{about}: {}", translated(words, rest)?));
     };

@@ -4,7 +4,7 @@
 //! |---|---|
 //! | `guard.rs` | who may ask |
 //! | `routes.rs` | every call, and what all of them pass |
-//! | `visits.rs`, `pages/`, `handed.rs` | pages and their forms, files handed out; `typed.rs` reads what was typed, `language.rs`, `findings.rs`, `warnings.rs` and `words/` say it |
+//! | `visits.rs`, `pages/`, `handed.rs` | pages and their forms, files handed out; `typed.rs` reads what was typed, `language.rs`, `findings.rs`, `warnings.rs`, `errors.rs` and `words/` say it |
 //! | `api.rs`, `events.rs` | calls of programs and scripts; progress as it happens |
 //! | `upload.rs`, `sniff.rs` | files that come in |
 //! | `home.rs`, `record.rs`, `facts.rs`, `delete.rs` | captures on the disk |
@@ -18,6 +18,7 @@ mod api;
 mod app;
 mod batch;
 mod delete;
+mod errors;
 mod events;
 mod facts;
 mod findings;

@@ -1,6 +1,6 @@
 //! What was typed into the form of facts, read as the reader writes numbers.
 
-use super::facts::Facts;
+use super::facts::{Facts, Sex};
 use super::language::Words;
 use super::pages::facts::Slips;
 use std::collections::{BTreeMap, HashMap};
@@ -27,6 +27,7 @@ pub(super) fn facts(words: Words, sent: &HashMap<String, String>) -> Result<Fact
     let mut facts = Facts {
         stature_cm: read("stature_cm", true),
         weight_kg: read("weight_kg", false),
+        age_years: read("age_years", false),
         mat_tag_mm: read("mat_tag_mm", false),
         disk_diameter_cm: read("disk_diameter_cm", true),
         focal_mm: read("focal_mm", false),
@@ -35,6 +36,8 @@ pub(super) fn facts(words: Words, sent: &HashMap<String, String>) -> Result<Fact
     let steps = read("steps", false);
     facts.steps = steps.map(|steps| steps as i64);
     facts.plate = sent.get("plate").and_then(|text| text.parse().ok());
+    let sex = sent.get("sex").map(String::as_str);
+    facts.sex = Sex::ALL.into_iter().find(|s| Some(s.word()) == sex);
     facts.walk = sent.contains_key("walk");
     facts.quick = sent.contains_key("quick");
     if steps.is_some_and(|steps| steps.fract() != 0.0) {
@@ -90,6 +93,8 @@ mod tests {
                 ("steps", "-18"),
                 ("walk", "yes"),
                 ("plate", "3"),
+                ("sex", "male"),
+                ("age_years", "9,5"),
             ]),
         );
         let expected = Facts {
@@ -97,6 +102,8 @@ mod tests {
             steps: Some(-18),
             walk: true,
             plate: Some(3),
+            sex: Some(Sex::Male),
+            age_years: Some(9.5),
             ..Facts::default()
         };
         assert_eq!(said, Ok(expected));

@@ -2,7 +2,7 @@
 //! `words/` that say the same in the reader's language.
 
 #[rustfmt::skip]
-pub(super) const WARNINGS: [(&str, &str); 95] = [
+pub(super) const WARNINGS: [(&str, &str); 97] = [
     ("frames of a video are not at even steps: `step_deg` was passed over (how many are taken: --set frames.step_deg=)", "warn-video-steps"),
     ("* is the same file as * and was left out: if another photo should be in its place, put it there", "warn-same-file"),
     ("* is the same file as * and was left out", "warn-same-raw"),
@@ -34,6 +34,8 @@ pub(super) const WARNINGS: [(&str, &str); 95] = [
     ("the ground that the cameras tell lies * below the soles on the surface: the body does not stand on it; heights and stature are told from the soles", "warn-ground-below"),
     ("the ground that the cameras tell lies * above the soles on the surface: the body does not stand on it; heights and stature are told from the soles", "warn-ground-above"),
     ("the surface ends * above the ground without feet: they are lost, and heights are told from the ground", "warn-feet-lost"),
+    ("the day of birth is told, but not that of the capture, so the age is not known: say `date` in capture.toml, or --date", "warn-born-no-day"),
+    ("the capture lies before the day of birth: correct `born` or `date` in capture.toml", "warn-born-later"),
     ("weight and volume make * kg/l, a living body has 0.93 to 1.1: unless this is none, the scale, the weight or the surface is wrong (is the body cut off?); look at the masks", "warn-density"),
     ("the smooth curve through the surface's points (the spline) is * % off the exact section: the surface is too coarse there; take the tape or the contour", "warn-spline-left"),
     ("the skin is * % longer than a tape, which points to a hole in the surface or to an arm that touches it: look at the section", "warn-folds"),
@@ -102,4 +104,4 @@ pub(super) const WARNINGS: [(&str, &str); 95] = [
 
 #[cfg(test)]
 #[path = "warnings_tests.rs"]
-mod tests;
+pub(super) mod tests;

@@ -116,3 +116,37 @@ fn all_that_the_cache_holds_is_for_its_owner_only() {
         assert_eq!(mode & 0o077, 0, "{}: {mode:o}", path.display());
     }
 }
+
+#[test]
+fn who_is_measured_is_in_no_key_but_of_what_asks_for_it() {
+    let place = Place::new();
+    let asks = "goal = [\"tags\", \"person\"]\n[input.photos]\nfiles = [\"*.jpg\", \"capture.toml\"]\n\
+        [node.photos]\nstage = \"capture.load\"\nfrom = { files = \"@photos\" }\n\
+        [node.tags]\nstage = \"pose.tags\"\nfrom = [\"photos\"]\n\
+        [node.person]\nstage = \"capture.person\"\nfrom = { files = \"@photos\" }\n";
+    place.write("turn.toml", asks);
+    place.photos("anna", 3);
+    let became = |more: &str| {
+        let line = format!("run turn.toml --input photos=anna --json {more}");
+        let run = place.run(&line).code(0).json();
+        ["photos", "tags", "person"].map(|name| {
+            let nodes = run["nodes"].as_array().unwrap();
+            let node = nodes.iter().find(|n| n["node"] == name).unwrap();
+            node["status"].as_str().unwrap().to_owned()
+        })
+    };
+    assert_eq!(became(""), ["made", "made", "made"]);
+    let sex = "--set person.facts.subject.sex=female";
+    assert_eq!(became(sex), ["found", "found", "made"]);
+    // The file itself is read again; what it says of a person stays out of the photos.
+    place.write("anna/capture.toml", "[subject]\nage_years = 9.5\n");
+    assert_eq!(became(""), ["made", "found", "made"]);
+    place.write("anna/capture.toml", "[subject]\nage_years = 10.5\n");
+    assert_eq!(became(""), ["made", "found", "made"]);
+    place.write("anna/capture.toml", "[subject]\nage_years = 1050\n");
+    let said = place.run("run turn.toml --input photos=anna").code(1).err;
+    assert!(
+        said.contains("`subject.age_years` wants a number from 0 to 130"),
+        "{said}"
+    );
+}

@@ -98,12 +98,14 @@ fn files_come_in_and_go_and_facts_are_checked() {
         .ask(
             "PUT",
             &facts,
-            &json!({ "stature_cm": 171.5, "steps": -18, "plate": 3 }),
+            &json!({ "stature_cm": 171.5, "steps": -18, "plate": 3, "sex": "female", "age_years": 9.5 }),
         )
         .is(204);
     for bad in [
         json!({ "stature_cm": 1.71 }),
         json!({ "weight_kg": -1 }),
+        json!({ "sex": "f" }),
+        json!({ "age_years": 131 }),
         json!({ "set": "x" }),
     ] {
         server.ask("PUT", &facts, &bad).is(422);

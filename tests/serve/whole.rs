@@ -68,7 +68,7 @@ pub(crate) fn picture(server: &Server, path: &str, name: &str) {
     tab.go(&format!("{}{path}", server.origin()));
     tab.until("[...document.images].every((i) => i.complete || i.getBoundingClientRect().top > innerHeight)");
     std::thread::sleep(std::time::Duration::from_millis(500));
-    let params = json!({ "format": "jpeg", "quality": 80 });
+    let params = json!({ "format": "jpeg", "quality": 65 });
     kept(&mut tab, params, &format!("{name}.jpg"));
 }
 

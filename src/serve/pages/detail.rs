@@ -73,7 +73,7 @@ fn measuring(words: Words, place: &Place, progress: &Progress, stopped: bool) ->
             data-events=[goes_on.then(|| format!("/api/captures/{}/events", place.id))] {
             h2 #measuring-title { (words.say("measuring-title")) }
             p #sentence role="status" { (progress::sentence(words, progress)) }
-            @for why in &progress.why { p .alert role="alert" { (sentence(words, why)) } }
+            @for why in progress.why.iter().flat_map(|w| w.lines()) { p .alert role="alert" { (sentence(words, why)) } }
             @if stopped && !goes_on && progress.state == "none" { p .alert { (words.say("measure-stopped")) } }
             div .bar {
                 @if goes_on {

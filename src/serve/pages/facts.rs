@@ -1,6 +1,6 @@
 //! What is known of a capture, as a form.
 
-use super::super::facts::Facts;
+use super::super::facts::{Facts, Sex};
 use super::super::language::Words;
 use super::super::record::Record;
 use maud::{Markup, html};
@@ -32,6 +32,7 @@ fn fields(words: Words, facts: &Facts) -> Vec<Field> {
         field("mat_tag_mm", number(facts.mat_tag_mm), "mm"),
         field("disk_diameter_cm", length(facts.disk_diameter_cm), unit),
         field("weight_kg", number(facts.weight_kg), "kg"),
+        field("age_years", number(facts.age_years), ""),
         field("steps", number(facts.steps.map(|s| s as f64)), ""),
         field("focal_mm", number(facts.focal_mm), "mm"),
     ]
@@ -48,6 +49,11 @@ pub(crate) fn form(words: Words, at: &str, record: &Record, slips: &Slips, busy:
         true => facts.plate,
         false => slips.typed.get("plate").and_then(|text| text.parse().ok()),
     };
+    let typed = slips.typed.get("sex").map(String::as_str);
+    let sex = match slips.why.is_empty() {
+        true => facts.sex,
+        false => Sex::ALL.into_iter().find(|s| Some(s.word()) == typed),
+    };
     html! {
         section aria-labelledby="facts-title" {
             h2 #facts-title { (words.say("facts-title")) }
@@ -57,6 +63,15 @@ pub(crate) fn form(words: Words, at: &str, record: &Record, slips: &Slips, busy:
                     legend .hidden { (words.say("facts-title")) }
                     div .fields {
                         @for field in fields(words, facts) { (number(words, &field, slips)) }
+                        label { span { (words.say("fact-sex")) }
+                            select name="sex" {
+                                option value="" selected[sex.is_none()] { (words.say("fact-sex-none")) }
+                                @for one in Sex::ALL {
+                                    option value=(one.word()) selected[sex == Some(one)] { (words.say(&format!("fact-sex-{}", one.word()))) }
+                                }
+                            }
+                            small .soft { (words.say("hint-sex")) }
+                        }
                         label { span { (words.say("fact-plate")) }
                             select name="plate" {
                                 option value="" selected[plate.is_none()] { (words.say("fact-plate-none")) }

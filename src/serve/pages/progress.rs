@@ -34,7 +34,7 @@ const PARTS: [(&str, &[&str]); 7] = [
             "textured",
         ],
     ),
-    ("girths", &["landmarks", "girths"]),
+    ("girths", &["person", "landmarks", "girths"]),
     ("report", &["report"]),
 ];
 

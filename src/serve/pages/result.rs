@@ -51,10 +51,20 @@ pub(crate) fn tape(words: Words, girths: &Value, name: &str) -> Option<String> {
 fn interval(words: Words, girth: &Value) -> String {
     let ends = |key: &str| Some([girth[key][0].as_f64()?, girth[key][1].as_f64()?]);
     match (ends("interval_cm"), ends("interval_rel")) {
-        (Some([low, high]), _) => format!("{} – {}", words.length(low), words.length(high)),
+        (Some([low, high]), _) => {
+            // The unit once: three columns fit a phone.
+            let low = words.length(low);
+            let low = low.split(' ').next().unwrap_or(&low);
+            format!("{low} – {}", words.length(high))
+        }
         (_, Some([low, high])) => format!("{} – {}", words.number(low, 3), words.number(high, 3)),
         _ => String::new(),
     }
+}
+
+/// Where a number lies in the growth reference: standard deviations, centile.
+fn score(score: &Value) -> Option<(f64, f64)> {
+    Some((score["z"].as_f64()?, score["centile"].as_f64()?))
 }
 
 /// What could not be measured, and why.
@@ -107,9 +117,19 @@ pub(crate) fn result(words: Words, place: &Place, girths: &Value) -> Markup {
                                 tr { th scope="row" { (label(words, name, name)) } td .n { (words.number(value, 3)) } td {} }
                             }
                         }
+                        @if let Some(bmi) = girths["bmi"].as_f64() {
+                            tr { th scope="row" { (words.say("result-bmi")) } td .n { (words.number(bmi, 1)) " kg/m²" } td {} }
+                        }
+                        @for (key, text) in [("bmi_for_age", "result-bmi-for-age"), ("height_for_age", "result-height-for-age")] {
+                            @if let Some((z, centile)) = score(&girths["growth"][key]) {
+                                tr { th scope="row" { (words.say(text)) } td .n { "z " (words.number(z, 2)) }
+                                    td .n { (words.with("result-centile", &[("centile", words.number(centile, 1).into())])) } }
+                            }
+                        }
                     }
                 }
             }
+            @if girths["growth"].is_object() { p .soft { (words.say("result-growth")) } }
             (missing(words, girths))
             div .bar {
                 a .button .main href=(format!("{at}/report")) { (words.say("report")) }

@@ -23,15 +23,20 @@ pub(crate) fn read_day(root: &mut Keys<'_>) -> Result<Option<Day>, RigError> {
     let Some(value) = root.take("date") else {
         return Ok(None);
     };
-    let text = match &value {
-        Value::String(text) => text.clone(),
-        Value::Datetime(date) => date.date.map_or_else(String::new, |d| d.to_string()),
-        _ => String::new(),
-    };
+    let text = day_text(&value);
     match text.as_str() {
         "exif" => Ok(Some(Day::Exif)),
         day if day_number(day).is_some() => Ok(Some(Day::Said(text))),
         _ => Err(root.wrong("date", WANTS, &value)),
+    }
+}
+
+/// What may be a day, as text or as TOML has it.
+pub(crate) fn day_text(value: &Value) -> String {
+    match value {
+        Value::String(text) => text.clone(),
+        Value::Datetime(date) => date.date.map_or_else(String::new, |d| d.to_string()),
+        _ => String::new(),
     }
 }
 

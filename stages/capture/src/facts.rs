@@ -38,6 +38,14 @@ impl Facts {
         if again {
             file.remove("reference");
         }
+        // An age and a day of birth say the same.
+        for (key, other) in [("born", "age_years"), ("age_years", "born")] {
+            if says("subject", key)
+                && let Some(subject) = file.get_mut("subject").and_then(toml::Value::as_table_mut)
+            {
+                subject.remove(other);
+            }
+        }
         merge(&mut file, said);
         file
     }

@@ -1,6 +1,7 @@
 //! Facts as a param: every value is checked as that of a `capture.toml` is.
 
 use crate::facts::Facts;
+use crate::person_keys::read_person;
 use crate::rig::{RigFile, read_table};
 use stage::{Mistake, ParamType, Value};
 
@@ -25,7 +26,11 @@ impl ParamType for Facts {
         };
         let facts = Facts(said.clone());
         match read_table(facts.table()) {
-            Ok(RigFile { unknown, .. }) => unknown.into_iter().for_each(wrong),
+            Ok(RigFile { unknown, .. }) => {
+                unknown.into_iter().for_each(&mut wrong);
+                let person = read_person(facts.table());
+                person.err().into_iter().for_each(|e| wrong(e.what));
+            }
             Err(error) if error.missing => {}
             Err(error) => wrong(error.what),
         }
@@ -84,6 +89,10 @@ mod tests {
             ),
             ("subject.hight_cm = 178", "did you mean `height_cm`"),
             ("stepdeg = 20", "did you mean `step_deg`"),
+            (
+                "subject.sex = \"f\"",
+                "`subject.sex` wants \"female\" or \"male\"",
+            ),
         ] {
             let mistakes = told(text);
             assert_eq!(mistakes.len(), 1, "{mistakes:?}");

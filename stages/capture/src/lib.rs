@@ -19,6 +19,8 @@ mod names;
 mod netpbm;
 mod odd;
 mod ordered;
+mod person;
+mod person_keys;
 mod photo;
 mod program;
 mod raw;
@@ -37,6 +39,7 @@ pub use glance::{Glance, Together, glance, together};
 pub use keys::RigError;
 pub use load::{Load, LoadInput, LoadParams};
 pub use look::{Look, LookInput, LookParams};
+pub use person::{Personal, PersonalInput, PersonalParams};
 pub use program::ProgramError;
 pub use raw::{Raw, RawError, RawInput, RawParams};
 pub use rig::{RigFile, read_rig};
@@ -51,5 +54,6 @@ pub const STAGES: &[&dyn stage::AnyStage] = &[
     &stage::erase::<Raw>(),
     &stage::erase::<Load>(),
     &stage::erase::<Look>(),
+    &stage::erase::<Personal>(),
     &stage::erase::<Surface>(),
 ];

@@ -3,6 +3,7 @@
 use crate::date::{Day, read_day};
 use crate::facts::Facts;
 use crate::keys::{Keys, RigError};
+use crate::person_keys::PERSONAL;
 use crate::rig_tags::{read_mat, read_rim};
 use shape::{Reference, Rig};
 use toml::{Table, Value};
@@ -67,6 +68,8 @@ pub(crate) fn read_table(table: Table) -> Result<RigFile, RigError> {
             .number("height_cm", 10.0, 300.0)?
             .map(|cm| cm * 10.0);
         rig.weight_kg = subject.number("weight_kg", 0.5, 500.0)?;
+        // Nobody else's matter: `capture.person` reads them.
+        PERSONAL.iter().for_each(|key| drop(subject.take(key)));
         subject.rest(&mut file.unknown);
     }
     if let Some(mut disk) = root.inner("disk")? {

@@ -1,7 +1,7 @@
 //! Girths as JSON.
 
 use serde_json::{Map, Value, json};
-use shape::{Girth, GirthId, Girths, Missing, Plane, Region, Side, Sigmas, Unit};
+use shape::{Girth, GirthId, Girths, Growth, Missing, Plane, Region, Score, Side, Sigmas, Unit};
 
 /// How lengths are written: their unit in names of keys and columns, and the numbers themselves.
 #[derive(Clone, Copy)]
@@ -203,7 +203,19 @@ pub fn girths_to_json(girths: &Girths) -> String {
     put("weight_kg", json!(girths.weight_kg));
     put("bmi", json!(girths.bmi));
     put("volume_l", json!(girths.volume_l));
+    if let Some(growth) = &girths.growth {
+        put("growth", grown(growth));
+    }
     serde_json::to_string_pretty(&file).expect("bug: girths JSON cannot hold")
+}
+
+/// A child beside the growth reference.
+fn grown(growth: &Growth) -> Value {
+    let round = |x: f64, tens: f64| (x * tens).round() / tens;
+    let score = |s: Option<Score>| {
+        s.map(|s| json!({ "z": round(s.z, 1e2), "centile": round(s.centile, 1e1) }))
+    };
+    json!({ "reference": "WHO 2007", "bmi_for_age": score(growth.bmi), "height_for_age": score(growth.height) })
 }
 
 /// The JSON schema (draft 2020-12) of what [`girths_to_json`] writes.

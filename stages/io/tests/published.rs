@@ -1,8 +1,8 @@
 //! The published schema is the program's, and tables of girths tell of their capture.
 
-use io::{girths_schema, girths_to_csv, girths_to_json};
+use io::{girths_schema, girths_to_csv, girths_to_fhir, girths_to_json};
 use serde_json::{Value, json};
-use shape::{Girth, GirthId, Girths, Landmark, Missing, Part, Plane, Refusal};
+use shape::{Girth, GirthId, Girths, Growth, Landmark, Missing, Part, Plane, Refusal, Score, Sex};
 
 #[test]
 fn the_published_schema_is_the_programs() {
@@ -45,4 +45,43 @@ fn a_table_tells_of_its_capture_on_every_row() {
         (&file["date"], &file["scale_sigma_pct"]),
         (&json!("2026-05-01"), &json!(0.12))
     );
+}
+
+#[test]
+fn a_childs_growth_stands_in_the_json_alone_and_sex_and_age_in_no_file() {
+    let score = |z: f64, centile: f64| Some(Score { z, centile });
+    let child = Girths {
+        sex: Some(Sex::Female),
+        age_months: Some(113.71),
+        stature_mm: Some(1400.0),
+        weight_kg: Some(35.0),
+        bmi: Some(17.86),
+        growth: Some(Growth {
+            bmi: score(0.5678, 71.4911),
+            height: None,
+        }),
+        ..Girths::default()
+    };
+    let json = girths_to_json(&child);
+    let file: Value = serde_json::from_str(&json).unwrap();
+    assert_eq!(
+        file["growth"],
+        json!({ "reference": "WHO 2007", "bmi_for_age": { "z": 0.57, "centile": 71.5 }, "height_for_age": null })
+    );
+    let (csv, fhir) = (girths_to_csv(&child), girths_to_fhir(&child).unwrap());
+    for text in [&csv, &fhir] {
+        assert!(!text.contains("growth") && !text.contains("71.4"), "{text}");
+    }
+    for text in [&json, &csv, &fhir] {
+        let text = text.to_lowercase();
+        assert!(
+            !text.contains("female") && !text.contains("113.7") && !text.contains("9.4"),
+            "{text}"
+        );
+    }
+    let adult = girths_to_json(&Girths {
+        growth: None,
+        ..child
+    });
+    assert!(!adult.contains("growth"), "{adult}");
 }

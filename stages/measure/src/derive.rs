@@ -2,7 +2,7 @@
 
 use crate::features::arms::arm_ring;
 use crate::features::body::Body;
-use shape::{GirthId, Girths, Mesh, Profile, Unit};
+use shape::{GirthId, Girths, Mesh, Profile, Sex, Unit};
 
 /// Adds ratios, body mass index and volume. Stature and weight are the user's where he gave them; where
 /// lengths are relative, nothing is said that needs centimetres.
@@ -25,7 +25,12 @@ pub(crate) fn derive(
         }
     };
     let over = |a: Option<f64>, b: Option<f64>| a.zip(b).map(|(a, b)| a / b);
-    let who = "WHO 2008: raised risk from 0.90 (men), 0.85 (women); no diagnosis";
+    let who = match (girths.is_child(), girths.sex) {
+        (true, _) => "",
+        (_, Some(Sex::Male)) => "WHO 2008: raised risk from 0.90 (men); no diagnosis",
+        (_, Some(Sex::Female)) => "WHO 2008: raised risk from 0.85 (women); no diagnosis",
+        (_, None) => "WHO 2008: raised risk from 0.90 (men), 0.85 (women); no diagnosis",
+    };
     add("WHR", over(waist_skin, hip_skin), who);
     add("WHR_tape", over(waist_tape, hip_tape), who);
     let half = "waist to height: NICE 2022 names 0.5 as a boundary to keep below; no diagnosis";

@@ -1,7 +1,9 @@
 //! The stage that measures: contour, tape and the paper's spline at each landmark.
 
 use crate::derive::{compress, derive, no_density, profile};
+
 use crate::features::body::{Body, body};
+use crate::growth::growth;
 use crate::sections::one::SectionMeasurement;
 use crate::sections::picked::picked;
 use crate::sections::taken::taken;
@@ -9,7 +11,8 @@ use crate::uncertainty::interval::{Level, level_spread};
 use crate::uncertainty::outlines::{by_silhouettes, open_mm};
 use crate::uncertainty::told::{Seen, Sure};
 use shape::{
-    Cameras, Girth, GirthId, Girths, Landmark, Landmarks, Masks, Mesh, Missing, Note, Photos,
+    Cameras, Girth, GirthId, Girths, Landmark, Landmarks, Masks, Mesh, Missing, Note, Person,
+    Photos,
 };
 use shape::{Refusal, Unit};
 use stage::{Ctx, Stage, Stop};
@@ -46,6 +49,8 @@ stage::inputs! {
         photos: Option<Arc<Photos>>,
         /// Silhouettes: girths without the surface, where limbs stand clear.
         masks: Option<Arc<Masks>>,
+        /// Who is measured: growth references for a child, thresholds for adults.
+        person: Option<Arc<Person>>,
     }
 }
 
@@ -57,7 +62,7 @@ const EVEN: f64 = 0.1;
 
 impl Stage for Measure {
     const NAME: &'static str = "measure.girths";
-    const VERSION: u32 = 21;
+    const VERSION: u32 = 22;
     const ABOUT: &'static str = "Measures girths at landmarks: along the skin, as a tape, and as the paper's closed spline (eq. 8).";
     type Params = GirthParams;
     type Input = GirthInput;
@@ -110,11 +115,29 @@ impl Stage for Measure {
         let rig = rig.unwrap_or_default();
         let (stature, kg) = (rig.stature_mm, rig.weight_kg);
         (girths.capture, girths.date) = (rig.name, rig.date);
+        grown(&mut girths, input.person.as_deref(), ctx);
         girths.scale_sigma = input.cameras.as_ref().and_then(|c| c.scale_sigma);
         girths.stature_sigma_mm = landmarks.stature_sigma_mm;
         derive(&mut girths, mesh, landmarks.stature_mm, stature, kg);
+        girths.growth = growth(&girths, stature);
         warnings(&girths).into_iter().for_each(|w| ctx.warn(w));
         Ok(girths)
+    }
+}
+
+/// Sex, and the age on the day of the capture.
+fn grown(girths: &mut Girths, person: Option<&Person>, ctx: &Ctx<'_>) {
+    let Some(person) = person else { return };
+    girths.sex = person.sex;
+    let age = person.age_on(girths.date.as_deref());
+    girths.age_months = age.filter(|months| *months >= 0.0);
+    if age.is_none() && person.born.is_some() {
+        ctx.warn("the day of birth is told, but not that of the capture, so the age is not known: say `date` in capture.toml, or --date");
+    }
+    if age.is_some_and(|months| months < 0.0) {
+        ctx.warn(
+            "the capture lies before the day of birth: correct `born` or `date` in capture.toml",
+        );
     }
 }
 

@@ -12,6 +12,7 @@ mod derive;
 mod features;
 mod geometry;
 mod girths;
+mod growth;
 mod import;
 mod landmarks;
 mod model;

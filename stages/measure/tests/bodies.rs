@@ -93,6 +93,7 @@ fn every_girth_of_a_standing_body_is_found_and_is_its_formulas_at_that_plane() {
         cameras: None,
         photos: None,
         masks: None,
+        person: None,
     };
     let girths = Measure::run(&params, input, &Ctx::alone()).unwrap();
     let picked = girths.get("PICKED").unwrap();

@@ -5,9 +5,11 @@ mod made;
 
 use measure::{FindLandmarks, GirthInput, GirthParams, LandmarkInput, LandmarkParams, Measure};
 use measure::{OwnGirth, OwnPart, Waist, Wanted};
-use shape::{Cameras, GirthId, Girths, Landmarks, Mesh, Refusal, Scale, Unit};
-use stage::{Ctx, Named, Stage};
-use std::sync::Arc;
+use shape::{
+    Cameras, GirthId, Girths, Landmarks, Mesh, Person, Photos, Refusal, Rig, Scale, Sex, Unit,
+};
+use stage::{Ctx, Host, Named, Stage};
+use std::sync::{Arc, Mutex};
 
 fn mesh() -> Arc<Mesh> {
     Arc::new(made::meshed(&made::built(1700.0, 1.0, 30.0), 12.0))
@@ -38,6 +40,7 @@ fn girths_by(
         cameras,
         photos: None,
         masks: None,
+        person: None,
     };
     Measure::run(params, input, &Ctx::alone()).unwrap()
 }
@@ -224,4 +227,62 @@ fn without_a_scale_lengths_are_relative_and_nothing_needs_centimetres() {
     proof::near(known.sigmas.scale_mm.unwrap(), 0.01 * known.tape_mm, 1e-9);
     let width = |g: &shape::Girth| g.interval_mm.map(|[low, high]| high - low).unwrap();
     assert!(width(known) > width(waist));
+}
+
+/// What is warned of.
+#[derive(Default)]
+struct Heard(Mutex<Vec<String>>);
+
+impl Host for Heard {
+    fn warn(&self, text: &str) {
+        self.0.lock().unwrap().push(text.to_owned());
+    }
+}
+
+#[test]
+fn a_child_is_told_beside_the_growth_reference_and_what_lacks_is_warned_of() {
+    let mesh = mesh();
+    let told = |person: Person, day: Option<&str>| {
+        let rig = Rig {
+            stature_mm: Some(1400.0),
+            weight_kg: Some(35.0),
+            date: day.map(str::to_owned),
+            ..Rig::default()
+        };
+        let photos = Photos {
+            rig,
+            ..Photos::default()
+        };
+        let input = GirthInput {
+            mesh: mesh.clone(),
+            landmarks: Arc::new(landmarks(&mesh, &LandmarkParams::default())),
+            cameras: None,
+            photos: Some(Arc::new(photos)),
+            masks: None,
+            person: Some(Arc::new(person)),
+        };
+        let heard = Heard::default();
+        let nothing = stage::hash(b"");
+        let ctx = Ctx::new(&heard, nothing, nothing);
+        let girths = Measure::run(&GirthParams::default(), input, &ctx).unwrap();
+        (girths, heard.0.into_inner().unwrap().join("; "))
+    };
+    let born = |day: &str| Person {
+        sex: Some(Sex::Female),
+        born: Some(day.into()),
+        age_months: None,
+    };
+    let (child, warned) = told(born("2016-05-01"), Some("2026-05-01"));
+    let growth = child.growth.unwrap();
+    let (bmi, height) = (growth.bmi.unwrap(), growth.height.unwrap());
+    // Girls of ten: median 138.6 cm, 4.61 % spread; 17.9 kg/m² lies between the median and one standard deviation.
+    proof::near(height.z, (140.0 - 138.6) / (138.6 * 0.0461), 0.03);
+    assert!((0.4..0.8).contains(&bmi.z) && (65.0..80.0).contains(&bmi.centile));
+    assert!(!warned.contains("day of birth"), "{warned}");
+    let whr = child.ratios.iter().find(|r| r.0 == "WHR").unwrap();
+    assert_eq!(whr.2, "", "no threshold of adults");
+    let (unknown, warned) = told(born("2016-05-01"), None);
+    assert!(unknown.growth.is_none() && warned.contains("not that of the capture"));
+    let (later, warned) = told(born("2026-05-02"), Some("2026-05-01"));
+    assert!(later.age_months.is_none() && warned.contains("before the day of birth"));
 }

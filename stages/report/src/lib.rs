@@ -8,6 +8,7 @@
 //!
 //! The page is one file: no request leaves the machine, and it carries no metadata of the photos.
 
+mod derived;
 mod face;
 mod html;
 mod labels;

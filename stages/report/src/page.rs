@@ -1,7 +1,7 @@
 //! The page itself, out of its parts.
 
 use crate::lengths::Lengths;
-use crate::{profile, ring, scene, sides, tables};
+use crate::{derived, profile, ring, scene, sides, tables};
 use shape::{Cameras, Girths, Landmarks, Mesh, Photos, Scale, Textured};
 
 /// A surface that the viewer can show.
@@ -54,15 +54,18 @@ pub(crate) fn page(content: &Content<'_>) -> String {
         ..
     } = content;
     let lengths = content.lengths;
-    let meshes: Vec<_> = content
-        .surfaces
-        .iter()
-        .map(|surface| match surface {
-            Surface::Plain(label, mesh) => scene::mesh(label, mesh),
-            Surface::Textured(label, body, atlas_px) => scene::textured(label, body, *atlas_px),
-        })
-        .collect();
     let (at, faces) = measured(content);
+    let whole = faces == content.body.faces.len();
+    let packed = |(i, surface): (usize, &Surface)| {
+        let exact = whole && i == at;
+        match surface {
+            Surface::Plain(label, mesh) => scene::mesh(label, mesh, exact),
+            Surface::Textured(label, body, atlas_px) => {
+                scene::textured(label, body, *atlas_px, exact)
+            }
+        }
+    };
+    let meshes: Vec<_> = content.surfaces.iter().enumerate().map(packed).collect();
     let of_photos = photos
         .iter()
         .map(|(id, _)| cameras.views.get(id).map(|v| &v.camera));
@@ -75,7 +78,7 @@ pub(crate) fn page(content: &Content<'_>) -> String {
     let ground = ground.unwrap_or(cameras.ground_mm);
     let scene = serde_json::json!({
         "meshes": meshes, "tapes": scene::tapes(girths, lengths), "front": front,
-        "views": scene::views(of_photos), "measured": at, "lengths": scene::written(girths, lengths),
+        "views": scene::views(of_photos), "measured": whole.then_some(at), "lengths": scene::written(girths, lengths),
     });
     let name = photos.rig.name.as_deref().unwrap_or("one turn");
     let note = match content.without_photos {
@@ -91,7 +94,7 @@ pub(crate) fn page(content: &Content<'_>) -> String {
             ("warnings", warnings(photos, cameras)),
             ("girths", tables::girths(girths, lengths)),
             ("unit", tables::unit(girths, lengths)),
-            ("derived", tables::derived(girths, lengths)),
+            ("derived", derived::derived(girths, lengths)),
             ("scale", tables::scale(cameras, &photos.rig, lengths)),
             ("sides", sides::figure(content.body, girths, front, lengths)),
             ("coarse", coarser(faces, content.body.faces.len())),
@@ -133,7 +136,7 @@ fn measured(content: &Content<'_>) -> (usize, usize) {
 fn coarser(on_page: usize, measured: usize) -> String {
     match on_page < measured {
         true => format!(
-            " The page carries the surface with {on_page} of its {measured} faces, so the command may give a slightly different girth (finer pages: --set report.most_faces={measured})."
+            " The page carries the surface with {on_page} of its {measured} faces, so girths through points are told by the command alone (finer pages: --set report.most_faces={measured})."
         ),
         false => String::new(),
     }

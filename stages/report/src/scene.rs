@@ -11,10 +11,10 @@ use std::collections::BTreeMap;
 /// Finest step of a coordinate. \[mm\]
 const STEP_MM: f32 = 0.1;
 
-/// A mesh for the viewer, with the colours of its vertices if it has some.
-pub(crate) fn mesh(label: &str, mesh: &Mesh) -> Value {
+/// A mesh for the viewer, with the colours of its vertices if it has some; `exact` as [`packed`] has it.
+pub(crate) fn mesh(label: &str, mesh: &Mesh, exact: bool) -> Value {
     let (bytes, order) = corners(&mesh.faces, mesh.positions.len());
-    let mut value = packed(label, &mesh.positions, &bytes, &order);
+    let mut value = packed(label, &mesh.positions, &bytes, &order, exact);
     if !mesh.colors.is_empty() {
         let colors = order
             .iter()
@@ -24,8 +24,8 @@ pub(crate) fn mesh(label: &str, mesh: &Mesh) -> Value {
     value
 }
 
-/// A mesh with an atlas for the viewer: vertices are split where the atlas is cut.
-pub(crate) fn textured(label: &str, body: &Textured, atlas_px: usize) -> Value {
+/// A mesh with an atlas for the viewer: vertices are split where the atlas is cut; `exact` as [`packed`] has it.
+pub(crate) fn textured(label: &str, body: &Textured, atlas_px: usize, exact: bool) -> Value {
     let mut known: BTreeMap<(u32, [i32; 2]), u32> = BTreeMap::new();
     let (mut split, mut places) = (Vec::new(), Vec::new());
     let mut faces = Vec::with_capacity(body.mesh.faces.len());
@@ -42,7 +42,7 @@ pub(crate) fn textured(label: &str, body: &Textured, atlas_px: usize) -> Value {
         faces.push(at);
     }
     let (bytes, order) = corners(&faces, split.len());
-    let mut value = packed(label, &split, &bytes, &order);
+    let mut value = packed(label, &split, &bytes, &order, exact);
     let places = order.iter().map(|v| places[*v as usize]);
     let jpeg = rgb_to_jpeg(&halved(&body.atlas, atlas_px), 80);
     value["uv"] = json!(BASE64_STANDARD.encode(steps(places)));
@@ -109,7 +109,16 @@ pub(crate) fn views<'a>(cameras: impl Iterator<Item = Option<&'a Camera>>) -> Va
     cameras.map(|c| json!(c.map(centre))).collect()
 }
 
-fn packed(label: &str, points: &[[f32; 3]], corners: &[u8], order: &[u32]) -> Value {
+/// Corners and places. Places are rounded to [`STEP_MM`], but for an `exact` surface: which points lie near a picked plane, and
+/// with them where the plane comes to rest, changes by millimetres where points are moved by 0.1 mm.
+fn packed(label: &str, points: &[[f32; 3]], corners: &[u8], order: &[u32], exact: bool) -> Value {
+    if exact {
+        let bytes = order.iter().flat_map(|v| points[*v as usize]);
+        let bytes: Vec<u8> = bytes.flat_map(f32::to_le_bytes).collect();
+        return json!({
+            "label": label, "exact": BASE64_STANDARD.encode(bytes), "corners": BASE64_STANDARD.encode(corners),
+        });
+    }
     let fold = |f: fn(f32, f32) -> f32, start: f32| {
         points.iter().fold([start; 3], |c, p| {
             [f(c[0], p[0]), f(c[1], p[1]), f(c[2], p[2])]

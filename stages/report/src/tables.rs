@@ -1,4 +1,4 @@
-//! The tables of the page: girths with intervals, what is missing, ratios, scale.
+//! The tables of the page: girths with intervals, what is missing, scale.
 
 use crate::lengths::Lengths;
 use shape::{Cameras, Girth, Girths, Missing, Rig, Scale, Unit};
@@ -86,7 +86,7 @@ pub(crate) fn girths(girths: &Girths, lengths: Lengths) -> String {
 }
 
 /// Kilograms; pounds beside them where lengths are in inches.
-fn weight(kg: f64, lengths: Lengths) -> String {
+pub(crate) fn weight(kg: f64, lengths: Lengths) -> String {
     match lengths {
         Lengths::Inch => format!("{kg:.1} kg ({:.1} lb)", kg / 0.453_592_37),
         _ => format!("{kg:.1} kg"),
@@ -118,77 +118,6 @@ fn missing(girths: &Girths) -> String {
         true => lines,
         false => format!("<ul class=\"missing\">{lines}</ul>"),
     }
-}
-
-/// The waist that the WHO's thresholds are of: midway between the lowest rib and the iliac crest (WHO 2011, Waist
-/// circumference and waist–hip ratio: report of an expert consultation, Geneva, 8–11 December 2008).
-fn waist(girths: &Girths, lengths: Lengths) -> Option<(String, String, String)> {
-    let waist = girths.get("WC").filter(|_| lengths != Lengths::Relative)?;
-    let [men, women, most_men, most_women] =
-        [940.0, 800.0, 1020.0, 880.0].map(|mm| lengths.text(mm));
-    let note = format!(
-        "WHO 2008, adults: risk increased above {men} (men), {women} (women), substantially above {most_men}, {most_women}"
-    );
-    let value = format!("{} {}", lengths.text(waist.tape_mm), lengths.word());
-    Some(("waist".into(), value, note))
-}
-
-/// A ratio's short name with what it is.
-fn in_words(name: &str) -> String {
-    let what = match name {
-        "WHR" => "waist over hip",
-        "WHR_tape" => "waist over hip, by tapes",
-        "WHtR" => "waist over stature",
-        "density_kg_l" => return "density [kg/l]".into(),
-        _ => return name.into(),
-    };
-    format!("{what} ({name})")
-}
-
-/// Ratios and the like, with the thresholds of the WHO beside them as text.
-pub(crate) fn derived(girths: &Girths, lengths: Lengths) -> String {
-    let mut rows: Vec<(String, String, String)> = Vec::new();
-    if let Some(mm) = girths.stature_mm {
-        rows.push((
-            "stature".into(),
-            format!("{} {}", lengths.text(mm), lengths.word()),
-            String::new(),
-        ));
-    }
-    if let Some(kg) = girths.weight_kg {
-        rows.push(("weight".into(), weight(kg, lengths), "as given".into()));
-    }
-    if let Some(bmi) = girths.bmi {
-        let note = "WHO, adults: 18.5 to 24.9 normal, from 25 overweight, from 30 obese".into();
-        rows.push(("body mass index".into(), format!("{bmi:.1} kg/m²"), note));
-    }
-    rows.extend(waist(girths, lengths));
-    for (name, value, note) in &girths.ratios {
-        let note = match (name.as_str(), note.is_empty()) {
-            ("WHR", true) => {
-                "WHO 2008, adults: risk substantially increased from 0.90 (men), 0.85 (women)"
-                    .into()
-            }
-            ("WHtR", true) => "often used bound: 0.5".into(),
-            _ => note.clone(),
-        };
-        rows.push((in_words(name), format!("{value:.3}"), note));
-    }
-    if let Some(litres) = girths.volume_l {
-        rows.push((
-            "volume".into(),
-            format!("{litres:.1} l"),
-            "experimental".into(),
-        ));
-    }
-    let row = |(name, value, note): &(String, String, String)| {
-        let (name, value, note) = (escaped(name), escaped(value), escaped(note));
-        format!(
-            "<tr><td>{name}</td><td class=\"n\">{value}</td><td class=\"note\">{note}</td></tr>"
-        )
-    };
-    let rows: String = rows.iter().map(row).collect();
-    format!("<table class=\"facts\">{rows}</table><p class=\"note\">Numbers, no diagnosis.</p>")
 }
 
 /// Where the lengths come from, as a sentence.

@@ -4,7 +4,7 @@
 mod tube;
 
 use report::{Html, HtmlInput, HtmlParams};
-use shape::Scale;
+use shape::{Girths, Growth, Scale, Score, Sex};
 use stage::{Ctx, Stage};
 use std::sync::Arc;
 use tube::input;
@@ -90,4 +90,48 @@ fn inches_are_shown_where_they_are_wanted_and_relative_lengths_stay_relative() {
     let relative = page_of(&inches, input);
     assert!(relative.contains("tape [relative]") && !relative.contains("[in]"));
     assert!(!relative.contains("WHO 2008, adults: risk increased above"));
+}
+
+/// The page of somebody.
+fn page_for(of: impl Fn(&mut Girths)) -> String {
+    let mut input = input();
+    let girths = Arc::make_mut(&mut input.girths);
+    (girths.stature_mm, girths.bmi) = (Some(1400.0), Some(17.9));
+    of(girths);
+    page_of(&HtmlParams::default(), input)
+}
+
+#[test]
+fn a_child_stands_beside_the_growth_reference_and_no_threshold_of_adults() {
+    let score = |z, centile| Some(Score { z, centile });
+    let told = page_for(|g| {
+        (g.sex, g.age_months) = (Some(Sex::Male), Some(114.6));
+        g.growth = Some(Growth {
+            bmi: score(0.784, 78.34),
+            height: score(-3.5, 0.02),
+        });
+    });
+    let bmi = "WHO 2007, boys of 9 years 6 months: centile 78.3; z is";
+    let height =
+        "WHO 2007, boys of 9 years 6 months: below the centile 0.1, by the stature that was given";
+    for text in ["z +0.78", "z -3.50", bmi, height, "Numbers, no diagnosis."] {
+        assert!(told.contains(text), "{text}");
+    }
+    for adult in ["overweight", "risk increased", "obese"] {
+        assert!(!told.contains(adult), "{adult}");
+    }
+    // A child of whom nothing else is known is no adult either.
+    let young = page_for(|g| g.age_months = Some(40.0));
+    assert!(!young.contains("overweight") && !young.contains("risk increased"));
+    let unknown = page_for(|_| ());
+    assert!(unknown.contains("overweight") && !unknown.contains("WHO 2007"));
+}
+
+#[test]
+fn an_adult_of_known_sex_has_the_pair_of_thresholds_that_is_meant() {
+    let man = page_for(|g| g.sex = Some(Sex::Male));
+    assert!(man.contains("WHO 2008, men: risk increased above 94.0, substantially above 102.0"));
+    let woman = page_for(|g| (g.sex, g.age_months) = (Some(Sex::Female), Some(400.0)));
+    assert!(woman.contains("WHO 2008, women: risk increased above 80.0, substantially above 88.0"));
+    assert!(!woman.contains("(men)") && !man.contains("(women)"));
 }

@@ -1,6 +1,6 @@
 //! What was measured, with intervals, what they are made of, and curves.
 
-use crate::{GirthId, Landmark, Missing, Note, Plane, Region, Sigmas, Split, Unit};
+use crate::{GirthId, Growth, Landmark, Missing, Note, Plane, Region, Sex, Sigmas, Split, Unit};
 use serde::{Deserialize, Serialize};
 use stage::{Artifact, Corrupt, Packer, Unpacker};
 
@@ -125,6 +125,12 @@ pub struct Girths {
     pub bmi: Option<f64>,
     /// Volume of the body. \[l\]
     pub volume_l: Option<f64>,
+    /// The sex whose references are meant. Personal: no file tells it.
+    pub sex: Option<Sex>,
+    /// The age on the day of the capture. Personal: no file but the report of a child tells it. \[months\]
+    pub age_months: Option<f64>,
+    /// A child beside the growth reference.
+    pub growth: Option<Growth>,
     /// Girth of the trunk over height.
     pub profile: Profile,
 }
@@ -132,6 +138,11 @@ pub struct Girths {
 impl Girths {
     /// The names of [`ratios`](Girths::ratios) that are told where they can be.
     pub const RATIOS: [&'static str; 4] = ["WHR", "WHR_tape", "WHtR", "density_kg_l"];
+
+    /// Whether this is known to be a child: thresholds for adults are not for them.
+    pub fn is_child(&self) -> bool {
+        self.age_months.is_some_and(|months| months < 216.0)
+    }
 
     /// The girth of a name.
     pub fn get(&self, name: &str) -> Option<&Girth> {
@@ -146,7 +157,7 @@ impl Girths {
 
 impl Artifact for Girths {
     const KIND: &'static str = "girths";
-    const FORMAT: u32 = 3;
+    const FORMAT: u32 = 4;
 
     fn pack(&self, to: &mut Packer) {
         to.meta(self);

@@ -38,6 +38,7 @@ pub(crate) fn measured(mesh: Mesh) -> (Landmarks, Girths) {
         cameras: None,
         photos: None,
         masks: None,
+        person: None,
     };
     let girths = Measure::run(&Default::default(), input, &Ctx::alone()).unwrap();
     (landmarks, girths)

@@ -43,6 +43,7 @@ let measured = null;
 const shownIn = (mm) => (mm / scene.lengths.mm).toFixed(scene.lengths.digits);
 const through = (points) => {
   if (points.length < 3) return { why: `${points.length} of at least 3 points` };
+  if (scene.measured === null) return { why: "this page carries a coarser surface than the one that was measured: the line below gives the girth" };
   measured = measured || welded(meshes[scene.measured]);
   return girthThrough(measured, points);
 };

@@ -23,7 +23,7 @@ const corners = (text) => {
 };
 // A surface in millimetres; normals are means over the faces around, by area.
 const unpacked = (m) => {
-  const index = corners(m.corners), at = Float32Array.from(rows(m.at, 3), (x, i) => m.lo[i % 3] + x * m.step);
+  const index = corners(m.corners), at = m.exact ? new Float32Array(bytes(m.exact).buffer) : Float32Array.from(rows(m.at, 3), (x, i) => m.lo[i % 3] + x * m.step);
   const normals = new Float32Array(at.length);
   for (let i = 0; i < index.length; i += 3) {
     const a = index[i] * 3, b = index[i + 1] * 3, c = index[i + 2] * 3;
