@@ -1,5 +1,6 @@
 //! The engine on toys: what runs and what does not, kills, faults, many processes, laws.
 
+mod asked;
 mod bucket;
 mod cutoff;
 mod document;

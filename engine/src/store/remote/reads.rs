@@ -104,6 +104,9 @@ impl Store {
 
     /// Brings the records of keys that are not here, several at a time.
     pub(crate) fn bring_all(&self, keys: &[Hash]) {
+        if !self.is_shared() {
+            return;
+        }
         let missing = |key: &&Hash| self.found_here(**key).is_none();
         let keys: Vec<&Hash> = keys.iter().filter(missing).collect();
         let next = AtomicUsize::new(0);
