@@ -25,6 +25,8 @@ mod link;
 mod listing;
 mod objects;
 mod plans;
+#[cfg(feature = "remote")]
+mod profile;
 mod reads;
 mod sweep;
 mod upload;
