@@ -1,8 +1,9 @@
-//! What is done of a plan, by a shared store: asked for at once.
+//! What is done of a plan, by a shared store: asked for at once, and only of those who are believed.
 
 use crate::bucket::Bucket;
 use crate::place::{Log, Place};
 use crate::shared::{begun, caches};
+use crate::signed::trusting;
 use crate::strands::{planned, worked_in};
 use crate::toys::CATALOG;
 use engine::cluster;
@@ -24,7 +25,7 @@ fn state(plan: &Plan, cache: &Path) -> cluster::Strands {
 fn what_is_done_of_a_plan_is_asked_at_once_and_not_once_a_record() {
     let place = Place::new("hello\n");
     let bucket = Bucket::new();
-    let [a, b] = caches(&place);
+    let [a, b, c] = caches(&place);
     let point = |n: i64| Overrides {
         variant: None,
         sets: vec![format!("final.n={n}")],
@@ -47,4 +48,8 @@ fn what_is_done_of_a_plan_is_asked_at_once_and_not_once_a_record() {
     assert_eq!(done, (0..40).collect::<Vec<_>>());
     assert_eq!(state(&plan, &a), there, "as by the cache that has all");
     assert_eq!(said.lock().unwrap().len(), 0);
+    // Nobody who is trusted signed any of it.
+    let sharing = trusting(&c, &bucket, "lab");
+    assert_eq!(state(&plan, &c).done_in(0..61), 0);
+    drop(sharing);
 }

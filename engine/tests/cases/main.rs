@@ -14,6 +14,7 @@ mod power;
 mod processes;
 mod shared;
 mod shared_faults;
+mod signed;
 mod strands;
 mod sweeping;
 pub mod toys;
