@@ -4,6 +4,7 @@ import http.client
 import http.server
 import random
 import threading
+import time
 
 
 class Proxy(http.server.ThreadingHTTPServer):
@@ -17,7 +18,7 @@ class Proxy(http.server.ThreadingHTTPServer):
         self.dice = random.Random(7)
         self.errors = self.cuts = 0.0
         self.gone = self.lies = False
-        self.answer = None
+        self.answer = self.hold = None
         self.requests = []
         threading.Thread(target=self.serve_forever, daemon=True).start()
 
@@ -28,7 +29,7 @@ class Proxy(http.server.ThreadingHTTPServer):
     def well(self):
         self.errors = self.cuts = 0.0
         self.gone = self.lies = False
-        self.answer = None
+        self.answer = self.hold = None
         self.requests = []
 
     def handle_error(self, request, client_address):
@@ -55,6 +56,8 @@ class Handler(http.server.BaseHTTPRequestHandler):
         proxy.requests.append((self.command, self.path))
         length = int(self.headers.get("Content-Length") or 0)
         body = self.rfile.read(length)
+        while proxy.hold and proxy.hold in self.path and self.command == "PUT":
+            time.sleep(0.02)
         if proxy.gone:
             self.close_connection = True
             self.connection.close()

@@ -68,6 +68,7 @@ class S3:
     def __init__(self, proxy, bucket, folder):
         self.proxy, self.folder = proxy, folder
         self.address = f"s3://{bucket}/some/prefix"
+        self.without = []
 
     def env(self, **more):
         env = {name: value for name, value in os.environ.items() if not name.startswith(("AWS_", "TAILOR_STORE"))}
@@ -79,7 +80,7 @@ class S3:
             AWS_SECRET_ACCESS_KEY="a-very-secret-key",
             **more,
         )
-        return env
+        return {name: value for name, value in env.items() if name not in self.without}
 
     def start(self, cache, *words, address=None, **env):
         words = [COMMAND, *words, f"--cache={self.folder / cache}", f"--store={address or self.address}"]
@@ -184,6 +185,100 @@ def test_a_store_that_lies_is_not_believed(s3):
     assert made > 0 and "not believed" in said, said
     alone = s3.alone(cells)
     assert all(alone[name] == bytes for name, bytes in s3.blobs("b").items())
+
+
+def test_a_worker_killed_while_it_uploads_loses_nothing(s3):
+    # Results that do not ride in records.
+    cells = "--sweep=true_body.cell_mm=14,15"
+    for moment in ["/cas/", "/ac/"]:
+        cache = "killed" + moment.strip("/")
+        s3.address += moment.strip("/")
+        s3.proxy.hold, s3.proxy.requests = moment, []
+        worker = s3.start(cache, *SWEEP, cells, "--json")
+
+        def held(moment=moment):
+            # What all points share is small and rides in its record: that is not the one meant.
+            puts = [path for method, path in s3.proxy.requests if method == "PUT" and moment in path]
+            return len(puts) >= (2 if moment == "/ac/" else 1)
+
+        while not held():
+            assert worker.poll() is None
+            time.sleep(0.02)
+        worker.kill()
+        worker.communicate()
+        there = {path for method, path in s3.proxy.requests if method == "PUT" and "/ac/" in path}
+        assert moment == "/ac/" or len(there) <= 1, "no record before its blob"
+        waits = s3.waits(cache)
+        s3.proxy.well()
+        s3.sweep(cache, cells=cells)
+        assert waits > 0 and s3.waits(cache) == 0
+        looked = json.loads(s3.run(cache, "cache", "store", "--json")[0])
+        assert looked["records"] == 3
+    made, said = s3.sweep("fresh", cells=cells)
+    alone = s3.alone(cells)
+    assert made == 0 and all(alone[name] == bytes for name, bytes in s3.blobs("fresh").items()), said
+
+
+def test_what_strangers_wrote_is_not_used(s3):
+    def keygen(name, code=0):
+        return s3.run("a", "cache", "keygen", str(s3.folder / name), code=code)
+
+    public = json.loads(s3.run("a", "cache", "keygen", str(s3.folder / "lab"), "--json")[0])["public"]
+    keygen("eve")
+    assert "exists" in keygen("eve", code=2)[1]
+    (s3.folder / "trusted").write_text(f"# ours\n{public}\n")
+    lab, eve, trust = (f"--{word}={s3.folder / name}" for word, name in
+                       [("sign-key", "lab"), ("sign-key", "eve"), ("trust", "trusted")])
+    assert s3.sweep("a", lab)[0] == 4
+    made, said = s3.sweep("b", trust)
+    assert made == 0 and "not signed" not in said
+    # What somebody else wrote is not used, and written over by who is trusted.
+    more = "--sweep=true_body.cell_mm=50,30"
+    assert s3.sweep("c", eve, cells=more)[0] == 1
+    made, said = s3.sweep("d", trust, cells=more)
+    assert made == 1 and said.count("is not signed by anybody") == 1, said
+    assert s3.sweep("e", cells=more)[0] == 0, "who asks for no signature takes it"
+    s3.sweep("d", trust, lab, cells=more)
+    assert s3.sweep("f", trust, cells=more)[0] == 0
+    # Files that are no keys.
+    secret = (s3.folder / "lab").read_text().splitlines()[1]
+    (s3.folder / "lab").chmod(0o644)
+    said = s3.run("a", *SWEEP, CELLS, lab, code=2)[1]
+    assert "others may read" in said and secret not in said
+    (s3.folder / "trusted").write_text("# nobody\n")
+    assert "no public key" in s3.run("a", *SWEEP, CELLS, trust, code=2)[1]
+
+
+def test_a_profile_tells_who_asks(s3):
+    aws = s3.folder / "aws"
+    aws.write_text(
+        "[lab]\naws_access_key_id = a-key-id\naws_secret_access_key = a-very-secret-key\n"
+        "[away]\nsso_session = a-very-secret-key\n"
+    )
+    config = s3.folder / "config"
+    config.write_text(f"[profile lab]\nregion = us-east-1\nendpoint_url = {s3.proxy.url}\n")
+    env = {"AWS_SHARED_CREDENTIALS_FILE": str(aws), "AWS_CONFIG_FILE": str(config)}
+    env |= {"AWS_ACCESS_KEY_ID": "", "AWS_SECRET_ACCESS_KEY": "", "AWS_REGION": "", "AWS_ENDPOINT_URL": ""}
+    for name in [name for name, value in env.items() if not value]:
+        s3.without.append(name)
+    env = {name: value for name, value in env.items() if value}
+    assert s3.sweep("a", AWS_PROFILE="lab", **env)[0] == 4
+    assert s3.sweep("b", AWS_PROFILE="lab", **env)[0] == 0
+    said = s3.run("c", *SWEEP, CELLS, AWS_PROFILE="away", code=2, **env)[1]
+    assert "signs on by SSO (sso_session)" in said and "export-credentials" in said, said
+    said = s3.run("c", *SWEEP, CELLS, AWS_PROFILE="none", code=2, **env)[1]
+    assert "AWS_PROFILE=none" in said, said
+
+
+def test_a_plan_s_state_is_asked_once(s3):
+    cells = "--sweep=true_body.cell_mm=" + ",".join(str(n) for n in range(20, 50))
+    plan = json.loads(s3.run("a", *SWEEP, cells, "--strands", "--json")[0])["plan"]
+    s3.run("a", "work", "--plan", plan, "--strand", "0-30")
+    s3.proxy.requests = []
+    assert json.loads(s3.run("b", "status", plan, "--json")[0])["done"] is True
+    # Whose store it is, the plan, the listing, and the one record that all others read.
+    asked = [path for method, path in s3.proxy.requests]
+    assert len(asked) <= 6, asked
 
 
 def test_what_is_wrong_is_told(s3):

@@ -38,6 +38,8 @@ const PRODUCT: Program = Program {
     cache_env: "TAILOR_CACHE",
     size_env: "TAILOR_MAX_SIZE",
     store_env: "TAILOR_STORE",
+    sign_env: "TAILOR_SIGN_KEY",
+    trust_env: "TAILOR_TRUST",
     pipeline: Some("body"),
     verbs: &[
         Verb {

@@ -2,6 +2,7 @@
 
 mod exports;
 mod place;
+mod publishing;
 mod site;
 mod slurm;
 mod workers;

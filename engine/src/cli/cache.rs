@@ -66,6 +66,11 @@ enum Verb {
     Store,
     /// Upload to the shared store (--store) what waits
     Push,
+    /// Make a key that signs what goes to a shared store: FILE, for its owner only, and FILE.pub for those who trust it
+    Keygen {
+        /// The file; it must not be there
+        file: PathBuf,
+    },
     /// Remove from the shared store (--store) what was written long ago, by its own clock
     SweepStore {
         /// How long ago \[days\]
@@ -97,6 +102,7 @@ fn beside(
             older_days,
             dry_run,
         } => Some(super::store::sweep(sharing, *older_days, *dry_run, global)),
+        Verb::Keygen { file } => Some(super::store::keygen(file, global)),
         Verb::Push if sharing.is_none() => {
             let say = "`cache push`: say where to, with --store";
             Some(Err(Fault::input(say)))
@@ -124,7 +130,9 @@ pub(crate) fn cache(
     }
     let store = Store::open(&global.cache).map_err(Fault::input)?;
     match &cache.verb {
-        Verb::Store | Verb::Push | Verb::SweepStore { .. } => unreachable!("answered above"),
+        Verb::Store | Verb::Push | Verb::SweepStore { .. } | Verb::Keygen { .. } => {
+            unreachable!("answered above")
+        }
         Verb::Ls => ls(&store, global),
         Verb::Du => du(&store, global),
         Verb::Runs => runs(&store, global),

@@ -183,7 +183,7 @@ fn wish(args: &Submit, global: &GlobalArgs) -> Result<Wish, Fault> {
         logs,
         program: itself::program(global)?,
         cache: whole(&global.cache)?,
-        store: global.store.clone(),
+        store: super::shared::words(global)?,
     })
 }
 

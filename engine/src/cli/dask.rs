@@ -38,9 +38,7 @@ pub(super) fn submit(
     ];
     command.extend(rest.map(str::to_owned));
     command.push(text(&cache));
-    if let Some(store) = &global.store {
-        command.extend(["--store".to_owned(), store.clone()]);
-    }
+    command.extend(super::shared::words(global)?);
     let sent = match tasks.is_empty() {
         true => 0,
         false => dask(address, name, global)

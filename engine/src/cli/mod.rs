@@ -140,7 +140,7 @@ enum Own {
     Completions(manual::Completions),
     /// Pages for `man`
     Man(manual::Man),
-    /// The store: ls, du, runs, pin, unpin, pins, gc, forget, verify; store, push, sweep-store
+    /// The store: ls, du, runs, pin, unpin, pins, gc, forget, verify; store, push, sweep-store, keygen
     Cache(cache::Cache),
 }
 
@@ -158,7 +158,9 @@ fn command(program: &'static Program) -> clap::Command {
         .about(program.about)
         .mut_arg("cache", |arg| arg.env(program.cache_env))
         .mut_arg("max_size", |arg| arg.env(program.size_env))
-        .mut_arg("store", |arg| arg.env(program.store_env));
+        .mut_arg("store", |arg| arg.env(program.store_env))
+        .mut_arg("sign_key", |arg| arg.env(program.sign_env))
+        .mut_arg("trust", |arg| arg.env(program.trust_env));
     for (place, verb) in program.verbs.iter().enumerate() {
         let own = clap::Command::new(verb.name);
         command = command.subcommand((verb.arguments)(own).display_order(place));

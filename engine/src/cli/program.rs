@@ -27,6 +27,10 @@ pub struct Program {
     pub size_env: &'static str,
     /// The variable of the environment that says which store machines share.
     pub store_env: &'static str,
+    /// The variable of the environment that says which file signs what goes there.
+    pub sign_env: &'static str,
+    /// The variable of the environment that says which file lists whose signatures are believed.
+    pub trust_env: &'static str,
     /// The built-in pipeline that is meant where none is said.
     pub pipeline: Option<&'static str>,
     /// Verbs of its own, before the engine's.
@@ -65,6 +69,8 @@ impl Program {
             cache_env: "STAGE_CACHE",
             size_env: "STAGE_MAX_SIZE",
             store_env: "STAGE_STORE",
+            sign_env: "STAGE_SIGN_KEY",
+            trust_env: "STAGE_TRUST",
             pipeline: None,
             verbs: &[],
             complete: |page, _, _| page.to_vec(),
@@ -94,6 +100,12 @@ pub struct GlobalArgs {
     /// Take results from the shared store, and put none there
     #[arg(long, global = true, requires = "store")]
     pub store_read_only: bool,
+    /// Sign what goes to the shared store with the key of this file (`cache keygen`)
+    #[arg(long, global = true, value_name = "FILE")]
+    pub sign_key: Option<PathBuf>,
+    /// Believe of the shared store only what one of the public keys in this file signed
+    #[arg(long, global = true, value_name = "FILE")]
+    pub trust: Option<PathBuf>,
     /// At the end, wait so long for uploads when nothing gets through; the rest waits in the cache \[s\]
     #[arg(long, global = true, default_value_t = 60.0, value_name = "SECONDS")]
     pub store_wait: f64,
@@ -124,6 +136,8 @@ impl GlobalArgs {
             max_size: None,
             store: None,
             store_read_only: false,
+            sign_key: None,
+            trust: None,
             store_wait: 60.0,
             allow_exec: false,
             quiet: true,

@@ -3,7 +3,7 @@
 use super::fault::Fault;
 use super::program::GlobalArgs;
 use super::speech::CANCEL;
-use crate::store::remote::{Left, Objects, Sharing};
+use crate::store::remote::{Left, Manner, Objects, Seal, Sharing};
 use std::sync::atomic::Ordering;
 use std::time::Duration;
 
@@ -25,6 +25,38 @@ fn place(address: &str) -> Result<Box<dyn Objects>, Fault> {
         "--store {}: this program was built without stores that machines share; build it with `--features remote`",
         plain(address)
     )))
+}
+
+/// Who signs what goes there, and who is believed.
+#[cfg(feature = "remote")]
+fn seal(global: &GlobalArgs) -> Result<Option<Box<dyn Seal>>, Fault> {
+    use crate::store::remote::Keys;
+    if global.sign_key.is_none() && global.trust.is_none() {
+        return Ok(None);
+    }
+    let keys = Keys::read(global.sign_key.as_deref(), global.trust.as_deref());
+    Ok(Some(Box::new(keys.map_err(Fault::input)?)))
+}
+
+/// Nobody: there is no shared store in this program.
+#[cfg(not(feature = "remote"))]
+fn seal(_global: &GlobalArgs) -> Result<Option<Box<dyn Seal>>, Fault> {
+    Ok(None)
+}
+
+/// The words that tell another process of this program which store machines share; files by whole paths.
+pub(super) fn words(global: &GlobalArgs) -> Result<Vec<String>, Fault> {
+    let Some(address) = &global.store else {
+        return Ok(vec![]);
+    };
+    let mut words = vec!["--store".to_owned(), address.clone()];
+    for (word, file) in [("--sign-key", &global.sign_key), ("--trust", &global.trust)] {
+        if let Some(file) = file {
+            let file = std::path::absolute(file).map_err(Fault::input)?;
+            words.extend([word.to_owned(), file.to_string_lossy().into_owned()]);
+        }
+    }
+    Ok(words)
 }
 
 /// An address without what it may hold of secrets.
@@ -59,14 +91,13 @@ pub(super) fn begin(
     }
     let objects = place(address)?;
     let say = |line: &str| crate::errln!("{line}");
-    Sharing::begin(
-        &global.cache,
-        objects,
-        global.store_read_only,
-        Box::new(say),
-    )
-    .map(Some)
-    .map_err(Fault::input)
+    let manner = Manner {
+        read_only: global.store_read_only,
+        seal: seal(global)?,
+    };
+    Sharing::begin(&global.cache, objects, manner, Box::new(say))
+        .map(Some)
+        .map_err(Fault::input)
 }
 
 /// Waits for what is being uploaded. A strand is not done before it is.

@@ -1,10 +1,11 @@
-//! `tailor cache store|push|sweep-store`: the store that machines share.
+//! `tailor cache store|push|sweep-store|keygen`: the store that machines share.
 
 use super::fault::Fault;
 use super::program::GlobalArgs;
 use super::size::mib;
 use crate::store::remote::{Honest, Sharing, Trouble};
 use serde_json::json;
+use std::path::Path;
 use std::time::Duration;
 
 /// Nothing younger goes: a job may have looked at it and not used it yet. \[days\]
@@ -60,6 +61,32 @@ pub(super) fn look(shared: Option<&Sharing>, global: &GlobalArgs) -> Result<(), 
         );
     }
     Ok(())
+}
+
+/// Makes a key that signs what goes there.
+#[cfg(feature = "remote")]
+pub(super) fn keygen(file: &Path, global: &GlobalArgs) -> Result<(), Fault> {
+    let line = crate::store::remote::keygen(file).map_err(Fault::input)?;
+    match global.json {
+        true => crate::outln!(
+            "{}",
+            json!({ "key": file.display().to_string(), "public": line })
+        ),
+        false => crate::outln!(
+            "{line}\n{} signs (--sign-key): keep it to yourself. Put the line above, which {0}.pub holds, too, \
+             into the lists of --trust of those who are to believe it.",
+            file.display()
+        ),
+    }
+    Ok(())
+}
+
+/// There is none in this program.
+#[cfg(not(feature = "remote"))]
+pub(super) fn keygen(_file: &Path, _global: &GlobalArgs) -> Result<(), Fault> {
+    Err(Fault::input(
+        "`cache keygen`: this program was built without stores that machines share; build it with `--features remote`",
+    ))
 }
 
 /// Removes what is old.

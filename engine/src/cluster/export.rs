@@ -15,8 +15,8 @@ pub struct Rules<'a> {
     pub program: &'a Path,
     /// The store.
     pub cache: &'a Path,
-    /// The address of the store that machines share.
-    pub store: Option<&'a str>,
+    /// The words that say which store machines share; none without one.
+    pub store: &'a [String],
     /// Threads of a rule.
     pub threads: usize,
 }

@@ -26,8 +26,8 @@ pub struct Wish {
     pub program: PathBuf,
     /// The store.
     pub cache: PathBuf,
-    /// The address of the store that machines share.
-    pub store: Option<String>,
+    /// The words that say which store machines share; none without one.
+    pub store: Vec<String>,
 }
 
 /// A plan's jobs.
@@ -138,7 +138,7 @@ impl Slurm<'_> {
             name = self.name,
             program = quoted(&wish.program.to_string_lossy()),
             cache = quoted(&wish.cache.to_string_lossy()),
-            store = shared(wish.store.as_deref()),
+            store = shared(&wish.store),
         )
     }
 
@@ -180,8 +180,12 @@ impl Slurm<'_> {
 }
 
 /// The words for a shell that say which store machines share.
-pub(super) fn shared(store: Option<&str>) -> String {
-    store.map_or(String::new(), |store| format!(" --store {}", quoted(store)))
+pub(super) fn shared(words: &[String]) -> String {
+    let one = |word: &String| match word.starts_with("--") {
+        true => format!(" {word}"),
+        false => format!(" {}", quoted(word)),
+    };
+    words.iter().map(one).collect()
 }
 
 /// A word for a shell.

@@ -7,6 +7,7 @@ mod arrange;
 mod bind;
 mod bind_exec;
 mod binder;
+mod checked;
 mod exec_keys;
 mod exec_words;
 mod extend;

@@ -1,19 +1,20 @@
 //! A pipeline as it was read: its file, and those that it extends.
 
 use super::bind::{Beside, bind};
+use super::checked::Checked;
 use super::extend::{extended, trimmed};
 use super::mistake::{Mistake, Mistakes, Text, text_of};
 use super::origins::{Origins, Place};
 use super::read::{read_at, without_stage};
+use super::shared;
 use super::variant::{of_sets, vary};
 use super::written::{Overrides, Recipe, Said};
-use super::{shared, sweep_check};
 use crate::foreign::Identities;
 use crate::graph::{Graph, Origin};
 use crate::kind::Catalog;
 use std::borrow::Cow;
 use std::path::{Path, PathBuf};
-use std::sync::Arc;
+use std::sync::{Arc, OnceLock};
 
 /// A pipeline with all that it extends, before variants and `--set`s. It is read once: what
 /// somebody changes in its files afterwards does not reach it.
@@ -26,6 +27,8 @@ pub struct Pipeline {
     catalog: &'static Catalog,
     /// What programs are, read once for all graphs.
     identities: Arc<Identities>,
+    /// What is wrong whatever is chosen, looked for once for all graphs.
+    checked: OnceLock<Checked>,
 }
 
 impl Pipeline {
@@ -183,6 +186,7 @@ impl Pipeline {
             texts,
             catalog,
             identities: Arc::default(),
+            checked: OnceLock::new(),
         })
     }
 
@@ -219,20 +223,24 @@ impl Pipeline {
             return Err(self.wrong(mistakes));
         }
         let recipe = &self.recipe;
-        let as_it_is = recipe.variants.is_empty() && overrides.variant.is_none();
-        let mut varied = match as_it_is && overrides.sets.is_empty() {
+        let checked = self
+            .checked
+            .get_or_init(|| Checked::of(recipe, self.catalog));
+        mistakes.extend_from_slice(&checked.variants);
+        let as_it_is = overrides.variant.is_none() && overrides.sets.is_empty();
+        let varied = match as_it_is {
             true => Ok(Cow::Borrowed(recipe)),
             false => vary(recipe, overrides).map(Cow::Owned),
-        }
-        .unwrap_or_else(|wrong| {
-            mistakes.extend(wrong);
-            Cow::Borrowed(recipe)
-        });
-        mistakes.extend(
-            sweep_check::check(recipe, self.catalog)
-                .err()
-                .unwrap_or_default(),
-        );
+        };
+        // Of what is wrong in itself only that is told.
+        let mut varied = match varied {
+            Ok(varied) if checked.variants.is_empty() => varied,
+            varied => {
+                mistakes.extend(varied.err().unwrap_or_default());
+                Cow::Borrowed(recipe)
+            }
+        };
+        mistakes.extend_from_slice(&checked.sweeps);
         let strict = overrides.variant.is_none() && mistakes.is_empty();
         let readers: Vec<(String, String)> = shared::references(&varied)
             .map(|(node, name)| (name.to_owned(), node.name.value.clone()))

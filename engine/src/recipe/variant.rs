@@ -7,18 +7,39 @@ use crate::graph::SHARED;
 use stage::{Value, unknown};
 use std::ops::Range;
 
-/// The recipe with its variants and sets applied.
+/// What is wrong with the variants of a recipe, chosen or not: every node or param that is not there.
+pub(super) fn wrong_variants(recipe: &Recipe) -> Vec<Mistake> {
+    let mut mistakes = Vec::new();
+    for variant in &recipe.variants {
+        apply(&mut bare(recipe), variant, &mut mistakes);
+    }
+    mistakes
+}
+
+/// What variants change: the recipe without variants and sweeps.
+fn bare(recipe: &Recipe) -> Recipe {
+    Recipe {
+        about: recipe.about.clone(),
+        goal: recipe.goal.clone(),
+        inputs: recipe.inputs.clone(),
+        nodes: recipe.nodes.clone(),
+        extends: recipe.extends.clone(),
+        without: recipe.without.clone(),
+        params: recipe.params.clone(),
+        sections: recipe.sections.clone(),
+        variants: vec![],
+        sweeps: vec![],
+    }
+}
+
+/// The recipe with the chosen variants and sets applied, without variants and sweeps of its own.
 ///
 /// # Errors
 ///
-/// Every variant, node or param that is not there.
+/// Every variant, node or param that is said and is not there.
 pub fn vary(recipe: &Recipe, overrides: &Overrides) -> Result<Recipe, Vec<Mistake>> {
-    let mut varied = recipe.clone();
+    let mut varied = bare(recipe);
     let mut mistakes = Vec::new();
-    // Every variant is checked, the chosen ones are applied.
-    for variant in &recipe.variants {
-        apply(&mut varied.clone(), variant, &mut mistakes);
-    }
     for name in overrides.variant.iter().flat_map(|names| names.split(',')) {
         match recipe.variants.iter().find(|v| v.name.value == name) {
             Some(variant) => apply(&mut varied, variant, &mut vec![]),

@@ -11,6 +11,7 @@ use crate::outcome::Outcome;
 use crate::past;
 use crate::session::EngineError;
 use crate::store::Store;
+use crate::store::keeper::KEPT_RECORDS;
 use stage::{Files, Hash};
 use std::sync::mpsc::Receiver;
 use std::time::Instant;
@@ -26,6 +27,8 @@ pub(super) struct Common<'a> {
     /// The files of each input of the whole, and their content.
     pub(super) files: &'a [Files],
     pub(super) contents: &'a [Hash],
+    /// So many points come after these, at least.
+    pub(super) after: usize,
 }
 
 /// The rows of points that run together.
@@ -155,6 +158,7 @@ impl<'a> Rows<'a> {
             store,
             files,
             contents,
+            after,
             ..
         } = self.common;
         let Member { graph, wanted, .. } = member;
@@ -163,17 +167,19 @@ impl<'a> Rows<'a> {
         let inputs: Vec<Hash> = member.inputs.iter().map(|i| contents[*i]).collect();
         let files: Vec<Files> = member.inputs.iter().map(|i| files[*i].clone()).collect();
         let seconds = self.since.elapsed().as_secs_f64();
-        let id = self
-            .id
-            .take()
-            .unwrap_or_else(|| past::next_id(store.root()));
-        let summary = RunSummary {
-            graph,
-            nodes: &nodes,
-            inputs: &inputs,
-            seconds,
-        };
-        history::write(store, &id, &summary, &files)?;
+        // The record of a point that found all goes as soon as so many newer ones are there.
+        let found = nodes.iter().flatten().all(|d| d.status == Status::Hit);
+        if !found || self.points.len().saturating_add(after) < KEPT_RECORDS {
+            let id = self.id.take();
+            let id = id.unwrap_or_else(|| past::next_id(store.root()));
+            let summary = RunSummary {
+                graph,
+                nodes: &nodes,
+                inputs: &inputs,
+                seconds,
+            };
+            history::write(store, &id, &summary, &files)?;
+        }
         let names = graph.nodes.iter().map(|n| (n.name.clone(), n.stage));
         let outcome = Outcome {
             names: names.collect(),

@@ -43,7 +43,9 @@ pub fn run(
         let store = Store::open(&sweeping.options.cache)?;
         let _using = store.using();
         let batch = gathered(sweeping, &store, &mut points)?;
-        rows.extend(batch.run(sweeping, &store, &failures, start, &mut done)?);
+        // So many at least: enough to know which records would not be kept.
+        let (after, _) = points.size_hint();
+        rows.extend(batch.run(sweeping, &store, &failures, (start, after), &mut done)?);
     }
     Ok(rows)
 }
@@ -85,13 +87,13 @@ fn gathered(
 }
 
 impl Batch {
-    /// Runs all; the rows in order.
+    /// Runs all that began at a moment and that so many points come after; the rows in order.
     fn run(
         self,
         sweeping: &Sweeping<'_>,
         store: &Store,
         failures: &Failures,
-        start: Instant,
+        (start, after): (Instant, usize),
         tell: &mut impl FnMut(&Row),
     ) -> Result<Vec<Row>, EngineError> {
         let id = past::next_id(store.root());
@@ -112,6 +114,7 @@ impl Batch {
             busy: &busy,
             files: &files,
             contents: &contents,
+            after,
         };
         let Some(graph) = graph else {
             return Rows::new(common, self.points, 0, start, id).rest(vec![], tell);

@@ -45,6 +45,12 @@ pub(crate) fn is_mine(path: &Path) -> bool {
     std::fs::symlink_metadata(path).is_ok_and(|m| !m.is_symlink() && system::is_mine(&m))
 }
 
+/// Whether nobody but its owner may read a file, as far as the system has modes.
+#[cfg(feature = "remote")]
+pub(crate) fn is_private(path: &Path) -> bool {
+    std::fs::metadata(path).is_ok_and(|m| system::is_private(&m))
+}
+
 /// Whether a folder can be entered and written into.
 pub(crate) fn may_write(folder: &Path) -> Result<()> {
     system::may_write(folder)
@@ -108,6 +114,11 @@ mod system {
         meta.uid() == rustix::process::geteuid().as_raw() && meta.mode() & 0o022 == 0
     }
 
+    #[cfg(feature = "remote")]
+    pub(super) fn is_private(meta: &Metadata) -> bool {
+        meta.mode() & 0o077 == 0
+    }
+
     pub(super) fn may_write(folder: &Path) -> Result<()> {
         let wanted = rustix::fs::Access::WRITE_OK | rustix::fs::Access::EXEC_OK;
         Ok(rustix::fs::access(folder, wanted)?)
@@ -153,6 +164,11 @@ mod system {
     }
 
     pub(super) fn is_mine(_meta: &Metadata) -> bool {
+        true
+    }
+
+    #[cfg(feature = "remote")]
+    pub(super) fn is_private(_meta: &Metadata) -> bool {
         true
     }
 

@@ -12,6 +12,8 @@ pub(crate) mod nofollow;
 
 pub(crate) use entries::FileKind;
 use entries::WRITING;
+#[cfg(feature = "remote")]
+pub(crate) use files::is_private;
 pub(crate) use files::{
     Stamp, Use, can_start, is_mine, may_write, permit, private_file, private_folder, read_exact_at,
 };

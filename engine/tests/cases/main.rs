@@ -1,5 +1,6 @@
 //! The engine on toys: what runs and what does not, kills, faults, many processes, laws.
 
+mod asked;
 mod bucket;
 mod cutoff;
 mod document;
@@ -13,6 +14,7 @@ mod power;
 mod processes;
 mod shared;
 mod shared_faults;
+mod signed;
 mod strands;
 mod sweeping;
 pub mod toys;

@@ -5,7 +5,7 @@ use crate::place::{ALL, Log, NONE, Place, chain, graph};
 use crate::strands::{planned, worked};
 use engine::recipe::Overrides;
 use engine::store::Store;
-use engine::store::remote::{Left, Sharing};
+use engine::store::remote::{Left, Manner, Sharing};
 use engine::strands::Plan;
 use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex};
@@ -19,7 +19,11 @@ pub(crate) fn begun(cache: &Path, bucket: &Bucket, read_only: bool) -> (Sharing,
     let said = Said::default();
     let to = said.clone();
     let say = move |line: &str| to.lock().unwrap().push(line.to_owned());
-    let sharing = Sharing::begin(cache, Box::new(bucket.clone()), read_only, Box::new(say));
+    let manner = Manner {
+        read_only,
+        seal: None,
+    };
+    let sharing = Sharing::begin(cache, Box::new(bucket.clone()), manner, Box::new(say));
     (sharing.unwrap(), said)
 }
 
@@ -251,7 +255,11 @@ fn read_only_takes_and_puts_nothing() {
     let place = Place::new(&texts()[1]);
     let bucket = Bucket::new();
     let [a, b] = caches(&place);
-    let refused = Sharing::begin(&b, Box::new(bucket.clone()), true, Box::new(|_| {}));
+    let manner = Manner {
+        read_only: true,
+        seal: None,
+    };
+    let refused = Sharing::begin(&b, Box::new(bucket.clone()), manner, Box::new(|_| {}));
     let why = refused.err().expect("there is no store yet").to_string();
     assert!(why.contains("no store yet"), "{why}");
     shared(&place, &a, &bucket, 1);

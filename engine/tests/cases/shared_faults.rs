@@ -3,7 +3,7 @@
 use crate::bucket::{Bucket, Faults};
 use crate::place::{ALL, NONE, Place, chain, graph};
 use crate::shared::{begun, caches, shared, shelf, texts};
-use engine::store::remote::{Objects, Sharing};
+use engine::store::remote::{Manner, Objects, Sharing};
 use engine::store::{Store, keeper};
 use std::time::{Duration, Instant};
 
@@ -248,7 +248,7 @@ fn somebody_else_s_bucket_and_another_layout_are_refused() {
     let [a] = caches(&place);
     let begin = |bucket: &Bucket| {
         let objects: Box<dyn Objects> = Box::new(bucket.clone());
-        let begun = Sharing::begin(&a, objects, false, Box::new(|_| {}));
+        let begun = Sharing::begin(&a, objects, Manner::default(), Box::new(|_| {}));
         begun.err().map(|why| why.to_string()).unwrap_or_default()
     };
     let strange = Bucket::new();

@@ -1,11 +1,12 @@
 //! Buckets and shared folders by the crate `object_store`: `s3://`, `gs://`, `az://`, `file://`.
 //!
 //! Who may read and write is told by the usual variables of the environment (`AWS_…`, `GOOGLE_…`,
-//! `AZURE_…`) and by nothing else: an address that holds a secret is refused, and what a query of an
+//! `AZURE_…`), and for S3 by a profile (`profile.rs`); by nothing else: an address that holds a secret is refused, and what a query of an
 //! address holds is cut out of every text.
 
 use super::answer::{absent, plain, trouble};
 use super::objects::{Created, Got, Object, Objects, Trouble};
+use super::profile;
 use futures_util::{StreamExt, TryStreamExt};
 use object_store::aws::AmazonS3Builder;
 use object_store::azure::MicrosoftAzureBuilder;
@@ -46,7 +47,7 @@ pub fn open(address: &str) -> Result<Box<dyn Objects>, Trouble> {
     let store: Result<Box<dyn ObjectStore>, _> = match scheme {
         "file" if bucket.is_empty() => return folder(rest),
         _ if bucket.is_empty() => return Err(refuse(ADDRESSES)),
-        "s3" => AmazonS3Builder::from_env()
+        "s3" => amazon()?
             .with_bucket_name(bucket)
             .with_client_options(client())
             .with_allow_http(allowed())
@@ -75,6 +76,33 @@ pub fn open(address: &str) -> Result<Box<dyn Objects>, Trouble> {
     };
     made(name, prefix, store)
 }
+
+/// As the environment says, and where it says nothing, a profile.
+fn amazon() -> Result<AmazonS3Builder, Trouble> {
+    let env = |name: &str| std::env::var(name).ok();
+    let said = |names: &[&str]| names.iter().any(|n| env(n).is_some_and(|v| !v.is_empty()));
+    let profile = profile::chosen(&env).map_err(Trouble::Refused)?;
+    let mut builder = AmazonS3Builder::from_env();
+    if let Some(keys) = profile.keys {
+        builder = builder
+            .with_access_key_id(keys.id)
+            .with_secret_access_key(keys.secret);
+        if let Some(token) = keys.token {
+            builder = builder.with_token(token);
+        }
+    }
+    if let Some(region) = profile.region.filter(|_| !said(&REGION)) {
+        builder = builder.with_region(region);
+    }
+    if let Some(endpoint) = profile.endpoint.filter(|_| !said(&ENDPOINT)) {
+        builder = builder.with_endpoint(endpoint);
+    }
+    Ok(builder)
+}
+
+const REGION: [&str; 2] = ["AWS_REGION", "AWS_DEFAULT_REGION"];
+
+const ENDPOINT: [&str; 3] = ["AWS_ENDPOINT_URL", "AWS_ENDPOINT_URL_S3", "AWS_ENDPOINT"];
 
 const ADDRESSES: &str = "its address is none: say s3://BUCKET/PREFIX, gs://BUCKET/PREFIX, az://CONTAINER/PREFIX or file:///FOLDER";
 

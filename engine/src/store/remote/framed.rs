@@ -2,6 +2,7 @@
 //!
 //! ```text
 //! tailor shared 1 NONCE RECORD_BYTES BLOB_BYTES\n
+//! or, if somebody signs: tailor shared 2 NONCE RECORD_BYTES BLOB_BYTES SIGNATURE\n
 //! the file of the record
 //! the result, if it is small; else it is a blob of its own
 //! ```
@@ -13,6 +14,9 @@ use stage::Hash;
 
 const MAGIC: &str = "tailor shared ";
 const VERSION: &str = "1";
+
+/// With a signature.
+const SIGNED: &str = "2";
 
 /// Results up to this size ride in the record. \[bytes\]
 pub(super) const SMALL: usize = 64 << 10;
@@ -27,12 +31,22 @@ pub(super) struct Framed {
     pub(super) file: Vec<u8>,
     /// The result, if it is small.
     pub(super) blob: Option<Vec<u8>>,
+    pub(super) signature: Option<String>,
 }
 
 /// The bytes of an object.
-pub(super) fn bytes(nonce: &str, file: &[u8], blob: Option<&[u8]>) -> Vec<u8> {
+pub(super) fn bytes(
+    nonce: &str,
+    file: &[u8],
+    blob: Option<&[u8]>,
+    signature: Option<&str>,
+) -> Vec<u8> {
     let size = blob.map_or("-".to_owned(), |blob| blob.len().to_string());
-    let head = format!("{MAGIC}{VERSION} {nonce} {} {size}\n", file.len());
+    let length = file.len();
+    let head = match signature {
+        None => format!("{MAGIC}{VERSION} {nonce} {length} {size}\n"),
+        Some(word) => format!("{MAGIC}{SIGNED} {nonce} {length} {size} {word}\n"),
+    };
     [head.as_bytes(), file, blob.unwrap_or_default()].concat()
 }
 
@@ -43,11 +57,11 @@ pub(super) fn parse(object: &[u8], key: Hash) -> Result<Framed, Unread> {
     let head = std::str::from_utf8(&object[..end]).map_err(|_| Unread::Corrupt)?;
     let words = head.strip_prefix(MAGIC).ok_or(Unread::Corrupt)?;
     let words: Vec<&str> = words.split(' ').collect();
-    if words[0] != VERSION {
-        return Err(Unread::OtherVersion);
-    }
-    let [_, _, record, blob] = words[..] else {
-        return Err(Unread::Corrupt);
+    let (record, blob, signature) = match words[..] {
+        [VERSION, _, record, blob] => (record, blob, None),
+        [SIGNED, _, record, blob, word] => (record, blob, Some(word.to_owned())),
+        [VERSION | SIGNED, ..] => return Err(Unread::Corrupt),
+        _ => return Err(Unread::OtherVersion),
     };
     let length: usize = record.parse().map_err(|_| Unread::Corrupt)?;
     let rest = &object[end + 1..];
@@ -64,10 +78,11 @@ pub(super) fn parse(object: &[u8], key: Hash) -> Result<Framed, Unread> {
         record,
         file: file.to_vec(),
         blob: (blob != "-").then(|| tail.to_vec()),
+        signature,
     })
 }
 
-const HEAD_MOST: usize = 200;
+const HEAD_MOST: usize = 400;
 
 /// Texts that are shown to people move no cursor and ring no bell.
 fn is_plain(record: &Record) -> bool {
@@ -101,10 +116,11 @@ mod tests {
         let (blob, record) = (b"small".as_slice(), record(b"small"));
         let key = record.key();
         let file = record.file();
-        for blob in [None, Some(blob)] {
-            let object = bytes("n0nce", file.as_bytes(), blob);
+        for (blob, word) in [(None, None), (Some(blob), None), (Some(blob), Some("a:b"))] {
+            let object = bytes("n0nce", file.as_bytes(), blob, word);
             let read = parse(&object, key).ok().expect("whole");
             assert_eq!((&read.record, read.blob.as_deref()), (&record, blob));
+            assert_eq!(read.signature.as_deref(), word);
             for end in 0..object.len() {
                 assert!(parse(&object[..end], key).is_err(), "{end}");
             }
@@ -117,8 +133,8 @@ mod tests {
             assert!(parse(&object, Hash::from_bytes([1; 32])).is_err());
             assert!(parse(&[object.as_slice(), b"x"].concat(), key).is_err());
         }
-        let later = String::from_utf8(bytes("n", file.as_bytes(), None)).unwrap();
-        let later = later.replacen("shared 1", "shared 2", 1);
+        let later = String::from_utf8(bytes("n", file.as_bytes(), None, None)).unwrap();
+        let later = later.replacen("shared 1", "shared 3", 1);
         assert!(matches!(
             parse(later.as_bytes(), key),
             Err(Unread::OtherVersion)
@@ -129,7 +145,7 @@ mod tests {
     fn texts_that_would_move_a_cursor_are_refused() {
         let mut bad = record(b"x");
         bad.warnings = vec!["\u{1b}[2J".into()];
-        let object = bytes("n", bad.file().as_bytes(), Some(b"x"));
+        let object = bytes("n", bad.file().as_bytes(), Some(b"x"), None);
         assert!(parse(&object, bad.key()).is_err());
     }
 }

@@ -1,6 +1,7 @@
 //! What is known of the records that a shared store has.
 
 use std::collections::{HashMap, HashSet};
+use std::sync::Arc;
 use std::time::Instant;
 
 /// What is known of the records there.
@@ -8,7 +9,7 @@ use std::time::Instant;
 pub(super) struct Inventory {
     pub(super) absent: HashMap<[u8; 32], Instant>,
     pub(super) missed: usize,
-    pub(super) listed: Option<HashSet<[u8; 32]>>,
+    pub(super) listed: Option<Arc<HashSet<[u8; 32]>>>,
     /// When it was tried, whatever came of it.
     pub(super) tried: Option<Instant>,
 }

@@ -3,12 +3,16 @@
 //! A place that does not answer is left alone for a while, longer each time, and said once: whoever runs
 //! goes on without it.
 
+use super::framed::Framed;
 use super::handshake::{self, Honest, Identity};
 use super::inventory::Inventory;
 use super::known::Known;
 use super::objects::{Objects, Trouble};
+use super::seal::{Seal, message};
+use stage::Hash;
 use std::collections::{BTreeSet, VecDeque};
 use std::path::{Path, PathBuf};
+use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Condvar, Mutex, MutexGuard};
 use std::time::{Duration, Instant};
 
@@ -23,6 +27,10 @@ pub struct Link {
     pub(super) tag: String,
     /// Nothing is written there.
     pub(super) read_only: bool,
+    /// Who signs what is written, and who is believed.
+    seal: Option<Box<dyn Seal>>,
+    /// Whether it was said that somebody is not believed.
+    strangers: AtomicBool,
     say: Say,
     met: Mutex<Met>,
     pub(super) known: Mutex<Known>,
@@ -78,6 +86,11 @@ const LONGEST_WAIT: Duration = Duration::from_secs(8);
 /// Tries of one request, where what is asked does no harm when it is done twice.
 const TRIES: usize = 4;
 
+/// What the store's own files call a place.
+fn tag(name: &str) -> String {
+    blake3::hash(name.as_bytes()).to_hex()[..16].to_owned()
+}
+
 impl Link {
     /// Of the store at `root` to a place.
     ///
@@ -89,14 +102,16 @@ impl Link {
         root: &Path,
         objects: Box<dyn Objects>,
         read_only: bool,
+        seal: Option<Box<dyn Seal>>,
         say: Say,
     ) -> Result<Link, Trouble> {
-        let hash = blake3::hash(objects.name().as_bytes());
         let link = Link {
-            tag: hash.to_hex()[..16].to_owned(),
+            tag: tag(objects.name()),
             root: root.into(),
             objects,
             read_only,
+            seal,
+            strangers: AtomicBool::new(false),
             say,
             met: Mutex::default(),
             known: Mutex::default(),
@@ -122,6 +137,39 @@ impl Link {
         self.read_only
     }
 
+    /// A signature of a record, if somebody signs.
+    pub(super) fn sign(&self, key: Hash, file: &[u8]) -> Option<String> {
+        self.seal.as_ref()?.sign(&message(key, file))
+    }
+
+    /// Whether what is written is signed.
+    pub(super) fn signs(&self) -> bool {
+        self.seal.as_ref().is_some_and(|s| s.signer().is_some())
+    }
+
+    /// Whether nothing is believed but what somebody who is trusted signed.
+    pub(super) fn is_strict(&self) -> bool {
+        self.seal.as_ref().is_some_and(|seal| seal.is_strict())
+    }
+
+    /// Whether a record is by somebody who is believed.
+    pub(super) fn believes(&self, key: Hash, theirs: &Framed) -> bool {
+        let Some(seal) = self.seal.as_ref().filter(|seal| seal.is_strict()) else {
+            return true;
+        };
+        let signature = theirs.signature.as_ref();
+        signature.is_some_and(|word| seal.believes(&message(key, &theirs.file), word))
+    }
+
+    /// Says once that somebody is not believed.
+    pub(super) fn say_stranger(&self, name: &str) {
+        if !self.strangers.swap(true, Ordering::Relaxed) {
+            self.say(&format!(
+                "{name} is not signed by anybody in the list of --trust: neither it nor others like it are used"
+            ));
+        }
+    }
+
     pub(super) fn say(&self, line: &str) {
         (self.say)(&format!("store {}: {line}", self.objects.name()));
     }
@@ -140,7 +188,12 @@ impl Link {
         if met.identity.is_none() {
             let identity =
                 self.steadily(&|| handshake::identity(&*self.objects, self.read_only))?;
-            *self.known() = Known::load(&self.root, &self.tag, identity.0);
+            // What one signer has put there another has not.
+            let tag = match self.seal.as_ref().and_then(|seal| seal.signer()) {
+                None => self.tag.clone(),
+                Some(who) => tag(&format!("{}\n{who}", self.name())),
+            };
+            *self.known() = Known::load(&self.root, &tag, identity.0);
             met.identity = Some(identity);
         }
         Ok(())

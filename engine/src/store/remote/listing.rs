@@ -3,8 +3,10 @@
 use super::inventory::Inventory;
 use super::link::Link;
 use super::objects::Trouble;
+use crate::store::Store;
 use stage::Hash;
 use std::collections::HashSet;
+use std::sync::Arc;
 use std::time::{Duration, Instant};
 
 /// So many records that are not there are asked for one by one; then a listing is worth it.
@@ -36,7 +38,7 @@ impl Link {
         }
         if inventory.missed >= ASKED && inventory.tried.is_none() {
             inventory.tried = Some(Instant::now());
-            inventory.listed = self.ask(&|| self.listed()).ok().flatten();
+            inventory.listed = self.ask(&|| self.listed(MOST_LISTED)).ok().flatten();
         }
         inventory
             .listed
@@ -44,16 +46,16 @@ impl Link {
             .is_none_or(|all| all.contains(key))
     }
 
-    /// All keys of records; `None` if there are too many.
-    fn listed(&self) -> Result<Option<HashSet<[u8; 32]>>, Trouble> {
+    /// All keys of records; `None` if there are more than `most`.
+    fn listed(&self, most: usize) -> Result<Option<Arc<HashSet<[u8; 32]>>>, Trouble> {
         let mut keys = HashSet::new();
         self.objects.list("ac", &mut |page| {
             let names = page.iter().filter_map(|o| o.name.rsplit('/').next());
             let hashes = names.filter_map(|name| Hash::from_hex(name).ok());
             keys.extend(hashes.map(|hash| *hash.as_bytes()));
-            keys.len() <= MOST_LISTED
+            keys.len() <= most
         })?;
-        Ok((keys.len() <= MOST_LISTED).then_some(keys))
+        Ok((keys.len() <= most).then(|| Arc::new(keys)))
     }
 
     /// It was asked for, and is not there.
@@ -61,5 +63,18 @@ impl Link {
         let mut inventory = self.inventory.lock().expect("bug: poisoned");
         inventory.missed += 1;
         inventory.absent.insert(key, Instant::now());
+    }
+}
+
+impl Store {
+    /// The keys of all records of the shared store, asked for now; `None` if there is no such store, it does
+    /// not answer, has more than `most`, or a listing does not tell what of it is believed.
+    pub(crate) fn listed(&self, most: usize) -> Option<Arc<HashSet<[u8; 32]>>> {
+        let link = self.link.as_ref().filter(|link| !link.is_strict())?;
+        let listed = link.ask(&|| link.listed(most)).ok().flatten()?;
+        let mut inventory = link.inventory.lock().expect("bug: poisoned");
+        inventory.tried = Some(Instant::now());
+        inventory.listed = Some(listed.clone());
+        Some(listed)
     }
 }

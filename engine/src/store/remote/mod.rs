@@ -25,7 +25,12 @@ mod link;
 mod listing;
 mod objects;
 mod plans;
+#[cfg(feature = "remote")]
+mod profile;
 mod reads;
+mod seal;
+#[cfg(feature = "remote")]
+mod signature;
 mod sweep;
 mod upload;
 mod uploads;
@@ -37,5 +42,8 @@ pub use handshake::Honest;
 pub(super) use joined::of;
 pub use link::{Link, Say};
 pub use objects::{Created, Got, Object, Objects, Trouble};
+pub use seal::Seal;
+#[cfg(feature = "remote")]
+pub use signature::{Keys, NoKey, keygen};
 pub use sweep::{Looked, SweptThere};
-pub use uploads::{Left, NoSharing, Sharing};
+pub use uploads::{Left, Manner, NoSharing, Sharing};

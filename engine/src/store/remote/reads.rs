@@ -30,6 +30,8 @@ pub(super) enum Theirs {
     Corrupt,
     /// Of another version of the program: left as it is.
     Other,
+    /// Not signed by anybody who is trusted.
+    Stranger,
 }
 
 impl Link {
@@ -43,7 +45,8 @@ impl Link {
             (Got::Stopped, _) => Err(Unread::Corrupt),
         };
         Ok(match found {
-            Ok(framed) => Theirs::Whole(framed),
+            Ok(framed) if self.believes(key, &framed) => Theirs::Whole(framed),
+            Ok(_) => Theirs::Stranger,
             Err(Unread::OtherVersion) => Theirs::Other,
             Err(_) => Theirs::Corrupt,
         })
@@ -70,6 +73,12 @@ impl Store {
             Ok(Theirs::Absent | Theirs::Other) => {
                 link.is_absent(*key.as_bytes());
                 link.known().lose(key.as_bytes());
+                false
+            }
+            Ok(Theirs::Stranger) => {
+                link.is_absent(*key.as_bytes());
+                link.known().lose(key.as_bytes());
+                link.say_stranger(&object("ac", key));
                 false
             }
             Ok(Theirs::Corrupt) => {
@@ -104,6 +113,9 @@ impl Store {
 
     /// Brings the records of keys that are not here, several at a time.
     pub(crate) fn bring_all(&self, keys: &[Hash]) {
+        if !self.is_shared() {
+            return;
+        }
         let missing = |key: &&Hash| self.found_here(**key).is_none();
         let keys: Vec<&Hash> = keys.iter().filter(missing).collect();
         let next = AtomicUsize::new(0);

@@ -42,7 +42,13 @@ pub(super) fn upload(store: &Store, link: &Link, key: Hash) -> Result<Came, Trou
     }
     let file = record.file();
     let nonce = fresh().to_hex().to_string();
-    let object = framed::bytes(&nonce, file.as_bytes(), small.then_some(&blob));
+    let signature = link.sign(key, file.as_bytes());
+    let object = framed::bytes(
+        &nonce,
+        file.as_bytes(),
+        small.then_some(&blob),
+        signature.as_deref(),
+    );
     publish(link, key, &record, &object, honest)
 }
 
@@ -96,13 +102,26 @@ fn publish(
         match link.record(key)? {
             // A create of ours that was cut off comes back as "there", too; the same result is the same.
             Theirs::Whole(theirs) if theirs.record.content == record.content => {
-                return Ok(Came::There);
+                // What nobody signed is signed by us.
+                if theirs.signature.is_some() || !link.signs() {
+                    return Ok(Came::There);
+                }
+                link.ask(&|| link.objects.put(&name, bytes))?;
+                return Ok(Came::Sent);
             }
             Theirs::Whole(theirs) => {
                 let content = theirs.record.content.to_hex();
                 return Ok(Came::Differs(content[..12].to_owned()));
             }
             Theirs::Other => return Ok(Came::There),
+            Theirs::Stranger => {
+                link.say_stranger(&name);
+                if !link.signs() {
+                    return Ok(Came::There);
+                }
+                link.ask(&|| link.objects.put(&name, bytes))?;
+                return Ok(Came::Sent);
+            }
             Theirs::Corrupt => {
                 link.say(&format!("{name} was not what it says: written anew"));
                 link.ask(&|| link.objects.put(&name, bytes))?;

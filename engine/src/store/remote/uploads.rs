@@ -3,6 +3,7 @@
 use super::joined;
 use super::link::{Link, MOST_HELD, Say};
 use super::objects::{Objects, Trouble};
+use super::seal::Seal;
 use super::upload::{Came, upload};
 use super::waiting;
 use crate::store::{Store, StoreError};
@@ -21,6 +22,15 @@ pub struct Sharing {
     root: PathBuf,
     link: Arc<Link>,
     threads: Vec<JoinHandle<()>>,
+}
+
+/// How a shared store is used.
+#[derive(Default)]
+pub struct Manner {
+    /// Nothing is written there.
+    pub read_only: bool,
+    /// Who signs what is written, and who is believed; without it nothing is signed, and everybody is believed.
+    pub seal: Option<Box<dyn Seal>>,
 }
 
 /// What was not uploaded.
@@ -47,7 +57,7 @@ pub enum NoSharing {
 
 impl Sharing {
     /// Links the store at `root` to a place: whoever opens it in this process reads what is there, and what
-    /// they make goes there unless it is `read_only`.
+    /// they make goes there unless its manner is `read_only`.
     ///
     /// # Errors
     ///
@@ -56,12 +66,13 @@ impl Sharing {
     pub fn begin(
         root: &Path,
         objects: Box<dyn Objects>,
-        read_only: bool,
+        manner: Manner,
         say: Say,
     ) -> Result<Sharing, NoSharing> {
+        let Manner { read_only, seal } = manner;
         let name = objects.name().to_owned();
         Store::open(root)?;
-        let link = Link::new(root, objects, read_only, say)
+        let link = Link::new(root, objects, read_only, seal, say)
             .map_err(|trouble| NoSharing::There(name, trouble))?;
         let link = Arc::new(link);
         joined::join(root, &link);
