@@ -102,6 +102,9 @@ fn turn(to: &mut String, name: &str, seen: &Look, images: &[String]) {
     let count = seen.photos.photos.len();
     let name = Some(quoted(rig.name.as_deref().unwrap_or(name)));
     line(to, "name", name, "", "what the report calls it");
+    if let Some(day) = rig.date.as_deref().map(quoted) {
+        line(to, "date", Some(day), "", "the day of the capture");
+    }
     let note = "so many photos are there; one that gets lost is then named";
     line(to, "views", Some(count.to_string()), "", note);
     if !images.is_empty() {

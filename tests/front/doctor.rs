@@ -100,7 +100,7 @@ fn a_shuffled_turn_is_stopped_in_seconds_by_measure_too() {
 fn init_writes_what_photos_say_once_and_measure_reads_it() {
     let place = turn();
     let said = place
-        .run("init turn --stature 5ft10in --mat-tag 59.7")
+        .run("init turn --stature 5ft10in --mat-tag 59.7 --sex female --born 2016-05-01 --date 2026-05-01")
         .code(0)
         .out;
     let text = std::fs::read_to_string(place.path("turn/capture.toml")).unwrap();
@@ -108,6 +108,9 @@ fn init_writes_what_photos_say_once_and_measure_reads_it() {
     let file: toml::Table = text.parse().unwrap();
     assert_eq!(file["views"].as_integer(), Some(12));
     assert_eq!(file["subject"]["height_cm"].as_float(), Some(177.8));
+    let said = ["sex", "born"].map(|key| file["subject"][key].as_str().unwrap());
+    assert_eq!(said, ["female", "2016-05-01"]);
+    assert_eq!(file["date"].as_str(), Some("2026-05-01"));
     assert_eq!(file["mat"]["tag_size_mm"].as_float(), Some(59.7));
     for says in [
         "marker tags 0 to 11, 12 on a ring",

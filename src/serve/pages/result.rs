@@ -52,7 +52,7 @@ fn interval(words: Words, girth: &Value) -> String {
     let ends = |key: &str| Some([girth[key][0].as_f64()?, girth[key][1].as_f64()?]);
     match (ends("interval_cm"), ends("interval_rel")) {
         (Some([low, high]), _) => {
-            // The unit once: three columns fit a phone.
+            // The unit once.
             let low = words.length(low);
             let low = low.split(' ').next().unwrap_or(&low);
             format!("{low} – {}", words.length(high))
@@ -84,6 +84,13 @@ fn missing(words: Words, girths: &Value) -> Markup {
     }
 }
 
+/// A row of a number that follows from others. On a phone cells stand below one another, so roles are said.
+fn derived(name: &str, value: &str, more: &str) -> Markup {
+    html! {
+        tr role="row" { th scope="row" role="rowheader" { (name) } td .n role="cell" { (value) } td .n .range role="cell" { (more) } }
+    }
+}
+
 /// The results.
 pub(crate) fn result(words: Words, place: &Place, girths: &Value) -> Markup {
     let at = format!("/captures/{}", place.id);
@@ -96,7 +103,7 @@ pub(crate) fn result(words: Words, place: &Place, girths: &Value) -> Markup {
             h2 #result-title { (words.say("result-title")) }
             @if girths["unit"] == "relative" { p .alert { (words.say("result-relative")) } }
             div .wide tabindex="0" role="group" aria-labelledby="result-title" {
-                table {
+                table .girths role="table" {
                     thead { tr {
                         th scope="col" { (words.say("column-girth")) }
                         th scope="col" .n { (words.say("column-tape")) }
@@ -105,25 +112,25 @@ pub(crate) fn result(words: Words, place: &Place, girths: &Value) -> Markup {
                     tbody {
                         @for name in SHOWN {
                             @if let Some(one) = girth(girths, name) {
-                                tr {
-                                    th scope="row" { (label(words, name, one["label"].as_str().unwrap_or(name))) }
-                                    td .n { (tape(words, girths, name).unwrap_or_default()) }
-                                    td .n { (interval(words, one)) }
+                                tr role="row" {
+                                    th scope="row" role="rowheader" { (label(words, name, one["label"].as_str().unwrap_or(name))) }
+                                    td .n role="cell" { (tape(words, girths, name).unwrap_or_default()) }
+                                    td .n .range role="cell" data-of=(words.say("column-interval")) { (interval(words, one)) }
                                 }
                             }
                         }
                         @for (name, value) in ratios {
                             @if let Some(value) = value.as_f64().filter(|_| words.knows(&format!("girth-{name}"))) {
-                                tr { th scope="row" { (label(words, name, name)) } td .n { (words.number(value, 3)) } td {} }
+                                (derived(&label(words, name, name), &words.number(value, 3), ""))
                             }
                         }
                         @if let Some(bmi) = girths["bmi"].as_f64() {
-                            tr { th scope="row" { (words.say("result-bmi")) } td .n { (words.number(bmi, 1)) " kg/m²" } td {} }
+                            (derived(&words.say("result-bmi"), &format!("{} kg/m²", words.number(bmi, 1)), ""))
                         }
                         @for (key, text) in [("bmi_for_age", "result-bmi-for-age"), ("height_for_age", "result-height-for-age")] {
                             @if let Some((z, centile)) = score(&girths["growth"][key]) {
-                                tr { th scope="row" { (words.say(text)) } td .n { "z " (words.number(z, 2)) }
-                                    td .n { (words.with("result-centile", &[("centile", words.number(centile, 1).into())])) } }
+                                @let centile = words.with("result-centile", &[("centile", words.number(centile, 1).into())]);
+                                (derived(&words.say(text), &format!("z {}", words.number(z, 2)), &centile))
                             }
                         }
                     }
