@@ -31,7 +31,7 @@ class Stage:
         The kind that it makes.
     source : str
         All that its result depends on beside its arguments: its text, that of the functions and the plain values of its
-        module that it uses, and the versions of the modules that it imports. It is in the key.
+        module that it uses, and the versions of Python (3.12) and of the modules that it imports. It is in the key.
     """
 
     def __init__(
@@ -236,6 +236,8 @@ def _source(function: Callable[..., Any]) -> str:
                 )
     modules = sorted({module.split(".")[0] for module in imports.values()} | {own.split(".")[0]})
     told = [(m, getattr(sys.modules.get(m), "__version__", None)) for m in modules]
-    head = [f"# {module} {version}" for module, version in told if isinstance(version, str)]
+    # Within a minor version Python's own results stay.
+    python = f"# {sys.implementation.name} {sys.version_info.major}.{sys.version_info.minor}"
+    head = [python] + [f"# {module} {version}" for module, version in told if isinstance(version, str)]
     body = [texts[name] for name in sorted(texts)]
     return "\n".join([*head, *sorted(imports), *(values[n] for n in sorted(values)), "", "\n\n\n".join(body), ""])

@@ -2,6 +2,7 @@
 
 import os
 import subprocess
+import sys
 import time
 
 import numpy
@@ -114,6 +115,7 @@ def test_the_source_is_in_the_key_with_all_that_it_uses(doll, monkeypatch):
     assert "def smaller(mask, share):" in cut.source and "SHARE = 0.5" in cut.source
     assert f"# numpy {numpy.__version__}" in moved.source and "import numpy" in moved.source
     assert "@" not in cut.source
+    assert cut.source.startswith(f"# {sys.implementation.name} {sys.version_info.major}.{sys.version_info.minor}\n")
     before = doll.add("less", cut).run("less", progress=False)
     monkeypatch.setitem(globals(), "SHARE", 0.25)
     again = tailor.stage(out="masks")(cut.function)
