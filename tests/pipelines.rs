@@ -30,6 +30,31 @@ fn every_shipped_pipeline_has_no_mistake() {
 }
 
 #[test]
+fn a_first_answer_reads_all_that_the_whole_way_reads() {
+    let open_ports = |graph: &Graph, name: &str| {
+        let node = &graph.nodes[graph.node(name).unwrap()];
+        let ports = node.ports.iter().zip(&node.from);
+        let open = ports.filter(|(_, from)| from.is_none());
+        open.map(|(port, _)| port.name).collect::<Vec<_>>()
+    };
+    for name in ["body", "own-masks", "walk", "walk-own-masks"] {
+        let of = |variant: Option<&str>| {
+            let overrides = Overrides {
+                variant: variant.map(str::to_owned),
+                ..Overrides::default()
+            };
+            let graph = Pipeline::built_in(name, &CATALOG).and_then(|p| p.graph(&overrides));
+            graph.unwrap_or_else(|mistakes| panic!("{name}: {mistakes}"))
+        };
+        let (whole, first) = (of(None), of(Some("fast")));
+        for node in ["landmarks", "girths", "report", "textured"] {
+            let (a, b) = (open_ports(&whole, node), open_ports(&first, node));
+            assert_eq!(a, b, "{name}: {node}");
+        }
+    }
+}
+
+#[test]
 fn the_product_has_the_nodes_that_its_files_come_from() {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("pipelines/body.toml");
     let graph = open(&path, &Overrides::default(), &CATALOG).unwrap();
