@@ -39,6 +39,8 @@ SelectTypeParameters=CR_Core
 ReturnToService=2
 MpiDefault=none
 KillWait=2
+SchedulerParameters=sched_interval=1,sched_min_interval=0,batch_sched_delay=0,bf_interval=1,bf_yield_interval=100000
+CompleteWait=0
 MinJobAge=600
 MaxArraySize=${MAX_ARRAY_SIZE:-1001}
 MaxJobCount=${MAX_JOB_COUNT:-10000}
