@@ -3,7 +3,7 @@
 use engine::cli::Fault;
 use engine::out;
 use serde_json::{Value, json};
-use shape::{Document, Photo, PhotoId, Photos, Solid, Sway, Unit};
+use shape::{Document, Person, Photo, PhotoId, Photos, Solid, Sway, Unit};
 use stage::{AnyArtifact, AnyStage, Artifact, Files};
 
 /// As JSON. A kind that is all arrays has nothing.
@@ -46,6 +46,7 @@ fn value(bytes: &[u8], stage: &'static dyn AnyStage) -> Result<Value, Fault> {
             };
             sway.views.iter().map(pose).collect()
         }
+        "person" => json!(*typed::<Person>(read()?)?),
         "solid" => json!(*typed::<Solid>(read()?)?),
         "files" => {
             let files = typed::<Files>(read()?)?;

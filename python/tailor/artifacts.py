@@ -420,6 +420,10 @@ class Sway(Artifact):
     """How the body moved against the disk: ``document`` has ``photo``, ``R``, ``t`` of each photo."""
 
 
+class Person(Artifact):
+    """Who is measured: ``document`` has ``sex``, ``born`` and ``age_months``, each None where nobody said it."""
+
+
 class Solid(Artifact):
     """A made body, as formulas: ``document`` has its parts."""
 
@@ -438,6 +442,7 @@ READERS: Dict[str, Callable[..., Artifact]] = {
     "landmarks": Landmarks,
     "masks": Masks,
     "mesh": Mesh,
+    "person": Person,
     "photos": Photos,
     "solid": Solid,
     "sway": Sway,

@@ -3,7 +3,6 @@
 import json
 import os
 import pathlib
-import signal
 import subprocess
 import sys
 import time
@@ -47,10 +46,25 @@ def blobs(cache):
 
 
 @pytest.fixture(scope="module")
-def cluster():
-    options = {"n_workers": 2, "threads_per_worker": 1, "processes": True, "dashboard_address": None}
-    with distributed.LocalCluster(**options) as cluster:
-        yield cluster
+def cluster(tmp_path_factory):
+    """A scheduler in this process, and two workers that nobody starts again once they are killed."""
+    folder = tmp_path_factory.mktemp("workers")
+    with distributed.LocalCluster(n_workers=0, processes=True, dashboard_address=None) as cluster:
+        words = [sys.executable, "-m", "distributed.cli.dask_worker", cluster.scheduler_address]
+        words += ["--nthreads", "1", "--no-nanny", "--no-dashboard", "--local-directory", str(folder)]
+        logs = [open(folder / f"{i}.log", "w") for i in range(2)]
+        cluster.hands = [subprocess.Popen(words, stdout=log, stderr=log) for log in logs]
+        try:
+            with distributed.Client(cluster.scheduler_address) as client:
+                client.wait_for_workers(2, timeout=120)
+            yield cluster
+        finally:
+            for hand, log in zip(cluster.hands, logs):
+                hand.kill()
+                hand.wait()
+                log.close()
+                # Shown by pytest where a test failed.
+                print(pathlib.Path(log.name).read_text()[-2000:])
 
 
 def settled(cache, plan, engine):
@@ -78,7 +92,7 @@ def test_a_plan_on_dask_comes_to_what_it_does_here_though_a_worker_is_killed(clu
     # Said again while it runs: what waits or runs is not sent twice; what ended while it was asked is found.
     assert tailor(cache, "submit", plan, engine, "--least-s=0")["sent"] < 7
     time.sleep(1)
-    os.kill(list(cluster.workers.values())[0].process.pid, signal.SIGKILL)
+    cluster.hands[0].kill()
     status, code = settled(cache, plan, engine)
     assert (code, status["strands"], status["strands_done"]) == (0, 7, 7)
     logs = [file.read_text().splitlines() for file in (cache / "runs").glob("*.jsonl")]

@@ -117,7 +117,9 @@ def test_a_document_is_put_in(doll):
 
 
 def test_what_cannot_be_put_in_is_told(doll):
-    with pytest.raises(tailor.Error, match="girths, which cannot be put in"):
+    with pytest.raises(tailor.Error, match="warps, which cannot be put in"):
+        doll.put("deformation", {})
+    with pytest.raises(tailor.Error, match="girths cannot be written from Python"):
         doll.put("girths", {})
     with pytest.raises(tailor.Error, match="no node `mask`"):
         doll.put("mask", {})

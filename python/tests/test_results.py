@@ -25,7 +25,14 @@ def test_every_result_of_the_doll_is_of_its_class(doll, shown):
         assert repr(result) and result.nbytes > 0
         result.document
         seen.add(kinds[node])
-    assert seen == set(_native.kinds())
+    # Nobody says who the doll is.
+    assert seen == set(_native.kinds()) - {"person"}
+
+
+def test_nothing_is_known_of_a_person_of_whom_nothing_is_said(cache):
+    person = tailor.Pipeline("synth", cache=cache).run("person", progress=False)["person"]
+    assert type(person) is tailor.READERS["person"]
+    assert person.document == {"sex": None, "born": None, "age_months": None}
 
 
 def test_a_mesh_is_looked_at_and_not_copied(shown):
