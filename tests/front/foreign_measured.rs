@@ -33,6 +33,14 @@ fn cases() -> (Vec<Case>, Vec<Case>) {
             tape(&format!(r#""tape_cm":80,{level}"#)),
             "\"tape_cm\": 80.0",
         ),
+        // The mean of both arms is written without a plane, and again from them.
+        (
+            "girths",
+            format!(
+                r#"{{"unit":"cm","girths":[{{"name":"AC_L","tape_cm":30,{level}}},{{"name":"AC_R","tape_cm":31,{level}}},{{"name":"AC","tape_cm":30.5}}]}}"#
+            ),
+            "\"tape_cm\": 30.5",
+        ),
     ];
     let bad = vec![
         ("landmarks", mark(&level), "missing field `part`"),

@@ -1,6 +1,7 @@
 //! A program with all that it started: found by a variable of the environment that they inherit,
 //! ended together.
 
+use crate::system::resident_bytes;
 use stage::process;
 use std::collections::BTreeMap;
 use std::fs::File;
@@ -129,14 +130,9 @@ fn last_number() -> Option<u32> {
 
 /// What a family holds in memory. \[MB\]
 pub(super) fn memory_mb(folder: &Path) -> u64 {
-    let of_one = |member: Member| {
-        let status = std::fs::read_to_string(format!("/proc/{}/status", member.id)).ok()?;
-        let line = status.lines().find_map(|l| l.strip_prefix("VmRSS:"))?;
-        let kib: u64 = line.split_whitespace().next()?.parse().ok()?;
-        Some(kib)
-    };
-    let kib: u64 = members(folder, None).into_iter().filter_map(of_one).sum();
-    kib / 1024
+    let of_one = |member: Member| resident_bytes(&member.id.to_string());
+    let bytes: u64 = members(folder, None).into_iter().filter_map(of_one).sum();
+    bytes >> 20
 }
 
 /// How often what comes up anew is ended.

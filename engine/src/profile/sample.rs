@@ -54,7 +54,7 @@ impl Sampler {
         let mut samples = Vec::new();
         let mut over = self.over.lock().expect("bug: poisoned");
         loop {
-            let now = thread_times().zip(resident_bytes());
+            let now = thread_times().zip(resident_bytes("self"));
             // A system that does not tell now will not tell later.
             let Some((threads, resident)) = now else {
                 return samples;

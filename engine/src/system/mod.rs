@@ -66,12 +66,13 @@ pub(crate) fn thread_times() -> Option<Vec<(u64, f64)>> {
     };
     let mut times: Vec<(u64, f64)> = folder.flatten().filter_map(one).collect();
     times.sort_by_key(|(id, _)| *id);
-    (!times.is_empty()).then_some(times)
+    // A system that does not keep them writes noughts.
+    times.iter().any(|(_, s)| *s > 0.0).then_some(times)
 }
 
-/// Memory that this process has now; none if the system does not say. \[bytes\]
-pub(crate) fn resident_bytes() -> Option<u64> {
-    let status = std::fs::read_to_string("/proc/self/status").ok()?;
+/// Memory that a process has now, by its number or `self`; none if the system does not say. \[bytes\]
+pub(crate) fn resident_bytes(process: &str) -> Option<u64> {
+    let status = std::fs::read_to_string(format!("/proc/{process}/status")).ok()?;
     let line = status.lines().find_map(|l| l.strip_prefix("VmRSS:"))?;
     let kib: u64 = line.split_whitespace().next()?.parse().ok()?;
     Some(1024 * kib)

@@ -11,7 +11,7 @@ stage::inputs! {
     pub struct GirthsFileInput {
         /// One `girths.json`, as `tailor show --as json` writes it: `unit` (`cm` or `relative`) and `girths`, each with
         /// `name`, `tape_cm` (or `tape_rel`), the `plane` that the tape lay in, and where they are known `cm`,
-        /// `interval_cm`, `label`, `definition`; `stature_cm`. All else in it is passed over.
+        /// `interval_cm`, `label`, `definition`; `stature_cm`. `AC`, the mean of both upper arms, follows from them. All else in it is passed over.
         files: Arc<Files>,
     }
 }
@@ -38,7 +38,7 @@ struct One {
     rel: Option<f64>,
     interval_cm: Option<[f64; 2]>,
     interval_rel: Option<[f64; 2]>,
-    plane: FilePlane,
+    plane: Option<FilePlane>,
 }
 
 impl Stage for ImportGirths {
@@ -53,7 +53,10 @@ impl Stage for ImportGirths {
         let (file, said): (String, File) = read(&input.files, "girths.json")?;
         once(&file, said.girths.iter().map(|g| &g.name))?;
         let unit = said.unit.unit();
-        let girths = said.girths.iter().map(|g| {
+        // The mean of both arms has no plane: it follows from them, and is written again with them.
+        let follows = |g: &&One| GirthId::named(&g.name) == Some(GirthId::UpperArmMean);
+        let taken = said.girths.iter().filter(|g| !follows(g));
+        let girths = taken.map(|g| {
             girth(g, unit).map_err(|why| ImportError::Entry {
                 file: file.clone(),
                 name: g.name.clone(),
@@ -96,8 +99,9 @@ fn girth(said: &One, unit: Unit) -> Result<Girth, &'static str> {
     if ends.is_some_and(|[low, high]| !(low..=high).contains(&tape)) {
         return Err("its interval does not hold its tape");
     }
+    let plane = said.plane.as_ref().ok_or("missing field `plane`")?;
     let own = id == GirthId::Own;
-    let mark = Landmark::new(id, said.plane.plane(unit)?, Part::Trunk);
+    let mark = Landmark::new(id, plane.plane(unit)?, Part::Trunk);
     let label = said.label.clone();
     let definition = said.definition.clone();
     Ok(Girth {
