@@ -79,6 +79,7 @@ impl Row {
 fn origin(scale: Scale) -> &'static str {
     match scale {
         Scale::Mat => "mat",
+        Scale::Tags => "tags",
         Scale::Reference => "reference",
         Scale::Disk => "disk",
         Scale::Stature => "stature",

@@ -81,6 +81,7 @@ pub(crate) fn screen(
 fn origin(cameras: &Cameras) -> String {
     let from = match cameras.scale {
         Scale::Mat => "the marker mat",
+        Scale::Tags => "the marker tags",
         Scale::Reference => "the reference length",
         Scale::Disk => "the disk's diameter",
         Scale::Stature => "the subject's stature",

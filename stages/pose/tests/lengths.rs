@@ -1,9 +1,10 @@
 //! Lengths that the user knows make cameras millimetres; lengths that contradict each other do not.
 
 use nalgebra::{Point3, Rotation3, Vector3};
-use pose::{Frame, FrameInput, FrameParams, Ring};
+use pose::{Frame, FrameInput, FrameParams, Ring, mat_corners};
 use shape::{
-    Camera, Cameras, Intrinsics, Mask, Masks, Photo, PhotoId, Photos, Reference, Rig, Scale, View,
+    Camera, Cameras, Intrinsics, Mask, Masks, Mat, Photo, PhotoId, Photos, Reference, Rig, Scale,
+    Tag, Tags, View,
 };
 use stage::{Ctx, Stage, Stop};
 use std::sync::Arc;
@@ -51,8 +52,43 @@ fn seen(camera: &Camera) -> Mask {
     mask
 }
 
+/// A mat under the post.
+const MAT: Mat = Mat {
+    tag_mm: 120.0,
+    first_id: 0,
+    count: 10,
+    ring_mm: 420.0,
+};
+
+/// What photos show of the mat on the ground.
+fn tags(cameras: &[Camera]) -> Tags {
+    let tag = |camera: &Camera, id: u32| {
+        let ground = Vector3::new(0.0, 0.0, -400.0);
+        let at = |corner: Point3<f64>| camera.project(&Point3::from(corner.coords / 2.0 + ground));
+        let [a, b, c, d] = mat_corners(&MAT, id)?.map(at);
+        let corners = [a?, b?, c?, d?].map(|px| [px.x, px.y]);
+        Some(Tag { id, corners })
+    };
+    let view = |(i, camera): (usize, &Camera)| {
+        let seen = (0..MAT.count).filter_map(|id| tag(camera, id)).collect();
+        (PhotoId(i as u32), seen)
+    };
+    Tags {
+        views: cameras.iter().enumerate().map(view).collect(),
+    }
+}
+
 /// Cameras in millimetres from a stature and a reference length, both of the post. \[mm\]
 fn framed(stature_mm: f64, reference_mm: f64) -> Result<Cameras, String> {
+    framed_by(stature_mm, reference_mm, None)
+}
+
+/// As [`framed`], with tags on the ground of which so much is known.
+fn framed_by(
+    stature_mm: f64,
+    reference_mm: f64,
+    mat: Option<(Option<Mat>, Option<f64>)>,
+) -> Result<Cameras, String> {
     let cameras = turn();
     let gray = shape::gray_to_png(&shape::Image::filled(320, 480, 0));
     let photo = |i: usize| Photo {
@@ -90,9 +126,12 @@ fn framed(stature_mm: f64, reference_mm: f64) -> Result<Cameras, String> {
                     kind: "subject_height".into(),
                     length_mm: reference_mm,
                 }),
+                mat: mat.and_then(|m| m.0),
+                tag_mm: mat.and_then(|m| m.1),
                 ..Rig::default()
             },
         }),
+        tags: mat.map(|_| Arc::new(tags(&cameras))),
         cameras: Arc::new(Cameras {
             views: cameras.iter().enumerate().map(view).collect(),
             scale: Scale::Nothing,
@@ -131,4 +170,28 @@ fn lengths_that_contradict_each_other_by_more_than_a_fifth_are_refused_by_name()
     assert!(why.contains("the reference length (stature)"), "{why}");
     assert!(why.contains("contradict each other by 31 %"), "{why}");
     assert!(why.contains("capture.toml"), "{why}");
+}
+
+#[test]
+fn tags_on_the_ground_of_a_walk_go_before_a_stature_and_say_where_the_ground_is() {
+    let layout = (Some(MAT), None);
+    let size = (None, Some(MAT.tag_mm));
+    for known in [layout, size] {
+        // The stature is a tenth too long: the tags are believed.
+        let found = framed_by(1760.0, 1760.0, Some(known)).unwrap();
+        assert_eq!(found.scale, Scale::Tags);
+        let far = |camera: &Camera| camera.centre().coords.xy().norm();
+        let (before, after) = (turn()[0], found.views.values().next().unwrap().camera);
+        proof::near(far(&after) / far(&before), 2.0, 1e-3);
+        let high = |camera: &Camera| camera.centre().z;
+        proof::near(high(&after), 2.0 * (high(&before) + 400.0), 1.0);
+        assert!(
+            found
+                .scale_sigma
+                .is_some_and(|s| (0.001..0.05).contains(&s))
+        );
+    }
+    // Tags of a size that nobody knows say nothing.
+    let found = framed_by(1600.0, 1600.0, Some((None, None))).unwrap();
+    assert_eq!(found.scale, Scale::Reference);
 }

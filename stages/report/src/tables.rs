@@ -124,6 +124,7 @@ fn missing(girths: &Girths) -> String {
 pub(crate) fn origin(scale: Scale) -> &'static str {
     match scale {
         Scale::Mat => "lengths come from the marker mat on the disk",
+        Scale::Tags => "lengths come from marker tags of known size",
         Scale::Reference => "lengths come from the reference length that was given",
         Scale::Disk => "lengths come from the disk's diameter",
         Scale::Stature => "lengths come from the subject's stature",

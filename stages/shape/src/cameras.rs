@@ -19,6 +19,8 @@ pub enum Scale {
     Given,
     /// Nothing: lengths are relative to the camera ring's radius, called 1000 mm.
     Nothing,
+    /// Marker tags of known size, in cameras that were found without them. Last: results are written with its place.
+    Tags,
 }
 
 impl Scale {

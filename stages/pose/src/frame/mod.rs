@@ -3,5 +3,7 @@
 
 pub(crate) mod circle;
 pub(crate) mod disk_edge;
+pub(crate) mod lengths;
 pub(crate) mod stage;
 pub(crate) mod stature;
+pub(crate) mod tag_scale;

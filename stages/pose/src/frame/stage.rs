@@ -2,10 +2,11 @@
 
 use crate::frame::circle::moved;
 use crate::frame::disk_edge::{DiskEdge, disk_edge};
+use crate::frame::lengths::{Measure, Seen, by_tags, floor, measures};
 use crate::frame::stature::{Stature, stature};
 use nalgebra::{Point3, Rotation3};
 use rayon::prelude::*;
-use shape::{Cameras, Gray, Masks, PhotoError, Photos, Rig, Scale, median, registered};
+use shape::{Cameras, Gray, Masks, PhotoError, Photos, Scale, Tags, median, registered};
 use stage::{Ctx, Stage, Stop};
 use std::sync::Arc;
 
@@ -27,6 +28,10 @@ stage::params! {
         /// Size to which photos are reduced before the disk is searched.
         #[range(200..=4000)]
         search_px: u32 = 900,
+        /// In cameras that were found without marker tags: how far a tag's corners may miss their rays, root
+        /// mean square. \[px\]
+        #[range(0.1..=50.0)]
+        tag_px: f64 = 3.0,
     }
 }
 
@@ -39,6 +44,8 @@ stage::inputs! {
         photos: Arc<Photos>,
         /// Silhouettes: for crown and soles.
         masks: Option<Arc<Masks>>,
+        /// Marker tags, where cameras were found without them.
+        tags: Option<Arc<Tags>>,
     }
 }
 
@@ -58,18 +65,10 @@ struct Contradiction {
     percent: f64,
 }
 
-/// A length that is known, and what it makes of a unit.
-struct Measure {
-    what: &'static str,
-    scale: Scale,
-    mm_per_unit: f64,
-    sigma: Option<f64>,
-}
-
 impl Stage for Frame {
     const NAME: &'static str = "pose.frame";
-    const VERSION: u32 = 7;
-    const ABOUT: &'static str = "Puts the origin on the disk and scales to millimetres: by the mat, a reference length, the disk, or the stature.";
+    const VERSION: u32 = 8;
+    const ABOUT: &'static str = "Puts the origin on the disk and scales to millimetres: by the mat, marker tags, a reference length, the disk, or the stature.";
     type Params = FrameParams;
     type Input = FrameInput;
     type Output = Cameras;
@@ -86,19 +85,28 @@ impl Stage for Frame {
             let still = still(&input.photos, p.search_px)?;
             still.and_then(|s| search(&s, cameras, body.as_ref(), p.least_standout))
         };
-        let ground = match (placed, edge, body) {
+        let tags = input.tags.as_deref().filter(|_| !placed);
+        let tags = tags.and_then(|tags| by_tags(cameras, tags, rig, p.tag_px));
+        let floor = tags.and_then(|t| floor(t, body.as_ref()));
+        let ground = match (placed, floor, edge, body) {
             (true, ..) => cameras.ground_mm,
-            (_, Some(edge), _) => edge.height,
-            (_, None, Some(body)) => body.ground,
-            (_, None, None) => lowest(cameras),
+            (_, Some(floor), ..) => floor,
+            (_, _, Some(edge), _) => edge.height,
+            (_, _, None, Some(body)) => body.ground,
+            (_, _, None, None) => lowest(cameras),
         };
-        let seen = Seen { body, edge, ground };
+        let seen = Seen {
+            body,
+            edge,
+            tags,
+            ground,
+        };
         let measures = measures(cameras, rig, &seen, |warning| ctx.warn(warning));
         if cameras.scale == Scale::Given {
             return Ok(cameras.clone());
         }
         let Some(first) = measures.first() else {
-            ctx.warn("nothing tells of millimetres (no mat, reference, disk or stature that could be seen): lengths are relative to the camera ring's radius, called 1000 mm");
+            ctx.warn("nothing tells of millimetres (no mat or tags of known size, reference, disk or stature that could be seen): lengths are relative to the camera ring's radius, called 1000 mm");
             return Ok(on_ground(cameras, ground, 1.0));
         };
         for other in &measures[1..] {
@@ -110,7 +118,7 @@ impl Stage for Frame {
         if cameras.scale == Scale::Mat {
             return Ok(cameras.clone());
         }
-        if edge.is_none() && body.is_none() {
+        if edge.is_none() && body.is_none() && floor.is_none() {
             ctx.warn("neither the disk's edge nor soles were seen: the ground lies at the lowest feature, so heights and stature may be off; keep feet and disk in view");
         }
         let size = first.mm_per_unit;
@@ -124,77 +132,11 @@ impl Stage for Frame {
     }
 }
 
-/// What was seen of body and disk, in the cameras' unit.
-struct Seen {
-    body: Option<Stature>,
-    edge: Option<DiskEdge>,
-    /// Height of the ground.
-    ground: f64,
-}
-
 /// Where crown and soles are, from silhouettes.
 fn body(cameras: &Cameras, masks: Option<&Masks>) -> Option<Stature> {
     let views: Vec<_> = cameras.views.join(&masks?.views).collect();
     let views: Vec<_> = views.iter().map(|(_, v, m)| (&v.camera, *m)).collect();
     stature(&views)
-}
-
-/// The lengths that are known and were seen, the one to be believed first.
-fn measures(cameras: &Cameras, rig: &Rig, seen: &Seen, warn: impl Fn(String)) -> Vec<Measure> {
-    let mut measures = Vec::new();
-    if cameras.scale == Scale::Mat {
-        measures.push(Measure {
-            what: "the mat",
-            scale: Scale::Mat,
-            mm_per_unit: 1.0,
-            sigma: cameras.scale_sigma,
-        });
-    }
-    let tall = |mm: f64, what, scale| {
-        let body = seen.body.as_ref()?;
-        let height = body.crown - seen.ground;
-        let spread = body.crown_spread / (cameras.views.len().max(1) as f64).sqrt();
-        (height > 0.0).then(|| Measure {
-            what,
-            scale,
-            mm_per_unit: mm / height,
-            sigma: Some(libm::hypot(spread / height, 0.003)),
-        })
-    };
-    let round = |mm: f64, what, scale| {
-        let edge = seen.edge.as_ref()?;
-        Some(Measure {
-            what,
-            scale,
-            mm_per_unit: mm / 2.0 / edge.radius,
-            sigma: Some(0.004),
-        })
-    };
-    if let Some(reference) = &rig.reference {
-        let mm = reference.length_mm;
-        measures.extend(match reference.kind.as_str() {
-            "subject_height" => tall(mm, "the reference length (stature)", Scale::Reference),
-            "disk_diameter" => round(mm, "the reference length (disk)", Scale::Reference),
-            "tag_size" => {
-                let tag = rig.mat.map(|mat| mat.tag_mm);
-                if let Some(tag) = tag.filter(|tag| (mm / tag - 1.0).abs() > 0.002) {
-                    warn(format!("[mat] says that tags are {tag} mm, [reference] that they are {mm} mm: [mat] was taken; measure a printed tag and correct the other"));
-                }
-                None
-            }
-            other => {
-                warn(format!(
-                    "the reference of kind `{other}` is not known here: `subject_height`, `disk_diameter` and `tag_size` are"
-                ));
-                None
-            }
-        });
-    }
-    let disk = rig.disk_diameter_mm;
-    measures.extend(disk.and_then(|mm| round(mm, "the disk's diameter", Scale::Disk)));
-    let stature = rig.stature_mm;
-    measures.extend(stature.and_then(|mm| tall(mm, "the stature", Scale::Stature)));
-    measures
 }
 
 /// Tells how far another length disagrees with the one that is believed.

@@ -202,6 +202,11 @@ fn as_printed(ring: &Ringed, tag_mm: f64, disk_mm: Option<f64>) -> Option<(Mat, 
     None
 }
 
+/// The mat of `tailor mat` in the photos, by its tags' size and perhaps the disk's diameter.
+pub(crate) fn printed(tags: &Tags, tag_mm: f64, disk_mm: Option<f64>) -> Option<Mat> {
+    Some(as_printed(&ringed(tags)?, tag_mm, disk_mm)?.0)
+}
+
 /// The mat in the photos, where nothing but its tags' size is known, and perhaps the disk's diameter; says what was
 /// recognised, or why not.
 pub fn recognised(
