@@ -2,7 +2,7 @@
 //! reader's language and by what a page has: fields and outlines in place of flags and files.
 
 #[rustfmt::skip]
-pub(super) const ERRORS: [(&str, &str); 55] = [
+pub(super) const ERRORS: [(&str, &str); 57] = [
     ("found * photos in turning order, but a turn needs at least *: put all photos of one turn into one folder, as images/*.jpg or *.jpg", "fail-few-photos"),
     ("* holds * photos: without a marker mat features are followed from photo to photo, which needs a full turn at steps of 30° or less; take 18 to 36 photos, or lay a mat on the disk (`tailor mat`; then say --mat), or say the step between them, such as --step 20", "fail-few-no-mat"),
     ("photos are of several sizes, but one camera must take all of a turn, uncropped: * are *, *; move what does not belong to the turn into another folder, or say which photos are the turn: `images = \"IMG_*.jpg\"` in capture.toml, or --images", "fail-mixed-sizes"),
@@ -34,6 +34,8 @@ pub(super) const ERRORS: [(&str, &str); 55] = [
     ("* and * contradict each other by * %, so nothing tells how large the body is: capture.toml is wrong about one of them (correct it, or leave out the one you are less sure of), or the silhouettes lack legs or head (`tailor show masks --as sheet` shows them), or the cameras are wrong (take more photos, or put a mat on the disk)", "fail-contradict"),
     ("no marker tags of a mat that is told of were found, and no features that turn with the disk, so nothing tells where the camera stood: are the photos in turning order, at steps below 30°? A patterned cloth or a marker mat (`tailor mat`) on the disk helps", "fail-no-texture"),
     ("only * of * photos show two tags of the mat: check `[mat]` in capture.toml (family, ids, count), the light on the disk, and that it is in view", "fail-mat-unseen"),
+    ("the photos stand on their head: up from the mat runs to their bottom edge. Turn them by 180°, for instance with `exiftool -n -Orientation=3 DIR/images/*.jpg`, or in a viewer that saves them", "fail-upside-down"),
+    ("the photos lie on their side: up from the disk runs to their left or right edge. Turn them by 90°, for instance with `exiftool -n -Orientation=6 DIR/images/*.jpg` (8 for the other way), or in a viewer that saves them", "fail-on-side"),
     ("the mat does not fit what `[mat]` in capture.toml says: its tags are seen * px from where they should be; check tag size, ring radius and ids", "fail-mat-misfit"),
     ("there is no plate, and without cameras the body cannot be told from the room: take one photo of the same scene without the subject and call it plate.jpg, hand in masks (silhouette.import), or say where the body is (`box_px`)", "fail-no-plate"),
     ("there is no plate, and only * % of the photos' pixels stand still over the turn: did the camera move? take a plate with a fixed camera, hand in masks (silhouette.import), or say where the body is (`box_px`)", "fail-plate-moves"),

@@ -48,7 +48,7 @@ pub(super) const WARNINGS: [(&str, &str); 97] = [
     ("its camera stands * % off the circle of the others: did camera or disk move?", "warn-off-circle"),
     ("the photos do not tell all of the cameras, so how sure they are is not to be trusted: lay a mat on the disk, or take more photos", "warn-degenerate"),
     ("only * features are seen on other photos, too: lay a mat or a patterned cloth on the disk, or turn by smaller steps", "warn-few-features"),
-    ("nothing tells of millimetres (no mat, reference, disk or stature that could be seen): lengths are relative to the camera ring's radius, called 1000 mm", "warn-relative"),
+    ("nothing tells of millimetres (no mat or tags of known size, reference, disk or stature that could be seen): lengths are relative to the camera ring's radius, called 1000 mm", "warn-relative"),
     ("neither the disk's edge nor soles were seen: the ground lies at the lowest feature, so heights and stature may be off; keep feet and disk in view", "warn-no-edge"),
     ("[mat] says that tags are * mm, [reference] that they are * mm: [mat] was taken; measure a printed tag and correct the other", "warn-two-tags"),
     ("the reference of kind `*` is not known here: `subject_height`, `disk_diameter` and `tag_size` are", "warn-reference"),

@@ -3,6 +3,7 @@
 use crate::calibration::found::Found;
 use crate::calibration::params::CalibrateParams;
 use crate::calibration::prior::first_lens;
+use crate::calibration::upright::{Posture, posture};
 use crate::mat::{self, recognise::recognised, solve::MatError};
 use crate::ring;
 use crate::ring::error::TracksError;
@@ -30,6 +31,16 @@ pub enum CalibrateError {
         "no marker tags of a mat that is told of were found, and no features that turn with the disk, so nothing tells where the camera stood: are the photos in turning order, at steps below 30°? A patterned cloth or a marker mat (`tailor mat`) on the disk helps"
     )]
     Nothing,
+    /// The mat's upward direction runs to the photos' bottom edge.
+    #[error(
+        "the photos stand on their head: up from the mat runs to their bottom edge. Turn them by 180°, for instance with `exiftool -n -Orientation=3 DIR/images/*.jpg`, or in a viewer that saves them"
+    )]
+    UpsideDown,
+    /// The axis of the turn runs along the photos' rows.
+    #[error(
+        "the photos lie on their side: up from the disk runs to their left or right edge. Turn them by 90°, for instance with `exiftool -n -Orientation=6 DIR/images/*.jpg` (8 for the other way), or in a viewer that saves them"
+    )]
+    OnTheirSide,
     /// The mat path failed.
     #[error(transparent)]
     Mat(#[from] MatError),
@@ -92,6 +103,12 @@ impl Stage for Calibrate {
             rim_tags,
         } = found?;
         warnings.iter().for_each(|w| ctx.warn(w));
+        // Without a mat, up is where the photos have it.
+        match posture(&cameras) {
+            Posture::UpsideDown => return Err(CalibrateError::UpsideDown.into()),
+            Posture::OnTheirSide => return Err(CalibrateError::OnTheirSide.into()),
+            Posture::Upright => {}
+        }
         ctx.metric("cameras", cameras.views.len() as f64, "");
         ctx.metric("reprojection", fit.rms_px, "px");
         let lens = cameras

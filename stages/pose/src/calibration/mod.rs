@@ -5,3 +5,4 @@ pub(crate) mod found;
 pub(crate) mod params;
 pub(crate) mod prior;
 pub(crate) mod trust;
+pub(crate) mod upright;
