@@ -5,7 +5,7 @@ use std::error::Error;
 
 /// What a program is made of: its name, its stages, its kinds.
 pub struct Catalog {
-    /// The program with its version, for records of runs: `tailor 0.2.0`.
+    /// The program with its version, for records of runs: `words 0.2.0`.
     pub program: &'static str,
     /// The stages, room by room.
     pub rooms: &'static [&'static [&'static dyn AnyStage]],

@@ -29,7 +29,14 @@ const FOLDERS: [(&str, Form); 15] = [
 ];
 
 /// The store's files beside its folders.
-const FILES: [&str; 5] = ["format", "in-use", "index", "files.json", "last-run"];
+const FILES: [&str; 6] = [
+    "format",
+    "in-use",
+    "index",
+    "files.json",
+    "last-run",
+    "noted",
+];
 
 /// What others put into any folder that is empty to people: systems, version control, backups.
 const HARMLESS: [&str; 4] = ["lost+found", ".gitignore", ".gitkeep", "CACHEDIR.TAG"];

@@ -164,9 +164,8 @@ pub(crate) fn run_files(
     let _keeping = foreign::Keeping::new(store.root());
     let using = store.using();
     let contents: Vec<Hash> = files.iter().map(stage::content).collect();
-    for (content, files) in contents.iter().zip(&files) {
-        store.note_capture(*content, &files.root);
-    }
+    let folders = files.iter().map(|files| files.root.as_path());
+    store.note_captures(&contents.iter().copied().zip(folders).collect::<Vec<_>>());
     let threads = threads(options);
     let id = past::next_id(store.root());
     let journal = Journal::new(watch, store.root().join(format!("runs/{id}.jsonl")));

@@ -7,7 +7,7 @@ use std::fmt::Write;
 
 /// Holds a page's part between marks to what it should be, or writes it there.
 #[track_caller]
-fn hold(page: &str, mark: &str, want: &str) {
+pub(crate) fn hold(page: &str, mark: &str, want: &str) {
     let text = read(page);
     let (open, close) = (format!("<!-- {mark} -->\n"), format!("<!-- /{mark} -->"));
     let begin = text
@@ -56,7 +56,7 @@ const TRUNK: [&str; 7] = [
     "CC",
 ];
 
-fn number(value: &Value) -> f64 {
+pub(crate) fn number(value: &Value) -> f64 {
     value
         .as_f64()
         .unwrap_or_else(|| panic!("no number: {value}"))
@@ -94,7 +94,7 @@ fn limbs(score: &Value) -> String {
 }
 
 /// With a true minus sign.
-fn signed(text: &str) -> String {
+pub(crate) fn signed(text: &str) -> String {
     text.replace('-', "−")
 }
 

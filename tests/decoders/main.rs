@@ -244,7 +244,7 @@ fn files_of_a_store() {
         format!("parts/{}/{hex}", &hex[..2]),
     ];
     let mut files: Vec<PathBuf> = names.iter().map(|name| cache.join(name)).collect();
-    files.extend(["index", "files.json", "last-run"].map(|name| cache.join(name)));
+    files.extend(["index", "files.json", "last-run", "noted"].map(|name| cache.join(name)));
     let runs = std::fs::read_dir(cache.join("runs")).unwrap();
     files.extend(runs.map(|e| e.unwrap().path()));
     files.retain(|path| path.exists());

@@ -1,4 +1,4 @@
-//! `tailor plan`, `why`, `graph`, `stages`, `check`: answers that run nothing.
+//! `plan`, `why`, `graph`, `stages`, `check`: answers that run nothing.
 
 use super::arguments::Wanted;
 use super::fault::Fault;
@@ -18,7 +18,7 @@ use serde_json::{Value, json};
 use stage::Files;
 use std::path::Path;
 
-/// Arguments of `tailor plan`.
+/// Arguments of `plan`.
 #[derive(Args)]
 pub(crate) struct PlanArgs {
     #[command(flatten)]
@@ -31,7 +31,7 @@ pub(crate) struct PlanArgs {
     each: Vec<String>,
 }
 
-/// Arguments of `tailor why`.
+/// Arguments of `why`.
 #[derive(Args)]
 pub(crate) struct Why {
     /// The node
@@ -40,7 +40,7 @@ pub(crate) struct Why {
     wanted: Wanted,
 }
 
-/// Arguments of `tailor graph`.
+/// Arguments of `graph`.
 #[derive(Args)]
 pub(crate) struct Drawing {
     #[command(flatten)]
@@ -72,7 +72,7 @@ fn planned(wanted: &Wanted, global: &GlobalArgs) -> Result<Answer, Fault> {
     })
 }
 
-/// `tailor plan`.
+/// `plan`.
 pub(crate) fn plan(args: &PlanArgs, global: &GlobalArgs) -> Result<(), Fault> {
     let wanted = &args.wanted;
     if args.strands {
@@ -138,7 +138,7 @@ fn short(text: &str) -> &str {
     if hash { &text[..12] } else { text }
 }
 
-/// `tailor why NODE`: the node and all that is to blame, back to every root cause.
+/// `why NODE`: the node and all that is to blame, back to every root cause.
 pub(crate) fn why(why: &Why, global: &GlobalArgs) -> Result<(), Fault> {
     let answer = planned(&why.wanted, global)?;
     let Answer { graph, plan, .. } = &answer;
@@ -166,7 +166,7 @@ pub(crate) fn why(why: &Why, global: &GlobalArgs) -> Result<(), Fault> {
     Ok(())
 }
 
-/// `tailor graph`.
+/// `graph`.
 pub(crate) fn graph(drawing: &Drawing, global: &GlobalArgs) -> Result<(), Fault> {
     let (graph, _) = open(&drawing.wanted, global)?;
     // Without its inputs nobody knows what would run.
@@ -182,7 +182,7 @@ pub(crate) fn graph(drawing: &Drawing, global: &GlobalArgs) -> Result<(), Fault>
     Ok(())
 }
 
-/// `tailor stages --json-schema`.
+/// `stages --json-schema`.
 pub(crate) fn schema(global: &GlobalArgs) -> Result<(), Fault> {
     let schema = crate::schema::schema(global.catalog().stages());
     let text = serde_json::to_string_pretty(&schema).expect("bug: JSON");
@@ -190,7 +190,7 @@ pub(crate) fn schema(global: &GlobalArgs) -> Result<(), Fault> {
     Ok(())
 }
 
-/// `tailor stages`.
+/// `stages`.
 pub(crate) fn stages(name: Option<&str>, global: &GlobalArgs) -> Result<(), Fault> {
     let fits = |s: &dyn stage::AnyStage| {
         name.is_none_or(|n| s.name() == n || s.name().split('.').next() == Some(n))
@@ -225,7 +225,7 @@ pub(crate) fn stages(name: Option<&str>, global: &GlobalArgs) -> Result<(), Faul
     Ok(())
 }
 
-/// `tailor pipelines`: all with what they are for, or the text of one.
+/// `pipelines`: all with what they are for, or the text of one.
 pub(crate) fn pipelines(name: Option<&str>, global: &GlobalArgs) -> Result<(), Fault> {
     let catalog = global.catalog();
     if let Some(name) = name {
@@ -257,7 +257,7 @@ pub(crate) fn pipelines(name: Option<&str>, global: &GlobalArgs) -> Result<(), F
     Ok(())
 }
 
-/// `tailor check`.
+/// `check`.
 pub(crate) fn check(pipeline: &Path, global: &GlobalArgs) -> Result<(), Fault> {
     match recipe::open(pipeline, &Overrides::default(), global.catalog()) {
         Ok(graph) => {

@@ -1,4 +1,4 @@
-//! `tailor cache ls|du|runs|pin|unpin|pins|gc|forget|verify`; `cli/store.rs` has the rest.
+//! `cache ls|du|runs|pin|unpin|pins|gc|forget|verify`; `cli/store.rs` has the rest.
 
 use super::fault::Fault;
 use super::program::GlobalArgs;
@@ -13,7 +13,7 @@ use serde_json::{Value, json};
 use std::collections::BTreeMap;
 use std::path::PathBuf;
 
-/// Arguments of `tailor cache`.
+/// Arguments of `cache`.
 #[derive(Args)]
 pub(crate) struct Cache {
     #[command(subcommand)]

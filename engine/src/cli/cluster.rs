@@ -1,4 +1,4 @@
-//! `tailor submit`, `status` and `cancel`: a plan on Slurm, fire and forget.
+//! `submit`, `status` and `cancel`: a plan on Slurm, fire and forget.
 
 use super::dask;
 use super::fault::Fault;
@@ -31,7 +31,7 @@ fn engine(text: &str) -> Result<Engine, String> {
     }
 }
 
-/// Arguments of `tailor submit`.
+/// Arguments of `submit`.
 #[derive(Args)]
 pub(crate) struct Submit {
     /// The plan that `--strands` told, or its first digits
@@ -62,7 +62,7 @@ pub(crate) struct Submit {
     logs: Option<PathBuf>,
 }
 
-/// Arguments of `tailor status` and `tailor cancel`.
+/// Arguments of `status` and `cancel`.
 #[derive(Args)]
 pub(crate) struct Asked {
     /// The plan that was submitted, or its first digits
@@ -72,7 +72,7 @@ pub(crate) struct Asked {
     engine: Engine,
 }
 
-/// `tailor submit`: sends what is neither done nor sent. To say it again sends nothing twice.
+/// `submit`: sends what is neither done nor sent. To say it again sends nothing twice.
 pub(crate) fn submit(args: &Submit, global: &GlobalArgs) -> Result<(), Fault> {
     let Known {
         name,
@@ -187,7 +187,7 @@ fn wish(args: &Submit, global: &GlobalArgs) -> Result<Wish, Fault> {
     })
 }
 
-/// `tailor status`: what is done by the store; Slurm is asked once to explain what is missing.
+/// `status`: what is done by the store; Slurm is asked once to explain what is missing.
 pub(crate) fn status(asked: &Asked, global: &GlobalArgs) -> Result<(), Fault> {
     let Known {
         name,
@@ -261,7 +261,7 @@ pub(crate) fn status(asked: &Asked, global: &GlobalArgs) -> Result<(), Fault> {
     }
 }
 
-/// `tailor cancel`: ends what is alive; what is done stays.
+/// `cancel`: ends what is alive; what is done stays.
 pub(crate) fn cancel(asked: &Asked, global: &GlobalArgs) -> Result<(), Fault> {
     let store = Store::open(&global.cache).map_err(Fault::input)?;
     let (name, plan) = Plan::read(&store, &asked.plan).map_err(Fault::input)?;

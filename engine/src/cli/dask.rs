@@ -22,7 +22,7 @@ pub(super) fn submit(
     cpus: usize,
     global: &GlobalArgs,
 ) -> Result<(), Fault> {
-    let tasks = cluster::tasks(name, plan, layers);
+    let tasks = cluster::tasks(global.program().name, name, plan, layers);
     let cache = std::path::absolute(&global.cache).map_err(Fault::input)?;
     let program = itself::program(global)?;
     let cpus = cpus.max(1).to_string();
@@ -132,11 +132,13 @@ pub(super) fn cancel(address: &str, name: &str, global: &GlobalArgs) -> Result<(
 }
 
 fn dask<'a>(address: &'a str, plan: &'a str, global: &GlobalArgs) -> Dask<'a> {
-    let name = format!("{}-dask", global.program().name);
+    let program = global.program().name;
+    let name = format!("{program}-dask");
     let adapter = itself::beside(&name).unwrap_or_else(|| name.into());
     Dask {
         adapter,
         address,
+        program,
         plan,
     }
 }

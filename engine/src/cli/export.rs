@@ -1,4 +1,4 @@
-//! `tailor export`: a plan as rules for another engine.
+//! `export`: a plan as rules for another engine.
 
 use super::fault::Fault;
 use super::itself;
@@ -19,7 +19,7 @@ enum Form {
     Snakemake,
 }
 
-/// Arguments of `tailor export`.
+/// Arguments of `export`.
 #[derive(Args)]
 pub(crate) struct Export {
     /// The plan that `--strands` told, or its first digits
@@ -35,7 +35,7 @@ pub(crate) struct Export {
     out: Option<PathBuf>,
 }
 
-/// `tailor export`: a plan as rules for another engine, one a strand.
+/// `export`: a plan as rules for another engine, one a strand.
 pub(crate) fn export(args: &Export, global: &GlobalArgs) -> Result<(), Fault> {
     let store = Store::open(&global.cache).map_err(Fault::input)?;
     let (name, plan) = Plan::read(&store, &args.plan).map_err(Fault::input)?;

@@ -1,4 +1,4 @@
-//! `tailor impact`: which nodes a param reaches, and what it would cost to change it.
+//! `impact`: which nodes a param reaches, and what it would cost to change it.
 
 use super::arguments::Change;
 use super::fault::Fault;
@@ -12,7 +12,7 @@ use crate::past::Of;
 use clap::Args;
 use serde_json::{Value, json};
 
-/// Arguments of `tailor impact`.
+/// Arguments of `impact`.
 #[derive(Args)]
 pub(crate) struct ImpactArgs {
     /// A pipeline file (the program's own if not said), then params: PARAM or NODE.PARAM; none is all

@@ -1,4 +1,4 @@
-//! `tailor run`, and what every verb that runs shares.
+//! `run`, and what every verb that runs shares.
 
 use super::arguments::Wanted;
 use super::deliver;
@@ -20,7 +20,7 @@ use clap::Args;
 use std::path::PathBuf;
 use std::sync::atomic::Ordering;
 
-/// Arguments of `tailor run`.
+/// Arguments of `run`.
 #[derive(Args)]
 pub(crate) struct Run {
     #[command(flatten)]

@@ -1,4 +1,4 @@
-//! `tailor show`: one artifact out of the cache as a file.
+//! `show`: one artifact out of the cache as a file.
 
 use super::arguments::Change;
 use super::fault::Fault;
@@ -13,7 +13,7 @@ use serde_json::{Value, json};
 use stage::Hash;
 use std::path::{Path, PathBuf};
 
-/// Arguments of `tailor show`.
+/// Arguments of `show`.
 #[derive(Args)]
 pub(crate) struct Show {
     /// The node

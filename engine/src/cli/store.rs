@@ -1,4 +1,4 @@
-//! `tailor cache store|push|sweep-store|keygen`: the store that machines share.
+//! `cache store|push|sweep-store|keygen`: the store that machines share.
 
 use super::fault::Fault;
 use super::program::GlobalArgs;

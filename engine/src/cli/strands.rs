@@ -1,4 +1,4 @@
-//! `tailor plan --strands`, `sweep --strands`, and `tailor work`: the protocol behind every cluster.
+//! `plan --strands`, `sweep --strands`, and `work`: the protocol behind every cluster.
 
 use super::arguments::Wanted;
 use super::fault::Fault;
@@ -20,7 +20,7 @@ use std::path::Path;
 use std::sync::Mutex;
 use std::sync::atomic::Ordering;
 
-/// Arguments of `tailor work`.
+/// Arguments of `work`.
 #[derive(Args)]
 pub(crate) struct Work {
     /// The plan that `--strands` told, or its first digits
@@ -31,7 +31,7 @@ pub(crate) struct Work {
     strand: String,
 }
 
-/// `tailor plan --strands`: the plan of a run, or of one of each folder.
+/// `plan --strands`: the plan of a run, or of one of each folder.
 pub(crate) fn plan(wanted: &Wanted, each: &[String], global: &GlobalArgs) -> Result<(), Fault> {
     let pipeline = Pipeline::read(&wanted.pipeline, global.catalog()).map_err(Fault::mistakes)?;
     let point = Overrides {
@@ -166,7 +166,7 @@ impl Watch for Ear<'_> {
     }
 }
 
-/// `tailor work`: strands of a plan, one after the other; one that fails does not stop the others.
+/// `work`: strands of a plan, one after the other; one that fails does not stop the others.
 pub(crate) fn work(work: &Work, global: &GlobalArgs) -> Result<(), Fault> {
     let places = places(&work.strand)?;
     let store = Store::open(&global.cache).map_err(Fault::input)?;

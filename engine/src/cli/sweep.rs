@@ -1,4 +1,4 @@
-//! `tailor sweep`: every point of a sweep, one table.
+//! `sweep`: every point of a sweep, one table.
 
 use super::fault::Fault;
 use super::open::{folders, options};

@@ -9,7 +9,7 @@ use crate::sweep::{self, Axis, Point, Points, axes};
 use clap::{Args, FromArgMatches};
 use std::path::PathBuf;
 
-/// Arguments of `tailor sweep`.
+/// Arguments of `sweep`.
 #[derive(Args)]
 pub struct SweepArgs {
     /// The pipeline file

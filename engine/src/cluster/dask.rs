@@ -1,4 +1,4 @@
-//! A plan on Dask: tasks with what they wait for, handed to the adapter `tailor-dask` of the Python package.
+//! A plan on Dask: tasks with what they wait for, handed to the adapter `PROGRAM-dask`.
 
 use super::layers::Layer;
 use crate::strands::Plan;
@@ -33,12 +33,12 @@ pub enum DaskError {
 }
 
 /// How the names of a plan's tasks begin.
-fn prefix(plan: &str) -> String {
-    format!("tailor-{}-s", &plan[..12])
+fn prefix(program: &str, plan: &str) -> String {
+    format!("{program}-{}-s", &plan[..12])
 }
 
-/// The tasks of what is left of a plan, packed as the layers say.
-pub fn tasks(name: &str, plan: &Plan, layers: &[Layer]) -> Vec<Task> {
+/// The tasks of what is left of a plan, packed as the layers say, named after the program.
+pub fn tasks(program: &str, name: &str, plan: &Plan, layers: &[Layer]) -> Vec<Task> {
     let elements = layers
         .iter()
         .flat_map(|layer| layer.elements.iter().map(move |e| layer.of(*e)));
@@ -55,7 +55,7 @@ pub fn tasks(name: &str, plan: &Plan, layers: &[Layer]) -> Vec<Task> {
             format!("{first}-{last}")
         }
     };
-    let key = |at: usize| format!("{}{}", prefix(name), text(at));
+    let key = |at: usize| format!("{}{}", prefix(program, name), text(at));
     let task = |at: usize| {
         let reads = elements[at].clone().flat_map(|s| &plan.strands[s].reads);
         let after: BTreeSet<usize> = reads
@@ -78,6 +78,8 @@ pub struct Dask<'a> {
     pub adapter: PathBuf,
     /// The scheduler's address.
     pub address: &'a str,
+    /// What the program is called: tasks are named after it.
+    pub program: &'a str,
     /// The plan's name.
     pub plan: &'a str,
 }
@@ -121,7 +123,7 @@ impl Dask<'_> {
     fn ask(&self, verb: &str, mut asked: Value) -> Result<Value, DaskError> {
         asked["verb"] = verb.into();
         asked["address"] = self.address.into();
-        asked["prefix"] = prefix(self.plan).into();
+        asked["prefix"] = prefix(self.program, self.plan).into();
         let name = self.adapter.display().to_string();
         let mut command = Command::new(&self.adapter);
         let command = command.stdin(Stdio::piped()).stdout(Stdio::piped());

@@ -97,8 +97,8 @@ mod tests {
 
     #[test]
     fn lines_of_slurm_are_read_and_memory_grows_by_half() {
-        let names = ["tailor-a-L0", "tailor-a-L1"].map(str::to_owned);
-        let queue = "7|tailor-a-L1|OUT_OF_MEMORY|4G|OutOfMemory\n7|tailor-a-L1|FAILED|9G|NonZeroExitCode\n8|other|RUNNING|4G|None";
+        let names = ["words-a-L0", "words-a-L1"].map(str::to_owned);
+        let queue = "7|words-a-L1|OUT_OF_MEMORY|4G|OutOfMemory\n7|words-a-L1|FAILED|9G|NonZeroExitCode\n8|other|RUNNING|4G|None";
         let sent: Vec<Sent> = queue
             .lines()
             .filter_map(|l| Sent::queued(l, &names))
@@ -112,7 +112,7 @@ mod tests {
             (more(0, None), more(0, Some("1G"))),
             (None, Some("1G".into()))
         );
-        let past = "7_3|tailor-a-L0|OUT_OF_MEMORY|4000Mn\n7_4|tailor-a-L0|CANCELLED by 12|1G\n";
+        let past = "7_3|words-a-L0|OUT_OF_MEMORY|4000Mn\n7_4|words-a-L0|CANCELLED by 12|1G\n";
         let sent: Vec<Sent> = past
             .lines()
             .filter_map(|l| Sent::remembered(l, &names))

@@ -13,6 +13,9 @@ use stage::Hash;
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
 
+/// A hash over all folders and contents that the last run noted.
+const NOTED: &str = "noted";
+
 /// What went.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Forgotten {
@@ -37,13 +40,35 @@ struct Link {
 }
 
 impl Store {
-    /// Notes that the files of a folder had this content.
-    pub fn note_capture(&self, content: Hash, folder: &Path) {
-        let (mut folders, folder) = (self.folders_of(content), folder.display().to_string());
-        if !folders.contains(&folder) {
-            folders.push(folder);
-            let _ = self.write(&capture(content), &json(&folders));
+    /// Notes what the files of each folder had as content. What a run notes as the one before did is looked at
+    /// once, not input by input.
+    pub(crate) fn note_captures(&self, all: &[(Hash, &Path)]) {
+        let mut digest = blake3::Hasher::new();
+        for (content, folder) in all {
+            digest.update(content.as_bytes());
+            let folder = folder.as_os_str().as_encoded_bytes();
+            digest.update(&(folder.len() as u64).to_le_bytes());
+            digest.update(folder);
         }
+        let digest = digest.finalize().to_hex();
+        let noted = std::fs::read(self.root().join(NOTED)).unwrap_or_default();
+        if noted == digest.as_bytes() {
+            return;
+        }
+        let note = |one: &&(Hash, &Path)| self.note_capture(one.0, one.1);
+        if all.iter().filter(note).count() == all.len() {
+            let _ = self.write(NOTED, digest.as_bytes());
+        }
+    }
+
+    /// Notes that the files of a folder had this content; whether that stands there now.
+    pub fn note_capture(&self, content: Hash, folder: &Path) -> bool {
+        let (mut folders, folder) = (self.folders_of(content), folder.display().to_string());
+        if folders.contains(&folder) {
+            return true;
+        }
+        folders.push(folder);
+        self.write(&capture(content), &json(&folders)).is_ok()
     }
 
     fn folders_of(&self, content: Hash) -> Vec<String> {
@@ -115,6 +140,8 @@ pub fn forget(store: &Store, folder: &Path) -> Result<Forgotten, StoreError> {
     let folder = whole.or_else(|_| std::path::absolute(folder));
     let folder = folder.unwrap_or_default();
     let below = |text: &String| Path::new(text).starts_with(&folder);
+    // First, so that nobody goes by it when this is cut off.
+    own::remove(root, &[], NOTED);
     let (mut mine, mut others) = (BTreeSet::new(), BTreeMap::new());
     for name in own::files(root, "captures", own::is_hash) {
         let Ok(content) = Hash::from_hex(&name) else {
@@ -217,4 +244,30 @@ fn forget_runs(store: &Store, fits: &dyn Fn(&String) -> bool, forgotten: &mut Fo
     }
     own::remove(root, &[], "last-run");
     forgotten.runs = going.len();
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_was_noted_is_not_looked_at_again_until_it_is_forgotten() {
+        let place = tempfile::tempdir().unwrap();
+        let store = Store::open(&place.path().join("cache")).unwrap();
+        let (content, folder) = (blake3::hash(b"photos"), place.path().join("photos"));
+        let mark = store.root().join(capture(content));
+        store.note_captures(&[(content, &folder)]);
+        assert_eq!(store.folders_of(content).len(), 1);
+        std::fs::remove_file(&mark).unwrap();
+        store.note_captures(&[(content, &folder)]);
+        assert!(!mark.exists(), "one look, and no more");
+        // Another folder with the same content, and both.
+        let other = place.path().join("other");
+        store.note_captures(&[(content, &folder), (content, &other)]);
+        assert_eq!(store.folders_of(content).len(), 2);
+        forget(&store, &folder).unwrap();
+        assert_eq!(store.folders_of(content), [other.display().to_string()]);
+        store.note_captures(&[(content, &folder), (content, &other)]);
+        assert_eq!(store.folders_of(content).len(), 2);
+    }
 }

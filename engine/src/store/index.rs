@@ -7,7 +7,7 @@
 //! what is loaded to be used is verified whatever the index says.
 //!
 //! ```text
-//! 0    magic "TAILORIX"     8 bytes
+//! 0    magic "STAGEIDX"     8 bytes (before version 0.2.0 "TAILORIX": the same layout)
 //! 8    blake3 of the rest   32 bytes
 //! 40   entries: key 32, content 32, size u64, inode u64, changed i64, seconds f64,
 //!      length of notes u32, notes (JSON: metrics and warnings; empty for none)
@@ -21,7 +21,11 @@ use std::collections::HashMap;
 use std::hash::{BuildHasherDefault, Hasher};
 use std::path::Path;
 
-const MAGIC: &[u8; 8] = b"TAILORIX";
+const MAGIC: &[u8; 8] = b"STAGEIDX";
+
+/// What it said before the engine was a crate of its own: the same layout.
+const FORMER: &[u8; 8] = b"TAILORIX";
+
 const RACY_NS: i64 = 1_000_000_000;
 /// Of an entry without notes.
 const LEAST_ENTRY_BYTES: usize = 100;
@@ -155,7 +159,8 @@ impl Index {
 
 fn parse(file: &[u8]) -> Option<Entries> {
     let mut rest = file.get(40..)?;
-    if &file[..8] != MAGIC || blake3::hash(rest).as_bytes() != &file[8..40] {
+    let known = [MAGIC, FORMER].iter().any(|magic| file[..8] == **magic);
+    if !known || blake3::hash(rest).as_bytes() != &file[8..40] {
         return None;
     }
     fn take<const N: usize>(rest: &mut &[u8]) -> Option<[u8; N]> {
@@ -220,6 +225,8 @@ mod tests {
         }
         let bytes = index.bytes(i64::MAX);
         assert_eq!(parse(&bytes).unwrap().len(), 3);
+        let former = [FORMER.as_slice(), &bytes[MAGIC.len()..]].concat();
+        assert_eq!(parse(&former).unwrap().len(), 3);
         for end in 0..bytes.len() {
             assert!(parse(&bytes[..end]).is_none(), "{end}");
         }

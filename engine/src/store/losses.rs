@@ -1,5 +1,5 @@
 //! The protocol of publishing, held against a disk that fails at each of its steps and one that loses
-//! power after each. `TAILOR_LOSSES=1000` takes so many sequences of steps, `TAILOR_LOSSES_SEED` others.
+//! power after each. `ENGINE_LOSSES=1000` takes so many sequences of steps, `ENGINE_LOSSES_SEED` others.
 
 use super::index::Index;
 use super::simulated::{Simulated, after_loss};
@@ -89,8 +89,8 @@ fn simulated(root: &Path, disk: &Simulated) -> std::result::Result<Store, StoreE
 
 fn rounds(usual: u64) -> std::ops::Range<u64> {
     let number = |name: &str, usual| std::env::var(name).map_or(usual, |n| n.parse().unwrap());
-    let seed = number("TAILOR_LOSSES_SEED", 1) << 32;
-    seed..seed + number("TAILOR_LOSSES", usual)
+    let seed = number("ENGINE_LOSSES_SEED", 1) << 32;
+    seed..seed + number("ENGINE_LOSSES", usual)
 }
 
 #[test]

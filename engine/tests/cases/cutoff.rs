@@ -107,15 +107,12 @@ fn a_failure_is_not_cached_and_others_go_on() {
 fn a_store_of_another_layout_is_refused() {
     let place = Place::new("hello\n");
     place.run(1);
-    std::fs::write(place.cache().join("format"), "tailor store 99\n").unwrap();
+    std::fs::write(place.cache().join("format"), "stage store 99\n").unwrap();
     let Err(error) = Store::open(&place.cache()) else {
         panic!("it was opened")
     };
     let error = error.to_string();
-    assert!(
-        error.contains("another layout (tailor store 99)"),
-        "{error}"
-    );
+    assert!(error.contains("another layout (stage store 99)"), "{error}");
     // What a loss of power leaves is no layout.
     for torn in [&b""[..], &[0; 15]] {
         std::fs::write(place.cache().join("format"), torn).unwrap();

@@ -50,7 +50,7 @@ fn every_file_of_the_store_may_be_garbled() {
         .into_iter()
         .flat_map(|s| place.shelf(s))
         .collect();
-    files.extend(["index", "files.json", "last-run"].map(|f| place.cache().join(f)));
+    files.extend(["index", "files.json", "last-run", "noted"].map(|f| place.cache().join(f)));
     files.extend(
         std::fs::read_dir(place.cache().join("runs"))
             .unwrap()

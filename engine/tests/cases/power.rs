@@ -2,7 +2,7 @@
 //!
 //! What was not synced when power went may be whole, empty, cut, full of zeros or under no name, in any
 //! mixture, for a disk writes in the order that it likes. Here that happens to every file alike, synced
-//! or not, so all that a disk can come to is among it. `TAILOR_LOSSES=1000` takes more of them.
+//! or not, so all that a disk can come to is among it. `ENGINE_LOSSES=1000` takes more of them.
 
 use crate::place::{Log, NONE, Place};
 use crate::processes::{start, wide};
@@ -47,8 +47,8 @@ fn lose(path: &Path, dice: &mut Dice) {
 
 #[test]
 fn a_loss_of_power_costs_work_and_nothing_else() {
-    let losses: i64 = std::env::var("TAILOR_LOSSES").map_or(50, |n| n.parse().unwrap());
-    let seed: u64 = std::env::var("TAILOR_LOSSES_SEED").map_or(1, |n| n.parse().unwrap());
+    let losses: i64 = std::env::var("ENGINE_LOSSES").map_or(50, |n| n.parse().unwrap());
+    let seed: u64 = std::env::var("ENGINE_LOSSES_SEED").map_or(1, |n| n.parse().unwrap());
     let (mut dice, mut lost) = (Dice(seed), 0);
     let place = Place::new("hello\n");
     let contents = |cache: &Path, n: i64| {

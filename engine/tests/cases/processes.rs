@@ -189,8 +189,8 @@ fn two_hundred_kills_at_random_moments_leave_a_clean_store() {
     let place = Place::new("hello\n");
     let mut dice = Dice(1);
     let mut killed = 0;
-    // `TAILOR_KILLS=1000` takes more of them.
-    let kills = std::env::var("TAILOR_KILLS").map_or(200, |n| n.parse().unwrap());
+    // `ENGINE_KILLS=1000` takes more of them.
+    let kills = std::env::var("ENGINE_KILLS").map_or(200, |n| n.parse().unwrap());
     for i in 0..kills {
         let job = format!("2 10 1 {}", i / 20);
         let mut child = start(&place, &job);

@@ -256,8 +256,13 @@ fn somebody_else_s_bucket_and_another_layout_are_refused() {
     assert!(begin(&strange).contains("not empty and holds no store (holiday/1.jpg"));
     assert_eq!(strange.names(""), ["holiday/1.jpg"]);
     let other = Bucket::new();
-    other.write("format", b"tailor shared store 9 x\n");
+    other.write("format", b"stage shared store 9 x\n");
     assert!(begin(&other).contains("another"));
+    // As the engine wrote it while it bore the name of its first product.
+    let former = Bucket::new();
+    let mark = format!("tailor shared store 1 {}\n", "a1".repeat(32));
+    former.write("format", mark.as_bytes());
+    assert_eq!(begin(&former), "");
 }
 
 #[test]

@@ -183,7 +183,7 @@ fn a_store_that_lies_with_a_true_signature_is_not_believed() {
             let end = bytes.iter().position(|b| *b == b'\n').unwrap();
             let old = String::from_utf8(bytes[..end].to_vec()).unwrap();
             let words: Vec<&str> = old.split(' ').collect();
-            let new = format!("tailor shared 1 {} {} {}", words[3], words[4], words[5]);
+            let new = format!("stage shared 1 {} {} {}", words[3], words[4], words[5]);
             bytes.splice(..end, new.into_bytes());
         });
     }

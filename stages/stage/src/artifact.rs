@@ -15,6 +15,8 @@ use serde::{Deserialize, Serialize, de::DeserializeOwned};
 
 pub use blake3::{Hash, hash};
 
+/// The format's name, whatever program writes it. A result is named by the hash of all its bytes, these
+/// eight with them: others would give every result another name, and no cache would hit.
 const MAGIC: &[u8; 8] = b"TAILORAF";
 const CONTAINER: u32 = 1;
 const PREFIX: usize = 24;

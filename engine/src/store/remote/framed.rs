@@ -1,8 +1,8 @@
 //! A record as it lies in a shared store: the file that it is on disk, and behind it a small result.
 //!
 //! ```text
-//! tailor shared 1 NONCE RECORD_BYTES BLOB_BYTES\n
-//! or, if somebody signs: tailor shared 2 NONCE RECORD_BYTES BLOB_BYTES SIGNATURE\n
+//! stage shared 1 NONCE RECORD_BYTES BLOB_BYTES\n
+//! or, if somebody signs: stage shared 2 NONCE RECORD_BYTES BLOB_BYTES SIGNATURE\n
 //! the file of the record
 //! the result, if it is small; else it is a blob of its own
 //! ```
@@ -12,7 +12,10 @@
 use super::super::record::{Record, Unread, parse as parse_record};
 use stage::Hash;
 
-const MAGIC: &str = "tailor shared ";
+const MAGIC: &str = "stage shared ";
+
+/// What it was while the engine bore the name of its first product: the same layout.
+const FORMER: &str = "tailor shared ";
 const VERSION: &str = "1";
 
 /// With a signature.
@@ -55,7 +58,8 @@ pub(super) fn parse(object: &[u8], key: Hash) -> Result<Framed, Unread> {
     let end = object.iter().take(HEAD_MOST).position(|b| *b == b'\n');
     let end = end.ok_or(Unread::Corrupt)?;
     let head = std::str::from_utf8(&object[..end]).map_err(|_| Unread::Corrupt)?;
-    let words = head.strip_prefix(MAGIC).ok_or(Unread::Corrupt)?;
+    let words = head.strip_prefix(MAGIC).or(head.strip_prefix(FORMER));
+    let words = words.ok_or(Unread::Corrupt)?;
     let words: Vec<&str> = words.split(' ').collect();
     let (record, blob, signature) = match words[..] {
         [VERSION, _, record, blob] => (record, blob, None),
@@ -121,6 +125,8 @@ mod tests {
             let read = parse(&object, key).ok().expect("whole");
             assert_eq!((&read.record, read.blob.as_deref()), (&record, blob));
             assert_eq!(read.signature.as_deref(), word);
+            let former = [FORMER.as_bytes(), &object[MAGIC.len()..]].concat();
+            assert_eq!(parse(&former, key).ok().expect("whole").record, record);
             for end in 0..object.len() {
                 assert!(parse(&object[..end], key).is_err(), "{end}");
             }

@@ -3,8 +3,11 @@
 use super::objects::{Created, Objects, Trouble, whole};
 use stage::Hash;
 
-/// What `format` begins with: `tailor shared store 1 IDENTITY`.
-const FORMAT: &str = "tailor shared store 1 ";
+/// What `format` begins with: `stage shared store 1 IDENTITY`.
+const FORMAT: &str = "stage shared store 1 ";
+
+/// What it began with while the engine bore the name of its first product: the same layout.
+const FORMER: &str = "tailor shared store 1 ";
 
 const NAME: &str = "format";
 
@@ -84,7 +87,8 @@ fn text(identity: Hash) -> String {
 
 fn read(bytes: &[u8]) -> Result<Identity, Trouble> {
     let text = String::from_utf8_lossy(bytes);
-    let hex = text.trim().strip_prefix(FORMAT);
+    let marks = [FORMAT, FORMER].iter();
+    let hex = marks.filter_map(|m| text.trim().strip_prefix(m)).next();
     let hash = hex.and_then(|hex| Hash::from_hex(hex).ok());
     hash.map(|hash| Identity(*hash.as_bytes())).ok_or_else(|| {
         let found: String = text.trim().chars().filter(|c| !c.is_control()).take(40).collect();

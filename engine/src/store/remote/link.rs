@@ -8,7 +8,7 @@ use super::handshake::{self, Honest, Identity};
 use super::inventory::Inventory;
 use super::known::Known;
 use super::objects::{Objects, Trouble};
-use super::seal::{Seal, message};
+use super::seal::{Seal, former_message, message};
 use stage::Hash;
 use std::collections::{BTreeSet, VecDeque};
 use std::path::{Path, PathBuf};
@@ -157,8 +157,9 @@ impl Link {
         let Some(seal) = self.seal.as_ref().filter(|seal| seal.is_strict()) else {
             return true;
         };
+        let messages = [message, former_message].map(|of| of(key, &theirs.file));
         let signature = theirs.signature.as_ref();
-        signature.is_some_and(|word| seal.believes(&message(key, &theirs.file), word))
+        signature.is_some_and(|word| messages.iter().any(|m| seal.believes(m, word)))
     }
 
     /// Says once that somebody is not believed.

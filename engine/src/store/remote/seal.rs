@@ -19,5 +19,12 @@ pub trait Seal: Send + Sync {
 
 /// What is signed of a record: its key and its file, in which the hash of its result stands.
 pub(super) fn message(key: Hash, file: &[u8]) -> Vec<u8> {
-    [b"tailor shared record 1\n", key.as_bytes().as_slice(), file].concat()
+    let head = b"stage shared record 1\n";
+    [head, key.as_bytes().as_slice(), file].concat()
+}
+
+/// What was signed while the engine bore the name of its first product.
+pub(super) fn former_message(key: Hash, file: &[u8]) -> Vec<u8> {
+    let head = b"tailor shared record 1\n";
+    [head, key.as_bytes().as_slice(), file].concat()
 }

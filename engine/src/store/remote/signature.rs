@@ -1,6 +1,6 @@
 //! Signatures by ed25519, and the files of their keys.
 //!
-//! A signing key: the line `tailor signing key 1`, then 32 bytes in hexadecimal; for its owner only. Beside it
+//! A signing key: the line `stage signing key 1`, then 32 bytes in hexadecimal; for its owner only. Beside it
 //! `.pub`: `ed25519 HEX`. A list of those who are trusted has such a line for each; `#` begins a comment.
 //! A signature is the word `ed25519:WHO:SIGNATURE`, both hexadecimal.
 
@@ -11,7 +11,10 @@ use ring::signature::{ED25519, Ed25519KeyPair, KeyPair, UnparsedPublicKey};
 use std::io::Write;
 use std::path::{Path, PathBuf};
 
-const HEAD: &str = "tailor signing key 1";
+const HEAD: &str = "stage signing key 1";
+
+/// What it was while the engine bore the name of its first product.
+const FORMER: &str = "tailor signing key 1";
 
 const METHOD: &str = "ed25519";
 
@@ -121,7 +124,7 @@ fn signing(path: &Path) -> Result<(Ed25519KeyPair, String), NoKey> {
     }
     let mut lines = text.lines();
     let seed = match (lines.next(), lines.next()) {
-        (Some(HEAD), Some(seed)) => unhex::<32>(seed.trim()),
+        (Some(HEAD | FORMER), Some(seed)) => unhex::<32>(seed.trim()),
         _ => None,
     };
     let pair = seed.and_then(|seed| Ed25519KeyPair::from_seed_unchecked(&seed).ok());
@@ -260,6 +263,9 @@ mod tests {
         assert!(told(Some("a.pub"), None).contains("is no signing key"));
         assert!(told(None, Some("none")).contains("has no public key"));
         assert!(told(None, Some("odd")).contains("line 1 is no public key"));
+        assert_eq!(told(Some("a"), Some("a.pub")), "");
+        let secret = std::fs::read_to_string(file("a")).unwrap();
+        std::fs::write(file("a"), secret.replace(HEAD, FORMER)).unwrap();
         assert_eq!(told(Some("a"), Some("a.pub")), "");
         #[cfg(unix)]
         {

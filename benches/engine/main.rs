@@ -1,11 +1,17 @@
 //! The engine's own cost, beside ninja and make on the same graph: `cargo bench --bench engine`.
 //!
-//! WIDTH chains of ten stages that copy what they read. Each time is that of a whole process; the
-//! least of several, since others use the machine too. `ninja` or `make` is left out where absent.
+//! WIDTH chains of ten stages that copy what they read. Each time is that of a whole process; the least of several
+//! rounds, in which the tools take turns, since others use the machine too. `ninja` or `make` is left out where absent.
+//! `-- 100 1000 10000 --json FILE` writes what it measured, from which the table in docs/performance.md is made; TMPDIR
+//! says on which disk.
 
+mod beside;
+mod graph;
+mod rows;
+
+use rows::{Row, Table};
 use shape::Document;
 use stage::{Ctx, Files, Stage, Stop, erase};
-use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 use std::sync::Arc;
@@ -77,41 +83,13 @@ static CATALOG: Catalog = Catalog {
 
 const LENGTH: usize = 10;
 
-/// How often what is short is timed, and what is longer.
-const MANY: usize = 40;
-const FEW: usize = 5;
-
-/// The same graph for all three.
-fn write_graph(folder: &Path, width: usize) {
-    let (mut goal, mut toml) = (Vec::new(), String::new());
-    let mut ninja = String::from("rule cat\n  command = cat $in > $out\n");
-    let (mut make, mut all) = (String::new(), String::from("all:"));
-    for w in 0..width {
-        std::fs::write(folder.join(format!("{w}.txt")), format!("source {w}\n")).unwrap();
-        let _ = write!(toml, "[input.s{w}]\nfiles = \"{w}.txt\"\n");
-        let (mut before, mut from) = (format!("{w}.txt"), format!("file = \"@s{w}\""));
-        for l in 0..LENGTH {
-            let (name, verb) = (format!("w{w}l{l}"), if l == 0 { "load" } else { "copy" });
-            let _ = write!(
-                toml,
-                "[node.{name}]\nstage = \"bench.{verb}\"\nfrom = {{ {from} }}\n"
-            );
-            if l > 0 {
-                let _ = writeln!(toml, "with = {{ n = {l} }}");
-            }
-            let _ = writeln!(ninja, "build {name}: cat {before}");
-            let _ = write!(make, "{name}: {before}\n\tcat $< > $@\n");
-            from = format!("text = \"{name}\"");
-            before = name;
-        }
-        let _ = write!(all, " {before}");
-        goal.push(before);
-    }
-    let write = |name: &str, text: String| std::fs::write(folder.join(name), text).unwrap();
-    write("tailor.toml", format!("goal = {goal:?}\n{toml}"));
-    write("build.ninja", ninja);
-    write("Makefile", format!("{all}\n{make}"));
+/// How many rounds a graph of so many nodes gets: what is short is timed more often.
+fn rounds(nodes: usize) -> usize {
+    (400_000 / nodes).clamp(10, 200)
 }
+
+/// Above so many nodes ninja and make are given the state of a first run, which would take them minutes.
+const RUN_FIRST: usize = 10_000;
 
 struct Nobody;
 impl Watch for Nobody {}
@@ -171,70 +149,83 @@ fn time(command: &mut Command) -> (f64, String) {
     (seconds, String::from_utf8_lossy(&out.stdout).into_owned())
 }
 
-/// The least time of several. \[s\]
-fn least(times: usize, mut once: impl FnMut() -> f64) -> f64 {
-    (0..times).map(|_| once()).fold(f64::INFINITY, f64::min)
+/// Our own process in a folder: how long it took \[s\], how many were made, its greatest memory \[KiB\].
+fn ours(verb: &str, folder: &Path) -> (f64, usize, usize) {
+    let mut command = Command::new(std::env::current_exe().unwrap());
+    let (seconds, said) = time(command.args(["--child", verb]).arg(folder));
+    let mut words = said.split_whitespace().map(|w| w.parse().unwrap());
+    (seconds, words.next().unwrap(), words.next().unwrap())
 }
 
-fn bench(width: usize) {
-    let folder = tempfile::tempdir().unwrap();
-    let folder = folder.path();
-    write_graph(folder, width);
+/// All tools on a graph, each in a folder of its own.
+fn bench(width: usize, table: &mut Table) {
+    let place = tempfile::tempdir().unwrap();
     let nodes = width * LENGTH;
-    let ours = |verb: &str| {
-        let mut command = Command::new(std::env::current_exe().unwrap());
-        let (seconds, said) = time(command.args(["--child", verb]).arg(folder));
-        let mut words = said.split_whitespace().map(|w| w.parse::<usize>().unwrap());
-        (seconds, words.next().unwrap(), words.next().unwrap())
-    };
-    let change = |n: usize| std::fs::write(folder.join("0.txt"), format!("change {n}\n")).unwrap();
-    let (cold, made, _) = ours("run");
-    assert_eq!(made, nodes);
-    std::thread::sleep(std::time::Duration::from_millis(2100));
-    // Once to verify what was just made and to hash what was just written, then for the clock.
-    ours("run");
-    let mut peak = 0;
-    let idle = least(MANY, || {
-        let (seconds, made, kib) = ours("run");
-        assert_eq!(made, 0);
-        peak = peak.max(kib);
-        seconds
-    });
-    let plan = least(MANY, || ours("plan").0);
-    let mut n = 0;
-    let one = least(FEW, || {
-        n += 1;
-        change(n);
-        let (seconds, made, _) = ours("run");
-        assert_eq!(made, LENGTH);
-        seconds
-    });
-    let row = |tool: &str, [cold, idle, one]: [f64; 3], more: String| {
-        let stage = cold * 1e3 / nodes as f64;
-        let (idle, one) = (idle * 1e3, one * 1e3);
-        println!(
-            "| {tool} | {nodes} | {cold:.2} s | {stage:.2} ms | {idle:.1} ms | {one:.1} ms | {more} |"
-        );
-    };
-    let memory = peak as f64 / 1024.0;
-    let more = format!("{:.1} ms | {memory:.0} MB", plan * 1e3);
-    row("tailor", [cold, idle, one], more);
-    for tool in ["ninja", "make"] {
-        if Command::new(tool).arg("--version").output().is_err() {
-            println!("| {tool} | {nodes} | absent | | | | | |");
+    let mut rows = Vec::new();
+    for tool in ["tailor", "ninja", "make"] {
+        let folder = place.path().join(tool);
+        if tool != "tailor" && Command::new(tool).arg("--version").output().is_err() {
+            println!("{tool} is absent");
             continue;
         }
-        let outputs = (0..width).flat_map(|w| (0..LENGTH).map(move |l| format!("w{w}l{l}")));
-        outputs.for_each(|o| _ = std::fs::remove_file(folder.join(o)));
-        let run = || time(Command::new(tool).args(["-j2"]).current_dir(folder)).0;
-        let cold = run();
-        let idle = least(MANY, run);
-        let one = least(FEW, || {
-            n += 1;
-            change(n);
-            run()
-        });
-        row(tool, [cold, idle, one], " | ".into());
+        std::fs::create_dir(&folder).unwrap();
+        graph::write(&folder, width);
+        let first = first(tool, &folder, width);
+        rows.push((Row::new(tool, nodes, first), folder));
+    }
+    // What changed within a second of the index being written is looked at once more.
+    std::thread::sleep(std::time::Duration::from_millis(2100));
+    ours("run", &place.path().join("tailor"));
+    for _ in 0..rounds(nodes) {
+        for (row, folder) in &mut rows {
+            let (seconds, kib) = again(&row.tool, folder, 0);
+            row.nothing(seconds);
+            if row.tool == "tailor" {
+                row.memory(kib);
+                row.plan(ours("plan", folder).0);
+            }
+        }
+    }
+    for n in 0..rounds(nodes) / 8 + 2 {
+        for (row, folder) in &mut rows {
+            std::fs::write(folder.join("0.txt"), format!("change {n}\n")).unwrap();
+            row.one(again(&row.tool, folder, LENGTH).0);
+        }
+    }
+    for (row, _) in rows {
+        row.print();
+        table.rows.push(row);
+    }
+}
+
+/// A first run, or what one would leave. How long it took. \[s\]
+fn first(tool: &str, folder: &Path, width: usize) -> Option<f64> {
+    let nodes = width * LENGTH;
+    let took = match tool {
+        "tailor" => {
+            let (seconds, made, _) = ours("run", folder);
+            assert_eq!(made, nodes);
+            return Some(seconds);
+        }
+        _ if nodes > RUN_FIRST => {
+            beside::pretend(folder, width);
+            None
+        }
+        _ => Some(beside::run(tool, folder).0),
+    };
+    beside::assert_done(tool, folder);
+    took
+}
+
+/// One more run: how long it took \[s\], and our greatest memory \[KiB\].
+fn again(tool: &str, folder: &Path, made: usize) -> (f64, usize) {
+    match tool {
+        "tailor" => {
+            let (seconds, really, kib) = ours("run", folder);
+            assert_eq!(really, made);
+            (seconds, kib)
+        }
+        _ => (beside::run(tool, folder).0, 0),
     }
 }
 
@@ -243,16 +234,15 @@ fn main() {
     if let Some(at) = args.iter().position(|a| a == "--child") {
         return child(&args[at + 1], &PathBuf::from(&args[at + 2]));
     }
-    println!(
-        "| tool | nodes | cold | a stage | nothing to do | one source changed | plan | memory |\n\
-         |---|---|---|---|---|---|---|---|"
-    );
+    let json = args.iter().position(|a| a == "--json");
     let widths = args.iter().filter_map(|a| a.parse::<usize>().ok());
-    let widths: Vec<usize> = widths.collect();
-    let widths = if widths.is_empty() {
-        vec![100, 1000]
-    } else {
-        widths
-    };
-    widths.into_iter().for_each(bench);
+    let mut widths: Vec<usize> = widths.collect();
+    if widths.is_empty() {
+        widths = vec![100, 1000];
+    }
+    let mut table = Table::new();
+    widths.into_iter().for_each(|w| bench(w, &mut table));
+    if let Some(at) = json {
+        table.write(Path::new(&args[at + 1]));
+    }
 }

@@ -1,46 +1,15 @@
 //! A fleet on paper: captures measured by many workers that share a bucket, event by event: `cargo bench --bench fleet`.
 //!
 //! Nothing is measured here: who works, what is asked of the bucket and when follow from the assumptions
-//! below and from what `engine/src/store/remote` does. Equal assumptions give equal lines.
+//! in `assumed.rs` and from what `engine/src/store/remote` does. Equal assumptions give equal lines.
+//! `-- --json docs/tables/fleet.json` writes what the table in docs/cluster.md is made from.
 
+mod assumed;
+
+use assumed::*;
+use serde_json::{Value, json};
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
-
-/// A capture: seconds (and below bytes) of each node of `body.toml`, as one run of a made person wrote them into `run.json`
-/// (two cores that others used, too; 266 s).
-#[rustfmt::skip]
-const SECONDS: [f64; 20] = [
-    1.72, 0.0, 0.0, 1.90, 0.04, 0.0, 25.56, 0.02, 1.78, 21.49,
-    3.97, 80.89, 27.21, 25.46, 13.85, 47.50, 0.76, 1.50, 10.46, 1.87,
-];
-
-#[rustfmt::skip]
-const BYTES: [u64; 20] = [
-    4_706_861, 69, 192, 12_520, 3_648, 3_648, 931_472,
-    3_648, 2_593_408, 3_648, 2_591_360, 519_296, 3_648, 68_960,
-    272_768, 1_063_936, 32_747, 36_559, 15_065_088, 3_939_545,
-];
-
-/// From a request to the first byte of its answer. \[s\]
-const ANSWER_S: f64 = 0.05;
-/// What a part of the bucket takes: requests that read and requests that write. \[1/s\]
-const READS: f64 = 5500.0;
-const WRITES: f64 = 3500.0;
-/// Of one worker. \[bytes/s\]
-const WORKER_BYTES: f64 = 50e6;
-/// A node takes up to so much more or less than the one above.
-const SPREAD: f64 = 0.3;
-/// Results up to this size ride in the record; of larger ones than that it is asked first.
-const SMALL: u64 = 64 << 10;
-const WORTH_ASKING: u64 = 1 << 20;
-/// Of a plan, a capture's share: 36 files by name, hash and size, and its strand. \[bytes\]
-const PLAN_BYTES: f64 = 4500.0;
-/// A page of a listing, and how many are read before the store is found to be too large. \[bytes\]
-const LIST_BYTES: f64 = 3e5;
-const LISTED: u8 = 11;
-const RECORD_BYTES: f64 = 2e3;
-/// List prices of a large provider, in dollars: a thousand reads, a thousand writes, a GB kept for a month.
-const PRICE: [f64; 3] = [0.0004, 0.005, 0.023];
 
 /// What a worker does next. A request is asked for when its turn comes, so that the bucket takes all
 /// requests in the order in which they come.
@@ -265,11 +234,32 @@ impl Run<'_> {
     }
 }
 
+/// What came of a fleet, as it is told.
+fn row(fleet: &Fleet) -> Value {
+    let told = simulate(fleet);
+    let captures = fleet.captures as f64;
+    let requests = (told.reads + told.writes) as f64;
+    let dollars = told.reads as f64 / 1e3 * PRICE[0] + told.writes as f64 / 1e3 * PRICE[1];
+    let gb = BYTES.iter().sum::<u64>() as f64 * captures / 1e9;
+    let rounded = |x: f64, parts: f64| (x * parts).round() / parts;
+    json!({
+        "workers": fleet.workers,
+        "captures": fleet.captures,
+        "parts": fleet.parts,
+        "captures_a_plan": fleet.plan,
+        "hours": rounded(told.seconds / 3600.0, 100.0),
+        "at_work_percent": rounded(100.0 * told.worked, 10.0),
+        "reads_a_second": rounded(told.reads as f64 / told.seconds, 1.0),
+        "writes_a_second": rounded(told.writes as f64 / told.seconds, 1.0),
+        "longest_wait_s": rounded(told.longest_wait, 10.0),
+        "moved_tb": rounded(told.bytes / 1e12, 10.0),
+        "requests_a_node": rounded(requests / (captures * BYTES.len() as f64), 100.0),
+        "requests_dollars": rounded(dollars, 1.0),
+        "kept_a_month_dollars": rounded(gb * PRICE[2], 1.0),
+    })
+}
+
 fn main() {
-    let per_capture: u64 = BYTES.iter().sum();
-    println!(
-        "workers | captures | parts | captures a plan | hours | worked | reads/s | writes/s | longest wait | TB moved | requests a node | $ requests | $ a month kept"
-    );
     #[rustfmt::skip]
     let fleets = [
         (1_000, 10_000, 1, 1_000),
@@ -279,22 +269,16 @@ fn main() {
         (100_000, 300_000, 1, 1_000),
         (100_000, 300_000, 4, 1_000),
     ];
+    let mut rows = Vec::new();
     for (workers, captures, parts, plan) in fleets {
         #[rustfmt::skip]
-        let told = simulate(&Fleet { workers, captures, parts, plan });
-        let requests = (told.reads + told.writes) as f64;
-        let dollars = told.reads as f64 / 1e3 * PRICE[0] + told.writes as f64 / 1e3 * PRICE[1];
-        println!(
-            "{workers} | {captures} | {parts} | {plan} | {:.2} | {:.1} % | {:.0} | {:.0} | {:.1} s | {:.1} | {:.2} | {:.0} | {:.0}",
-            told.seconds / 3600.0,
-            100.0 * told.worked,
-            told.reads as f64 / told.seconds,
-            told.writes as f64 / told.seconds,
-            told.longest_wait,
-            told.bytes / 1e12,
-            requests / (captures * BYTES.len()) as f64,
-            dollars,
-            per_capture as f64 * captures as f64 / 1e9 * PRICE[2],
-        );
+        let row = row(&Fleet { workers, captures, parts, plan });
+        println!("{row}");
+        rows.push(row);
+    }
+    let args: Vec<String> = std::env::args().collect();
+    if let Some(at) = args.iter().position(|a| a == "--json") {
+        let text = serde_json::to_string_pretty(&json!({ "rows": rows })).unwrap();
+        std::fs::write(&args[at + 1], text + "\n").unwrap();
     }
 }
