@@ -4,7 +4,7 @@ use crate::geometry::remesh::remesh;
 use crate::mend::crossing::unfold;
 use crate::mend::pinch::pinch;
 use crate::mend::repair::mend;
-use crate::pictures::prepare::{footprint, undeform};
+use crate::pictures::prepare::undeform;
 use crate::pictures::turn::TurnInput;
 use crate::surface::params::OptimizeSurfaceParams;
 use crate::surface::round::{RoundStats, one_round};
@@ -68,20 +68,20 @@ impl Stage for OptimizeSurface {
         input: OptimizeSurfaceInput,
         ctx: &Ctx<'_>,
     ) -> Result<Mesh, Stop> {
-        let mut pictures = input
-            .turn()
-            .pictures(&p.size, || ctx.check().map_err(Stop::from))?;
+        let go_on = || ctx.check().map_err(Stop::from);
+        let (mut pictures, mesh, footprint) = input.turn().ready(&p.size, go_on, |footprint| {
+            let mut mesh = Mesh::clone(&input.mesh);
+            mesh.colors.clear();
+            if p.edge_px > 0.0 {
+                mesh = remesh(&mesh, p.edge_px * footprint, 4);
+            }
+            unfold(&mut mesh);
+            mend(&mut mesh);
+            mesh
+        })?;
         if let Some(warps) = &input.warps {
             undeform(&mut pictures, &input.photos, &input.cameras, warps);
         }
-        let footprint = footprint(&input.mesh, &pictures);
-        let mut mesh = Mesh::clone(&input.mesh);
-        mesh.colors.clear();
-        if p.edge_px > 0.0 {
-            mesh = remesh(&mesh, p.edge_px * footprint, 4);
-        }
-        unfold(&mut mesh);
-        mend(&mut mesh);
         let steps = ctx.steps("rounds", p.rounds as usize);
         let mut state = Checkpoint {
             mesh,
