@@ -1,7 +1,7 @@
 //! The stage that compensates the motion of a swaying body: cameras as seen from the body instead of the disk.
 
 use crate::evidence::contours::pulls;
-use crate::evidence::visibility::Scene;
+use crate::evidence::scene::Scene;
 use crate::geometry::remesh::remesh;
 use crate::motion::normal_equations::point_shifts;
 use crate::motion::params::LookParams;

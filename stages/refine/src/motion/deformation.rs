@@ -1,7 +1,7 @@
 //! The stage that estimates how the body deformed between photos: a field of offsets a photo.
 
 use crate::evidence::contours::pulls;
-use crate::evidence::visibility::Scene;
+use crate::evidence::scene::Scene;
 use crate::geometry::remesh::remesh;
 use crate::motion::field::{Constraints, FieldPrior, seen_off};
 use crate::motion::normal_equations::point_shifts;

@@ -8,6 +8,7 @@ use crate::pictures::prepare::undeform;
 use crate::pictures::turn::TurnInput;
 use crate::surface::params::OptimizeSurfaceParams;
 use crate::surface::round::{RoundStats, one_round};
+use crate::surface::sweep::Search;
 use shape::{Cameras, Masks, Mesh, Photos, Warps};
 use stage::{Ctx, Stage, Stop};
 use std::sync::Arc;
@@ -45,7 +46,7 @@ pub struct OptimizeSurface;
 
 impl Stage for OptimizeSurface {
     const NAME: &'static str = "refine.optimize_surface";
-    const VERSION: u32 = 10;
+    const VERSION: u32 = 11;
     const ABOUT: &'static str = "Refines a surface by inter-image consistency, silhouettes and a thin plate, the energy never rising.";
     type Params = OptimizeSurfaceParams;
     type Input = OptimizeSurfaceInput;
@@ -86,6 +87,7 @@ impl Stage for OptimizeSurface {
         let mut state = Checkpoint {
             mesh,
             done: 0,
+            search: Search::default(),
             stats: RoundStats::default(),
         };
         if let Some(left) = ctx.resume::<Checkpoint>("round") {
@@ -94,7 +96,9 @@ impl Stage for OptimizeSurface {
         }
         for round in state.done..p.rounds {
             let before = state.stats.before;
-            state.stats = one_round(p, &mut state.mesh, &pictures, footprint, round < p.searches)?;
+            let searching = round < p.searches && p.reach_px > 0.0;
+            let search = searching.then_some(&mut state.search);
+            state.stats = one_round(p, &mut state.mesh, &pictures, footprint, search)?;
             if round > 0 {
                 state.stats.before = before;
             }
@@ -135,19 +139,28 @@ impl Stage for OptimizeSurface {
 struct Checkpoint {
     mesh: Mesh,
     done: u32,
+    search: Search,
     stats: RoundStats,
 }
 
 impl stage::Artifact for Checkpoint {
     const KIND: &'static str = "optimize_surface.checkpoint";
-    const FORMAT: u32 = 2;
+    const FORMAT: u32 = 3;
     fn pack(&self, to: &mut stage::Packer) {
         to.meta(&(self.done, self.stats));
         self.mesh.sections(to);
+        to.section("places", &self.search.places);
     }
     fn unpack(from: &stage::Unpacker<'_>) -> Result<Self, stage::Corrupt> {
         let (done, stats) = from.meta()?;
         let mesh = Mesh::from_sections(shape::Unit::default(), from)?;
-        Ok(Checkpoint { mesh, done, stats })
+        let places = from.section("places")?;
+        let search = Search { places };
+        Ok(Checkpoint {
+            mesh,
+            done,
+            search,
+            stats,
+        })
     }
 }
