@@ -68,6 +68,7 @@ pub(crate) fn run<T: Send + 'static>(
     let last = Mutex::default();
     let listener = Arc::new(Listener { to, last });
     let host = Host {
+        beside: None,
         watch: Some(listener.clone()),
         stop: Some(stop.clone()),
     };

@@ -61,3 +61,10 @@ pub(crate) struct Measure {
     #[command(flatten)]
     pub(super) facts: Facts,
 }
+
+impl Measure {
+    /// Whether lengths are shown in inches.
+    pub(super) fn inches(&self) -> bool {
+        self.unit == Shown::In
+    }
+}

@@ -1,8 +1,9 @@
 //! One capture: its pipeline, its run, its folder of results.
 
 use super::delivered::{place_of_results, written};
-use super::folder;
-use super::measure_args::{Measure, Shown};
+use super::first::First;
+use super::folder::{self, Looked};
+use super::measure_args::Measure;
 use super::prepared::Prepared;
 use super::provenance::get;
 use super::said::{Said, opened};
@@ -18,6 +19,7 @@ use serde_json::Value;
 use shape::{Cameras, Girths};
 use std::ffi::OsString;
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 
 /// The variant of pipelines that stops at the coarse surface.
 const FAST: &str = "fast";
@@ -25,11 +27,13 @@ const FAST: &str = "fast";
 /// The folder of a capture that holds masks.
 const MASKS: &str = "masks";
 
-/// The pipeline for a capture with what is said of it, and its inputs.
+/// The pipeline for a capture with what is said of it, and its inputs: the whole, or a `first` answer that
+/// the whole follows.
 fn pipeline(
     measure: &Measure,
     source: &Source,
     said: &[Said],
+    first: bool,
 ) -> Result<(Graph, Vec<(String, PathBuf)>), Fault> {
     let mut sets = Vec::new();
     // A turn is looked at while it is read; a walk is none.
@@ -37,7 +41,7 @@ fn pipeline(
     for (asked, set) in [
         (measure.no_photos, "report.photos=false"),
         (measure.blur_face, "report.blur_face=true"),
-        (measure.unit == Shown::In, "report.unit=in"),
+        (measure.inches(), "report.unit=in"),
     ] {
         sets.extend(asked.then(|| set.to_owned()));
     }
@@ -54,10 +58,32 @@ fn pipeline(
     if masks.is_dir() {
         folders.push((MASKS.to_owned(), masks));
     }
-    let fast = measure.fast.then(|| FAST.to_owned());
+    if first {
+        sets.push("report.answer=followed".to_owned());
+    }
+    let fast = (first || measure.fast).then(|| FAST.to_owned());
     let variant = fast.or_else(|| measure.variant.clone());
     let graph = opened(name, source.over(), variant, said, &sets)?;
     Ok((graph, folders))
+}
+
+/// Who makes a first answer while the whole is on its way: for a person who waits, and where the pipeline has
+/// one that differs from the whole only in where it stops.
+fn first_answer(
+    measure: &Measure,
+    ready: &Prepared,
+    looked: &Looked,
+    said: &[Said],
+    global: &GlobalArgs,
+) -> Option<Arc<First>> {
+    let alone = measure.fast || measure.variant.is_some() || global.host.watch.is_some();
+    if alone {
+        return None;
+    }
+    let more: Vec<Said> = said.iter().chain(&looked.more).cloned().collect();
+    let (mut graph, _) = pipeline(measure, &looked.source, &more, true).ok()?;
+    folder::widen(&mut graph, looked);
+    Some(Arc::new(First::new(graph, ready, measure, global)))
 }
 
 /// A capture that was measured.
@@ -105,7 +131,9 @@ pub fn measured(arguments: &[String], global: &GlobalArgs) -> Result<Measured, F
 #[cfg(feature = "serve")]
 pub(crate) fn prepared_one(measure: &Measure) -> Result<Prepared, Fault> {
     let said = measure.facts.said()?;
-    prepared(measure, &measure.folders[0], measure.out.as_deref(), &said)
+    let folder = &measure.folders[0];
+    let ready = prepared(measure, folder, measure.out.as_deref(), &said)?;
+    Ok(ready.0)
 }
 
 fn prepared(
@@ -113,10 +141,10 @@ fn prepared(
     capture: &Path,
     out: Option<&Path>,
     said: &[Said],
-) -> Result<Prepared, Fault> {
+) -> Result<(Prepared, Looked), Fault> {
     let looked = folder::look(capture, &measure.facts, measure.recursive, measure.video)?;
     let more: Vec<Said> = said.iter().chain(&looked.more).cloned().collect();
-    let (mut graph, folders) = pipeline(measure, &looked.source, &more)?;
+    let (mut graph, folders) = pipeline(measure, &looked.source, &more, false)?;
     let (out, shown) = place_of_results(capture, out)?;
     if let Some(few) = looked.few.clone().filter(|_| !measure.walk) {
         return Err(Fault::input(few));
@@ -128,15 +156,16 @@ fn prepared(
     wanted.extend(written(&graph));
     // Files are called after the photos.
     wanted.extend(photos_node(&graph));
-    Ok(Prepared {
+    let ready = Prepared {
         capture: capture.to_owned(),
         graph,
         folders,
         wanted,
-        warnings: looked.warnings,
+        warnings: looked.warnings.clone(),
         out,
         shown,
-    })
+    };
+    Ok((ready, looked))
 }
 
 /// Measures one capture.
@@ -147,7 +176,7 @@ pub(super) fn one(
     said: &[Said],
     global: &GlobalArgs,
 ) -> Result<Measured, Fault> {
-    let ready = prepared(measure, capture, out, said)?;
+    let (ready, looked) = prepared(measure, capture, out, said)?;
     let graph = &ready.graph;
     if !global.json && !global.quiet {
         ready.warnings.iter().for_each(|w| engine::errln!("{w}"));
@@ -159,14 +188,22 @@ pub(super) fn one(
     };
     let store = Store::open(&global.cache).map_err(Fault::input)?;
     let again = again.join(" ");
-    let outcome = execute(store, graph, &ready.folders, &ready.wanted, global, &again)?;
+    let first = first_answer(measure, &ready, &looked, said, global);
+    let mut global = global.clone();
+    if let Some(first) = &first {
+        global.host.beside = Some(first.clone());
+    }
+    let global = &global;
+    let outcome = execute(store, graph, &ready.folders, &ready.wanted, global, &again);
+    first.inspect(|first| first.end(outcome.is_ok()));
+    let outcome = outcome?;
     ready.deliver(&outcome, measure.clean, global)?;
     if !global.json
         && let Some(girths) = get::<Girths>(graph, &outcome, "girths")
     {
         let cameras = get::<Cameras>(graph, &outcome, "cameras");
         let count = photos(graph, &outcome).photos.len();
-        let inches = measure.unit == Shown::In;
+        let inches = measure.inches();
         let screen = screen(&ready.shown, count, cameras.as_deref(), &girths, inches);
         engine::out!("{screen}");
         engine::outln!("\nall files: {}", ready.out.display());

@@ -5,6 +5,7 @@ mod compare;
 mod delivered;
 pub(crate) mod doctor;
 mod facts;
+mod first;
 mod folder;
 mod follow;
 mod init;

@@ -10,6 +10,8 @@ use std::sync::atomic::AtomicBool;
 pub struct Host {
     /// Who hears how it goes on.
     pub watch: Option<Arc<dyn Watch + Send + Sync>>,
+    /// Who hears the same beside it.
+    pub beside: Option<Arc<dyn Watch + Send + Sync>>,
     /// Set when it shall stop.
     pub stop: Option<Arc<AtomicBool>>,
 }

@@ -49,6 +49,7 @@ pub use fault::Fault;
 pub use host::Host;
 pub use open::{folders, node, open_pipeline};
 pub use program::{GlobalArgs, Program, Verb};
+pub use progress::above;
 pub use result::there;
 pub use run_verb::execute;
 pub use speech::CANCEL;

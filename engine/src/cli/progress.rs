@@ -34,6 +34,18 @@ struct Running {
     since: Instant,
 }
 
+/// The last line of the screen, of whatever runs.
+static LAST: Mutex<Option<ProgressBar>> = Mutex::new(None);
+
+/// Prints lines above the last line of the screen, if there is one.
+pub fn above(lines: impl FnOnce()) {
+    let last = LAST.lock().expect("bug: poisoned").clone();
+    match last {
+        Some(bar) => bar.suspend(lines),
+        None => lines(),
+    }
+}
+
 /// How often the last line is drawn.
 const TICK: Duration = Duration::from_millis(250);
 
@@ -111,6 +123,7 @@ impl Progress {
         } else {
             bar.set_draw_target(ProgressDrawTarget::hidden());
         }
+        *LAST.lock().expect("bug: poisoned") = Some(bar.clone());
         Progress {
             quiet,
             terminal,
@@ -137,6 +150,7 @@ impl Progress {
 
 impl Drop for Progress {
     fn drop(&mut self) {
+        LAST.lock().expect("bug: poisoned").take();
         self.bar.finish_and_clear();
     }
 }

@@ -14,9 +14,10 @@ use crate::outcome::Outcome;
 use crate::past::Of;
 use crate::session;
 use crate::store::Store;
-use crate::walk::Watch;
+use crate::walk::{Done, Watch};
 use crate::{out, verify, walk};
 use clap::Args;
+use stage::Hash;
 use std::path::PathBuf;
 use std::sync::atomic::Ordering;
 
@@ -64,6 +65,36 @@ pub fn execute(
     }
 }
 
+/// Two that hear the same.
+struct Both<'a>(&'a dyn Watch, &'a dyn Watch);
+
+impl Watch for Both<'_> {
+    fn started(&self, node: &str) {
+        self.0.started(node);
+        self.1.started(node);
+    }
+
+    fn waits(&self, node: &str) {
+        self.0.waits(node);
+        self.1.waits(node);
+    }
+
+    fn progress(&self, node: &str, label: &str, done: usize, of: usize) {
+        self.0.progress(node, label, done, of);
+        self.1.progress(node, label, done, of);
+    }
+
+    fn differs(&self, node: &str, theirs: Hash, ours: Hash) {
+        self.0.differs(node, theirs, ours);
+        self.1.differs(node, theirs, ours);
+    }
+
+    fn done(&self, node: &str, done: &Done) {
+        self.0.done(node, done);
+        self.1.done(node, done);
+    }
+}
+
 /// As [`execute`], with what came of the rest beside the fault.
 fn execute_some(
     store: Store,
@@ -100,6 +131,8 @@ fn execute_some(
         Some(watch) => &**watch,
         None => &speaker,
     };
+    let both = global.host.beside.as_deref().map(|b| Both(watch, b));
+    let watch = both.as_ref().map_or(watch, |both| both as &dyn Watch);
     let cancel = global.host.cancel();
     let outcome = profiled(watch, global, |watch| {
         session::run_in(store, graph, folders, wanted, &options, watch, cancel)

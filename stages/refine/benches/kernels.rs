@@ -5,7 +5,8 @@
 use nalgebra::{Matrix3x4, Point3, Rotation3, Vector3};
 use refine::evidence::contours::pulls;
 use refine::evidence::patch::{Pairing, Window};
-use refine::evidence::visibility::{Scene, Visibility, VisibilityRules};
+use refine::evidence::scene::{Scene, VisibilityRules};
+use refine::evidence::visibility::Visibility;
 use refine::geometry::curvature::{Laplacian, shape_operators};
 use refine::geometry::remesh::{relax, remesh};
 use refine::motion::normal_equations::point_shifts;
@@ -201,7 +202,7 @@ fn main() {
         anchor: 1e-4,
     };
     let still = vec![0.0; count];
-    let seen = forces.agreements::<1>(&still);
+    let seen = forces.agreements::<1>(&still, |_| None);
     let data_term = forces.data_term(&seen);
     tell("visibility and weights", &|| {
         drop(Visibility::new(&scene));
@@ -209,10 +210,10 @@ fn main() {
     tell("the same, and equations of motion", &|| {
         drop(point_shifts(&scene, footprint))
     });
-    tell("consistency", &|| drop(forces.agreements::<0>(&still)));
-    tell("consistency and its slope", &|| {
-        drop(forces.agreements::<1>(&still));
-    });
+    let slopes = || forces.agreements::<1>(&still, |_| None);
+    let scores = || forces.agreements::<0>(&still, |_| None);
+    tell("consistency", &|| drop(scores()));
+    tell("consistency and its slope", &|| drop(slopes()));
     tell("contours", &|| drop(pulls(&scene, 3.0)));
     tell("Laplacian", &|| drop(Laplacian::new(&mesh, &around)));
     tell("rest shape, 20 rings", &|| {
@@ -237,7 +238,7 @@ fn main() {
         );
     });
     tell("search, 9 places", &|| {
-        drop(sweep(&forces, &around, 5, 3, footprint))
+        drop(sweep(&forces, &around, [5, 3], footprint, |_| true))
     });
 }
 

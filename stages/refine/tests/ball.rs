@@ -14,9 +14,19 @@ use std::sync::Arc;
 use turn::{COUNT, RADIUS, ball, camera, off, turn};
 
 fn optimized(contrast: f64, masks: bool, radius: f64) -> Result<Mesh, Stop> {
+    optimized_by(contrast, masks, radius, |_| ())
+}
+
+fn optimized_by(
+    contrast: f64,
+    masks: bool,
+    radius: f64,
+    change: impl Fn(&mut <OptimizeSurface as Stage>::Params),
+) -> Result<Mesh, Stop> {
     let (photos, cameras, all) = turn(contrast, &[]);
     let mut p = <OptimizeSurface as Stage>::Params::default();
     (p.edge_px, p.reach_px, p.rounds, p.steps) = (5.0, 0.0, 2, 4);
+    change(&mut p);
     let masks = masks.then(|| Arc::new(all));
     let input = OptimizeSurfaceInput {
         mesh: ball(radius).into(),
@@ -33,6 +43,41 @@ fn a_ball_that_is_two_millimetres_too_large_comes_to_its_size() {
     let mesh = optimized(18.0, true, RADIUS + 2.0).unwrap();
     assert_eq!(mesh.validate_closed(), Ok(()));
     assert!(off(&mesh) < 0.12, "{} mm off", off(&mesh));
+}
+
+/// What a vertex that hardly moved was read as goes on by its slope: as if it had been read every time, to a
+/// hundredth of a pixel.
+#[test]
+fn photos_that_are_not_read_again_where_the_surface_stands_still_give_the_same_surface() {
+    let with = |still_px: f64| {
+        let set = |p: &mut <OptimizeSurface as Stage>::Params| p.still_px = still_px;
+        optimized_by(18.0, true, RADIUS + 1.0, set).unwrap()
+    };
+    let (every, moved) = (with(0.0), with(0.1));
+    assert_ne!(every, moved);
+    let apart = |(a, b): (&[f32; 3], &[f32; 3])| {
+        let squares = (0..3).map(|i| f64::from(a[i] - b[i]).powi(2));
+        squares.sum::<f64>()
+    };
+    let squares: f64 = every
+        .positions
+        .iter()
+        .zip(&moved.positions)
+        .map(apart)
+        .sum();
+    let rms = (squares / every.positions.len() as f64).sqrt();
+    assert!(rms < 0.05, "{rms} mm apart");
+    assert!((off(&every) - off(&moved)).abs() < 0.01);
+}
+
+/// A search that leaves out who has arrived finds the ball from farther off than slopes reach.
+#[test]
+fn searches_bring_a_ball_to_its_size_from_afar() {
+    let searching = |p: &mut <OptimizeSurface as Stage>::Params| {
+        (p.reach_px, p.searches, p.rounds) = (12.0, 2, 3);
+    };
+    let mesh = optimized_by(18.0, true, RADIUS + 4.0, searching).unwrap();
+    assert!(off(&mesh) < 0.15, "{} mm off", off(&mesh));
 }
 
 #[test]
@@ -129,7 +174,7 @@ fn equal_inputs_give_equal_bytes_with_one_thread_and_with_three() {
             .unwrap();
         stage::to_bytes(
             &pool
-                .install(|| optimized(18.0, true, RADIUS + 1.0))
+                .install(|| optimized_by(18.0, true, RADIUS + 1.0, |p| p.reach_px = 6.0))
                 .unwrap(),
         )
     };

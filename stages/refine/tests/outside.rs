@@ -20,7 +20,9 @@ fn scene(change: impl Fn(&mut Masks)) -> Vec<Picture> {
 /// How far inward each vertex is sent \[mm\], and the footprint of a pixel.
 fn sent(mesh: &Mesh, pictures: &[Picture], slack_px: f64) -> (Vec<f64>, f64) {
     let footprint = footprint(mesh, pictures);
-    let far = outside(mesh, &mesh.normals(), pictures, slack_px, footprint);
+    let far = outside(mesh, &mesh.normals(), pictures, slack_px, footprint, |_| {
+        None
+    });
     (far, footprint)
 }
 

@@ -7,7 +7,8 @@ use refine::evidence::agreement::{agreement, agreement_as_compiled};
 use refine::evidence::contours::{Pull, pulls};
 use refine::evidence::outside::outside;
 use refine::evidence::patch::{Pairing, Window};
-use refine::evidence::visibility::{Scene, Visibility, VisibilityRules};
+use refine::evidence::scene::{Scene, VisibilityRules};
+use refine::evidence::visibility::Visibility;
 use refine::geometry::curvature::Laplacian;
 use refine::pictures::picture::Picture;
 use refine::pictures::prepare::{footprint, pictures};
@@ -67,7 +68,14 @@ fn held(level: bool) -> Held {
         visible,
         pulls,
         rest: Rest::new(&laplacian, &x, &normals, 5),
-        outside: outside(&mesh, &normals, &pictures, 0.2, footprint(&mesh, &pictures)),
+        outside: outside(
+            &mesh,
+            &normals,
+            &pictures,
+            0.2,
+            footprint(&mesh, &pictures),
+            |_| None,
+        ),
         footprint: footprint(&mesh, &pictures),
         laplacian,
         window,
@@ -148,7 +156,7 @@ fn the_pull_on_the_surface_is_minus_the_slope_of_the_energy() {
     ] {
         let forces = held.forces(contour_weight, hull_weight, bending);
         let still = vec![0.0; held.x.len()];
-        let data_term = forces.data_term(&forces.agreements::<1>(&still));
+        let data_term = forces.data_term(&forces.agreements::<1>(&still, |_| None));
         // Against very stiff data terms the step is the pull over the stiffness: bending included.
         let stiff = 1e9;
         let hard = DataTerm {
@@ -168,7 +176,7 @@ fn the_pull_on_the_surface_is_minus_the_slope_of_the_energy() {
             let way: Vec<f64> = still.iter().map(|_| dice.normal()).collect();
             let energy = |h: f64| {
                 let d: Vec<f64> = way.iter().map(|w| w * h).collect();
-                forces.energy(&forces.agreements::<0>(&d), &d, &held.x)
+                forces.energy(&forces.agreements::<0>(&d, |_| None), &d, &held.x)
             };
             let h = 2e-3;
             let want = (energy(h) - energy(-h)) / (2.0 * h);
@@ -180,6 +188,28 @@ fn the_pull_on_the_surface_is_minus_the_slope_of_the_energy() {
             );
         }
     }
+}
+
+/// A score goes on by slope and stiffness: over a tenth of a pixel to a tenth of what it changes by, on the whole.
+#[test]
+fn a_score_goes_on_by_its_slope_and_stiffness() {
+    let held = held(true);
+    let (mut off, mut change) = (0.0, 0.0);
+    for v in 0..held.x.len() {
+        let (visible, frame) = (held.visible.of(v), &held.visible.frames[v]);
+        let (window, pairing) = (&held.window, held.rules.pairing);
+        let read = |d: f64| agreement::<1>(&held.pictures, visible, frame, d, window, pairing);
+        let (here, far) = (read(0.0), 0.1 * held.footprint);
+        let there = read(far);
+        let told = here.ahead(far);
+        assert!(told.score <= told.weight && told.weight == here.weight);
+        off += (told.score - there.score).powi(2);
+        change += (here.score - there.score).powi(2);
+    }
+    assert!(
+        change > 0.0 && off.sqrt() < 0.25 * change.sqrt(),
+        "{off} of {change}"
+    );
 }
 
 /// Mean curvature and a plain thin plate shrink what is round; the bending term must not: a tube of 100 mm

@@ -1,5 +1,6 @@
 //! The stage that makes the report: one self-contained page.
 
+use crate::answer::Answer;
 use crate::face::{self, HeadBox};
 use crate::lengths::{Lengths, ShownIn};
 use crate::overlay::{self, Shown};
@@ -35,6 +36,8 @@ stage::params! {
         atlas_px: u32 = 4096,
         /// What lengths are shown in.
         unit: ShownIn = ShownIn::Cm,
+        /// Which answer it tells: a first one says on top that it is one.
+        answer: Answer = Answer::Full,
     }
 }
 
@@ -100,6 +103,7 @@ impl Stage for Html {
             surfaces,
             figures,
             without_photos: !p.photos,
+            answer: p.answer,
             lengths: Lengths::of(input.girths.unit, p.unit),
         });
         let size = page.len() as f64 / 1e6;

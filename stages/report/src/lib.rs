@@ -8,6 +8,7 @@
 //!
 //! The page is one file: no request leaves the machine, and it carries no metadata of the photos.
 
+mod answer;
 mod derived;
 mod face;
 mod html;
@@ -26,6 +27,7 @@ mod tables;
 mod take;
 mod tape;
 
+pub use answer::Answer;
 pub use html::{Html, HtmlInput, HtmlParams};
 pub use lengths::ShownIn;
 pub use ring_picture::{RingInput, RingPicture};

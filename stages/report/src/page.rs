@@ -1,5 +1,6 @@
 //! The page itself, out of its parts.
 
+use crate::answer::Answer;
 use crate::lengths::Lengths;
 use crate::{derived, profile, ring, scene, sides, tables};
 use shape::{Cameras, Girths, Landmarks, Mesh, Photos, Scale, Textured};
@@ -30,6 +31,8 @@ pub(crate) struct Content<'a> {
     pub(crate) figures: String,
     /// Whether the user wanted no photos.
     pub(crate) without_photos: bool,
+    /// Which answer it tells.
+    pub(crate) answer: Answer,
     /// What lengths are in.
     pub(crate) lengths: Lengths,
 }
@@ -91,7 +94,10 @@ pub(crate) fn page(content: &Content<'_>) -> String {
             ("title", tables::escaped(name)),
             ("about", about(photos, cameras)),
             ("style", include_str!("page.css").into()),
-            ("warnings", warnings(photos, cameras)),
+            (
+                "warnings",
+                content.answer.first() + &warnings(photos, cameras),
+            ),
             ("girths", tables::girths(girths, lengths)),
             ("unit", tables::unit(girths, lengths)),
             ("derived", derived::derived(girths, lengths)),

@@ -2,7 +2,7 @@
 
 mod tube;
 
-use report::{Html, HtmlInput, HtmlParams};
+use report::{Answer, Html, HtmlInput, HtmlParams};
 use shape::{
     GirthId, Landmarks, Mask, Mesh, Missing, Part, PhotoId, Refusal, Rgb, Textured, rgb_to_jpeg,
 };
@@ -49,6 +49,20 @@ fn pictures(page: &str) -> Vec<Vec<u8>> {
     texts
         .map(|t| decoded(t.split('"').next().unwrap()))
         .collect()
+}
+
+#[test]
+fn a_first_answer_says_that_it_is_one() {
+    let of = |answer| {
+        page(&HtmlParams {
+            answer,
+            ..HtmlParams::default()
+        })
+    };
+    let said = "First answer from the coarse surface";
+    assert!(!of(Answer::Full).contains(said));
+    assert!(of(Answer::First).contains(said));
+    assert!(of(Answer::Followed).contains("the full one follows"));
 }
 
 #[test]

@@ -18,6 +18,19 @@ pub struct Agreement {
     pub stiffness: f64,
 }
 
+impl Agreement {
+    /// What it is `far` mm farther out, by its slope and stiffness.
+    #[must_use]
+    pub fn ahead(&self, far: f64) -> Self {
+        let score = self.score + (self.slope - 0.5 * self.stiffness * far) * far;
+        Agreement {
+            score: score.min(self.weight),
+            slope: self.slope - self.stiffness * far,
+            ..*self
+        }
+    }
+}
+
 /// Compares all pairs of visible at a vertex moved outward by `offset` mm. With `N = 1` the
 /// derivative and the stiffness too: exact for this very score, weights, frame and visible held.
 pub fn agreement<const N: usize>(

@@ -4,7 +4,7 @@
 //! consistency of brightness says nothing and the silhouette says all (Hernández and Schmitt 2004,
 //! sec. 6; the horizon term of Delaunoy and Prados 2011 becomes this when silhouettes are known).
 
-use crate::evidence::visibility::Scene;
+use crate::evidence::scene::Scene;
 use crate::pictures::depth::DepthMap;
 use crate::pictures::picture::Picture;
 use nalgebra::{Point3, Vector3};
@@ -33,19 +33,21 @@ pub fn pulls(scene: &Scene<'_>, most_px: f64) -> Vec<Pull> {
         let Some(inside) = &picture.inside else {
             return vec![];
         };
-        let facing: Vec<f64> = (0..mesh.positions.len())
-            .map(|v| normals[v].dot(&(picture.centre - mesh.point(v as u32)).normalize()))
+        let toward = |v: usize| picture.centre - mesh.point(v as u32);
+        let faces: Vec<bool> = (0..mesh.positions.len())
+            .map(|v| normals[v].dot(&toward(v)) >= 0.0)
             .collect();
         let mut pulls = Vec::new();
-        for v in 0..facing.len() {
-            if facing[v] < 0.0 {
+        for v in 0..faces.len() {
+            if !faces[v] {
                 continue;
             }
             for j in scene.around.vertices(v as u32).iter().map(|j| *j as usize) {
-                if facing[j] >= 0.0 {
+                if faces[j] {
                     continue;
                 }
-                let t = facing[v] / (facing[v] - facing[j]);
+                let [here, there] = [v, j].map(|v| normals[v].dot(&toward(v).normalize()));
+                let t = here / (here - there);
                 let (a, b) = (mesh.point(v as u32), mesh.point(j as u32));
                 let (n, edge) = (normals[v].lerp(&normals[j], t), b - a);
                 // The chord runs beneath the surface: by an eighth of edge times turn of the normal.

@@ -1,4 +1,4 @@
-//! What photos and silhouettes say at a vertex: `visible` (who sees it) and `agreement` (eq. 1) → `look` →
+//! What photos and silhouettes say at a vertex: `visibility` (who sees it) → `scene` and `agreement` (eq. 1) → `look` →
 //! `patch`; `contours` and `outside` (silhouettes).
 
 pub mod agreement;
@@ -7,4 +7,5 @@ pub mod look;
 pub mod outside;
 pub mod params;
 pub mod patch;
+pub mod scene;
 pub mod visibility;

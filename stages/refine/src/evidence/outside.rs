@@ -13,15 +13,20 @@ const FARTHEST_PX: f64 = 6.0;
 
 /// How far inward along its normal each vertex has to go until it lies inside of all silhouettes but
 /// for `slack_px` \[mm\]; 0 where it does already, at most six footprints.
+/// Nothing is looked at where that is `known`.
 pub fn outside(
     mesh: &Mesh,
     normals: &[Vector3<f64>],
     pictures: &[Picture],
     slack_px: f64,
     footprint: f64,
+    known: impl Fn(usize) -> Option<f64> + Sync,
 ) -> Vec<f64> {
     let out = |x: &Point3<f64>| pictures.iter().any(|picture| beyond(picture, x, slack_px));
     let one = |v: usize| {
+        if let Some(known) = known(v) {
+            return known;
+        }
         let x = mesh.point(v as u32);
         let at = |px: f64| x - normals[v] * (px * footprint);
         let mut px = 0.0;

@@ -1,78 +1,22 @@
 //! V_x: which pictures see each vertex, and how much each of them counts (paper, III-D 1).
 
 use crate::evidence::look::Look;
-use crate::evidence::patch::{Frame, MOST_VIEWS, Pairing, VisibleView, Window};
+use crate::evidence::patch::{Frame, MOST_VIEWS, VisibleView};
+use crate::evidence::scene::{Scene, VisibilityRules};
 use crate::geometry::curvature::{shape_operators, tangents};
-use crate::pictures::depth::DepthMap;
-use crate::pictures::picture::Picture;
 use crate::pictures::registers::widest;
 use nalgebra::Vector3;
 use rayon::prelude::*;
-use shape::{Adjacency, Mesh};
 
-/// What decides whether a picture is compared at a vertex.
-#[derive(Debug, Clone, Copy)]
-pub struct VisibilityRules {
-    /// Greatest angle between the normal and the line of sight. \[rad\]
-    pub most_tilt: f64,
-    /// Distance of a patch's points in pixels of the nearest picture. \[px\]
-    pub spacing_px: f64,
-    /// Which pictures are compared with each other.
-    pub pairing: Pairing,
-    /// Brightness varies at least this many times as much as noise does before it counts in full.
-    pub noise_gain: f64,
-}
-
-impl VisibilityRules {
-    /// A patch's points a pixel apart; the greatest tilt in degrees.
-    pub fn new(tilt_deg: f64, pairing: Pairing, noise_gain: f64) -> Self {
-        VisibilityRules {
-            most_tilt: tilt_deg.to_radians(),
-            spacing_px: 1.0,
-            pairing,
-            noise_gain,
-        }
-    }
-}
-
-/// A surface before its pictures.
-pub struct Scene<'a> {
-    /// The surface.
-    pub mesh: &'a Mesh,
-    /// Its neighbourhoods.
-    pub around: &'a Adjacency,
-    /// Unit normals, one a vertex.
-    pub normals: Vec<Vector3<f64>>,
+/// What is known of a vertex from an earlier look: the spacing of its patch \[mm\], the pictures that see
+/// it, and what came of them.
+pub struct Known<T> {
+    /// Distance of the patch's points. \[mm\]
+    pub spacing: f64,
     /// The pictures.
-    pub pictures: &'a [Picture],
-    /// How far the surface is, seen from each picture.
-    pub maps: Vec<DepthMap>,
-    /// The patch.
-    pub window: &'a Window,
-    /// Which pictures are compared.
-    pub rules: &'a VisibilityRules,
-}
-
-impl<'a> Scene<'a> {
-    /// Draws the surface's depth in every picture.
-    pub fn new(
-        mesh: &'a Mesh,
-        around: &'a Adjacency,
-        pictures: &'a [Picture],
-        window: &'a Window,
-        rules: &'a VisibilityRules,
-    ) -> Self {
-        let map = |p| DepthMap::new(mesh, p, 2.0);
-        Scene {
-            mesh,
-            around,
-            normals: mesh.normals_among(around),
-            pictures,
-            maps: pictures.par_iter().map(map).collect(),
-            window,
-            rules,
-        }
-    }
+    pub visible: Vec<VisibleView>,
+    /// What came of them.
+    pub told: T,
 }
 
 /// The frames of all vertices and the pictures that see them.
@@ -86,14 +30,15 @@ pub struct Visibility {
 impl Visibility {
     /// Looks at a surface from all pictures.
     pub fn new(scene: &Scene<'_>) -> Self {
-        Self::with(scene, |_, _| [], |_, _, _| ()).0
+        Self::with(scene, |_| None, |_, _| [], |_, _, _| ()).0
     }
 
     /// Looks at a surface from all pictures, and hands over what they show at each vertex while it is at hand:
     /// `then` gets the frame, the pictures that see it, and a look of each, slopes being those along what
-    /// `along` gives for a frame and a picture.
+    /// `along` gives for a frame and a picture. Vertices of which all is `known` are not looked at.
     pub fn with<const N: usize, T: Send>(
         scene: &Scene<'_>,
+        known: impl Fn(usize) -> Option<Known<T>> + Sync,
         along: impl Fn(&Frame, &VisibleView) -> [Vector3<f64>; N] + Sync,
         then: impl Fn(&Frame, &[VisibleView], &[Look<N>]) -> T + Sync,
     ) -> (Self, Vec<T>) {
@@ -112,6 +57,10 @@ impl Visibility {
                     shape: shapes[v],
                     spacing: 1.0,
                 };
+                if let Some(known) = known(v) {
+                    frame.spacing = known.spacing;
+                    return (frame, known.visible, known.told);
+                }
                 widest(
                     #[inline(always)]
                     || {

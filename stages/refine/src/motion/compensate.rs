@@ -1,7 +1,7 @@
 //! The stage that compensates the motion of a swaying body: cameras as seen from the body instead of the disk.
 
 use crate::evidence::contours::pulls;
-use crate::evidence::visibility::Scene;
+use crate::evidence::scene::Scene;
 use crate::geometry::remesh::remesh;
 use crate::motion::normal_equations::point_shifts;
 use crate::motion::params::LookParams;
@@ -10,7 +10,7 @@ use crate::motion::sway::{
     without_gauge,
 };
 use crate::pictures::picture::Picture;
-use crate::pictures::prepare::{footprint, posed};
+use crate::pictures::prepare::posed;
 use crate::pictures::turn::TurnInput;
 use nalgebra::{Point3, Vector6};
 use shape::{Adjacency, Camera, Cameras, Mesh};
@@ -66,9 +66,10 @@ impl Stage for CompensateMotion {
     ) -> Result<Cameras, Stop> {
         let mut cameras = Cameras::clone(&input.cameras);
         let posed = posed(&input.photos, &input.cameras);
-        let mut pictures = input.pictures(&p.look.size, || ctx.check().map_err(Stop::from))?;
-        let footprint = footprint(&input.mesh, &pictures);
-        let mesh = remesh(&input.mesh, p.look.edge_px * footprint, 3);
+        let go_on = || ctx.check().map_err(Stop::from);
+        let (mut pictures, mesh, footprint) = input.ready(&p.look.size, go_on, |footprint| {
+            remesh(&input.mesh, p.look.edge_px * footprint, 3)
+        })?;
         let around = Adjacency::new(&mesh);
         let prior = MotionPrior {
             shift_mm: p.shift_mm,

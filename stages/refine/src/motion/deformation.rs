@@ -1,13 +1,14 @@
 //! The stage that estimates how the body deformed between photos: a field of offsets a photo.
 
 use crate::evidence::contours::pulls;
-use crate::evidence::visibility::Scene;
+use crate::evidence::scene::Scene;
 use crate::geometry::remesh::remesh;
 use crate::motion::field::{Constraints, FieldPrior, seen_off};
 use crate::motion::normal_equations::point_shifts;
 use crate::motion::params::LookParams;
-use crate::pictures::prepare::{footprint, posed};
+use crate::pictures::prepare::posed;
 use crate::pictures::turn::TurnInput;
+use rayon::prelude::*;
 use shape::{Adjacency, Warp, Warps};
 use stage::{Ctx, Stage, Stop};
 
@@ -61,9 +62,10 @@ impl Stage for EstimateDeformation {
         ctx: &Ctx<'_>,
     ) -> Result<Warps, Stop> {
         let posed = posed(&input.photos, &input.cameras);
-        let deformed = input.pictures(&p.look.size, || ctx.check().map_err(Stop::from))?;
-        let footprint = footprint(&input.mesh, &deformed);
-        let mesh = remesh(&input.mesh, p.look.edge_px * footprint, 3);
+        let go_on = || ctx.check().map_err(Stop::from);
+        let (deformed, mesh, footprint) = input.ready(&p.look.size, go_on, |footprint| {
+            remesh(&input.mesh, p.look.edge_px * footprint, 3)
+        })?;
         let around = Adjacency::new(&mesh);
         let prior = FieldPrior {
             shift_px: p.shift_px,
@@ -79,7 +81,7 @@ impl Stage for EstimateDeformation {
         let steps = ctx.steps("rounds", p.rounds as usize);
         for _ in 0..p.rounds {
             let undeformed: Vec<_> = deformed
-                .iter()
+                .par_iter()
                 .zip(&warps)
                 .map(|(b, w)| b.undeformed(w, b.gray.width as u32))
                 .collect();

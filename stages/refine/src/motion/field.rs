@@ -7,7 +7,7 @@
 //! taken out first.
 
 use crate::evidence::contours::Pull;
-use crate::evidence::visibility::Scene;
+use crate::evidence::scene::Scene;
 use crate::geometry::gradients::conjugate_gradients;
 use crate::motion::normal_equations::PointShift;
 use crate::pictures::picture::Picture;

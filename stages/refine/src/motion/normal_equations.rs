@@ -3,7 +3,8 @@
 
 use crate::evidence::look::{Look, dot};
 use crate::evidence::patch::{Frame, MOST_POINTS, VisibleView, Window};
-use crate::evidence::visibility::{Scene, Visibility};
+use crate::evidence::scene::Scene;
+use crate::evidence::visibility::Visibility;
 use crate::geometry::curvature::tangents;
 use nalgebra::{Point3, Vector3};
 
@@ -26,6 +27,7 @@ pub struct PointShift {
 pub fn point_shifts(scene: &Scene<'_>, footprint: f64) -> Vec<Vec<PointShift>> {
     let (_, shifts) = Visibility::with(
         scene,
+        |_| None,
         |_, view| across(view),
         #[inline(always)]
         |frame, seen, looks| normal_equations_at(frame, seen, looks, scene.window, footprint),

@@ -2,7 +2,7 @@
 
 use crate::evidence::params::PatchParams;
 use crate::evidence::patch::Pairing;
-use crate::evidence::visibility::VisibilityRules;
+use crate::evidence::scene::VisibilityRules;
 use crate::pictures::turn::PhotoSize;
 
 stage::params! {

@@ -44,10 +44,29 @@ impl Picture {
             gray,
             projection: projection(&lens, camera),
             centre: camera.centre(),
-            focal: f64::from((lens.focal[0] * lens.focal[1]) as f32).sqrt(),
+            focal: focal(&lens),
             inside,
             // A halving by [1 3 3 1]/8 along both sides leaves 5/16 of white noise's deviation.
             noise: (noise * 0.3125f32.powi(halvings as i32)).max(0.25),
+        }
+    }
+
+    /// As [`Self::new`] makes it, but for what it shows: for who asks where a camera sees what, and not what.
+    pub fn blank(camera: &Camera, halvings: u32) -> Self {
+        let half = |n: u32| (0..halvings).fold(n, |n, _| (n / 2).max(1));
+        let size = [camera.lens.width, camera.lens.height].map(half);
+        let lens = camera.lens.resized(size[0], size[1]);
+        Picture {
+            gray: Gray {
+                width: size[0] as usize,
+                height: size[1] as usize,
+                data: vec![],
+            },
+            projection: projection(&lens, camera),
+            centre: camera.centre(),
+            focal: focal(&lens),
+            inside: None,
+            noise: 0.0,
         }
     }
 
@@ -115,6 +134,11 @@ impl Picture {
     pub fn footprint(&self, depth_mm: f64) -> f64 {
         depth_mm / self.focal
     }
+}
+
+/// Focal length, the mean of both. \[px\]
+fn focal(lens: &Intrinsics) -> f64 {
+    f64::from((lens.focal[0] * lens.focal[1]) as f32).sqrt()
 }
 
 /// `K (R | t)` of a pinhole.

@@ -2,8 +2,8 @@
 
 use crate::pictures::need::Need;
 use crate::pictures::picture::Picture;
-use crate::pictures::prepare::{RefineError, check, pictures};
-use shape::{Cameras, Masks, Mesh, PhotoError, Photos};
+use crate::pictures::prepare::{RefineError, check, footprint, halvings, pictures, posed};
+use shape::{Cameras, Masks, Mesh, PhotoError, Photos, View};
 use std::sync::Arc;
 
 stage::params! {
@@ -44,6 +44,32 @@ impl TurnInput {
             size.most_mpx,
         );
         (need.pictures(copies) + need.surface(edge_px, &self.mesh)) as u64
+    }
+
+    /// The pictures and what else is made of the surface meanwhile, given what a pixel covers on it \[mm\], which
+    /// comes last: neither needs the other, and the surface alone keeps but one thread busy.
+    ///
+    /// # Errors
+    /// As [`Self::pictures`].
+    pub(crate) fn ready<E: From<RefineError> + From<PhotoError> + Send, T: Send>(
+        &self,
+        size: &PhotoSize,
+        go_on: impl Fn() -> Result<(), E> + Send + Sync,
+        surface: impl FnOnce(f64) -> T + Send,
+    ) -> Result<(Vec<Picture>, T, f64), E> {
+        check(&self.mesh)?;
+        let views = posed(&self.photos, &self.cameras);
+        let blank = |view: &View| {
+            let [width, height] = [view.camera.lens.width, view.camera.lens.height];
+            Picture::blank(
+                &view.camera,
+                halvings([width, height], size.level, size.most_mpx),
+            )
+        };
+        let blanks: Vec<Picture> = views.iter().map(|(_, view)| blank(view)).collect();
+        let footprint = footprint(&self.mesh, &blanks);
+        let (pictures, surface) = rayon::join(|| self.pictures(size, go_on), || surface(footprint));
+        Ok((pictures?, surface, footprint))
     }
 
     /// The photos that have a camera, in turning order; `go_on` fails when the user asked to stop.

@@ -3,7 +3,8 @@
 use crate::evidence::agreement::{Agreement, agreement};
 use crate::evidence::contours::Pull;
 use crate::evidence::patch::Window;
-use crate::evidence::visibility::{Visibility, VisibilityRules};
+use crate::evidence::scene::VisibilityRules;
+use crate::evidence::visibility::Visibility;
 use crate::geometry::curvature::Laplacian;
 use crate::pictures::picture::Picture;
 use crate::surface::step::{DataTerm, Rest};
@@ -48,9 +49,17 @@ impl Forces<'_> {
         self.laplacian.areas[v] / (self.footprint * self.footprint)
     }
 
-    /// How the pictures agree at each vertex, displaced by `d` mm, with derivatives if `N` is 1.
-    pub fn agreements<const N: usize>(&self, d: &[f64]) -> Vec<Agreement> {
+    /// How the pictures agree at each vertex, displaced by `d` mm, with derivatives if `N` is 1; pictures
+    /// are read where it is not `known`.
+    pub fn agreements<const N: usize>(
+        &self,
+        d: &[f64],
+        known: impl Fn(usize) -> Option<Agreement> + Sync,
+    ) -> Vec<Agreement> {
         let one = |v: usize| {
+            if let Some(known) = known(v) {
+                return known;
+            }
             let (visible, frame) = (self.visible.of(v), &self.visible.frames[v]);
             if visible.len() < 2 {
                 return Agreement::default();
@@ -123,11 +132,22 @@ impl Forces<'_> {
         let curvature = self.rest.energy(self.laplacian, &moved, &normals);
         photo + 0.5 * (contours + bounds) + self.bending * curvature
     }
-    /// The longest of a few shares of a step that lowers the energy; 0 where none does.
-    pub fn falls(&self, x: &[Vector3<f64>], d: &[f64], before: f64) -> f64 {
+    /// The longest of a few shares of a step that lowers the energy; 0 where none does. Photos are read
+    /// where the step leads farther than `near` mm from where they were read last, `off` mm inward of here;
+    /// elsewhere what was `seen` goes on by its slope and stiffness.
+    pub fn falls(
+        &self,
+        x: &[Vector3<f64>],
+        d: &[f64],
+        seen: &[Agreement],
+        (off, near): (&[f64], f64),
+    ) -> f64 {
+        let before = self.energy(seen, &vec![0.0; d.len()], x);
         for share in [1.0, 0.5, 0.25, 0.1] {
             let d: Vec<f64> = d.iter().map(|d| d * share).collect();
-            let seen = self.agreements::<0>(&d);
+            let seen = self.agreements::<0>(&d, |v| {
+                ((off[v] + d[v]).abs() <= near).then(|| seen[v].ahead(d[v]))
+            });
             if self.energy(&seen, &d, x) < before {
                 return share;
             }

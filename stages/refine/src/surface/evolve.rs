@@ -2,7 +2,8 @@
 
 use crate::evidence::agreement::{Agreement, agreement};
 use crate::evidence::patch::Pairing;
-use crate::evidence::visibility::{Scene, Visibility, VisibilityRules};
+use crate::evidence::scene::{Scene, VisibilityRules};
+use crate::evidence::visibility::Visibility;
 use crate::geometry::curvature::Laplacian;
 use crate::geometry::remesh::{relax, remesh};
 use crate::pictures::picture::Picture;

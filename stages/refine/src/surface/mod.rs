@@ -1,4 +1,4 @@
-//! The surface follows the photos: `optimize` (a stage) → `round` → `energy`, `sweep`, `smooth` → `step`;
+//! The surface follows the photos: `optimize` (a stage) → `round` → `sight`, `energy`, `sweep`, `smooth` → `step`;
 //! `evolve` (a stage, the paper's own) → `smooth`, `progress`; all know `params`.
 
 pub mod energy;
@@ -8,6 +8,7 @@ pub(crate) mod optimize;
 pub(crate) mod params;
 pub mod progress;
 pub(crate) mod round;
+pub(crate) mod sight;
 pub mod smooth;
 pub mod step;
 pub mod sweep;

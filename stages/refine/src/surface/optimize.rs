@@ -4,10 +4,11 @@ use crate::geometry::remesh::remesh;
 use crate::mend::crossing::unfold;
 use crate::mend::pinch::pinch;
 use crate::mend::repair::mend;
-use crate::pictures::prepare::{footprint, undeform};
+use crate::pictures::prepare::undeform;
 use crate::pictures::turn::TurnInput;
 use crate::surface::params::OptimizeSurfaceParams;
 use crate::surface::round::{RoundStats, one_round};
+use crate::surface::sweep::Search;
 use shape::{Cameras, Masks, Mesh, Photos, Warps};
 use stage::{Ctx, Stage, Stop};
 use std::sync::Arc;
@@ -45,7 +46,7 @@ pub struct OptimizeSurface;
 
 impl Stage for OptimizeSurface {
     const NAME: &'static str = "refine.optimize_surface";
-    const VERSION: u32 = 10;
+    const VERSION: u32 = 11;
     const ABOUT: &'static str = "Refines a surface by inter-image consistency, silhouettes and a thin plate, the energy never rising.";
     type Params = OptimizeSurfaceParams;
     type Input = OptimizeSurfaceInput;
@@ -68,24 +69,25 @@ impl Stage for OptimizeSurface {
         input: OptimizeSurfaceInput,
         ctx: &Ctx<'_>,
     ) -> Result<Mesh, Stop> {
-        let mut pictures = input
-            .turn()
-            .pictures(&p.size, || ctx.check().map_err(Stop::from))?;
+        let go_on = || ctx.check().map_err(Stop::from);
+        let (mut pictures, mesh, footprint) = input.turn().ready(&p.size, go_on, |footprint| {
+            let mut mesh = Mesh::clone(&input.mesh);
+            mesh.colors.clear();
+            if p.edge_px > 0.0 {
+                mesh = remesh(&mesh, p.edge_px * footprint, 4);
+            }
+            unfold(&mut mesh);
+            mend(&mut mesh);
+            mesh
+        })?;
         if let Some(warps) = &input.warps {
             undeform(&mut pictures, &input.photos, &input.cameras, warps);
         }
-        let footprint = footprint(&input.mesh, &pictures);
-        let mut mesh = Mesh::clone(&input.mesh);
-        mesh.colors.clear();
-        if p.edge_px > 0.0 {
-            mesh = remesh(&mesh, p.edge_px * footprint, 4);
-        }
-        unfold(&mut mesh);
-        mend(&mut mesh);
         let steps = ctx.steps("rounds", p.rounds as usize);
         let mut state = Checkpoint {
             mesh,
             done: 0,
+            search: Search::default(),
             stats: RoundStats::default(),
         };
         if let Some(left) = ctx.resume::<Checkpoint>("round") {
@@ -94,7 +96,9 @@ impl Stage for OptimizeSurface {
         }
         for round in state.done..p.rounds {
             let before = state.stats.before;
-            state.stats = one_round(p, &mut state.mesh, &pictures, footprint, round < p.searches)?;
+            let searching = round < p.searches && p.reach_px > 0.0;
+            let search = searching.then_some(&mut state.search);
+            state.stats = one_round(p, &mut state.mesh, &pictures, footprint, search)?;
             if round > 0 {
                 state.stats.before = before;
             }
@@ -135,19 +139,28 @@ impl Stage for OptimizeSurface {
 struct Checkpoint {
     mesh: Mesh,
     done: u32,
+    search: Search,
     stats: RoundStats,
 }
 
 impl stage::Artifact for Checkpoint {
     const KIND: &'static str = "optimize_surface.checkpoint";
-    const FORMAT: u32 = 2;
+    const FORMAT: u32 = 3;
     fn pack(&self, to: &mut stage::Packer) {
         to.meta(&(self.done, self.stats));
         self.mesh.sections(to);
+        to.section("places", &self.search.places);
     }
     fn unpack(from: &stage::Unpacker<'_>) -> Result<Self, stage::Corrupt> {
         let (done, stats) = from.meta()?;
         let mesh = Mesh::from_sections(shape::Unit::default(), from)?;
-        Ok(Checkpoint { mesh, done, stats })
+        let places = from.section("places")?;
+        let search = Search { places };
+        Ok(Checkpoint {
+            mesh,
+            done,
+            search,
+            stats,
+        })
     }
 }

@@ -104,6 +104,9 @@ stage::params! {
         /// How far inward a better place is looked for first, in pixels of the level; 0 is nowhere.
         #[range(0.0..=100.0)]
         reach_px: f64 = 0.0,
+        /// Photos are not read again at a vertex that moved less since they were, in pixels of the level; its agreement goes on by slope and stiffness.
+        #[range(0.0..=1.0)]
+        still_px: f64 = 0.1,
         /// Rounds that begin with such a search.
         #[range(0..=100)]
         searches: u32 = 1,

@@ -1,10 +1,9 @@
 //! One round of the optimization: who sees what is looked at anew, then steps are taken while the energy falls.
 
-use crate::evidence::agreement::{Agreement, compared};
-use crate::evidence::contours::{Pull, pulls};
-use crate::evidence::outside::outside;
-use crate::evidence::patch::{MOST_VIEWS, Pairing};
-use crate::evidence::visibility::{Scene, Visibility, VisibilityRules};
+use crate::evidence::agreement::Agreement;
+use crate::evidence::contours::Pull;
+use crate::evidence::patch::Pairing;
+use crate::evidence::scene::VisibilityRules;
 use crate::geometry::curvature::Laplacian;
 use crate::geometry::remesh::relax;
 use crate::mend::crossing::part;
@@ -12,9 +11,10 @@ use crate::pictures::picture::Picture;
 use crate::pictures::prepare::RefineError;
 use crate::surface::energy::Forces;
 use crate::surface::params::{Flow, OptimizeSurfaceParams};
+use crate::surface::sight::{Looker, Sight};
 use crate::surface::smooth::ring_median;
 use crate::surface::step::{DataTerm, Rest, displacements};
-use crate::surface::sweep;
+use crate::surface::sweep::Search;
 use nalgebra::Vector3;
 use serde::{Deserialize, Serialize};
 use shape::{Adjacency, Mesh};
@@ -32,118 +32,101 @@ pub(crate) struct RoundStats {
     pub gap_px: f64,
 }
 
-/// Looks anew, then steps while the energy falls.
+/// Looks anew, then steps while the energy falls. Where there is a `search`, it comes first.
 pub(crate) fn one_round(
     p: &OptimizeSurfaceParams,
     mesh: &mut Mesh,
     pictures: &[Picture],
     footprint: f64,
-    begin: bool,
+    mut search: Option<&mut Search>,
 ) -> Result<RoundStats, RefineError> {
     let window = p.patches.window();
     let pairing = Pairing::between(p.pair_from_deg, p.pair_to_deg);
     let rules = VisibilityRules::new(p.patches.tilt_deg, pairing, p.noise_gain);
     let around = Adjacency::new(mesh);
     let start = mesh.positions.clone();
+    let looker = Looker {
+        p,
+        around: &around,
+        pictures,
+        window: &window,
+        rules: &rules,
+        footprint,
+    };
     let mut stats = RoundStats::default();
-    let searches = usize::from(begin && p.reach_px > 0.0);
+    let mut sight: Option<Sight> = None;
+    let searches = usize::from(search.is_some());
     for step in 0..p.steps as usize + searches {
-        let searching = step < searches;
-        let scene = Scene::new(mesh, &around, pictures, &window, &rules);
-        let (visible, seen) = looked(&scene);
-        stats.seen = visible.share();
+        let before = sight.take();
+        let now = sight.insert(looker.look(mesh, before));
+        stats.seen = now.visible.share();
         if stats.seen == 0.0 {
             return Err(RefineError::Unseen);
         }
-        let pulls = pulls(&scene, 3.0);
-        let Scene { normals, maps, .. } = scene;
-        drop(maps);
-        let outside = match p.hull_weight > 0.0 {
-            true => outside(mesh, &normals, pictures, p.slack_px, footprint),
-            false => vec![],
-        };
-        let laplacian = Laplacian::new(mesh, &around);
-        let bending = bending_weight(p.smooth_px, footprint);
-        let x = positions(mesh);
-        let rest = Rest::new(&laplacian, &x, &normals, p.rest_rings as usize);
-        let forces = Forces {
-            rest: &rest,
-            pictures,
-            visible: &visible,
-            rules: &rules,
-            window: &window,
-            pulls: &pulls,
-            outside: &outside,
-            laplacian: &laplacian,
-            footprint,
-            contour_weight: p.contour_weight,
-            hull_weight: p.hull_weight,
-            bending,
-            anchor: 1e-4,
-        };
-        let still = vec![0.0; x.len()];
-        stats.consistency = consistency(&seen);
+        stats.consistency = consistency(&now.seen);
         if step == 0 {
             stats.before = stats.consistency;
         }
-        stats.gap_px = gap(&pulls) / footprint;
-        let before = forces.energy(&seen, &still, &x);
-        let data_term = match searching {
-            true => searched(p, &forces, &around, &seen),
-            false => sloped(p, &forces, &around, &seen, mesh, &normals),
-        };
-        let d = displacements(&data_term, &laplacian, &x, &normals, &rest, bending, 60);
-        let most = if searching { p.reach_px } else { 3.0 } * footprint;
-        let d: Vec<f64> = d.iter().map(|d| d.clamp(-most, most)).collect();
-        let share = match searching {
-            true => 1.0,
-            false => forces.falls(&x, &d, before),
-        };
-        if share == 0.0 {
+        stats.gap_px = gap(&now.pulls) / footprint;
+        let Some(d) = one_step(&looker, mesh, now, search.take()) else {
             break;
-        }
-        step_along(mesh, &x, &normals, &d, share);
+        };
+        step_along(mesh, &now.x, &now.normals, &d);
         relax(mesh, &around);
     }
     part(mesh, &start, &around);
     Ok(stats)
 }
 
-/// Who sees whom, and how the pictures agree at each vertex, with derivatives.
-fn looked(scene: &Scene<'_>) -> (Visibility, Vec<Agreement>) {
-    let all = [true; MOST_VIEWS];
-    Visibility::with(
-        scene,
-        |frame, _| [frame.normal],
-        #[inline(always)]
-        |_, visible, looks| {
-            compared::<1>(
-                visible,
-                looks,
-                &all,
-                scene.window.len(),
-                scene.rules.pairing,
-            )
-        },
-    )
+/// How far each vertex goes along its normal; [`None`] where no step lowers the energy. \[mm\]
+fn one_step(
+    looker: &Looker<'_>,
+    mesh: &Mesh,
+    now: &Sight,
+    search: Option<&mut Search>,
+) -> Option<Vec<f64>> {
+    let (p, footprint) = (looker.p, looker.footprint);
+    let laplacian = Laplacian::new(mesh, looker.around);
+    let bending = bending_weight(p.smooth_px, footprint);
+    let rest = Rest::new(&laplacian, &now.x, &now.normals, p.rest_rings as usize);
+    let forces = Forces {
+        rest: &rest,
+        pictures: looker.pictures,
+        visible: &now.visible,
+        rules: looker.rules,
+        window: looker.window,
+        pulls: &now.pulls,
+        outside: &now.outside,
+        laplacian: &laplacian,
+        footprint,
+        contour_weight: p.contour_weight,
+        hull_weight: p.hull_weight,
+        bending,
+        anchor: 1e-4,
+    };
+    let solved = |data_term: &DataTerm, most: f64| -> Vec<f64> {
+        let (x, normals) = (&now.x, &now.normals);
+        let d = displacements(data_term, &laplacian, x, normals, &rest, bending, 60);
+        let most = most * footprint;
+        d.iter().map(|d| d.clamp(-most, most)).collect()
+    };
+    if let Some(search) = search {
+        let mut data_term = forces.data_term(&now.seen);
+        search.follow(&forces, looker.around, p.reach_px, now, &mut data_term);
+        return Some(solved(&data_term, p.reach_px));
+    }
+    let d = solved(
+        &sloped(p, &forces, looker.around, &now.seen, mesh, &now.normals),
+        3.0,
+    );
+    let share = forces.falls(&now.x, &d, &now.seen, (&now.off, looker.near()));
+    (share > 0.0).then(|| d.iter().map(|d| d * share).collect())
 }
 
 /// Weight of the bending term: a typical pair-stiffness of 0.04 a pixel² balances it at the length asked
 /// for. \[mm²\]
 fn bending_weight(smooth_px: f64, footprint: f64) -> f64 {
     0.04 * smooth_px.powi(4) * footprint.powi(2)
-}
-
-/// What photos ask of the vertices where a search along the normals finds them to agree best.
-fn searched(
-    p: &OptimizeSurfaceParams,
-    forces: &Forces<'_>,
-    around: &Adjacency,
-    seen: &[Agreement],
-) -> DataTerm {
-    let mut data_term = forces.data_term(seen);
-    sweep::follow(forces, around, p.reach_px, seen, &mut data_term);
-    data_term
 }
 
 /// What photos ask of the vertices by the slope of their agreement, smoothed where the flow is one of medians.
@@ -170,24 +153,12 @@ fn sloped(
     data_term
 }
 
-/// Moves the vertices along their normals by a share of `d`. \[mm\]
-fn step_along(
-    mesh: &mut Mesh,
-    x: &[Vector3<f64>],
-    normals: &[Vector3<f64>],
-    d: &[f64],
-    share: f64,
-) {
+/// Moves the vertices along their normals by `d`. \[mm\]
+fn step_along(mesh: &mut Mesh, x: &[Vector3<f64>], normals: &[Vector3<f64>], d: &[f64]) {
     for (v, d) in d.iter().enumerate() {
-        let to = x[v] + normals[v] * (d * share);
+        let to = x[v] + normals[v] * *d;
         mesh.positions[v] = [to.x as f32, to.y as f32, to.z as f32];
     }
-}
-
-/// Where the vertices are. \[mm\]
-fn positions(mesh: &Mesh) -> Vec<Vector3<f64>> {
-    let vertices = 0..mesh.positions.len() as u32;
-    vertices.map(|v| mesh.point(v).coords).collect()
 }
 
 /// Mean agreement of the photos over the surface.

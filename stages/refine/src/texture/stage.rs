@@ -2,6 +2,7 @@
 
 use crate::pictures::picture::Picture;
 use crate::pictures::turn::{PhotoSize, TurnInput};
+use crate::texture::ahead::Ahead;
 use crate::texture::atlas::{Sheet, charts, packed};
 use crate::texture::labels::{NOWHERE, labels};
 use nalgebra::{Point2, SVector, Vector3};
@@ -84,9 +85,9 @@ impl Stage for Texture {
         let mut corners = vec![[[0.0f32; 2]; 3]; mesh.faces.len()];
         let steps = ctx.steps("photos", views.len() + 1);
         let ids = views.iter().map(|(id, _)| Some(*id)).chain([None]);
-        for (k, id) in ids.enumerate() {
-            let photo = id.and_then(|id| input.photos.get(id));
-            let photo = photo.map(|photo| photo.decode()).transpose()?;
+        let mut decoded = Ahead::new(&input.photos, ids.collect());
+        for k in 0..=views.len() {
+            let photo = decoded.photo(k)?;
             let label = if photo.is_some() { k as u16 } else { NOWHERE };
             for (c, chart) in charts.iter().enumerate().filter(|(_, c)| c.photo == label) {
                 let lo = boxes[c][0];

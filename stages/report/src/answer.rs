@@ -1,0 +1,27 @@
+//! Which answer a page tells: the full one, or a first one from a coarse surface.
+
+stage::choice! {
+    /// Which answer the page tells.
+    pub enum Answer {
+        /// The full one.
+        Full = "full",
+        /// A first one, from a coarse surface.
+        First = "first",
+        /// A first one that the full one follows.
+        Followed = "followed",
+    }
+}
+
+impl Answer {
+    /// What is said on top of a page that tells a first answer.
+    pub(crate) fn first(self) -> String {
+        let follows = match self {
+            Answer::Full => return String::new(),
+            Answer::First => "the full one was not asked for",
+            Answer::Followed => "the full one follows and replaces this page",
+        };
+        format!(
+            "<p class=\"warn\"><b>First answer from the coarse surface</b>; {follows}. Waist and hip alone, with wider intervals.</p>"
+        )
+    }
+}
