@@ -78,16 +78,44 @@ fn tags(cameras: &[Camera]) -> Tags {
     }
 }
 
-/// Cameras in millimetres from a stature and a reference length, both of the post. \[mm\]
-fn framed(stature_mm: f64, reference_mm: f64) -> Result<Cameras, String> {
-    framed_by(stature_mm, reference_mm, None)
+/// A disk of 900 mm on a floor a little darker, and on it a ring that is much darker, 600 mm wide.
+fn plate(camera: &Camera) -> Photo {
+    let mut gray = shape::Image::filled(320, 480, 90);
+    for (i, level) in gray.data.iter_mut().enumerate() {
+        let (x, y) = ((i % 320) as f64, (i / 320) as f64);
+        let (from, ray) = (camera.centre(), camera.ray([x, y].into()));
+        let at = from + ray.into_inner() * ((-400.0 - from.z) / ray.z);
+        let far = at.x.hypot(at.y);
+        if ray.z < 0.0 && far < 225.0 {
+            *level = if far < 150.0 { 190 } else { 130 };
+        }
+    }
+    Photo {
+        name: "plate.png".into(),
+        width: 320,
+        height: 480,
+        orientation: 1,
+        focal_35mm: None,
+        device: String::new(),
+        time_s: None,
+        file: Arc::from(shape::gray_to_png(&gray)),
+    }
 }
 
-/// As [`framed`], with tags on the ground of which so much is known.
+/// Cameras in millimetres from a stature and a reference length, both of the post. \[mm\]
+fn framed(stature_mm: f64, reference_mm: f64) -> Result<Cameras, String> {
+    framed_by(stature_mm, reference_mm, None, None)
+}
+
+/// What is known of tags on the ground: a layout, their size.
+type Known = (Option<Mat>, Option<f64>);
+
+/// As [`framed`], with tags on the ground, and a disk.
 fn framed_by(
     stature_mm: f64,
     reference_mm: f64,
-    mat: Option<(Option<Mat>, Option<f64>)>,
+    mat: Option<Known>,
+    disk_mm: Option<f64>,
 ) -> Result<Cameras, String> {
     let cameras = turn();
     let gray = shape::gray_to_png(&shape::Image::filled(320, 480, 0));
@@ -119,8 +147,9 @@ fn framed_by(
         })),
         photos: Arc::new(Photos {
             photos: (0..cameras.len()).map(photo).collect(),
-            plate: None,
+            plate: disk_mm.map(|_| plate(&cameras[0])),
             rig: Rig {
+                disk_diameter_mm: disk_mm,
                 stature_mm: Some(stature_mm),
                 reference: Some(Reference {
                     kind: "subject_height".into(),
@@ -178,7 +207,7 @@ fn tags_on_the_ground_of_a_walk_go_before_a_stature_and_say_where_the_ground_is(
     let size = (None, Some(MAT.tag_mm));
     for known in [layout, size] {
         // The stature is a tenth too long: the tags are believed.
-        let found = framed_by(1760.0, 1760.0, Some(known)).unwrap();
+        let found = framed_by(1760.0, 1760.0, Some(known), None).unwrap();
         assert_eq!(found.scale, Scale::Tags);
         let far = |camera: &Camera| camera.centre().coords.xy().norm();
         let (before, after) = (turn()[0], found.views.values().next().unwrap().camera);
@@ -192,6 +221,17 @@ fn tags_on_the_ground_of_a_walk_go_before_a_stature_and_say_where_the_ground_is(
         );
     }
     // Tags of a size that nobody knows say nothing.
-    let found = framed_by(1600.0, 1600.0, Some((None, None))).unwrap();
+    let found = framed_by(1600.0, 1600.0, Some((None, None)), None).unwrap();
     assert_eq!(found.scale, Scale::Reference);
+}
+
+#[test]
+fn of_two_circles_the_one_that_the_stature_vouches_for_is_the_disk() {
+    let found = framed_by(1600.0, 1600.0, None, Some(900.0)).unwrap();
+    proof::near(found.disk_radius_mm.unwrap(), 450.0, 1e-9);
+    let far = |camera: &Camera| camera.centre().coords.xy().norm();
+    let (before, after) = (turn()[0], found.views.values().next().unwrap().camera);
+    proof::near(far(&after) / far(&before), 2.0, 0.05);
+    // Nobody says how tall: the strongest circle it is, and only a stature could tell that it is the ring.
+    assert!(framed_by(1600.0, 1600.0, None, Some(1500.0)).is_err());
 }

@@ -6,7 +6,7 @@ use crate::frame::lengths::{Measure, Seen, by_tags, floor, measures};
 use crate::frame::stature::{Stature, stature};
 use nalgebra::{Point3, Rotation3};
 use rayon::prelude::*;
-use shape::{Cameras, Gray, Masks, PhotoError, Photos, Scale, Tags, median, registered};
+use shape::{Cameras, Gray, Masks, PhotoError, Photos, Rig, Scale, Tags, median, registered};
 use stage::{Ctx, Stage, Stop};
 use std::sync::Arc;
 
@@ -83,7 +83,7 @@ impl Stage for Frame {
         } else {
             ctx.check()?;
             let still = still(&input.photos, p.search_px)?;
-            still.and_then(|s| search(&s, cameras, body.as_ref(), p.least_standout))
+            still.and_then(|s| edge(&s, cameras, body.as_ref(), rig, p))
         };
         let tags = input.tags.as_deref().filter(|_| !placed);
         let tags = tags.and_then(|tags| by_tags(cameras, tags, rig, p.tag_px));
@@ -207,16 +207,53 @@ fn still(photos: &Photos, search_px: u32) -> Result<Option<Gray>, PhotoError> {
     Ok(registered(&pictures).1.or_else(|| median(&pictures)))
 }
 
-/// The disk's edge near the soles, or anywhere below the camera.
+/// The strongest circle near the disk. A ring of tags may be stronger than the edge: where the stature says that the
+/// disk is another, and a circle of that size is a third as strong, it is that one (both by hand, on made photos).
+fn edge(
+    still: &Gray,
+    cameras: &Cameras,
+    body: Option<&Stature>,
+    rig: &Rig,
+    p: &FrameParams,
+) -> Option<DiskEdge> {
+    let found = search(still, cameras, body, [0.06, 0.4], p.least_standout);
+    let expected = || {
+        let (disk, stature, body) = (rig.disk_diameter_mm?, rig.stature_mm?, body?);
+        Some(disk / 2.0 * (body.crown - body.ground) / stature)
+    };
+    let (Some(strongest), Some(expected)) = (found, expected()) else {
+        return found;
+    };
+    if (strongest.radius / expected - 1.0).abs() <= p.contradiction {
+        return found;
+    }
+    let share = expected / ring(cameras)?;
+    let near = [0.9, 1.1].map(|by| by * share);
+    let other = search(still, cameras, body, near, 0.0);
+    // Against all circles, not only those beside it.
+    let usual = strongest.contrast / strongest.standout;
+    let least = (p.least_standout * usual).max(strongest.contrast / 3.0);
+    let strong = |edge: &DiskEdge| edge.contrast >= least;
+    other.filter(strong).or(found)
+}
+
+/// Distance of the first camera from the axis.
+fn ring(cameras: &Cameras) -> Option<f64> {
+    let centre = cameras.views.values().next()?.camera.centre();
+    Some(libm::hypot(centre.x, centre.y))
+}
+
+/// The disk's edge near the soles, or anywhere below the camera; radii as shares of the camera's distance.
 fn search(
     still: &Gray,
     cameras: &Cameras,
     body: Option<&Stature>,
+    radii: [f64; 2],
     least_standout: f64,
 ) -> Option<DiskEdge> {
     let camera = &cameras.views.values().next()?.camera;
     let centre = camera.centre();
-    let ring = libm::hypot(centre.x, centre.y);
+    let ring = ring(cameras)?;
     let heights = match body {
         Some(body) => {
             let reach = 0.04 * (body.crown - body.ground);
@@ -224,7 +261,7 @@ fn search(
         }
         None => [centre.z - 0.8 * ring, centre.z - 0.1 * ring],
     };
-    let found = disk_edge(still, camera, heights, [0.06 * ring, 0.4 * ring])?;
+    let found = disk_edge(still, camera, heights, radii.map(|r| r * ring))?;
     (found.standout >= least_standout).then_some(found)
 }
 
