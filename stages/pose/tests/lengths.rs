@@ -85,7 +85,7 @@ fn plate(camera: &Camera) -> Photo {
         let (x, y) = ((i % 320) as f64, (i / 320) as f64);
         let (from, ray) = (camera.centre(), camera.ray([x, y].into()));
         let at = from + ray.into_inner() * ((-400.0 - from.z) / ray.z);
-        let far = at.x.hypot(at.y);
+        let far = libm::hypot(at.x, at.y);
         if ray.z < 0.0 && far < 225.0 {
             *level = if far < 150.0 { 190 } else { 130 };
         }

@@ -69,7 +69,7 @@ fn seen(cameras: &Cameras, height: f64, bloom_px: f64) -> Tags {
             px[k] = [at.x + off(1), at.y + off(2)];
         }
         let middle = [0, 1].map(|i| px.iter().map(|c| c[i]).sum::<f64>() / 4.0);
-        let side = (px[1][0] - px[0][0]).hypot(px[1][1] - px[0][1]);
+        let side = libm::hypot(px[1][0] - px[0][0], px[1][1] - px[0][1]);
         let grown = px.map(|c| [0, 1].map(|i| c[i] + (c[i] - middle[i]) * 2.0 * bloom_px / side));
         Some(Tag { id, corners: grown })
     };
