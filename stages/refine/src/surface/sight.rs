@@ -83,10 +83,9 @@ impl Looker<'_> {
             }) => (Some((visible, read, read_outside)), Some(drawn)),
             None => (None, None),
         };
-        let (maps, drawn) = match drawn {
-            Some(drawn) if !self.left_behind(&x, &drawn.1) => drawn,
-            _ => (self.depths(mesh), x.clone()),
-        };
+        // Maps that were left behind go before others are drawn: they are as large as all photos.
+        let drawn = drawn.filter(|(_, at)| !self.left_behind(&x, at));
+        let (maps, drawn) = drawn.unwrap_or_else(|| (self.depths(mesh), x.clone()));
         let scene = Scene::drawn(
             mesh,
             self.around,
