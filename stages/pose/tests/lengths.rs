@@ -78,7 +78,21 @@ fn tags(cameras: &[Camera]) -> Tags {
     }
 }
 
-/// A disk of 900 mm on a floor a little darker, and on it a ring that is much darker, 600 mm wide.
+/// A photo of these levels.
+fn photo(name: &str, gray: &shape::Image<u8>) -> Photo {
+    Photo {
+        name: name.into(),
+        width: 320,
+        height: 480,
+        orientation: 1,
+        focal_35mm: None,
+        device: String::new(),
+        time_s: None,
+        file: Arc::from(shape::gray_to_png(gray)),
+    }
+}
+
+/// A disk of 900 mm on a darker floor, and on it a circle that is much brighter, 600 mm wide.
 fn plate(camera: &Camera) -> Photo {
     let mut gray = shape::Image::filled(320, 480, 90);
     for (i, level) in gray.data.iter_mut().enumerate() {
@@ -90,16 +104,7 @@ fn plate(camera: &Camera) -> Photo {
             *level = if far < 150.0 { 190 } else { 130 };
         }
     }
-    Photo {
-        name: "plate.png".into(),
-        width: 320,
-        height: 480,
-        orientation: 1,
-        focal_35mm: None,
-        device: String::new(),
-        time_s: None,
-        file: Arc::from(shape::gray_to_png(&gray)),
-    }
+    photo("plate.png", &gray)
 }
 
 /// Cameras in millimetres from a stature and a reference length, both of the post. \[mm\]
@@ -118,17 +123,8 @@ fn framed_by(
     disk_mm: Option<f64>,
 ) -> Result<Cameras, String> {
     let cameras = turn();
-    let gray = shape::gray_to_png(&shape::Image::filled(320, 480, 0));
-    let photo = |i: usize| Photo {
-        name: format!("{i:04}.png"),
-        width: 320,
-        height: 480,
-        orientation: 1,
-        focal_35mm: None,
-        device: String::new(),
-        time_s: None,
-        file: Arc::from(gray.clone()),
-    };
+    let black = shape::Image::filled(320, 480, 0);
+    let photo = |i: usize| photo(&format!("{i:04}.png"), &black);
     let id = |i: usize| PhotoId(i as u32);
     let view = |(i, camera): (usize, &Camera)| {
         let view = View {
