@@ -63,6 +63,8 @@ fn picture(k: usize) -> Picture {
     }
     Picture {
         gray,
+        whole: SIZE,
+        corner: [0; 2],
         projection: lens * pose,
         centre,
         focal,

@@ -44,7 +44,7 @@ pub struct EstimateDeformation;
 
 impl Stage for EstimateDeformation {
     const NAME: &'static str = "refine.estimate_deformation";
-    const VERSION: u32 = 2;
+    const VERSION: u32 = 3;
     const ABOUT: &'static str = "Finds how arms, head and chest moved against the rest of the body: a smooth field of offsets a photo.";
     type Params = EstimateDeformationParams;
     type Input = EstimateDeformationInput;
@@ -74,16 +74,15 @@ impl Stage for EstimateDeformation {
         };
         let window = p.look.patches.window();
         let rules = p.look.rules();
-        let none = |p: &crate::pictures::picture::Picture, cell| {
-            Warp::none(p.gray.width, p.gray.height, cell)
-        };
+        let none =
+            |p: &crate::pictures::picture::Picture, cell| Warp::none(p.whole[0], p.whole[1], cell);
         let mut warps: Vec<Warp> = deformed.iter().map(|b| none(b, p.cell_px)).collect();
         let steps = ctx.steps("rounds", p.rounds as usize);
         for _ in 0..p.rounds {
             let undeformed: Vec<_> = deformed
                 .par_iter()
                 .zip(&warps)
-                .map(|(b, w)| b.undeformed(w, b.gray.width as u32))
+                .map(|(b, w)| b.undeformed(w, b.whole[0] as u32))
                 .collect();
             let scene = Scene::new(&mesh, &around, &undeformed, &window, &rules);
             let shifts = point_shifts(&scene, footprint);
@@ -105,7 +104,7 @@ impl Stage for EstimateDeformation {
             .zip(warps)
             .zip(&deformed)
             .map(|(((id, view), w), b)| {
-                let scale = f64::from(view.camera.lens.width) / b.gray.width as f64;
+                let scale = f64::from(view.camera.lens.width) / b.whole[0] as f64;
                 let offsets = w.offsets.iter().map(|o| o.map(|o| o * scale as f32));
                 let warp = Warp {
                     cell_px: w.cell_px * scale,

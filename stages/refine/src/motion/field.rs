@@ -35,7 +35,7 @@ struct Constraint {
     stiffness: f64,
 }
 
-/// All constraints on the photos' fields, one list a picture, in pixels of the pictures.
+/// All constraints on the photos' fields, one list a picture, in pixels of the whole photos at the pictures' level.
 pub struct Constraints(Vec<Vec<Constraint>>);
 
 impl Constraints {
@@ -72,7 +72,7 @@ impl Constraints {
 
     fn add(&mut self, pictures: &[Picture], t: &PointShift) {
         let picture = &pictures[t.picture as usize];
-        let Some((at, _)) = picture.project(&t.x) else {
+        let Some(at) = on_whole(picture, &t.x) else {
             return;
         };
         let [x, y] = picture.jacobian(&t.x).map(|row| row.dot(&t.direction));
@@ -175,10 +175,16 @@ fn solve(constraints: &[Constraint], now: &Warp, prior: &FieldPrior) -> Warp {
     warp
 }
 
+/// Where a point is seen on the whole photo that a picture is part of. \[px\]
+fn on_whole(picture: &Picture, x: &Point3<f64>) -> Option<[f64; 2]> {
+    let (at, _) = picture.project(x)?;
+    Some([0, 1].map(|i| at[i] + picture.corner[i] as f64))
+}
+
 /// How far a point is seen from where it would be, rms over pictures. \[px\]
 pub fn seen_off(warps: &[Warp], pictures: &[Picture], x: &Point3<f64>) -> f64 {
     let off = |(w, p): (&Warp, &Picture)| {
-        let (at, _) = p.project(x)?;
+        let at = on_whole(p, x)?;
         Some(w.at(at).iter().map(|o| o * o).sum::<f64>())
     };
     let all: Vec<f64> = warps.iter().zip(pictures).filter_map(off).collect();

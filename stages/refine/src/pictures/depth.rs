@@ -14,8 +14,6 @@ pub struct DepthMap {
     pub step: f64,
     /// Depth along the optical axis, row-major; infinite where nothing is. \[mm\]
     pub depth: Vec<f32>,
-    /// The face that is seen; `u32::MAX` where nothing is.
-    pub face: Vec<u32>,
 }
 
 impl DepthMap {
@@ -28,7 +26,6 @@ impl DepthMap {
             height,
             step,
             depth: vec![f32::INFINITY; width * height],
-            face: vec![u32::MAX; width * height],
         };
         let corners: Vec<_> = (0..mesh.positions.len() as u32)
             .map(|v| {
@@ -36,11 +33,11 @@ impl DepthMap {
                 Some([map.to_map(at[0]), map.to_map(at[1]), 1.0 / depth])
             })
             .collect();
-        for (f, face) in mesh.faces.iter().enumerate() {
+        for face in &mesh.faces {
             let [Some(a), Some(b), Some(c)] = face.map(|v| corners[v as usize]) else {
                 continue;
             };
-            map.draw(f as u32, a, b, c);
+            map.draw(a, b, c);
         }
         map
     }
@@ -52,7 +49,7 @@ impl DepthMap {
     }
 
     /// One triangle, corners as column, row, inverse depth.
-    fn draw(&mut self, face: u32, a: [f64; 3], b: [f64; 3], c: [f64; 3]) {
+    fn draw(&mut self, a: [f64; 3], b: [f64; 3], c: [f64; 3]) {
         // Rows grow downward, so a face that looks here runs clockwise in the picture's axes.
         let area = (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
         if area >= 0.0 {
@@ -78,10 +75,7 @@ impl DepthMap {
                 }
                 let depth = (1.0 / (wa * a[2] + wb * b[2] + wc * c[2])) as f32;
                 let at = y * self.width + x;
-                if depth < self.depth[at] {
-                    self.depth[at] = depth;
-                    self.face[at] = face;
-                }
+                self.depth[at] = self.depth[at].min(depth);
             }
         }
     }
@@ -136,7 +130,7 @@ mod tests {
         assert_eq!(map.at([c, r]), 80.0);
         assert!(map.shows(&picture, &x, 0.1));
         assert!(!map.shows(&picture, &Point3::new(0.0, 0.0, 100.0), 0.1));
-        assert_eq!(map.face.iter().filter(|f| **f == 2).count(), 0);
+        assert!(map.depth.iter().all(|d| *d >= 80.0));
         assert!(map.at([1.0, 1.0]).is_infinite());
     }
 }

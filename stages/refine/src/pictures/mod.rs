@@ -1,7 +1,8 @@
 //! Photos made ready to be compared: `turn` (what stages read) → `prepare`, `need` (how much memory) →
 //! `picture`; `depth` (what hides what) → `picture` →
-//! `resample` → `registers` (kernels for this processor).
+//! `crop` (the body's part), `resample` → `registers` (kernels for this processor).
 
+pub(crate) mod crop;
 pub mod depth;
 pub(crate) mod need;
 pub mod picture;

@@ -3,6 +3,8 @@
 //! What a pixel and a vertex take was read off peaks of single stages on turns of 18 photos of 1 and
 //! 4 megapixels; docs/engine.md has them beside what is told.
 
+use crate::pictures::crop::Crop;
+use crate::pictures::picture::{halved_size, pinhole};
 use crate::pictures::prepare::{halvings, posed};
 use shape::{Cameras, Masks, Mesh, Photos};
 
@@ -55,10 +57,14 @@ impl Need {
             let [width, height] = [view.camera.lens.width, view.camera.lens.height];
             let photo = f64::from(width) * f64::from(height);
             let halvings = halvings([width, height], level, most_mpx);
-            let picture = photo / 4f64.powi(halvings as i32);
+            let whole = halved_size(&view.camera.lens, halvings);
+            let picture = (whole[0] * whole[1]) as f64;
             let mask = masks.and_then(|masks| masks.views.get(*id));
             let share = mask.map_or(COVERS, |m| m.area() as f64 / m.data.len().max(1) as f64);
-            need.pixels += picture;
+            let shown = pinhole(&view.camera.lens, whole);
+            need.pixels += mask.map_or(picture, |mask| {
+                Crop::around(mask, &view.camera.lens, &shown).area() as f64
+            });
             need.photo = need.photo.max(photo);
             need.body += picture * share / views.len() as f64;
         }

@@ -1,14 +1,20 @@
 //! One photo, ready to be compared: free of distortion, one level of its Gaussian pyramid.
 
+use crate::pictures::crop::Crop;
 use crate::pictures::resample::resampled;
 use nalgebra::{Matrix3x4, Point3, Vector2, Vector3};
 use shape::{Camera, Gray, Intrinsics, Mask, Warp, signed_distance};
 
-/// A photo's brightness at one level of the pyramid, its pinhole camera, and its silhouette.
+/// A photo's brightness at one level of the pyramid, its pinhole camera, and its silhouette; of a photo with a silhouette
+/// only the part that shows the body.
 pub struct Picture {
     /// Brightness, 0..=255, as a lens without distortion would show it.
     pub gray: Gray,
-    /// `pixel ~ projection * (x, 1)`, in pixels of this level and millimetres.
+    /// Width and height of the whole photo at this level. \[px\]
+    pub whole: [usize; 2],
+    /// Where this picture begins on it: column and row of its first pixel. \[px\]
+    pub corner: [usize; 2],
+    /// `pixel ~ projection * (x, 1)`, in pixels of this picture and millimetres.
     pub projection: Matrix3x4<f64>,
     /// The camera's centre. \[mm\]
     pub centre: Point3<f64>,
@@ -21,30 +27,44 @@ pub struct Picture {
 }
 
 impl Picture {
-    /// Prepares a photo, halved `halvings` times.
+    /// Prepares a photo, halved `halvings` times: what is the body by its silhouette and what lies close around
+    /// it, all of it where there is none.
     pub fn new(gray: Gray, camera: &Camera, mask: Option<&Mask>, halvings: u32) -> Self {
-        let mut level = gray;
-        let noise = noise(&level);
-        for _ in 0..halvings {
-            level = halved(&level);
-        }
-        let size = (level.width as u32, level.height as u32);
-        let lens = camera.lens.resized(size.0, size.1);
-        let inside = mask.map(|mask| {
-            let far = signed_distance(mask);
-            let scale = level.width as f32 / mask.width as f32;
-            straightened(&far, &camera.lens, &lens).map(|d| d * scale)
-        });
-        let gray = if lens.radial == [0.0; 2] {
-            level
-        } else {
-            straightened(&level, &lens, &lens)
+        let noise = noise(&gray);
+        let (lens, whole) = (&camera.lens, halved_size(&camera.lens, halvings));
+        let level = pinhole(lens, whole);
+        let crop = match mask {
+            Some(mask) => Crop::around(mask, lens, &level),
+            None => Crop::whole(whole),
         };
+        let part = match mask {
+            Some(_) => crop.in_photo(&level, lens, 1 << halvings),
+            None => Crop::whole([gray.width, gray.height]),
+        };
+        let (shown, photo) = (crop.lens(&level), part.lens(lens));
+        let inside = mask.map(|mask| {
+            let far = signed_distance(&part.of(mask));
+            let scale = whole[0] as f32 / lens.width as f32;
+            straightened(&far, &photo, &shown).map(|d| d * scale)
+        });
+        let mut gray = match part.area() < gray.data.len() {
+            true => part.of(&gray),
+            false => gray,
+        };
+        for _ in 0..halvings {
+            gray = halved(&gray);
+        }
+        let read = photo.resized(gray.width as u32, gray.height as u32);
+        if lens.radial != [0.0; 2] || mask.is_some() {
+            gray = straightened(&gray, &read, &shown);
+        }
         Picture {
             gray,
-            projection: projection(&lens, camera),
+            whole,
+            corner: crop.corner,
+            projection: projection(&shown, camera),
             centre: camera.centre(),
-            focal: focal(&lens),
+            focal: focal(&shown),
             inside,
             // A halving by [1 3 3 1]/8 along both sides leaves 5/16 of white noise's deviation.
             noise: (noise * 0.3125f32.powi(halvings as i32)).max(0.25),
@@ -53,15 +73,16 @@ impl Picture {
 
     /// As [`Self::new`] makes it, but for what it shows: for who asks where a camera sees what, and not what.
     pub fn blank(camera: &Camera, halvings: u32) -> Self {
-        let half = |n: u32| (0..halvings).fold(n, |n, _| (n / 2).max(1));
-        let size = [camera.lens.width, camera.lens.height].map(half);
-        let lens = camera.lens.resized(size[0], size[1]);
+        let whole = halved_size(&camera.lens, halvings);
+        let lens = pinhole(&camera.lens, whole);
         Picture {
             gray: Gray {
-                width: size[0] as usize,
-                height: size[1] as usize,
+                width: whole[0],
+                height: whole[1],
                 data: vec![],
             },
+            whole,
+            corner: [0; 2],
             projection: projection(&lens, camera),
             centre: camera.centre(),
             focal: focal(&lens),
@@ -73,9 +94,10 @@ impl Picture {
     /// The picture as it would be had the body not deformed: what `warp` says is seen at an offset,
     /// brought back. `warp` in pixels of the photo, `photo_width` wide.
     pub fn undeformed(&self, warp: &Warp, photo_width: u32) -> Self {
-        let scale = self.gray.width as f64 / f64::from(photo_width);
+        let scale = self.whole[0] as f64 / f64::from(photo_width);
         let (width, height) = (self.gray.width, self.gray.height);
-        let columns: Vec<f64> = (0..width).map(|x| (x as f64 + 0.5) / scale - 0.5).collect();
+        let of_photo = |k: usize, i: usize| ((k + self.corner[i]) as f64 + 0.5) / scale - 0.5;
+        let columns: Vec<f64> = (0..width).map(|x| of_photo(x, 0)).collect();
         let rows = warp.rows_at(&columns);
         let drawn = |image: &Gray| -> Gray {
             resampled(
@@ -83,8 +105,7 @@ impl Picture {
                 (width, height),
                 #[inline(always)]
                 |y, to_x, to_y| {
-                    let row = (y as f64 + 0.5) / scale - 0.5;
-                    rows.offsets(row, |x, offset| {
+                    rows.offsets(of_photo(y, 1), |x, offset| {
                         to_x[x] = (x as f64 + offset[0] * scale) as f32;
                         to_y[x] = (y as f64 + offset[1] * scale) as f32;
                     });
@@ -93,6 +114,8 @@ impl Picture {
         };
         Picture {
             gray: drawn(&self.gray),
+            whole: self.whole,
+            corner: self.corner,
             projection: self.projection,
             centre: self.centre,
             focal: self.focal,
@@ -103,8 +126,11 @@ impl Picture {
 
     /// The same picture, taken from elsewhere.
     pub fn moved(&mut self, camera: &Camera) {
-        let size = (self.gray.width as u32, self.gray.height as u32);
-        self.projection = projection(&camera.lens.resized(size.0, size.1), camera);
+        let crop = Crop {
+            corner: self.corner,
+            size: [self.gray.width, self.gray.height],
+        };
+        self.projection = projection(&crop.lens(&pinhole(&camera.lens, self.whole)), camera);
         self.centre = camera.centre();
     }
 
@@ -133,6 +159,20 @@ impl Picture {
     /// What a pixel covers at a depth. \[mm\]
     pub fn footprint(&self, depth_mm: f64) -> f64 {
         depth_mm / self.focal
+    }
+}
+
+/// Width and height after so many halvings. \[px\]
+pub(crate) fn halved_size(lens: &Intrinsics, halvings: u32) -> [usize; 2] {
+    let half = |n: u32| (0..halvings).fold(n as usize, |n, _| (n / 2).max(1));
+    [half(lens.width), half(lens.height)]
+}
+
+/// A lens without distortion for the photo at this size.
+pub(crate) fn pinhole(lens: &Intrinsics, [width, height]: [usize; 2]) -> Intrinsics {
+    Intrinsics {
+        radial: [0.0; 2],
+        ..lens.resized(width as u32, height as u32)
     }
 }
 
