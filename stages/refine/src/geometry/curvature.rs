@@ -103,11 +103,22 @@ impl Laplacian {
     /// A row: neighbours and their weights.
     #[inline]
     pub fn row(&self, v: usize) -> impl Iterator<Item = (usize, f64)> + '_ {
-        let range = self.starts[v] as usize..self.starts[v + 1] as usize;
+        let range = self.places(v);
         let columns = self.columns[range.clone()].iter();
         columns
             .map(|c| *c as usize)
             .zip(self.weights[range].iter().copied())
+    }
+
+    /// Where a row's neighbours are among those of all rows.
+    #[inline]
+    pub fn places(&self, v: usize) -> std::ops::Range<usize> {
+        self.starts[v] as usize..self.starts[v + 1] as usize
+    }
+
+    /// The neighbours of all rows, one row after the other.
+    pub fn columns(&self) -> &[u32] {
+        &self.columns
     }
 
     /// `L x` for vectors: twice the mean curvature times the inward normal, for positions.

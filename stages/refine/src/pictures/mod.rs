@@ -1,9 +1,10 @@
 //! Photos made ready to be compared: `turn` (what stages read) → `prepare`, `need` (how much memory) →
 //! `picture`; `depth` (what hides what) → `picture` →
-//! `crop` (the body's part), `resample` → `registers` (kernels for this processor).
+//! `crop` (the body's part), `halving`, `resample` → `registers` (kernels for this processor).
 
 pub(crate) mod crop;
 pub mod depth;
+pub mod halving;
 pub(crate) mod need;
 pub mod picture;
 pub mod prepare;

@@ -87,24 +87,13 @@ pub fn displacements(
     rounds: usize,
 ) -> Vec<f64> {
     let count = x.len();
-    let transposed = Transposed::new(laplacian, count);
-    let bending_gradient = |y: &[Vector3<f64>], rest: Option<&Rest>| -> Vec<f64> {
-        let curvature = laplacian.apply(y);
-        let along = |v: usize| {
-            let less = rest.map_or(0.0, |r| r.wanted[v]);
-            normals[v] * ((curvature[v].dot(&normals[v]) - less) * laplacian.areas[v] * bending)
-        };
-        let range = (0..count).into_par_iter().with_min_len(4096);
-        let strained: Vec<_> = range.map(along).collect();
-        transposed.apply(&strained, normals)
-    };
+    let along = AlongNormals::new(laplacian, normals);
+    let strain = |v: usize, curvature: f64| curvature * laplacian.areas[v] * bending;
     let matrix = |d: &[f64]| -> Vec<f64> {
-        let moved: Vec<_> = d.iter().zip(normals).map(|(d, n)| n * *d).collect();
-        let mut out = bending_gradient(&moved, None);
-        for v in 0..count {
-            out[v] += data_term.stiffness[v] * d[v];
-        }
-        out
+        let strained = along.apply(d, &along.forward, strain);
+        along.apply(&strained, &along.back, |v, force| {
+            force + data_term.stiffness[v] * d[v]
+        })
     };
     let inverse: Vec<f64> = (0..count)
         .map(|v| {
@@ -120,39 +109,62 @@ pub fn displacements(
             if diagonal > 0.0 { 1.0 / diagonal } else { 0.0 }
         })
         .collect();
-    let mut r = bending_gradient(x, Some(rest));
-    for v in 0..count {
-        r[v] = data_term.pull[v] - r[v];
-    }
+    let curved = laplacian
+        .apply(x)
+        .into_iter()
+        .zip(normals)
+        .zip(&rest.wanted);
+    let strained = curved.enumerate();
+    let strained = strained.map(|(v, ((b, n), wanted))| strain(v, b.dot(n) - wanted));
+    let strained: Vec<f64> = strained.collect();
+    let r = along.apply(&strained, &along.back, |v, force| data_term.pull[v] - force);
     conjugate_gradients(matrix, &inverse, r, rounds)
 }
 
-/// The Laplacian transposed, rows gathered so that each output is summed by one thread in order.
-struct Transposed<'a> {
+/// The Laplacian between displacements along the normals: one number a pair of neighbours in place of a vector's three.
+struct AlongNormals<'a> {
     laplacian: &'a Laplacian,
+    /// `w_vj n_v·n_j`: how the curvature at a vertex changes as a neighbour moves.
+    forward: Vec<f64>,
+    /// `w_jv n_v·n_j`, that of the transposed. The pattern is symmetric and `area_v w_vj = area_j w_jv`.
+    back: Vec<f64>,
+    /// `Σ_j w_vj n_v·n_v`: how it changes as the vertex itself moves, but for the sign.
     own: Vec<f64>,
 }
 
-impl<'a> Transposed<'a> {
-    fn new(laplacian: &'a Laplacian, count: usize) -> Self {
-        let own = (0..count)
-            .map(|v| laplacian.row(v).map(|(_, w)| w).sum())
-            .collect();
-        Transposed { laplacian, own }
+impl<'a> AlongNormals<'a> {
+    fn new(laplacian: &'a Laplacian, normals: &[Vector3<f64>]) -> Self {
+        let areas = &laplacian.areas;
+        let vertices = || (0..normals.len()).into_par_iter().with_min_len(4096);
+        let pair = |v: usize| {
+            laplacian.row(v).map(move |(j, w)| {
+                let forward = w * normals[v].dot(&normals[j]);
+                (forward, forward * (areas[v] / areas[j]))
+            })
+        };
+        let (forward, back) = vertices().flat_map_iter(pair).unzip();
+        let own = |v: usize| {
+            let sum: f64 = laplacian.row(v).map(|(_, w)| w).sum();
+            sum * normals[v].norm_squared()
+        };
+        AlongNormals {
+            laplacian,
+            forward,
+            back,
+            own: vertices().map(own).collect(),
+        }
     }
 
-    /// `nᵀ Lᵀ y`. The Laplacian's pattern is symmetric and `area_v w_vj = area_j w_jv`.
-    fn apply(&self, y: &[Vector3<f64>], normals: &[Vector3<f64>]) -> Vec<f64> {
-        let areas = &self.laplacian.areas;
-        let one = |v: usize| -> f64 {
-            let own = -y[v] * self.own[v];
-            let gathered = self
-                .laplacian
-                .row(v)
-                .fold(own, |sum, (j, w)| sum + y[j] * (w * areas[v] / areas[j]));
-            gathered.dot(&normals[v])
+    /// `Σ_j pairs_vj d_j − own_v d_v` of each vertex, and what `then` makes of it; each is summed by one thread in order.
+    fn apply(&self, d: &[f64], pairs: &[f64], then: impl Fn(usize, f64) -> f64 + Sync) -> Vec<f64> {
+        let columns = self.laplacian.columns();
+        let one = |v: usize| {
+            let row = self.laplacian.places(v);
+            let beside = columns[row.clone()].iter().zip(&pairs[row]);
+            let sum = beside.fold(-self.own[v] * d[v], |sum, (j, w)| sum + w * d[*j as usize]);
+            then(v, sum)
         };
-        (0..y.len())
+        (0..d.len())
             .into_par_iter()
             .with_min_len(4096)
             .map(one)
