@@ -9,7 +9,7 @@ use crate::delivery::Delivery;
 use crate::graph::Graph;
 use engine::cli::{GlobalArgs, above, whose};
 use engine::walk::{Done, Status, Watch};
-use engine::{Options, run};
+use engine::{Options, Outcome, run};
 use shape::{Document, Girths};
 use std::num::NonZeroUsize;
 use std::path::PathBuf;
@@ -32,6 +32,10 @@ pub(super) struct First {
 /// What it takes to make a first answer.
 struct Answer {
     graph: Graph,
+    /// With a page that says that the whole did not come.
+    unfinished: Graph,
+    /// Whether a page was written.
+    written: AtomicBool,
     folders: Vec<(String, PathBuf)>,
     options: Options,
     capture: PathBuf,
@@ -43,19 +47,23 @@ struct Answer {
 }
 
 impl First {
-    /// Of a capture, by the pipeline that stops at the coarse surface.
+    /// Of a capture, by the pipeline that stops at the coarse surface: one whose page says that the whole follows, and
+    /// one whose page says that it did not.
     pub(super) fn new(
-        mut graph: Graph,
+        mut graphs: [Graph; 2],
         ready: &Prepared,
         measure: &Measure,
         global: &GlobalArgs,
     ) -> Self {
         // Colours are painted on the surface: an atlas would take longer than all the rest.
-        if let Some(report) = graph.node("report") {
-            let node = &mut graph.nodes[report];
-            let port = node.ports.iter().position(|port| port.name == "textured");
-            port.into_iter().for_each(|port| node.from[port] = None);
+        for graph in &mut graphs {
+            if let Some(report) = graph.node("report") {
+                let node = &mut graph.nodes[report];
+                let port = node.ports.iter().position(|port| port.name == "textured");
+                port.into_iter().for_each(|port| node.from[port] = None);
+            }
         }
+        let [graph, unfinished] = graphs;
         let options = Options {
             cache: global.cache.clone(),
             threads: global.threads.map(NonZeroUsize::get),
@@ -63,6 +71,8 @@ impl First {
         };
         let answer = Answer {
             graph,
+            unfinished,
+            written: AtomicBool::new(false),
             folders: ready.folders.clone(),
             options,
             capture: ready.capture.clone(),
@@ -78,12 +88,20 @@ impl First {
         }
     }
 
-    /// Waits for a first answer that is under way; one that is of no use any more is stopped.
-    pub(super) fn end(&self, useful: bool) {
-        self.answer.stop.store(!useful, Ordering::Relaxed);
+    /// Waits for a first answer that is under way. Where the whole did not come, one that is under way is stopped,
+    /// and a page that was written says so.
+    pub(super) fn end(&self, whole: bool) {
+        let answer = &self.answer;
+        answer.stop.store(!whole, Ordering::Relaxed);
         let thread = self.thread.lock().expect("bug: poisoned").take();
         // A thread that panicked has said so, and the whole answer does not need it.
         thread.map(JoinHandle::join);
+        if !whole && answer.written.load(Ordering::Relaxed) {
+            answer.stop.store(false, Ordering::Relaxed);
+            let graph = &answer.unfinished;
+            let made = answer.run(graph, "report");
+            made.and_then(|outcome| answer.write(graph, &outcome));
+        }
     }
 }
 
@@ -107,35 +125,37 @@ impl Watch for Nobody {}
 impl Answer {
     /// Makes, tells and writes it. A surface that tells no girth yet tells none: the whole way says why.
     fn make(&self) {
-        for goal in ["girths", "report"] {
-            let wanted: Vec<usize> = self.graph.node(goal).into_iter().collect();
-            let (graph, folders) = (&self.graph, &self.folders);
-            let Ok(outcome) = run(graph, folders, &wanted, &self.options, &Nobody, &self.stop)
-            else {
-                return;
-            };
-            if let Some(girths) = get::<Girths>(graph, &outcome, "girths")
-                && goal == "girths"
-                && !self.quiet
-            {
-                let told = screen(&self.shown, 0, None, &girths, self.inches);
-                above(|| engine::errln!("\n{SAID}:\n{told}"));
-            }
-            if let Some(report) = get::<Document>(graph, &outcome, "report") {
-                let page = vec![(String::new(), completed(&report.bytes, &outcome, graph))];
-                let own = whose(&[("photos".to_owned(), self.capture.clone())]);
-                let delivered = Delivery::open(&self.out, &own).and_then(|mut delivery| {
-                    delivery.begin()?;
-                    delivery.put("report.html", &page)
-                });
-                // What cannot be written now is said when the whole is to be.
-                let written = delivered.is_ok() && !self.quiet;
-                written.then(|| above(|| engine::errln!("first report: {}", self.page())));
-            }
+        let graph = &self.graph;
+        let Some(outcome) = self.run(graph, "girths") else {
+            return;
+        };
+        if let Some(girths) = get::<Girths>(graph, &outcome, "girths").filter(|_| !self.quiet) {
+            let told = screen(&self.shown, 0, None, &girths, self.inches);
+            above(|| engine::errln!("\n{SAID}:\n{told}"));
+        }
+        let page = self.run(graph, "report");
+        let written = page.and_then(|outcome| self.write(graph, &outcome));
+        self.written.store(written.is_some(), Ordering::Relaxed);
+        if written.is_some() && !self.quiet {
+            let page = self.out.join("report.html");
+            above(|| engine::errln!("first report: {}", page.display()));
         }
     }
 
-    fn page(&self) -> String {
-        self.out.join("report.html").display().to_string()
+    /// Makes the result of a node, if it can be made.
+    fn run(&self, graph: &Graph, goal: &str) -> Option<Outcome> {
+        let wanted: Vec<usize> = graph.node(goal).into_iter().collect();
+        let (folders, options) = (&self.folders, &self.options);
+        run(graph, folders, &wanted, options, &Nobody, &self.stop).ok()
+    }
+
+    /// Writes the page. What cannot be written now is said when the whole is to be.
+    fn write(&self, graph: &Graph, outcome: &Outcome) -> Option<()> {
+        let report = get::<Document>(graph, outcome, "report")?;
+        let page = vec![(String::new(), completed(&report.bytes, outcome, graph))];
+        let own = whose(&[("photos".to_owned(), self.capture.clone())]);
+        let mut delivery = Delivery::open(&self.out, &own).ok()?;
+        delivery.begin().ok()?;
+        delivery.put("report.html", &page).ok()
     }
 }

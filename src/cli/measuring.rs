@@ -27,13 +27,13 @@ const FAST: &str = "fast";
 /// The folder of a capture that holds masks.
 const MASKS: &str = "masks";
 
-/// The pipeline for a capture with what is said of it, and its inputs: the whole, or a `first` answer that
-/// the whole follows.
+/// The pipeline for a capture with what is said of it, and its inputs: the whole, or a first answer that
+/// says of the whole that it is `followed` by it or that it was left `unfinished`.
 fn pipeline(
     measure: &Measure,
     source: &Source,
     said: &[Said],
-    first: bool,
+    first: Option<&str>,
 ) -> Result<(Graph, Vec<(String, PathBuf)>), Fault> {
     let mut sets = Vec::new();
     // A turn is looked at while it is read; a walk is none.
@@ -58,10 +58,8 @@ fn pipeline(
     if masks.is_dir() {
         folders.push((MASKS.to_owned(), masks));
     }
-    if first {
-        sets.push("report.answer=followed".to_owned());
-    }
-    let fast = (first || measure.fast).then(|| FAST.to_owned());
+    sets.extend(first.map(|answer| format!("report.answer={answer}")));
+    let fast = (first.is_some() || measure.fast).then(|| FAST.to_owned());
     let variant = fast.or_else(|| measure.variant.clone());
     let graph = opened(name, source.over(), variant, said, &sets)?;
     Ok((graph, folders))
@@ -81,9 +79,13 @@ fn first_answer(
         return None;
     }
     let more: Vec<Said> = said.iter().chain(&looked.more).cloned().collect();
-    let (mut graph, _) = pipeline(measure, &looked.source, &more, true).ok()?;
-    folder::widen(&mut graph, looked);
-    Some(Arc::new(First::new(graph, ready, measure, global)))
+    let graph = |answer| {
+        let (mut graph, _) = pipeline(measure, &looked.source, &more, Some(answer)).ok()?;
+        folder::widen(&mut graph, looked);
+        Some(graph)
+    };
+    let graphs = [graph("followed")?, graph("unfinished")?];
+    Some(Arc::new(First::new(graphs, ready, measure, global)))
 }
 
 /// A capture that was measured.
@@ -144,7 +146,7 @@ fn prepared(
 ) -> Result<(Prepared, Looked), Fault> {
     let looked = folder::look(capture, &measure.facts, measure.recursive, measure.video)?;
     let more: Vec<Said> = said.iter().chain(&looked.more).cloned().collect();
-    let (mut graph, folders) = pipeline(measure, &looked.source, &more, false)?;
+    let (mut graph, folders) = pipeline(measure, &looked.source, &more, None)?;
     let (out, shown) = place_of_results(capture, out)?;
     if let Some(few) = looked.few.clone().filter(|_| !measure.walk) {
         return Err(Fault::input(few));

@@ -5,6 +5,7 @@ mod bad_input;
 mod causes;
 mod doctor;
 mod facts;
+mod first_answer;
 mod foreign;
 mod foreign_measured;
 mod keeping;

@@ -9,6 +9,8 @@ stage::choice! {
         First = "first",
         /// A first one that the full one follows.
         Followed = "followed",
+        /// A first one that the full one should have followed, which failed or was stopped.
+        Unfinished = "unfinished",
     }
 }
 
@@ -19,6 +21,7 @@ impl Answer {
             Answer::Full => return String::new(),
             Answer::First => "the full one was not asked for",
             Answer::Followed => "the full one follows and replaces this page",
+            Answer::Unfinished => "the full one failed or was stopped",
         };
         format!(
             "<p class=\"warn\"><b>First answer from the coarse surface</b>; {follows}. Waist and hip alone, with wider intervals.</p>"

@@ -63,6 +63,7 @@ fn a_first_answer_says_that_it_is_one() {
     assert!(!of(Answer::Full).contains(said));
     assert!(of(Answer::First).contains(said));
     assert!(of(Answer::Followed).contains("the full one follows"));
+    assert!(of(Answer::Unfinished).contains("the full one failed or was stopped"));
 }
 
 #[test]
