@@ -262,7 +262,12 @@ fn what_is_shown_is_of_the_folder_that_is_said() {
         let tags = std::fs::read(place.path("tags.json")).unwrap();
         let tags: Value = serde_json::from_slice(&tags).unwrap();
         assert_eq!(tags.as_array().unwrap().len(), count);
+        let said = format!("show tags --pipeline two.toml {of} -o -");
+        assert_eq!(place.run(&said).code(0).json(), tags, "standard output");
     }
+    let several = place.run("show photos --pipeline two.toml -o -").code(2);
+    assert!(several.err.contains("several files"), "{}", several.err);
+    assert!(!place.path("-").exists());
     let never = place
         .run("show tags --pipeline two.toml --input photos=five -o x")
         .code(2);

@@ -4,6 +4,7 @@ use super::arguments::Change;
 use super::fault::Fault;
 use super::open::{folders, node, open_pipeline};
 use super::program::GlobalArgs;
+use super::speech::answer_bytes;
 use crate::graph::{Bound, Graph, Source};
 use crate::key::{self, Provenance};
 use crate::store::Store;
@@ -26,7 +27,7 @@ pub(crate) struct Show {
     /// The format; the kind's usual one if not said
     #[arg(long = "as")]
     format: Option<String>,
-    /// The file, or the folder where there are several
+    /// The file, or the folder where there are several; `-` is standard output, for a single file
     #[arg(short)]
     o: PathBuf,
 }
@@ -90,6 +91,22 @@ fn ending_fits(path: &Path, files: &[(String, Vec<u8>)]) -> Result<(), Fault> {
     }
 }
 
+/// Writes a single file to standard output.
+fn to_output(files: &[(String, Vec<u8>)], json: bool) -> Result<(), Fault> {
+    match files {
+        _ if json => Err(Fault::input(
+            "--json would be mixed with the file: say a file with -o",
+        )),
+        [(name, bytes)] if name.is_empty() => {
+            answer_bytes(bytes);
+            Ok(())
+        }
+        _ => Err(Fault::input(
+            "these are several files: say a folder with -o, or another format with --as",
+        )),
+    }
+}
+
 /// `show`: the newest run of a node of that name whose result is still there.
 pub(crate) fn show(show: &Show, global: &GlobalArgs) -> Result<(), Fault> {
     let graph = open_pipeline(show.pipeline.as_deref(), &show.change, global)?;
@@ -131,6 +148,9 @@ pub(crate) fn show(show: &Show, global: &GlobalArgs) -> Result<(), Fault> {
     let beside = beside.map(|(artifact, _)| artifact);
     let (raw, format) = (|| blob.to_vec(), show.format.as_deref());
     let files = out::files(graph.catalog, artifact, raw, beside, format).map_err(Fault::input)?;
+    if show.o.as_os_str() == "-" {
+        return to_output(&files, global.json);
+    }
     ending_fits(&show.o, &files)?;
     delivery::write(&show.o, &files).map_err(Fault::stage)?;
     if global.json {

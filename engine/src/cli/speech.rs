@@ -28,6 +28,11 @@ pub fn answer_line(text: String) {
     printed(writeln!(std::io::stdout(), "{}", plain(text)));
 }
 
+/// A file in place of text: its bytes as they are.
+pub(super) fn answer_bytes(bytes: &[u8]) {
+    printed(std::io::stdout().write_all(bytes));
+}
+
 /// For `errln!`.
 pub fn say_line(text: String) {
     let _ = writeln!(std::io::stderr(), "{}", plain(text));
