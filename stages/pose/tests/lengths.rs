@@ -60,17 +60,17 @@ const MAT: Mat = Mat {
     ring_mm: 420.0,
 };
 
-/// What photos show of the mat on the ground.
-fn tags(cameras: &[Camera]) -> Tags {
+/// What photos show of a mat on the ground.
+fn tags(cameras: &[Camera], mat: &Mat) -> Tags {
     let tag = |camera: &Camera, id: u32| {
         let ground = Vector3::new(0.0, 0.0, -400.0);
         let at = |corner: Point3<f64>| camera.project(&Point3::from(corner.coords / 2.0 + ground));
-        let [a, b, c, d] = mat_corners(&MAT, id)?.map(at);
+        let [a, b, c, d] = mat_corners(mat, id)?.map(at);
         let corners = [a?, b?, c?, d?].map(|px| [px.x, px.y]);
         Some(Tag { id, corners })
     };
     let view = |(i, camera): (usize, &Camera)| {
-        let seen = (0..MAT.count).filter_map(|id| tag(camera, id)).collect();
+        let seen = (0..mat.count).filter_map(|id| tag(camera, id)).collect();
         (PhotoId(i as u32), seen)
     };
     Tags {
@@ -122,6 +122,22 @@ fn framed_by(
     mat: Option<Known>,
     disk_mm: Option<f64>,
 ) -> Result<Cameras, String> {
+    let rig = Rig {
+        disk_diameter_mm: disk_mm,
+        stature_mm: Some(stature_mm),
+        reference: Some(Reference {
+            kind: "subject_height".into(),
+            length_mm: reference_mm,
+        }),
+        mat: mat.and_then(|m| m.0),
+        tag_mm: mat.and_then(|m| m.1),
+        ..Rig::default()
+    };
+    framed_with(rig, mat.map(|_| tags(&turn(), &MAT)))
+}
+
+/// Cameras of the turn in millimetres by what is known; a disk that is told of is on a plate.
+fn framed_with(rig: Rig, tags: Option<Tags>) -> Result<Cameras, String> {
     let cameras = turn();
     let black = shape::Image::filled(320, 480, 0);
     let photo = |i: usize| photo(&format!("{i:04}.png"), &black);
@@ -143,20 +159,10 @@ fn framed_by(
         })),
         photos: Arc::new(Photos {
             photos: (0..cameras.len()).map(photo).collect(),
-            plate: disk_mm.map(|_| plate(&cameras[0])),
-            rig: Rig {
-                disk_diameter_mm: disk_mm,
-                stature_mm: Some(stature_mm),
-                reference: Some(Reference {
-                    kind: "subject_height".into(),
-                    length_mm: reference_mm,
-                }),
-                mat: mat.and_then(|m| m.0),
-                tag_mm: mat.and_then(|m| m.1),
-                ..Rig::default()
-            },
+            plate: rig.disk_diameter_mm.map(|_| plate(&cameras[0])),
+            rig,
         }),
-        tags: mat.map(|_| Arc::new(tags(&cameras))),
+        tags: tags.map(Arc::new),
         cameras: Arc::new(Cameras {
             views: cameras.iter().enumerate().map(view).collect(),
             scale: Scale::Nothing,
@@ -230,4 +236,37 @@ fn of_two_circles_the_one_that_the_stature_vouches_for_is_the_disk() {
     proof::near(far(&after) / far(&before), 2.0, 0.05);
     // Nobody says how tall: the strongest circle it is, and only a stature could tell that it is the ring.
     assert!(framed_by(1600.0, 1600.0, None, Some(1500.0)).is_err());
+}
+
+#[test]
+fn tags_on_the_disk_that_nobody_told_of_lie_within_its_edge() {
+    let rig = || Rig {
+        disk_diameter_mm: Some(900.0),
+        ..Rig::default()
+    };
+    let far = |cameras: &Cameras| {
+        let first = cameras.views.values().next().unwrap();
+        first.camera.centre().coords.xy().norm()
+    };
+    let before = turn()[0].centre().coords.xy().norm();
+    // The bright circle of 600 mm is stronger than the disk's edge.
+    let blind = framed_with(rig(), None).unwrap();
+    proof::near(far(&blind) / before, 3.0, 0.1);
+    let mat = Mat {
+        tag_mm: 80.0,
+        first_id: 0,
+        count: 10,
+        ring_mm: 340.0,
+    };
+    let found = framed_with(rig(), Some(tags(&turn(), &mat))).unwrap();
+    assert_eq!(found.scale, Scale::Disk);
+    proof::near(far(&found) / before, 2.0, 0.03);
+    assert!(found.scale_sigma > blind.scale_sigma);
+    // Tags that reach beyond every circle: no length is better than a wrong one.
+    let wide = Mat {
+        ring_mm: 520.0,
+        ..MAT
+    };
+    let none = framed_with(rig(), Some(tags(&turn(), &wide))).unwrap();
+    assert_eq!(none.scale, Scale::Nothing);
 }

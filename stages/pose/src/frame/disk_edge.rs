@@ -32,21 +32,29 @@ const ALL_AROUND: f64 = 0.25;
 
 /// Finds the round edge with the strongest step of one sign, within heights and radii. Of edges
 /// nearly as strong and as wide (a disk has a lower one too) the upper is taken. Where that is no
-/// step all around, edges are looked for that lie between the circles tried.
+/// step all around, edges are looked for that lie between the circles tried. None is narrower than `least`.
 pub fn disk_edge(
     gray: &Gray,
     camera: &Camera,
     heights: [f64; 2],
     radii: [f64; 2],
+    least: f64,
 ) -> Option<DiskEdge> {
     let camera = camera.resized(gray.width as u32, gray.height as u32);
+    let radii = radii.map(|r| r.max(least));
     let cells = [heights, radii].map(|[lo, hi]| (hi - lo) / STEPS as f64);
     let tried = circles(gray, &camera, heights, radii, NEAR);
     let strongest = tried.iter().copied().max_by(|a, b| a.2.total_cmp(&b.2))?;
-    let first = climbed(gray, &camera, upper(&tried, strongest)?, cells, NEAR);
+    let first = climbed(
+        gray,
+        &camera,
+        upper(&tried, strongest)?,
+        (cells, least),
+        NEAR,
+    );
     let found = match is_all_around(gray, &camera, first) {
         true => first,
-        false => between(gray, &camera, heights, radii).unwrap_or(first),
+        false => between(gray, &camera, heights, radii, least).unwrap_or(first),
     };
     let mut sizes: Vec<f64> = tried.iter().map(|t| t.2).collect();
     sizes.sort_by(f64::total_cmp);
@@ -89,12 +97,12 @@ fn upper(tried: &[Circle], strongest: Circle) -> Option<Circle> {
     upper.copied()
 }
 
-/// The strongest circle near one.
+/// The strongest circle near one, none narrower than `least`.
 fn climbed(
     gray: &Gray,
     camera: &Camera,
     (mut z, mut r, mut contrast): Circle,
-    mut reach: [f64; 2],
+    (mut reach, least): ([f64; 2], f64),
     beside: f64,
 ) -> Circle {
     for _ in 0..12 {
@@ -104,7 +112,8 @@ fn climbed(
                 z + f64::from(dz) * reach[0] * 0.5,
                 r + f64::from(dr) * reach[1] * 0.5,
             );
-            if let Some(c) = step(gray, camera, (z, r), beside).filter(|c| *c > best.2) {
+            let step = (r >= least).then(|| step(gray, camera, (z, r), beside));
+            if let Some(c) = step.flatten().filter(|c| *c > best.2) {
                 best = (z, r, c);
             }
         }
@@ -128,7 +137,13 @@ fn is_all_around(gray: &Gray, camera: &Camera, (z, r, contrast): Circle) -> bool
 }
 
 /// The strongest edge all around that lies on or between the circles tried.
-fn between(gray: &Gray, camera: &Camera, heights: [f64; 2], radii: [f64; 2]) -> Option<Circle> {
+fn between(
+    gray: &Gray,
+    camera: &Camera,
+    heights: [f64; 2],
+    radii: [f64; 2],
+    least: f64,
+) -> Option<Circle> {
     let cells = [heights, radii].map(|[lo, hi]| (hi - lo) / STEPS as f64);
     let tried = circles(gray, camera, heights, radii, WIDE);
     let cell = |i: usize, j: usize| tried[i * (STEPS + 1) + j];
@@ -142,9 +157,15 @@ fn between(gray: &Gray, camera: &Camera, heights: [f64; 2], radii: [f64; 2]) -> 
     peaks.sort_by(|a, b| b.2.total_cmp(&a.2));
     peaks.truncate(PEAKS);
     let sharp = |strongest: &Circle| {
-        let (z, r, _) = climbed(gray, camera, upper(&tried, *strongest)?, cells, WIDE);
+        let (z, r, _) = climbed(
+            gray,
+            camera,
+            upper(&tried, *strongest)?,
+            (cells, least),
+            WIDE,
+        );
         let here = (z, r, step(gray, camera, (z, r), NEAR)?);
-        let found = climbed(gray, camera, here, cells.map(|c| 0.3 * c), NEAR);
+        let found = climbed(gray, camera, here, (cells.map(|c| 0.3 * c), least), NEAR);
         is_all_around(gray, camera, found).then_some(found)
     };
     peaks.iter().find_map(sharp)
@@ -230,9 +251,26 @@ mod tests {
     #[test]
     fn a_bright_disk_on_a_dark_floor_is_found() {
         let (camera, gray) = seen(180.0);
-        let found = disk_edge(&gray, &camera, [-150.0, 80.0], [100.0, 300.0]).unwrap();
+        let found = disk_edge(&gray, &camera, [-150.0, 80.0], [100.0, 300.0], 0.0).unwrap();
         proof::near(found.radius, 210.0, 2.0);
         proof::near(found.height, -40.0, 3.0);
+    }
+
+    #[test]
+    fn what_lies_on_the_disk_within_its_edge_is_not_the_edge() {
+        let (camera, mut gray) = seen(130.0);
+        let from = camera.centre();
+        for (y, x) in (0..300).flat_map(|y| (0..400).map(move |x| (y, x))) {
+            let ray = camera.ray([x as f64, y as f64].into());
+            let at = from + *ray * ((-40.0 - from.z) / ray.z);
+            if libm::hypot(at.x, at.y) < 190.0 {
+                *gray.at_mut(x, y) = 240.0;
+            }
+        }
+        let edge =
+            |least| disk_edge(&gray, &camera, [-44.0, -39.0], [100.0, 300.0], least).unwrap();
+        proof::near(edge(0.0).radius, 190.0, 2.0);
+        proof::near(edge(194.0).radius, 210.0, 2.0);
     }
 
     #[test]
@@ -242,7 +280,7 @@ mod tests {
         for (y, x) in (0..far - 12).flat_map(|y| (0..400).map(move |x| (y, x))) {
             *gray.at_mut(x, y) = 220.0;
         }
-        let found = disk_edge(&gray, &camera, [-150.0, 150.0], [60.0, 300.0]).unwrap();
+        let found = disk_edge(&gray, &camera, [-150.0, 150.0], [60.0, 300.0], 0.0).unwrap();
         proof::near(found.radius, 210.0, 3.0);
         proof::near(found.height, -40.0, 4.0);
     }

@@ -18,10 +18,16 @@ pub(crate) struct Measure {
 pub(crate) struct Seen {
     pub(crate) body: Option<Stature>,
     pub(crate) edge: Option<DiskEdge>,
+    /// Whether something printed lies on the disk.
+    pub(crate) covered: bool,
     pub(crate) tags: Option<TagScale>,
     /// Height of the ground.
     pub(crate) ground: f64,
 }
+
+/// The edge that is seen of a covered disk may be its cover's, which ends so far within it, or where the disk's own edge
+/// begins to be rounded (by hand: as paper is cut). \[mm\]
+const CUT_MM: f64 = 3.0;
 
 /// The lengths that are known and were seen, the one to be believed first.
 pub(crate) fn measures(
@@ -58,11 +64,12 @@ pub(crate) fn measures(
     };
     let round = |mm: f64, what, scale| {
         let edge = seen.edge.as_ref()?;
+        let cut = if seen.covered { 2.0 * CUT_MM / mm } else { 0.0 };
         Some(Measure {
             what,
             scale,
             mm_per_unit: mm / 2.0 / edge.radius,
-            sigma: Some(0.004),
+            sigma: Some(libm::hypot(0.004, cut)),
         })
     };
     if let Some(reference) = &rig.reference {

@@ -3,7 +3,10 @@
 
 pub(crate) mod circle;
 pub(crate) mod disk_edge;
+pub(crate) mod disk_search;
+pub(crate) mod disk_tags;
 pub(crate) mod lengths;
+pub(crate) mod placed_tag;
 pub(crate) mod stage;
 pub(crate) mod stature;
 pub(crate) mod tag_scale;

@@ -1,12 +1,12 @@
 //! The stage that gives cameras their millimetres and their ground.
 
 use crate::frame::circle::moved;
-use crate::frame::disk_edge::{DiskEdge, disk_edge};
+use crate::frame::disk_search::{Rules, edge, still};
+use crate::frame::disk_tags::on_disk;
 use crate::frame::lengths::{Measure, Seen, by_tags, floor, measures};
 use crate::frame::stature::{Stature, stature};
 use nalgebra::{Point3, Rotation3};
-use rayon::prelude::*;
-use shape::{Cameras, Gray, Masks, PhotoError, Photos, Rig, Scale, Tags, median, registered};
+use shape::{Cameras, Masks, Photos, Scale, Tags};
 use stage::{Ctx, Stage, Stop};
 use std::sync::Arc;
 
@@ -44,7 +44,7 @@ stage::inputs! {
         photos: Arc<Photos>,
         /// Silhouettes: for crown and soles.
         masks: Option<Arc<Masks>>,
-        /// Marker tags, where cameras were found without them.
+        /// Marker tags, used where cameras were found without them.
         tags: Option<Arc<Tags>>,
     }
 }
@@ -67,7 +67,7 @@ struct Contradiction {
 
 impl Stage for Frame {
     const NAME: &'static str = "pose.frame";
-    const VERSION: u32 = 8;
+    const VERSION: u32 = 9;
     const ABOUT: &'static str = "Puts the origin on the disk and scales to millimetres: by the mat, marker tags, a reference length, the disk, or the stature.";
     type Params = FrameParams;
     type Input = FrameInput;
@@ -78,16 +78,24 @@ impl Stage for Frame {
         let (cameras, rig) = (&*input.cameras, &input.photos.rig);
         let body = body(cameras, input.masks.as_deref());
         let placed = matches!(cameras.scale, Scale::Mat | Scale::Given);
+        let tags = input.tags.as_deref().filter(|_| !placed);
+        let turning = tags.filter(|_| p.disk);
+        let on_disk = turning.and_then(|tags| on_disk(cameras, tags, body.as_ref(), p.tag_px));
         let edge = if placed || !p.disk {
             None
         } else {
             ctx.check()?;
             let still = still(&input.photos, p.search_px)?;
-            still.and_then(|s| edge(&s, cameras, body.as_ref(), rig, p))
+            let rules = Rules {
+                standout: p.least_standout,
+                contradiction: p.contradiction,
+            };
+            let look = |s| edge(&s, cameras, (body.as_ref(), on_disk), rig, &rules);
+            still.and_then(look)
         };
-        let tags = input.tags.as_deref().filter(|_| !placed);
         let tags = tags.and_then(|tags| by_tags(cameras, tags, rig, p.tag_px));
         let floor = tags.and_then(|t| floor(t, body.as_ref()));
+        let floor = floor.or(on_disk.map(|tags| tags.height));
         let ground = match (placed, floor, edge, body) {
             (true, ..) => cameras.ground_mm,
             (_, Some(floor), ..) => floor,
@@ -98,6 +106,7 @@ impl Stage for Frame {
         let seen = Seen {
             body,
             edge,
+            covered: on_disk.is_some(),
             tags,
             ground,
         };
@@ -187,82 +196,6 @@ fn on_ground(cameras: &Cameras, ground: f64, mm_per_unit: f64) -> Cameras {
 /// Standard deviation of the difference of two, as far as it is known.
 fn both(a: Option<f64>, b: Option<f64>) -> f64 {
     [a, b].into_iter().flatten().fold(0.0, libm::hypot)
-}
-
-/// What stands still, reduced: the plate, or the median of photos laid on each other.
-fn still(photos: &Photos, search_px: u32) -> Result<Option<Gray>, PhotoError> {
-    let Some(first) = photos.photos.first() else {
-        return Ok(None);
-    };
-    let by = (first.width.max(first.height) / search_px).max(1) as usize;
-    let one = |photo: &shape::Photo| Ok(photo.decode()?.gray().reduced(by));
-    let fits = |plate: &&shape::Photo| (plate.width, plate.height) == (first.width, first.height);
-    if let Some(plate) = photos.plate.as_ref().filter(fits) {
-        return one(plate).map(Some);
-    }
-    let every = photos.photos.len().div_ceil(9).max(1);
-    let some: Vec<_> = photos.photos.iter().step_by(every).collect();
-    let pictures: Vec<Gray> = some.into_par_iter().map(one).collect::<Result<_, _>>()?;
-    // Where there is nothing to lay photos on each other by, they lie as they are.
-    Ok(registered(&pictures).1.or_else(|| median(&pictures)))
-}
-
-/// The strongest circle near the disk. A ring of tags may be stronger than the edge: where the stature says that the
-/// disk is another, and a circle of that size is a third as strong, it is that one (both by hand, on made photos).
-fn edge(
-    still: &Gray,
-    cameras: &Cameras,
-    body: Option<&Stature>,
-    rig: &Rig,
-    p: &FrameParams,
-) -> Option<DiskEdge> {
-    let found = search(still, cameras, body, [0.06, 0.4], p.least_standout);
-    let expected = || {
-        let (disk, stature, body) = (rig.disk_diameter_mm?, rig.stature_mm?, body?);
-        Some(disk / 2.0 * (body.crown - body.ground) / stature)
-    };
-    let (Some(strongest), Some(expected)) = (found, expected()) else {
-        return found;
-    };
-    if (strongest.radius / expected - 1.0).abs() <= p.contradiction {
-        return found;
-    }
-    let share = expected / ring(cameras)?;
-    let near = [0.9, 1.1].map(|by| by * share);
-    let other = search(still, cameras, body, near, 0.0);
-    // Against all circles, not only those beside it.
-    let usual = strongest.contrast / strongest.standout;
-    let least = (p.least_standout * usual).max(strongest.contrast / 3.0);
-    let strong = |edge: &DiskEdge| edge.contrast >= least;
-    other.filter(strong).or(found)
-}
-
-/// Distance of the first camera from the axis.
-fn ring(cameras: &Cameras) -> Option<f64> {
-    let centre = cameras.views.values().next()?.camera.centre();
-    Some(libm::hypot(centre.x, centre.y))
-}
-
-/// The disk's edge near the soles, or anywhere below the camera; radii as shares of the camera's distance.
-fn search(
-    still: &Gray,
-    cameras: &Cameras,
-    body: Option<&Stature>,
-    radii: [f64; 2],
-    least_standout: f64,
-) -> Option<DiskEdge> {
-    let camera = &cameras.views.values().next()?.camera;
-    let centre = camera.centre();
-    let ring = ring(cameras)?;
-    let heights = match body {
-        Some(body) => {
-            let reach = 0.04 * (body.crown - body.ground);
-            [body.ground - reach, body.ground + reach]
-        }
-        None => [centre.z - 0.8 * ring, centre.z - 0.1 * ring],
-    };
-    let found = disk_edge(still, camera, heights, radii.map(|r| r * ring))?;
-    (found.standout >= least_standout).then_some(found)
 }
 
 /// Height of the lowest features, one in a hundred left out.

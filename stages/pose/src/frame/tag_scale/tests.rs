@@ -1,11 +1,11 @@
 //! Tags laid out on a floor, as a walk sees them.
 
 use super::*;
-use nalgebra::Rotation3;
-use shape::{Intrinsics, Pose, Scale, View};
+use nalgebra::{Point3, Rotation3};
+use shape::{Camera, Intrinsics, PhotoId, Pose, Scale, Tag, View};
 
-const MM_PER_UNIT: f64 = 2.5;
-const MAT: Mat = Mat {
+pub(crate) const MM_PER_UNIT: f64 = 2.5;
+pub(crate) const MAT: Mat = Mat {
     tag_mm: 60.0,
     first_id: 0,
     count: 12,
@@ -30,7 +30,7 @@ fn camera(centre: Point3<f64>, roll: f64) -> Camera {
 }
 
 /// A walk of nine photos, near and far, high and low.
-fn walk() -> Cameras {
+pub(crate) fn walk() -> Cameras {
     let view = |i: u32| {
         let angle = f64::from(i) * 0.7;
         let far = 700.0 + 90.0 * f64::from(i % 4);
@@ -57,7 +57,7 @@ fn walk() -> Cameras {
 }
 
 /// What the photos show of the mat, which lies at a height; sides seem farther out. \[px\]
-fn seen(cameras: &Cameras, height: f64, bloom_px: f64) -> Tags {
+pub(crate) fn seen(cameras: &Cameras, height: f64, bloom_px: f64) -> Tags {
     let tag = |camera: &Camera, id: u32| {
         let corners = mat_corners(&MAT, id)?;
         let mut px = [[0.0; 2]; 4];

@@ -1,0 +1,99 @@
+//! Where a disk's edge is searched: what stands still, at the height of soles and tags, outside of all tags.
+
+use crate::frame::disk_edge::{DiskEdge, disk_edge};
+use crate::frame::disk_tags::DiskTags;
+use crate::frame::stature::Stature;
+use rayon::prelude::*;
+use shape::{Cameras, Gray, PhotoError, Photos, Rig, median, registered};
+
+/// What makes a circle the disk's edge.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Rules {
+    /// How far its step must stand out from that of other circles.
+    pub(crate) standout: f64,
+    /// A circle may be off what the stature says by this share.
+    pub(crate) contradiction: f64,
+}
+
+/// What stands still, reduced: the plate, or the median of photos laid on each other.
+pub(crate) fn still(photos: &Photos, search_px: u32) -> Result<Option<Gray>, PhotoError> {
+    let Some(first) = photos.photos.first() else {
+        return Ok(None);
+    };
+    let by = (first.width.max(first.height) / search_px).max(1) as usize;
+    let one = |photo: &shape::Photo| Ok(photo.decode()?.gray().reduced(by));
+    let fits = |plate: &&shape::Photo| (plate.width, plate.height) == (first.width, first.height);
+    if let Some(plate) = photos.plate.as_ref().filter(fits) {
+        return one(plate).map(Some);
+    }
+    let every = photos.photos.len().div_ceil(9).max(1);
+    let some: Vec<_> = photos.photos.iter().step_by(every).collect();
+    let pictures: Vec<Gray> = some.into_par_iter().map(one).collect::<Result<_, _>>()?;
+    // Where there is nothing to lay photos on each other by, they lie as they are.
+    Ok(registered(&pictures).1.or_else(|| median(&pictures)))
+}
+
+/// The strongest circle near the disk. A ring of tags may be stronger than the edge: where the stature says that the
+/// disk is another, and a circle of that size is a third as strong, it is that one (both by hand, on made photos).
+/// Tags that lie on the disk lie within its edge, and at its height.
+pub(crate) fn edge(
+    still: &Gray,
+    cameras: &Cameras,
+    (body, tags): (Option<&Stature>, Option<DiskTags>),
+    rig: &Rig,
+    rules: &Rules,
+) -> Option<DiskEdge> {
+    let ring = ring(cameras)?;
+    let heights = heights(cameras, body, tags, ring)?;
+    let least = tags.map_or(0.0, |tags| tags.reach);
+    let search = |[low, high]: [f64; 2], least_standout: f64| {
+        let radii = [low * ring, high * ring];
+        let camera = &cameras.views.values().next()?.camera;
+        let within = least < radii[1];
+        let found = within.then(|| disk_edge(still, camera, heights, radii, least))??;
+        (found.standout >= least_standout).then_some(found)
+    };
+    let found = search([0.06, 0.4], rules.standout);
+    let expected = || {
+        let (disk, stature, body) = (rig.disk_diameter_mm?, rig.stature_mm?, body?);
+        Some(disk / 2.0 * (body.crown - body.ground) / stature)
+    };
+    let (Some(strongest), Some(expected)) = (found, expected()) else {
+        return found;
+    };
+    if (strongest.radius / expected - 1.0).abs() <= rules.contradiction {
+        return found;
+    }
+    let share = expected / ring;
+    let near = [0.9, 1.1].map(|by| by * share);
+    let other = search(near, 0.0);
+    // Against all circles, not only those beside it.
+    let usual = strongest.contrast / strongest.standout;
+    let least = (rules.standout * usual).max(strongest.contrast / 3.0);
+    let strong = |edge: &DiskEdge| edge.contrast >= least;
+    other.filter(strong).or(found)
+}
+
+/// Distance of the first camera from the axis.
+fn ring(cameras: &Cameras) -> Option<f64> {
+    let centre = cameras.views.values().next()?.camera.centre();
+    Some(libm::hypot(centre.x, centre.y))
+}
+
+/// Heights at which the edge may lie: at the tags', near the soles, or anywhere below the camera.
+fn heights(
+    cameras: &Cameras,
+    body: Option<&Stature>,
+    tags: Option<DiskTags>,
+    ring: f64,
+) -> Option<[f64; 2]> {
+    let centre = cameras.views.values().next()?.camera.centre();
+    Some(match (tags, body) {
+        (Some(tags), _) => tags.edge,
+        (None, Some(body)) => {
+            let reach = 0.04 * (body.crown - body.ground);
+            [body.ground - reach, body.ground + reach]
+        }
+        (None, None) => [centre.z - 0.8 * ring, centre.z - 0.1 * ring],
+    })
+}
