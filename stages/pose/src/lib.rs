@@ -49,7 +49,7 @@ pub use features::pyramid::{INTERVALS, Octave, SIGMA, blur, octaves};
 pub use features::sift::{Sift, SiftInput, SiftParams, features};
 pub use features::tracks::{Follow, TracksInput, TracksParams};
 pub use frame::circle::{Circle, camera_circle, circle, moved};
-pub use frame::disk_edge::{DiskEdge, disk_edge};
+pub use frame::disk_edge::{DiskEdge, May, disk_edge};
 pub use frame::stage::{Frame, FrameInput, FrameParams};
 pub use frame::stature::{Stature, stature};
 pub use import::colmap::{from_colmap_binary, from_colmap_text};

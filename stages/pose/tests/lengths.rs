@@ -133,11 +133,12 @@ fn framed_by(
         tag_mm: mat.and_then(|m| m.1),
         ..Rig::default()
     };
-    framed_with(rig, mat.map(|_| tags(&turn(), &MAT)))
+    let plate = disk_mm.map(|_| plate(&turn()[0]));
+    framed_with(rig, mat.map(|_| tags(&turn(), &MAT)), plate)
 }
 
-/// Cameras of the turn in millimetres by what is known; a disk that is told of is on a plate.
-fn framed_with(rig: Rig, tags: Option<Tags>) -> Result<Cameras, String> {
+/// Cameras of the turn in millimetres by what is known and what stands still.
+fn framed_with(rig: Rig, tags: Option<Tags>, plate: Option<Photo>) -> Result<Cameras, String> {
     let cameras = turn();
     let black = shape::Image::filled(320, 480, 0);
     let photo = |i: usize| photo(&format!("{i:04}.png"), &black);
@@ -159,7 +160,7 @@ fn framed_with(rig: Rig, tags: Option<Tags>) -> Result<Cameras, String> {
         })),
         photos: Arc::new(Photos {
             photos: (0..cameras.len()).map(photo).collect(),
-            plate: rig.disk_diameter_mm.map(|_| plate(&cameras[0])),
+            plate,
             rig,
         }),
         tags: tags.map(Arc::new),
@@ -244,13 +245,14 @@ fn tags_on_the_disk_that_nobody_told_of_lie_within_its_edge() {
         disk_diameter_mm: Some(900.0),
         ..Rig::default()
     };
+    let disk = || Some(plate(&turn()[0]));
     let far = |cameras: &Cameras| {
         let first = cameras.views.values().next().unwrap();
         first.camera.centre().coords.xy().norm()
     };
     let before = turn()[0].centre().coords.xy().norm();
     // The bright circle of 600 mm is stronger than the disk's edge.
-    let blind = framed_with(rig(), None).unwrap();
+    let blind = framed_with(rig(), None, disk()).unwrap();
     proof::near(far(&blind) / before, 3.0, 0.1);
     let mat = Mat {
         tag_mm: 80.0,
@@ -258,7 +260,7 @@ fn tags_on_the_disk_that_nobody_told_of_lie_within_its_edge() {
         count: 10,
         ring_mm: 340.0,
     };
-    let found = framed_with(rig(), Some(tags(&turn(), &mat))).unwrap();
+    let found = framed_with(rig(), Some(tags(&turn(), &mat)), disk()).unwrap();
     assert_eq!(found.scale, Scale::Disk);
     proof::near(far(&found) / before, 2.0, 0.03);
     assert!(found.scale_sigma > blind.scale_sigma);
@@ -267,6 +269,29 @@ fn tags_on_the_disk_that_nobody_told_of_lie_within_its_edge() {
         ring_mm: 520.0,
         ..MAT
     };
-    let none = framed_with(rig(), Some(tags(&turn(), &wide))).unwrap();
-    assert_eq!(none.scale, Scale::Nothing);
+    let none = framed_with(rig(), Some(tags(&turn(), &wide)), disk()).unwrap();
+    let radius = none.disk_radius_mm;
+    assert_eq!(
+        none.scale,
+        Scale::Nothing,
+        "{radius:?} {}",
+        far(&none) / before
+    );
+}
+
+#[test]
+fn where_nobody_told_of_a_disk_a_floor_has_none() {
+    // A dark floor before a bright wall, the body before both.
+    let mut gray = shape::Image::filled(320, 480, 90);
+    let soles = turn()[0].project(&Point3::new(0.0, 0.0, -400.0)).unwrap();
+    gray.data[..320 * (soles.y as usize - 12)].fill(200);
+    let rig = Rig {
+        stature_mm: Some(1600.0),
+        ..Rig::default()
+    };
+    let found = framed_with(rig, None, Some(photo("plate.png", &gray))).unwrap();
+    assert_eq!(found.disk_radius_mm, None);
+    let height = found.views.values().next().unwrap().camera.centre().z;
+    let before = turn()[0].centre().z + 400.0;
+    proof::near(height / before, 2.0, 0.05);
 }

@@ -1,4 +1,4 @@
-//! The stage that makes a subject sway about its ankles.
+//! The stage that makes a subject sway about its ankles, and stand elsewhere in each photo.
 
 use crate::dice::Dice;
 use nalgebra::{Rotation3, Vector3};
@@ -18,6 +18,10 @@ stage::params! {
         /// Height of the axis about which the subject leans.
         #[range(0.0..=1000.0)]
         ankle_mm: f64 = 60.0,
+        /// Standard deviation of where the feet stand, along each side of the floor, as of somebody who turns by small
+        /// steps: 0 on a disk.
+        #[range(0.0..=200.0)]
+        shuffle_mm: f64 = 0.0,
         /// Seed of the movement.
         seed: u32 = 1,
     }
@@ -37,8 +41,7 @@ pub struct MakeSway;
 impl Stage for MakeSway {
     const NAME: &'static str = "synth.sway";
     const VERSION: u32 = 2;
-    const ABOUT: &'static str =
-        "Lets the subject lean about its ankles, slowly, a little in each photo.";
+    const ABOUT: &'static str = "Lets the subject lean about its ankles, slowly, a little in each photo, and stand elsewhere.";
     type Params = SwayParams;
     type Input = SwayInput;
     type Output = Sway;
@@ -47,13 +50,15 @@ impl Stage for MakeSway {
         let ids: Vec<PhotoId> = input.cameras.views.iter().map(|(id, _)| id).collect();
         let leans = leans(ids.len(), p.seed);
         let angle = p.sway_mm / (p.breast_mm - p.ankle_mm).max(1.0);
+        let mut dice = Dice::new(p.seed, 3);
+        let mut step = || p.shuffle_mm * dice.normal();
         let pose = |[x, y]: [f64; 2]| {
             // A lean towards (x, y) turns about (-y, x).
             let rotation = Rotation3::new(Vector3::new(-y, x, 0.0) * angle);
             let ankle = Vector3::new(0.0, 0.0, p.ankle_mm);
             Pose {
                 rotation,
-                translation: ankle - rotation * ankle,
+                translation: ankle - rotation * ankle + Vector3::new(step(), step(), 0.0),
             }
         };
         Ok(Sway {
@@ -94,4 +99,36 @@ fn leans(count: usize, seed: u32) -> Vec<[f64; 2]> {
         leans.iter_mut().for_each(|l| *l = l.map(|x| x / most));
     }
     leans
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::ring::{MakeRing, RingInput, RingParams};
+
+    fn moved(p: &SwayParams) -> Vec<Pose> {
+        let ring = MakeRing::run(&RingParams::default(), RingInput {}, &Ctx::alone()).unwrap();
+        let input = SwayInput {
+            cameras: Arc::new(ring),
+        };
+        let sway = MakeSway::run(p, input, &Ctx::alone()).unwrap();
+        sway.views.values().copied().collect()
+    }
+
+    #[test]
+    fn feet_stand_elsewhere_only_where_that_is_asked_for() {
+        let still = SwayParams::default();
+        let soles = Vector3::new(0.0, 0.0, still.ankle_mm);
+        let rest = moved(&still);
+        assert!(rest.iter().all(|p| p.translation.norm() == 0.0));
+        let shuffle_mm = 30.0;
+        let on_the_spot = moved(&SwayParams {
+            shuffle_mm,
+            ..still
+        });
+        let far = |p: &Pose| (p.apply(&soles.into()) - soles).norm_squared();
+        let mean = on_the_spot.iter().map(far).sum::<f64>() / on_the_spot.len() as f64;
+        proof::near(mean.sqrt(), shuffle_mm * 2f64.sqrt(), 12.0);
+        assert!(on_the_spot.iter().all(|p| p.translation.z.abs() < 1e-9));
+    }
 }

@@ -76,7 +76,7 @@ pub struct TakePhotos;
 
 impl Stage for TakePhotos {
     const NAME: &'static str = "synth.turn";
-    const VERSION: u32 = 4;
+    const VERSION: u32 = 5;
     const ABOUT: &'static str =
         "Takes the photos of a turn of any mesh: textured, lit, on a disk in a furnished room.";
     type Params = TurnParams;
@@ -140,7 +140,8 @@ fn scene(
     mat: Option<Mat>,
     rim: Option<Rim>,
 ) -> Scene {
-    let thick = 0.25 * cameras.disk_radius_mm.unwrap_or(400.0);
+    // Without a disk the body stands on the floor.
+    let thick = 0.25 * cameras.disk_radius_mm.unwrap_or(0.0);
     let disk = |radius: f64| Disk {
         radius,
         thick,

@@ -14,8 +14,12 @@ pub struct DiskEdge {
     pub contrast: f64,
     /// The same over the median of all that was tried: how far it stands out.
     pub standout: f64,
+    /// Whether the step is of one sign nearly all around.
+    pub round: bool,
 }
 
+/// Steps of half a level are none, whatever the others are: files hold whole levels.
+const LEAST_STEP: f64 = 0.5;
 /// Points around the edge.
 const AROUND: usize = 96;
 
@@ -32,39 +36,38 @@ const ALL_AROUND: f64 = 0.25;
 
 /// Finds the round edge with the strongest step of one sign, within heights and radii. Of edges
 /// nearly as strong and as wide (a disk has a lower one too) the upper is taken. Where that is no
-/// step all around, edges are looked for that lie between the circles tried. None is narrower than `least`.
+/// step all around, edges are looked for that lie between the circles tried. Of a circle's height and radius `may`
+/// says whether it can be a disk.
 pub fn disk_edge(
     gray: &Gray,
     camera: &Camera,
     heights: [f64; 2],
     radii: [f64; 2],
-    least: f64,
+    may: May<'_>,
 ) -> Option<DiskEdge> {
     let camera = camera.resized(gray.width as u32, gray.height as u32);
-    let radii = radii.map(|r| r.max(least));
     let cells = [heights, radii].map(|[lo, hi]| (hi - lo) / STEPS as f64);
-    let tried = circles(gray, &camera, heights, radii, NEAR);
+    let tried = circles(gray, &camera, [heights, radii], may, NEAR);
     let strongest = tried.iter().copied().max_by(|a, b| a.2.total_cmp(&b.2))?;
-    let first = climbed(
-        gray,
-        &camera,
-        upper(&tried, strongest)?,
-        (cells, least),
-        NEAR,
-    );
+    let first = climbed(gray, &camera, upper(&tried, strongest)?, (cells, may), NEAR);
     let found = match is_all_around(gray, &camera, first) {
         true => first,
-        false => between(gray, &camera, heights, radii, least).unwrap_or(first),
+        false => between(gray, &camera, heights, radii, may).unwrap_or(first),
     };
-    let mut sizes: Vec<f64> = tried.iter().map(|t| t.2).collect();
+    let tried = tried.iter().filter(|t| may(t.0, t.1));
+    let mut sizes: Vec<f64> = tried.map(|t| t.2).collect();
     sizes.sort_by(f64::total_cmp);
     Some(DiskEdge {
+        round: is_all_around(gray, &camera, found),
         height: found.0,
         radius: found.1,
         contrast: found.2,
-        standout: found.2 / sizes[sizes.len() / 2].max(0.1),
+        standout: found.2 / sizes.get(sizes.len() / 2)?.max(LEAST_STEP),
     })
 }
+
+/// Whether a circle of a height and a radius can be a disk's.
+pub type May<'a> = &'a dyn Fn(f64, f64) -> bool;
 
 /// A circle: height, radius, and its mean step.
 type Circle = (f64, f64, f64);
@@ -73,8 +76,8 @@ type Circle = (f64, f64, f64);
 fn circles(
     gray: &Gray,
     camera: &Camera,
-    heights: [f64; 2],
-    radii: [f64; 2],
+    [heights, radii]: [[f64; 2]; 2],
+    may: May<'_>,
     beside: f64,
 ) -> Vec<Circle> {
     let at = |[lo, hi]: [f64; 2], i: usize| lo + (hi - lo) * i as f64 / STEPS as f64;
@@ -82,8 +85,8 @@ fn circles(
     for i in 0..=STEPS {
         for j in 0..=STEPS {
             let (z, r) = (at(heights, i), at(radii, j));
-            let step = step(gray, camera, (z, r), beside).unwrap_or(0.0);
-            tried.push((z, r, step));
+            let step = may(z, r).then(|| step(gray, camera, (z, r), beside));
+            tried.push((z, r, step.flatten().unwrap_or(0.0)));
         }
     }
     tried
@@ -97,12 +100,12 @@ fn upper(tried: &[Circle], strongest: Circle) -> Option<Circle> {
     upper.copied()
 }
 
-/// The strongest circle near one, none narrower than `least`.
+/// The strongest circle near one, of those that may be a disk's.
 fn climbed(
     gray: &Gray,
     camera: &Camera,
     (mut z, mut r, mut contrast): Circle,
-    (mut reach, least): ([f64; 2], f64),
+    (mut reach, may): ([f64; 2], May<'_>),
     beside: f64,
 ) -> Circle {
     for _ in 0..12 {
@@ -112,7 +115,7 @@ fn climbed(
                 z + f64::from(dz) * reach[0] * 0.5,
                 r + f64::from(dr) * reach[1] * 0.5,
             );
-            let step = (r >= least).then(|| step(gray, camera, (z, r), beside));
+            let step = may(z, r).then(|| step(gray, camera, (z, r), beside));
             if let Some(c) = step.flatten().filter(|c| *c > best.2) {
                 best = (z, r, c);
             }
@@ -142,10 +145,10 @@ fn between(
     camera: &Camera,
     heights: [f64; 2],
     radii: [f64; 2],
-    least: f64,
+    may: May<'_>,
 ) -> Option<Circle> {
     let cells = [heights, radii].map(|[lo, hi]| (hi - lo) / STEPS as f64);
-    let tried = circles(gray, camera, heights, radii, WIDE);
+    let tried = circles(gray, camera, [heights, radii], may, WIDE);
     let cell = |i: usize, j: usize| tried[i * (STEPS + 1) + j];
     let near = |k: usize| k.saturating_sub(1)..=(k + 1).min(STEPS);
     let peak = |(i, j): (usize, usize)| {
@@ -157,15 +160,9 @@ fn between(
     peaks.sort_by(|a, b| b.2.total_cmp(&a.2));
     peaks.truncate(PEAKS);
     let sharp = |strongest: &Circle| {
-        let (z, r, _) = climbed(
-            gray,
-            camera,
-            upper(&tried, *strongest)?,
-            (cells, least),
-            WIDE,
-        );
+        let (z, r, _) = climbed(gray, camera, upper(&tried, *strongest)?, (cells, may), WIDE);
         let here = (z, r, step(gray, camera, (z, r), NEAR)?);
-        let found = climbed(gray, camera, here, (cells.map(|c| 0.3 * c), least), NEAR);
+        let found = climbed(gray, camera, here, (cells.map(|c| 0.3 * c), may), NEAR);
         is_all_around(gray, camera, found).then_some(found)
     };
     peaks.iter().find_map(sharp)
@@ -251,7 +248,8 @@ mod tests {
     #[test]
     fn a_bright_disk_on_a_dark_floor_is_found() {
         let (camera, gray) = seen(180.0);
-        let found = disk_edge(&gray, &camera, [-150.0, 80.0], [100.0, 300.0], 0.0).unwrap();
+        let found =
+            disk_edge(&gray, &camera, [-150.0, 80.0], [100.0, 300.0], &|_, _| true).unwrap();
         proof::near(found.radius, 210.0, 2.0);
         proof::near(found.height, -40.0, 3.0);
     }
@@ -267,8 +265,12 @@ mod tests {
                 *gray.at_mut(x, y) = 240.0;
             }
         }
-        let edge =
-            |least| disk_edge(&gray, &camera, [-44.0, -39.0], [100.0, 300.0], least).unwrap();
+        let edge = |least| {
+            disk_edge(&gray, &camera, [-44.0, -39.0], [100.0, 300.0], &|_, r| {
+                r >= least
+            })
+            .unwrap()
+        };
         proof::near(edge(0.0).radius, 190.0, 2.0);
         proof::near(edge(194.0).radius, 210.0, 2.0);
     }
@@ -280,7 +282,8 @@ mod tests {
         for (y, x) in (0..far - 12).flat_map(|y| (0..400).map(move |x| (y, x))) {
             *gray.at_mut(x, y) = 220.0;
         }
-        let found = disk_edge(&gray, &camera, [-150.0, 150.0], [60.0, 300.0], 0.0).unwrap();
+        let found =
+            disk_edge(&gray, &camera, [-150.0, 150.0], [60.0, 300.0], &|_, _| true).unwrap();
         proof::near(found.radius, 210.0, 3.0);
         proof::near(found.height, -40.0, 4.0);
     }

@@ -4,7 +4,7 @@ use crate::frame::disk_edge::{DiskEdge, disk_edge};
 use crate::frame::disk_tags::DiskTags;
 use crate::frame::stature::Stature;
 use rayon::prelude::*;
-use shape::{Cameras, Gray, PhotoError, Photos, Rig, median, registered};
+use shape::{Cameras, Gray, PhotoError, Photos, Reference, Rig, median, registered};
 
 /// What makes a circle the disk's edge.
 #[derive(Debug, Clone, Copy)]
@@ -35,7 +35,8 @@ pub(crate) fn still(photos: &Photos, search_px: u32) -> Result<Option<Gray>, Pho
 
 /// The strongest circle near the disk. A ring of tags may be stronger than the edge: where the stature says that the
 /// disk is another, and a circle of that size is a third as strong, it is that one (both by hand, on made photos).
-/// Tags that lie on the disk lie within its edge, and at its height.
+/// Tags that lie on the disk lie within its edge, and at its height; what turns does not lie below the disk.
+/// Where nobody told of a disk, its edge is one all around, or there is none.
 pub(crate) fn edge(
     still: &Gray,
     cameras: &Cameras,
@@ -44,14 +45,18 @@ pub(crate) fn edge(
     rules: &Rules,
 ) -> Option<DiskEdge> {
     let ring = ring(cameras)?;
+    let disk = |r: &Reference| r.kind == "disk_diameter";
+    let told = rig.disk_diameter_mm.is_some() || rig.reference.as_ref().is_some_and(disk);
     let heights = heights(cameras, body, tags, ring)?;
     let least = tags.map_or(0.0, |tags| tags.reach);
+    let low = low(cameras);
+    let may = |z: f64, r: f64| r >= least && low.is_none_or(|low| z <= low + THICK * r);
     let search = |[low, high]: [f64; 2], least_standout: f64| {
-        let radii = [low * ring, high * ring];
+        let radii = [(low * ring).max(least), high * ring];
         let camera = &cameras.views.values().next()?.camera;
-        let within = least < radii[1];
-        let found = within.then(|| disk_edge(still, camera, heights, radii, least))??;
-        (found.standout >= least_standout).then_some(found)
+        let within = radii[0] < radii[1];
+        let found = within.then(|| disk_edge(still, camera, heights, radii, &may))??;
+        (found.standout >= least_standout && (told || found.round)).then_some(found)
     };
     let found = search([0.06, 0.4], rules.standout);
     let expected = || {
@@ -72,6 +77,19 @@ pub(crate) fn edge(
     let least = (rules.standout * usual).max(strongest.contrast / 3.0);
     let strong = |edge: &DiskEdge| edge.contrast >= least;
     other.filter(strong).or(found)
+}
+
+/// A disk is no thicker than this share of its radius (by hand).
+const THICK: f64 = 0.5;
+/// Share of the features that may lie lower, as what a glossy disk mirrors (by hand).
+const MIRRORED: f64 = 0.05;
+
+/// Height below which next to nothing turns: subject and disk are above. `None` without features.
+fn low(cameras: &Cameras) -> Option<f64> {
+    let mut all: Vec<f32> = cameras.points.iter().map(|p| p[2]).collect();
+    all.sort_by(f32::total_cmp);
+    let at = (all.len() as f64 * MIRRORED) as usize;
+    all.get(at).map(|z| f64::from(*z))
 }
 
 /// Distance of the first camera from the axis.
