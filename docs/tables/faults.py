@@ -1,10 +1,12 @@
 #!/usr/bin/env python3
 """Takes a capture again through a phone's faults, one at a time, and writes what `docs/experiments.md` shows of it.
 
-    docs/tables/faults.py TAILOR CAPTURE VARIANTS CACHE > docs/tables/faults.json
+    docs/tables/faults.py TAILOR CAPTURE VARIANTS CACHE [free-scale] > docs/tables/faults.json
 
 VARIANTS go before each fault: `no_plate`, `no_mat`, `no_plate,no_mat`, or `-` for none. CAPTURE/truth/mesh.ply is the true surface
-[m]; ours is laid on it (rigidly, by nearest points), and both are cut by the planes of our girths. Wants numpy, scipy and trimesh.
+[m]; ours is laid on it (rigidly, by nearest points), and both are cut by the planes of our girths. With `free-scale` ours is brought to
+its size, too, for without a mat a scale hangs on a disk's edge or is none: `surface_pct` is then of the shape alone, and `scale_pct`
+says how much too large ours was. Wants numpy, scipy and trimesh.
 """
 
 import csv
@@ -23,29 +25,35 @@ SHOWN = ["WC", "WC_narrowest", "WC_navel", "HC", "HC_max", "CC"]
 PIPELINE = pathlib.Path(__file__).resolve().parents[2] / "pipelines" / "phone.toml"
 
 
-def laid_on(points, true):
-    """The rigid motion that lays points on a surface: the best of turns about z, then nearest points, the farthest tenth left out."""
+def laid_on(points, true, free_scale):
+    """The motion that lays points on a surface: the best of turns about z, then nearest points, the farthest tenth left out.
+
+    A size beside a rotation and a way; the size is 1 unless it is free. Where it is, rounds begin at the same height."""
     to = trimesh.sample.sample_surface(true, 40000, seed=1)[0]
     tree = cKDTree(to)
+    first = np.ptp(to[:, 2]) / np.ptp(points[:, 2]) if free_scale else 1.0
 
-    def rounds(turn, move, count):
+    def rounds(size, turn, move, count):
         for _ in range(count):
-            far, near = tree.query(points @ turn.T + move)
+            far, near = tree.query(size * points @ turn.T + move)
             keep = far <= np.quantile(far, 0.9)
             a, b = points[keep], to[near[keep]]
             middle_a, middle_b = a.mean(0), b.mean(0)
-            u, _, v = np.linalg.svd((a - middle_a).T @ (b - middle_b))
-            turn = v.T @ np.diag([1, 1, np.linalg.det(v.T @ u.T)]) @ u.T
-            move = middle_b - turn @ middle_a
-        return np.minimum(far, 50).mean(), turn, move
+            u, lengths, v = np.linalg.svd((a - middle_a).T @ (b - middle_b))
+            sides = np.array([1, 1, np.linalg.det(v.T @ u.T)])
+            turn = v.T @ np.diag(sides) @ u.T
+            if free_scale:
+                size = (lengths * sides).sum() / ((a - middle_a) ** 2).sum()
+            move = middle_b - size * turn @ middle_a
+        return np.minimum(far, 50).mean(), size, turn, move
 
     best = None
     for angle in np.radians(np.arange(0, 360, 15)):
         c, s = np.cos(angle), np.sin(angle)
         turn = np.array([[c, -s, 0], [s, c, 0], [0, 0, 1]])
-        tried = rounds(turn, to.mean(0) - turn @ points.mean(0), 8)
+        tried = rounds(first, turn, to.mean(0) - first * turn @ points.mean(0), 8)
         best = tried if best is None or tried[0] < best[0] else best
-    return rounds(best[1], best[2], 40)[1:]
+    return rounds(*best[1:], 40)[1:]
 
 
 def tape(surface, at, normal):
@@ -62,25 +70,48 @@ def tape(surface, at, normal):
     return ConvexHull(np.c_[line @ across, line @ np.cross(normal, across)]).area
 
 
-def shares(girths, body, true):
-    """Of each girth: how far its tape is off the true surface's at the same plane, arms not let in. [%]"""
+def of(entry, name):
+    """A length of a girth or a point of its plane, whether it has millimetres or is relative."""
+    return next((entry[key] for key in entry if key.rsplit("_", 1)[0] == name), None)
+
+
+def shares(girths, body, true, free_scale):
+    """Of each girth: how far its tape is off the true surface's at the same plane, arms not let in; and how much too large ours is. [%]"""
     ours = trimesh.load(body, process=False)
     points = np.asarray(ours.vertices)
-    turn, move = laid_on(points[:: max(1, len(points) // 8000)], true)
-    ours.vertices = points @ turn.T + move
+    size, turn, move = laid_on(points[:: max(1, len(points) // 8000)], true, free_scale)
+    ours.vertices = size * points @ turn.T + move
     found = {}
     for girth in girths:
         if girth["name"] in SHOWN and girth.get("plane"):
-            at, normal = turn @ np.array(girth["plane"]["point_mm"]) + move, turn @ np.array(girth["plane"]["normal"])
+            at, normal = size * turn @ np.array(of(girth["plane"], "point")) + move, turn @ np.array(girth["plane"]["normal"])
             a, b = tape(ours, at, normal), tape(true, at, normal)
             # A section that runs into an arm on one of the two is no chest.
             if a and b and abs(a / b - 1) < 0.1:
                 found[girth["name"]] = round(100 * (a / b - 1), 3)
-    return found
+    return found, round(100 * (1 / size - 1), 3)
 
 
-def main(tailor, capture, variants, cache):
+def measured(show, true, free_scale):
+    """What one capture came to: `show(node, file)` writes a result's file, or says why there is none."""
+    with tempfile.TemporaryDirectory() as work:
+        girths, body = pathlib.Path(work, "girths.json"), pathlib.Path(work, "body.ply")
+        why = show("girths", girths) or show("body", body)
+        if why:
+            return {"failed": why}
+        told = json.loads(girths.read_text())
+        surface, size = shares(told["girths"], body, true, free_scale)
+    row = {"surface_pct": surface, "missing": {m["name"]: m["reason"] for m in told["missing"]}}
+    unit = "tape_cm" if told["unit"] == "cm" else "tape_rel"
+    row[unit] = {g["name"]: g[unit] for g in told["girths"]}
+    if free_scale and unit == "tape_cm":
+        row["scale_pct"] = size
+    return row
+
+
+def main(tailor, capture, variants, cache, scale=""):
     """All faults of one capture."""
+    free_scale = {"": False, "free-scale": True}[scale]
     before = [] if variants == "-" else variants.split(",")
     said = ["--input", f"photos={capture}", "--cache", cache]
     true = trimesh.load(pathlib.Path(capture, "truth", "mesh.ply"), process=False)
@@ -89,22 +120,23 @@ def main(tailor, capture, variants, cache):
     with tempfile.TemporaryDirectory() as work:
         flags = ["--variant", variants] if before else []
         sweep = [tailor, "sweep", PIPELINE, "faults", *said, *flags, "--out", work, "--quiet"]
-        subprocess.run(sweep, check=True, stdout=sys.stderr)
-        for row in csv.DictReader(open(pathlib.Path(work, "sweep.csv"), encoding="utf-8")):
-            fault, files = row["variant"], {}
-            for node, name in (("girths", "girths.json"), ("body", "body.ply")):
-                files[node] = pathlib.Path(work, f"{fault}-{name}")
+        # A point that fails ends with 1, and its row says so.
+        if subprocess.run(sweep, stdout=sys.stderr).returncode not in (0, 1):
+            sys.exit("the sweep could not be run")
+        for line in csv.DictReader(open(pathlib.Path(work, "sweep.csv"), encoding="utf-8")):
+            fault = line["variant"]
+
+            def show(node, file, fault=fault):
                 how = ["--as", "json"] if node == "girths" else []
-                show = [tailor, "show", node, "--pipeline", PIPELINE, *said, "--variant", ",".join([fault, *before]), *how, "-o", files[node]]
-                subprocess.run(show, check=True, stdout=subprocess.DEVNULL)
-            told = json.loads(files["girths"].read_text())
-            rows[fault] = {
-                "tape_cm": {g["name"]: g["tape_cm"] for g in told["girths"]},
-                "surface_pct": shares(told["girths"], files["body"], true),
-                "missing": {m["name"]: m["reason"] for m in told["missing"]},
-            }
+                flags = ["--pipeline", PIPELINE, *said, "--variant", ",".join([fault, *before])]
+                done = subprocess.run([tailor, "show", node, *flags, *how, "-o", file], capture_output=True, text=True)
+                return done.stderr.strip() if done.returncode else None
+
+            rows[fault] = measured(show, true, free_scale)
+            print(fault, rows[fault], file=sys.stderr)
     version = subprocess.run([tailor, "--version"], check=True, stdout=subprocess.PIPE, text=True).stdout.strip()
-    result = {"program": version, "date": datetime.date.today().isoformat(), "capture": pathlib.Path(capture).name, "variants": before, "rows": rows}
+    result = {"program": version, "date": datetime.date.today().isoformat(), "capture": pathlib.Path(capture).name, "variants": before}
+    result |= {"free_scale": free_scale, "rows": rows}
     json.dump(result, sys.stdout, indent=1)
     print()
 

@@ -5,7 +5,7 @@ use crate::{pages, read};
 use serde_json::Value;
 use std::fmt::Write;
 
-fn json(name: &str) -> Value {
+pub(crate) fn json(name: &str) -> Value {
     serde_json::from_str(&read(name)).unwrap_or_else(|e| panic!("{name}: {e}"))
 }
 
@@ -92,43 +92,6 @@ fn a_fleet_on_paper() {
         let _ = writeln!(table, "| {} |", cells.join(" | "));
     }
     hold("docs/cluster.md", "fleet", &table);
-}
-
-#[test]
-fn what_a_phones_faults_cost_without_a_plate() {
-    let data = json("docs/tables/faults.json");
-    let (rows, clean) = (&data["rows"], &data["rows"]["clean"]);
-    let shown = ["WC", "WC_narrowest", "WC_navel", "HC", "HC_max", "CC"];
-    let percent = |x: f64| signed(&format!("{x:+.2}"));
-    let mut table = String::from("| fault |");
-    shown.iter().for_each(|g| table += &format!(" {g} |"));
-    table += "\n|---|";
-    shown.iter().for_each(|_| table += "---|");
-    table.push('\n');
-    for (fault, row) in rows.as_object().unwrap() {
-        let of = |row: &Value, what: &str, g: &str| row[what][g].as_f64();
-        let cell = |g: &&str| {
-            let surface = of(row, "surface_pct", g)
-                .zip(of(clean, "surface_pct", g))
-                .map(|(a, b)| percent(a - b));
-            let tape = of(row, "tape_cm", g)
-                .zip(of(clean, "tape_cm", g))
-                .map(|(a, b)| percent(100.0 * (a / b - 1.0)));
-            let open = || "–".to_owned();
-            format!(
-                " {}; {} |",
-                surface.unwrap_or_else(open),
-                tape.unwrap_or_else(open)
-            )
-        };
-        if fault != "clean" {
-            let cells: String = shown.iter().map(cell).collect();
-            let _ = writeln!(table, "| {fault} |{cells}");
-        }
-    }
-    let text = |key: &str| data[key].as_str().unwrap();
-    let _ = write!(table, "\n*{}, {}.*\n", text("program"), text("date"));
-    hold("docs/experiments.md", "faults", &table);
 }
 
 /// What a fit of the shipped model did on a family that it had not seen.

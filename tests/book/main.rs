@@ -2,6 +2,7 @@
 //! ships run, and its tables are those of the data. `TAILOR_BOOK=write` writes the tables.
 
 mod commands;
+mod faults;
 mod figures;
 mod links;
 mod tables;
