@@ -52,7 +52,7 @@ pub enum TracksError {
     NoBeginning,
     /// Cameras that stand on no ring.
     #[error(
-        "the cameras came out {off:.1} % off a ring, so they are not to be trusted: is this a walk around somebody who stands still (then --walk)? Are the photos in turning order and the steps below 25°? `focal_35mm` and `step_deg` in capture.toml or a marker mat (`tailor mat`) on the disk help"
+        "the cameras came out {off:.1} % off a ring, so they are not to be trusted: is this a walk around somebody who stands still (then --walk)? Did the subject turn on the spot, without a disk (then --set calibrated.motion=any)? Are the photos in turning order and the steps below 25°? `focal_35mm` and `step_deg` in capture.toml or a marker mat (`tailor mat`) on the disk help"
     )]
     NoRing {
         /// Root mean square, of the ring's radius. [%]
