@@ -1,8 +1,8 @@
 //! How a photo takes over what all photos say together, and what of it it may contradict.
 
 use crate::least_cut::Known;
+use crate::parts::{LIKELY_HOLE, parts};
 use crate::photo_cut::Prepared;
-use crate::segment::{LIKELY_HOLE, parts};
 use crate::unary::FLAT;
 use shape::Image;
 
@@ -16,7 +16,7 @@ impl Prepared {
     /// a patch of the size of a gap: a garment's hem may have the wall's colour.
     pub fn agree<'a>(&mut self, agreed: impl Iterator<Item = &'a Known>, firm: &[Known]) {
         let agreed: Vec<&Known> = agreed.collect();
-        let (sure, likely) = (self.gaps(&self.cost), self.gaps(&self.explained));
+        let (sure, likely) = (self.gaps(&self.cost), self.gaps(self.explained()));
         let body = |i: usize| *agreed[i] == Known::Body;
         let only_likely = |i: usize| body(i) && likely[i] && firm.get(i) != Some(&Known::Body);
         let patches = Image {

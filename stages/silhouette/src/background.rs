@@ -49,6 +49,9 @@ pub fn sample(image: &Rgb, at: Point2<f64>) -> Option<[f32; 3]> {
     Some(color)
 }
 
+/// Of so many places of the disk one tells which angle may be right.
+const SOME: usize = 16;
+
 /// By how much the disk on the plate is turned against a photo, and how far the two differ there
 /// (mean over the outer disk of the capped absolute difference, 0..=60). \[rad, levels\]
 pub fn plate_turn(photo: &Rgb, plate: &Rgb, camera: &Camera, radius: f64) -> (f64, f64) {
@@ -63,24 +66,45 @@ pub fn plate_turn(photo: &Rgb, plate: &Rgb, camera: &Camera, radius: f64) -> (f6
             places.extend(seen.map(|color| (x, color)));
         }
     }
-    let differ = |angle: f64| {
-        let there = turned(camera, angle);
-        let off = |(x, color): &(Point3<f64>, [f32; 3])| {
-            let seen = there.project(x).and_then(|px| sample(plate, px));
-            let far = seen.map_or(60.0, |s| {
-                (0..3).map(|c| (s[c] - color[c]).abs()).sum::<f32>() / 3.0
-            });
-            f64::from(far.min(60.0))
-        };
-        places.iter().map(off).sum::<f64>() / places.len().max(1) as f64
+    let off = |there: &Camera, (x, color): &(Point3<f64>, [f32; 3])| {
+        let seen = there.project(x).and_then(|px| sample(plate, px));
+        let far = seen.map_or(60.0, |s| {
+            (0..3).map(|c| (s[c] - color[c]).abs()).sum::<f32>() / 3.0
+        });
+        f64::from(far.min(60.0))
     };
-    let mut best = (0.0, differ(0.0));
+    let count = places.len().max(1) as f64;
+    // What is farther than the limit before all places were asked stays so.
+    let differ = |angle: f64, limit: f64| {
+        let there = turned(camera, angle);
+        let mut sum = 0.0;
+        for some in places.chunks(SOME) {
+            sum = some.iter().fold(sum, |sum, place| sum + off(&there, place));
+            if sum / count > limit {
+                break;
+            }
+        }
+        sum / count
+    };
+    let mut best = (0.0, differ(0.0, f64::MAX));
     let (mut middle, mut reach, mut step) = (0.0f64, 180.0f64, 0.5f64);
     for _ in 0..3 {
         let count = (reach / step).round() as i32;
-        for k in -count..=count {
-            let angle = (middle + f64::from(k) * step).to_radians();
-            let far = differ(angle);
+        let angles = (-count..=count).map(|k| (middle + f64::from(k) * step).to_radians());
+        // A few places tell which angle to begin with, so that most others are soon too far.
+        let few = |angle: f64| {
+            let there = turned(camera, angle);
+            places
+                .iter()
+                .step_by(SOME)
+                .map(|place| off(&there, place))
+                .sum::<f64>()
+        };
+        let told = angles.clone().map(|angle| (few(angle), angle));
+        let first = told.min_by(|a, b| a.0.total_cmp(&b.0)).map_or(0.0, |t| t.1);
+        let limit = differ(first, f64::MAX);
+        for angle in angles {
+            let far = differ(angle, limit.min(best.1));
             if far < best.1 {
                 best = (angle, far);
             }

@@ -14,14 +14,11 @@ const MIXED: i32 = 2;
 
 /// Coverage of every pixel: 0 or 255 but at the border, where it is what colours say.
 pub fn soft_border(photo: &Rgb, without: &Rgb, sides: &Image<bool>, noise: Noise) -> Mask {
-    let smooth = coverage(sides);
-    let mut mask = smooth.clone();
     let near = near_border(sides);
+    let mut mask = smoothed(sides, &near);
     for y in 0..sides.height {
-        for x in 0..sides.width {
-            if !near.at(x, y) {
-                continue;
-            }
+        for x in along(&near, y) {
+            let smooth = mask.at(x, y);
             let Some((body, light)) = around(photo, without, sides, &near, x, y) else {
                 continue;
             };
@@ -34,7 +31,7 @@ pub fn soft_border(photo: &Rgb, without: &Rgb, sides: &Image<bool>, noise: Noise
             }
             let share = (along / length.max(1.0)).clamp(0.0, 1.0);
             let trust = length / (length + (8.0 * noise.room).powi(2));
-            let mixed = trust * share * 255.0 + (1.0 - trust) * f32::from(smooth.at(x, y));
+            let mixed = trust * share * 255.0 + (1.0 - trust) * f32::from(smooth);
             *mask.at_mut(x, y) = mixed.round() as u8;
         }
     }
@@ -84,26 +81,38 @@ fn around(
     })
 }
 
+/// Columns of the pixels of a row that may show both sides.
+fn along(near: &Image<bool>, y: usize) -> impl Iterator<Item = usize> {
+    let columns = near.row(y).iter().enumerate();
+    columns.filter(|(_, near)| **near).map(|(x, _)| x)
+}
+
 /// Pixels that may show both sides.
 fn near_border(sides: &Image<bool>) -> Image<bool> {
     let (w, h) = (sides.width, sides.height);
     let mut near = Image::filled(w, h, false);
     let mut grow = |x: usize, y: usize| {
         let (x, y) = (x as i32, y as i32);
+        let columns = (x - MIXED + 1).max(0) as usize..(x + MIXED).min(w as i32) as usize;
         for ny in (y - MIXED + 1).max(0)..(y + MIXED).min(h as i32) {
-            for nx in (x - MIXED + 1).max(0)..(x + MIXED).min(w as i32) {
-                *near.at_mut(nx as usize, ny as usize) = true;
-            }
+            near.data[ny as usize * w..][columns.clone()].fill(true);
         }
     };
     for y in 0..h {
+        let row = sides.row(y);
+        for x in 1..w {
+            if row[x - 1] != row[x] {
+                grow(x - 1, y);
+                grow(x, y);
+            }
+        }
+        if y + 1 == h || row == sides.row(y + 1) {
+            continue;
+        }
         for x in 0..w {
-            let here = sides.at(x, y);
-            for (nx, ny) in [(x + 1, y), (x, y + 1)] {
-                if nx < w && ny < h && sides.at(nx, ny) != here {
-                    grow(x, y);
-                    grow(nx, ny);
-                }
+            if row[x] != sides.at(x, y + 1) {
+                grow(x, y);
+                grow(x, y + 1);
             }
         }
     }
@@ -113,33 +122,26 @@ fn near_border(sides: &Image<bool>) -> Image<bool> {
 /// Sides as coverage with a soft border: a 3 × 3 binomial filter, so that the border crosses half
 /// coverage between the two pixels that differ.
 pub fn coverage(sides: &Image<bool>) -> Mask {
+    smoothed(sides, &near_border(sides))
+}
+
+/// The same where it is known which pixels lie near the border: beyond, all nine are of one side.
+fn smoothed(sides: &Image<bool>, near: &Image<bool>) -> Mask {
     let (w, h) = (sides.width, sides.height);
-    let mut mask = Mask::filled(w, h, 0);
+    let mut mask: Mask = sides.map(|body| if *body { 255 } else { 0 });
     for y in 0..h {
-        for x in 0..w {
-            let here = sides.at(x, y);
-            let (mut sum, mut weight, mut same) = (0u32, 0u32, true);
+        for x in along(near, y) {
+            let (mut sum, mut weight) = (0u32, 0u32);
             for (dy, wy) in [(-1i32, 1u32), (0, 2), (1, 1)] {
                 for (dx, wx) in [(-1i32, 1u32), (0, 2), (1, 1)] {
                     let (nx, ny) = (x as i32 + dx, y as i32 + dy);
                     if nx >= 0 && ny >= 0 && nx < w as i32 && ny < h as i32 {
-                        let v = sides.at(nx as usize, ny as usize);
-                        same &= v == here;
-                        sum += u32::from(v) * wx * wy;
+                        sum += u32::from(sides.at(nx as usize, ny as usize)) * wx * wy;
                         weight += wx * wy;
                     }
                 }
             }
-            *mask.at_mut(x, y) = match same {
-                true => {
-                    if here {
-                        255
-                    } else {
-                        0
-                    }
-                }
-                false => (sum * 255 / weight) as u8,
-            };
+            *mask.at_mut(x, y) = (sum * 255 / weight) as u8;
         }
     }
     mask

@@ -1,10 +1,11 @@
 //! A rectangle that the user drew around the subject, and cuts by colours alone (Rother 2004).
 
 use crate::border::coverage;
+use crate::full_size::band;
 use crate::gmm::Gmm;
 use crate::least_cut::{Known, Window};
-use crate::photo_cut::band;
-use crate::segment::{Settings, cut, largest, reduced};
+use crate::parts::largest;
+use crate::segment::{Settings, cut, reduced};
 use shape::{Image, Mask, Rgb};
 
 /// A rectangle of the photo, beyond which nothing is body. \[px\]

@@ -3,6 +3,7 @@
 
 use crate::least_cut::Known;
 use nalgebra::Point3;
+use rayon::prelude::*;
 use shape::{Camera, Cameras, Mask, PhotoId};
 use std::collections::BTreeMap;
 
@@ -96,7 +97,9 @@ pub(crate) fn together(
     let Some(block) = block(&views, cameras.ground_mm, &shows) else {
         return vec![];
     };
-    let counts: Vec<usize> = (0..block.count.iter().product())
+    let cells: usize = block.count.iter().product();
+    let counts: Vec<usize> = (0..cells)
+        .into_par_iter()
         .map(|i| against(&block.centre(i)))
         .collect();
     let of = |dissent: &usize| {
@@ -106,7 +109,8 @@ pub(crate) fn together(
         let one = |(id, mask, camera): &(PhotoId, &Mask, Camera)| {
             (*id, projected(mask, camera, &block, &core, &coat))
         };
-        views.iter().map(one).collect()
+        let all: Vec<_> = views.par_iter().map(one).collect();
+        all.into_iter().collect()
     };
     dissents.iter().map(of).collect()
 }

@@ -5,8 +5,9 @@
 
 use crate::backdrop::thinned;
 use crate::disk_colors::mixture;
+use crate::parts::parts;
 use crate::scene::Shot;
-use crate::segment::{STRANGE, body_cost, parts};
+use crate::segment::{STRANGE, body_cost};
 use crate::turn::SHY;
 use rayon::prelude::*;
 use shape::Image;

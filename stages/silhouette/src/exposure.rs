@@ -42,26 +42,59 @@ pub(crate) fn exposure_beyond(photo: &Rgb, plate: &Rgb, same: f32) -> Option<Lev
     let mut levels = [[0u8; 256]; 3];
     let mut alike = true;
     for (c, levels) in levels.iter_mut().enumerate() {
-        let pairs: Vec<(u8, u8)> = (0..photo.height)
-            .step_by(3)
-            .flat_map(|y| photo.row(y).iter().zip(plate.row(y)).step_by(3))
-            .map(|(p, e)| (p[c], e[c]))
-            .collect();
+        let pairs = Pairs::of(photo, plate, c);
         let gain = ratio(&pairs)?;
         let curve = curve(&pairs, gain);
         alike &= (gain - 1.0).abs() < same;
         for (level, to) in levels.iter_mut().enumerate() {
             *to = (gain * level as f32 + between(&curve, level)).round() as u8;
         }
-        let cut_off = pairs.iter().filter(|(_, e)| *e >= CUT_OFF.0);
-        let mut photo: Vec<u8> = cut_off.map(|(p, _)| *p).collect();
-        photo.sort_unstable();
-        if photo.len() as u32 >= ENOUGH {
-            let bright = photo[(photo.len() - 1) * CUT_OFF.1 / 100];
+        if let Some(bright) = pairs.where_cut_off() {
             levels[CUT_OFF.0 as usize..].fill(bright);
         }
     }
     (!alike).then_some(levels)
+}
+
+/// How often each level of the photo stands where the plate has each of its levels: some hundred
+/// thousand pixels are far fewer pairs.
+struct Pairs(Vec<u32>);
+
+impl Pairs {
+    /// Of a channel, one pixel of nine.
+    fn of(photo: &Rgb, plate: &Rgb, c: usize) -> Self {
+        let mut counts = vec![0; 256 * 256];
+        for y in (0..photo.height).step_by(3) {
+            for (p, e) in photo.row(y).iter().zip(plate.row(y)).step_by(3) {
+                counts[usize::from(e[c]) * 256 + usize::from(p[c])] += 1;
+            }
+        }
+        Pairs(counts)
+    }
+
+    /// Level of the photo, level of the plate, how often.
+    fn each(&self) -> impl Iterator<Item = (u8, u8, u32)> {
+        let met = self.0.iter().enumerate().filter(|(_, count)| **count > 0);
+        met.map(|(i, count)| ((i % 256) as u8, (i / 256) as u8, *count))
+    }
+
+    /// What the photo shows where the plate is cut off.
+    fn where_cut_off(&self) -> Option<u8> {
+        let mut counts = [0u32; 256];
+        let cut_off = self.each().filter(|(_, e, _)| *e >= CUT_OFF.0);
+        cut_off.for_each(|(p, _, count)| counts[usize::from(p)] += count);
+        let all: u32 = counts.iter().sum();
+        if all < ENOUGH {
+            return None;
+        }
+        let want = (all as usize - 1) * CUT_OFF.1 / 100;
+        let mut below = 0;
+        let reaches = |count: &u32| {
+            below += *count as usize;
+            below > want
+        };
+        Some(counts.iter().position(reaches).unwrap_or(255) as u8)
+    }
 }
 
 /// The plate with its levels changed.
@@ -70,15 +103,15 @@ pub fn relit(plate: &Rgb, levels: &Levels) -> Rgb {
 }
 
 /// The most frequent ratio of photo to plate.
-fn ratio(pairs: &[(u8, u8)]) -> Option<f32> {
+fn ratio(pairs: &Pairs) -> Option<f32> {
     let mut counts = [0u32; BINS];
     let mut all = 0u32;
-    for (photo, plate) in pairs.iter().filter(|(_, e)| TELLING.contains(e)) {
-        all += 1;
-        let log = libm::logf(f32::from(*photo).max(1.0) / f32::from(*plate));
+    for (photo, plate, count) in pairs.each().filter(|(_, e, _)| TELLING.contains(e)) {
+        all += count;
+        let log = libm::logf(f32::from(photo).max(1.0) / f32::from(plate));
         let bin = log / WIDE + BINS as f32 / 2.0;
-        if bin >= 0.0 && (bin as usize) < BINS && *photo < CUT_OFF.0 {
-            counts[bin as usize] += 1;
+        if bin >= 0.0 && (bin as usize) < BINS && photo < CUT_OFF.0 {
+            counts[bin as usize] += count;
         }
     }
     let around = |b: usize| -> u32 { counts[b - 2..=b + 2].iter().sum() };
@@ -95,17 +128,18 @@ fn ratio(pairs: &[(u8, u8)]) -> Option<f32> {
 
 /// What the photo's levels are off `gain` times the plate's, at the middles of steps of the plate's
 /// levels; as beside it where too few pixels keep to the ratio.
-fn curve(pairs: &[(u8, u8)], gain: f32) -> [f32; 256 / STEP] {
+fn curve(pairs: &Pairs, gain: f32) -> [f32; 256 / STEP] {
     let mut off = [0.0f32; 256 / STEP];
     for near in NEAR {
         let (mut sums, mut counts) = ([0.0f64; 256 / STEP], [0u32; 256 / STEP]);
-        for (photo, plate) in pairs.iter().filter(|(p, e)| *p.max(e) < CUT_OFF.0) {
-            let want = gain * f32::from(*plate) + between(&off, usize::from(*plate));
-            let by = f32::from(*photo) - want;
+        for (photo, plate, count) in pairs.each().filter(|(p, e, _)| *p.max(e) < CUT_OFF.0) {
+            let want = gain * f32::from(plate) + between(&off, usize::from(plate));
+            let by = f32::from(photo) - want;
             if by.abs() <= (near * want).max(4.0) {
-                let step = usize::from(*plate) / STEP;
-                sums[step] += f64::from(f32::from(*photo) - gain * f32::from(*plate));
-                counts[step] += 1;
+                let step = usize::from(plate) / STEP;
+                let off = f64::from(f32::from(photo) - gain * f32::from(plate));
+                sums[step] += off * f64::from(count);
+                counts[step] += count;
             }
         }
         let known: Vec<usize> = (0..off.len()).filter(|s| counts[*s] >= ENOUGH).collect();

@@ -6,8 +6,8 @@ use shape::Rgb;
 
 /// Costs are multiplied by this and rounded, so that flows are whole numbers.
 pub(crate) const UNIT: f64 = 64.0;
-/// No pixel may be put on the other side.
-const NEVER: i32 = 1 << 24;
+/// Contrast beyond which an edge is not any cheaper.
+const MOST: f64 = 12.0;
 /// Share of the price of a border that no edge takes away.
 const LEAST: f64 = 0.15;
 
@@ -45,43 +45,117 @@ pub(crate) struct Terms<'a> {
 }
 
 /// Cuts a window: true is body; row-major over the window. `gamma` weighs the border's length.
+///
+/// What is certain is no part of the graph: an arc towards it is an arc towards its side.
 pub(crate) fn least_cut(photo: &Rgb, window: &Window, gamma: f64, terms: &Terms<'_>) -> Vec<bool> {
     let (w, h) = (window.width, window.height);
     let at = |x: usize, y: usize| (window.y + y) * photo.width + window.x + x;
-    let beta = beta(photo, window);
-    let mut grid = Grid::new(w, h);
-    for here in 0..w * h {
-        let (x, y) = (here % w, here / w);
-        let i = at(x, y);
-        let (background, body) = match (terms.known)(i) {
-            Known::Background => (0, NEVER),
-            Known::Body => (NEVER, 0),
-            Known::Unknown => (terms.colours)(i, here),
-        };
-        grid.set_terminal(x, y, background, body);
-        for (d, (dx, dy)) in STEPS.iter().enumerate().skip(4) {
-            let (nx, ny) = (x as i32 + dx, y as i32 + dy);
-            if nx < 0 || nx >= w as i32 || ny >= h as i32 {
-                continue;
+    let known: Vec<Known> = (0..w * h)
+        .map(|here| (terms.known)(at(here % w, here / w)))
+        .collect();
+    let mut sides: Vec<bool> = known.iter().map(|k| *k == Known::Body).collect();
+    let Some([left, top, right, bottom]) = open(&known, w) else {
+        return sides;
+    };
+    let mut prices = Prices::new(gamma, beta(photo, window));
+    let mut grid = Grid::new(right - left, bottom - top);
+    // What the two sides of a pixel cost: as itself, then beside what is certain.
+    let mut costs = vec![(0, 0); w * h];
+    for y in top.max(1) - 1..h.min(bottom + 1) {
+        for x in left.max(1) - 1..w.min(right + 1) {
+            let here = y * w + x;
+            if known[here] == Known::Unknown {
+                let (background, body) = (terms.colours)(at(x, y), here);
+                costs[here].0 += background;
+                costs[here].1 += body;
             }
-            let (nx, ny) = (nx as usize, ny as usize);
-            let contrast = match (terms.own)(here, ny * w + nx) {
-                true => 0.0,
-                false => (beta * apart(photo.data[i], photo.data[at(nx, ny)])).min(12.0),
-            };
-            let length = if dx * dy == 0 {
-                1.0
-            } else {
-                std::f64::consts::FRAC_1_SQRT_2
-            };
-            let weight = gamma * length * (LEAST + (1.0 - LEAST) * libm::exp(-contrast));
-            grid.set_arc(x, y, d, (weight * UNIT / 8.0) as i32);
+            for (d, (dx, dy)) in STEPS.iter().enumerate().skip(4) {
+                let (nx, ny) = (x as i32 + dx, y as i32 + dy);
+                if nx < 0 || nx >= w as i32 || ny >= h as i32 {
+                    continue;
+                }
+                let (nx, ny) = (nx as usize, ny as usize);
+                let there = ny * w + nx;
+                if known[here] != Known::Unknown && known[there] != Known::Unknown {
+                    continue;
+                }
+                let apart = match (terms.own)(here, there) {
+                    true => 0,
+                    false => apart(photo.data[at(x, y)], photo.data[at(nx, ny)]),
+                };
+                let price = prices.of(apart, dx * dy != 0);
+                let beside = |to: &mut (i32, i32), other: Known| match other {
+                    Known::Body => to.0 += price,
+                    _ => to.1 += price,
+                };
+                match (known[here], known[there]) {
+                    (Known::Unknown, Known::Unknown) => {
+                        grid.set_arc(x - left, y - top, d, price);
+                    }
+                    (Known::Unknown, other) => beside(&mut costs[here], other),
+                    (other, _) => beside(&mut costs[there], other),
+                }
+            }
         }
     }
+    let places = || (top..bottom).flat_map(|y| (left..right).map(move |x| (x, y)));
+    for (x, y) in places() {
+        let (background, body) = costs[y * w + x];
+        grid.set_terminal(x - left, y - top, background, body);
+    }
     grid.cut();
-    (0..w * h)
-        .map(|i| grid.on_source_side(i % w, i / w))
-        .collect()
+    for (x, y) in places().filter(|(x, y)| known[y * w + x] == Known::Unknown) {
+        sides[y * w + x] = grid.on_source_side(x - left, y - top);
+    }
+    sides
+}
+
+/// The rectangle (left, top, right, bottom) of a window that holds all that is unknown.
+fn open(known: &[Known], wide: usize) -> Option<[usize; 4]> {
+    let mut all: Option<[usize; 4]> = None;
+    let unknown = known.iter().enumerate();
+    for (i, _) in unknown.filter(|(_, k)| **k == Known::Unknown) {
+        let (x, y) = (i % wide, i / wide);
+        let [left, top, right, _] = all.unwrap_or([x, y, x, y]);
+        all = Some([left.min(x), top, right.max(x + 1), y + 1]);
+    }
+    all
+}
+
+/// What it costs to part two neighbours, by how far their colours are apart.
+struct Prices {
+    gamma: f64,
+    beta: f64,
+    /// Of neighbours beside each other and at a corner; 0 where nobody asked yet.
+    known: Vec<[i32; 2]>,
+}
+
+impl Prices {
+    fn new(gamma: f64, beta: f64) -> Self {
+        // Beyond this all cost the same.
+        let most = (MOST / beta).ceil().min(f64::from(3 * 255 * 255));
+        Prices {
+            gamma,
+            beta,
+            known: vec![[0; 2]; most as usize + 1],
+        }
+    }
+
+    fn of(&mut self, apart: u32, corner: bool) -> i32 {
+        let apart = (apart as usize).min(self.known.len() - 1);
+        let known = &mut self.known[apart][usize::from(corner)];
+        if *known == 0 {
+            let contrast = (self.beta * apart as f64).min(MOST);
+            let length = if corner {
+                std::f64::consts::FRAC_1_SQRT_2
+            } else {
+                1.0
+            };
+            let weight = self.gamma * length * (LEAST + (1.0 - LEAST) * libm::exp(-contrast));
+            *known = (weight * UNIT / 8.0) as i32;
+        }
+        *known
+    }
 }
 
 /// As [`least_cut`], by what speaks for the body at each pixel of the window: ln p(body) − ln p(room).
@@ -106,8 +180,8 @@ pub(crate) fn cut_by_odds(
 }
 
 /// Squared difference of two colours, channels summed.
-fn apart(a: [u8; 3], b: [u8; 3]) -> f64 {
-    let differ = (0..3).map(|c| f64::from(a[c]) - f64::from(b[c]));
+fn apart(a: [u8; 3], b: [u8; 3]) -> u32 {
+    let differ = (0..3).map(|c| u32::from(a[c].abs_diff(b[c])));
     differ.map(|d| d * d).sum()
 }
 
@@ -119,7 +193,7 @@ fn beta(photo: &Rgb, window: &Window) -> f64 {
             .windows(2)
             .step_by(2)
         {
-            sum += apart(pair[0], pair[1]);
+            sum += f64::from(apart(pair[0], pair[1]));
             count += 1.0;
         }
     }

@@ -1,15 +1,14 @@
-//! One photo: a coarse cut of all of it, then its border at full size.
+//! One photo: a coarse cut of all of it, before its border is cut at full size.
 
 use crate::backdrop::Backdrop;
 use crate::background::on_disk;
-use crate::border::soft_border;
 use crate::gmm::Gmm;
-use crate::least_cut::{Known, Window};
-use crate::segment::{Settings, cut, cut_whole, largest, reduced};
-use crate::unary::{FLAT, Ground, Noise, background_cost};
+use crate::grounds::Grounds;
+use crate::least_cut::Known;
+use crate::segment::{Settings, cut_whole, reduced};
+use crate::unary::{FLAT, Noise, background_cost};
 use nalgebra::{Point2, Point3};
-use shape::{Camera, Image, Mask, Rgb};
-use std::ops::Range;
+use shape::{Camera, Image, Rgb};
 
 /// A photo made ready: reduced, with what is known of each pixel.
 pub struct Prepared {
@@ -20,14 +19,21 @@ pub struct Prepared {
     /// -ln p(pixel | background) of the reduced photo.
     pub cost: Vec<f32>,
     /// The same where the background was seen. Where it was not, and colours are held against those
-    /// beside: by how much less it costs than the body does.
-    pub explained: Vec<f32>,
+    /// beside: by how much less it costs than the body does. `None` where that is all the same.
+    pub explained: Option<Vec<f32>>,
     /// What is certain before any cut.
     pub known: Vec<Known>,
     /// How far the reduced photo and what was expected of it differ without a reason. \[levels\]
     pub noise: Noise,
     /// The camera at the reduced size, and the disk's radius. \[mm\]
     pub disk: Option<(Camera, f64)>,
+}
+
+impl Prepared {
+    /// What pixels cost as background as far as holes may trust it.
+    pub(crate) fn explained(&self) -> &[f32] {
+        self.explained.as_deref().unwrap_or(&self.cost)
+    }
 }
 
 /// Where the disk is: the photo's camera and the disk's radius. \[mm\]
@@ -54,10 +60,8 @@ pub fn prepare(
     let (small, expected) = (reduced(pixels, factor), reduced(&without.image, factor));
     let at_small =
         disk.map(|(c, radius)| (c.resized(small.width as u32, small.height as u32), radius));
-    let grounds: Vec<Ground> = (0..small.data.len())
-        .map(|i| ground(&at_small, 1, i % small.width, i / small.width))
-        .collect();
-    let on = |x: usize, y: usize| grounds[y * small.width + x];
+    let grounds = Grounds::of(at_small.as_ref(), 1, small.width, small.height);
+    let on = |x: usize, y: usize| grounds.at(x, y);
     let noise = Noise::measure(&small, &expected, &on);
     let all = [0, 0, small.width, small.height];
     let mut cost = background_cost(&small, &expected, noise, &on, 1, all);
@@ -76,7 +80,7 @@ pub fn prepare(
     Prepared {
         factor,
         small,
-        explained: cost.clone(),
+        explained: None,
         cost,
         known,
         noise,
@@ -86,161 +90,8 @@ pub fn prepare(
 
 /// The coarse cut. `None` if nothing can be body.
 pub fn coarse(ready: &Prepared, settings: &Settings) -> Option<(Image<bool>, Gmm)> {
-    let (cost, explained) = (&ready.cost, &ready.explained);
+    let (cost, explained) = (&ready.cost, ready.explained());
     cut_whole(&ready.small, cost, explained, &ready.known, settings)
-}
-
-/// The border of a coarse cut again at full size, window by window so that memory stays small.
-pub fn fine(
-    pixels: &Rgb,
-    without: &Backdrop,
-    ready: &Prepared,
-    coarse: &Image<bool>,
-    gmm: &Gmm,
-    settings: &Settings,
-) -> Mask {
-    let factor = ready.factor;
-    let Backdrop {
-        image: without,
-        seen,
-    } = without;
-    let on = |x: usize, y: usize| ground(&ready.disk, factor, x, y);
-    // The ground of every pixel is dear, and that of its neighbourhood serves.
-    let (wide, tall) = (pixels.width.div_ceil(8), pixels.height.div_ceil(8));
-    let places = (0..tall).flat_map(|y| (0..wide).map(move |x| (8 * x, 8 * y)));
-    let near: Vec<Ground> = places.map(|(x, y)| on(x, y)).collect();
-    let noise = Noise::measure(pixels, without, &|x, y| near[y / 8 * wide + x / 8]);
-    if factor == 1 {
-        return soft_border(pixels, without, coarse, noise);
-    }
-    let band = band(coarse);
-    let at = |i: usize| {
-        let (x, y) = (i % pixels.width, i / pixels.width);
-        (
-            (x / factor).min(coarse.width - 1),
-            (y / factor).min(coarse.height - 1),
-        )
-    };
-    let settled = |i: usize| {
-        let (x, y) = at(i);
-        match (band.at(x, y), coarse.at(x, y)) {
-            (true, _) => ready.known[y * coarse.width + x],
-            (false, false) => Known::Background,
-            (false, true) => Known::Body,
-        }
-    };
-    let side = |(x, y): (usize, usize)| coarse.at(x, y);
-    let mut sides = Image {
-        width: pixels.width,
-        height: pixels.height,
-        data: (0..pixels.data.len()).map(|i| side(at(i))).collect(),
-    };
-    for tile in tiles(&band) {
-        let window = tile.with_margin(coarse, factor);
-        let area = [window.x, window.y, window.width, window.height];
-        let mut cost = background_cost(pixels, without, noise, &on, 2, area);
-        for (i, cost) in cost.iter_mut().enumerate() {
-            let (x, y) = (window.x + i % window.width, window.y + i / window.width);
-            if !seen.at(x, y) {
-                *cost = UNSEEN;
-            }
-        }
-        let body = cut(pixels, &cost, &window, gmm, settings, &settled);
-        for y in tile.y.start * factor..tile.y.end * factor {
-            for x in tile.x.start * factor..tile.x.end * factor {
-                *sides.at_mut(x, y) = body[(y - window.y) * window.width + x - window.x];
-            }
-        }
-    }
-    let cost = |i: usize| {
-        let (x, y) = at(i);
-        let i = y * coarse.width + x;
-        [ready.cost[i], ready.explained[i]]
-    };
-    soft_border(pixels, without, &largest(&sides, &cost), noise)
-}
-
-/// A square of coarse pixels, clipped to the photo.
-struct Tile {
-    x: Range<usize>,
-    y: Range<usize>,
-}
-
-impl Tile {
-    /// What is cut of it at full size: a margin of four coarse pixels around the tile is cut too, then
-    /// thrown away.
-    fn with_margin(&self, coarse: &Image<bool>, factor: usize) -> Window {
-        let widened = |r: &Range<usize>, most: usize| {
-            let (start, end) = (r.start.saturating_sub(4), (r.end + 4).min(most));
-            (start * factor, (end - start) * factor)
-        };
-        let (x, width) = widened(&self.x, coarse.width);
-        let (y, height) = widened(&self.y, coarse.height);
-        Window {
-            x,
-            y,
-            width,
-            height,
-        }
-    }
-}
-
-/// The tiles of 16 pixels in which some of the band lies, row by row.
-fn tiles(band: &Image<bool>) -> Vec<Tile> {
-    const SIDE: usize = 16;
-    let along = |most: usize| {
-        let starts = (0..most).step_by(SIDE);
-        starts.map(move |start| start..(start + SIDE).min(most))
-    };
-    let all = along(band.height).flat_map(|y| along(band.width).map(move |x| (x, y.clone())));
-    let on_band = |tile: &Tile| {
-        let mut rows = tile.y.clone();
-        rows.any(|y| tile.x.clone().any(|x| band.at(x, y)))
-    };
-    all.map(|(x, y)| Tile { x, y }).filter(on_band).collect()
-}
-
-/// The subject's shadow may fall deep on the disk and the floor around it: this many disk radii.
-const SHADOW_RADII: f64 = 5.0;
-
-/// What the background is at a pixel. Without a camera a shadow may fall anywhere.
-fn ground(disk: &Option<(Camera, f64)>, factor: usize, x: usize, y: usize) -> Ground {
-    let Some((camera, radius)) = disk else {
-        return Ground::Floor;
-    };
-    let small = |v: usize| (v as f64 + 0.5) / factor as f64 - 0.5;
-    let hit = on_disk(
-        camera,
-        Point2::new(small(x), small(y)),
-        radius * SHADOW_RADII,
-    );
-    match hit {
-        None => Ground::Room,
-        Some(hit) if libm::hypot(hit.x, hit.y) < *radius => Ground::Disk,
-        Some(_) => Ground::Floor,
-    }
-}
-
-/// Coarse pixels within two of the border.
-pub(crate) fn band(sides: &Image<bool>) -> Image<bool> {
-    let (w, h) = (sides.width as i32, sides.height as i32);
-    let mut band = Image {
-        width: sides.width,
-        height: sides.height,
-        data: vec![false; sides.data.len()],
-    };
-    for y in 0..h {
-        for x in 0..w {
-            let here = sides.at(x as usize, y as usize);
-            let differs = |dx: i32, dy: i32| {
-                let (nx, ny) = (x + dx, y + dy);
-                nx >= 0 && ny >= 0 && nx < w && ny < h && sides.at(nx as usize, ny as usize) != here
-            };
-            let near = (-2..=2).any(|dy| (-2..=2).any(|dx| differs(dx, dy)));
-            *band.at_mut(x as usize, y as usize) = near;
-        }
-    }
-    band
 }
 
 /// What cannot be body: below the disk's top, and outside of the cylinder above the disk.

@@ -2,6 +2,7 @@
 
 use crate::gmm::Gmm;
 use crate::least_cut::{Known, Terms, UNIT, Window, least_cut};
+use crate::parts::largest;
 use crate::unary::FLAT;
 use shape::{Image, Rgb};
 
@@ -16,8 +17,6 @@ pub struct Settings {
     pub clusters: usize,
 }
 
-/// A hole whose median pixel costs the background more than this is no hole.
-const EXPLAINED: f32 = FLAT + 1.5;
 /// Neighbours that cost the background no more than this are its own.
 const OWN: f32 = FLAT + 1.5;
 /// -ln of an even density over all colours: anything can be body.
@@ -121,97 +120,4 @@ pub fn cut(
             own: &own,
         },
     )
-}
-
-/// A hole that the background only likely explains is at least this part of the body: gaps between arm
-/// and trunk were 0.7 to 1 %, a grey waistband taken for a grey wall 0.2 %.
-pub(crate) const LIKELY_HOLE: usize = 250;
-
-/// The largest connected part, with those of its holes filled that are small or that the background
-/// does not explain: a gap between arm and trunk shows the background to the level, a blue fish on
-/// a shirt only something like it. What a pixel costs as background is given twice, as it was seen and
-/// as it is likely: a hole that is only likely must be of the size of such a gap, for a hole in one
-/// photo is a tunnel through the hull.
-pub fn largest(sides: &Image<bool>, background: &dyn Fn(usize) -> [f32; 2]) -> Image<bool> {
-    let (parts, sizes) = parts(sides, true);
-    let Some(best) = (0..sizes.len()).max_by_key(|i| (sizes[*i], usize::MAX - i)) else {
-        return sides.clone();
-    };
-    let mut kept = Image {
-        data: parts.data.iter().map(|p| *p == best as u32).collect(),
-        ..*sides
-    };
-    let (least, most) = (sizes[best] / 2000, sizes[best] / 10);
-    let (holes, hole_sizes) = self::parts(&kept, false);
-    let likely_least = sizes[best] / LIKELY_HOLE;
-    let mut costs: Vec<[Vec<f32>; 2]> = vec![Default::default(); hole_sizes.len()];
-    for (i, hole) in holes
-        .data
-        .iter()
-        .enumerate()
-        .filter(|(_, h)| **h != u32::MAX)
-    {
-        if hole_sizes[*hole as usize] <= most {
-            let [seen, likely] = background(i);
-            costs[*hole as usize][0].push(seen);
-            costs[*hole as usize][1].push(likely);
-        }
-    }
-    let fill: Vec<bool> = costs
-        .iter_mut()
-        .zip(&hole_sizes)
-        .map(|(costs, size)| {
-            let explained = |costs: &mut Vec<f32>| {
-                costs.sort_by(f32::total_cmp);
-                costs
-                    .get(costs.len() / 2)
-                    .is_some_and(|middle| *middle <= EXPLAINED)
-            };
-            let [seen, likely] = costs;
-            let open =
-                *size >= least && explained(seen) || *size >= likely_least && explained(likely);
-            *size <= most && !open
-        })
-        .collect();
-    for (keep, hole) in kept.data.iter_mut().zip(&holes.data) {
-        *keep |= *hole != u32::MAX && fill[*hole as usize];
-    }
-    kept
-}
-
-/// Connected parts (four neighbours) of the pixels of one side: number of each pixel's part or
-/// `u32::MAX`, and sizes.
-pub(crate) fn parts(sides: &Image<bool>, of: bool) -> (Image<u32>, Vec<usize>) {
-    let mut parts = Image {
-        width: sides.width,
-        height: sides.height,
-        data: vec![u32::MAX; sides.data.len()],
-    };
-    let mut sizes = Vec::new();
-    for start in 0..sides.data.len() {
-        if sides.data[start] != of || parts.data[start] != u32::MAX {
-            continue;
-        }
-        let number = sizes.len() as u32;
-        let (mut open, mut size) = (vec![start], 0);
-        parts.data[start] = number;
-        while let Some(i) = open.pop() {
-            size += 1;
-            let (x, y) = (i % sides.width, i / sides.width);
-            let near = [
-                (x > 0).then(|| i - 1),
-                (x + 1 < sides.width).then(|| i + 1),
-                (y > 0).then(|| i - sides.width),
-                (y + 1 < sides.height).then(|| i + sides.width),
-            ];
-            for j in near.into_iter().flatten() {
-                if sides.data[j] == of && parts.data[j] == u32::MAX {
-                    parts.data[j] = number;
-                    open.push(j);
-                }
-            }
-        }
-        sizes.push(size);
-    }
-    (parts, sizes)
 }

@@ -9,11 +9,12 @@ use crate::gmm::Gmm;
 use crate::least_cut::Known;
 use crate::modes::Modes;
 use crate::nearby::{Nearby, beside};
+use crate::parts::parts;
 use crate::photo_cut::{Prepared, UNSEEN, coarse, prepare};
 use crate::recur::recurring;
 use crate::scene::{Scene, Shot, scene};
 use crate::seams::chosen;
-use crate::segment::{EVIDENT, STRANGE, Settings, body_cost, parts};
+use crate::segment::{EVIDENT, STRANGE, Settings, body_cost};
 use nalgebra::Point2;
 use rayon::prelude::*;
 use shape::{Cameras, Image, Mask, PhotoId, Rgb};
@@ -120,6 +121,7 @@ impl Turn<'_> {
         let mut ready: Vec<Prepared> = shots.par_iter().map(|s| self.one(s, &around)).collect();
         let evident = evident(shots, &ready, radius);
         shots.par_iter().zip(&mut ready).for_each(|(shot, ready)| {
+            let mut explained = ready.cost.clone();
             for i in 0..ready.cost.len() {
                 if ready.cost[i] != UNSEEN {
                     continue;
@@ -131,9 +133,10 @@ impl Turn<'_> {
                 } else if let Some(cost) = nearby.cost(&shot.small, i) {
                     ready.cost[i] = ready.cost[i].min(cost);
                     let of_body = evident.as_ref().map_or(0.0, |b| body_cost(b, color));
-                    ready.explained[i] = beside(ready.cost[i], of_body as f32);
+                    explained[i] = beside(ready.cost[i], of_body as f32);
                 }
             }
+            ready.explained = Some(explained);
         });
         ready
     }

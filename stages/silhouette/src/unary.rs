@@ -1,5 +1,6 @@
 //! How well a pixel is explained by the background: negative log likelihoods.
 
+use crate::around::{box_means, least_around};
 use shape::Rgb;
 
 /// How far an edge of the background may move. \[px\]
@@ -104,43 +105,74 @@ pub fn background_cost(
     noise: Noise,
     ground: &dyn Fn(usize, usize) -> Ground,
     reach: usize,
-    [left, top, width, height]: [usize; 4],
+    rectangle: [usize; 4],
 ) -> Vec<f32> {
-    let (w, h) = (photo.width, photo.height);
-    // Windows that hold a pixel of the rectangle reach so far beyond it.
-    let margin = 2 * reach;
-    let (x0, y0) = (left.saturating_sub(margin), top.saturating_sub(margin));
-    let (x1, y1) = (
-        (left + width + margin).min(w),
-        (top + height + margin).min(h),
-    );
-    let wide = x1 - x0;
-    let mut means = Vec::with_capacity(wide * (y1 - y0));
-    let mut single = Vec::with_capacity(width * height);
-    let (photo_means, expected_means) = (
-        box_means(photo, [x0, y0, x1, y1], reach),
-        box_means(expected, [x0, y0, x1, y1], reach),
-    );
-    for y in y0..y1 {
-        for x in x0..x1 {
-            let on = ground(x, y);
-            let sigma = noise.on(on);
-            let i = means.len();
+    let likeness = Likeness {
+        photo,
+        expected,
+        noise,
+        ground,
+        reach,
+    };
+    likeness.cost_where(rectangle, &|_, _| true)
+}
+
+/// A photo and the background that is expected of it.
+pub(crate) struct Likeness<'a> {
+    pub(crate) photo: &'a Rgb,
+    pub(crate) expected: &'a Rgb,
+    pub(crate) noise: Noise,
+    pub(crate) ground: &'a dyn Fn(usize, usize) -> Ground,
+    /// Half the side of neighbourhoods. \[px\]
+    pub(crate) reach: usize,
+}
+
+impl Likeness<'_> {
+    /// As [`background_cost`], of the pixels that are wanted; of no meaning at the others.
+    pub(crate) fn cost_where(
+        &self,
+        [left, top, width, height]: [usize; 4],
+        wanted: &dyn Fn(usize, usize) -> bool,
+    ) -> Vec<f32> {
+        let (photo, expected, reach) = (self.photo, self.expected, self.reach);
+        // Windows that hold a pixel of the rectangle reach so far beyond it.
+        let margin = 2 * reach;
+        let (x0, y0) = (left.saturating_sub(margin), top.saturating_sub(margin));
+        let (x1, y1) = (
+            (left + width + margin).min(photo.width),
+            (top + height + margin).min(photo.height),
+        );
+        let wide = x1 - x0;
+        let places = || (y0..y1).flat_map(|y| (x0..x1).map(move |x| (x, y)));
+        let inside = |x: usize, y: usize| {
+            (left..left + width).contains(&x) && (top..top + height).contains(&y)
+        };
+        // 0 where wanted, and then, spread, where a mean is.
+        let missing = |(x, y)| f32::from(u8::from(!(inside(x, y) && wanted(x, y))));
+        let wanted: Vec<f32> = places().map(missing).collect();
+        let asked = least_around(&wanted, wide, reach);
+        let area = [x0, y0, x1, y1];
+        let (photo_means, expected_means) = (
+            box_means(photo, area, reach),
+            box_means(expected, area, reach),
+        );
+        let mut means = vec![f32::MAX; asked.len()];
+        let mut single = vec![0.0; asked.len()];
+        for (i, (x, y)) in places().enumerate().filter(|(i, _)| asked[*i] == 0.0) {
+            let on = (self.ground)(x, y);
+            let sigma = self.noise.on(on);
             let mean = expected_means[i];
             let rough = (sigma / 2.5).max(BOUNCE[usize::from(on == Ground::Disk)]);
-            means.push(cost(photo_means[i], mean, mean, on, rough));
-            if (left..left + width).contains(&x) && (top..top + height).contains(&y) {
+            means[i] = cost(photo_means[i], mean, mean, on, rough);
+            if wanted[i] == 0.0 {
                 let (lo, hi) = slack(expected, x, y);
-                single.push(cost(photo.at(x, y).map(f32::from), lo, hi, on, sigma));
+                single[i] = cost(photo.at(x, y).map(f32::from), lo, hi, on, sigma);
             }
         }
+        let best = least_around(&means, wide, reach);
+        let within = places().enumerate().filter(|(_, (x, y))| inside(*x, *y));
+        within.map(|(i, _)| single[i].max(best[i])).collect()
     }
-    let best = least_around(&means, wide, reach);
-    let inside = (0..width * height).map(|i| {
-        let at = (i / width + top - y0) * wide + i % width + left - x0;
-        single[i].max(best[at])
-    });
-    inside.collect()
 }
 
 /// What a pixel may be when edges move by a part of a pixel: darkest and brightest.
@@ -157,56 +189,6 @@ fn slack(expected: &Rgb, x: usize, y: usize) -> ([f32; 3], [f32; 3]) {
         [part(0), part(1), part(2)]
     };
     (towards(lo), towards(hi))
-}
-
-/// Mean colours of the neighbourhoods of the pixels of a rectangle (left, top, right, bottom), cut
-/// off at its border.
-fn box_means(image: &Rgb, [x0, y0, x1, y1]: [usize; 4], reach: usize) -> Vec<[f32; 3]> {
-    let wide = x1 - x0;
-    let mut sums = vec![[0u32; 3]; (wide + 1) * (y1 - y0 + 1)];
-    for y in y0..y1 {
-        let mut row = [0u32; 3];
-        for x in x0..x1 {
-            let at = (y - y0 + 1) * (wide + 1) + x - x0 + 1;
-            for c in 0..3 {
-                row[c] += u32::from(image.at(x, y)[c]);
-                sums[at][c] = sums[at - wide - 1][c] + row[c];
-            }
-        }
-    }
-    let mut means = Vec::with_capacity(wide * (y1 - y0));
-    for y in 0..y1 - y0 {
-        let (top, bottom) = (y.saturating_sub(reach), (y + reach + 1).min(y1 - y0));
-        for x in 0..wide {
-            let (left, right) = (x.saturating_sub(reach), (x + reach + 1).min(wide));
-            let at = |x: usize, y: usize| sums[y * (wide + 1) + x];
-            let area = ((bottom - top) * (right - left)) as f32;
-            let (a, b, c, d) = (
-                at(left, top),
-                at(right, top),
-                at(left, bottom),
-                at(right, bottom),
-            );
-            means.push([0, 1, 2].map(|i| (d[i] + a[i] - b[i] - c[i]) as f32 / area));
-        }
-    }
-    means
-}
-
-/// The least of all values within a neighbourhood, along rows and then columns.
-fn least_around(values: &[f32], wide: usize, reach: usize) -> Vec<f32> {
-    let tall = values.len() / wide.max(1);
-    let along = |from: &[f32], stride: usize, count: usize, at: usize, i: usize| {
-        let near = i.saturating_sub(reach)..(i + reach + 1).min(count);
-        near.map(|k| from[at + k * stride - i * stride])
-            .fold(f32::MAX, f32::min)
-    };
-    let rows: Vec<f32> = (0..values.len())
-        .map(|at| along(values, 1, wide, at, at % wide))
-        .collect();
-    (0..values.len())
-        .map(|at| along(&rows, wide, tall, at, at / wide))
-        .collect()
 }
 
 /// The cost of a colour against a box of colours, as it is or in another light.

@@ -154,7 +154,7 @@ fn colours_beside_yield_to_all_other_photos_and_the_room_itself_does_not() {
             factor: 1,
             small: Rgb::filled(30, 9, [0; 3]),
             cost: all([4.5, 8.0, 18.5]),
-            explained: all([4.5, 4.5, 18.5]),
+            explained: Some(all([4.5, 4.5, 18.5])),
             known: vec![Known::Unknown; 30 * 9],
             noise: Noise {
                 room: 1.0,

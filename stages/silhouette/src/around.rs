@@ -1,0 +1,53 @@
+//! What lies around each pixel of a rectangle: means, and the least of all.
+
+use shape::Rgb;
+
+/// Mean colours of the neighbourhoods of the pixels of a rectangle (left, top, right, bottom), cut
+/// off at its border.
+pub(crate) fn box_means(image: &Rgb, [x0, y0, x1, y1]: [usize; 4], reach: usize) -> Vec<[f32; 3]> {
+    let wide = x1 - x0;
+    let mut sums = vec![[0u32; 3]; (wide + 1) * (y1 - y0 + 1)];
+    for y in y0..y1 {
+        let mut row = [0u32; 3];
+        for x in x0..x1 {
+            let at = (y - y0 + 1) * (wide + 1) + x - x0 + 1;
+            for c in 0..3 {
+                row[c] += u32::from(image.at(x, y)[c]);
+                sums[at][c] = sums[at - wide - 1][c] + row[c];
+            }
+        }
+    }
+    let mut means = Vec::with_capacity(wide * (y1 - y0));
+    for y in 0..y1 - y0 {
+        let (top, bottom) = (y.saturating_sub(reach), (y + reach + 1).min(y1 - y0));
+        for x in 0..wide {
+            let (left, right) = (x.saturating_sub(reach), (x + reach + 1).min(wide));
+            let at = |x: usize, y: usize| sums[y * (wide + 1) + x];
+            let area = ((bottom - top) * (right - left)) as f32;
+            let (a, b, c, d) = (
+                at(left, top),
+                at(right, top),
+                at(left, bottom),
+                at(right, bottom),
+            );
+            means.push([0, 1, 2].map(|i| (d[i] + a[i] - b[i] - c[i]) as f32 / area));
+        }
+    }
+    means
+}
+
+/// The least of all values within a neighbourhood, along rows and then columns.
+pub(crate) fn least_around(values: &[f32], wide: usize, reach: usize) -> Vec<f32> {
+    let tall = values.len() / wide.max(1);
+    let along = |from: &[f32], stride: usize, count: usize, at: usize, i: usize| {
+        let near = i.saturating_sub(reach)..(i + reach + 1).min(count);
+        near.map(|k| from[at + k * stride - i * stride])
+            .fold(f32::MAX, f32::min)
+    };
+    let rows: Vec<f32> = (0..values.len())
+        .map(|at| along(values, 1, wide, at, at % wide))
+        .collect();
+    (0..values.len())
+        .map(|at| along(&rows, wide, tall, at, at / wide))
+        .collect()
+}

@@ -1,0 +1,205 @@
+//! The border of a coarse cut, cut again at full size.
+
+use crate::backdrop::Backdrop;
+use crate::border::soft_border;
+use crate::gmm::Gmm;
+use crate::grounds::Grounds;
+use crate::least_cut::{Known, Window};
+use crate::parts::largest;
+use crate::photo_cut::{Prepared, UNSEEN};
+use crate::segment::{Settings, cut};
+use crate::unary::{Likeness, Noise};
+use shape::{Image, Mask, Rgb};
+use std::ops::Range;
+
+/// The border of a coarse cut again at full size, window by window so that memory stays small.
+pub fn fine(
+    pixels: &Rgb,
+    without: &Backdrop,
+    ready: &Prepared,
+    coarse: &Image<bool>,
+    gmm: &Gmm,
+    settings: &Settings,
+) -> Mask {
+    let factor = ready.factor;
+    let image = &without.image;
+    let (width, height) = (pixels.width, pixels.height);
+    // The ground of every pixel is dear, and that of its neighbourhood serves.
+    let grounds = Grounds::of(ready.disk.as_ref(), factor, width, height);
+    let noise = Noise::measure(pixels, image, &|x, y| grounds.about(x, y));
+    if factor == 1 {
+        return soft_border(pixels, image, coarse, noise);
+    }
+    let band = band(coarse);
+    let settled = Settled::of(ready, coarse, &band);
+    let likeness = Likeness {
+        photo: pixels,
+        expected: image,
+        noise,
+        ground: &|x, y| grounds.at(x, y),
+        reach: 2,
+    };
+    let cost = settled.cost(&likeness, without);
+    let mut sides = Image::filled(width, height, false);
+    for y in 0..height {
+        for (x, side) in sides.data[y * width..][..width].iter_mut().enumerate() {
+            *side = coarse.data[settled.small(x, y)];
+        }
+    }
+    for tile in tiles(&band) {
+        let window = tile.with_margin(coarse, factor);
+        let rows = window.y..window.y + window.height;
+        let of_window: Vec<f32> = rows
+            .flat_map(|y| &cost[y * width + window.x..][..window.width])
+            .copied()
+            .collect();
+        let known = |i: usize| settled.at(i % width, i / width);
+        let body = cut(pixels, &of_window, &window, gmm, settings, &known);
+        let (left, right) = (tile.x.start * factor, tile.x.end * factor);
+        for y in tile.y.start * factor..tile.y.end * factor {
+            let from = (y - window.y) * window.width + left - window.x;
+            sides.data[y * width..][left..right].copy_from_slice(&body[from..][..right - left]);
+        }
+    }
+    let cost = |i: usize| {
+        let i = settled.small(i % width, i / width);
+        [ready.cost[i], ready.explained()[i]]
+    };
+    soft_border(pixels, image, &largest(&sides, &cost), noise)
+}
+
+/// What the coarse cut leaves open: its border, where nothing was certain before.
+struct Settled {
+    factor: usize,
+    known: Image<Known>,
+    /// Coarse pixels that are open or beside one.
+    near: Image<bool>,
+}
+
+impl Settled {
+    fn of(ready: &Prepared, coarse: &Image<bool>, band: &Image<bool>) -> Self {
+        let one = |i: usize| match (band.data[i], coarse.data[i]) {
+            (true, _) => ready.known[i],
+            (false, false) => Known::Background,
+            (false, true) => Known::Body,
+        };
+        let (width, height) = (coarse.width, coarse.height);
+        let known = Image {
+            width,
+            height,
+            data: (0..coarse.data.len()).map(one).collect(),
+        };
+        let mut near = Image::filled(width, height, false);
+        for (x, y) in (0..height).flat_map(|y| (0..width).map(move |x| (x, y))) {
+            if known.at(x, y) == Known::Unknown {
+                for y in y.max(1) - 1..(y + 2).min(height) {
+                    near.data[y * width..][x.max(1) - 1..(x + 2).min(width)].fill(true);
+                }
+            }
+        }
+        Settled {
+            factor: ready.factor,
+            known,
+            near,
+        }
+    }
+
+    /// The coarse pixel of a pixel.
+    fn small(&self, x: usize, y: usize) -> usize {
+        let (x, y) = (x / self.factor, y / self.factor);
+        y.min(self.known.height - 1) * self.known.width + x.min(self.known.width - 1)
+    }
+
+    fn at(&self, x: usize, y: usize) -> Known {
+        self.known.data[self.small(x, y)]
+    }
+
+    /// Whether a pixel or one of its neighbours is open.
+    fn beside_open(&self, x: usize, y: usize) -> bool {
+        let open = |x: usize, y: usize| self.at(x, y) == Known::Unknown;
+        let mut rows = y.max(1) - 1..y + 2;
+        self.near.data[self.small(x, y)]
+            && (open(x, y) || rows.any(|y| (x.max(1) - 1..x + 2).any(|x| open(x, y))))
+    }
+
+    /// What pixels cost as background where that is asked: the others are settled.
+    fn cost(&self, likeness: &Likeness<'_>, without: &Backdrop) -> Vec<f32> {
+        let (width, height) = (likeness.photo.width, likeness.photo.height);
+        let mut cost = vec![0.0; width * height];
+        for tile in tiles(&self.near) {
+            let scaled = |r: &Range<usize>| (r.start * self.factor, r.len() * self.factor);
+            let ((left, wide), (top, tall)) = (scaled(&tile.x), scaled(&tile.y));
+            let wanted = |x: usize, y: usize| self.beside_open(x, y);
+            let here = likeness.cost_where([left, top, wide, tall], &wanted);
+            for (y, row) in (top..top + tall).zip(here.chunks(wide)) {
+                let places = y * width + left..;
+                for (i, here) in places.zip(row) {
+                    cost[i] = if without.seen.data[i] { *here } else { UNSEEN };
+                }
+            }
+        }
+        cost
+    }
+}
+
+/// A square of coarse pixels, clipped to the photo.
+struct Tile {
+    x: Range<usize>,
+    y: Range<usize>,
+}
+
+impl Tile {
+    /// What is cut of it at full size: a margin of four coarse pixels around the tile is cut too, then
+    /// thrown away.
+    fn with_margin(&self, coarse: &Image<bool>, factor: usize) -> Window {
+        let widened = |r: &Range<usize>, most: usize| {
+            let (start, end) = (r.start.saturating_sub(4), (r.end + 4).min(most));
+            (start * factor, (end - start) * factor)
+        };
+        let (x, width) = widened(&self.x, coarse.width);
+        let (y, height) = widened(&self.y, coarse.height);
+        Window {
+            x,
+            y,
+            width,
+            height,
+        }
+    }
+}
+
+/// The tiles of 16 pixels in which some of the band lies, row by row.
+fn tiles(band: &Image<bool>) -> Vec<Tile> {
+    const SIDE: usize = 16;
+    let along = |most: usize| {
+        let starts = (0..most).step_by(SIDE);
+        starts.map(move |start| start..(start + SIDE).min(most))
+    };
+    let all = along(band.height).flat_map(|y| along(band.width).map(move |x| (x, y.clone())));
+    let on_band = |tile: &Tile| {
+        let mut rows = tile.y.clone();
+        rows.any(|y| tile.x.clone().any(|x| band.at(x, y)))
+    };
+    all.map(|(x, y)| Tile { x, y }).filter(on_band).collect()
+}
+
+/// Coarse pixels within two of the border.
+pub(crate) fn band(sides: &Image<bool>) -> Image<bool> {
+    let (w, h) = (sides.width as i32, sides.height as i32);
+    let mut band = Image {
+        width: sides.width,
+        height: sides.height,
+        data: vec![false; sides.data.len()],
+    };
+    for y in 0..h {
+        for x in 0..w {
+            let here = sides.at(x as usize, y as usize);
+            let differs = |dx: i32, dy: i32| {
+                let (nx, ny) = (x + dx, y + dy);
+                nx >= 0 && ny >= 0 && nx < w && ny < h && sides.at(nx as usize, ny as usize) != here
+            };
+            let near = (-2..=2).any(|dy| (-2..=2).any(|dx| differs(dx, dy)));
+            *band.at_mut(x as usize, y as usize) = near;
+        }
+    }
+    band
+}
