@@ -19,17 +19,20 @@ impl Prepared {
         let (sure, likely) = (self.gaps(&self.cost), self.gaps(self.explained()));
         let body = |i: usize| *agreed[i] == Known::Body;
         let only_likely = |i: usize| body(i) && likely[i] && firm.get(i) != Some(&Known::Body);
+        // A gap between legs goes on to where the others say nothing, and is as large as all of it. What
+        // surely shows the background is no part of it: that lies all around the body.
+        let goes_on = |i: usize| *agreed[i] == Known::Unknown && likely[i] && !sure[i];
         let patches = Image {
             width: self.small.width,
             height: self.small.height,
             data: (0..self.known.len())
-                .map(|i| i < agreed.len() && only_likely(i))
+                .map(|i| i < agreed.len() && (only_likely(i) || goes_on(i)))
                 .collect(),
         };
         let least = (0..agreed.len()).filter(|i| body(*i)).count() / LIKELY_HOLE;
         let (patch, sizes) = parts(&patches, true);
         for (i, agreed) in agreed.iter().enumerate() {
-            let wide = patches.data[i] && sizes[patch.data[i] as usize] >= least;
+            let wide = only_likely(i) && sizes[patch.data[i] as usize] >= least;
             let against = **agreed == Known::Body && (sure[i] || wide);
             if self.known[i] == Known::Unknown && !against {
                 self.known[i] = **agreed;
@@ -52,5 +55,42 @@ impl Prepared {
                 .any(|y| (x.max(1) - 1..x + 2).any(|x| inside(x, y) && window(x, y)))
         };
         (0..cost.len()).map(around).collect()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::unary::Noise;
+    use shape::Rgb;
+
+    #[test]
+    fn the_top_of_a_gap_is_as_large_as_the_gap_and_a_patch_amid_the_body_is_not() {
+        const SIDE: usize = 60;
+        // Three columns of the wall's colour: a patch amid the body, and a gap from row 47 down, of
+        // which the others deny three rows. So small a patch yields.
+        let wall =
+            |i: usize| (30..33).contains(&(i % SIDE)) && (i / SIDE >= 47 || i / SIDE / 3 == 4);
+        let told = |i: usize| match i / SIDE < 50 {
+            true => Known::Body,
+            false => Known::Unknown,
+        };
+        let costs = |like: f32| (0..SIDE * SIDE).map(move |i| if wall(i) { like } else { 18.5 });
+        let mut ready = Prepared {
+            factor: 1,
+            small: Rgb::filled(SIDE, SIDE, [0; 3]),
+            cost: costs(8.0).collect(),
+            explained: Some(costs(4.5).collect()),
+            known: vec![Known::Unknown; SIDE * SIDE],
+            noise: Noise {
+                room: 1.0,
+                disk: 1.0,
+            },
+            disk: None,
+        };
+        let told: Vec<Known> = (0..SIDE * SIDE).map(told).collect();
+        ready.agree(told.iter(), &[]);
+        let at = |row: usize| ready.known[row * SIDE + 31];
+        assert_eq!((at(48), at(13)), (Known::Unknown, Known::Body));
     }
 }
