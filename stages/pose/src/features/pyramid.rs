@@ -15,6 +15,15 @@ pub struct Octave {
     pub blurred: Vec<Gray>,
 }
 
+impl Octave {
+    /// Lets go of the images that are not asked for again.
+    pub fn keep(&mut self, wanted: impl Fn(usize) -> bool) {
+        let images = self.blurred.iter_mut().enumerate();
+        let others = images.filter(|(layer, _)| !wanted(*layer));
+        others.for_each(|(_, image)| *image = Gray::filled(0, 0, 0.0));
+    }
+}
+
 /// Blurs by a Gaussian, rows then columns; beyond the border the nearest pixel counts.
 pub fn blur(image: &Gray, sigma: f32) -> Gray {
     blurred(image.width, image.height, sigma, |y, row| {
@@ -115,25 +124,26 @@ fn doubled(image: &Gray, y: usize, row: &mut [f32]) {
     pairs[w - 1] = [last, 0.5 * (last + last)];
 }
 
-/// The octaves and the size of their pixels, from the image's own to coarser ones; with `fine` at
-/// last one of half pixels.
-pub fn octaves(image: &Gray, fine: bool) -> Vec<(f32, Octave)> {
+/// What `each` makes of the octaves and the size of their pixels, from the image's own to coarser ones; with `fine` at
+/// last of one of half pixels. That one is the largest by far and is made first, while there is no other.
+pub fn octaves<T>(image: &Gray, fine: bool, mut each: impl FnMut(f32, Octave) -> T) -> Vec<T> {
     let to_first = |had: f32| (SIGMA * SIGMA - had * had).sqrt();
+    let (w, h) = (image.width, image.height);
+    let finest = (fine && w.min(h) >= 12).then(|| {
+        let blur = to_first(2.0 * CAMERA);
+        let first = blurred(2 * w, 2 * h, blur, |y, row| doubled(image, y, row));
+        each(0.5, octave(first))
+    });
     let mut all = Vec::new();
     let mut first = blur(image, to_first(CAMERA));
     let mut pixel = 1.0;
     while first.width.min(first.height) >= 24 {
         let octave = octave(first);
         first = halved(&octave.blurred[INTERVALS]);
-        all.push((pixel, octave));
+        all.push(each(pixel, octave));
         pixel *= 2.0;
     }
-    let (w, h) = (image.width, image.height);
-    if fine && w.min(h) >= 12 {
-        let blur = to_first(2.0 * CAMERA);
-        let first = blurred(2 * w, 2 * h, blur, |y, row| doubled(image, y, row));
-        all.push((0.5, octave(first)));
-    }
+    all.extend(finest);
     all
 }
 

@@ -4,11 +4,12 @@ use crate::features::describe::describe;
 use crate::features::detect::{Extremum, extrema, orientations};
 use crate::features::gradients::fading;
 use crate::features::moving::moving;
-use crate::features::pyramid::octaves;
+use crate::features::pyramid::{Octave, octaves};
 use crate::features::quota::{FAINT, Spot, kept, within};
 use rayon::prelude::*;
 use shape::{Features, Gray, Image, Keypoint, Keypoints, Photo, PhotoId, Photos};
 use stage::{Ctx, Stage, Stop};
+use std::borrow::Cow;
 use std::sync::Arc;
 
 stage::params! {
@@ -47,9 +48,8 @@ stage::inputs! {
 /// Of a pixel of the photo: its colours and its brightness. \[bytes\]
 const PHOTO_PIXEL: u64 = 8;
 
-/// Of a pixel at the finest scale: its octave's scales and their differences, and those of the octaves
-/// above. \[bytes\]
-const SCALES_PIXEL: u64 = 40;
+/// Of a pixel at the finest scale: its octave's six scales, and what is in the making. \[bytes\]
+const SCALES_PIXEL: u64 = 30;
 
 /// What the search in one photo takes. \[bytes\]
 fn scales_bytes(width: u32, height: u32, p: &SiftParams) -> u64 {
@@ -131,21 +131,21 @@ pub fn features(gray: &Gray, p: &SiftParams) -> Features {
 fn features_in(gray: &Gray, p: &SiftParams, region: Option<&Image<bool>>) -> Features {
     let longest = gray.width.max(gray.height);
     let factor = longest.div_ceil(p.longest_px as usize).max(1);
-    let reduced = if factor > 1 {
-        gray.reduced(factor)
-    } else {
-        gray.clone()
+    let reduced = match factor {
+        1 => Cow::Borrowed(gray),
+        _ => Cow::Owned(gray.reduced(factor)),
     };
     let mut found: Vec<(f32, Keypoint, [u8; 128])> = Vec::new();
     let fading = fading();
     let fine = reduced.width.max(reduced.height) <= p.fine_px as usize;
-    let octaves = octaves(&reduced, fine);
     let (contrast, edge) = (p.contrast as f32, p.edge as f32);
     let least = if region.is_some() { FAINT } else { 1.0 } * contrast;
-    let all: Vec<Vec<Extremum>> = octaves
-        .iter()
-        .map(|(_, octave)| extrema(octave, least, edge))
-        .collect();
+    let looked = octaves(&reduced, fine, |unit, mut octave| {
+        let found = extrema(&octave, least, edge);
+        octave.keep(|layer| found.iter().any(|e| e.layer == layer));
+        ((unit, octave), found)
+    });
+    let (octaves, all): (Vec<(f32, Octave)>, Vec<Vec<Extremum>>) = looked.into_iter().unzip();
     let at = |unit: f32, v: f32| (v * unit + 0.5) * factor as f32 - 0.5;
     let mut chosen = match region {
         Some(region) => {

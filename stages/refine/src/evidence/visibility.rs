@@ -7,14 +7,15 @@ use crate::geometry::curvature::{shape_operators, tangents};
 use crate::pictures::registers::widest;
 use nalgebra::Vector3;
 use rayon::prelude::*;
+use std::ops::Range;
 
 /// What is known of a vertex from an earlier look: the spacing of its patch \[mm\], the pictures that see
 /// it, and what came of them.
-pub struct Known<T> {
+pub struct Known<'a, T> {
     /// Distance of the patch's points. \[mm\]
     pub spacing: f64,
     /// The pictures.
-    pub visible: Vec<VisibleView>,
+    pub visible: &'a [VisibleView],
     /// What came of them.
     pub told: T,
 }
@@ -36,19 +37,20 @@ impl Visibility {
     /// Looks at a surface from all pictures, and hands over what they show at each vertex while it is at hand:
     /// `then` gets the frame, the pictures that see it, and a look of each, slopes being those along what
     /// `along` gives for a frame and a picture. Vertices of which all is `known` are not looked at.
-    pub fn with<const N: usize, T: Send>(
+    pub fn with<'a, const N: usize, T: Send>(
         scene: &Scene<'_>,
-        known: impl Fn(usize) -> Option<Known<T>> + Sync,
+        known: impl Fn(usize) -> Option<Known<'a, T>> + Sync,
         along: impl Fn(&Frame, &VisibleView) -> [Vector3<f64>; N] + Sync,
         then: impl Fn(&Frame, &[VisibleView], &[Look<N>]) -> T + Sync,
     ) -> (Self, Vec<T>) {
         let edge = scene.mesh.mean_edge();
         let shapes = shape_operators(scene.mesh, scene.around, &scene.normals, 1.0 / (2.0 * edge));
         let room = || Box::new([Look::<N>::EMPTY; MOST_VIEWS]);
-        let looked: Vec<(Frame, Vec<VisibleView>, T)> = (0..scene.mesh.positions.len())
-            .into_par_iter()
-            .with_min_len(256)
-            .map_init(room, |looks, v| {
+        let count = scene.mesh.positions.len();
+        // A run of vertices at a time: a list for each would take more room than what is in it.
+        let run = |looks: &mut Box<[Look<N>; MOST_VIEWS]>, vertices: Range<usize>| {
+            let mut run = Run::new(vertices.len());
+            for v in vertices {
                 let normal = scene.normals[v];
                 let mut frame = Frame {
                     x: scene.mesh.point(v as u32),
@@ -59,29 +61,39 @@ impl Visibility {
                 };
                 if let Some(known) = known(v) {
                     frame.spacing = known.spacing;
-                    return (frame, known.visible, known.told);
+                    run.push(frame, known.visible, known.told);
+                    continue;
                 }
                 widest(
                     #[inline(always)]
                     || {
                         let visible = visible(&mut frame, scene, &along, &mut looks[..]);
                         let told = then(&frame, &visible, &looks[..visible.len()]);
-                        (frame, visible, told)
+                        run.push(frame, &visible, told);
                     },
-                )
+                );
+            }
+            run
+        };
+        let runs: Vec<Run<T>> = (0..count.div_ceil(RUN))
+            .into_par_iter()
+            .map_init(room, |looks, k| {
+                run(looks, k * RUN..count.min((k + 1) * RUN))
             })
             .collect();
         let mut all = Visibility {
-            frames: Vec::with_capacity(looked.len()),
-            starts: vec![0],
-            visible: vec![],
+            frames: Vec::with_capacity(count),
+            starts: Vec::with_capacity(count + 1),
+            visible: Vec::with_capacity(runs.iter().map(|run| run.visible.len()).sum()),
         };
-        let mut each = Vec::with_capacity(looked.len());
-        for (frame, visible, told) in looked {
-            all.frames.push(frame);
-            all.visible.extend(visible);
-            all.starts.push(all.visible.len() as u32);
-            each.push(told);
+        all.starts.push(0);
+        let mut each = Vec::with_capacity(count);
+        for run in runs {
+            let before = all.visible.len() as u32;
+            all.frames.extend(run.frames);
+            all.visible.extend(run.visible);
+            all.starts.extend(run.ends.iter().map(|end| before + end));
+            each.extend(run.told);
         }
         (all, each)
     }
@@ -96,6 +108,36 @@ impl Visibility {
     pub fn share(&self) -> f64 {
         let paired = self.starts.windows(2).filter(|w| w[1] - w[0] >= 2).count();
         paired as f64 / self.frames.len().max(1) as f64
+    }
+}
+
+/// Vertices that one thread looks at in a run.
+const RUN: usize = 512;
+
+/// What was seen of a run of vertices.
+struct Run<T> {
+    frames: Vec<Frame>,
+    visible: Vec<VisibleView>,
+    /// Where each vertex' part of `visible` ends.
+    ends: Vec<u32>,
+    told: Vec<T>,
+}
+
+impl<T> Run<T> {
+    fn new(count: usize) -> Self {
+        Run {
+            frames: Vec::with_capacity(count),
+            visible: Vec::new(),
+            ends: Vec::with_capacity(count),
+            told: Vec::with_capacity(count),
+        }
+    }
+
+    fn push(&mut self, frame: Frame, visible: &[VisibleView], told: T) {
+        self.frames.push(frame);
+        self.visible.extend_from_slice(visible);
+        self.ends.push(self.visible.len() as u32);
+        self.told.push(told);
     }
 }
 

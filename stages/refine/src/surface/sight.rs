@@ -102,7 +102,7 @@ impl Looker<'_> {
             let ((visible, read, _), _) = (before.as_ref()?, still[v]?);
             Some(Known {
                 spacing: visible.frames[v].spacing,
-                visible: visible.of(v).to_vec(),
+                visible: visible.of(v),
                 told: read[v].1,
             })
         });
@@ -142,10 +142,10 @@ impl Looker<'_> {
     }
 
     /// Who sees whom, and how the pictures agree at each vertex, with derivatives.
-    fn read(
+    fn read<'a>(
         &self,
         scene: &Scene<'_>,
-        known: impl Fn(usize) -> Option<Known<Agreement>> + Sync,
+        known: impl Fn(usize) -> Option<Known<'a, Agreement>> + Sync,
     ) -> (Visibility, Vec<Agreement>) {
         let all = [true; MOST_VIEWS];
         Visibility::with(
