@@ -47,7 +47,7 @@ pub struct CompensateMotion;
 
 impl Stage for CompensateMotion {
     const NAME: &'static str = "refine.compensate_motion";
-    const VERSION: u32 = 5;
+    const VERSION: u32 = 6;
     const ABOUT: &'static str = "Finds how the body swayed against the disk, six numbers a photo, and gives the cameras as seen from the body.";
     type Params = CompensateMotionParams;
     type Input = CompensateMotionInput;

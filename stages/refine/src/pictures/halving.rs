@@ -1,6 +1,6 @@
-//! Photos and silhouettes at half their size, and half of that.
+//! Photos at half their size.
 
-use shape::{Gray, Mask};
+use shape::Gray;
 
 /// Half the size, by the binomial kernel [1 3 3 1]/8; pixel centres as in [`shape::Intrinsics::resized`].
 pub fn halved(image: &Gray) -> Gray {
@@ -21,28 +21,6 @@ pub fn halved(image: &Gray) -> Gray {
         for x in 0..w {
             *out.at_mut(x, y) = (a[x] + d[x] + 3.0 * (b[x] + c[x])) / 8.0;
         }
-    }
-    out
-}
-
-/// A silhouette with pixels as large as `step` by `step` of its own, each covered as they are on average.
-pub(crate) fn coarser(mask: &Mask, step: usize) -> Mask {
-    if step == 1 {
-        return mask.clone();
-    }
-    let (width, height) = (mask.width / step, mask.height / step);
-    let pixels = (step * step) as u32;
-    let mut out = Mask::filled(width, height, 0);
-    let mut sums = vec![0u32; width];
-    for (y, to) in out.data.chunks_mut(width).enumerate() {
-        sums.fill(0);
-        for row in (y * step..(y + 1) * step).map(|y| mask.row(y)) {
-            let blocks = row.chunks_exact(step).zip(&mut sums);
-            blocks
-                .for_each(|(block, sum)| *sum += block.iter().map(|c| u32::from(*c)).sum::<u32>());
-        }
-        let means = sums.iter().map(|sum| ((sum + pixels / 2) / pixels) as u8);
-        to.iter_mut().zip(means).for_each(|(to, mean)| *to = mean);
     }
     out
 }
@@ -68,17 +46,5 @@ mod tests {
                 assert!((half.at(x, y) - expected.at(x, y)).abs() < 1e-4);
             }
         }
-    }
-
-    #[test]
-    fn a_coarser_silhouette_covers_as_much() {
-        let mut mask = Mask::filled(9, 6, 0);
-        for (x, y) in [(0, 0), (1, 0), (2, 1), (3, 1), (7, 5)] {
-            *mask.at_mut(x, y) = 255;
-        }
-        let half = coarser(&mask, 2);
-        assert_eq!((half.width, half.height), (4, 3));
-        assert_eq!(half.data, [128, 128, 0, 0, 0, 0, 0, 0, 0, 0, 0, 64]);
-        assert_eq!(coarser(&mask, 1), mask);
     }
 }

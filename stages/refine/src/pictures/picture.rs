@@ -1,7 +1,7 @@
 //! One photo, ready to be compared: free of distortion, one level of its Gaussian pyramid.
 
 use crate::pictures::crop::Crop;
-use crate::pictures::halving::{coarser, halved};
+use crate::pictures::halving::halved;
 use crate::pictures::resample::resampled;
 use nalgebra::{Matrix3x4, Point3, Vector2, Vector3};
 use shape::{Camera, Gray, Intrinsics, Mask, Warp, signed_distance};
@@ -51,9 +51,11 @@ impl Picture {
             gray = halved(&gray);
         }
         let read = photo.resized(gray.width as u32, gray.height as u32);
+        // At full size: what is halved first closes narrow gaps, as between hand and hip.
         let inside = mask.map(|mask| {
-            let far = signed_distance(&coarser(&part.of(mask), 1 << halvings));
-            straightened(&far, &read, &shown)
+            let far = signed_distance(&part.of(mask));
+            let scale = whole[0] as f32 / lens.width as f32;
+            straightened(&far, &photo, &shown).map(|d| d * scale)
         });
         if lens.radial != [0.0; 2] || mask.is_some() {
             gray = straightened(&gray, &read, &shown);

@@ -46,7 +46,7 @@ pub struct OptimizeSurface;
 
 impl Stage for OptimizeSurface {
     const NAME: &'static str = "refine.optimize_surface";
-    const VERSION: u32 = 12;
+    const VERSION: u32 = 13;
     const ABOUT: &'static str = "Refines a surface by inter-image consistency, silhouettes and a thin plate, the energy never rising.";
     type Params = OptimizeSurfaceParams;
     type Input = OptimizeSurfaceInput;

@@ -41,7 +41,7 @@ const SMALL: PhotoSize = PhotoSize {
 
 impl Stage for Texture {
     const NAME: &'static str = "refine.texture";
-    const VERSION: u32 = 5;
+    const VERSION: u32 = 6;
     const ABOUT: &'static str = "Paints each face from the photo that shows it best, brightness evened out where photos meet.";
     type Params = TextureParams;
     type Input = TextureInput;
