@@ -1,11 +1,11 @@
 #!/usr/bin/env python3
 """Measures one capture at many sizes and writes what `docs/performance.md` shows of how time and memory grow.
 
-    docs/tables/growth.py TAILOR SURFACE CAPTURE > docs/tables/growth.json
+    docs/tables/growth.py TAILOR SURFACE CAPTURE WORK > docs/tables/growth.json
 
 SURFACE is a folder with one PLY file [m]: 72 photos of one turn of it are rendered, of which every eighth, fourth, second and
 each is measured. CAPTURE has 18 photos of some 24 megapixels, which are reduced. Edges of the last surface are changed on the
-smallest of those. One run each, alone on the machine, with an empty cache. Wants numpy and Pillow.
+smallest of those. One run each, alone on the machine, with an empty cache. Captures are kept in WORK. Wants numpy and Pillow.
 """
 
 import datetime
@@ -16,7 +16,6 @@ import re
 import shutil
 import subprocess
 import sys
-import tempfile
 import time
 
 import numpy as np
@@ -42,6 +41,8 @@ REPEATS = pathlib.Path(__file__).parent / "repeats.toml"
 
 def rendered(tailor, surface, work):
     """A capture of as many photos as are ever asked for."""
+    if (work / "all").exists():
+        return work / "all"
     sets = [part for key, value in MADE.items() for part in ("--set", f"{key}={value}")]
     said = ["--input", f"surface={surface}", "--cache", work / "made", *sets]
     subprocess.run([tailor, "run", REPEATS, *said, "--quiet", "photos"], check=True, stdout=sys.stderr)
@@ -58,6 +59,8 @@ def photos_of(capture):
 
 def every(capture, step, to):
     """A capture of every so many photos of another."""
+    if to.exists():
+        return to
     shutil.copytree(capture, to)
     photos = photos_of(to)
     for k, photo in enumerate(photos):
@@ -72,6 +75,8 @@ def every(capture, step, to):
 
 def reduced(capture, megapixels, to):
     """A capture with its photos at another size; EXIF data is kept."""
+    if to.exists():
+        return to
     shutil.copytree(capture, to, ignore=shutil.ignore_patterns("truth"))
     for photo in (to / "images").iterdir():
         with Image.open(photo) as image:
@@ -109,22 +114,20 @@ def exponent(rows, over, what):
     return round(float(np.polyfit(x, y, 1)[0]), 2)
 
 
-def main(tailor, surface, big):
+def main(tailor, surface, big, work):
     """All sizes."""
-    tailor, big = str(pathlib.Path(tailor).resolve()), pathlib.Path(big)
-    rows = {"photos": [], "megapixels": [], "faces": []}
-    with tempfile.TemporaryDirectory() as work:
-        work = pathlib.Path(work)
-        made = rendered(tailor, surface, work)
-        for count in PHOTOS:
-            capture = every(made, max(PHOTOS) // count, work / f"{count} photos")
-            rows["photos"].append({"photos": count, **measured(tailor, capture, work)})
-        for megapixels in MEGAPIXELS:
-            capture = reduced(big, megapixels, work / f"{megapixels} megapixels")
-            rows["megapixels"].append({"megapixels": megapixels, **measured(tailor, capture, work)})
-        small = work / f"{MEGAPIXELS[0]} megapixels"
-        for edge in EDGES_PX:
-            rows["faces"].append({"edge_px": edge, **measured(tailor, small, work, "--set", f"body.edge_px={edge}")})
+    tailor, big, work = str(pathlib.Path(tailor).resolve()), pathlib.Path(big), pathlib.Path(work)
+    work.mkdir(exist_ok=True)
+    made = rendered(tailor, surface, work)
+    turns = {count: every(made, max(PHOTOS) // count, work / f"{count} photos") for count in PHOTOS}
+    sizes = {mpx: reduced(big, mpx, work / f"{mpx} megapixels") for mpx in MEGAPIXELS}
+    small = sizes[MEGAPIXELS[0]]
+    edges = {edge: ["--set", f"body.edge_px={edge}"] for edge in EDGES_PX}
+    rows = {
+        "photos": [{"photos": n, **measured(tailor, capture, work)} for n, capture in turns.items()],
+        "megapixels": [{"megapixels": n, **measured(tailor, capture, work)} for n, capture in sizes.items()],
+        "faces": [{"edge_px": n, **measured(tailor, small, work, *flags)} for n, flags in edges.items()],
+    }
     git = ["git", "describe", "--always", "--dirty=+"]
     commit = subprocess.run(git, check=True, stdout=subprocess.PIPE, text=True).stdout.strip()
     version = subprocess.run([tailor, "--version"], check=True, stdout=subprocess.PIPE, text=True).stdout.strip()

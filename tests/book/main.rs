@@ -4,6 +4,7 @@
 mod commands;
 mod faults;
 mod figures;
+mod growth;
 mod links;
 mod tables;
 
