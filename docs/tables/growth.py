@@ -8,18 +8,17 @@ each is measured. CAPTURE has 18 photos of some 24 megapixels, which are reduced
 smallest of those. One run each, alone on the machine, with an empty cache. Captures are kept in WORK. Wants numpy and Pillow.
 """
 
-import datetime
 import json
-import os
 import pathlib
 import re
 import shutil
 import subprocess
 import sys
-import time
 
 import numpy as np
 from PIL import Image
+
+import timed
 
 PHOTOS = [9, 18, 36, 72]
 MEGAPIXELS = [1.5, 3, 6, 12, 24]
@@ -89,19 +88,9 @@ def reduced(capture, megapixels, to):
 def measured(tailor, capture, work, *flags):
     """One run: seconds by the clock and of the processor, peak memory, and faces of the surface."""
     out, cache = work / "out", work / "cache"
-    begun = time.monotonic()
-    run = subprocess.Popen([tailor, "measure", capture, "--out", out, "--cache", cache, "--quiet", *flags], stdout=subprocess.DEVNULL)
-    _, status, usage = os.wait4(run.pid, 0)
-    seconds = time.monotonic() - begun
-    if status:
-        sys.exit(f"{capture}: measure failed")
+    cost = timed.measured(tailor, capture, out, cache, *flags)
     head = (out / "body.ply").read_bytes()[:4000].decode("latin-1")
-    row = {
-        "seconds": round(seconds, 1),
-        "processor_s": round(usage.ru_utime + usage.ru_stime, 1),
-        "peak_gb": round(usage.ru_maxrss / 1e6, 3),
-        "faces": int(re.search(r"element face (\d+)", head)[1]),
-    }
+    row = {**cost, "faces": int(re.search(r"element face (\d+)", head)[1])}
     shutil.rmtree(out)
     shutil.rmtree(cache)
     print(capture.name, flags, row, file=sys.stderr)
@@ -128,13 +117,8 @@ def main(tailor, surface, big, work):
         "megapixels": [{"megapixels": n, **measured(tailor, capture, work)} for n, capture in sizes.items()],
         "faces": [{"edge_px": n, **measured(tailor, small, work, *flags)} for n, flags in edges.items()],
     }
-    git = ["git", "describe", "--always", "--dirty=+"]
-    commit = subprocess.run(git, check=True, stdout=subprocess.PIPE, text=True).stdout.strip()
-    version = subprocess.run([tailor, "--version"], check=True, stdout=subprocess.PIPE, text=True).stdout.strip()
     result = {
-        "program": f"{version} at {commit}",
-        "date": datetime.date.today().isoformat(),
-        "machine": f"{os.cpu_count()} cores",
+        **timed.made_with(tailor),
         "rows": rows,
         "exponents": {
             over: {what: exponent(of, over, what) for what in ("processor_s", "peak_gb")} for over, of in rows.items()
