@@ -5,7 +5,7 @@
 pub(super) const ERRORS: [(&str, &str); 57] = [
     ("found * photos in turning order, but a turn needs at least *: put all photos of one turn into one folder, as images/*.jpg or *.jpg", "fail-few-photos"),
     ("* holds * photos: without a marker mat features are followed from photo to photo, which needs a full turn at steps of 30° or less; take 18 to 36 photos, or lay a mat on the disk (`tailor mat`; then say --mat), or say the step between them, such as --step 20", "fail-few-no-mat"),
-    ("photos are of several sizes, but one camera must take all of a turn, uncropped: * are *, *; move what does not belong to the turn into another folder, or say which photos are the turn: `images = \"IMG_*.jpg\"` in capture.toml, or --images", "fail-mixed-sizes"),
+    ("photos are of several sizes, but one camera must take all of a turn, uncropped: * are *, *; move what does not belong to the turn into another folder, or say which photos are the turn: `images = \"IMG_*.jpg\"` in capture.toml, or --images; a walk around somebody may have several: --walk", "fail-mixed-sizes"),
     ("* is no picture that can be read (*); export it again as JPEG, PNG or TIFF, or remove it", "fail-no-picture"),
     ("* cannot be decoded: *; export it again as JPEG, PNG or TIFF", "fail-not-decoded"),
     ("* is of one colour: take it again, or remove it", "fail-one-colour"),

@@ -135,6 +135,21 @@ fn a_photo_of_no_byte_or_cut_off_or_of_another_kind_is_named() {
 }
 
 #[test]
+fn photos_of_several_sizes_are_no_turn_but_may_be_a_walk() {
+    let place = Place::new();
+    place.photos("walk", 6);
+    let name = place.path("walk/0002.jpg");
+    let upright = image::open(&name).unwrap();
+    upright.rotate90().save(&name).unwrap();
+    let said = place.run("run body --input photos=walk photos").code(1);
+    for says in ["5 are 800×1200", "0002.jpg is 1200×800", "--walk"] {
+        assert!(said.err.contains(says), "{says}: {}", said.err);
+    }
+    let said = place.run("run walk --input photos=walk photos").code(0);
+    assert!(!said.err.contains("warning"), "{}", said.err);
+}
+
+#[test]
 fn a_photo_that_cannot_be_read_is_named() {
     let dangling = |p: &Place| {
         std::fs::remove_file(p.path("turn/0002.jpg")).unwrap();

@@ -38,13 +38,21 @@ pub(crate) fn one_size(photos: &[Photo], plate: Option<&Photo>) -> Result<(), Ca
 /// So many photos are named, more are counted.
 const SHOWN: usize = 4;
 
+/// What speaks against photos being one turn of one camera, in order.
+pub(crate) fn not_one_turn(photos: &[Photo]) -> Vec<String> {
+    let mut said = other_cameras(photos);
+    said.extend(out_of_order(photos));
+    said.extend(two_turns(photos));
+    said
+}
+
 /// A pause between two turns is so much longer than that between photos, and at least so long. \[s\]
 const PAUSE: (f64, f64) = (6.0, 45.0);
 /// Fewer photos than this are no turn of their own.
 const TURN: usize = 8;
 
 /// Where the folder may hold two turns: a long pause with enough photos before and after it.
-pub(crate) fn two_turns(photos: &[Photo]) -> Option<String> {
+fn two_turns(photos: &[Photo]) -> Option<String> {
     let times: Vec<f64> = photos.iter().map(|p| p.time_s).collect::<Option<_>>()?;
     let pauses: Vec<f64> = times.windows(2).map(|w| w[1] - w[0]).collect();
     let mut sorted = pauses.clone();
@@ -65,7 +73,7 @@ pub(crate) fn two_turns(photos: &[Photo]) -> Option<String> {
 
 /// The first photo that was taken before the one in front of it; photos that tell no time are
 /// passed over.
-pub(crate) fn out_of_order(photos: &[Photo]) -> Option<String> {
+fn out_of_order(photos: &[Photo]) -> Option<String> {
     let timed = photos.iter().filter_map(|p| Some((&p.name, p.time_s?)));
     let timed: Vec<_> = timed.collect();
     let late = timed.windows(2).find(|w| w[0].1 > w[1].1)?;
@@ -79,7 +87,7 @@ pub(crate) fn out_of_order(photos: &[Photo]) -> Option<String> {
 const ZOOM: f64 = 0.01;
 
 /// Photos that another camera took than most, or the same one zoomed otherwise, as EXIF tells.
-pub(crate) fn other_cameras(photos: &[Photo]) -> Vec<String> {
+fn other_cameras(photos: &[Photo]) -> Vec<String> {
     let devices: Vec<&str> = photos.iter().map(|p| p.device.as_str()).collect();
     let usual = most(&devices, |a, b| a == b);
     let focals: Vec<f64> = photos.iter().filter_map(|p| p.focal_35mm).collect();

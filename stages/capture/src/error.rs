@@ -26,7 +26,7 @@ pub enum CaptureError {
     /// Of several sizes.
     #[error(
         "photos are of several sizes, but one camera must take all of a turn, uncropped: {most} are {size}, {others}; move what does not belong to the turn \
-         into another folder, or say which photos are the turn: `images = \"IMG_*.jpg\"` in capture.toml, or --images"
+         into another folder, or say which photos are the turn: `images = \"IMG_*.jpg\"` in capture.toml, or --images; a walk around somebody may have several: --walk"
     )]
     Size {
         /// How many are of the usual size.

@@ -1,6 +1,6 @@
 //! The stage that reads the photos of a turn.
 
-use crate::alike::{one_size, other_cameras, out_of_order, two_turns};
+use crate::alike::{not_one_turn, one_size};
 use crate::date::{Day, NO_DAY, day_of};
 use crate::error::CaptureError;
 use crate::facts::Facts;
@@ -36,6 +36,8 @@ stage::params! {
         /// Whether photos of which nothing will come as a turn are an error, and what is odd about them
         /// a warning.
         stop: bool = false,
+        /// Whether photos may be of several sizes and cameras and in any order, as those of a walk.
+        mixed: bool = false,
         /// Whether steps between photos are even where a step is told; those between frames of a video
         /// are not.
         even: bool = true,
@@ -84,7 +86,9 @@ impl Stage for Load {
             Some(frames) => of_frames(p, files, frames, &known, ctx)?,
             None => of_files(p, files, &known, ctx)?,
         };
-        one_size(&photos, plate.as_ref())?;
+        if !p.mixed {
+            one_size(&photos, plate.as_ref())?;
+        }
         let steps = ctx.steps("photos", photos.len());
         let read = |head: Photo| -> Result<(Photo, Option<(Glance, f64)>), Stop> {
             let (photo, pixels) = photo(head)?;
@@ -94,15 +98,15 @@ impl Stage for Load {
         };
         let read: Vec<_> = in_order(photos.into_par_iter().map(read))?;
         let (mut photos, seen): (Vec<Photo>, Vec<_>) = read.into_iter().unzip();
-        other_cameras(&photos).iter().for_each(|w| ctx.warn(w));
         let times = photos.iter().filter_map(|p| p.time_s);
         let start = times.fold(f64::MAX, f64::min);
         let day = (start < f64::MAX).then(|| day_of(start));
         photos
             .iter_mut()
             .for_each(|p| p.time_s = p.time_s.map(|t| t - start));
-        out_of_order(&photos).iter().for_each(|w| ctx.warn(w));
-        two_turns(&photos).iter().for_each(|w| ctx.warn(w));
+        if !p.mixed {
+            not_one_turn(&photos).iter().for_each(|w| ctx.warn(w));
+        }
         let mut rig = known.rig;
         if known.day == Some(Day::Exif) {
             rig.date = day;
