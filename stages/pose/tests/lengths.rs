@@ -295,3 +295,13 @@ fn where_nobody_told_of_a_disk_a_floor_has_none() {
     let before = turn()[0].centre().z + 400.0;
     proof::near(height / before, 2.0, 0.05);
 }
+
+#[test]
+fn a_stature_is_less_sure_where_soles_alone_say_where_the_ground_is() {
+    let sure = |disk_mm| framed_by(1600.0, 1600.0, None, disk_mm).unwrap();
+    let (by_soles, by_disk) = (sure(None), sure(Some(900.0)));
+    let sigma = |cameras: &Cameras| cameras.scale_sigma.unwrap();
+    assert_eq!(by_soles.scale, by_disk.scale);
+    assert!(sigma(&by_soles) > 0.01, "{}", sigma(&by_soles));
+    assert!(sigma(&by_disk) < 0.01, "{}", sigma(&by_disk));
+}

@@ -67,7 +67,7 @@ struct Contradiction {
 
 impl Stage for Frame {
     const NAME: &'static str = "pose.frame";
-    const VERSION: u32 = 9;
+    const VERSION: u32 = 10;
     const ABOUT: &'static str = "Puts the origin on the disk and scales to millimetres: by the mat, marker tags, a reference length, the disk, or the stature.";
     type Params = FrameParams;
     type Input = FrameInput;
@@ -109,6 +109,7 @@ impl Stage for Frame {
             covered: on_disk.is_some(),
             tags,
             ground,
+            by_soles: !placed && floor.is_none() && edge.is_none() && body.is_some(),
         };
         let measures = measures(cameras, rig, &seen, |warning| ctx.warn(warning));
         if cameras.scale == Scale::Given {

@@ -12,6 +12,8 @@ pub struct Stature {
     pub ground: f64,
     /// Standard deviation of the crown over the photos, of one photo.
     pub crown_spread: f64,
+    /// The same of the ground.
+    pub ground_spread: f64,
 }
 
 /// Share of the silhouette's rows from below that hold the feet only.
@@ -49,10 +51,12 @@ pub fn stature(views: &[(&Camera, &Mask)]) -> Option<Stature> {
     let half_width = mean(&|e| e.half_width);
     let spread = mean(&|e| (e.crown - crown).powi(2)).sqrt();
     let ground = (half_width - front) / slope;
+    let alone = |e: &Extent| (e.half_width - e.front[0]) / e.front[1];
     (slope.abs() > 0.5).then(|| Stature {
         crown: crown - HEAD * (crown - ground) * mean(&|e| e.over),
         ground,
         crown_spread: spread,
+        ground_spread: mean(&|e| (alone(e) - ground).powi(2)).sqrt(),
     })
 }
 
