@@ -86,9 +86,12 @@ pub(crate) struct Facts {
     /// Radius of the rim's printed face: 225 (mm)
     #[arg(long, value_name = "LENGTH")]
     rim_radius: Option<String>,
-    /// A known length: subject_height=165cm, disk_diameter=70cm, tag_size=60mm
+    /// A known length: subject_height=165cm, disk_diameter=70cm, tag_size=60mm, points=297mm (with --seen)
     #[arg(long, value_name = "KIND=LENGTH")]
     reference: Option<String>,
+    /// Where the two ends of `--reference points` are in a photo, upright and at full size \[px\]; for two photos or more
+    #[arg(long, value_name = "PHOTO=X1,Y1,X2,Y2")]
+    seen: Vec<String>,
     /// Any key of capture.toml: subject.height_cm=178
     #[arg(long, value_name = "KEY=VALUE")]
     fact: Vec<String>,
@@ -243,6 +246,16 @@ impl Facts {
             all.put("--reference", text, "reference.kind", kind.trim().into());
             all.put("--reference", text, "reference.length_mm", mm.into());
         }
+        if !self.seen.is_empty() {
+            let seen = self.seen.iter().map(|text| ends(text));
+            let seen: toml::Table = seen.collect::<Result<_, _>>()?;
+            all.put(
+                "--seen",
+                &self.seen.join(" "),
+                "reference.seen",
+                seen.into(),
+            );
+        }
         for text in &self.fact {
             let wrong = || {
                 Fault::input(format!(
@@ -258,6 +271,17 @@ impl Facts {
         }
         Ok(())
     }
+}
+
+/// A photo with the two ends of a length in it.
+fn ends(text: &str) -> Result<(String, toml::Value), Fault> {
+    let like = "say PHOTO=X1,Y1,X2,Y2, such as IMG_1.jpg=812,3011,1420,3055";
+    let wrong = || Fault::input(format!("--seen {text}: {like}"));
+    let (photo, at) = text.rsplit_once('=').ok_or_else(wrong)?;
+    let parts: Result<Vec<f64>, _> = at.split(',').map(|p| p.trim().parse::<f64>()).collect();
+    let parts = parts.ok().filter(|p| p.len() == 4).ok_or_else(wrong)?;
+    let parts = parts.into_iter().map(toml::Value::from).collect();
+    Ok((photo.trim().to_owned(), toml::Value::Array(parts)))
 }
 
 #[cfg(test)]

@@ -52,7 +52,7 @@ fn every_key_of_capture_toml_has_its_flag() {
     let all = said(
         "--stature 178 --weight 80 --sex male --born 2016-05-01 --focal 26 --focal-px 3000 --centre-px 4,5 --step 20 --views 18 --images a.jpg \
          --plate p.jpg --name me --date 2026-05-01 --disk-diameter 70 --mat-tag 60 --mat-ids 0-11 --mat-ring 187 --rim-tag 24 \
-         --rim-ids 12-47 --rim-radius 225 --reference tag_size=60",
+         --rim-ids 12-47 --rim-radius 225 --reference tag_size=60 --seen a.jpg=1,2,3,4",
     )
     .into_iter()
     .chain(said("--age 9.5"));
@@ -95,6 +95,12 @@ fn flags_become_keys_in_their_units() {
     );
     assert_eq!(sets("--steps 18"), ["photos.facts.step_deg=20.0"]);
     assert_eq!(sets("--mat-tag 6cm"), ["photos.facts.mat.tag_size_mm=60.0"]);
+    assert_eq!(
+        sets("--seen a.jpg=1,2,3,4 --seen b.jpg=5,6,7,8.5"),
+        [
+            "photos.facts.reference.seen={ \"a.jpg\" = [1.0, 2.0, 3.0, 4.0], \"b.jpg\" = [5.0, 6.0, 7.0, 8.5] }"
+        ]
+    );
     let two = sets("--mat-ids 4-15");
     assert_eq!(
         two,

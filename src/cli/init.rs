@@ -243,5 +243,9 @@ fn mat(to: &mut String, seen: &Look, rig: &Rig) {
             "\n[reference]\nkind = {kind}\nlength_mm = {:?}",
             known.length_mm
         );
+        for ends in &known.seen {
+            let photo = quoted(ends.photo.as_str());
+            let _ = writeln!(to, "seen.{photo} = {:?}", ends.px.as_flattened());
+        }
     }
 }

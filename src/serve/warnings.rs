@@ -2,7 +2,7 @@
 //! `words/` that say the same in the reader's language.
 
 #[rustfmt::skip]
-pub(super) const WARNINGS: [(&str, &str); 97] = [
+pub(super) const WARNINGS: [(&str, &str); 101] = [
     ("frames of a video are not at even steps: `step_deg` was passed over (how many are taken: --set frames.step_deg=)", "warn-video-steps"),
     ("* is the same file as * and was left out: if another photo should be in its place, put it there", "warn-same-file"),
     ("* is the same file as * and was left out", "warn-same-raw"),
@@ -51,7 +51,11 @@ pub(super) const WARNINGS: [(&str, &str); 97] = [
     ("nothing tells of millimetres (no mat or tags of known size, reference, disk or stature that could be seen): lengths are relative to the camera ring's radius, called 1000 mm", "warn-relative"),
     ("neither the disk's edge nor soles were seen: the ground lies at the lowest feature, so heights and stature may be off; keep feet and disk in view", "warn-no-edge"),
     ("[mat] says that tags are * mm, [reference] that they are * mm: [mat] was taken; measure a printed tag and correct the other", "warn-two-tags"),
-    ("the reference of kind `*` is not known here: `subject_height`, `disk_diameter` and `tag_size` are", "warn-reference"),
+    ("the reference of kind `*` is not known here: `points`, `subject_height`, `disk_diameter` and `tag_size` are", "warn-reference"),
+    ("the two points of [reference] are told for *, which is no photo of the capture: correct the name; the length was passed over", "warn-points-photo"),
+    ("the two points of [reference] are seen in * photos with a camera, from too much the same side: point at them in photos that were taken some steps apart; the length was passed over", "warn-points-few"),
+    ("the two points of [reference] miss each other by * px from photo to photo: are they the same two in each, in the same order, at full size, and do they move with the subject? The length was passed over", "warn-points-miss"),
+    ("the length between the two points of [reference] is sure to * % only: point at two that lie farther apart, in more photos; the length was passed over", "warn-points-unsure"),
     ("* and * disagree by * %: * was taken; check what capture.toml says of both", "warn-disagree"),
     ("* photos have no camera in the file and are left out", "warn-no-camera"),
     ("the cameras stand on no circle: the file's world was kept; if they are of one turn, check the file", "warn-no-circle"),

@@ -5,7 +5,7 @@ use crate::facts::Facts;
 use crate::keys::{Keys, RigError};
 use crate::person_keys::PERSONAL;
 use crate::rig_tags::{read_mat, read_rim};
-use shape::{Reference, Rig};
+use shape::{Reference, Rig, SeenEnds};
 use toml::{Table, Value};
 
 /// A `capture.toml` in our units, and what else it says.
@@ -90,11 +90,45 @@ pub(crate) fn read_table(table: Table) -> Result<RigFile, RigError> {
         let length = reference.number("length_mm", 0.1, 100_000.0)?;
         let length_mm =
             length.ok_or_else(|| RigError::missing("`reference` has no `length_mm`"))?;
-        rig.reference = Some(Reference { kind, length_mm });
+        let seen = read_seen(&mut reference)?;
+        if kind == POINTS && seen.len() < 2 {
+            return Err(RigError::missing(
+                "`reference.kind` is \"points\", whose two ends must be seen in two photos at least: `reference.seen = { \"IMG_1.jpg\" = [x1, y1, x2, y2], … }`, or --seen",
+            ));
+        }
+        rig.reference = Some(Reference {
+            kind,
+            length_mm,
+            seen,
+        });
         reference.rest(&mut file.unknown);
     }
     root.rest(&mut file.unknown);
     Ok(file)
+}
+
+/// The kind of a reference length between two points that are seen in photos.
+const POINTS: &str = "points";
+
+/// By photo the two ends of a length, `[x1, y1, x2, y2]`.
+fn read_seen(keys: &mut Keys<'_>) -> Result<Vec<SeenEnds>, RigError> {
+    let Some(value) = keys.take("seen") else {
+        return Ok(vec![]);
+    };
+    let number = |v: &Value| v.as_float().or(v.as_integer().map(|i| i as f64));
+    let ends = |(photo, value): (&String, &Value)| {
+        let list: Option<Vec<f64>> = value.as_array()?.iter().map(number).collect();
+        let [a, b, c, d] = list?.try_into().ok()?;
+        let px = [[a, b], [c, d]];
+        let finite = px.as_flattened().iter().all(|x: &f64| x.is_finite());
+        let photo = photo.clone();
+        finite.then_some(SeenEnds { photo, px })
+    };
+    let all = value
+        .as_table()
+        .and_then(|t| t.iter().map(ends).collect::<Option<Vec<_>>>());
+    let wants = "photos with the two ends in each, { \"IMG_1.jpg\" = [x1, y1, x2, y2], … }";
+    all.ok_or_else(|| keys.wrong("seen", wants, &value))
 }
 
 /// A pixel, `[x, y]`.
@@ -122,6 +156,31 @@ mod tests {
 
     fn read(text: &str) -> Result<RigFile, RigError> {
         read_rig(text, &Facts::default())
+    }
+
+    #[test]
+    fn the_ends_of_a_length_are_read_by_photo() {
+        let text = "[reference]\nkind = \"points\"\nlength_mm = 297\n[reference.seen]\n\"a.jpg\" = [1, 2, 3.5, 4]\n\"b.jpg\" = [5, 6, 7, 8]";
+        let known = read(text).unwrap().rig.reference.unwrap();
+        let first = SeenEnds {
+            photo: "a.jpg".into(),
+            px: [[1.0, 2.0], [3.5, 4.0]],
+        };
+        assert_eq!((known.seen.len(), &known.seen[0]), (2, &first));
+        for (text, says) in [
+            ("kind = \"points\"\nlength_mm = 297", "two photos at least"),
+            (
+                "length_mm = 297\nseen = [1, 2]",
+                "`reference.seen` wants photos",
+            ),
+            (
+                "length_mm = 297\nseen.a = [1, 2, 3]",
+                "`reference.seen` wants photos",
+            ),
+        ] {
+            let error = read(&format!("[reference]\n{text}")).unwrap_err();
+            assert!(error.to_string().contains(says), "{error}");
+        }
     }
 
     #[test]

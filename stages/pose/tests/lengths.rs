@@ -1,56 +1,11 @@
 //! Lengths that the user knows make cameras millimetres; lengths that contradict each other do not.
 
-use nalgebra::{Point3, Rotation3, Vector3};
-use pose::{Frame, FrameInput, FrameParams, Ring, mat_corners};
-use shape::{
-    Camera, Cameras, Intrinsics, Mask, Masks, Mat, Photo, PhotoId, Photos, Reference, Rig, Scale,
-    Tag, Tags, View,
-};
-use stage::{Ctx, Stage, Stop};
-use std::sync::Arc;
+mod post;
 
-/// A turn in units of 2 mm, about an upright post 800 units tall.
-fn turn() -> Vec<Camera> {
-    let ring = Ring {
-        turn: Rotation3::from_euler_angles(1.72, 0.0, 0.0),
-        offset: Vector3::new(0.0, 0.0, 1400.0),
-        angles: (0..12).map(|i| f64::from(i) * 30f64.to_radians()).collect(),
-    };
-    let lens = Intrinsics::simple(320, 480, 420.0);
-    let pose = |pose| Camera { lens, pose };
-    ring.poses().into_iter().map(pose).collect()
-}
-
-/// What of the post a camera sees: filled row by row between its outermost points.
-fn seen(camera: &Camera) -> Mask {
-    let (width, height) = (320, 480);
-    let mut rows = vec![(f64::MAX, f64::MIN); height];
-    for step in 0..=1600 {
-        for side in 0..72 {
-            let angle = f64::from(side) * 5f64.to_radians();
-            let at = Point3::new(
-                90.0 * libm::cos(angle),
-                90.0 * libm::sin(angle),
-                -400.0 + f64::from(step) / 2.0,
-            );
-            let Some(px) = camera.project(&at) else {
-                continue;
-            };
-            if let Some(row) = rows.get_mut(px.y.round().max(0.0) as usize) {
-                *row = (row.0.min(px.x), row.1.max(px.x));
-            }
-        }
-    }
-    let mut mask = Mask::filled(width, height, 0);
-    for (y, (low, high)) in rows.into_iter().enumerate() {
-        for x in 0..width {
-            if (low..=high).contains(&(x as f64)) {
-                mask.data[y * width + x] = 255;
-            }
-        }
-    }
-    mask
-}
+use nalgebra::{Point3, Vector3};
+use pose::mat_corners;
+use post::{framed_with, photo, turn};
+use shape::{Camera, Cameras, Mat, Photo, PhotoId, Reference, Rig, Scale, Tag, Tags};
 
 /// A mat under the post.
 const MAT: Mat = Mat {
@@ -75,20 +30,6 @@ fn tags(cameras: &[Camera], mat: &Mat) -> Tags {
     };
     Tags {
         views: cameras.iter().enumerate().map(view).collect(),
-    }
-}
-
-/// A photo of these levels.
-fn photo(name: &str, gray: &shape::Image<u8>) -> Photo {
-    Photo {
-        name: name.into(),
-        width: 320,
-        height: 480,
-        orientation: 1,
-        focal_35mm: None,
-        device: String::new(),
-        time_s: None,
-        file: Arc::from(shape::gray_to_png(gray)),
     }
 }
 
@@ -128,6 +69,7 @@ fn framed_by(
         reference: Some(Reference {
             kind: "subject_height".into(),
             length_mm: reference_mm,
+            seen: vec![],
         }),
         mat: mat.and_then(|m| m.0),
         tag_mm: mat.and_then(|m| m.1),
@@ -135,52 +77,6 @@ fn framed_by(
     };
     let plate = disk_mm.map(|_| plate(&turn()[0]));
     framed_with(rig, mat.map(|_| tags(&turn(), &MAT)), plate)
-}
-
-/// Cameras of the turn in millimetres by what is known and what stands still.
-fn framed_with(rig: Rig, tags: Option<Tags>, plate: Option<Photo>) -> Result<Cameras, String> {
-    let cameras = turn();
-    let black = shape::Image::filled(320, 480, 0);
-    let photo = |i: usize| photo(&format!("{i:04}.png"), &black);
-    let id = |i: usize| PhotoId(i as u32);
-    let view = |(i, camera): (usize, &Camera)| {
-        let view = View {
-            name: format!("{i:04}.png"),
-            camera: *camera,
-            sigma_mm: None,
-            rms_px: None,
-            points: 0,
-        };
-        (id(i), view)
-    };
-    let masks = cameras.iter().enumerate().map(|(i, c)| (id(i), seen(c)));
-    let input = FrameInput {
-        masks: Some(Arc::new(Masks {
-            views: masks.collect(),
-        })),
-        photos: Arc::new(Photos {
-            photos: (0..cameras.len()).map(photo).collect(),
-            plate,
-            rig,
-        }),
-        tags: tags.map(Arc::new),
-        cameras: Arc::new(Cameras {
-            views: cameras.iter().enumerate().map(view).collect(),
-            scale: Scale::Nothing,
-            scale_sigma: None,
-            disk_radius_mm: None,
-            ground_mm: 0.0,
-            points: Vec::new(),
-        }),
-    };
-    let params = FrameParams {
-        search_px: 200,
-        ..FrameParams::default()
-    };
-    Frame::run(&params, input, &Ctx::alone()).map_err(|e| match e {
-        Stop::Failed(why) => why.to_string(),
-        Stop::Cancelled => "cancelled".into(),
-    })
 }
 
 #[test]

@@ -80,7 +80,7 @@ pub use ply::{PlyError, mesh_from_ply, mesh_to_ply};
 pub use refusal::Refusal;
 pub use register::register;
 pub use registered::{median, registered};
-pub use rig::{Mat, Reference, Rig, Rim};
+pub use rig::{Mat, Reference, Rig, Rim, SeenEnds};
 pub use solid::{Furrow, Level, Part as SolidPart, Solid};
 pub use sureness::{Note, Sigmas, Split};
 pub use sway::Sway;

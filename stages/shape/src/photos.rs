@@ -115,7 +115,7 @@ struct Meta {
 
 impl Artifact for Photos {
     const KIND: &'static str = "photos";
-    const FORMAT: u32 = 5;
+    const FORMAT: u32 = 6;
 
     fn pack(&self, to: &mut Packer) {
         let meta = |p: &Photo| Meta {

@@ -71,8 +71,19 @@ pub struct Rim {
 /// A length that is known.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Reference {
-    /// What it is the length of: `tag_size`, `subject_height`, `disk_diameter`, …
+    /// What it is the length of: `tag_size`, `subject_height`, `disk_diameter`, `points`, …
     pub kind: String,
     /// Its length. \[mm\]
     pub length_mm: f64,
+    /// Where its two ends are seen, of `points`.
+    pub seen: Vec<SeenEnds>,
+}
+
+/// The two ends of a length as somebody pointed at them in a photo.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct SeenEnds {
+    /// The photo's name.
+    pub photo: String,
+    /// Both ends in the photo as it is shown upright, at full size, the top-left pixel's centre at (0, 0). \[px\]
+    pub px: [[f64; 2]; 2],
 }

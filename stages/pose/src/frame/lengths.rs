@@ -3,6 +3,7 @@
 use crate::frame::disk_edge::DiskEdge;
 use crate::frame::stature::Stature;
 use crate::frame::tag_scale::{Known, TagScale, tag_scale};
+use crate::frame::two_points::between;
 use crate::mat::recognise::printed;
 use shape::{Cameras, Rig, Scale, Tags};
 
@@ -90,6 +91,18 @@ pub(crate) fn measures(
         measures.extend(match reference.kind.as_str() {
             "subject_height" => tall(mm, "the reference length (stature)", Scale::Reference),
             "disk_diameter" => round(mm, "the reference length (disk)", Scale::Reference),
+            "points" => match between(cameras, reference) {
+                Ok(found) => Some(Measure {
+                    what: "the reference length (two points)",
+                    scale: Scale::Reference,
+                    mm_per_unit: mm / found.length,
+                    sigma: Some(found.sigma),
+                }),
+                Err(why) => {
+                    warn(why.to_string());
+                    None
+                }
+            },
             "tag_size" => {
                 let tag = rig.mat.map(|mat| mat.tag_mm);
                 if let Some(tag) = tag.filter(|tag| (mm / tag - 1.0).abs() > 0.002) {
@@ -99,7 +112,7 @@ pub(crate) fn measures(
             }
             other => {
                 warn(format!(
-                    "the reference of kind `{other}` is not known here: `subject_height`, `disk_diameter` and `tag_size` are"
+                    "the reference of kind `{other}` is not known here: `points`, `subject_height`, `disk_diameter` and `tag_size` are"
                 ));
                 None
             }

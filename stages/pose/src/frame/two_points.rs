@@ -1,0 +1,94 @@
+//! A known length between two points that somebody pointed at in photos: the edge of a sheet on the floor, a rule, a door.
+
+use crate::two_view::triangulate::triangulate;
+use nalgebra::{Matrix3, Point3};
+use shape::{Camera, Cameras, Reference};
+
+/// Standard deviation of a pointed pixel, of each coordinate (by hand). \[px\]
+const POINTED_PX: f64 = 2.0;
+/// Rays that miss by more than so many of those, root mean square, belong to no one point.
+const MOST_MISS: f64 = 5.0;
+/// A length that is less sure than this share says nothing.
+const LEAST_SURE: f64 = 0.2;
+/// No scale is surer than this share: a rule and its reading.
+const LEAST_SIGMA: f64 = 0.001;
+
+/// The length in the cameras' unit.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Between {
+    pub(crate) length: f64,
+    /// Its standard deviation, as a share.
+    pub(crate) sigma: f64,
+}
+
+/// Why two points have no length.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+pub(crate) enum NoLength {
+    /// A name that no photo has.
+    #[error(
+        "the two points of [reference] are told for {0}, which is no photo of the capture: correct the name; the length was passed over"
+    )]
+    Photo(String),
+    /// Too few photos, or from one side only.
+    #[error(
+        "the two points of [reference] are seen in {0} photos with a camera, from too much the same side: point at them in photos that were taken some steps apart; the length was passed over"
+    )]
+    Few(usize),
+    /// Rays that do not meet.
+    #[error(
+        "the two points of [reference] miss each other by {0:.0} px from photo to photo: are they the same two in each, in the same order, at full size, and do they move with the subject? The length was passed over"
+    )]
+    Miss(f64),
+    /// A length lost in its own doubt.
+    #[error(
+        "the length between the two points of [reference] is sure to {0:.0} % only: point at two that lie farther apart, in more photos; the length was passed over"
+    )]
+    Unsure(f64),
+}
+
+/// How long the way is between the two points of a reference.
+///
+/// # Errors
+///
+/// Where they say nothing: see [`NoLength`].
+pub(crate) fn between(cameras: &Cameras, known: &Reference) -> Result<Between, NoLength> {
+    let named = |name: &str| cameras.views.values().find(|view| view.name == name);
+    let mut views: Vec<Camera> = Vec::new();
+    let mut ends: [Vec<(usize, [f64; 2])>; 2] = [vec![], vec![]];
+    for seen in &known.seen {
+        let view = named(&seen.photo).ok_or_else(|| NoLength::Photo(seen.photo.clone()))?;
+        for (end, px) in ends.iter_mut().zip(seen.px) {
+            end.push((views.len(), px));
+        }
+        views.push(view.camera);
+    }
+    let few = NoLength::Few(views.len());
+    if views.len() < 2 {
+        return Err(few);
+    }
+    let [from, to] = ends.map(|end| triangulate(&views, &end));
+    let ((from, a), (to, b)) = (from.ok_or(few.clone())?, to.ok_or(few.clone())?);
+    let miss = ((a * a + b * b) / 2.0).sqrt();
+    if miss > MOST_MISS * POINTED_PX {
+        return Err(NoLength::Miss(miss));
+    }
+    let px = miss.max(POINTED_PX);
+    let (a, b) = (doubt(&views, &from, px), doubt(&views, &to, px));
+    let doubt = a.zip(b).map(|(a, b)| a + b).ok_or(few)?;
+    let (way, length) = ((to - from).normalize(), (to - from).norm());
+    let sigma = libm::hypot(way.dot(&(doubt * way)).sqrt() / length, LEAST_SIGMA);
+    match sigma < LEAST_SURE {
+        true => Ok(Between { length, sigma }),
+        false => Err(NoLength::Unsure(100.0 * sigma)),
+    }
+}
+
+/// The covariance of a point from pixels of a standard deviation: the inverse of what all photos tell of it.
+fn doubt(views: &[Camera], at: &Point3<f64>, px: f64) -> Option<Matrix3<f64>> {
+    let mut tells = Matrix3::zeros();
+    for camera in views {
+        let (_, by_point) = camera.project_with_jacobian(at)?;
+        tells += by_point.transpose() * by_point / (px * px);
+    }
+    tells.try_inverse()
+}
