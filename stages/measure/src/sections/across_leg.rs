@@ -12,6 +12,8 @@ use crate::sections::one::{FUSED, HAND, NOTHING, SectionMeasurement, Why, neares
 use nalgebra::{Point3, Vector3};
 use shape::{GirthId, Landmark, Mesh, Plane};
 
+/// Legs that press each other share at most so much of a leg's tape (by hand): a wider cut goes through the trunk.
+const MOST_CUT: f64 = 0.22;
 /// How far down a leg a section is looked for that is its own, and the step, as shares of stature.
 const DOWN: f64 = 0.08;
 const STEP: f64 = 0.005;
@@ -111,6 +113,9 @@ fn half(
         .map(|(a, b)| libm::hypot(b[0] - a[0], b[1] - a[1]))
         .sum();
     let tape_mm = tape(&outline);
+    if cut > MOST_CUT * tape_mm {
+        return None;
+    }
     let contour_mm = length(&outline);
     let even: Vec<[f64; 2]> = outline
         .iter()
@@ -134,6 +139,26 @@ fn half(
 mod tests {
     use super::*;
     use std::f64::consts::TAU;
+
+    #[test]
+    fn the_half_of_a_trunk_is_no_leg() {
+        let at = |k: i32| {
+            let (s, c) = libm::sincos(TAU * f64::from(k) / 720.0);
+            Point3::new(190.0 * c, 125.0 * s, 0.0)
+        };
+        let curve: Vec<Point3<f64>> = (0..720).map(at).collect();
+        let plane = Plane {
+            point_mm: [0.0; 3],
+            normal: [0.0, 0.0, -1.0],
+        };
+        let ring = Ring {
+            tape: tape(&flat(&curve, &plane)),
+            area: 1.0,
+            centre: Point3::origin(),
+            curve,
+        };
+        assert!(half(&ring, &plane, &Vector3::x(), 0.0).is_none());
+    }
 
     #[test]
     fn the_half_of_two_pressed_legs_is_one_leg_with_a_flat_side() {
