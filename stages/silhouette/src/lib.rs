@@ -21,6 +21,7 @@ mod exposure;
 mod full_size;
 mod gmm;
 mod grabcut;
+mod grain;
 mod grounds;
 mod import;
 mod least_cut;

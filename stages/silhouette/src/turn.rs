@@ -6,6 +6,7 @@ use crate::boxed::Rectangle;
 use crate::coherence::{DISSENT, together};
 use crate::disk_colors::{body_colors, disk_colors, disk_cost, mixture, on_the_disk};
 use crate::gmm::Gmm;
+use crate::grain::missed;
 use crate::least_cut::Known;
 use crate::modes::Modes;
 use crate::nearby::{Nearby, beside};
@@ -119,6 +120,7 @@ impl Turn<'_> {
         let of_disk = disk_colors(&around.disk, 0.0);
         let nearby = Nearby::of(&around.room);
         let mut ready: Vec<Prepared> = shots.par_iter().map(|s| self.one(s, &around)).collect();
+        missed(&mut ready, shots, &around, covered);
         let evident = evident(shots, &ready, radius);
         shots.par_iter().zip(&mut ready).for_each(|(shot, ready)| {
             let mut explained = ready.cost.clone();

@@ -6,7 +6,7 @@ use shape::Rgb;
 /// How far an edge of the background may move. \[px\]
 const SLACK: f32 = 0.4;
 /// A pixel that the background explains worse than by so much is not it, however much worse.
-const CAP: f32 = 24.0;
+pub(crate) const CAP: f32 = 24.0;
 /// What a pixel that matches the background to the level costs.
 pub(crate) const FLAT: f32 = 4.5;
 /// Bounds of the noise that is believed. \[levels\]
@@ -176,7 +176,7 @@ impl Likeness<'_> {
 }
 
 /// What a pixel may be when edges move by a part of a pixel: darkest and brightest.
-fn slack(expected: &Rgb, x: usize, y: usize) -> ([f32; 3], [f32; 3]) {
+pub(crate) fn slack(expected: &Rgb, x: usize, y: usize) -> ([f32; 3], [f32; 3]) {
     let (mut lo, mut hi) = ([255u8; 3], [0u8; 3]);
     for row in y.saturating_sub(1)..(y + 2).min(expected.height) {
         for p in &expected.row(row)[x.saturating_sub(1)..(x + 2).min(expected.width)] {
