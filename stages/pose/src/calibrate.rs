@@ -54,7 +54,7 @@ pub struct Calibrate;
 
 impl Stage for Calibrate {
     const NAME: &'static str = "pose.calibrate";
-    const VERSION: u32 = 14;
+    const VERSION: u32 = 15;
     const ABOUT: &'static str = "Calibrates lens and cameras by bundle adjustment, in the turntable frame where a mat gives it.";
     type Params = CalibrateParams;
     type Input = CalibrateInput;
@@ -91,7 +91,10 @@ impl Stage for Calibrate {
                 if photos.rig.tagged() {
                     ctx.warn("a mat is told of, but none was found in the photos: cameras follow from features alone; is it in view, in good light, and flat?");
                 }
-                ring::solve::calibrate(photos, &lens, tracks, p).map_err(CalibrateError::from)
+                let steady = ring::stabiliser::places(photos);
+                ctx.check()?;
+                ring::solve::calibrate(photos, &lens, tracks, steady.as_ref(), p)
+                    .map_err(CalibrateError::from)
             }
             _ => Err(CalibrateError::Nothing),
         };

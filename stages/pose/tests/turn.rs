@@ -80,15 +80,25 @@ fn scattered(cameras: &[Camera], sway_mm: f64, noise_px: f64) -> Tracks {
 }
 
 fn calibrated(cameras: &[Camera], tracks: Tracks, rig: Rig) -> Result<Cameras, String> {
+    shown(cameras, tracks, rig, |_| vec![])
+}
+
+/// The same, of photos with such files.
+fn shown(
+    cameras: &[Camera],
+    tracks: Tracks,
+    rig: Rig,
+    file: impl Fn(usize) -> Vec<u8>,
+) -> Result<Cameras, String> {
     let photo = |i: usize| Photo {
         name: format!("{i:04}.jpg"),
-        width: 1600,
-        height: 2400,
+        width: cameras[0].lens.width,
+        height: cameras[0].lens.height,
         orientation: 1,
         focal_35mm: None,
         device: String::new(),
         time_s: None,
-        file: Arc::from([]),
+        file: Arc::from(file(i)),
     };
     let photos = Photos {
         photos: (0..cameras.len()).map(photo).collect(),
@@ -200,4 +210,68 @@ fn a_photo_that_is_missing_or_swapped_spoils_no_camera() {
             assert!(off < 0.006, "{places:?}, sway {sway_mm} mm: {off}");
         }
     }
+}
+
+/// The file of a photo of a room before which something plain goes to and fro, shifted.
+fn room(k: usize, [dx, dy]: [f64; 2]) -> Vec<u8> {
+    let mut gray = shape::Image::filled(400, 600, 0u8);
+    let left = 150.0 + 15.0 * libm::sin(0.7 * k as f64);
+    for (i, level) in gray.data.iter_mut().enumerate() {
+        let (x, y) = ((i % 400) as f64 - dx, (i / 400) as f64 - dy);
+        let wall = 110.0
+            + 40.0 * libm::sin(x / 7.0) * libm::cos(y / 5.0)
+            + 30.0 * libm::sin((x + 2.0 * y) / 17.0);
+        let body = (left..left + 100.0).contains(&x) && (60.0..540.0).contains(&y);
+        *level = if body { 200.0 } else { wall }.round() as u8;
+    }
+    shape::gray_to_png(&gray)
+}
+
+/// Cameras of a rigid body on small photos, each shifted by a stabiliser.
+fn stabilised(shifts: &[[f64; 2]]) -> Cameras {
+    let truth: Vec<Camera> = truth(1.0).iter().map(|c| c.resized(400, 600)).collect();
+    let mut tracks = scattered(&truth, 0.0, 0.1);
+    for seen in tracks.points.iter_mut().flatten() {
+        let shift = shifts[seen.photo.0 as usize];
+        seen.at_px[0] += shift[0] as f32;
+        seen.at_px[1] += shift[1] as f32;
+    }
+    let film = 2670.0 / 2400.0 * 36.0 / 1.004;
+    let file = |i: usize| room(i, shifts[i]);
+    shown(&truth, tracks, rig(Some(film), Some(20.0)), file).unwrap()
+}
+
+#[test]
+fn what_a_stabiliser_shifted_is_found_by_the_room_and_given_back() {
+    let mut dice = Dice(4);
+    let mut shifts = [[0.0; 2]; PHOTOS];
+    let same = |cameras: &Cameras| {
+        let mut all = cameras.views.values().map(|v| v.camera.lens);
+        let first = all.next();
+        all.all(|lens| Some(lens) == first)
+    };
+    assert!(same(&stabilised(&shifts)));
+    // The middle one of all shifts stays none.
+    for pair in shifts[1..].chunks_mut(2) {
+        let by = [dice.normal(), dice.normal()].map(|d| 0.8 * d);
+        pair[0] = by;
+        pair[1..]
+            .iter_mut()
+            .for_each(|other| *other = by.map(|d| -d));
+    }
+    let last = shifts[PHOTOS - 1];
+    let found = stabilised(&shifts);
+    assert!(last != [0.0; 2] && error(&found, &truth(1.0)) < 0.002);
+    let centre = |i: usize| found.views.values().nth(i).unwrap().camera.lens.centre;
+    for i in 0..PHOTOS {
+        for axis in [0, 1] {
+            let by = (centre(i)[axis] - centre(0)[axis]) - (shifts[i][axis] - shifts[0][axis]);
+            assert!(by.abs() < 0.15, "photo {i}: {by} px");
+        }
+    }
+    // A rigid body: how sure cameras are is told.
+    assert!(found.views.values().all(|v| v.sigma_mm.is_some()));
+    // Somebody who kicked the tripod is no stabiliser.
+    shifts[7..].iter_mut().for_each(|s| s[0] += 8.0);
+    assert!(same(&stabilised(&shifts)));
 }

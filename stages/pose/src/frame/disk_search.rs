@@ -4,7 +4,9 @@ use crate::frame::disk_edge::{DiskEdge, disk_edge};
 use crate::frame::disk_tags::DiskTags;
 use crate::frame::stature::Stature;
 use rayon::prelude::*;
-use shape::{Cameras, Gray, PhotoError, Photos, Reference, Rig, median, registered};
+use shape::{
+    Cameras, Gray, PhotoError, Photos, Placed, Reference, Rig, median, register, registered,
+};
 
 /// What makes a circle the disk's edge.
 #[derive(Debug, Clone, Copy)]
@@ -16,7 +18,9 @@ pub(crate) struct Rules {
 }
 
 /// What stands still, reduced: the plate, or the median of photos laid on each other.
-pub(crate) fn still(photos: &Photos, search_px: u32) -> Result<Option<Gray>, PhotoError> {
+///
+/// Beside it how the first photo lies on it, at full size: its camera lies likewise.
+pub(crate) fn still(photos: &Photos, search_px: u32) -> Result<Option<(Gray, Placed)>, PhotoError> {
     let Some(first) = photos.photos.first() else {
         return Ok(None);
     };
@@ -24,13 +28,20 @@ pub(crate) fn still(photos: &Photos, search_px: u32) -> Result<Option<Gray>, Pho
     let one = |photo: &shape::Photo| Ok(photo.decode()?.gray().reduced(by));
     let fits = |plate: &&shape::Photo| (plate.width, plate.height) == (first.width, first.height);
     if let Some(plate) = photos.plate.as_ref().filter(fits) {
-        return one(plate).map(Some);
+        // Nothing tells here how it lies on the plate but the two of them.
+        let plate = one(plate)?;
+        let placed = register(&one(first)?, &plate).unwrap_or(Placed::SAME);
+        return Ok(Some((plate, placed.enlarged(by as f64))));
     }
     let every = photos.photos.len().div_ceil(9).max(1);
     let some: Vec<_> = photos.photos.iter().step_by(every).collect();
     let pictures: Vec<Gray> = some.into_par_iter().map(one).collect::<Result<_, _>>()?;
     // Where there is nothing to lay photos on each other by, they lie as they are.
-    Ok(registered(&pictures).1.or_else(|| median(&pictures)))
+    let (placed, still) = registered(&pictures);
+    let first = placed.first().copied().flatten().unwrap_or(Placed::SAME);
+    let as_it_lies = || median(&pictures).map(|still| (still, Placed::SAME));
+    let still = still.map(|still| (still, first.enlarged(by as f64)));
+    Ok(still.or_else(as_it_lies))
 }
 
 /// The strongest circle near the disk. A ring of tags may be stronger than the edge: where the stature says that the
@@ -38,7 +49,7 @@ pub(crate) fn still(photos: &Photos, search_px: u32) -> Result<Option<Gray>, Pho
 /// Tags that lie on the disk lie within its edge, and at its height; what turns does not lie below the disk.
 /// Where nobody told of a disk, its edge is one all around, or there is none.
 pub(crate) fn edge(
-    still: &Gray,
+    (still, first): &(Gray, Placed),
     cameras: &Cameras,
     (body, tags): (Option<&Stature>, Option<DiskTags>),
     rig: &Rig,
@@ -53,9 +64,13 @@ pub(crate) fn edge(
     let may = |z: f64, r: f64| r >= least && low.is_none_or(|low| z <= low + THICK * r);
     let search = |[low, high]: [f64; 2], least_standout: f64| {
         let radii = [(low * ring).max(least), high * ring];
-        let camera = &cameras.views.values().next()?.camera;
+        let camera = cameras.views.values().next()?.camera;
+        let camera = match first.lies() {
+            true => camera,
+            false => first.brought_camera(&camera),
+        };
         let within = radii[0] < radii[1];
-        let found = within.then(|| disk_edge(still, camera, heights, radii, &may))??;
+        let found = within.then(|| disk_edge(still, &camera, heights, radii, &may))??;
         (found.standout >= least_standout && (told || found.round)).then_some(found)
     };
     let found = search([0.06, 0.4], rules.standout);

@@ -1,20 +1,24 @@
 //! Cameras without a mat: a turn about an unknown axis from features alone, then one adjustment.
 
 use crate::adjust::bundle::{Fit, adjust};
-use crate::adjust::scene::{Beliefs, PointObservation, Scene, Steps};
+use crate::adjust::scene::{Beliefs, Scene, Steps};
 use crate::calibration::found::Found;
 use crate::calibration::params::{CalibrateParams, Motion};
-use crate::calibration::prior::{focals, knows_focal, lens_belief, settings};
+use crate::calibration::prior::{focals, knows_focal, lens_belief};
 use crate::calibration::trust::median_px;
 use crate::ring::any_order::grown;
 use crate::ring::cameras::{Solved, to_cameras};
 use crate::ring::error::TracksError;
+use crate::ring::held::Held;
 use crate::ring::pairs::{chosen, pairs};
 use crate::ring::places::{out_of_place, placed};
+use crate::ring::stabiliser::{brought, given_back};
 use crate::ring::start::{Known, Pair, starts};
-use crate::ring::trial::{filled, spread_px, tried_out};
-use crate::two_view::triangulate::triangulated;
-use shape::{Intrinsics, PhotoId, Photos, Tracks};
+use crate::ring::trial::tried_out;
+use shape::{ByPhoto, Intrinsics, PhotoId, Photos, Placed, Tracks};
+
+/// Photos are taken for shifted where features lie nearer by this factor once that is taken out (by hand).
+const STEADIER: f64 = 0.95;
 
 /// A turn that explains a few features, before all of them are adjusted.
 struct Beginning {
@@ -28,39 +32,44 @@ pub(crate) fn calibrate(
     photos: &Photos,
     lens: &Intrinsics,
     tracks: &Tracks,
+    steady: Option<&ByPhoto<Placed>>,
     p: &CalibrateParams,
 ) -> Result<Found, TracksError> {
     if p.motion == Motion::Any {
         return to_cameras(photos, &grown(photos, lens, tracks, p)?, p);
     }
     let ids: Vec<PhotoId> = photos.iter().map(|(id, _)| id).collect();
-    let Beginning { mut scene, places } = beginning(photos, lens, &ids, tracks, p)?;
-    let many = chosen(tracks, p.most_tracks as usize);
+    let Beginning { scene, places } = beginning(photos, lens, &ids, tracks, p)?;
     let mut beliefs = beliefs(lens, photos, &scene, &places, p);
-    let mut sigma_px = p.feature_px;
-    let (mut observations, mut fit) =
-        one_round(&mut scene, &ids, &many, &beliefs, 16.0, &mut sigma_px, p);
-    for _ in 0..2 {
-        let most = 8.0 * sigma_px;
-        (observations, fit) = one_round(&mut scene, &ids, &many, &beliefs, most, &mut sigma_px, p);
-    }
+    let lying = Held::begun(&scene, &ids, tracks, &beliefs, p);
+    let brought = steady.map(|places| {
+        let tracks = brought(tracks, photos, places);
+        Held::begun(&scene, &ids, &tracks, &beliefs, p)
+    });
+    let (mut held, steady) = match brought {
+        Some(brought) if brought.median_px() < STEADIER * lying.median_px() => (brought, steady),
+        _ => (lying, None),
+    };
     let free = match p.motion {
         Motion::Auto => photos.rig.step.is_none(),
         Motion::Ring => false,
         Motion::Free | Motion::Any => true,
     };
-    let swaying = !free && sways(&scene, &observations, &beliefs, p);
+    let swaying = !free && sways(&held, &beliefs, p);
     if swaying {
-        fit = adjusted_as_believed(&mut scene, &observations, &mut beliefs, p);
+        held.fit = adjusted_as_believed(&mut held, &mut beliefs);
     }
     if free {
-        scene.ring = None;
-        for _ in 0..3 {
-            let most = 8.0 * sigma_px;
-            (observations, fit) =
-                one_round(&mut scene, &ids, &many, &beliefs, most, &mut sigma_px, p);
-        }
+        held.scene.ring = None;
+        (0..3).for_each(|_| held.again(&ids, &beliefs, p));
     }
+    let Held {
+        many,
+        scene,
+        observations,
+        fit,
+        ..
+    } = held;
     let share = scene.points.len() as f64 / many.points.len().max(1) as f64;
     if share < 0.2 {
         return Err(TracksError::Unexplained {
@@ -79,6 +88,9 @@ pub(crate) fn calibrate(
         },
         p,
     )?;
+    if let Some(steady) = steady {
+        given_back(&mut found.cameras, steady);
+    }
     let names: Vec<&str> = photos.photos.iter().map(|p| p.name.as_str()).collect();
     let step_deg = photos.rig.step.map_or(0.0, f64::abs).to_degrees();
     found
@@ -123,20 +135,15 @@ fn beginning(
 ///
 /// Sway is alike in all features of a photo, so that many of them know no better than one: they would
 /// bend the lens (3 % of focal length at 12 mm of sway) and the steps.
-fn adjusted_as_believed(
-    scene: &mut Scene,
-    observations: &[PointObservation],
-    beliefs: &mut Beliefs,
-    p: &CalibrateParams,
-) -> Fit {
+fn adjusted_as_believed(held: &mut Held, beliefs: &mut Beliefs) -> Fit {
     let believed = beliefs.lens.sigma;
     beliefs.lens.sigma = believed.map(|s| s * 1e-3);
     beliefs.steps.iter_mut().for_each(|s| s.sigma *= 0.01);
     // What is held is no better known for that, and nothing tells how far sway moved cameras.
     Fit {
         lens_sigma: believed,
-        sigma_mm: vec![None; scene.poses.len()],
-        ..adjust(scene, observations, beliefs, &settings(p))
+        sigma_mm: vec![None; held.scene.poses.len()],
+        ..adjust(&mut held.scene, &held.observations, beliefs, &held.how)
     }
 }
 
@@ -164,35 +171,12 @@ fn best_turn(
     best.map(|(_, beginning)| beginning)
 }
 
-/// Features anew, as many as lie within `most_px` of where they should, then one adjustment;
-/// `sigma_px` is what they scatter by.
-fn one_round(
-    scene: &mut Scene,
-    ids: &[PhotoId],
-    tracks: &Tracks,
-    beliefs: &Beliefs,
-    most_px: f64,
-    sigma_px: &mut f64,
-    p: &CalibrateParams,
-) -> (Vec<PointObservation>, Fit) {
-    let seen = triangulated(&scene.lens, &scene.poses, ids, tracks, most_px);
-    *sigma_px = spread_px(&seen).max(p.feature_px);
-    let observations = filled(scene, &seen, *sigma_px);
-    let fit = adjust(scene, &observations, beliefs, &settings(p));
-    (observations, fit)
-}
-
 /// Whether the subject sways: a rigid one is seen as well from a ring as from free cameras.
-fn sways(
-    scene: &Scene,
-    observations: &[PointObservation],
-    beliefs: &Beliefs,
-    p: &CalibrateParams,
-) -> bool {
-    let mut loose = scene.clone();
+fn sways(held: &Held, beliefs: &Beliefs, p: &CalibrateParams) -> bool {
+    let mut loose = held.scene.clone();
     loose.ring = None;
-    adjust(&mut loose, observations, beliefs, &settings(p));
-    median_px(scene, observations) > p.sway_ratio * median_px(&loose, observations)
+    adjust(&mut loose, &held.observations, beliefs, &held.how);
+    held.median_px() > p.sway_ratio * median_px(&loose, &held.observations)
 }
 
 /// What is believed of lens and ring once the direction of the turn and the photos' places are known.

@@ -1,0 +1,85 @@
+//! A turn adjusted to all features, in rounds: which of them fit, what they scatter by, then one adjustment.
+
+use crate::adjust::bundle::{Fit, adjust};
+use crate::adjust::scene::{Beliefs, PointObservation, Scene, Settings};
+use crate::calibration::params::CalibrateParams;
+use crate::calibration::prior::settings;
+use crate::calibration::trust::median_px;
+use crate::ring::pairs::chosen;
+use crate::ring::trial::{filled, spread_px};
+use crate::two_view::triangulate::triangulated;
+use shape::{PhotoId, Tracks};
+
+/// The loss is for features that scatter as they are believed to; no less of it is left for surer ones (by hand).
+const LEAST_LOSS: f64 = 0.05;
+
+/// A scene that holds on to features.
+pub(crate) struct Held {
+    /// The features that are looked at.
+    pub(crate) many: Tracks,
+    pub(crate) scene: Scene,
+    /// Those that fit.
+    pub(crate) observations: Vec<PointObservation>,
+    pub(crate) fit: Fit,
+    /// Standard deviation of the features, at least the one believed. \[px\]
+    sigma_px: f64,
+    /// How they are adjusted.
+    pub(crate) how: Settings,
+}
+
+impl Held {
+    /// Three rounds from a scene that explains a few features.
+    pub(crate) fn begun(
+        scene: &Scene,
+        ids: &[PhotoId],
+        tracks: &Tracks,
+        beliefs: &Beliefs,
+        p: &CalibrateParams,
+    ) -> Held {
+        let many = chosen(tracks, p.most_tracks as usize);
+        let mut scene = scene.clone();
+        let (seen, sigma_px, how) = fitting(&mut scene, ids, &many, 16.0, p);
+        let mut held = Held {
+            fit: adjust(&mut scene, &seen, beliefs, &how),
+            observations: seen,
+            many,
+            scene,
+            sigma_px,
+            how,
+        };
+        (0..2).for_each(|_| held.again(ids, beliefs, p));
+        held
+    }
+
+    /// Features anew, then one adjustment.
+    pub(crate) fn again(&mut self, ids: &[PhotoId], beliefs: &Beliefs, p: &CalibrateParams) {
+        let most_px = 8.0 * self.sigma_px;
+        (self.observations, self.sigma_px, self.how) =
+            fitting(&mut self.scene, ids, &self.many, most_px, p);
+        self.fit = adjust(&mut self.scene, &self.observations, beliefs, &self.how);
+    }
+
+    /// Median distance of features from where they should be. \[px\]
+    pub(crate) fn median_px(&self) -> f64 {
+        median_px(&self.scene, &self.observations)
+    }
+}
+
+/// The features that lie within `most_px` of where they should, what they scatter by, and how they are adjusted: what
+/// lies far off loses weight by what features scatter by, be that less than is believed of them.
+fn fitting(
+    scene: &mut Scene,
+    ids: &[PhotoId],
+    tracks: &Tracks,
+    most_px: f64,
+    p: &CalibrateParams,
+) -> (Vec<PointObservation>, f64, Settings) {
+    let seen = triangulated(&scene.lens, &scene.poses, ids, tracks, most_px);
+    let spread = spread_px(&seen);
+    let sigma_px = spread.max(p.feature_px);
+    let how = Settings {
+        loss: p.loss * (spread / sigma_px).max(LEAST_LOSS),
+        ..settings(p)
+    };
+    (filled(scene, &seen, sigma_px), sigma_px, how)
+}
