@@ -1,5 +1,6 @@
 //! The edge of a turning disk: its rim is round, so that it projects to one fixed ellipse.
 
+use crate::frame::disk_exact::exact;
 use nalgebra::{Point3, Vector2, Vector3};
 use shape::{Camera, Gray};
 
@@ -54,13 +55,17 @@ pub fn disk_edge(
         true => first,
         false => between(gray, &camera, heights, radii, may).unwrap_or(first),
     };
+    // To a part of a pixel where that can be a disk's, too.
+    let within = |(z, r): &(f64, f64)| (heights[0]..=heights[1]).contains(z) && may(*z, *r);
+    let laid = exact(gray, &camera, (found.0, found.1)).filter(within);
+    let (height, radius) = laid.unwrap_or((found.0, found.1));
     let tried = tried.iter().filter(|t| may(t.0, t.1));
     let mut sizes: Vec<f64> = tried.map(|t| t.2).collect();
     sizes.sort_by(f64::total_cmp);
     Some(DiskEdge {
         round: is_all_around(gray, &camera, found),
-        height: found.0,
-        radius: found.1,
+        height,
+        radius,
         contrast: found.2,
         standout: found.2 / sizes.get(sizes.len() / 2)?.max(LEAST_STEP),
     })

@@ -3,8 +3,10 @@
 
 pub(crate) mod circle;
 pub(crate) mod disk_edge;
+pub(crate) mod disk_exact;
 pub(crate) mod disk_search;
 pub(crate) mod disk_tags;
+pub(crate) mod edge_profile;
 pub(crate) mod lengths;
 pub(crate) mod placed_tag;
 pub(crate) mod stage;

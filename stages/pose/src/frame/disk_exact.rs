@@ -1,0 +1,188 @@
+//! A disk's edge to a part of a pixel: a circle that was found nearly, laid on the edges of profiles across it.
+
+use crate::frame::edge_profile::Profile;
+use nalgebra::{Matrix2, Point3, Vector2};
+use shape::{Camera, Gray};
+
+/// How far outwards and inwards profiles reach, and by what steps. \[px\]
+const OUT: f64 = 5.0;
+const IN: f64 = 4.0;
+const STEP: f64 = 0.25;
+/// Arcs around the edge, and lines across each, of which the mean is a profile.
+const ARCS: usize = 16;
+const LINES: usize = 12;
+/// Fewest arcs that show an edge.
+const LEAST: usize = 8;
+/// Rounds of circle and profiles.
+const ROUNDS: usize = 3;
+/// How far to both sides it is looked whether it grows brighter. \[px\]
+const NEAR: f64 = 1.5;
+/// Least standard deviation of an arc's edge. \[px\]
+const LEAST_SIGMA: f64 = 0.1;
+
+/// An arc of the circle: light across it, outwards, and by how much it would move there were the circle higher and wider
+/// by one.
+struct Arc {
+    profile: Profile,
+    by_height: f64,
+    by_radius: f64,
+}
+
+/// How far outwards of an arc its edge lies \[px\], and the same two.
+type Edge = (f64, f64, f64);
+
+/// A circle (height, radius) laid on its edge. `None` where too little of it shows one.
+pub(crate) fn exact(gray: &Gray, camera: &Camera, circle: (f64, f64)) -> Option<(f64, f64)> {
+    let (mut z, mut r) = circle;
+    let gray = &gray.map(|level| light(*level));
+    for _ in 0..ROUNDS {
+        let arcs: Vec<Arc> = (0..ARCS)
+            .filter_map(|k| arc(gray, camera, (z, r), k))
+            .collect();
+        let brighter = arcs.iter().map(|a| a.profile.change(NEAR)).sum::<f64>() > 0.0;
+        let edge = |a: &Arc| Some((a.profile.edge(brighter)?, a.by_height, a.by_radius));
+        let edges: Vec<Edge> = arcs.iter().filter_map(edge).collect();
+        if edges.len() < LEAST {
+            return None;
+        }
+        let (dz, dr) = laid(&edges)?;
+        (z, r) = (z + dz, r + dr);
+    }
+    Some((z, r))
+}
+
+/// One arc of the part that the camera sees, a little more than half.
+fn arc(gray: &Gray, camera: &Camera, (height, radius): (f64, f64), k: usize) -> Option<Arc> {
+    let centre = camera.centre();
+    let towards = libm::atan2(centre.y, centre.x);
+    let count = ((OUT + IN) / STEP) as usize + 1;
+    let mut profile = Profile {
+        first: -IN,
+        step: STEP,
+        light: vec![0.0; count],
+    };
+    let (mut by_height, mut by_radius) = (0.0, 0.0);
+    let small = 0.01 * radius;
+    for line in 0..LINES {
+        let place = (k * LINES + line) as f64 / (ARCS * LINES - 1) as f64;
+        let angle = towards + (place - 0.5) * 4.0;
+        let project = |r: f64, turn: f64, z: f64| {
+            let (sin, cos) = libm::sincos(angle + turn);
+            camera.project(&Point3::new(r * cos, r * sin, z))
+        };
+        let at = project(radius, 0.0, height)?;
+        let along = (project(radius, 0.01, height)? - at).try_normalize(1e-9)?;
+        let wider = (project(radius + small, 0.0, height)? - at) / small;
+        let across = Vector2::new(along.y, -along.x);
+        let across = across * across.dot(&wider).signum();
+        by_radius += across.dot(&wider);
+        by_height += across.dot(&(project(radius, 0.0, height + small)? - at)) / small;
+        for (i, sum) in profile.light.iter_mut().enumerate() {
+            let px = at + across * (i as f64 * STEP - IN);
+            let [w, h] = [gray.width, gray.height].map(|n| n as f64 - 1.0);
+            if !((0.0..w).contains(&px.x) && (0.0..h).contains(&px.y)) {
+                return None;
+            }
+            *sum += f64::from(gray.sample(px.x as f32, px.y as f32)) / LINES as f64;
+        }
+    }
+    Some(Arc {
+        profile,
+        by_height: by_height / LINES as f64,
+        by_radius: by_radius / LINES as f64,
+    })
+}
+
+/// The light of a level of a file (sRGB), of 255.
+fn light(level: f32) -> f32 {
+    let v = f64::from(level) / 255.0;
+    let light = match v <= 0.04045 {
+        true => v / 12.92,
+        false => libm::pow((v + 0.055) / 1.055, 2.4),
+    };
+    (255.0 * light) as f32
+}
+
+/// How much higher and wider the circle lies best; edges that lie far off count little (Tukey).
+fn laid(edges: &[Edge]) -> Option<(f64, f64)> {
+    let (mut dz, mut dr) = (0.0, 0.0);
+    for _ in 0..10 {
+        let off = |(off, by_z, by_r): &Edge| off - by_z * dz - by_r * dr;
+        let mut far: Vec<f64> = edges.iter().map(|e| off(e).abs()).collect();
+        far.sort_by(f64::total_cmp);
+        let bound = 4.685 * (far[far.len() / 2] / 0.6745).max(LEAST_SIGMA);
+        let (mut normal, mut right) = (Matrix2::zeros(), Vector2::zeros());
+        for edge in edges {
+            let u = off(edge) / bound;
+            let weight = (1.0 - u * u).max(0.0) * (1.0 - u * u).max(0.0);
+            let row = Vector2::new(edge.1, edge.2);
+            normal += row * row.transpose() * weight;
+            right += row * (weight * edge.0);
+        }
+        let found = normal.cholesky()?.solve(&right);
+        (dz, dr) = (found.x, found.y);
+    }
+    Some((dz, dr))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use nalgebra::{Rotation3, Vector3};
+    use shape::{Intrinsics, Pose};
+
+    /// A camera, and what it sees: a disk of radius 210 with a white band within its edge, blurred in light.
+    fn seen(blur_px: f64) -> (Camera, Gray) {
+        let camera = Camera {
+            lens: Intrinsics::simple(400, 300, 420.0),
+            pose: Pose {
+                rotation: Rotation3::from_euler_angles(2.3, 0.0, 0.0),
+                translation: Vector3::new(5.0, 20.0, 1000.0),
+            },
+        };
+        let centre = camera.centre();
+        let shown = |x: f64, y: f64| {
+            let ray = camera.ray([x, y].into());
+            let at = centre + *ray * ((-40.0 - centre.z) / ray.z);
+            match libm::hypot(at.x, at.y) {
+                r if r < 204.0 => 75.0,
+                r if r < 210.0 => 230.0,
+                _ => 30.0,
+            }
+        };
+        // Nine rays a pixel and the blur, in one: places around it, weighed.
+        let places: Vec<(f64, f64, f64)> = (-12..=12)
+            .flat_map(|i| (-12..=12).map(move |j| (f64::from(i) / 3.0, f64::from(j) / 3.0)))
+            .map(|(x, y)| {
+                (
+                    x,
+                    y,
+                    libm::exp(-0.5 * (x * x + y * y) / (blur_px * blur_px)),
+                )
+            })
+            .filter(|p| p.2 > 1e-3)
+            .collect();
+        let all: f64 = places.iter().map(|p| p.2).sum();
+        let mut gray = Gray::filled(400, 300, 0.0);
+        for (i, to) in gray.data.iter_mut().enumerate() {
+            let (x, y) = ((i % 400) as f64, (i / 400) as f64);
+            let sum = places.iter().map(|(dx, dy, w)| w * shown(x + dx, y + dy));
+            let light = sum.sum::<f64>() / all / 255.0;
+            *to = (255.0 * (1.055 * libm::pow(light, 1.0 / 2.4) - 0.055)) as f32;
+        }
+        (camera, gray)
+    }
+
+    #[test]
+    fn a_disk_is_as_wide_however_sharp_its_edge_shows() {
+        // A pixel is 2.4 mm.
+        let radius = |blur| {
+            let (camera, gray) = seen(blur);
+            let (z, r) = exact(&gray, &camera, (-39.0, 212.0)).unwrap();
+            proof::near(z, -40.0, 1.5);
+            proof::near(r, 210.0, 0.5);
+            r
+        };
+        proof::near(radius(0.4), radius(1.2), 0.4);
+    }
+}
