@@ -14,7 +14,7 @@ fn pointed(photos: &[usize], off_px: f64) -> Vec<SeenEnds> {
         Point3::new(350.0, 90.0, -380.0),
     ];
     let one = |i: &usize| {
-        let sign = if i % 2 == 0 { 1.0 } else { -1.0 };
+        let sign = if i.is_multiple_of(2) { 1.0 } else { -1.0 };
         let px = ends.map(|end| {
             let at = cameras[*i].project(&end).unwrap();
             [at.x + sign * off_px, at.y - sign * off_px]
