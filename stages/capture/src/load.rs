@@ -5,7 +5,7 @@ use crate::date::{Day, NO_DAY, day_of};
 use crate::error::CaptureError;
 use crate::facts::Facts;
 use crate::glance::{Glance, glance, together};
-use crate::names::{Sorted, plate_of, sorted, twins};
+use crate::names::{Sorted, names, plate_of, sorted, twins};
 use crate::odd::seen_in_pictures;
 use crate::ordered::in_order;
 use crate::photo::{header, photo};
@@ -275,18 +275,6 @@ fn chosen<T: Sync>(
         .filter(|(i, _)| places.contains(i))
         .map(|(_, one)| one);
     Ok((taken.collect(), None))
-}
-
-/// What photos are called: their files' names; with their folders where two would be called alike.
-fn names(turn: &[&FileEntry]) -> Vec<String> {
-    let base = |e: &&FileEntry| e.name.rsplit('/').next().unwrap_or(&e.name).to_owned();
-    let plain: Vec<String> = turn.iter().map(base).collect();
-    let mut sorted = plain.clone();
-    sorted.sort();
-    match sorted.windows(2).any(|w| w[0] == w[1]) {
-        true => turn.iter().map(|e| e.name.replace('/', "_")).collect(),
-        false => plain,
-    }
 }
 
 /// The first `keep` of each `of`.

@@ -117,6 +117,18 @@ pub(crate) fn twins(turn: &mut Vec<&FileEntry>) -> Vec<(String, String)> {
     twins
 }
 
+/// What photos are called: their files' names; with their folders where two would be called alike.
+pub(crate) fn names(turn: &[&FileEntry]) -> Vec<String> {
+    let base = |e: &&FileEntry| e.name.rsplit('/').next().unwrap_or(&e.name).to_owned();
+    let plain: Vec<String> = turn.iter().map(base).collect();
+    let mut sorted = plain.clone();
+    sorted.sort();
+    match sorted.windows(2).any(|w| w[0] == w[1]) {
+        true => turn.iter().map(|e| e.name.replace('/', "_")).collect(),
+        false => plain,
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -3,9 +3,9 @@
 use crate::frame::disk_edge::DiskEdge;
 use crate::frame::stature::Stature;
 use crate::frame::tag_scale::{Known, TagScale, tag_scale};
-use crate::frame::two_points::between;
+use crate::frame::two_points::{NoLength, between};
 use crate::mat::recognise::printed;
-use shape::{Cameras, Rig, Scale, Tags};
+use shape::{Cameras, Reference, Rig, Scale, Tags};
 
 /// A length that is known, and what it makes of a unit.
 pub(crate) struct Measure {
@@ -91,18 +91,9 @@ pub(crate) fn measures(
         measures.extend(match reference.kind.as_str() {
             "subject_height" => tall(mm, "the reference length (stature)", Scale::Reference),
             "disk_diameter" => round(mm, "the reference length (disk)", Scale::Reference),
-            "points" => match between(cameras, reference) {
-                Ok(found) => Some(Measure {
-                    what: "the reference length (two points)",
-                    scale: Scale::Reference,
-                    mm_per_unit: mm / found.length,
-                    sigma: Some(found.sigma),
-                }),
-                Err(why) => {
-                    warn(why.to_string());
-                    None
-                }
-            },
+            "points" => pointed(cameras, reference)
+                .map_err(|why| warn(why.to_string()))
+                .ok(),
             "tag_size" => {
                 let tag = rig.mat.map(|mat| mat.tag_mm);
                 if let Some(tag) = tag.filter(|tag| (mm / tag - 1.0).abs() > 0.002) {
@@ -123,6 +114,17 @@ pub(crate) fn measures(
     let stature = rig.stature_mm;
     measures.extend(stature.and_then(|mm| tall(mm, "the stature", Scale::Stature)));
     measures
+}
+
+/// What two points that somebody pointed at tell.
+fn pointed(cameras: &Cameras, reference: &Reference) -> Result<Measure, NoLength> {
+    let found = between(cameras, reference)?;
+    Ok(Measure {
+        what: "the reference length (two points)",
+        scale: Scale::Reference,
+        mm_per_unit: reference.length_mm / found.length,
+        sigma: Some(found.sigma),
+    })
 }
 
 /// What marker tags of known size tell, where they did not make the cameras.
