@@ -201,3 +201,42 @@ fn a_stature_is_less_sure_where_soles_alone_say_where_the_ground_is() {
     assert!(sigma(&by_soles) > 0.01, "{}", sigma(&by_soles));
     assert!(sigma(&by_disk) < 0.01, "{}", sigma(&by_disk));
 }
+
+/// A bright disk of 900 mm on a dark floor through a lens that is so soft, as light falls on a sensor. \[px\]
+fn soft_plate(camera: &Camera, soft_px: f64) -> Photo {
+    let lit = |x: f64, y: f64| {
+        let (from, ray) = (camera.centre(), camera.ray([x, y].into()));
+        let at = from + ray.into_inner() * ((-400.0 - from.z) / ray.z);
+        let bright = ray.z < 0.0 && libm::hypot(at.x, at.y) < 225.0;
+        if bright { 0.8 } else { 0.05 }
+    };
+    let spread: Vec<(f64, f64)> = (-8..=8)
+        .flat_map(|i| (-8..=8).map(move |j| (f64::from(i) / 4.0, f64::from(j) / 4.0)))
+        .collect();
+    let mut gray = shape::Image::filled(320, 480, 0u8);
+    for (i, level) in gray.data.iter_mut().enumerate() {
+        let (x, y) = ((i % 320) as f64, (i / 320) as f64);
+        let parts = spread
+            .iter()
+            .map(|(a, b)| lit(x + a * soft_px, y + b * soft_px));
+        let light = parts.sum::<f64>() / spread.len() as f64;
+        *level = (255.0 * (1.055 * libm::pow(light, 1.0 / 2.4) - 0.055)).round() as u8;
+    }
+    photo("plate.png", &gray)
+}
+
+#[test]
+fn a_disk_gives_the_same_lengths_however_soft_its_photo_is() {
+    let size = |soft_px| {
+        let rig = Rig {
+            disk_diameter_mm: Some(900.0),
+            ..Rig::default()
+        };
+        let found = framed_with(rig, None, Some(soft_plate(&turn()[0], soft_px))).unwrap();
+        let first = found.views.values().next().unwrap();
+        first.camera.centre().coords.xy().norm() / turn()[0].centre().coords.xy().norm()
+    };
+    let (sharp, soft) = (size(0.25), size(1.2));
+    proof::near(sharp, 2.0, 8e-3);
+    proof::near(soft, sharp, 3e-3);
+}
