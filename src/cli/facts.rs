@@ -226,17 +226,9 @@ impl Facts {
             all.put(flag, text, &format!("{key}.count"), count.into());
         }
         if let Some(text) = &self.centre_px {
-            let parts = text.split(',').map(|part| part.trim().parse::<f64>());
-            let parts: Result<Vec<f64>, _> = parts.collect();
             let wrong = || Fault::input(format!("--centre-px {text}: say X,Y, such as 804.8,1191"));
-            let pixel = parts.ok().filter(|p| p.len() == 2).ok_or_else(wrong)?;
-            let pixel = pixel.into_iter().map(toml::Value::from).collect();
-            all.put(
-                "--centre-px",
-                text,
-                "camera.centre_px",
-                toml::Value::Array(pixel),
-            );
+            let pixel = numbers(text, 2).ok_or_else(wrong)?;
+            all.put("--centre-px", text, "camera.centre_px", pixel);
         }
         if let Some(text) = &self.reference {
             let like = "say KIND=LENGTH, such as subject_height=165cm";
@@ -278,10 +270,14 @@ fn ends(text: &str) -> Result<(String, toml::Value), Fault> {
     let like = "say PHOTO=X1,Y1,X2,Y2, such as IMG_1.jpg=812,3011,1420,3055";
     let wrong = || Fault::input(format!("--seen {text}: {like}"));
     let (photo, at) = text.rsplit_once('=').ok_or_else(wrong)?;
-    let parts: Result<Vec<f64>, _> = at.split(',').map(|p| p.trim().parse::<f64>()).collect();
-    let parts = parts.ok().filter(|p| p.len() == 4).ok_or_else(wrong)?;
-    let parts = parts.into_iter().map(toml::Value::from).collect();
-    Ok((photo.trim().to_owned(), toml::Value::Array(parts)))
+    Ok((photo.trim().to_owned(), numbers(at, 4).ok_or_else(wrong)?))
+}
+
+/// So many numbers with commas between them, as a list.
+fn numbers(text: &str, count: usize) -> Option<toml::Value> {
+    let parts = text.split(',').map(|part| part.trim().parse::<f64>());
+    let parts = parts.collect::<Result<Vec<f64>, _>>().ok()?;
+    (parts.len() == count).then(|| parts.into())
 }
 
 #[cfg(test)]

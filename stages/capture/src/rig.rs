@@ -115,14 +115,11 @@ fn read_seen(keys: &mut Keys<'_>) -> Result<Vec<SeenEnds>, RigError> {
     let Some(value) = keys.take("seen") else {
         return Ok(vec![]);
     };
-    let number = |v: &Value| v.as_float().or(v.as_integer().map(|i| i as f64));
     let ends = |(photo, value): (&String, &Value)| {
-        let list: Option<Vec<f64>> = value.as_array()?.iter().map(number).collect();
-        let [a, b, c, d] = list?.try_into().ok()?;
+        let [a, b, c, d] = numbers(value)?;
         let px = [[a, b], [c, d]];
-        let finite = px.as_flattened().iter().all(|x: &f64| x.is_finite());
         let photo = photo.clone();
-        finite.then_some(SeenEnds { photo, px })
+        Some(SeenEnds { photo, px })
     };
     let all = value
         .as_table()
@@ -136,17 +133,18 @@ fn read_pixel(keys: &mut Keys<'_>, key: &'static str) -> Result<Option<[f64; 2]>
     let Some(value) = keys.take(key) else {
         return Ok(None);
     };
-    let number = |v: &Value| v.as_float().or(v.as_integer().map(|i| i as f64));
-    let list: Vec<f64> = value
-        .as_array()
-        .into_iter()
-        .flatten()
-        .filter_map(number)
-        .collect();
-    match (list.as_slice(), value.as_array().map(Vec::len)) {
-        ([x, y], Some(2)) if x.is_finite() && y.is_finite() => Ok(Some([*x, *y])),
-        _ => Err(keys.wrong(key, "a pixel, [x, y]", &value)),
+    match numbers(&value) {
+        Some(pixel) => Ok(Some(pixel)),
+        None => Err(keys.wrong(key, "a pixel, [x, y]", &value)),
     }
+}
+
+/// A list of just so many finite numbers.
+fn numbers<const N: usize>(value: &Value) -> Option<[f64; N]> {
+    let number = |v: &Value| v.as_float().or(v.as_integer().map(|i| i as f64));
+    let list: Option<Vec<f64>> = value.as_array()?.iter().map(number).collect();
+    let list: [f64; N] = list?.try_into().ok()?;
+    list.iter().all(|x| x.is_finite()).then_some(list)
 }
 
 #[cfg(test)]
