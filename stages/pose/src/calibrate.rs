@@ -1,7 +1,7 @@
 //! The stage that calibrates the cameras of a turn.
 
 use crate::calibration::found::Found;
-use crate::calibration::params::CalibrateParams;
+use crate::calibration::params::{CalibrateParams, Motion};
 use crate::calibration::prior::first_lens;
 use crate::calibration::upright::{Posture, posture};
 use crate::mat::{self, recognise::recognised, solve::MatError};
@@ -91,7 +91,9 @@ impl Stage for Calibrate {
                 if photos.rig.tagged() {
                     ctx.warn("a mat is told of, but none was found in the photos: cameras follow from features alone; is it in view, in good light, and flat?");
                 }
-                let steady = ring::stabiliser::places(photos);
+                // Cameras that are added one at a time do not ask for it.
+                let turns = p.motion != Motion::Any;
+                let steady = turns.then(|| ring::stabiliser::places(photos)).flatten();
                 ctx.check()?;
                 ring::solve::calibrate(photos, &lens, tracks, steady.as_ref(), p)
                     .map_err(CalibrateError::from)
