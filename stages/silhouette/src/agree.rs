@@ -81,6 +81,7 @@ mod tests {
             small: Rgb::filled(SIDE, SIDE, [0; 3]),
             cost: costs(8.0).collect(),
             explained: Some(costs(4.5).collect()),
+            strange: Vec::new(),
             known: vec![Known::Unknown; SIDE * SIDE],
             noise: Noise {
                 room: 1.0,

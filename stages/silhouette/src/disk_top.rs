@@ -23,7 +23,7 @@ pub fn point(i: usize, radius: f64, side: usize) -> Option<Point3<f64>> {
 }
 
 /// The map is laid as far out as this share of the radius: at its rim its points have no neighbours.
-const RIM: f64 = 0.985;
+pub(crate) const RIM: f64 = 0.985;
 
 /// Lays a map of the disk into an image as a camera sees it, with whether it is known there.
 pub fn lay_into(

@@ -8,7 +8,7 @@ use crate::least_cut::{Known, Window};
 use crate::parts::largest;
 use crate::photo_cut::{Prepared, UNSEEN};
 use crate::segment::{Settings, cut};
-use crate::unary::{Likeness, Noise};
+use crate::unary::{FLAT, Likeness, Noise};
 use shape::{Image, Mask, Rgb};
 use std::ops::Range;
 
@@ -39,7 +39,7 @@ pub fn fine(
         ground: &|x, y| grounds.at(x, y),
         reach: 2,
     };
-    let cost = settled.cost(&likeness, without);
+    let cost = settled.cost(&likeness, without, &ready.strange);
     let mut sides = Image::filled(width, height, false);
     for y in 0..height {
         for (x, side) in sides.data[y * width..][..width].iter_mut().enumerate() {
@@ -123,7 +123,7 @@ impl Settled {
     }
 
     /// What pixels cost as background where that is asked: the others are settled.
-    fn cost(&self, likeness: &Likeness<'_>, without: &Backdrop) -> Vec<f32> {
+    fn cost(&self, likeness: &Likeness<'_>, without: &Backdrop, strange: &[f32]) -> Vec<f32> {
         let (width, height) = (likeness.photo.width, likeness.photo.height);
         let mut cost = vec![0.0; width * height];
         for tile in tiles(&self.near) {
@@ -134,11 +134,37 @@ impl Settled {
             for (y, row) in (top..top + tall).zip(here.chunks(wide)) {
                 let places = y * width + left..;
                 for (i, here) in places.zip(row) {
-                    cost[i] = if without.seen.data[i] { *here } else { UNSEEN };
+                    cost[i] = match (without.seen.data[i], self.between(strange, i % width, y)) {
+                        (false, _) => UNSEEN,
+                        (true, strange) if strange > 0.0 => here.max(FLAT + strange),
+                        (true, _) => *here,
+                    };
                 }
             }
         }
         cost
+    }
+}
+
+impl Settled {
+    /// What coarse pixels say at a pixel between their middles, bilinear; 0 where they say nothing.
+    fn between(&self, coarse: &[f32], x: usize, y: usize) -> f32 {
+        let (width, height) = (self.known.width, self.known.height);
+        if coarse.is_empty() {
+            return 0.0;
+        }
+        let place = |v: usize, most: usize| {
+            let at = (v as f32 + 0.5) / self.factor as f32 - 0.5;
+            let at = at.clamp(0.0, (most - 1) as f32);
+            let first = (at as usize).min(most.saturating_sub(2));
+            (first, (first + 1).min(most - 1), at - first as f32)
+        };
+        let ((left, right, u), (top, bottom, v)) = (place(x, width), place(y, height));
+        let along = |y: usize| {
+            let (a, b) = (coarse[y * width + left], coarse[y * width + right]);
+            a + u * (b - a)
+        };
+        along(top) + v * (along(bottom) - along(top))
     }
 }
 
@@ -202,4 +228,69 @@ pub(crate) fn band(sides: &Image<bool>) -> Image<bool> {
         }
     }
     band
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const SIDE: usize = 160;
+    const FACTOR: usize = 4;
+
+    /// Body to the left, of the floor's colour in a faint shadow.
+    fn half(x: usize) -> bool {
+        x < SIDE / 2
+    }
+
+    /// Where the border comes to lie, on the mean. \[px\]
+    fn border(strange: Vec<f32>) -> f64 {
+        let mut dice = proof::Dice(2);
+        let mut noisy =
+            |color: [f64; 3], sigma: f64| color.map(|v| (v + sigma * dice.normal()).round() as u8);
+        let mut pixels = Rgb::filled(SIDE, SIDE, [0; 3]);
+        for (i, p) in pixels.data.iter_mut().enumerate() {
+            let body = half(i % SIDE);
+            *p = noisy(
+                if body {
+                    [162.0, 133.0, 102.0]
+                } else {
+                    [178.0, 146.0, 112.0]
+                },
+                1.5,
+            );
+        }
+        let skin: Vec<[u8; 3]> = (0..2000)
+            .map(|_| noisy([162.0, 133.0, 102.0], 12.0))
+            .collect();
+        let without = Backdrop::whole(Rgb::filled(SIDE, SIDE, [178, 146, 112]));
+        let small = SIDE / FACTOR;
+        let coarse = Image {
+            width: small,
+            height: small,
+            data: (0..small * small)
+                .map(|i| half(i % small * FACTOR))
+                .collect(),
+        };
+        let mut ready = crate::photo_cut::prepare(&pixels, &without, None, small, 0.0);
+        ready.strange = strange;
+        let settings = Settings {
+            gamma: 40.0,
+            rounds: 1,
+            clusters: 1,
+        };
+        let skin = Gmm::fit(&skin, 1).expect("one cluster");
+        let mask = fine(&pixels, &without, &ready, &coarse, &skin, &settings);
+        let body: f64 = mask.data.iter().map(|c| f64::from(*c) / 255.0).sum();
+        body / SIDE as f64
+    }
+
+    #[test]
+    fn the_border_at_full_size_keeps_to_the_grain_where_colours_tell_nothing() {
+        let small = SIDE / FACTOR;
+        let lacks = (0..small * small).map(|i| if half(i % small * FACTOR) { 24.0 } else { 0.0 });
+        let (by_colors, by_grain) = (border(Vec::new()), border(lacks.collect()));
+        let true_border = SIDE as f64 / 2.0;
+        assert!(by_colors < true_border - 4.0, "{by_colors} px");
+        assert!((by_grain - true_border).abs() < 1.0, "{by_grain} px");
+    }
 }

@@ -1,31 +1,33 @@
-//! Whether what lies on the disk shows the grain that the disk shows there in the other photos.
+//! Whether what lies on the disk shows the grain that the disk shows there without the subject.
 //!
 //! A shadow on the disk changes from place to place slowly and alike in all channels: in a small window
 //! a photo shows what the map of the disk shows there, times a light that is a plane. Feet of the wood's
-//! colour in another light have neither its grain nor quite its hue. What is left after the best light is
-//! held against what is left at the same place of the disk in the other photos: maps are never quite
-//! sharp, and tags leave more than wood.
+//! colour in another light have neither its grain nor quite its hue. While the map is made of all photos,
+//! what is left after the best light is held against what is left at the same place of the disk in the other
+//! photos: maps are never quite sharp, and tags leave more than wood. Once the scene behind is known, by a
+//! plate or by all photos, one photo suffices (`in_photo.rs`).
 
-use crate::around::least_around;
 use crate::background::on_disk;
 use crate::disk_top::point;
 use crate::photo_cut::{Prepared, UNSEEN};
 use crate::scene::{Scene, Shot};
-use crate::unary::{CAP, FLAT, slack};
-use nalgebra::{Matrix3, Point2, Vector3};
+use crate::unary::{CAP, FLAT};
+use nalgebra::Point2;
 use rayon::prelude::*;
-use shape::{Image, Rgb};
+use shape::Image;
+use window::Laid;
 
-/// Half the side of the window in which the light is a plane. \[px of the reduced photo\]
-const REACH: usize = 3;
+mod in_photo;
+mod window;
+
+pub(crate) use in_photo::missed_in_photo;
+
 /// Least mean square of what is left, over all channels: that of rounding and a little noise. \[levels²\]
 const LEAST: f32 = 1.0;
-/// So many independent differences count in a window: neighbours share noise and blur. Set by hand.
+/// So many independent differences count: neighbours share noise and blur. Set by hand.
 const COUNTED: f32 = 4.0;
 /// What costs less tells nothing: beside soles shadows end within a window. Set by hand.
 const TELLS: f32 = 3.0;
-/// Least share of a window that must lie on the disk.
-const ON_IT: f32 = 0.5;
 
 /// Raises what pixels cost as the disk where they lack its grain; where nobody saw the disk nothing can be
 /// told. `covered` is what cannot show it.
@@ -57,90 +59,11 @@ fn strange(shots: &[Shot], around: &Scene, covered: &[Image<bool>]) -> Vec<Vec<f
         .collect()
 }
 
-/// What a window around each pixel leaves at the best light, the least of all windows that hold the pixel;
-/// infinite where none lies on the disk far enough.
+/// What is left of each pixel of a photo that may show the disk.
 fn left_over(shot: &Shot, around: &Scene) -> Image<f32> {
     let behind = around.behind(&shot.small, &shot.camera);
-    let (width, height) = (shot.small.width, shot.small.height);
-    let on: Vec<bool> = (0..width * height)
-        .map(|i| behind.seen.data[i] && shot.shows_disk(i, around.radius))
-        .collect();
-    let disk = Laid {
-        photo: &shot.small,
-        map: &behind.image,
-        on: Image {
-            width,
-            height,
-            data: on,
-        },
-    };
-    let windows: Vec<f32> = (0..width * height)
-        .map(|i| match disk.on.data[i] {
-            true => disk.window(i % width, i / width).unwrap_or(f32::MAX),
-            false => f32::MAX,
-        })
-        .collect();
-    Image {
-        width,
-        height,
-        data: least_around(&windows, width, REACH),
-    }
-}
-
-/// A photo, what the disk would show there, and where that is known.
-struct Laid<'a> {
-    photo: &'a Rgb,
-    map: &'a Rgb,
-    on: Image<bool>,
-}
-
-impl Laid<'_> {
-    /// The mean square of what the best plane of light leaves of a window around a pixel, all channels
-    /// together. \[levels²\] `None` where too little of it lies on the disk.
-    fn window(&self, x: usize, y: usize) -> Option<f32> {
-        let (width, height) = (self.on.width, self.on.height);
-        let rows = y.saturating_sub(REACH)..(y + REACH + 1).min(height);
-        let columns = x.saturating_sub(REACH)..(x + REACH + 1).min(width);
-        let places = rows.flat_map(|y| columns.clone().map(move |x| (x, y)));
-        let places: Vec<(usize, usize)> = places.filter(|(x, y)| self.on.at(*x, *y)).collect();
-        let side = (2 * REACH + 1) as f32;
-        if (places.len() as f32) < ON_IT * side * side {
-            return None;
-        }
-        let at = |(column, row): (usize, usize)| {
-            let place = |v: usize, middle: usize| (v as f32 - middle as f32) / REACH as f32;
-            Vector3::new(1.0, place(column, x), place(row, y))
-        };
-        // Least squares of photo = (a + b x + c y) map; slopes are held a little, for a window may be thin.
-        let mut normal = Matrix3::from_diagonal(&Vector3::new(1e-3, 1e-2, 1e-2));
-        let mut wanted = Vector3::zeros();
-        for place in &places {
-            let (p, m) = self.colors(*place);
-            let (u, mm, mp) = (at(*place), dot(m, m), dot(m, p));
-            normal += u * u.transpose() * mm;
-            wanted += u * mp;
-        }
-        let light = normal.lu().solve(&wanted)?;
-        let left = places.iter().map(|place| {
-            let (p, _) = self.colors(*place);
-            let (lo, hi) = slack(self.map, place.0, place.1);
-            let l = light.dot(&at(*place)).max(0.0);
-            (0..3)
-                .map(|c| (lo[c] * l - p[c]).max(p[c] - hi[c] * l).max(0.0))
-                .map(|d| d * d)
-                .sum::<f32>()
-        });
-        Some(left.sum::<f32>() / places.len() as f32)
-    }
-
-    fn colors(&self, (x, y): (usize, usize)) -> ([f32; 3], [f32; 3]) {
-        let at = |of: &Rgb| of.at(x, y).map(f32::from);
-        (at(self.photo), at(self.map))
-    }
-}
-
-fn dot(a: [f32; 3], b: [f32; 3]) -> f32 {
-    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+    let on = |i: usize| behind.seen.data[i] && shot.shows_disk(i, around.radius);
+    Laid::new(&shot.small, &behind.image, on).left_over()
 }
 
 /// What is usually left at each place of the disk's map: the median of the photos that can show it there,

@@ -7,6 +7,7 @@ use crate::empty::{Empty, Levels};
 use crate::exposure::{self, exposure, relit};
 use crate::full_size::fine;
 use crate::gmm::Gmm;
+use crate::grain::missed_in_photo;
 use crate::least_cut::Known;
 use crate::level::Level;
 use crate::params::{CutError, GrabCutParams};
@@ -96,6 +97,7 @@ impl OnePhoto<'_> {
         let without = self.without(&pixels, &lit);
         let (most, side) = (p.coarse_px as usize, p.disk_side_mm);
         let mut ready = prepare(&pixels, &without, disk, most, side);
+        missed_in_photo(&mut ready, &without.image);
         let size = (self.photo.width, self.photo.height);
         let rectangle = Rectangle::read(&p.box_px, size.0, size.1).map_err(CutError::from)?;
         if let Some(rectangle) = rectangle {

@@ -21,6 +21,8 @@ pub struct Prepared {
     /// The same where the background was seen. Where it was not, and colours are held against those
     /// beside: by how much less it costs than the body does. `None` where that is all the same.
     pub explained: Option<Vec<f32>>,
+    /// What it costs more to call each pixel the bare disk, by its grain; empty where nobody asked.
+    pub strange: Vec<f32>,
     /// What is certain before any cut.
     pub known: Vec<Known>,
     /// How far the reduced photo and what was expected of it differ without a reason. \[levels\]
@@ -81,6 +83,7 @@ pub fn prepare(
         factor,
         small,
         explained: None,
+        strange: Vec::new(),
         cost,
         known,
         noise,

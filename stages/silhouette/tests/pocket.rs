@@ -155,6 +155,7 @@ fn colours_beside_yield_to_all_other_photos_and_the_room_itself_does_not() {
             small: Rgb::filled(30, 9, [0; 3]),
             cost: all([4.5, 8.0, 18.5]),
             explained: Some(all([4.5, 4.5, 18.5])),
+            strange: Vec::new(),
             known: vec![Known::Unknown; 30 * 9],
             noise: Noise {
                 room: 1.0,

@@ -1,6 +1,6 @@
 //! Bare feet on wood nearly of their colour lack its grain; their soft shadow does not.
 
-use super::strange;
+use super::{missed_in_photo, strange};
 use crate::backdrop::{Backdrop, thinned};
 use crate::background::on_disk;
 use crate::photo_cut::prepare;
@@ -76,8 +76,8 @@ enum Shown {
     Leg,
 }
 
-/// A photo of the turn, and what each of its pixels shows.
-fn photo(k: usize, room: &Rgb, dice: &mut proof::Dice) -> (Shot, Vec<Shown>) {
+/// A photo of the turn, and what each of its pixels shows; without the legs the disk's light is even.
+fn photo(k: usize, legs: bool, room: &Rgb, dice: &mut proof::Dice) -> (Shot, Vec<Shown>) {
     let angle = k as f64 * std::f64::consts::TAU / PHOTOS as f64;
     let camera = camera(angle);
     let (mut small, mut shows) = (room.clone(), Vec::new());
@@ -85,7 +85,7 @@ fn photo(k: usize, room: &Rgb, dice: &mut proof::Dice) -> (Shot, Vec<Shown>) {
         let at = Point2::new((i % SIZE.0) as f64, (i / SIZE.0) as f64);
         let (from, ray) = (camera.centre(), camera.ray(at).into_inner());
         let mut steps = (0..260).map(|s| from + ray * (1350.0 + 4.0 * f64::from(s)));
-        let (shown, color) = if let Some(hit) = steps.find(body) {
+        let (shown, color) = if let Some(hit) = steps.find(|x| legs && body(x)) {
             // Skin nearly of the wood's hue, lit from one side, with faint spots.
             let light = 0.9 + 0.12 * libm::sin(libm::atan2(hit.y, hit.x.abs() - 100.0) - angle);
             let spots = 4.0 * libm::sin(hit.x * 0.17) * libm::sin(hit.y * 0.13 + hit.z * 0.1);
@@ -99,7 +99,8 @@ fn photo(k: usize, room: &Rgb, dice: &mut proof::Dice) -> (Shot, Vec<Shown>) {
                 skin,
             )
         } else if let Some(hit) = on_disk(&camera, at, RADIUS) {
-            let light = grain(&hit) * shade(&hit, angle);
+            let shade = if legs { shade(&hit, angle) } else { 1.0 };
+            let light = grain(&hit) * shade;
             (Shown::Disk, [178.0, 146.0, 112.0].map(|v| v * light))
         } else {
             (Shown::Room, p.map(f64::from))
@@ -111,16 +112,23 @@ fn photo(k: usize, room: &Rgb, dice: &mut proof::Dice) -> (Shot, Vec<Shown>) {
     (Shot { id, small, camera }, shows)
 }
 
-#[test]
-fn feet_of_the_colour_of_the_wood_lack_its_grain_and_their_shadow_does_not() {
-    let mut dice = proof::Dice(5);
+/// The room.
+fn room(dice: &mut proof::Dice) -> Rgb {
     let mut room = Rgb::filled(SIZE.0, SIZE.1, [0; 3]);
     for p in &mut room.data {
         let level = 90.0 + dice.within(-12.0, 12.0);
         *p = [level, level + 4.0, level + 12.0].map(|v| v as u8);
     }
-    let (shots, shows): (Vec<Shot>, Vec<Vec<Shown>>) =
-        (0..PHOTOS).map(|k| photo(k, &room, &mut dice)).unzip();
+    room
+}
+
+#[test]
+fn feet_of_the_colour_of_the_wood_lack_its_grain_and_their_shadow_does_not() {
+    let mut dice = proof::Dice(5);
+    let room = room(&mut dice);
+    let (shots, shows): (Vec<Shot>, Vec<Vec<Shown>>) = (0..PHOTOS)
+        .map(|k| photo(k, true, &room, &mut dice))
+        .unzip();
     // As a first cut tells it: the feet, and a little around them.
     let covered: Vec<Image<bool>> = shows
         .iter()
@@ -167,6 +175,46 @@ fn feet_of_the_colour_of_the_wood_lack_its_grain_and_their_shadow_does_not() {
     assert!(feet > 1000 && cheap * 4 > feet, "{cheap} of {feet}");
     assert!(told * 5 > feet * 4, "{told} of {feet}");
     // Beside soles, where a shadow ends within a window, it is one pixel of forty.
+    assert!(
+        shaded > 1000 && raised * 25 < shaded,
+        "{raised} of {shaded}"
+    );
+}
+
+#[test]
+fn with_a_plate_one_photo_tells_feet_from_wood_of_their_colour() {
+    let mut dice = proof::Dice(6);
+    let room = room(&mut dice);
+    let (mut feet, mut cheap, mut told, mut shaded, mut raised) = (0, 0, 0, 0, 0);
+    for k in 0..PHOTOS {
+        let (shot, shows) = photo(k, true, &room, &mut dice);
+        let (plate, _) = photo(k, false, &room, &mut dice);
+        let disk = Some((&shot.camera, RADIUS));
+        let behind = Backdrop::whole(plate.small);
+        let before = prepare(&shot.small, &behind, disk, usize::MAX, 0.0);
+        let mut after = prepare(&shot.small, &behind, disk, usize::MAX, 0.0);
+        missed_in_photo(&mut after, &behind.image);
+        for (i, shown) in shows.iter().enumerate() {
+            let at = Point2::new((i % SIZE.0) as f64, (i / SIZE.0) as f64);
+            match (shown, on_disk(&shot.camera, at, 0.95 * RADIUS)) {
+                (Shown::Foot, Some(_)) => {
+                    feet += 1;
+                    cheap += u32::from(before.cost[i] < FLAT + 4.0);
+                    told += u32::from(after.cost[i] > FLAT + 4.0);
+                }
+                (Shown::Disk, Some(hit)) => {
+                    let angle = k as f64 * std::f64::consts::TAU / PHOTOS as f64;
+                    if shade(&hit, angle) < 0.9 {
+                        shaded += 1;
+                        raised += u32::from(after.strange[i] > 0.0);
+                    }
+                }
+                _ => {}
+            }
+        }
+    }
+    assert!(feet > 1000 && cheap * 4 > feet, "{cheap} of {feet}");
+    assert!(told * 10 > feet * 9, "{told} of {feet}");
     assert!(
         shaded > 1000 && raised * 25 < shaded,
         "{raised} of {shaded}"
