@@ -239,8 +239,14 @@ impl Facts {
             all.put("--reference", text, "reference.length_mm", mm.into());
         }
         if !self.seen.is_empty() {
-            let seen = self.seen.iter().map(|text| ends(text));
-            let seen: toml::Table = seen.collect::<Result<_, _>>()?;
+            let mut seen = toml::Table::new();
+            for text in &self.seen {
+                let (photo, ends) = ends(text)?;
+                if seen.insert(photo.clone(), ends).is_some() {
+                    let twice = format!("--seen {text}: {photo} was named before; once a photo");
+                    return Err(Fault::input(twice));
+                }
+            }
             all.put(
                 "--seen",
                 &self.seen.join(" "),

@@ -111,3 +111,12 @@ fn flags_become_keys_in_their_units() {
         ["photos.facts.camera.make=\"x\""]
     );
 }
+
+#[test]
+fn a_photo_is_pointed_at_once() {
+    let words = "x --seen a.jpg=1,2,3,4 --seen b.jpg=5,6,7,8 --seen a.jpg=1,2,3,5";
+    let line = Line::try_parse_from(words.split_whitespace()).unwrap_or_else(|e| panic!("{e}"));
+    let fault = line.facts.said().err().expect("named twice");
+    let text = fault.text();
+    assert!(text.contains("a.jpg was named before"), "{text}");
+}

@@ -52,7 +52,7 @@ pub(super) const WARNINGS: [(&str, &str); 101] = [
     ("neither the disk's edge nor soles were seen: the ground lies at the lowest feature, so heights and stature may be off; keep feet and disk in view", "warn-no-edge"),
     ("[mat] says that tags are * mm, [reference] that they are * mm: [mat] was taken; measure a printed tag and correct the other", "warn-two-tags"),
     ("the reference of kind `*` is not known here: `points`, `subject_height`, `disk_diameter` and `tag_size` are", "warn-reference"),
-    ("the two points of [reference] are told for *, which is no photo of the capture: correct the name; the length was passed over", "warn-points-photo"),
+    ("the two points of [reference] are told for *, which is no photo of the capture, or one without a camera: correct the name, or point at another; the length was passed over", "warn-points-photo"),
     ("the two points of [reference] are seen in * photos with a camera, from too much the same side: point at them in photos that were taken some steps apart; the length was passed over", "warn-points-few"),
     ("the two points of [reference] miss each other by * px from photo to photo: are they the same two in each, in the same order, at full size, and do they move with the subject? The length was passed over", "warn-points-miss"),
     ("the length between the two points of [reference] is sure to * % only: point at two that lie farther apart, in more photos; the length was passed over", "warn-points-unsure"),

@@ -96,6 +96,11 @@ pub(crate) fn read_table(table: Table) -> Result<RigFile, RigError> {
                 "`reference.kind` is \"points\", whose two ends must be seen in two photos at least: `reference.seen = { \"IMG_1.jpg\" = [x1, y1, x2, y2], … }`, or --seen",
             ));
         }
+        if kind != POINTS && !seen.is_empty() {
+            return Err(RigError::missing(
+                "`reference.seen`, or --seen, tells where the two ends of a length are seen, and goes with `reference.kind` \"points\" only: say --reference points=297mm, or leave it out",
+            ));
+        }
         rig.reference = Some(Reference {
             kind,
             length_mm,
@@ -167,6 +172,10 @@ mod tests {
         assert_eq!((known.seen.len(), &known.seen[0]), (2, &first));
         for (text, says) in [
             ("kind = \"points\"\nlength_mm = 297", "two photos at least"),
+            (
+                "kind = \"subject_height\"\nlength_mm = 1700\nseen.a = [1, 2, 3, 4]",
+                "\"points\" only",
+            ),
             (
                 "length_mm = 297\nseen = [1, 2]",
                 "`reference.seen` wants photos",

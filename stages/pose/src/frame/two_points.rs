@@ -26,7 +26,7 @@ pub(crate) struct Between {
 pub(crate) enum NoLength {
     /// A name that no photo has.
     #[error(
-        "the two points of [reference] are told for {0}, which is no photo of the capture: correct the name; the length was passed over"
+        "the two points of [reference] are told for {0}, which is no photo of the capture, or one without a camera: correct the name, or point at another; the length was passed over"
     )]
     Photo(String),
     /// Too few photos, or from one side only.
