@@ -75,7 +75,7 @@ def of(entry, name):
     return next((entry[key] for key in entry if key.rsplit("_", 1)[0] == name), None)
 
 
-def shares(girths, body, true, free_scale):
+def shares(girths, body, true, free_scale, shown=SHOWN):
     """Of each girth: how far its tape is off the true surface's at the same plane, arms not let in; and how much too large ours is. [%]"""
     ours = trimesh.load(body, process=False)
     points = np.asarray(ours.vertices)
@@ -83,7 +83,7 @@ def shares(girths, body, true, free_scale):
     ours.vertices = size * points @ turn.T + move
     found = {}
     for girth in girths:
-        if girth["name"] in SHOWN and girth.get("plane"):
+        if girth["name"] in shown and girth.get("plane"):
             at, normal = size * turn @ np.array(of(girth["plane"], "point")) + move, turn @ np.array(girth["plane"]["normal"])
             a, b = tape(ours, at, normal), tape(true, at, normal)
             # A section that runs into an arm on one of the two is no chest.
