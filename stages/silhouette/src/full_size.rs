@@ -2,6 +2,7 @@
 
 use crate::backdrop::Backdrop;
 use crate::border::soft_border;
+use crate::gap_tops::follow;
 use crate::gmm::Gmm;
 use crate::grounds::Grounds;
 use crate::least_cut::{Known, Window};
@@ -61,6 +62,7 @@ pub fn fine(
             sides.data[y * width..][left..right].copy_from_slice(&body[from..][..right - left]);
         }
     }
+    follow(&mut sides, &likeness, without, gmm);
     let cost = |i: usize| {
         let i = settled.small(i % width, i / width);
         [ready.cost[i], ready.explained()[i]]

@@ -19,6 +19,7 @@ mod doubt;
 mod empty;
 mod exposure;
 mod full_size;
+mod gap_tops;
 mod gmm;
 mod grabcut;
 mod grain;
