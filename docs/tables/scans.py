@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
 """Takes surfaces of people through a modelled phone and writes what `docs/experiments.md` shows of masks, tapes and sizes.
 
-    docs/tables/scans.py TAILOR WORK SURFACE... > docs/tables/scans.json
+    docs/tables/scans.py TAILOR WORK CASES SURFACE... > docs/tables/scans.json
 
-A SURFACE is a folder with one PLY file [mm], upright, standing on its soles. Each is taken with a mat and without, with a plate and
-without: 18 photos of 1350x1800 with all faults of a phone at once (repeats.toml), then measured. Masks are held against the true ones
+A SURFACE is a folder with one PLY file [mm], upright, standing on its soles. CASES are of `bare`, `plate`, `mat` and `mat+plate`, with
+commas: whether a mat lies on the disk, and whether somebody took a plate. Each surface is taken in each case: 18 photos of 1350x1800 with all faults of a phone at once (repeats.toml), then measured. Masks are held against the true ones
 (which no stabiliser shifts), tapes against the true surface at the same planes, ours laid on it, without a mat at a free size. WORK
 keeps what was made; what is there is not made again. Wants numpy, scipy, trimesh and Pillow.
 """
@@ -25,7 +25,7 @@ TAKEN = {"ring.width": 1350, "ring.height": 1800, "ring.distance_mm": 3000.0, "r
 TAKEN |= {"ring.seed": 1, "sway.seed": 1, "sway.sway_mm": 3.0, "taken.contrast": 0.2, "taken.finest_mm": 3.0, "taken.seed": 1}
 PHONE = {"exposure_ev": 0.15, "white": 0.04, "over_ev": 0.1, "shift_px": 0.6, "vignetting": 0.38, "blur_px": 1.05, "shaken": 2}
 PHONE |= {"shake_px": 4.0, "lateral_px": 0.5, "noise_levels": 2.0, "denoise_levels": 8.0, "sharpen": 0.6, "jpeg_quality": 84, "seed": 1}
-CASES = [(mat, plate) for mat in (False, True) for plate in (False, True)]
+CASES = {"bare": (False, False), "plate": (False, True), "mat": (True, False), "mat+plate": (True, True)}
 SHOWN = [*faults.SHOWN, "WC_hip_bone", "NC", "TC_L", "TC_R", "CFC_L", "CFC_R"]
 
 
@@ -86,12 +86,12 @@ def measured(tailor, work, surface, mat, plate):
     return row if mat else row | {"size_pct": size}
 
 
-def main(tailor, work, *surfaces):
-    """All surfaces in all cases."""
+def main(tailor, work, cases, *surfaces):
+    """All surfaces in the cases."""
     work = pathlib.Path(work).resolve()
     rows = {}
     for surface in map(pathlib.Path, surfaces):
-        for mat, plate in CASES:
+        for mat, plate in (CASES[case] for case in cases.split(",")):
             row = measured(tailor, work, surface, mat, plate)
             rows.setdefault(surface.name, []).append({"mat": mat, "plate": plate} | row)
             print(surface.name, mat, plate, row, file=sys.stderr, flush=True)
