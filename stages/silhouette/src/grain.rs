@@ -9,8 +9,10 @@
 
 use crate::background::on_disk;
 use crate::disk_top::point;
+use crate::gmm::Gmm;
 use crate::photo_cut::{Prepared, UNSEEN};
 use crate::scene::{Scene, Shot};
+use crate::segment::{OWN_COLOR, body_cost};
 use crate::unary::{CAP, FLAT};
 use nalgebra::Point2;
 use rayon::prelude::*;
@@ -30,16 +32,18 @@ const COUNTED: f32 = 4.0;
 const TELLS: f32 = 3.0;
 
 /// Raises what pixels cost as the disk where they lack its grain; where nobody saw the disk nothing can be
-/// told. `covered` is what cannot show it.
+/// told. `covered` is what cannot show it; colours that the `body` evidently has not are not asked.
 pub(crate) fn missed(
     ready: &mut [Prepared],
     shots: &[Shot],
     around: &Scene,
     covered: &[Image<bool>],
+    body: Option<&Gmm>,
 ) {
     for (ready, strange) in ready.iter_mut().zip(strange(shots, around, covered)) {
-        for (cost, strange) in ready.cost.iter_mut().zip(strange) {
-            if *cost != UNSEEN && strange > 0.0 {
+        let pixels = ready.cost.iter_mut().zip(&ready.small.data);
+        for ((cost, color), strange) in pixels.zip(strange) {
+            if *cost != UNSEEN && strange > 0.0 && has(body, *color) {
                 *cost = cost.max(FLAT + strange.min(CAP));
             }
         }
@@ -128,6 +132,12 @@ fn costs(
     let middle = bare.get(bare.len() / 2).map_or(1.0, |m| m.max(1.0));
     let cost = |t: &Option<f32>| t.map_or(0.0, |t| unlikely(t / middle));
     times.iter().map(cost).collect()
+}
+
+/// Whether the body evidently has a colour elsewhere; where nothing is evident it may have any. Between feet
+/// on a printed mat the light is no plane within a window; there colours tell.
+fn has(body: Option<&Gmm>, color: [u8; 3]) -> bool {
+    body.is_none_or(|body| body_cost(body, color) < OWN_COLOR)
 }
 
 /// -ln of how much less likely a variance `times` the usual is than the usual one; 0 up to where photos

@@ -26,6 +26,10 @@ pub(crate) const EVIDENT: f32 = 22.0;
 /// What the body costs where its mixture tells nothing: a colour that it has not.
 pub(crate) const STRANGE: f64 = ANY_COLOR + 1.2;
 
+/// What a colour costs the body at most that it evidently has: twenty times as likely as any colour. Set by
+/// hand.
+pub(crate) const OWN_COLOR: f64 = ANY_COLOR - 3.0;
+
 /// An image reduced by a whole factor, pixels averaged.
 pub fn reduced(image: &Rgb, factor: usize) -> Rgb {
     let (width, height) = (image.width / factor, image.height / factor);

@@ -120,8 +120,8 @@ impl Turn<'_> {
         let of_disk = disk_colors(&around.disk, 0.0);
         let nearby = Nearby::of(&around.room);
         let mut ready: Vec<Prepared> = shots.par_iter().map(|s| self.one(s, &around)).collect();
-        missed(&mut ready, shots, &around, covered);
         let evident = evident(shots, &ready, radius);
+        missed(&mut ready, shots, &around, covered, evident.as_ref());
         shots.par_iter().zip(&mut ready).for_each(|(shot, ready)| {
             let mut explained = ready.cost.clone();
             for i in 0..ready.cost.len() {

@@ -1,18 +1,17 @@
 //! The grain of the disk in one photo, where the scene behind it is known at full size.
 //!
 //! How much of the bare disk is usually left is learned from the photo itself: more where the map is
-//! rough, for no map lies on a photo quite exactly, nor is it as sharp. Between feet the light is no plane
-//! within a window, so only colours that the body has elsewhere are asked for their grain.
+//! rough, for no map lies on a photo quite exactly, nor is it as sharp.
 
 use super::window::Laid;
-use super::{LEAST, unlikely};
+use super::{LEAST, has, unlikely};
 use crate::background::on_disk;
 use crate::disk_colors::mixture;
 use crate::disk_top::RIM;
 use crate::gmm::Gmm;
 use crate::least_cut::Known;
 use crate::photo_cut::{Prepared, UNSEEN};
-use crate::segment::{EVIDENT, STRANGE, body_cost, reduced};
+use crate::segment::{EVIDENT, reduced};
 use crate::unary::{CAP, FLAT};
 use nalgebra::Point2;
 use shape::Rgb;
@@ -29,12 +28,11 @@ const FEW: usize = 40;
 pub(crate) fn missed_in_photo(ready: &mut Prepared, without: &Rgb) {
     let places = places(ready, without);
     let usual = Usual::of(places.iter().flatten());
-    let body = evident(ready);
-    let has = |color| body.as_ref().is_none_or(|b| body_cost(b, color) < STRANGE);
+    let body = evident(ready, &places);
     let strange = |(place, color): (&Option<Place>, &[u8; 3])| {
         let times = place.and_then(|p| Some(p.left / usual.at(p.rough)?));
         let strange = times.map_or(0.0, |times| unlikely(times).min(CAP));
-        if strange > 0.0 && has(*color) {
+        if strange > 0.0 && has(body.as_ref(), *color) {
             strange
         } else {
             0.0
@@ -71,11 +69,12 @@ fn places(ready: &Prepared, without: &Rgb) -> Vec<Option<Place>> {
     left.map(place).collect()
 }
 
-/// The colours of what is evidently not the scene behind.
-fn evident(ready: &Prepared) -> Option<Gmm> {
+/// The colours of what is evidently not the scene behind, above the disk: there a shadow may look evident.
+fn evident(ready: &Prepared, places: &[Option<Place>]) -> Option<Gmm> {
     let off = |i: &usize| ready.cost[*i] > EVIDENT && ready.known[*i] == Known::Unknown;
-    let some = (0..ready.cost.len()).filter(off).step_by(7);
-    let colors: Vec<[u8; 3]> = some.map(|i| ready.small.data[i]).collect();
+    let above = |i: &usize| places.get(*i).is_none_or(Option::is_none);
+    let some = (0..ready.cost.len()).filter(|i| off(i) && above(i));
+    let colors: Vec<[u8; 3]> = some.step_by(7).map(|i| ready.small.data[i]).collect();
     mixture(&colors)
 }
 
