@@ -4,9 +4,10 @@
     docs/tables/scans.py TAILOR WORK CASES SURFACE... > docs/tables/scans.json
 
 A SURFACE is a folder with one PLY file [mm], upright, standing on its soles. CASES are of `bare`, `plate`, `mat` and `mat+plate`, with
-commas: whether a mat lies on the disk, and whether somebody took a plate. Each surface is taken in each case: 18 photos of 1350x1800 with all faults of a phone at once (repeats.toml), then measured. Masks are held against the true ones
-(which no stabiliser shifts), tapes against the true surface at the same planes, ours laid on it, without a mat at a free size. WORK
-keeps what was made; what is there is not made again. Wants numpy, scipy, trimesh and Pillow.
+commas: whether a mat lies on the disk, and whether somebody took a plate. Each surface is taken in each case: 18 photos of 1350x1800
+with all faults of a phone at once (repeats.toml), then measured. Masks are held against the true ones (which no stabiliser shifts),
+tapes against the true surface at the same planes, ours laid on it, without a mat at a free size. WORK keeps what was made; what is
+there is not made again. Wants numpy, scipy, trimesh and Pillow.
 """
 
 import json

@@ -146,9 +146,7 @@ impl Settled {
         }
         cost
     }
-}
 
-impl Settled {
     /// What coarse pixels say at a pixel between their middles, bilinear; 0 where they say nothing.
     fn between(&self, coarse: &[f32], x: usize, y: usize) -> f32 {
         let (width, height) = (self.known.width, self.known.height);

@@ -4,23 +4,18 @@
 //! narrower than what a photo is believed against them. At full size it is not: from where the background
 //! is, neighbourhoods that show it to the level, in colours that the body has not, are background.
 
+use crate::agree::CERTAIN;
 use crate::backdrop::Backdrop;
 use crate::gmm::Gmm;
+use crate::nearby::{APART, UNLIKE};
 use crate::segment::body_cost;
 use crate::unary::{FLAT, Ground, Likeness};
 use shape::{Image, Rgb};
-
-/// A neighbourhood of 3 × 3 pixels that costs the background so little more than the least shows it.
-const CERTAIN: f32 = 2.0;
-/// Odds (ln) by which the background must beat the body's colours there.
-const APART: f32 = 6.0;
 
 /// How far away colours of the background are asked where nobody saw it, as a share of the photo's height.
 const REACH: f64 = 0.027;
 /// So many places are asked along a row or column to each side.
 const ASKED: usize = 16;
-/// How far colours of neighbours differ. \[levels\]
-const UNLIKE: f32 = 4.0;
 
 /// Gives pixels of the body to the background that lie in the narrow ends of gaps, the middle of each
 /// neighbourhood: what is beside may be mixed. The disk is left out, whose light is not known so well.
@@ -33,11 +28,10 @@ pub(crate) fn follow(
     let (width, height) = (sides.width, sides.height);
     let mut gaps = Gaps {
         photo: likeness.photo,
+        likeness,
         body,
-        cost: &|x, y| likeness.single(x, y),
         seen: &without.seen,
         before: sides.clone(),
-        disk: &|x, y| (likeness.ground)(x, y) == Ground::Disk,
         known: vec![f32::NAN; width * height],
         asked: vec![false; width * height],
     };
@@ -48,26 +42,19 @@ pub(crate) fn follow(
             continue;
         }
         sides.data[at] = false;
-        let next = [at - 1, at + 1, at - width, at + width];
-        let inside = |i: &usize| {
-            let (x, y) = (i % width, i / width);
-            x > 0 && y > 0 && x + 1 < width && y + 1 < height
-        };
-        front.extend(next.into_iter().filter(inside).filter(|i| !gaps.asked[*i]));
+        let next = beside(at, width).into_iter();
+        front.extend(next.filter(|i| inner(*i, width, height) && !gaps.asked[*i]));
     }
 }
 
 /// What is asked of a photo.
 struct Gaps<'a> {
     photo: &'a Rgb,
+    likeness: &'a Likeness<'a>,
     body: &'a Gmm,
-    /// -ln p(pixel | background).
-    cost: &'a dyn Fn(usize, usize) -> f32,
     seen: &'a Image<bool>,
     /// The cut as it was.
     before: Image<bool>,
-    /// Whether the disk lies behind a pixel.
-    disk: &'a dyn Fn(usize, usize) -> bool,
     /// What was asked before; NaN where nothing was.
     known: Vec<f32>,
     /// Neighbourhoods that were asked.
@@ -80,19 +67,21 @@ impl Gaps<'_> {
         let width = self.photo.width;
         let (mut cost, mut odds) = (0.0, 0.0);
         for i in around(at, width) {
-            if (self.disk)(i % width, i / width) {
+            let (x, y) = (i % width, i / width);
+            let on = (self.likeness.ground)(x, y);
+            if on == Ground::Disk {
                 return false;
             }
             if self.known[i].is_nan() {
                 self.known[i] = match self.seen.data[i] {
-                    true => (self.cost)(i % width, i / width),
+                    true => self.likeness.single(x, y, on),
                     false => self.beside(i),
                 };
             }
             let here = self.known[i];
             // No pixel costs less than the least.
             cost += (here - FLAT) / 9.0;
-            if cost >= CERTAIN {
+            if cost >= CERTAIN - FLAT {
                 return false;
             }
             odds += (body_cost(self.body, self.photo.data[i]) as f32 - here) / 9.0;
@@ -147,20 +136,23 @@ fn around(at: usize, width: usize) -> [usize; 9] {
     ]
 }
 
+/// The four pixels beside a pixel.
+fn beside(at: usize, width: usize) -> [usize; 4] {
+    [at - 1, at + 1, at - width, at + width]
+}
+
+/// Whether a pixel lies off the photo's edge.
+fn inner(i: usize, width: usize, height: usize) -> bool {
+    let (x, y) = (i % width, i / width);
+    x > 0 && y > 0 && x + 1 < width && y + 1 < height
+}
+
 /// Pixels of the body beside the background, but for those at the photo's edge.
 fn borders(sides: &Image<bool>) -> Vec<usize> {
     let (width, height) = (sides.width, sides.height);
-    let inner = |i: usize| {
-        let (x, y) = (i % width, i / width);
-        x > 0 && y > 0 && x + 1 < width && y + 1 < height
-    };
-    let beside = |i: usize| {
-        [i - 1, i + 1, i - width, i + width]
-            .iter()
-            .any(|j| !sides.data[*j])
-    };
-    let body = (0..width * height).filter(|i| sides.data[*i] && inner(*i));
-    body.filter(|i| beside(*i)).collect()
+    let body = (0..width * height).filter(|i| sides.data[*i] && inner(*i, width, height));
+    body.filter(|i| beside(*i, width).iter().any(|j| !sides.data[*j]))
+        .collect()
 }
 
 #[cfg(test)]

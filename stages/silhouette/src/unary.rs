@@ -165,19 +165,16 @@ impl Likeness<'_> {
             let rough = (sigma / 2.5).max(BOUNCE[usize::from(on == Ground::Disk)]);
             means[i] = cost(photo_means[i], mean, mean, on, rough);
             if wanted[i] == 0.0 {
-                single[i] = self.single(x, y);
+                single[i] = self.single(x, y, on);
             }
         }
         let best = least_around(&means, wide, reach);
         let within = places().enumerate().filter(|(_, (x, y))| inside(*x, *y));
         within.map(|(i, _)| single[i].max(best[i])).collect()
     }
-}
 
-impl Likeness<'_> {
-    /// -ln p(pixel | background) by the pixel's own colour.
-    pub(crate) fn single(&self, x: usize, y: usize) -> f32 {
-        let on = (self.ground)(x, y);
+    /// -ln p(pixel | background) by the pixel's own colour, on the ground that lies there.
+    pub(crate) fn single(&self, x: usize, y: usize, on: Ground) -> f32 {
         let (lo, hi) = slack(self.expected, x, y);
         let shown = self.photo.at(x, y).map(f32::from);
         cost(shown, lo, hi, on, self.noise.on(on))
