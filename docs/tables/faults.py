@@ -86,8 +86,9 @@ def shares(girths, body, true, free_scale, shown=SHOWN):
         if girth["name"] in shown and girth.get("plane"):
             at, normal = size * turn @ np.array(of(girth["plane"], "point")) + move, turn @ np.array(girth["plane"]["normal"])
             a, b = tape(ours, at, normal), tape(true, at, normal)
-            # A section that runs into an arm on one of the two is no chest.
-            if a and b and abs(a / b - 1) < 0.1:
+            # A section that runs into an arm is no chest: ours where the program split the arm off, the true one where it is far longer.
+            told = size * (10 * girth["tape_cm"] if "tape_cm" in girth else girth["tape_rel"])
+            if a and b and abs(a / told - 1) < 0.01 and abs(a / b - 1) < 0.1:
                 found[girth["name"]] = round(100 * (a / b - 1), 3)
     return found, round(100 * (1 / size - 1), 3)
 

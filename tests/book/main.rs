@@ -6,6 +6,7 @@ mod faults;
 mod figures;
 mod growth;
 mod links;
+mod scans;
 mod tables;
 
 use std::path::{Path, PathBuf};
