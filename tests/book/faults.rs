@@ -1,7 +1,7 @@
 //! Tables of what a phone's faults cost, from what `docs/tables/faults.py` wrote.
 
 use crate::figures::json;
-use crate::tables::{hold, signed};
+use crate::tables::{hold, made_with, signed};
 use serde_json::Value;
 use std::fmt::Write;
 
@@ -44,9 +44,7 @@ fn faults(data: &Value) -> String {
             let _ = writeln!(table, "| {fault} |{cells}");
         }
     }
-    let text = |key: &str| data[key].as_str().unwrap();
-    let _ = write!(table, "\n*{}, {}.*\n", text("program"), text("date"));
-    table
+    table + &made_with(data, &["program", "date"])
 }
 
 #[test]

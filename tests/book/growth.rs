@@ -1,7 +1,7 @@
 //! How time and memory grow: the tables of `docs/tables/growth.json`.
 
 use crate::read;
-use crate::tables::{hold, number};
+use crate::tables::{hold, made_with, number};
 use serde_json::Value;
 use std::fmt::Write;
 
@@ -38,13 +38,6 @@ fn time_and_memory_over_photos_pixels_and_faces() {
         let (time, memory) = (of("processor_s"), of("peak_gb"));
         let _ = writeln!(table, "| {over} | {time:.2} | {memory:.2} |");
     }
-    let text = |key: &str| data[key].as_str().unwrap();
-    let _ = write!(
-        table,
-        "\n*{}, {}, {}.*\n",
-        text("program"),
-        text("date"),
-        text("machine")
-    );
+    table += &made_with(&data, &["program", "date", "machine"]);
     hold("docs/performance.md", "growth", &table);
 }

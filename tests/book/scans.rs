@@ -1,7 +1,7 @@
 //! The table of surfaces of people through a phone, from what `docs/tables/scans.py` wrote.
 
 use crate::figures::json;
-use crate::tables::{hold, signed};
+use crate::tables::{hold, made_with, signed};
 use serde_json::Value;
 use std::fmt::Write;
 
@@ -59,9 +59,7 @@ fn scans(data: &Value) -> String {
             let _ = writeln!(table, " {size} | {trunk:.2} |");
         }
     }
-    let text = |key: &str| data[key].as_str().unwrap();
-    let _ = write!(table, "\n*{}, {}.*\n", text("program"), text("date"));
-    table
+    table + &made_with(data, &["program", "date"])
 }
 
 #[test]

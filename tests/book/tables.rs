@@ -93,6 +93,12 @@ fn limbs(score: &Value) -> String {
     ))
 }
 
+/// What stands under a table: what of its data says how it came about.
+pub(crate) fn made_with(data: &Value, keys: &[&str]) -> String {
+    let said: Vec<&str> = keys.iter().map(|k| data[*k].as_str().unwrap()).collect();
+    format!("\n*{}.*\n", said.join(", "))
+}
+
 /// With a true minus sign.
 pub(crate) fn signed(text: &str) -> String {
     text.replace('-', "−")
@@ -133,15 +139,7 @@ fn errors_and_times_of_three_bodies() {
             number(&c["peak_gb"])
         )
     });
-    let (program, date) = (
-        data["program"].as_str().unwrap(),
-        data["date"].as_str().unwrap(),
-    );
-    let _ = write!(
-        table,
-        "\n*{program}, {date}, {}.*\n",
-        data["machine"].as_str().unwrap()
-    );
+    table += &made_with(&data, &["program", "date", "machine"]);
     hold("README.md", "bodies", &table);
     hold("docs/accuracy.md", "bodies", &table);
 }
