@@ -17,14 +17,15 @@ const PEEL: usize = 2;
 const COAT: usize = 3;
 
 /// A block of cells, x fastest.
-struct Block {
-    origin: Point3<f64>,
-    cell: f64,
-    count: [usize; 3],
+pub(crate) struct Block {
+    pub(crate) origin: Point3<f64>,
+    /// Side of a cell. \[mm\]
+    pub(crate) cell: f64,
+    pub(crate) count: [usize; 3],
 }
 
 impl Block {
-    fn centre(&self, i: usize) -> Point3<f64> {
+    pub(crate) fn centre(&self, i: usize) -> Point3<f64> {
         let [nx, ny, _] = self.count;
         let at =
             nalgebra::Vector3::new((i % nx) as f64, (i / nx % ny) as f64, (i / nx / ny) as f64);
@@ -47,80 +48,89 @@ impl Block {
     }
 }
 
-/// What is certain of each pixel of each mask, from all masks and the cameras.
-pub fn agreed(masks: &[(PhotoId, Mask)], cameras: &Cameras) -> BTreeMap<PhotoId, Vec<Known>> {
-    let mut all = together(masks, cameras, &[DISSENT]);
-    all.pop().unwrap_or_default()
+/// A mask with its photo and the camera at its size.
+pub(crate) type View<'a> = (PhotoId, &'a Mask, Camera);
+
+/// A block around the body, with how many masks say of each cell that it is none of it.
+pub(crate) struct Together<'a> {
+    pub(crate) views: Vec<View<'a>>,
+    pub(crate) block: Block,
+    /// Masks that dissent, [`DISSENT`] + 1 at most.
+    pub(crate) against: Vec<usize>,
 }
 
-/// The same for several numbers of photos that may dissent.
-pub(crate) fn together(
-    masks: &[(PhotoId, Mask)],
-    cameras: &Cameras,
-    dissents: &[usize],
-) -> Vec<BTreeMap<PhotoId, Vec<Known>>> {
-    let views: Vec<(PhotoId, &Mask, Camera)> = masks
-        .iter()
-        .filter_map(|(id, mask)| {
+/// What is certain of each pixel of each mask, from all masks and the cameras.
+pub fn agreed(masks: &[(PhotoId, Mask)], cameras: &Cameras) -> BTreeMap<PhotoId, Vec<Known>> {
+    let all = Together::of(masks, cameras);
+    all.map(|all| all.known(DISSENT)).unwrap_or_default()
+}
+
+impl<'a> Together<'a> {
+    /// `None` for less than six masks, or if they have nothing in common.
+    pub(crate) fn of(masks: &'a [(PhotoId, Mask)], cameras: &Cameras) -> Option<Self> {
+        let one = |(id, mask): &'a (PhotoId, Mask)| {
             let view = cameras.views.get(*id)?;
-            Some((
-                *id,
-                mask,
-                view.camera.resized(mask.width as u32, mask.height as u32),
-            ))
+            let (width, height) = (mask.width as u32, mask.height as u32);
+            Some((*id, mask, view.camera.resized(width, height)))
+        };
+        let views: Vec<View<'a>> = masks.iter().filter_map(one).collect();
+        if views.len() < 6 {
+            return None;
+        }
+        let shows = |x: &Point3<f64>| against(&views, x) <= DISSENT;
+        let block = block(&views, cameras.ground_mm, &shows)?;
+        let cells: usize = block.count.iter().product();
+        let against: Vec<usize> = (0..cells)
+            .into_par_iter()
+            .map(|i| against(&views, &block.centre(i)))
+            .collect();
+        Some(Together {
+            views,
+            block,
+            against,
         })
-        .collect();
-    if views.len() < 6 {
-        return vec![];
     }
-    let most = dissents.iter().copied().max().unwrap_or(0);
-    // How many dissent, at most one more than may.
-    let against = |x: &Point3<f64>| {
-        let (mut seen, mut against) = (0, 0);
-        for (_, mask, camera) in &views {
-            let Some(px) = camera.project(x).filter(|px| camera.holds(*px)) else {
-                continue;
-            };
-            seen += 1;
-            against += usize::from(!mask.shows(px));
-            if against > most {
-                return against;
-            }
-        }
-        if seen * 2 >= views.len() {
-            against
-        } else {
-            most + 1
-        }
-    };
-    let shows = |x: &Point3<f64>| against(x) <= most;
-    let Some(block) = block(&views, cameras.ground_mm, &shows) else {
-        return vec![];
-    };
-    let cells: usize = block.count.iter().product();
-    let counts: Vec<usize> = (0..cells)
-        .into_par_iter()
-        .map(|i| against(&block.centre(i)))
-        .collect();
-    let of = |dissent: &usize| {
-        let solid: Vec<bool> = counts.iter().map(|c| c <= dissent).collect();
+
+    /// How many masks say that a point is none of the body, [`DISSENT`] + 1 at most.
+    pub(crate) fn against(&self, x: &Point3<f64>) -> usize {
+        against(&self.views, x)
+    }
+
+    /// What is certain of each pixel of each mask if so many photos may dissent.
+    pub(crate) fn known(&self, dissent: usize) -> BTreeMap<PhotoId, Vec<Known>> {
+        let block = &self.block;
+        let solid: Vec<bool> = self.against.iter().map(|c| *c <= dissent).collect();
         let core = (0..PEEL).fold(solid.clone(), |cells, _| block.spread(&cells, false));
         let coat = (0..COAT).fold(solid, |cells, _| block.spread(&cells, true));
-        let one = |(id, mask, camera): &(PhotoId, &Mask, Camera)| {
-            (*id, projected(mask, camera, &block, &core, &coat))
-        };
-        let all: Vec<_> = views.par_iter().map(one).collect();
+        let one =
+            |(id, mask, camera): &View<'_>| (*id, projected(mask, camera, block, &core, &coat));
+        let all: Vec<_> = self.views.par_iter().map(one).collect();
         all.into_iter().collect()
-    };
-    dissents.iter().map(of).collect()
+    }
+}
+
+/// How many masks say that a point is none of the body, at most one more than may.
+fn against(views: &[View<'_>], x: &Point3<f64>) -> usize {
+    let (mut seen, mut against) = (0, 0);
+    for (_, mask, camera) in views {
+        let Some(px) = camera.project(x).filter(|px| camera.holds(*px)) else {
+            continue;
+        };
+        seen += 1;
+        against += usize::from(!mask.shows(px));
+        if against > DISSENT {
+            return against;
+        }
+    }
+    if seen * 2 >= views.len() {
+        against
+    } else {
+        DISSENT + 1
+    }
 }
 
 /// The block around all that is shown.
-fn block(
-    views: &[(PhotoId, &Mask, Camera)],
-    ground: f64,
-    shows: &dyn Fn(&Point3<f64>) -> bool,
-) -> Option<Block> {
+fn block(views: &[View<'_>], ground: f64, shows: &dyn Fn(&Point3<f64>) -> bool) -> Option<Block> {
     let away = views
         .iter()
         .map(|(_, _, c)| c.centre())

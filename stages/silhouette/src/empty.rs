@@ -7,6 +7,7 @@ use crate::means::Means;
 use crate::params::{CutError, GrabCutParams};
 use crate::scene::{Scene, Shot, full_side};
 use crate::segment::{Settings, reduced};
+use crate::tunnels::Depths;
 use crate::turn::{standing, without_plate};
 use rayon::prelude::*;
 use shape::{Camera, Cameras, Image, Photo, PhotoError, PhotoId, Photos, Placed, Rgb};
@@ -17,8 +18,13 @@ use std::collections::BTreeMap;
 pub(crate) enum Empty {
     /// A photo of it.
     Plate(Rgb),
-    /// What stands still while the body turns, and the coarse cuts that go with it.
-    Turn(Scene, BTreeMap<PhotoId, Image<bool>>),
+    /// What stands still while the body turns, the coarse cuts that go with it, and how far rays pass
+    /// through the hull of the other photos.
+    Turn {
+        scene: Box<Scene>,
+        cuts: BTreeMap<PhotoId, Image<bool>>,
+        depths: BTreeMap<PhotoId, Depths>,
+    },
 }
 
 /// Photos that are decoded side by side while means are taken.
@@ -177,7 +183,7 @@ pub(crate) fn empty_scene<E: From<CutError> + From<PhotoError> + Send>(
     let rectangle = Rectangle::read(&p.box_px, wide, tall).map_err(CutError::from)?;
     let factor = shots.first().map_or(1, |s| wide as usize / s.small.width);
     let within = rectangle.map(|r| (r, factor));
-    let cuts = without_plate(&shots, cameras, settings, p.disk_side_mm, within);
+    let (cuts, depths) = without_plate(&shots, cameras, settings, p.disk_side_mm, within);
     let (width, height) = (wide, tall);
     let radius = cameras.disk_radius_mm.unwrap_or(0.0);
     let shares = doubtful(&shots, &cuts, radius);
@@ -209,6 +215,10 @@ pub(crate) fn empty_scene<E: From<CutError> + From<PhotoError> + Send>(
     }
     let ids = known.iter().map(|k| k.0);
     let cuts = ids.zip(cuts).filter_map(|(id, cut)| Some((id, cut?)));
-    let scene = Empty::Turn(means.scene(), cuts.collect());
-    Ok((scene, levels, EmptyStats { stands, doubtful }))
+    let empty = Empty::Turn {
+        scene: Box::new(means.scene()),
+        cuts: cuts.collect(),
+        depths,
+    };
+    Ok((empty, levels, EmptyStats { stands, doubtful }))
 }

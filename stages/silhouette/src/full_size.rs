@@ -5,21 +5,25 @@ use crate::border::soft_border;
 use crate::gap_tops::follow;
 use crate::gmm::Gmm;
 use crate::grounds::Grounds;
-use crate::least_cut::{Known, Window};
+use crate::least_cut::Known;
 use crate::parts::largest;
 use crate::photo_cut::{Prepared, UNSEEN};
 use crate::segment::{Settings, cut};
+use crate::tiles::tiles;
+use crate::tunnels::Depths;
 use crate::unary::{FLAT, Likeness, Noise};
 use shape::{Image, Mask, Rgb};
 use std::ops::Range;
 
-/// The border of a coarse cut again at full size, window by window so that memory stays small.
+/// The border of a coarse cut again at full size, window by window so that memory stays small. `depths`
+/// says how far the rays of coarse pixels pass through the hull of the other photos, if anything does.
 pub fn fine(
     pixels: &Rgb,
     without: &Backdrop,
     ready: &Prepared,
     coarse: &Image<bool>,
     gmm: &Gmm,
+    depths: Option<&Depths>,
     settings: &Settings,
 ) -> Mask {
     let factor = ready.factor;
@@ -62,7 +66,11 @@ pub fn fine(
             sides.data[y * width..][left..right].copy_from_slice(&body[from..][..right - left]);
         }
     }
+    let before = depths.map(|_| sides.clone());
     follow(&mut sides, &likeness, without, gmm);
+    if let (Some(before), Some(depths)) = (before, depths) {
+        settled.close_tunnels(&mut sides, &before, depths);
+    }
     let cost = |i: usize| {
         let i = settled.small(i % width, i / width);
         [ready.cost[i], ready.explained()[i]]
@@ -116,6 +124,28 @@ impl Settled {
         self.known.data[self.small(x, y)]
     }
 
+    /// Gives back to the body what a gap was followed into, where no gap can be.
+    fn close_tunnels(&self, sides: &mut Image<bool>, before: &Image<bool>, depths: &Depths) {
+        let mut open = vec![0; self.known.data.len()];
+        let width = sides.width;
+        for i in (0..sides.data.len()).filter(|i| !sides.data[*i]) {
+            open[self.small(i % width, i / width)] += 1;
+        }
+        let most = self.factor * self.factor;
+        let mut closed = vec![false; open.len()];
+        let cut = Image {
+            width: self.known.width,
+            height: self.known.height,
+            data: open.iter().map(|open| 2 * open < most).collect(),
+        };
+        for i in depths.tunnels(&cut) {
+            closed[i] = true;
+        }
+        for i in 0..sides.data.len() {
+            sides.data[i] |= before.data[i] && closed[self.small(i % width, i / width)];
+        }
+    }
+
     /// Whether a pixel or one of its neighbours is open.
     fn beside_open(&self, x: usize, y: usize) -> bool {
         let open = |x: usize, y: usize| self.at(x, y) == Known::Unknown;
@@ -166,46 +196,6 @@ impl Settled {
         };
         along(top) + v * (along(bottom) - along(top))
     }
-}
-
-/// A square of coarse pixels, clipped to the photo.
-struct Tile {
-    x: Range<usize>,
-    y: Range<usize>,
-}
-
-impl Tile {
-    /// What is cut of it at full size: a margin of four coarse pixels around the tile is cut too, then
-    /// thrown away.
-    fn with_margin(&self, coarse: &Image<bool>, factor: usize) -> Window {
-        let widened = |r: &Range<usize>, most: usize| {
-            let (start, end) = (r.start.saturating_sub(4), (r.end + 4).min(most));
-            (start * factor, (end - start) * factor)
-        };
-        let (x, width) = widened(&self.x, coarse.width);
-        let (y, height) = widened(&self.y, coarse.height);
-        Window {
-            x,
-            y,
-            width,
-            height,
-        }
-    }
-}
-
-/// The tiles of 16 pixels in which some of the band lies, row by row.
-fn tiles(band: &Image<bool>) -> Vec<Tile> {
-    const SIDE: usize = 16;
-    let along = |most: usize| {
-        let starts = (0..most).step_by(SIDE);
-        starts.map(move |start| start..(start + SIDE).min(most))
-    };
-    let all = along(band.height).flat_map(|y| along(band.width).map(move |x| (x, y.clone())));
-    let on_band = |tile: &Tile| {
-        let mut rows = tile.y.clone();
-        rows.any(|y| tile.x.clone().any(|x| band.at(x, y)))
-    };
-    all.map(|(x, y)| Tile { x, y }).filter(on_band).collect()
 }
 
 /// Coarse pixels within two of the border.
@@ -279,7 +269,7 @@ mod tests {
             clusters: 1,
         };
         let skin = Gmm::fit(&skin, 1).expect("one cluster");
-        let mask = fine(&pixels, &without, &ready, &coarse, &skin, &settings);
+        let mask = fine(&pixels, &without, &ready, &coarse, &skin, None, &settings);
         let body: f64 = mask.data.iter().map(|c| f64::from(*c) / 255.0).sum();
         body / SIDE as f64
     }

@@ -82,7 +82,11 @@ impl OnePhoto<'_> {
             ready.agree(agreed.iter(), &[]);
         }
         let (sides, gmm) = self.checked(self.cut(&ready, settings))?;
-        let mask = fine(&pixels, &without, &ready, &sides, &gmm, settings);
+        let depths = match &self.background.empty {
+            Empty::Turn { depths, .. } => depths.get(&self.id),
+            Empty::Plate(_) => None,
+        };
+        let mask = fine(&pixels, &without, &ready, &sides, &gmm, depths, settings);
         Ok(self.level.returned(mask))
     }
 
@@ -138,14 +142,14 @@ impl OnePhoto<'_> {
                 let turned = disk.map(|((camera, radius), turn)| (camera, radius, turn));
                 Backdrop::whole(expected(relit.as_ref().unwrap_or(plate), turned))
             }
-            (Empty::Turn(scene, _), Some(camera)) => scene.behind(pixels, camera),
-            (Empty::Turn(scene, _), None) => scene.room.clone(),
+            (Empty::Turn { scene, .. }, Some(camera)) => scene.behind(pixels, camera),
+            (Empty::Turn { scene, .. }, None) => scene.room.clone(),
         }
     }
 
     /// The coarse cut: without a plate that on which all photos agreed.
     fn cut(&self, ready: &Prepared, settings: &Settings) -> Option<(Image<bool>, Gmm)> {
-        let Empty::Turn(_, cuts) = &self.background.empty else {
+        let Empty::Turn { cuts, .. } = &self.background.empty else {
             return coarse(ready, settings);
         };
         let sides = cuts.get(&self.id)?;

@@ -3,7 +3,7 @@
 use crate::backdrop::{Backdrop, still, thinned};
 use crate::background::on_disk;
 use crate::boxed::Rectangle;
-use crate::coherence::{DISSENT, together};
+use crate::coherence::{DISSENT, Together};
 use crate::disk_colors::{body_colors, disk_colors, disk_cost, mixture, on_the_disk};
 use crate::gmm::Gmm;
 use crate::grain::missed;
@@ -16,9 +16,14 @@ use crate::recur::recurring;
 use crate::scene::{Scene, Shot, scene};
 use crate::seams::chosen;
 use crate::segment::{EVIDENT, STRANGE, Settings, body_cost};
+use crate::tunnels::{Depths, depths};
 use nalgebra::Point2;
 use rayon::prelude::*;
 use shape::{Cameras, Image, Mask, PhotoId, Rgb};
+use std::collections::BTreeMap;
+
+/// The cuts of reduced photos, and how far their rays pass through the hull of the others.
+pub(crate) type Cuts = (Vec<Option<Image<bool>>>, BTreeMap<PhotoId, Depths>);
 
 /// Rounds of finding masks and the background by turns.
 const ROUNDS: usize = 2;
@@ -39,14 +44,15 @@ pub(crate) fn standing(shots: &[Shot]) -> f64 {
 }
 
 /// Masks of reduced photos without a plate. `None` where a photo shows nothing that moves. `within` is
-/// a rectangle that holds the body, and how many of its pixels became one.
+/// a rectangle that holds the body, and how many of its pixels became one. With them, how far rays pass
+/// through the hull of the other photos.
 pub fn without_plate(
     shots: &[Shot],
     cameras: &Cameras,
     settings: &Settings,
     disk_side_mm: f64,
     within: Option<(Rectangle, usize)>,
-) -> Vec<Option<Image<bool>>> {
+) -> Cuts {
     let radius = cameras.disk_radius_mm.unwrap_or(0.0);
     let smalls: Vec<Rgb> = shots.iter().map(|s| s.small.clone()).collect();
     let mut room = followed(&smalls);
@@ -81,7 +87,14 @@ pub fn without_plate(
             })
             .collect();
     }
-    cuts
+    let depths = turn.depths(&cuts);
+    for (shot, cut) in shots.iter().zip(&mut cuts) {
+        if let Some((cut, depths)) = cut.as_mut().zip(depths.get(&shot.id)) {
+            let tunnels = depths.tunnels(cut);
+            tunnels.iter().for_each(|i| cut.data[*i] = true);
+        }
+    }
+    (cuts, depths)
 }
 
 /// The room, followed from where it always stands to where few photos show it.
@@ -161,25 +174,32 @@ impl Turn<'_> {
 
     /// Each photo cut alone, then again with what all say together.
     fn together(&self, ready: Vec<Prepared>) -> Vec<Option<Image<bool>>> {
-        let first: Vec<(PhotoId, Mask)> = self
-            .shots
-            .par_iter()
-            .zip(&ready)
-            .filter_map(|(shot, ready)| {
-                let (sides, _) = coarse(ready, self.settings)?;
-                Some((shot.id, sides.map(|b| if *b { 255 } else { 0 })))
-            })
-            .collect();
-        let all = together(&first, self.cameras, &[DISSENT, 1]);
-        let of = |level: usize, id: PhotoId| all.get(level).and_then(|told| told.get(&id));
-        self.shots
-            .par_iter()
-            .zip(ready)
-            .map(|(shot, mut ready)| {
-                let firm = of(1, shot.id).map_or(&[][..], Vec::as_slice);
-                ready.agree(of(0, shot.id).into_iter().flatten(), firm);
-                coarse(&ready, self.settings).map(|(sides, _)| sides)
-            })
+        let alone = |ready: &Prepared| coarse(ready, self.settings).map(|(sides, _)| sides);
+        let first: Vec<Option<Image<bool>>> = ready.par_iter().map(alone).collect();
+        let masks = self.masks(&first);
+        let all = Together::of(&masks, self.cameras);
+        let of = |dissent: usize| all.as_ref().map(|all| all.known(dissent));
+        let (agreed, firm) = (of(DISSENT).unwrap_or_default(), of(1).unwrap_or_default());
+        let again = |(shot, mut ready): (&Shot, Prepared)| {
+            let firm = firm.get(&shot.id).map_or(&[][..], Vec::as_slice);
+            ready.agree(agreed.get(&shot.id).into_iter().flatten(), firm);
+            alone(&ready)
+        };
+        self.shots.par_iter().zip(ready).map(again).collect()
+    }
+
+    /// How far rays pass through what the cuts of the other photos say together.
+    fn depths(&self, cuts: &[Option<Image<bool>>]) -> BTreeMap<PhotoId, Depths> {
+        let masks = self.masks(cuts);
+        let all = Together::of(&masks, self.cameras);
+        let depths = all.map(|all| depths(&all));
+        depths.unwrap_or_default()
+    }
+
+    fn masks(&self, cuts: &[Option<Image<bool>>]) -> Vec<(PhotoId, Mask)> {
+        let mask = |sides: &Image<bool>| sides.map(|b| if *b { 255 } else { 0 });
+        let all = self.shots.iter().zip(cuts);
+        all.filter_map(|(shot, cut)| Some((shot.id, mask(cut.as_ref()?))))
             .collect()
     }
 }

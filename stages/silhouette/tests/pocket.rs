@@ -83,7 +83,7 @@ fn through(shots: &[Shot]) -> BTreeMap<usize, (u32, u32)> {
         rounds: 2,
         clusters: 6,
     };
-    let cuts = without_plate(shots, &cameras, &settings, 0.0, None);
+    let (cuts, _) = without_plate(shots, &cameras, &settings, 0.0, None);
     let mut seen = BTreeMap::new();
     for (k, (shot, cut)) in shots.iter().zip(&cuts).enumerate() {
         let cut: &Image<bool> = cut.as_ref().expect("a body");
