@@ -40,6 +40,17 @@ impl Prepared {
         }
     }
 
+    /// Takes it that pixels show the background.
+    pub(crate) fn lay_bare(&mut self, pixels: &[usize]) {
+        for i in pixels {
+            self.known[*i] = Known::Background;
+            self.cost[*i] = FLAT;
+            if let Some(explained) = &mut self.explained {
+                explained[*i] = FLAT;
+            }
+        }
+    }
+
     /// Pixels in a neighbourhood that shows the background beyond doubt.
     fn gaps(&self, cost: &[f32]) -> Vec<bool> {
         let (width, height) = (self.small.width, self.small.height);

@@ -5,6 +5,9 @@
 use rayon::prelude::*;
 use shape::{Image, Rgb};
 
+/// Pixels around a mask that do not tell of the background.
+pub(crate) const SHY: usize = 2;
+
 /// What the photos of a turn show behind the subject.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Backdrop {

@@ -3,50 +3,76 @@
 //! Behind some pixels no photo shows the room. What is there has the body's colours, as the body shows
 //! them before a room that is known; where it has not, it may be a bit of the room.
 
-use crate::backdrop::thinned;
+use crate::backdrop::{SHY, thinned};
 use crate::disk_colors::mixture;
+use crate::gmm::Gmm;
 use crate::parts::parts;
 use crate::scene::Shot;
 use crate::segment::{STRANGE, body_cost};
-use crate::turn::SHY;
 use rayon::prelude::*;
 use shape::Image;
 
 /// Share of each mask that its largest patch takes which no photo shows without the body, and whose
 /// colours the body has nowhere else. \[%\] `radius` is the disk's, 0 without one: its top is left out.
 pub fn doubtful(shots: &[Shot], cuts: &[Option<Image<bool>>], radius: f64) -> Vec<f64> {
-    let none = vec![0.0; shots.len()];
-    let Some(first) = cuts.iter().flatten().next() else {
-        return none;
-    };
-    let mut known = first.map(|_| false);
-    for cut in cuts.iter().flatten() {
-        let free = thinned(&cut.map(|b| !b), SHY);
-        let pairs = known.data.iter_mut().zip(&free.data);
-        pairs.for_each(|(known, free)| *known |= free);
-    }
-    let mut colors = Vec::new();
-    for (shot, cut) in shots.iter().zip(cuts) {
-        let Some(cut) = cut else { continue };
-        let vouched = (0..cut.data.len()).filter(|i| cut.data[*i] && known.data[*i]);
-        colors.extend(vouched.step_by(5).map(|i| shot.small.data[i]));
-    }
-    let Some(body) = mixture(&colors) else {
-        return none;
+    let Some(vouched) = Vouched::of(shots, cuts) else {
+        return vec![0.0; shots.len()];
     };
     let share = |(shot, cut): (&Shot, &Option<Image<bool>>)| {
         let Some(cut) = cut else { return 0.0 };
-        let strange = |i: usize| {
-            let alone = cut.data[i] && !known.data[i] && !shot.shows_disk(i, radius);
-            alone && body_cost(&body, shot.small.data[i]) >= STRANGE
+        let doubted = |i: usize| {
+            let alone = vouched.alone(shot, cut, i, radius);
+            alone && vouched.strange(shot.small.data[i])
         };
-        let data = (0..cut.data.len()).map(strange).collect();
-        let (_, sizes) = parts(&Image { data, ..*first }, true);
+        let data = (0..cut.data.len()).map(doubted).collect();
+        let (_, sizes) = parts(&Image { data, ..*cut }, true);
         let most = sizes.into_iter().max().unwrap_or(0);
         let all = cut.data.iter().filter(|b| **b).count();
         100.0 * most as f64 / all.max(1) as f64
     };
     shots.par_iter().zip(cuts).map(share).collect()
+}
+
+/// Where photos show the room without the body, and which colours the body shows before it.
+pub(crate) struct Vouched {
+    /// Pixels that some photo shows without the body.
+    bare: Image<bool>,
+    body: Gmm,
+}
+
+impl Vouched {
+    /// `None` without any cut, or if nothing is vouched for.
+    pub(crate) fn of(shots: &[Shot], cuts: &[Option<Image<bool>>]) -> Option<Self> {
+        let mut bare = cuts.iter().flatten().next()?.map(|_| false);
+        for cut in cuts.iter().flatten() {
+            let free = thinned(&cut.map(|b| !b), SHY);
+            let pairs = bare.data.iter_mut().zip(&free.data);
+            pairs.for_each(|(bare, free)| *bare |= free);
+        }
+        let mut colors = Vec::new();
+        for (shot, cut) in shots.iter().zip(cuts) {
+            let Some(cut) = cut else { continue };
+            let before = (0..cut.data.len()).filter(|i| cut.data[*i] && bare.data[*i]);
+            colors.extend(before.step_by(5).map(|i| shot.small.data[i]));
+        }
+        let body = mixture(&colors)?;
+        Some(Vouched { bare, body })
+    }
+
+    /// Whether a pixel of a cut lies before a room that some photo shows.
+    pub(crate) fn before_room(&self, cut: &Image<bool>, i: usize) -> bool {
+        cut.data[i] && self.bare.data[i]
+    }
+
+    /// Whether nothing but its colour can tell if a pixel of a cut is body.
+    pub(crate) fn alone(&self, shot: &Shot, cut: &Image<bool>, i: usize, radius: f64) -> bool {
+        cut.data[i] && !self.bare.data[i] && !shot.shows_disk(i, radius)
+    }
+
+    /// Whether the body has no such colour.
+    pub(crate) fn strange(&self, color: [u8; 3]) -> bool {
+        body_cost(&self.body, color) >= STRANGE
+    }
 }
 
 #[cfg(test)]

@@ -8,7 +8,7 @@ use crate::params::{CutError, GrabCutParams};
 use crate::scene::{Scene, Shot, full_side};
 use crate::segment::{Settings, reduced};
 use crate::tunnels::Depths;
-use crate::turn::{standing, without_plate};
+use crate::turn::{Cuts, standing, without_plate};
 use rayon::prelude::*;
 use shape::{Camera, Cameras, Image, Photo, PhotoError, PhotoId, Photos, Placed, Rgb};
 use stage::Hash;
@@ -18,12 +18,13 @@ use std::collections::BTreeMap;
 pub(crate) enum Empty {
     /// A photo of it.
     Plate(Rgb),
-    /// What stands still while the body turns, the coarse cuts that go with it, and how far rays pass
-    /// through the hull of the other photos.
+    /// What stands still while the body turns, the coarse cuts that go with it, how far rays pass
+    /// through the hull of the other photos, and reduced pixels that are bits of the room.
     Turn {
         scene: Box<Scene>,
         cuts: BTreeMap<PhotoId, Image<bool>>,
         depths: BTreeMap<PhotoId, Depths>,
+        strays: BTreeMap<PhotoId, Vec<usize>>,
     },
 }
 
@@ -183,7 +184,11 @@ pub(crate) fn empty_scene<E: From<CutError> + From<PhotoError> + Send>(
     let rectangle = Rectangle::read(&p.box_px, wide, tall).map_err(CutError::from)?;
     let factor = shots.first().map_or(1, |s| wide as usize / s.small.width);
     let within = rectangle.map(|r| (r, factor));
-    let (cuts, depths) = without_plate(&shots, cameras, settings, p.disk_side_mm, within);
+    let Cuts {
+        cuts,
+        depths,
+        strays,
+    } = without_plate(&shots, cameras, settings, p.disk_side_mm, within);
     let (width, height) = (wide, tall);
     let radius = cameras.disk_radius_mm.unwrap_or(0.0);
     let shares = doubtful(&shots, &cuts, radius);
@@ -219,6 +224,7 @@ pub(crate) fn empty_scene<E: From<CutError> + From<PhotoError> + Send>(
         scene: Box::new(means.scene()),
         cuts: cuts.collect(),
         depths,
+        strays: shots.iter().map(|shot| shot.id).zip(strays).collect(),
     };
     Ok((empty, levels, EmptyStats { stands, doubtful }))
 }

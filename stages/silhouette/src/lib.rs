@@ -39,6 +39,7 @@ mod recur;
 mod scene;
 mod seams;
 mod segment;
+mod strays;
 mod tiles;
 mod tunnels;
 mod turn;
@@ -68,7 +69,7 @@ pub use recur::{Recurring, recurring};
 pub use scene::{Scene, Shot};
 pub use segment::{Settings, cut, cut_whole, reduced};
 pub use tunnels::Depths;
-pub use turn::without_plate;
+pub use turn::{Cuts, without_plate};
 pub use unary::{Ground, Noise, background_cost};
 pub use walk::{Walk, WalkCutError, WalkInput, WalkParams};
 

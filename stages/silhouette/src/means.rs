@@ -1,9 +1,8 @@
 //! The empty scene at full size, a photo at a time, so that memory holds a few of them only.
 
-use crate::backdrop::{Backdrop, thinned};
+use crate::backdrop::{Backdrop, SHY, thinned};
 use crate::disk_top::{laid_out, point};
 use crate::scene::Scene;
-use crate::turn::SHY;
 use shape::{Camera, Image, Rgb};
 
 /// Means over the photos whose masks leave a pixel free.

@@ -82,10 +82,11 @@ impl OnePhoto<'_> {
             ready.agree(agreed.iter(), &[]);
         }
         let (sides, gmm) = self.checked(self.cut(&ready, settings))?;
-        let depths = match &self.background.empty {
-            Empty::Turn { depths, .. } => depths.get(&self.id),
-            Empty::Plate(_) => None,
+        let (depths, strays) = match &self.background.empty {
+            Empty::Turn { depths, strays, .. } => (depths.get(&self.id), strays.get(&self.id)),
+            Empty::Plate(_) => (None, None),
         };
+        ready.lay_bare(strays.map_or(&[][..], Vec::as_slice));
         let mask = fine(&pixels, &without, &ready, &sides, &gmm, depths, settings);
         Ok(self.level.returned(mask))
     }

@@ -1,6 +1,6 @@
 //! The scene without its subject when nobody took a plate: out of all photos of the turn.
 
-use crate::backdrop::{Backdrop, still, thinned};
+use crate::backdrop::{Backdrop, SHY, still, thinned};
 use crate::background::on_disk;
 use crate::boxed::Rectangle;
 use crate::coherence::{DISSENT, Together};
@@ -16,19 +16,25 @@ use crate::recur::recurring;
 use crate::scene::{Scene, Shot, scene};
 use crate::seams::chosen;
 use crate::segment::{EVIDENT, STRANGE, Settings, body_cost};
+use crate::strays::strays;
 use crate::tunnels::{Depths, depths};
 use nalgebra::Point2;
 use rayon::prelude::*;
 use shape::{Cameras, Image, Mask, PhotoId, Rgb};
 use std::collections::BTreeMap;
 
-/// The cuts of reduced photos, and how far their rays pass through the hull of the others.
-pub(crate) type Cuts = (Vec<Option<Image<bool>>>, BTreeMap<PhotoId, Depths>);
+/// The cuts of reduced photos, with what they follow from that a photo alone cannot tell.
+pub struct Cuts {
+    /// True is body; `None` where a photo shows nothing that moves.
+    pub cuts: Vec<Option<Image<bool>>>,
+    /// How far rays pass through the hull of the other photos.
+    pub(crate) depths: BTreeMap<PhotoId, Depths>,
+    /// Of each photo the pixels that were found to be bits of the room.
+    pub(crate) strays: Vec<Vec<usize>>,
+}
 
 /// Rounds of finding masks and the background by turns.
 const ROUNDS: usize = 2;
-/// Pixels around a mask that do not tell of the background.
-pub(crate) const SHY: usize = 2;
 
 /// A part of the room that is seen amid the turn must be so large a share of the photo.
 const ISLAND: f64 = 0.004;
@@ -43,9 +49,8 @@ pub(crate) fn standing(shots: &[Shot]) -> f64 {
     count as f64 / still.data.len().max(1) as f64
 }
 
-/// Masks of reduced photos without a plate. `None` where a photo shows nothing that moves. `within` is
-/// a rectangle that holds the body, and how many of its pixels became one. With them, how far rays pass
-/// through the hull of the other photos.
+/// Masks of reduced photos without a plate. `within` is a rectangle that holds the body, and how many of
+/// its pixels became one.
 pub fn without_plate(
     shots: &[Shot],
     cameras: &Cameras,
@@ -72,12 +77,14 @@ pub fn without_plate(
     }
     let mut covered = on_the_disk(shots, &room, body.as_ref(), radius);
     let mut cuts: Vec<Option<Image<bool>>> = Vec::new();
+    let mut ready = Vec::new();
     for round in 0..ROUNDS {
         if round > 0 {
             room = recurring(&smalls, Some(&covered), SOME).backdrop;
             without_islands(&mut room.seen);
         }
-        cuts = turn.together(turn.ready(&room, &covered));
+        ready = turn.ready(&room, &covered);
+        cuts = turn.together(&mut ready);
         covered = cuts
             .iter()
             .zip(shots)
@@ -87,14 +94,21 @@ pub fn without_plate(
             })
             .collect();
     }
+    let strays = turn.laid_bare(&mut ready, &mut cuts);
     let depths = turn.depths(&cuts);
-    for (shot, cut) in shots.iter().zip(&mut cuts) {
+    for ((shot, strays), cut) in shots.iter().zip(&strays).zip(&mut cuts) {
         if let Some((cut, depths)) = cut.as_mut().zip(depths.get(&shot.id)) {
-            let tunnels = depths.tunnels(cut);
+            let mut filled = cut.clone();
+            strays.iter().for_each(|i| filled.data[*i] = true);
+            let tunnels = depths.tunnels(&filled);
             tunnels.iter().for_each(|i| cut.data[*i] = true);
         }
     }
-    (cuts, depths)
+    Cuts {
+        cuts,
+        depths,
+        strays,
+    }
 }
 
 /// The room, followed from where it always stands to where few photos show it.
@@ -172,18 +186,47 @@ impl Turn<'_> {
         ready
     }
 
+    /// Bits of the room within the cuts. Photos that show some are cut again without.
+    fn laid_bare(
+        &self,
+        ready: &mut [Prepared],
+        cuts: &mut [Option<Image<bool>>],
+    ) -> Vec<Vec<usize>> {
+        let mut all = vec![vec![]; cuts.len()];
+        for _ in 0..ROUNDS {
+            let strays = strays(self.shots, cuts, self.radius);
+            if strays.iter().all(Vec::is_empty) {
+                break;
+            }
+            for (ready, strays) in ready.iter_mut().zip(&strays) {
+                ready.lay_bare(strays);
+            }
+            let again = self.together(ready);
+            for (k, (strays, again)) in strays.into_iter().zip(again).enumerate() {
+                if !strays.is_empty() {
+                    cuts[k] = again;
+                    all[k].extend(strays);
+                }
+            }
+        }
+        all
+    }
+
     /// Each photo cut alone, then again with what all say together.
-    fn together(&self, ready: Vec<Prepared>) -> Vec<Option<Image<bool>>> {
+    fn together(&self, ready: &mut [Prepared]) -> Vec<Option<Image<bool>>> {
         let alone = |ready: &Prepared| coarse(ready, self.settings).map(|(sides, _)| sides);
         let first: Vec<Option<Image<bool>>> = ready.par_iter().map(alone).collect();
         let masks = self.masks(&first);
         let all = Together::of(&masks, self.cameras);
         let of = |dissent: usize| all.as_ref().map(|all| all.known(dissent));
         let (agreed, firm) = (of(DISSENT).unwrap_or_default(), of(1).unwrap_or_default());
-        let again = |(shot, mut ready): (&Shot, Prepared)| {
+        let again = |(shot, ready): (&Shot, &mut Prepared)| {
             let firm = firm.get(&shot.id).map_or(&[][..], Vec::as_slice);
+            let before = ready.known.clone();
             ready.agree(agreed.get(&shot.id).into_iter().flatten(), firm);
-            alone(&ready)
+            let cut = alone(ready);
+            ready.known = before;
+            cut
         };
         self.shots.par_iter().zip(ready).map(again).collect()
     }

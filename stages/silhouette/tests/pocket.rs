@@ -2,7 +2,7 @@
 
 use nalgebra::{Point2, Point3, Rotation3, Vector3};
 use shape::{Camera, Cameras, Image, Intrinsics, PhotoId, Pose, Rgb, Scale, View as PhotoView};
-use silhouette::{Known, Noise, Prepared, Settings, Shot, without_plate};
+use silhouette::{Cuts, Known, Noise, Prepared, Settings, Shot, without_plate};
 use std::collections::BTreeMap;
 
 const SIZE: (usize, usize) = (120, 160);
@@ -83,7 +83,7 @@ fn through(shots: &[Shot]) -> BTreeMap<usize, (u32, u32)> {
         rounds: 2,
         clusters: 6,
     };
-    let (cuts, _) = without_plate(shots, &cameras, &settings, 0.0, None);
+    let Cuts { cuts, .. } = without_plate(shots, &cameras, &settings, 0.0, None);
     let mut seen = BTreeMap::new();
     for (k, (shot, cut)) in shots.iter().zip(&cuts).enumerate() {
         let cut: &Image<bool> = cut.as_ref().expect("a body");
