@@ -8,8 +8,10 @@ import time
 
 from conftest import COMMAND, DOLL
 
+# A shell's background jobs ignore SIGINT, and so would what they start: Python's own handler is set.
 PROGRAM = """
-import sys, time, tailor
+import signal, sys, time, tailor
+signal.signal(signal.SIGINT, signal.default_int_handler)
 doll = tailor.Pipeline(sys.argv[1], cache=sys.argv[2])
 print("begun", flush=True)
 try:
