@@ -57,15 +57,6 @@ impl Lengths {
         }
     }
 
-    /// The same for what is large, such as a tick of an axis.
-    pub(crate) fn coarse(self, mm: f64) -> String {
-        match self {
-            Lengths::Cm => format!("{:.0}", mm / 10.0),
-            Lengths::Inch => format!("{:.0}", mm / 25.4),
-            Lengths::Relative => format!("{:.2}", mm / 1000.0),
-        }
-    }
-
     /// What they are in.
     pub(crate) fn word(self) -> &'static str {
         match self {

@@ -26,6 +26,7 @@ mod sides;
 mod tables;
 mod take;
 mod tape;
+mod ticks;
 
 pub use answer::Answer;
 pub use html::{Html, HtmlInput, HtmlParams};

@@ -3,11 +3,15 @@
 use crate::labels::spread;
 use crate::lengths::Lengths;
 use crate::tables::escaped;
+use crate::ticks::ticks;
 use shape::{Girth, Girths};
 use std::fmt::Write;
 
 /// A girth that changes by more than this from one height to the next jumps.
 const JUMP: f64 = 0.06;
+
+/// An axis has no more ticks.
+const TICKS: usize = 7;
 
 /// Width of the column that holds names of girths, and height of a line of it.
 const NAMES: f64 = 152.0;
@@ -34,29 +38,18 @@ pub(crate) fn svg(girths: &Girths, ground_mm: f64, lengths: Lengths) -> String {
     let right = w - NAMES;
     let x = |girth: f64| left + (girth - narrowest + 0.05 * span) / (1.1 * span) * (right - left);
     let y = |height: f64| 8.0 + (high - height) / (high - low) * (h - bottom - 8.0);
-    let tick = |mm: f64| lengths.coarse(mm);
     let mut svg = format!(
         "<svg class=\"profile\" viewBox=\"0 0 {w} {h}\" role=\"img\" aria-label=\"girth of the trunk over height\">"
     );
-    for i in 0..=4 {
-        let (g, z) = (
-            narrowest + span * f64::from(i) / 4.0,
-            low + (high - low) * f64::from(i) / 4.0,
-        );
-        let _ = write!(
-            svg,
-            "<line class=\"grid\" x1=\"{gx:.1}\" x2=\"{gx:.1}\" y1=\"8\" y2=\"{b}\"/>\
-             <text x=\"{gx:.1}\" y=\"{ty}\" text-anchor=\"middle\">{cm}</text>\
-             <text x=\"{lx}\" y=\"{zy:.1}\" text-anchor=\"end\">{zcm}</text>",
-            gx = x(g),
-            b = h - bottom,
-            ty = h - bottom + 14.0,
-            cm = tick(g),
-            lx = left - 6.0,
-            zy = y(z) + 4.0,
-            zcm = tick(z),
-        );
-    }
+    let shown = [narrowest - 0.05 * span, narrowest + 1.05 * span];
+    let frame = [left, right, h - bottom];
+    grid(
+        &mut svg,
+        lengths,
+        shown.map(|g| (g, x(g))),
+        [low, high].map(|z| (z, y(z))),
+        frame,
+    );
     for pair in pairs.windows(2) {
         let [(z0, g0), (z1, g1)] = [pair[0], pair[1]];
         let class = match (g1 - g0).abs() > JUMP * g0 {
@@ -88,6 +81,41 @@ pub(crate) fn svg(girths: &Girths, ground_mm: f64, lengths: Lengths) -> String {
         unit = lengths.word(),
     );
     svg
+}
+
+/// Ticks of both axes with their lines. An axis is told by its ends, each with its place on the page; the frame by its
+/// left, its right and its lower border.
+fn grid(
+    svg: &mut String,
+    lengths: Lengths,
+    girths: [(f64, f64); 2],
+    heights: [(f64, f64); 2],
+    [left, right, bottom]: [f64; 3],
+) {
+    let (one, _) = lengths.scale();
+    let axis = |[(low, from), (high, to)]: [(f64, f64); 2]| {
+        let (all, digits) = ticks(low / one, high / one, TICKS);
+        let place = move |tick: f64| from + (tick * one - low) / (high - low) * (to - from);
+        let one = move |tick: f64| (place(tick), format!("{tick:.digits$}"));
+        all.into_iter().map(one).collect::<Vec<_>>()
+    };
+    for (x, label) in axis(girths) {
+        let _ = write!(
+            svg,
+            "<line class=\"grid\" x1=\"{x:.1}\" x2=\"{x:.1}\" y1=\"8\" y2=\"{bottom}\"/>\
+             <text x=\"{x:.1}\" y=\"{}\" text-anchor=\"middle\">{label}</text>",
+            bottom + 14.0,
+        );
+    }
+    for (y, label) in axis(heights) {
+        let _ = write!(
+            svg,
+            "<line class=\"grid\" x1=\"{left}\" x2=\"{right}\" y1=\"{y:.1}\" y2=\"{y:.1}\"/>\
+             <text x=\"{}\" y=\"{:.1}\" text-anchor=\"end\">{label}</text>",
+            left - 6.0,
+            y + 4.0,
+        );
+    }
 }
 
 /// Names in a column beside the curve. A level line meets the curve at its own height alone, so none

@@ -92,6 +92,70 @@ fn inches_are_shown_where_they_are_wanted_and_relative_lengths_stay_relative() {
     assert!(!relative.contains("WHO 2008, adults: risk increased above"));
 }
 
+/// What follows each mark in a text, up to what ends it, as a number.
+fn numbers(text: &str, mark: &str) -> Vec<f64> {
+    let ends = |rest: &str| rest.split(['"', '<', ',']).next()?.parse().ok();
+    text.split(mark).skip(1).filter_map(ends).collect()
+}
+
+/// Places of an axis' ticks with what stands at them. \[px\]
+fn axis(svg: &str, anchor: &str, place: &str) -> Vec<(f64, f64)> {
+    let texts = svg.split("<text ").skip(1).filter(|t| t.contains(anchor));
+    let one = |text: &str| {
+        let label = text.split_once('>')?.1.split('<').next()?;
+        Some((*numbers(text, place).first()?, label.parse().ok()?))
+    };
+    texts.filter_map(one).collect()
+}
+
+#[test]
+fn axes_of_the_curve_tell_what_lies_at_them() {
+    for (unit, one) in [(report::ShownIn::Cm, 10.0), (report::ShownIn::Inch, 25.4)] {
+        for (girth, swing, height) in [
+            (437.1, 22.9, 361.0),
+            (502.5, 3.1, 40.0),
+            (930.0, 160.0, 1120.5),
+        ] {
+            let mut input = input();
+            let girths = Arc::make_mut(&mut input.girths);
+            let rows = 0..40;
+            girths.profile.height_mm = rows.clone().map(|i| height + 4.6 * f64::from(i)).collect();
+            let tape = |i: i32| girth + swing * libm::sin(f64::from(i) / 6.0);
+            girths.profile.tape_mm = rows.map(tape).collect();
+            girths.girths[0].tape_mm = girth;
+            girths.girths[0].plane.point_mm[2] = height + 50.0;
+            let params = HtmlParams {
+                unit,
+                ..HtmlParams::default()
+            };
+            let page = page_of(&params, input);
+            let (_, svg) = page.split_once("<svg class=\"profile\"").unwrap();
+            let svg = svg.split("</svg>").next().unwrap();
+            for (anchor, place, mark, moved, truth) in [
+                ("text-anchor=\"middle\"", "x=\"", "cx=\"", 0.0, girth),
+                // A label's line stands that much below its tick.
+                ("text-anchor=\"end\"", " y=\"", "cy=\"", 4.0, height + 50.0),
+            ] {
+                let ticks = axis(svg, anchor, place);
+                assert!((3..=7).contains(&ticks.len()), "{ticks:?}");
+                let (first, last) = (ticks[0], ticks[ticks.len() - 1]);
+                let per_px = (last.1 - first.1) / (last.0 - first.0);
+                let read = |px: f64| first.1 + (px - first.0) * per_px;
+                for (px, label) in &ticks {
+                    assert!((read(*px) - label).abs() < 0.1 * per_px.abs(), "{ticks:?}");
+                }
+                let at = numbers(svg, mark)[0] + moved;
+                let off = read(at) - truth / one;
+                assert!(
+                    off.abs() < 0.2 * per_px.abs(),
+                    "{off} of {}: {ticks:?}",
+                    truth / one
+                );
+            }
+        }
+    }
+}
+
 /// The page of somebody.
 fn page_for(of: impl Fn(&mut Girths)) -> String {
     let mut input = input();
