@@ -25,15 +25,22 @@ pub(crate) fn derive(
         }
     };
     let over = |a: Option<f64>, b: Option<f64>| a.zip(b).map(|(a, b)| a / b);
-    let who = match (girths.is_child(), girths.sex) {
-        (true, _) => "",
+    // Whose thresholds are meant hangs on how tall the body is.
+    girths.stature_mm = measured_mm;
+    let who = match (girths.is_adult(), girths.sex) {
+        (false, _) => "",
         (_, Some(Sex::Male)) => "WHO 2008: raised risk from 0.90 (men); no diagnosis",
         (_, Some(Sex::Female)) => "WHO 2008: raised risk from 0.85 (women); no diagnosis",
         (_, None) => "WHO 2008: raised risk from 0.90 (men), 0.85 (women); no diagnosis",
     };
     add("WHR", over(waist_skin, hip_skin), who);
     add("WHR_tape", over(waist_tape, hip_tape), who);
-    let half = "waist to height: NICE 2022 names 0.5 as a boundary to keep below; no diagnosis";
+    // NICE names it for adults, and for children from 5 years on.
+    let from_five = girths.age_months.is_some_and(|months| months >= 60.0);
+    let half = match girths.is_adult() || from_five {
+        true => "waist to height: NICE 2022 names 0.5 as a boundary to keep below; no diagnosis",
+        false => "",
+    };
     add("WHtR", over(waist_tape, stature), half);
     let volume_l = Some(mesh.volume() * 1e-6).filter(|_| metric);
     let density = kg.zip(volume_l).map(|(kg, litres)| kg / litres);
@@ -43,7 +50,6 @@ pub(crate) fn derive(
         "experimental: 1 % of volume is 1 % of density, and the air in the lungs is in it",
     );
     girths.ratios = ratios;
-    girths.stature_mm = measured_mm;
     girths.weight_kg = kg;
     let metres = stature.filter(|_| metric).map(|mm| mm / 1000.0);
     girths.bmi = kg.zip(metres).map(|(kg, m)| kg / m.powi(2));
@@ -106,6 +112,47 @@ pub(crate) fn profile(body: &Body, girths: &Girths) -> Profile {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn thresholds_of_adults_stand_beside_no_figure_of_a_childs_size() {
+        let (positions, faces) = proof::block([500.0; 3]);
+        let cube = Mesh {
+            positions,
+            faces,
+            ..Mesh::default()
+        };
+        let notes = |stature: Option<f64>, age_months: Option<f64>| {
+            let plane = shape::Plane {
+                point_mm: [0.0; 3],
+                normal: [0.0, 0.0, 1.0],
+            };
+            let at = |id| {
+                let mark = shape::Landmark::new(id, plane, shape::Part::Trunk);
+                shape::Girth::at(&mark, 430.0)
+            };
+            let mut girths = Girths {
+                girths: vec![at(GirthId::Waist), at(GirthId::Hip)],
+                age_months,
+                ..Girths::default()
+            };
+            derive(&mut girths, &cube, stature, None, None);
+            let notes: Vec<String> = girths.ratios.into_iter().map(|r| r.2).collect();
+            notes.join("; ")
+        };
+        let figure = notes(Some(812.0), None);
+        assert!(
+            !figure.contains("WHO") && !figure.contains("NICE"),
+            "{figure}"
+        );
+        for adult in [notes(Some(1700.0), None), notes(Some(1300.0), Some(300.0))] {
+            assert!(
+                adult.contains("WHO 2008: raised risk") && adult.contains("NICE"),
+                "{adult}"
+            );
+        }
+        let child = notes(Some(1300.0), Some(100.0));
+        assert!(!child.contains("WHO") && child.contains("NICE"), "{child}");
+    }
 
     #[test]
     fn a_weight_that_does_not_fit_the_volume_is_told() {

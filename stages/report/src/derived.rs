@@ -10,8 +10,8 @@ fn waist(girths: &Girths, lengths: Lengths) -> Option<(String, String, String)> 
     let waist = girths.get("WC").filter(|_| lengths != Lengths::Relative)?;
     let [men, women, most_men, most_women] =
         [940.0, 800.0, 1020.0, 880.0].map(|mm| lengths.text(mm));
-    let note = match (girths.is_child(), girths.sex) {
-        (true, _) => String::new(),
+    let note = match (girths.is_adult(), girths.sex) {
+        (false, _) => String::new(),
         (_, Some(Sex::Male)) => {
             format!("WHO 2008, men: risk increased above {men}, substantially above {most_men}")
         }
@@ -87,20 +87,16 @@ pub(crate) fn derived(girths: &Girths, lengths: Lengths) -> String {
         rows.push(("weight".into(), weight(kg, lengths), "as given".into()));
     }
     if let Some(bmi) = girths.bmi {
-        let note = match girths.is_child() {
-            true => String::new(),
-            false => "WHO, adults: 18.5 to 24.9 normal, from 25 overweight, from 30 obese".into(),
+        let note = match girths.is_adult() {
+            true => "WHO, adults: 18.5 to 24.9 normal, from 25 overweight, from 30 obese".into(),
+            false => String::new(),
         };
         rows.push(("body mass index".into(), format!("{bmi:.1} kg/m²"), note));
     }
     rows.extend(for_age(girths));
     rows.extend(waist(girths, lengths));
     for (name, value, note) in &girths.ratios {
-        let note = match (name.as_str(), note.is_empty()) {
-            ("WHtR", true) => "often used bound: 0.5".into(),
-            _ => note.clone(),
-        };
-        rows.push((in_words(name), format!("{value:.3}"), note));
+        rows.push((in_words(name), format!("{value:.3}"), note.clone()));
     }
     if let Some(litres) = girths.volume_l {
         rows.push((
@@ -116,5 +112,13 @@ pub(crate) fn derived(girths: &Girths, lengths: Lengths) -> String {
         )
     };
     let rows: String = rows.iter().map(row).collect();
-    format!("<table class=\"facts\">{rows}</table><p class=\"note\">Numbers, no diagnosis.</p>")
+    let whose = match (girths.is_adult(), girths.age_months) {
+        (false, None) => {
+            " Thresholds of adults are left out: no age was given, and the body is not known to be as tall as an adult. Give the age to see them."
+        }
+        _ => "",
+    };
+    format!(
+        "<table class=\"facts\">{rows}</table><p class=\"note\">Numbers, no diagnosis.{whose}</p>"
+    )
 }

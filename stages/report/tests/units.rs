@@ -81,6 +81,12 @@ fn inches_are_shown_where_they_are_wanted_and_relative_lengths_stay_relative() {
     }
     assert!(!told.contains("[cm]"), "one unit on a page");
     // The WHO's thresholds are in what the reader reads.
+    let grown = |params: &HtmlParams| {
+        let mut input = input();
+        Arc::make_mut(&mut input.girths).stature_mm = Some(1700.0);
+        page_of(params, input)
+    };
+    let (told, plain) = (grown(&inches), grown(&HtmlParams::default()));
     assert!(told.contains("above 37.0 (men), 31.5 (women), substantially above 40.2, 34.6"));
     assert!(plain.contains("above 94.0 (men), 80.0 (women), substantially above 102.0, 88.0"));
     let tape = input().girths.girths[0].tape_mm;
@@ -160,7 +166,7 @@ fn axes_of_the_curve_tell_what_lies_at_them() {
 fn page_for(of: impl Fn(&mut Girths)) -> String {
     let mut input = input();
     let girths = Arc::make_mut(&mut input.girths);
-    (girths.stature_mm, girths.bmi) = (Some(1400.0), Some(17.9));
+    (girths.stature_mm, girths.bmi) = (Some(1440.0), Some(17.9));
     of(girths);
     page_of(&HtmlParams::default(), input)
 }
@@ -189,6 +195,21 @@ fn a_child_stands_beside_the_growth_reference_and_no_threshold_of_adults() {
     assert!(!young.contains("overweight") && !young.contains("risk increased"));
     let unknown = page_for(|_| ());
     assert!(unknown.contains("overweight") && !unknown.contains("WHO 2007"));
+    // Nor is a figure, or whoever is as short as small children, unless the age says so.
+    let figure = |age_months| {
+        page_for(|g| {
+            (g.stature_mm, g.age_months) = (Some(812.0), age_months);
+            g.ratios = vec![("WHtR".into(), 0.537, String::new())];
+        })
+    };
+    let unsaid = figure(None);
+    for adult in ["overweight", "risk increased", "obese", "bound: 0.5"] {
+        assert!(!unsaid.contains(adult), "{adult}");
+    }
+    assert!(unsaid.contains("Give the age to see them"));
+    let short = figure(Some(400.0));
+    assert!(short.contains("overweight") && short.contains("risk increased"));
+    assert!(!short.contains("Give the age"));
 }
 
 #[test]

@@ -135,13 +135,27 @@ pub struct Girths {
     pub profile: Profile,
 }
 
+/// 18 years. \[months\]
+const ADULT_MONTHS: f64 = 216.0;
+
+/// Three standard deviations below the median of women of 19 years, 163.15 · (1 − 3 · 0.04009) cm, the least of the
+/// WHO's growth reference of 2007 (de Onis et al., Bull World Health Organ 2007;85:660–667): one grown woman in 740 is
+/// shorter, and girls reach it at 11 in the median, so it parts figures and small children from adults, not youths. \[mm\]
+const ADULT_MM: f64 = 1435.0;
+
 impl Girths {
     /// The names of [`ratios`](Girths::ratios) that are told where they can be.
     pub const RATIOS: [&'static str; 4] = ["WHR", "WHR_tape", "WHtR", "density_kg_l"];
 
-    /// Whether this is known to be a child: thresholds for adults are not for them.
-    pub fn is_child(&self) -> bool {
-        self.age_months.is_some_and(|months| months < 216.0)
+    /// Whether thresholds of adults may stand beside the numbers: of somebody whose age is an adult's; where no age
+    /// was given, of a body as tall as adults are, as far as lengths are known. A short adult (dwarfism) whose age
+    /// was not given is left without them, as figures and small children are.
+    pub fn is_adult(&self) -> bool {
+        let tall = |mm: f64| self.unit == Unit::Metric && mm >= ADULT_MM;
+        match self.age_months {
+            Some(months) => months >= ADULT_MONTHS,
+            None => self.stature_mm.is_some_and(tall),
+        }
     }
 
     /// The girth of a name.
@@ -165,5 +179,29 @@ impl Artifact for Girths {
 
     fn unpack(from: &Unpacker<'_>) -> Result<Self, Corrupt> {
         from.meta()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn thresholds_are_for_adults_by_age_or_else_by_stature() {
+        let of = |age_months: Option<f64>, stature_mm: Option<f64>, unit: Unit| {
+            let girths = Girths {
+                age_months,
+                stature_mm,
+                unit,
+                ..Girths::default()
+            };
+            girths.is_adult()
+        };
+        let metric = |age, stature| of(age, stature, Unit::Metric);
+        assert!(metric(None, Some(1700.0)) && metric(None, Some(1435.0)));
+        assert!(!metric(None, Some(812.0)) && !metric(None, Some(1434.0)) && !metric(None, None));
+        assert!(metric(Some(216.0), Some(1300.0)) && metric(Some(600.0), None));
+        assert!(!metric(Some(215.9), Some(1800.0)));
+        assert!(!of(None, Some(1700.0), Unit::Relative));
     }
 }
