@@ -1,6 +1,6 @@
 //! What a capture is read from: photos, a video, raw photos.
 
-use crate::catalog::{is_photo, is_raw, is_video};
+use crate::catalog::{is_photo, is_plate, is_raw, is_video};
 use engine::cli::Fault;
 use std::path::{Path, PathBuf};
 
@@ -94,11 +94,6 @@ impl Source {
             "the video is read; {count} photos beside it are not ({first}, …)"
         ))
     }
-}
-
-/// Whether a file is of the empty scene, by its name.
-fn is_plate(name: &str) -> bool {
-    name.to_lowercase().starts_with("plate.")
 }
 
 #[cfg(test)]

@@ -2,7 +2,7 @@
 
 use super::answer::{Answer, Wrong, aside};
 use super::app::App;
-use super::facts::Facts;
+use super::facts::{Facts, Plate};
 use super::home::Place;
 use super::{delete, masks, show, small, upload, work};
 use axum::Json;
@@ -33,7 +33,8 @@ fn told(app: &App, place: &Place) -> Result<Value, Wrong> {
     let girths = place.girths(progress.state);
     Ok(json!({
         "id": place.id, "name": record.name, "begun": record.begun, "files": record.files,
-        "facts": record.facts, "look": place.look(), "measuring": progress, "girths": girths,
+        "facts": record.facts, "plate": record.plate().map(|(number, _)| number),
+        "look": place.look(), "measuring": progress, "girths": girths,
     }))
 }
 
@@ -99,9 +100,12 @@ pub(super) async fn delete_file(
     if app.jobs.progress(&place).goes_on() {
         return Err(Wrong::new(StatusCode::CONFLICT, "wrong-busy"));
     }
-    let gone = app
-        .home
-        .change(&place, |record| record.files.remove(&number))?;
+    let gone = app.home.change(&place, |record| {
+        if record.facts.plate == Plate::Photo(number) {
+            record.facts.plate = Plate::ByName;
+        }
+        record.files.remove(&number)
+    })?;
     let gone = gone.ok_or_else(Wrong::missing)?;
     std::fs::remove_file(place.photos().join(gone.file))?;
     place.outdated();

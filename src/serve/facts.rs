@@ -30,15 +30,46 @@ pub(super) struct Facts {
     /// Into how many even steps the turn was divided; negative if it went clockwise seen from above.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub(super) steps: Option<i64>,
-    /// The number of the photo of the empty scene.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub(super) plate: Option<u32>,
+    /// Which photo is of the empty scene.
+    #[serde(skip_serializing_if = "Plate::is_by_name")]
+    pub(super) plate: Plate,
     /// Whether the camera was walked around.
     pub(super) walk: bool,
     /// Whether a first, coarser look is enough.
     pub(super) quick: bool,
     /// Whether the report shows inches.
     pub(super) inches: bool,
+}
+
+/// Which photo is of the empty scene: a number, `null` for none, and left out for the one whose name says it.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(from = "Option<u32>", into = "Option<u32>")]
+pub(super) enum Plate {
+    #[default]
+    ByName,
+    Nothing,
+    Photo(u32),
+}
+
+impl Plate {
+    fn is_by_name(&self) -> bool {
+        *self == Plate::ByName
+    }
+}
+
+impl From<Option<u32>> for Plate {
+    fn from(said: Option<u32>) -> Plate {
+        said.map_or(Plate::Nothing, Plate::Photo)
+    }
+}
+
+impl From<Plate> for Option<u32> {
+    fn from(plate: Plate) -> Option<u32> {
+        match plate {
+            Plate::Photo(number) => Some(number),
+            Plate::ByName | Plate::Nothing => None,
+        }
+    }
 }
 
 /// Whose growth reference is meant.

@@ -1,6 +1,7 @@
 //! What is remembered of a capture beside its files.
 
-use super::facts::Facts;
+use super::facts::{Facts, Plate};
+use crate::catalog::is_plate;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 
@@ -37,6 +38,17 @@ impl Record {
     /// All files. \[bytes\]
     pub(super) fn bytes(&self) -> u64 {
         self.files.values().map(|f| f.bytes).sum()
+    }
+
+    /// The photo of the empty scene with its number: the one that was chosen, else the first that is called so.
+    pub(super) fn plate(&self) -> Option<(u32, &Kept)> {
+        let mut photos = self.files.iter().filter(|(_, kept)| !kept.video);
+        let found = match self.facts.plate {
+            Plate::ByName => photos.find(|(_, kept)| is_plate(&kept.name)),
+            Plate::Nothing => None,
+            Plate::Photo(number) => photos.find(|(n, _)| **n == number),
+        };
+        found.map(|(number, kept)| (*number, kept))
     }
 
     /// What the owner calls a file that lies under this name.

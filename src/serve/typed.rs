@@ -1,6 +1,6 @@
 //! What was typed into the form of facts, read as the reader writes numbers.
 
-use super::facts::{Facts, Sex};
+use super::facts::{Facts, Plate, Sex};
 use super::language::Words;
 use super::pages::facts::Slips;
 use std::collections::{BTreeMap, HashMap};
@@ -35,7 +35,8 @@ pub(super) fn facts(words: Words, sent: &HashMap<String, String>) -> Result<Fact
     };
     let steps = read("steps", false);
     facts.steps = steps.map(|steps| steps as i64);
-    facts.plate = sent.get("plate").and_then(|text| text.parse().ok());
+    let plate = |text: &String| text.parse().map_or(Plate::Nothing, Plate::Photo);
+    facts.plate = sent.get("plate").map_or(Plate::ByName, plate);
     let sex = sent.get("sex").map(String::as_str);
     facts.sex = Sex::ALL.into_iter().find(|s| Some(s.word()) == sex);
     facts.walk = sent.contains_key("walk");
@@ -101,7 +102,7 @@ mod tests {
             stature_cm: Some(171.5),
             steps: Some(-18),
             walk: true,
-            plate: Some(3),
+            plate: Plate::Photo(3),
             sex: Some(Sex::Male),
             age_years: Some(9.5),
             ..Facts::default()

@@ -25,11 +25,8 @@ use std::sync::atomic::Ordering;
 
 /// The words that say what is known of a capture.
 fn words(record: &Record) -> Vec<OsString> {
-    let plate = record
-        .facts
-        .plate
-        .and_then(|number| record.files.get(&number));
-    let words = record.facts.words(plate.map(|kept| kept.file.as_str()));
+    let plate = record.plate().map(|(_, kept)| kept.file.as_str());
+    let words = record.facts.words(plate);
     words.into_iter().map(OsString::from).collect()
 }
 

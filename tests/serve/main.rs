@@ -3,6 +3,7 @@
 
 mod api;
 mod calls;
+mod documented;
 #[cfg(chromium)]
 mod flows;
 #[cfg(chromium)]

@@ -41,9 +41,6 @@ async function send(name, files, tick) {
     }
   };
   await Promise.all(Array.from({ length: AT_ONCE }, one));
-  // The photo of the empty scene is known by its name.
-  const plate = files.findIndex((file) => /^plate\./i.test(file.name));
-  if (plate >= 0) await call("PUT", `/api/captures/${id}/facts`, JSON.stringify({ plate: plate + 1 }), "application/json");
   return id;
 }
 

@@ -46,7 +46,7 @@ pub(crate) fn form(words: Words, at: &str, record: &Record, slips: &Slips, busy:
         false => slips.typed.contains_key(name),
     };
     let plate = match slips.why.is_empty() {
-        true => facts.plate,
+        true => record.plate().map(|(number, _)| number),
         false => slips.typed.get("plate").and_then(|text| text.parse().ok()),
     };
     let typed = slips.typed.get("sex").map(String::as_str);

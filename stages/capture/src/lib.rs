@@ -39,6 +39,7 @@ pub use glance::{Glance, Together, glance, together};
 pub use keys::RigError;
 pub use load::{Load, LoadInput, LoadParams};
 pub use look::{Look, LookInput, LookParams};
+pub use names::is_plate;
 pub use person::{Personal, PersonalInput, PersonalParams};
 pub use program::ProgramError;
 pub use raw::{Raw, RawError, RawInput, RawParams};

@@ -18,12 +18,12 @@ pub(crate) fn sorted<'a>(files: &'a Files, known: &RigFile) -> Result<Sorted<'a>
         .filter(|e| e.name != "capture.toml")
         .collect();
     let plate = plate_of(files, known)?;
-    let other = |e: &&FileEntry| Some(&e.name) != plate.map(|p| &p.name) && stem(e) != "plate";
+    let other = |e: &&FileEntry| Some(&e.name) != plate.map(|p| &p.name) && !is_plate(&e.name);
     if !known.images.is_empty() {
         return Ok((said(&pictures, &known.images, other)?, plate));
     }
     let inner = |e: &FileEntry| e.name.starts_with("images/");
-    let within = pictures.iter().any(|e| inner(e) && stem(e) != "plate");
+    let within = pictures.iter().any(|e| inner(e) && !is_plate(&e.name));
     let of_turn = |e: &&FileEntry| other(e) && inner(e) == within;
     Ok((pictures.into_iter().filter(of_turn).collect(), plate))
 }
@@ -42,7 +42,7 @@ pub(crate) fn plate_of<'a>(
             let found = found.ok_or_else(|| CaptureError::NoPlate(name.clone()))?;
             Ok(Some(found).filter(file))
         }
-        None => Ok(entries.filter(file).find(|e| stem(e) == "plate")),
+        None => Ok(entries.filter(file).find(|e| is_plate(&e.name))),
     }
 }
 
@@ -72,10 +72,10 @@ fn said<'a>(
     Ok(turn)
 }
 
-/// A file's name without folders and ending, in small letters.
-pub(crate) fn stem(e: &FileEntry) -> String {
-    let stem = Path::new(&e.name).file_stem();
-    stem.map_or(String::new(), |s| s.to_string_lossy().to_lowercase())
+/// Whether a name says that a file is of the empty scene: `plate` before its ending, letters of either case.
+pub fn is_plate(name: &str) -> bool {
+    let stem = Path::new(name).file_stem();
+    stem.is_some_and(|s| s.to_string_lossy().to_lowercase() == "plate")
 }
 
 /// Whether a name fits a pattern, letters of either case: `*` is any run of characters within a folder,

@@ -89,7 +89,7 @@ impl Stage for Raw {
         let plate = files
             .entries
             .iter()
-            .find(|e| crate::names::stem(e) == "plate");
+            .find(|e| crate::names::is_plate(&e.name));
         let (mut turn, _) = sorted(&files, &RigFile::default())?;
         for (copy, first) in twins(&mut turn) {
             ctx.warn(format!(

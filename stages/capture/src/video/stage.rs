@@ -1,7 +1,7 @@
 //! The stage that takes the photos of a turn out of a video.
 
 use crate::folder::is_video;
-use crate::names::stem;
+use crate::names::is_plate;
 use crate::video::error::VideoError;
 use crate::video::ffmpeg::{Source, versions};
 use crate::video::frames::{Looked, Watch, looked_at, probed, taken};
@@ -72,7 +72,7 @@ impl Stage for Video {
         let files = &input.files;
         let videos: Vec<&FileEntry> = files.entries.iter().filter(|e| is_video(&e.name)).collect();
         let (empty, turns): (Vec<&FileEntry>, Vec<_>) =
-            videos.into_iter().partition(|e| stem(e) == "plate");
+            videos.into_iter().partition(|e| is_plate(&e.name));
         let [entry] = turns.as_slice() else {
             let found = turns.iter().map(|e| e.name.clone()).collect();
             return Err(VideoError::Count { found }.into());
