@@ -4,6 +4,7 @@ use super::answer::{Answer, Wrong, aside};
 use super::app::App;
 use super::facts::{Facts, Plate};
 use super::home::Place;
+use super::said::Said;
 use super::{delete, masks, show, small, upload, work};
 use axum::Json;
 use axum::body::Body;
@@ -57,7 +58,7 @@ pub(super) struct New {
 }
 
 /// A new capture.
-pub(super) async fn create(State(app): Shared, Json(new): Json<New>) -> Answer {
+pub(super) async fn create(State(app): Shared, Said(new): Said<New>) -> Answer {
     let place = app.home.create(&new.name)?;
     let at = format!("/api/captures/{}", place.id);
     let answer = Json(json!({ "id": place.id }));
@@ -138,7 +139,7 @@ pub(super) async fn photo(
 pub(super) async fn put_facts(
     State(app): Shared,
     Path(id): Path<String>,
-    Json(facts): Json<Facts>,
+    Said(facts): Said<Facts>,
 ) -> Answer {
     let place = place(&app, &id)?;
     keep_facts(&app, &place, facts)?;

@@ -5,7 +5,7 @@
 //! | `guard.rs` | who may ask |
 //! | `routes.rs` | every call, and what all of them pass |
 //! | `visits.rs`, `pages/`, `handed.rs` | pages and their forms, files handed out; `typed.rs` reads what was typed, `language.rs`, `findings.rs`, `warnings.rs`, `errors.rs` and `words/` say it |
-//! | `api.rs`, `events.rs` | calls of programs and scripts; progress as it happens |
+//! | `api.rs`, `said.rs`, `events.rs` | calls of programs and scripts, what they say; progress as it happens |
 //! | `upload.rs`, `sniff.rs` | files that come in |
 //! | `home.rs`, `record.rs`, `facts.rs`, `delete.rs` | captures on the disk |
 //! | `jobs.rs`, `work.rs`, `progress.rs` | what is being measured |
@@ -33,6 +33,7 @@ mod pages;
 mod progress;
 mod record;
 mod routes;
+mod said;
 mod show;
 mod small;
 mod sniff;

@@ -4,7 +4,7 @@ use super::answer::Wrong;
 use super::app::App;
 use super::guard::{Asked, Refused};
 use super::language::{Language, Words};
-use super::{api, events, handed, visits};
+use super::{api, events, handed, said, visits};
 use axum::Router;
 use axum::extract::{DefaultBodyLimit, Request, State};
 use axum::http::{HeaderMap, HeaderValue, Method, StatusCode, header};
@@ -161,9 +161,10 @@ async fn pass(State(app): State<Arc<App>>, mut request: Request, next: Next) -> 
             next.run(request).await
         }
     };
-    if let Some(wrong) = answer.extensions_mut().remove::<Wrong>() {
-        answer = wrong.answer(words, page);
-    }
+    answer = match answer.extensions_mut().remove::<Wrong>() {
+        Some(wrong) => wrong.answer(words, page),
+        None => said::as_all_else(answer, words, page).await,
+    };
     rules(answer.headers_mut());
     answer
 }

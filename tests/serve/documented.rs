@@ -56,3 +56,49 @@ fn a_photo_called_plate_is_the_empty_scene_unless_another_is_said() {
     server.ask("PUT", &facts, &said).is(204);
     assert_eq!(seen(&server, &id), (json!(18), json!("0019.jpg")));
 }
+
+#[test]
+fn errors_are_json_whatever_is_wrong() {
+    let server = Server::new();
+    let id = server.capture("anna");
+    let bearer = format!("Bearer {}", server.token);
+    let large = "a".repeat(100_000);
+    for case in [
+        "POST /api/captures application/json 400 wrong-json {\"name\":",
+        "POST /api/captures application/json 400 wrong-json ",
+        "POST /api/captures application/json 422 wrong-object []",
+        "POST /api/captures application/json 422 wrong-object [\"a\"]",
+        "POST /api/captures application/json 422 wrong-said {\"nam\":\"a\"}",
+        "POST /api/captures application/json 413 wrong-request {\"name\":\"LARGE\"}",
+        "POST /api/captures text/plain 415 wrong-media {\"name\":\"a\"}",
+        "DELETE /api/captures application/json 405 wrong-method {}",
+        "PUT /api/captures/ID/facts application/json 422 wrong-object []",
+        "PUT /api/captures/ID/files/abc?name=a.jpg image/jpeg 400 wrong-request ",
+        "GET /api/nothing application/json 404 wrong-missing ",
+    ] {
+        let case = case.replace("ID", &id);
+        let [method, path, media, status, code, body] = case.splitn(6, ' ').collect::<Vec<_>>()[..]
+            .try_into()
+            .unwrap();
+        let body = body.replace("LARGE", &large);
+        let headers = [("Authorization", bearer.as_str()), ("Content-Type", media)];
+        let answer = server.call(method, path, &headers, body.as_bytes());
+        assert_eq!(
+            answer.status.to_string(),
+            status,
+            "{case}: {}",
+            answer.text()
+        );
+        assert_eq!(answer.header("content-type"), "application/json");
+        let told = answer.json();
+        assert_eq!(told["code"], code, "{told}");
+        assert!(!told["error"].as_str().unwrap().is_empty());
+    }
+    let listed = server.ask("GET", "/api/captures", &Value::Null);
+    let listed = listed.is(200).json();
+    assert_eq!(listed["captures"].as_array().unwrap().len(), 1, "{listed}");
+    // On a page the same is said as a page.
+    let form = format!("/captures/{id}/files/abc/remove");
+    let page = server.call("POST", &form, &[("Authorization", &bearer)], b"");
+    assert!(page.is(400).text().contains("<html"));
+}

@@ -183,6 +183,11 @@ gone-shared = Eine andere Aufnahme hatte dieselben Fotos: Was von ihren Ergebnis
 
 # Was schiefgehen kann
 wrong-missing = Das ist hier nicht (mehr).
+wrong-json = Das ist kein gültiges JSON: { $why }
+wrong-object = Erwartet wird ein JSON-Objekt, keine Liste und kein einzelner Wert.
+wrong-media = JSON senden, mit dem Kopf Content-Type: application/json.
+wrong-request = Diese Anfrage lässt sich nicht lesen: { $why }
+wrong-method = Diese Adresse nimmt solche Anfragen nicht an.
 wrong-said = { $why }
 wrong-broken = Das konnte das Programm nicht: { $why }
 wrong-full = Die Platte ist voll: Platz schaffen und noch einmal versuchen. Nichts halb Geschriebenes blieb zurück.

@@ -183,6 +183,11 @@ gone-shared = Another capture had the same photos: what went of its results is m
 
 # What can be wrong
 wrong-missing = This is not here (any more).
+wrong-json = This is not valid JSON: { $why }
+wrong-object = A JSON object is expected, not a list or a single value.
+wrong-media = Send JSON, with the header Content-Type: application/json.
+wrong-request = This request cannot be read: { $why }
+wrong-method = This address does not take this kind of call.
 wrong-said = { $why }
 wrong-broken = The program could not do that: { $why }
 wrong-full = The disk is full: make room, then try again. Nothing half-written was kept.

@@ -1,0 +1,60 @@
+//! What calls say: bodies as JSON objects; and what the router refuses by itself, answered as all else.
+
+use super::answer::Wrong;
+use super::language::Words;
+use axum::Json;
+use axum::body::to_bytes;
+use axum::extract::{FromRequest, Request};
+use axum::http::{StatusCode, header};
+use axum::response::Response;
+use serde::de::DeserializeOwned;
+use serde_json::Value;
+
+/// A body: a JSON object.
+pub(super) struct Said<T>(pub(super) T);
+
+impl<T: DeserializeOwned, S: Send + Sync> FromRequest<S> for Said<T> {
+    type Rejection = Wrong;
+
+    async fn from_request(request: Request, state: &S) -> Result<Self, Wrong> {
+        let read = Json::<Value>::from_request(request, state).await;
+        let Json(value) = read.map_err(|why| {
+            let key = match why.status() {
+                StatusCode::BAD_REQUEST => "wrong-json",
+                StatusCode::UNSUPPORTED_MEDIA_TYPE => "wrong-media",
+                _ => "wrong-request",
+            };
+            Wrong::new(why.status(), key).put("why", why.body_text())
+        })?;
+        // A list would be taken for the fields in their order.
+        if !value.is_object() {
+            return Err(Wrong::new(StatusCode::UNPROCESSABLE_ENTITY, "wrong-object"));
+        }
+        serde_json::from_value(value).map(Said).map_err(Wrong::said)
+    }
+}
+
+/// The longest text of the router's own. \[bytes\]
+const MOST: usize = 4 << 10;
+
+/// What the router refused by itself, in plain text or without one, as all other refusals are answered.
+pub(super) async fn as_all_else(answer: Response, words: Words, page: bool) -> Response {
+    let status = answer.status();
+    let told = answer.headers().get(header::CONTENT_TYPE);
+    let told = told.and_then(|media| media.to_str().ok());
+    let plain = told.is_none_or(|media| media.starts_with("text/plain"));
+    if !(status.is_client_error() || status.is_server_error()) || !plain {
+        return answer;
+    }
+    let allowed = answer.headers().get(header::ALLOW).cloned();
+    let text = to_bytes(answer.into_body(), MOST).await.unwrap_or_default();
+    let wrong = match status {
+        StatusCode::METHOD_NOT_ALLOWED => Wrong::new(status, "wrong-method"),
+        _ => Wrong::new(status, "wrong-request").put("why", String::from_utf8_lossy(&text)),
+    };
+    let mut answer = wrong.answer(words, page);
+    if let Some(allowed) = allowed {
+        answer.headers_mut().insert(header::ALLOW, allowed);
+    }
+    answer
+}
