@@ -4,7 +4,8 @@ use super::answer::{Answer, Wrong, aside};
 use super::app::App;
 use super::facts::{Facts, Plate};
 use super::home::Place;
-use super::said::Said;
+use super::keeping::{keep, merged};
+use super::said::{Said, means, tag};
 use super::{delete, masks, show, small, upload, work};
 use axum::Json;
 use axum::body::Body;
@@ -34,7 +35,7 @@ fn told(app: &App, place: &Place) -> Result<Value, Wrong> {
     let girths = place.girths(progress.state);
     Ok(json!({
         "id": place.id, "name": record.name, "begun": record.begun, "files": record.files,
-        "facts": record.facts, "plate": record.plate().map(|(number, _)| number),
+        "facts": record.facts, "version": record.version, "plate": record.plate().map(|(number, _)| number),
         "look": place.look(), "measuring": progress, "girths": girths,
     }))
 }
@@ -43,8 +44,10 @@ fn told(app: &App, place: &Place) -> Result<Value, Wrong> {
 pub(super) async fn list(State(app): Shared) -> Answer {
     let all = app.home.all().into_iter().map(|(place, record)| {
         let state = app.jobs.progress(&place).state;
+        let girths = place.girths(state);
+        let measured = girths.and_then(|g| Some(g["girths"].as_array()?.len()));
         json!({ "id": place.id, "name": record.name, "begun": record.begun,
-                "files": record.files.len(), "state": state })
+                "files": record.files.len(), "state": state, "girths": measured })
     });
     Ok(Json(json!({ "captures": all.collect::<Value>() })).into_response())
 }
@@ -67,7 +70,10 @@ pub(super) async fn create(State(app): Shared, Said(new): Said<New>) -> Answer {
 
 /// One capture.
 pub(super) async fn read(State(app): Shared, Path(id): Path<String>) -> Answer {
-    Ok(Json(told(&app, &place(&app, &id)?)?).into_response())
+    let place = place(&app, &id)?;
+    let told = told(&app, &place)?;
+    let version = tag(told["version"].as_u64().unwrap_or_default());
+    Ok(([(header::ETAG, version)], Json(told)).into_response())
 }
 
 /// What a file is called.
@@ -135,40 +141,39 @@ pub(super) async fn photo(
     Ok(([(header::CONTENT_TYPE, "image/jpeg")], bytes).into_response())
 }
 
-/// Says what is known of a capture.
+/// Says what is known of a capture: all of it.
 pub(super) async fn put_facts(
     State(app): Shared,
     Path(id): Path<String>,
+    headers: HeaderMap,
     Said(facts): Said<Facts>,
 ) -> Answer {
-    let place = place(&app, &id)?;
-    keep_facts(&app, &place, facts)?;
-    Ok(StatusCode::NO_CONTENT.into_response())
+    change(&app, &id, &headers, |_| Ok(facts))
 }
 
-/// Keeps what is known; what was seen with other facts is no more.
-///
-/// # Errors
-///
-/// A fact that cannot be, or a capture that is being measured.
-pub(super) fn keep_facts(app: &App, place: &Place, facts: Facts) -> Result<(), Wrong> {
-    facts.check().map_err(Wrong::said)?;
-    if app.jobs.progress(place).goes_on() {
-        return Err(Wrong::new(StatusCode::CONFLICT, "wrong-busy"));
-    }
-    let before = app.home.change(place, |record| {
-        std::mem::replace(&mut record.facts, facts.clone())
+/// Says some of what is known; the rest stays.
+pub(super) async fn patch_facts(
+    State(app): Shared,
+    Path(id): Path<String>,
+    headers: HeaderMap,
+    Said(some): Said<Value>,
+) -> Answer {
+    change(&app, &id, &headers, |known| merged(known, &some))
+}
+
+fn change(
+    app: &App,
+    id: &str,
+    headers: &HeaderMap,
+    how: impl FnOnce(&Facts) -> Result<Facts, Wrong>,
+) -> Answer {
+    let place = place(app, id)?;
+    keep(app, &place, |record| {
+        means(headers, record.version)?;
+        how(&record.facts)
     })?;
-    let alike = |f: &Facts| Facts {
-        walk: false,
-        quick: false,
-        inches: false,
-        ..f.clone()
-    };
-    if alike(&before) != alike(&facts) {
-        let _ = std::fs::remove_file(place.folder.join("look.json"));
-    }
-    Ok(())
+    let version = tag(place.record()?.version);
+    Ok((StatusCode::NO_CONTENT, [(header::ETAG, version)]).into_response())
 }
 
 /// Looks at the photos, as `tailor doctor` does.

@@ -26,7 +26,7 @@ fn event(id: &str, words: Words, now: &Progress) -> Event {
     let data = json!({
         "state": now.state,
         "measuring": now,
-        "sentence": progress::sentence(words, now),
+        "sentence": progress::sentence(words, now, false),
         "steps": progress::steps(words, now).into_string(),
         "pictures": progress::pictures(words, id, now).into_string(),
     });

@@ -109,6 +109,11 @@ impl Words {
         self.language.bundle().has_message(key)
     }
 
+    /// The unit of lengths, as a form says it.
+    pub(super) fn unit(self) -> &'static str {
+        if self.inches { "in" } else { "cm" }
+    }
+
     /// A number with so many decimals, as it is written in the language.
     pub(super) fn number(self, value: f64, decimals: usize) -> String {
         self.written(&format!("{value:.decimals$}"))

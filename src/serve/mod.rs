@@ -7,7 +7,7 @@
 //! | `visits.rs`, `pages/`, `handed.rs` | pages and their forms, files handed out; `typed.rs` reads what was typed, `language.rs`, `findings.rs`, `warnings.rs`, `errors.rs` and `words/` say it |
 //! | `api.rs`, `said.rs`, `events.rs` | calls of programs and scripts, what they say; progress as it happens |
 //! | `upload.rs`, `sniff.rs` | files that come in |
-//! | `home.rs`, `record.rs`, `facts.rs`, `delete.rs` | captures on the disk |
+//! | `home.rs`, `record.rs`, `facts.rs`, `keeping.rs`, `delete.rs` | captures on the disk, what is known of them, and who changes it |
 //! | `jobs.rs`, `work.rs`, `progress.rs` | what is being measured |
 //! | `show.rs`, `small.rs` | pictures to look at |
 //! | `masks.rs` | outlines corrected with a brush |
@@ -26,6 +26,7 @@ mod guard;
 mod handed;
 mod home;
 mod jobs;
+mod keeping;
 mod lan;
 mod language;
 mod masks;

@@ -32,6 +32,9 @@ pub(super) struct Record {
     /// What is known of it.
     #[serde(default)]
     pub(super) facts: Facts,
+    /// How often the facts were changed.
+    #[serde(default)]
+    pub(super) version: u64,
 }
 
 impl Record {

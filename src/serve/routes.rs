@@ -67,7 +67,10 @@ fn routes() -> Vec<Route> {
                 .put(api::put_mask)
                 .layer(DefaultBodyLimit::disable()),
         ),
-        ("/api/captures/{id}/facts", put(api::put_facts)),
+        (
+            "/api/captures/{id}/facts",
+            put(api::put_facts).patch(api::patch_facts),
+        ),
         ("/api/captures/{id}/look", post(api::look)),
         ("/api/captures/{id}/measure", post(api::measure)),
         ("/api/captures/{id}/stop", post(api::stop)),

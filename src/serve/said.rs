@@ -1,11 +1,11 @@
-//! What calls say: bodies as JSON objects; and what the router refuses by itself, answered as all else.
+//! What calls say: bodies as JSON objects, the version that they mean; and what the router refuses by itself, answered as all else.
 
 use super::answer::Wrong;
 use super::language::Words;
 use axum::Json;
 use axum::body::to_bytes;
 use axum::extract::{FromRequest, Request};
-use axum::http::{StatusCode, header};
+use axum::http::{HeaderMap, StatusCode, header};
 use axum::response::Response;
 use serde::de::DeserializeOwned;
 use serde_json::Value;
@@ -31,6 +31,28 @@ impl<T: DeserializeOwned, S: Send + Sync> FromRequest<S> for Said<T> {
             return Err(Wrong::new(StatusCode::UNPROCESSABLE_ENTITY, "wrong-object"));
         }
         serde_json::from_value(value).map(Said).map_err(Wrong::said)
+    }
+}
+
+/// The tag of a version.
+pub(super) fn tag(version: u64) -> String {
+    format!("\"{version}\"")
+}
+
+/// Whether a call means what there is by now: without `If-Match` it means whatever there is.
+///
+/// # Errors
+///
+/// It means another version.
+pub(super) fn means(headers: &HeaderMap, version: u64) -> Result<(), Wrong> {
+    let Some(asked) = headers.get(header::IF_MATCH) else {
+        return Ok(());
+    };
+    let asked = asked.to_str().unwrap_or_default();
+    let fits = |one: &str| one == "*" || one == tag(version);
+    match asked.split(',').map(str::trim).any(fits) {
+        true => Ok(()),
+        false => Err(Wrong::new(StatusCode::PRECONDITION_FAILED, "wrong-stale")),
     }
 }
 

@@ -66,6 +66,7 @@ pub(super) fn facts(words: Words, sent: &HashMap<String, String>) -> Result<Fact
         false => Err(Slips {
             why: slips,
             typed: sent.clone(),
+            stale: false,
         }),
     }
 }

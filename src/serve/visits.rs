@@ -1,12 +1,13 @@
 //! What people visit: pages, and what their forms send.
 
 use super::answer::{Answer, Wrong, aside};
-use super::api::{keep_facts, place};
+use super::api::place;
 use super::app::App;
 use super::home::Place;
+use super::keeping::{self, Unkept};
 use super::language::{Language, Words};
 use super::pages::{self, detail, facts::Slips, home};
-use super::{batch, delete, masks, typed, work};
+use super::{batch, delete, masks, work};
 use axum::Extension;
 use axum::extract::{Form, Path, State};
 use axum::http::{HeaderValue, StatusCode, header};
@@ -120,17 +121,34 @@ pub(super) async fn facts(
     Form(sent): Sent,
 ) -> Answer {
     let place = place(&app, &id)?;
-    match typed::facts(words, &sent) {
-        Ok(facts) => {
-            keep_facts(&app, &place, facts)?;
-            Ok(back(&place))
+    // The unit may have been changed in another window since the form was shown.
+    let inches = sent.get("unit").map_or(words.inches, |unit| {
+        unit == Words {
+            inches: true,
+            ..words
         }
-        Err(slips) => {
-            let alert = Some(words.say("facts-wrong"));
-            let page = detail::detail(words, &content(&app, place, slips, alert)?);
-            Ok((StatusCode::UNPROCESSABLE_ENTITY, html(page)).into_response())
+        .unit()
+    });
+    let words = Words { inches, ..words };
+    match keeping::keep(&app, &place, |record| keeping::asked(words, record, &sent)) {
+        Ok(()) => Ok(back(&place)),
+        Err(Unkept::Wrong(wrong)) => Err(wrong),
+        Err(Unkept::Slips(slips)) => {
+            let (status, alert) = match slips.stale {
+                true => (StatusCode::CONFLICT, stale(words, &slips)),
+                false => (StatusCode::UNPROCESSABLE_ENTITY, words.say("facts-wrong")),
+            };
+            let page = detail::detail(words, &content(&app, place, slips, Some(alert))?);
+            Ok((status, html(page)).into_response())
         }
     }
+}
+
+/// Which fields another window changed meanwhile.
+fn stale(words: Words, slips: &Slips) -> String {
+    let name = |field: &&str| words.say(&format!("fact-{}", field.replace('_', "-")));
+    let fields: Vec<String> = slips.why.keys().map(name).collect();
+    words.with("facts-stale", &[("fields", fields.join(", ").into())])
 }
 
 /// Measures; the report is in the unit that the reader reads.

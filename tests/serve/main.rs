@@ -15,6 +15,7 @@ mod security;
 mod server;
 #[cfg(chromium)]
 mod whole;
+mod windows;
 
 #[cfg(chromium)]
 #[allow(dead_code)]

@@ -51,7 +51,7 @@ pub(crate) fn detail(words: Words, content: &Content) -> Markup {
         @if let Some(girths) = girths {
             (result::result(words, place, girths))
         }
-        (measuring(words, place, progress, stopped))
+        (measuring(words, content, stopped))
         (facts::form(words, &at, record, &content.slips, progress.goes_on()))
         (seen::seen(words, &at, record, look.as_ref(), progress.goes_on()))
         p { a .danger href=(format!("{at}/delete")) { (words.say("delete-capture")) } }
@@ -60,8 +60,15 @@ pub(crate) fn detail(words: Words, content: &Content) -> Markup {
 }
 
 /// Its measuring: what can be asked for, and how far it is.
-fn measuring(words: Words, place: &Place, progress: &Progress, stopped: bool) -> Markup {
+fn measuring(words: Words, content: &Content, stopped: bool) -> Markup {
+    let Content {
+        place,
+        progress,
+        girths,
+        ..
+    } = content;
     let at = format!("/captures/{}", place.id);
+    let nothing = girths.as_ref().is_some_and(result::is_empty);
     let goes_on = progress.goes_on();
     let again = match progress.state {
         "none" => "measure",
@@ -72,7 +79,7 @@ fn measuring(words: Words, place: &Place, progress: &Progress, stopped: bool) ->
         section #measuring aria-labelledby="measuring-title"
             data-events=[goes_on.then(|| format!("/api/captures/{}/events", place.id))] {
             h2 #measuring-title { (words.say("measuring-title")) }
-            p #sentence role="status" { (progress::sentence(words, progress)) }
+            p #sentence role="status" { (progress::sentence(words, progress, nothing)) }
             @for why in progress.why.iter().flat_map(|w| w.lines()) { p .alert role="alert" { (sentence(words, why)) } }
             @if stopped && !goes_on && progress.state == "none" { p .alert { (words.say("measure-stopped")) } }
             div .bar {

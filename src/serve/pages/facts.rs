@@ -11,8 +11,24 @@ use std::collections::{BTreeMap, HashMap};
 pub(crate) struct Slips {
     /// Why, by field.
     pub(crate) why: BTreeMap<&'static str, String>,
-    /// All that was sent.
+    /// All that was typed, over what is known.
     pub(crate) typed: HashMap<String, String>,
+    /// Whether nothing is wrong but that other windows changed the same fields meanwhile.
+    pub(crate) stale: bool,
+}
+
+/// What each field of the form shows.
+pub(crate) fn shown(words: Words, record: &Record) -> BTreeMap<&'static str, String> {
+    let facts = &record.facts;
+    let tick = |set: bool| if set { "yes" } else { "" }.to_owned();
+    let numbers = fields(words, facts).into_iter();
+    let mut all: BTreeMap<_, _> = numbers.map(|f| (f.name, f.value)).collect();
+    all.insert("sex", facts.sex.map_or("", Sex::word).to_owned());
+    let plate = record.plate().map(|(number, _)| number.to_string());
+    all.insert("plate", plate.unwrap_or_default());
+    all.insert("walk", tick(facts.walk));
+    all.insert("quick", tick(facts.quick));
+    all
 }
 
 /// A field of a number: its name, what stands in it, its unit.
@@ -59,6 +75,11 @@ pub(crate) fn form(words: Words, at: &str, record: &Record, slips: &Slips, busy:
             h2 #facts-title { (words.say("facts-title")) }
             p { (words.say("facts-about")) }
             form method="post" action=(format!("{at}/facts")) {
+                // What the fields showed, so that another window's changes are not undone.
+                input type="hidden" name="unit" value=(words.unit());
+                @for (name, now) in shown(words, record) {
+                    input type="hidden" name=(format!("was_{name}")) value=(now);
+                }
                 fieldset disabled[busy] {
                     legend .hidden { (words.say("facts-title")) }
                     div .fields {
@@ -71,6 +92,7 @@ pub(crate) fn form(words: Words, at: &str, record: &Record, slips: &Slips, busy:
                                 }
                             }
                             small .soft { (words.say("hint-sex")) }
+                            (slip(slips, "sex"))
                         }
                         label { span { (words.say("fact-plate")) }
                             select name="plate" {
@@ -82,17 +104,23 @@ pub(crate) fn form(words: Words, at: &str, record: &Record, slips: &Slips, busy:
                                 }
                             }
                             small .soft { (words.say("hint-plate")) }
+                            (slip(slips, "plate"))
                         }
                     }
                     div .choices {
-                        label { input type="checkbox" name="walk" value="yes" checked[said("walk", facts.walk)]; (words.say("fact-walk")) }
-                        label { input type="checkbox" name="quick" value="yes" checked[said("quick", facts.quick)]; (words.say("fact-quick")) }
+                        label { input type="checkbox" name="walk" value="yes" checked[said("walk", facts.walk)]; (words.say("fact-walk")) (slip(slips, "walk")) }
+                        label { input type="checkbox" name="quick" value="yes" checked[said("quick", facts.quick)]; (words.say("fact-quick")) (slip(slips, "quick")) }
                     }
                     div .bar { button type="submit" { (words.say("facts-keep")) } }
                 }
             }
         }
     }
+}
+
+/// What is wrong with a field that is no number.
+fn slip(slips: &Slips, name: &str) -> Markup {
+    html! { @if let Some(why) = slips.why.get(name) { small .bad { (why) } } }
 }
 
 fn number(words: Words, field: &Field, slips: &Slips) -> Markup {

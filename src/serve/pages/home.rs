@@ -134,6 +134,7 @@ fn state(words: Words, line: &Line) -> String {
     let photos = words.with("photos-count", &[("count", line.record.files.len().into())]);
     match line.state {
         "none" => photos,
+        "done" if line.girths.as_ref().is_some_and(result::is_empty) => words.say("state-nothing"),
         state => words.say(&format!("state-{state}")),
     }
 }

@@ -47,7 +47,7 @@ pub(super) fn page(
 
 /// Language and unit.
 fn settings(words: Words, back: &str) -> Markup {
-    let unit = |inches: bool| if inches { "in" } else { "cm" };
+    let unit = |inches: bool| Words { inches, ..words }.unit();
     html! {
         form .settings method="post" action="/settings" aria-label=(words.say("settings")) {
             input type="hidden" name="back" value=(back);

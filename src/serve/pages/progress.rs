@@ -44,9 +44,13 @@ fn part_of(node: &str) -> &'static str {
     part.map_or("cameras", |(name, _)| name)
 }
 
-/// In a sentence.
-pub(crate) fn sentence(words: Words, progress: &Progress) -> String {
-    let state = words.say(&format!("state-{}", progress.state));
+/// In a sentence; `nothing` if it was measured to its end and no girth came of it.
+pub(crate) fn sentence(words: Words, progress: &Progress, nothing: bool) -> String {
+    let state = match progress.state {
+        "done" if nothing => "nothing",
+        state => state,
+    };
+    let state = words.say(&format!("state-{state}"));
     if progress.state != "running" {
         let took = (progress.state == "done").then(|| words.duration(progress.seconds));
         return took.map_or(state.clone(), |took| format!("{state} ({took})"));

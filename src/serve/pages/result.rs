@@ -30,6 +30,11 @@ fn girth<'a>(girths: &'a Value, name: &str) -> Option<&'a Value> {
         .find(|g| g["name"] == name)
 }
 
+/// Whether every girth was refused.
+pub(crate) fn is_empty(girths: &Value) -> bool {
+    girths["girths"].as_array().is_none_or(Vec::is_empty)
+}
+
 /// What a girth is called.
 pub(crate) fn label(words: Words, name: &str, otherwise: &str) -> String {
     let key = format!("girth-{}", name.replace('_', "-"));
@@ -76,7 +81,7 @@ fn missing(words: Words, girths: &Value) -> Markup {
         .collect();
     html! {
         @if !all.is_empty() {
-            details {
+            details open[is_empty(girths)] {
                 summary { (words.with("result-missing", &[("count", all.len().into())])) }
                 ul { @for (name, why) in &all { li { (label(words, name, name)) ": " (sentence(words, why)) } } }
             }
@@ -101,7 +106,8 @@ pub(crate) fn result(words: Words, place: &Place, girths: &Value) -> Markup {
     html! {
         section aria-labelledby="result-title" {
             h2 #result-title { (words.say("result-title")) }
-            @if girths["unit"] == "relative" { p .alert { (words.say("result-relative")) } }
+            @if is_empty(girths) { p .alert { (words.say("result-none")) } }
+            @else if girths["unit"] == "relative" { p .alert { (words.say("result-relative")) } }
             div .wide tabindex="0" role="group" aria-labelledby="result-title" {
                 table .girths role="table" {
                     thead { tr {

@@ -73,6 +73,7 @@ facts-title = Was bekannt ist
 facts-about = Für Zentimeter muss eine Länge bekannt sein: die Körpergröße, eine gedruckte Matte mit Marken oder die Drehscheibe. Alles andere darf leer bleiben.
 facts-keep = Übernehmen
 facts-wrong = Etwas stimmt nicht; siehe die markierten Felder.
+facts-stale = Nicht übernommen: In einem anderen Fenster wurde inzwischen geändert: { $fields }. Die markierten Felder ansehen; noch einmal „Übernehmen“ ersetzt, was dort übernommen wurde.
 fact-stature-cm = Körpergröße
 hint-stature-cm = Ohne Schuhe. Ohne Matte kommen die Zentimeter daher.
 fact-mat-tag-mm = Marke der Matte
@@ -97,9 +98,13 @@ fact-plate-none = Keines
 hint-plate = Dieselbe Szene ohne die Person: Damit werden die Umrisse besser.
 fact-walk = Die Kamera wurde um eine stehende Person herumgetragen
 fact-quick = Ein erster Blick: gröber und schneller
+fact-empty = leer
+fact-on = angekreuzt
+fact-off = nicht angekreuzt
 slip-number = Das ist keine Zahl.
 slip-whole = Nur ganze Schritte zählen.
 slip-range = Das muss zwischen { $least } und { $most } liegen.
+slip-stale = Inzwischen: { $now }. Noch einmal übernehmen, um Ihre Eingabe zu benutzen.
 
 # Messen
 measuring-title = Messen
@@ -112,6 +117,7 @@ state-none = Noch nicht gemessen.
 state-waiting = Wartet, bis eine andere Aufnahme gemessen ist.
 state-running = Wird gemessen
 state-done = Gemessen
+state-nothing = Kein Umfang ließ sich messen
 state-failed = Es ist nichts daraus geworden
 state-stopped = Angehalten. Was fertig ist, bleibt; von dort geht es weiter.
 state-interrupted = Unterbrochen: Das Programm wurde während des Messens beendet. Was fertig ist, bleibt; von dort geht es weiter.
@@ -140,6 +146,7 @@ warnings = { $count ->
 
 # Ergebnisse
 result-title = Umfänge
+result-none = Kein Umfang ließ sich messen; die Gründe stehen unten.
 result-missing = { $count ->
     [one] Ein Umfang ließ sich nicht messen
    *[other] { $count } Umfänge ließen sich nicht messen
@@ -189,9 +196,11 @@ wrong-media = JSON senden, mit dem Kopf Content-Type: application/json.
 wrong-request = Diese Anfrage lässt sich nicht lesen: { $why }
 wrong-method = Diese Adresse nimmt solche Anfragen nicht an.
 wrong-said = { $why }
+wrong-plate = In dieser Aufnahme (Dateien: { $files }) gibt es kein Foto { $number }: die Nummer eines ihrer Fotos angeben.
 wrong-broken = Das konnte das Programm nicht: { $why }
 wrong-full = Die Platte ist voll: Platz schaffen und noch einmal versuchen. Nichts halb Geschriebenes blieb zurück.
 wrong-busy = Gerade wird etwas gemessen: anhalten oder warten, bis es fertig ist.
+wrong-stale = Was bekannt ist, wurde inzwischen geändert: vor der Änderung noch einmal lesen.
 wrong-large = Das sind mehr als { $most } MB; mehr wird nicht angenommen.
 wrong-many = Eine Aufnahme hat höchstens { $most } Dateien.
 wrong-heic = Das ist ein HEIC-Foto, das dieses Programm nicht liest. Auf dem Telefon „Maximale Kompatibilität“ wählen (iPhone: Einstellungen, Kamera, Formate) und die Fotos als JPEG aufnehmen oder senden, oder sie umwandeln: heif-convert EIN.heic AUS.jpg

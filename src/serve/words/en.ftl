@@ -73,6 +73,7 @@ facts-title = What is known
 facts-about = For centimetres one length must be known: the stature, a printed mat of tags, or the disk. All else may be left empty.
 facts-keep = Keep
 facts-wrong = Something is not right; see the fields that are marked.
+facts-stale = Not kept: another window changed { $fields } meanwhile. Look at the marked fields; “Keep” once more replaces what the other window kept.
 fact-stature-cm = Stature
 hint-stature-cm = Without shoes. Girths come out in centimetres by it where there is no mat.
 fact-mat-tag-mm = Tag of the mat
@@ -97,9 +98,13 @@ fact-plate-none = None
 hint-plate = The same scene without the person: outlines are better with it.
 fact-walk = The camera was walked around a person who stood still
 fact-quick = A first look: coarser and faster
+fact-empty = empty
+fact-on = ticked
+fact-off = not ticked
 slip-number = This is not a number.
 slip-whole = Only whole steps count.
 slip-range = This must lie between { $least } and { $most }.
+slip-stale = Meanwhile: { $now }. Keep again to use what you entered.
 
 # Measuring
 measuring-title = Measure
@@ -112,6 +117,7 @@ state-none = Not measured yet.
 state-waiting = Waits until another capture is measured.
 state-running = Being measured
 state-done = Measured
+state-nothing = No girth could be measured
 state-failed = Nothing came of it
 state-stopped = Stopped. What is done is kept; it goes on from there.
 state-interrupted = Interrupted: the program was ended while it measured. What is done is kept; it goes on from there.
@@ -140,6 +146,7 @@ warnings = { $count ->
 
 # Results
 result-title = Girths
+result-none = No girth could be measured, for the reasons below.
 result-missing = { $count ->
     [one] One girth could not be measured
    *[other] { $count } girths could not be measured
@@ -189,9 +196,11 @@ wrong-media = Send JSON, with the header Content-Type: application/json.
 wrong-request = This request cannot be read: { $why }
 wrong-method = This address does not take this kind of call.
 wrong-said = { $why }
+wrong-plate = There is no photo { $number } in this capture (files: { $files }): give the number of one of its photos.
 wrong-broken = The program could not do that: { $why }
 wrong-full = The disk is full: make room, then try again. Nothing half-written was kept.
 wrong-busy = Something is being measured just now: stop it, or wait until it is done.
+wrong-stale = What is known was changed meanwhile: read it again before you change it.
 wrong-large = This is more than { $most } MB, the most that is taken.
 wrong-many = A capture has at most { $most } files.
 wrong-heic = This is a HEIC photo, which this program was built without. On the phone choose “Most Compatible” (iPhone: Settings, Camera, Formats) and take or send the photos as JPEG, or convert them: heif-convert IN.heic OUT.jpg
