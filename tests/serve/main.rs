@@ -14,6 +14,8 @@ mod measuring;
 mod security;
 mod server;
 #[cfg(chromium)]
+mod strokes;
+#[cfg(chromium)]
 mod whole;
 mod windows;
 

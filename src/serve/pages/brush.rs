@@ -42,7 +42,8 @@ fn tools(words: Words, place: &Place, photos: &[(&u32, &Kept)]) -> Markup {
     let lost = words.with("brush-lost", &[("why", "{why}".into())]);
     html! {
         section #brush aria-label=(words.say("brush-title")) data-api=(format!("/api/captures/{}", place.id))
-            data-saved=(words.say("brush-saved")) data-lost=(lost) data-none=(words.say("brush-none")) {
+            data-saved=(words.say("brush-saved")) data-lost=(lost) data-none=(words.say("brush-none"))
+            data-unkept=(words.with("brush-unkept", &[("photos", "{photos}".into())])) {
             div .bar {
                 label { (words.say("brush-photo")) " "
                     select name="photo" {
