@@ -48,7 +48,8 @@ pub(super) struct Look {
 #[cfg(feature = "serve")]
 pub(crate) fn seen(args: &Doctor, global: &GlobalArgs) -> Result<(Value, Vec<String>), Fault> {
     let (recursive, video) = (args.recursive, args.video);
-    let look = look(&args.folder, &args.facts, recursive, video, global)?;
+    // Nobody typed a command that could be repeated.
+    let look = looked(&args.folder, &args.facts, recursive, video, global, "")?;
     Ok((look.findings, look.warnings))
 }
 
@@ -60,6 +61,19 @@ pub(super) fn look(
     video: bool,
     global: &GlobalArgs,
 ) -> Result<Look, Fault> {
+    let again: Vec<String> = std::env::args().collect();
+    looked(capture, facts, recursive, video, global, &again.join(" "))
+}
+
+/// The same; `again` is the command that repeats it, if there is one.
+fn looked(
+    capture: &Path,
+    facts: &Facts,
+    recursive: bool,
+    video: bool,
+    global: &GlobalArgs,
+    again: &str,
+) -> Result<Look, Fault> {
     let looked = folder::look(capture, facts, recursive, video)?;
     let said = facts.said()?.into_iter().chain(looked.more.iter().cloned());
     let said: Vec<_> = said.collect();
@@ -67,14 +81,13 @@ pub(super) fn look(
     folder::widen(&mut graph, &looked);
     let folders = looked.source.inputs();
     let store = Store::open(&global.cache).map_err(Fault::input)?;
-    let again: Vec<String> = std::env::args().collect();
     let wanted: Vec<usize> = (0..graph.nodes.len()).collect();
     // What is seen is the answer; there is no progress to be watched.
     let quiet = GlobalArgs {
         quiet: true,
         ..global.clone()
     };
-    let outcome = execute(store, &graph, &folders, &wanted, &quiet, &again.join(" "))?;
+    let outcome = execute(store, &graph, &folders, &wanted, &quiet, again)?;
     let document = get::<Document>(&graph, &outcome, "look");
     let document = document
         .ok_or_else(|| Fault::stage("what was seen went out of the cache: run it again"))?;

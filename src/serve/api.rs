@@ -5,8 +5,11 @@ use super::app::App;
 use super::facts::{Facts, Plate};
 use super::home::Place;
 use super::keeping::{keep, merged};
+use super::language::Words;
+use super::pages::plain;
 use super::said::{Said, means, tag};
-use super::{delete, masks, show, small, upload, work};
+use super::{delete, masks, show, small, spoken, upload, work};
+use axum::Extension;
 use axum::Json;
 use axum::body::Body;
 use axum::extract::{Path, Query, State};
@@ -27,16 +30,19 @@ pub(super) fn place(app: &App, id: &str) -> Result<Place, Wrong> {
 }
 
 type Shared = State<Arc<App>>;
+type Reader = Extension<Words>;
 
 /// What there is.
-fn told(app: &App, place: &Place) -> Result<Value, Wrong> {
+fn told(app: &App, place: &Place, words: Words) -> Result<Value, Wrong> {
     let record = place.record()?;
     let progress = app.jobs.progress(place);
     let girths = place.girths(progress.state);
+    let progress = spoken::progress(words, &record, progress);
+    let look = place.look().map(|look| spoken::look(words, &record, look));
     Ok(json!({
         "id": place.id, "name": record.name, "begun": record.begun, "files": record.files,
         "facts": record.facts, "version": record.version, "plate": record.plate().map(|(number, _)| number),
-        "look": place.look(), "measuring": progress, "girths": girths,
+        "look": look, "measuring": progress, "girths": girths,
     }))
 }
 
@@ -69,9 +75,13 @@ pub(super) async fn create(State(app): Shared, Said(new): Said<New>) -> Answer {
 }
 
 /// One capture.
-pub(super) async fn read(State(app): Shared, Path(id): Path<String>) -> Answer {
+pub(super) async fn read(
+    State(app): Shared,
+    Extension(words): Reader,
+    Path(id): Path<String>,
+) -> Answer {
     let place = place(&app, &id)?;
-    let told = told(&app, &place)?;
+    let told = told(&app, &place, words)?;
     let version = tag(told["version"].as_u64().unwrap_or_default());
     Ok(([(header::ETAG, version)], Json(told)).into_response())
 }
@@ -177,16 +187,31 @@ fn change(
 }
 
 /// Looks at the photos, as `tailor doctor` does.
-pub(super) async fn look(State(app): Shared, Path(id): Path<String>) -> Answer {
+pub(super) async fn look(
+    State(app): Shared,
+    Extension(words): Reader,
+    Path(id): Path<String>,
+) -> Answer {
     let place = place(&app, &id)?;
-    let found = aside(move || Ok(work::look(&app, &place)?)).await?;
-    Ok(Json(found).into_response())
+    let found = aside(move || {
+        let look = work::look(&app, &place)?;
+        Ok(spoken::look(words, &place.record()?, look))
+    });
+    Ok(Json(found.await?).into_response())
 }
 
 /// Measures, as `tailor measure` does; who asks while it runs joins.
-pub(super) async fn measure(State(app): Shared, Path(id): Path<String>) -> Answer {
+pub(super) async fn measure(
+    State(app): Shared,
+    Extension(words): Reader,
+    Path(id): Path<String>,
+) -> Answer {
     let place = place(&app, &id)?;
-    let new = aside(move || work::measure(&app, &place).map_err(Wrong::said)).await?;
+    let new = aside(move || {
+        let record = place.record()?;
+        work::measure(&app, &place).map_err(|why| Wrong::said(plain(words, &record, &why)))
+    });
+    let new = new.await?;
     let status = if new {
         StatusCode::ACCEPTED
     } else {

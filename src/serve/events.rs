@@ -7,6 +7,8 @@ use super::app::App;
 use super::language::Words;
 use super::pages::progress;
 use super::progress::Progress;
+use super::record::Record;
+use super::spoken;
 use axum::Extension;
 use axum::extract::{Path, State};
 use axum::response::IntoResponse;
@@ -22,10 +24,11 @@ use tokio::sync::watch::Receiver;
 const PACE: Duration = Duration::from_millis(250);
 
 /// What a page shows of it: `sentence` for who hears it, `steps` and `pictures` as HTML.
-fn event(id: &str, words: Words, now: &Progress) -> Event {
+fn event(id: &str, words: Words, now: &Progress, record: &Record) -> Event {
+    let measuring = spoken::progress(words, record, now.clone());
     let data = json!({
         "state": now.state,
-        "measuring": now,
+        "measuring": measuring,
         "sentence": progress::sentence(words, now, false),
         "steps": progress::steps(words, now).into_string(),
         "pictures": progress::pictures(words, id, now).into_string(),
@@ -42,8 +45,10 @@ pub(super) async fn events(
     let place = place(&app, &id)?;
     let job = app.jobs.of(&place.id).ok_or_else(Wrong::missing)?;
     let receiver = job.sender.subscribe();
+    // A capture that is being measured keeps its files.
+    let record = Arc::new(place.record()?);
     let next = move |state: Option<(Receiver<Progress>, bool)>| {
-        let id = id.clone();
+        let (id, record) = (id.clone(), Arc::clone(&record));
         async move {
             let (mut receiver, first) = state?;
             if !first {
@@ -51,7 +56,7 @@ pub(super) async fn events(
                 receiver.changed().await.ok()?;
             }
             let now = receiver.borrow_and_update().clone();
-            let event = event(&id, words, &now);
+            let event = event(&id, words, &now, &record);
             let rest = now.goes_on().then_some((receiver, false));
             Some((Ok::<_, Infallible>(event), rest))
         }

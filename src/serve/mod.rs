@@ -4,7 +4,7 @@
 //! |---|---|
 //! | `guard.rs` | who may ask |
 //! | `routes.rs` | every call, and what all of them pass |
-//! | `visits.rs`, `pages/`, `handed.rs` | pages and their forms, files handed out; `typed.rs` reads what was typed, `language.rs`, `findings.rs`, `warnings.rs`, `errors.rs` and `words/` say it |
+//! | `visits.rs`, `pages/`, `handed.rs` | pages and their forms, files handed out; `typed.rs` reads what was typed, `language.rs`, `findings.rs`, `warnings.rs`, `errors.rs` and `words/` say it, `spoken.rs` to programs |
 //! | `api.rs`, `said.rs`, `events.rs` | calls of programs and scripts, what they say; progress as it happens |
 //! | `upload.rs`, `sniff.rs` | files that come in |
 //! | `home.rs`, `record.rs`, `facts.rs`, `keeping.rs`, `delete.rs` | captures on the disk, what is known of them, and who changes it |
@@ -38,6 +38,7 @@ mod said;
 mod show;
 mod small;
 mod sniff;
+mod spoken;
 mod typed;
 mod upload;
 mod visits;

@@ -54,6 +54,26 @@ impl Record {
         found.map(|(number, kept)| (*number, kept))
     }
 
+    /// A text with the files named as their owner calls them.
+    pub(super) fn named(&self, text: &str) -> String {
+        let (mut told, mut rest, mut before) = (String::new(), text, ' ');
+        while let Some(letter) = rest.chars().next() {
+            let file = |kept: &&Kept| {
+                let after = rest.strip_prefix(kept.file.as_str());
+                let ends = |after: &str| !after.starts_with(|c: char| c.is_alphanumeric());
+                !before.is_alphanumeric() && after.is_some_and(ends)
+            };
+            let (taken, shown) = match self.files.values().find(file) {
+                Some(kept) => (kept.file.len(), kept.name.as_str()),
+                None => (letter.len_utf8(), &rest[..letter.len_utf8()]),
+            };
+            told += shown;
+            before = letter;
+            rest = &rest[taken..];
+        }
+        told
+    }
+
     /// What the owner calls a file that lies under this name.
     pub(super) fn called<'a>(&'a self, file: &'a str) -> &'a str {
         let kept = self.files.values().find(|kept| kept.file == file);
@@ -85,3 +105,27 @@ pub(super) fn tidy(text: &str) -> String {
 
 /// \[letters\]
 const LONGEST_NAME: usize = 120;
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_text_names_files_as_their_owner_calls_them() {
+        let mut record = Record::default();
+        for (number, name) in [(1, "0002.jpg"), (2, "trunc.jpg"), (3, "a b.png")] {
+            let ending = name.rsplit('.').next().unwrap();
+            let kept = Kept {
+                name: name.into(),
+                file: format!("{number:04}.{ending}"),
+                bytes: 1,
+                size: Some([1, 1]),
+                video: false,
+            };
+            record.files.insert(number, kept);
+        }
+        let text = "0001.jpg, 0002.jpg (0003.png): x0001.jpg, 0001.jpgs, 0004.jpg, é";
+        let named = "0002.jpg, trunc.jpg (a b.png): x0001.jpg, 0001.jpgs, 0004.jpg, é";
+        assert_eq!(record.named(text), named);
+    }
+}

@@ -96,6 +96,31 @@ fn every_warning_of_the_rooms_has_its_texts() {
 }
 
 #[test]
+fn what_pages_say_of_stages_names_no_flag_and_no_file_of_the_command_line() {
+    let alien = [
+        "--",
+        "capture.toml",
+        "tailor measure",
+        "tailor mat",
+        "tailor show",
+        "`",
+        "[mat]",
+        "_mm",
+    ];
+    for language in Language::ALL {
+        let of_stages = |line: &&str| {
+            ["warn-", "find-", "fail-"]
+                .iter()
+                .any(|k| line.starts_with(k))
+        };
+        for line in language.texts().lines().filter(of_stages) {
+            let found = alien.iter().find(|word| line.contains(**word));
+            assert_eq!(found, None, "{}: {line}", language.code());
+        }
+    }
+}
+
+#[test]
 fn every_reason_and_note_is_told_in_german() {
     use shape::{Note, Refusal};
     let share = 0.123;

@@ -35,10 +35,19 @@ fn folder(words: &mut Vec<OsString>, place: &Place) {
     words.extend(["--".into(), place.photos().into_os_string()]);
 }
 
-/// Why something came to nothing; where the capture lies is nobody's matter on a page.
-fn told(place: &Place, fault: &Fault) -> String {
+/// Why something came to nothing, without what only a terminal has: names of nodes, commands, where the capture lies.
+fn told(place: &Place, fault: Fault) -> String {
+    let text = fault.text().to_owned();
+    let said = fault.json();
+    let failures = said["failures"].as_array().into_iter().flatten();
+    let whys: Vec<&str> = failures.filter_map(|f| f["why"].as_str()).collect();
+    let text = if whys.is_empty() {
+        text
+    } else {
+        whys.join("\n")
+    };
     let folder = place.photos().display().to_string();
-    fault.text().replace(&folder, "this capture")
+    text.replace(&folder, "this capture")
 }
 
 /// Looks at a capture; keeps and returns what was seen, or `wrong`: why nothing can be.
@@ -61,7 +70,7 @@ pub(super) fn look(app: &App, place: &Place) -> std::io::Result<Value> {
             found["warnings"] = warnings.into();
             found
         }
-        Err(fault) => json!({ "wrong": told(place, &fault) }),
+        Err(fault) => json!({ "wrong": told(place, fault) }),
     };
     place.keep_look(&look)?;
     Ok(look)
@@ -104,7 +113,7 @@ pub(super) fn measure(app: &Arc<App>, place: &Place) -> Result<bool, String> {
         Ok(ready)
     };
     let ready = begun().map_err(|fault| {
-        let why = told(place, &fault);
+        let why = told(place, fault);
         end(place, &job, "failed", vec![why.clone()], &None);
         why
     })?;
@@ -127,7 +136,7 @@ fn work(app: &App, place: &Place, job: &Job, ready: &Prepared) {
             end(place, job, "failed", vec![why], &teller);
         }
         Some(Ok(Err(fault))) if fault.code() == 130 => end(place, job, "stopped", vec![], &teller),
-        Some(Ok(Err(fault))) => end(place, job, "failed", vec![told(place, &fault)], &teller),
+        Some(Ok(Err(fault))) => end(place, job, "failed", vec![told(place, fault)], &teller),
         Some(Ok(Ok(()))) => end(place, job, "done", vec![], &teller),
     }
 }

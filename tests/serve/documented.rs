@@ -102,3 +102,53 @@ fn errors_are_json_whatever_is_wrong() {
     let page = server.call("POST", &form, &[("Authorization", &bearer)], b"");
     assert!(page.is(400).text().contains("<html"));
 }
+
+#[test]
+fn what_went_wrong_is_said_of_the_files_that_were_sent_and_names_no_command() {
+    let server = Server::new();
+    let id = server.capture("torn");
+    for (at, photo) in photos()[..9].iter().enumerate() {
+        let mut bytes = std::fs::read(photo).unwrap();
+        let last = at == 8;
+        if last {
+            bytes.truncate(bytes.len() / 2);
+        }
+        let name = if last { "trunc.jpg" } else { "0009.jpg" };
+        server.send(&id, at as u32 + 1, name, &bytes).is(200);
+    }
+    let at = format!("/api/captures/{id}");
+    server
+        .ask(
+            "PUT",
+            &format!("{at}/facts"),
+            &json!({ "mat_tag_mm": 60.0, "steps": 9 }),
+        )
+        .is(204);
+    let look = server.ask("POST", &format!("{at}/look"), &Value::Null);
+    let wrong = look.is(200).json()["wrong"].to_string();
+    let good = |text: &str| {
+        assert!(text.contains("trunc.jpg"), "{text}");
+        for leak in [
+            "tailor serve",
+            "to repeat",
+            "--",
+            "photos failed",
+            "0009.jpg",
+        ] {
+            assert!(!text.contains(leak), "{leak}: {text}");
+        }
+    };
+    good(&wrong);
+    server
+        .ask("POST", &format!("{at}/measure"), &Value::Null)
+        .is(202);
+    let told = server.until(&id, 60, |told| told["measuring"]["state"] == "failed");
+    good(&told["measuring"]["why"].to_string());
+    let page = server.ask("GET", &format!("/captures/{id}"), &Value::Null);
+    let page = page.is(200).text();
+    let alerts: Vec<&str> = page.split("class=\"alert\"").skip(1).collect();
+    assert!(alerts.len() > 1, "{page}");
+    alerts
+        .iter()
+        .for_each(|text| good(text.split("</p>").next().unwrap()));
+}

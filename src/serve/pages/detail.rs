@@ -49,7 +49,7 @@ pub(crate) fn detail(words: Words, content: &Content) -> Markup {
             (words.with("photos-count", &[("count", record.files.len().into())])) }
         @if let Some(alert) = &content.alert { p .alert role="alert" { (alert) } }
         @if let Some(girths) = girths {
-            (result::result(words, place, girths))
+            (result::result(words, place, record, girths))
         }
         (measuring(words, content, stopped))
         (facts::form(words, &at, record, &content.slips, progress.goes_on()))
@@ -63,6 +63,7 @@ pub(crate) fn detail(words: Words, content: &Content) -> Markup {
 fn measuring(words: Words, content: &Content, stopped: bool) -> Markup {
     let Content {
         place,
+        record,
         progress,
         girths,
         ..
@@ -80,7 +81,7 @@ fn measuring(words: Words, content: &Content, stopped: bool) -> Markup {
             data-events=[goes_on.then(|| format!("/api/captures/{}/events", place.id))] {
             h2 #measuring-title { (words.say("measuring-title")) }
             p #sentence role="status" { (progress::sentence(words, progress, nothing)) }
-            @for why in progress.why.iter().flat_map(|w| w.lines()) { p .alert role="alert" { (sentence(words, why)) } }
+            @for why in progress.why.iter().flat_map(|w| w.lines()) { p .alert role="alert" { (sentence(words, record, why)) } }
             @if stopped && !goes_on && progress.state == "none" { p .alert { (words.say("measure-stopped")) } }
             div .bar {
                 @if goes_on {
@@ -97,7 +98,7 @@ fn measuring(words: Words, content: &Content, stopped: bool) -> Markup {
             div #pictures .pictures { (progress::pictures(words, &place.id, progress)) }
             @if !progress.warnings.is_empty() {
                 details { summary { (words.with("warnings", &[("count", progress.warnings.len().into())])) }
-                    ul { @for warning in &progress.warnings { li { (sentence(words, warning)) } } } }
+                    ul { @for warning in &progress.warnings { li { (sentence(words, record, warning)) } } } }
             }
         }
     }

@@ -11,6 +11,7 @@ pub(super) mod seen;
 
 use super::findings::translated;
 use super::language::{Language, Words};
+use super::record::Record;
 use maud::{DOCTYPE, Markup, html};
 
 /// A page: its title, where it lies (to come back to after a change of language), its scripts, its content.
@@ -86,12 +87,18 @@ const FLAGS: [(&str, &str); 8] = [
     ("--walk", "fact-walk"),
 ];
 
-/// What a stage says, in the reader's language where it is known.
-pub(super) fn sentence(words: Words, text: &str) -> Markup {
+/// What a stage says, in the reader's language where it is known, of the files as their owner calls them.
+pub(super) fn sentence(words: Words, record: &Record, text: &str) -> Markup {
     match translated(words, text) {
-        Some(text) => html! { (text) },
-        None => html! { span lang="en" { (said(words, text)) } },
+        Some(text) => html! { (record.named(&text)) },
+        None => html! { span lang="en" { (record.named(&said(words, text))) } },
     }
+}
+
+/// The same as text.
+pub(super) fn plain(words: Words, record: &Record, text: &str) -> String {
+    let told = translated(words, text).unwrap_or_else(|| said(words, text));
+    record.named(&told)
 }
 
 /// What a stage says, as it is said on a page: fields in place of flags.

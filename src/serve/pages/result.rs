@@ -2,6 +2,7 @@
 
 use super::super::home::Place;
 use super::super::language::Words;
+use super::super::record::Record;
 use super::sentence;
 use maud::{Markup, html};
 use serde_json::Value;
@@ -73,7 +74,7 @@ fn score(score: &Value) -> Option<(f64, f64)> {
 }
 
 /// What could not be measured, and why.
-fn missing(words: Words, girths: &Value) -> Markup {
+fn missing(words: Words, record: &Record, girths: &Value) -> Markup {
     let all = girths["missing"].as_array().into_iter().flatten();
     let text = |one: &Value, key: &str| one[key].as_str().unwrap_or_default().to_owned();
     let all: Vec<_> = all
@@ -83,7 +84,7 @@ fn missing(words: Words, girths: &Value) -> Markup {
         @if !all.is_empty() {
             details open[is_empty(girths)] {
                 summary { (words.with("result-missing", &[("count", all.len().into())])) }
-                ul { @for (name, why) in &all { li { (label(words, name, name)) ": " (sentence(words, why)) } } }
+                ul { @for (name, why) in &all { li { (label(words, name, name)) ": " (sentence(words, record, why)) } } }
             }
         }
     }
@@ -97,7 +98,7 @@ fn derived(name: &str, value: &str, more: &str) -> Markup {
 }
 
 /// The results.
-pub(crate) fn result(words: Words, place: &Place, girths: &Value) -> Markup {
+pub(crate) fn result(words: Words, place: &Place, record: &Record, girths: &Value) -> Markup {
     let at = format!("/captures/{}", place.id);
     let ratios = girths["ratios"].as_object().into_iter().flatten();
     let there = FILES
@@ -143,7 +144,7 @@ pub(crate) fn result(words: Words, place: &Place, girths: &Value) -> Markup {
                 }
             }
             @if girths["growth"].is_object() { p .soft { (words.say("result-growth")) } }
-            (missing(words, girths))
+            (missing(words, record, girths))
             div .bar {
                 a .button .main href=(format!("{at}/report")) { (words.say("report")) }
                 a .button href=(format!("{at}/masks")) { (words.say("brush-open")) }

@@ -51,7 +51,7 @@ fn told(words: Words, record: &Record, look: &Value) -> Markup {
     let warnings = look["warnings"].as_array().into_iter().flatten();
     let can = look["can"].as_object().into_iter().flatten();
     html! {
-        @if !text(look, "wrong").is_empty() { p .alert { (sentence(words, text(look, "wrong"))) } }
+        @if !text(look, "wrong").is_empty() { p .alert { (sentence(words, record, text(look, "wrong"))) } }
         @else {
             p { (facts(words, look)) }
             @if findings(look).next().is_none() { p .good { (words.say("seen-well")) } }
@@ -60,19 +60,18 @@ fn told(words: Words, record: &Record, look: &Value) -> Markup {
             @for finding in findings(look) {
                 li class=(text(finding, "grade")) {
                     strong { (words.say(&format!("grade-{}", text(finding, "grade")))) } " "
-                    (sentence(words, text(finding, "what"))) " – " (sentence(words, text(finding, "mend")))
+                    (sentence(words, record, text(finding, "what"))) " – " (sentence(words, record, text(finding, "mend")))
                     @if let Some(names) = names(record, finding) { " " span .soft { (names) } }
                 }
             }
-            @for warning in warnings {
-                li .doubt { strong { (words.say("grade-doubt")) } " "
-                    (sentence(words, warning.as_str().unwrap_or_default())) }
+            @for warning in warnings.filter_map(Value::as_str) {
+                li .doubt { strong { (words.say("grade-doubt")) } " " (sentence(words, record, warning)) }
             }
         }
         dl .can {
             @for (what, how) in can {
                 dt { (words.say(&format!("can-{what}"))) }
-                dd { (sentence(words, how.as_str().unwrap_or_default())) }
+                dd { (sentence(words, record, how.as_str().unwrap_or_default())) }
             }
         }
     }
