@@ -73,6 +73,16 @@ fn put_in<'a>(pattern: &str, text: &'a str) -> Option<Vec<&'a str>> {
     rest.is_empty().then_some(found)
 }
 
+/// What is told as a warning, and is none: nothing is wrong, and nothing has to be done.
+const NEWS: [&str; 2] = ["warn-mat-known", "warn-shortened"];
+
+/// Whether a warning only tells what was found.
+pub(super) fn is_news(text: &str) -> bool {
+    let fits = |(pattern, _): &&(&str, &str)| put_in(pattern, text).is_some();
+    let known = WARNINGS.iter().find(fits);
+    known.is_some_and(|(_, key)| NEWS.contains(key))
+}
+
 /// A sentence of a stage in the reader's language; none if it is not known. What it is about may stand
 /// before it (`NC: `).
 pub(super) fn translated(words: Words, text: &str) -> Option<String> {

@@ -158,7 +158,7 @@ async fn pass(State(app): State<Arc<App>>, mut request: Request, next: Next) -> 
             )
                 .into_response()
         }
-        (_, Err(why)) => refused(words, why, page),
+        (_, Err(why)) => refused(words, why, page, asked.reads),
         _ => {
             request.extensions_mut().insert(words);
             next.run(request).await
@@ -172,8 +172,10 @@ async fn pass(State(app): State<Arc<App>>, mut request: Request, next: Next) -> 
     answer
 }
 
-fn refused(words: Words, why: Refused, page: bool) -> Response {
+fn refused(words: Words, why: Refused, page: bool, reads: bool) -> Response {
     let key = match why {
+        // Somebody followed a link to it: a terminal in a browser, a notebook, mail.
+        Refused::Origin if page && reads => "refused-address",
         Refused::Host => "refused-host",
         Refused::Origin => "refused-origin",
         Refused::Token => "refused-token",

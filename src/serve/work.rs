@@ -26,8 +26,10 @@ use std::sync::atomic::Ordering;
 /// The words that say what is known of a capture.
 fn words(record: &Record) -> Vec<OsString> {
     let plate = record.plate().map(|(_, kept)| kept.file.as_str());
+    // Results and report have the capture's name.
+    let name = (!record.name.is_empty()).then(|| format!("--name={}", record.name));
     let words = record.facts.words(plate);
-    words.into_iter().map(OsString::from).collect()
+    words.into_iter().chain(name).map(OsString::from).collect()
 }
 
 /// The folder, which no word is mistaken for a flag of.
@@ -232,4 +234,25 @@ fn end(place: &Place, job: &Job, state: &'static str, why: Vec<String>, teller: 
         p.why.extend(why);
         p.why.extend(kept.err().map(|e| e.to_string()));
     });
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_is_measured_is_called_as_its_owner_calls_it() {
+        let name = "Anna, \"May\" --quick = 2".to_owned();
+        let mut record = Record {
+            name: name.clone(),
+            ..Record::default()
+        };
+        let said = format!("--name={name}");
+        assert_eq!(words(&record), [OsString::from(said)]);
+        let mut all = words(&record);
+        all.extend(["--".into(), "photos".into()]);
+        assert!(arguments::<Measure>(all).is_ok());
+        record.name.clear();
+        assert!(words(&record).is_empty());
+    }
 }

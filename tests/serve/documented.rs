@@ -152,3 +152,46 @@ fn what_went_wrong_is_said_of_the_files_that_were_sent_and_names_no_command() {
         .iter()
         .for_each(|text| good(text.split("</p>").next().unwrap()));
 }
+
+#[test]
+fn a_mat_that_was_recognised_is_no_doubt_and_findings_name_no_flag() {
+    let server = Server::new();
+    let id = server.capture("mat");
+    let photo = std::fs::read(&photos()[0]).unwrap();
+    server.send(&id, 1, "IMG%201.jpg", &photo).is(200);
+    let known =
+        "the mat was recognised: 12 tags, numbers 0 to 11, on a ring with a radius of 187 mm";
+    let strange = "marker tags (family 36h11, numbers 0 to 11) are seen on 4 of 4 photos that were searched, but nothing is said of \
+        them, so they are not used; they lie as a mat of `tailor mat` (12 tags on a ring of 3.1 times a tag's size): say the edge \
+        length of a printed tag's black square as you measure it, such as --mat-tag 60, or hand over the mat's own file with --mat";
+    let look = json!({ "photos": 1, "width": 800, "height": 1200, "views": [], "findings": [], "can": {},
+        "warnings": [known, strange, "0001.jpg was taken before 0002.jpg: names should be in turning order"] });
+    let file = server.path(&format!("captures/captures/{id}/look.json"));
+    std::fs::write(file, look.to_string()).unwrap();
+    let page = server.ask("GET", &format!("/captures/{id}"), &Value::Null);
+    let page = page.is(200).text();
+    let class = |text: &str| {
+        let (before, _) = page.split_once(text).unwrap();
+        before
+            .rsplit("<li class=\"")
+            .next()
+            .unwrap()
+            .split('"')
+            .next()
+            .unwrap()
+            .to_owned()
+    };
+    assert_eq!(class("the mat was recognised"), "hint");
+    assert_eq!(class("laid out as on a mat of tailor"), "doubt");
+    assert!(
+        !page.contains("--mat") && page.contains("“Tag of the mat”"),
+        "{page}"
+    );
+    assert!(page.contains("IMG 1.jpg was taken before"), "{page}");
+    let told = server.ask("GET", &format!("/api/captures/{id}"), &Value::Null);
+    let warnings = told.is(200).json()["look"]["warnings"].to_string();
+    assert!(
+        !warnings.contains("--mat") && warnings.contains("IMG 1.jpg"),
+        "{warnings}"
+    );
+}

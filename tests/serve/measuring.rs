@@ -119,6 +119,7 @@ fn done(server: &Server, id: &str) {
             .header("content-security-policy")
             .starts_with("sandbox allow-scripts")
     );
+    assert!(report.text().contains("<title>tailor: mannequin</title>"));
     let glb = get(format!("/captures/{id}/out/body.glb")).is(200);
     assert_eq!(
         (&glb.body[..4], glb.header("content-disposition")),

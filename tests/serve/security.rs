@@ -127,6 +127,30 @@ fn other_pages_and_other_names_are_refused_though_the_browser_has_the_cookie() {
 }
 
 #[test]
+fn an_address_that_another_page_opened_is_refused_with_what_to_do() {
+    let server = Server::new();
+    let own = format!("http://127.0.0.1:{}", server.port);
+    let address = format!("/?token={}", server.token);
+    for site in ["cross-site", "same-site"] {
+        let refused = server.call("GET", &address, &[("Sec-Fetch-Site", site)], b"");
+        let refused = refused.is(403);
+        assert_eq!(refused.header("set-cookie"), "");
+        let text = refused.text();
+        assert!(text.contains("copy the address"), "{text}");
+        assert!(
+            text.contains("address bar") && !text.contains(&server.token),
+            "{text}"
+        );
+    }
+    // Forms and calls of other pages are told what they were told.
+    for (method, path) in [("POST", "/measure"), ("GET", "/api/captures")] {
+        let headers = [("Sec-Fetch-Site", "cross-site"), ("Origin", own.as_str())];
+        let text = server.call(method, path, &headers, b"").is(403).text();
+        assert!(text.contains("Another page asked for this"), "{text}");
+    }
+}
+
+#[test]
 fn answers_tell_the_browser_to_run_nothing_of_elsewhere() {
     let server = Server::new();
     let id = server.capture("anna");

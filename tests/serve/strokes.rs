@@ -2,7 +2,7 @@
 
 use crate::server::{Server, photos};
 use crate::whole::{complaints, tab, whole};
-use serde_json::Value;
+use serde_json::{Value, json};
 
 /// A capture of two photos with outlines, as a measuring leaves them.
 fn outlined(server: &Server) -> String {
@@ -76,4 +76,23 @@ fn strokes_stay_when_another_photo_is_chosen_until_they_are_kept() {
     assert!(mask(2) < before[1]);
     assert_eq!(tab.value(leaves), true);
     assert_eq!(complaints(&mut tab, &server), Vec::<String>::new());
+}
+
+#[test]
+fn a_long_name_breaks_no_button_of_the_table() {
+    let server = Server::new();
+    server.capture(&"Wilhelmine-Friederike".repeat(5));
+    let mut tab = tab("de");
+    tab.go(&server.url());
+    whole(&mut tab, "long-name");
+    // So many lines has what stands in each cell but the name's, and in each button.
+    let lines = "[...document.querySelectorAll('#captures td, #captures thead th:not(:first-child)')].map((e) => {
+        const range = document.createRange(); range.selectNodeContents(e);
+        return [e.textContent.trim(), new Set([...range.getClientRects()].filter((r) => r.width > 1).map((r) => Math.round(r.top))).size]; })
+        .filter(([, lines]) => lines > 1)";
+    for width in [1280, 800, 390] {
+        tab.emulate([width, 900], width < 500, false);
+        tab.drawn();
+        assert_eq!(tab.value(lines), json!([]), "at {width} px");
+    }
 }

@@ -118,8 +118,8 @@ fn row(words: Words, line: &Line) -> Markup {
     html! {
         tr {
             th scope="row" { a href=(at) { (name) } }
-            td { (time(line.record.begun)) }
-            td { (state(words, line)) }
+            td .when { (time(line.record.begun)) }
+            td .state { (state(words, line)) }
             @for girth in result::MAIN {
                 td .n { (line.girths.as_ref().and_then(|g| result::tape(words, g, girth)).unwrap_or_default()) }
             }

@@ -9,8 +9,8 @@ use serde_json::Value;
 
 /// The girths that stand in tables of captures.
 pub(crate) const MAIN: [&str; 2] = ["WC", "HC"];
-/// Those of the page of one.
-const SHOWN: [&str; 8] = ["WC", "HC", "CC", "NC", "AC_L", "AC_R", "TC_L", "TC_R"];
+/// Those that stand first on the page of one; all others follow.
+const FIRST: [&str; 8] = ["WC", "HC", "CC", "NC", "AC_L", "AC_R", "TC_L", "TC_R"];
 /// What can be taken away.
 pub(crate) const FILES: [(&str, &str); 8] = [
     ("girths.csv", "text/csv; charset=utf-8"),
@@ -29,6 +29,14 @@ fn girth<'a>(girths: &'a Value, name: &str) -> Option<&'a Value> {
         .as_array()?
         .iter()
         .find(|g| g["name"] == name)
+}
+
+/// All girths, in the order of the page.
+fn all(girths: &Value) -> Vec<&Value> {
+    let named = |one: &&Value| one["name"].as_str().is_some_and(|n| FIRST.contains(&n));
+    let first = FIRST.iter().filter_map(|name| girth(girths, name));
+    let rest = girths["girths"].as_array().into_iter().flatten();
+    first.chain(rest.filter(|one| !named(one))).collect()
 }
 
 /// Whether every girth was refused.
@@ -117,13 +125,12 @@ pub(crate) fn result(words: Words, place: &Place, record: &Record, girths: &Valu
                         th scope="col" .n { (words.say("column-interval")) }
                     } }
                     tbody {
-                        @for name in SHOWN {
-                            @if let Some(one) = girth(girths, name) {
-                                tr role="row" {
-                                    th scope="row" role="rowheader" { (label(words, name, one["label"].as_str().unwrap_or(name))) }
-                                    td .n role="cell" { (tape(words, girths, name).unwrap_or_default()) }
-                                    td .n .range role="cell" data-of=(words.say("column-interval")) { (interval(words, one)) }
-                                }
+                        @for one in all(girths) {
+                            @let name = one["name"].as_str().unwrap_or_default();
+                            tr role="row" {
+                                th scope="row" role="rowheader" { (label(words, name, one["label"].as_str().unwrap_or(name))) }
+                                td .n role="cell" { (tape(words, girths, name).unwrap_or_default()) }
+                                td .n .range role="cell" data-of=(words.say("column-interval")) { (interval(words, one)) }
                             }
                         }
                         @for (name, value) in ratios {
@@ -157,6 +164,38 @@ pub(crate) fn result(words: Words, place: &Place, record: &Record, girths: &Valu
                     }
                 }
             }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::super::language::Language;
+    use super::*;
+    use serde_json::json;
+
+    #[test]
+    fn every_girth_that_was_measured_is_on_the_page_under_its_name() {
+        let all: Vec<String> = shape::TABLE
+            .iter()
+            .filter(|row| !["", "PICKED"].contains(&row.name))
+            .flat_map(|row| match row.id.side() {
+                Some(_) => vec![format!("{}_L", row.name), format!("{}_R", row.name)],
+                None => vec![row.name.to_owned()],
+            })
+            .collect();
+        let one = |name: &String| json!({ "name": name, "label": "?", "tape_cm": 50.0 });
+        let girths = json!({ "girths": all.iter().map(one).collect::<Vec<_>>() });
+        assert_eq!(super::all(&girths).len(), all.len());
+        assert_eq!(super::all(&girths)[0]["name"], "WC");
+        for (language, name) in Language::ALL
+            .iter()
+            .flat_map(|l| all.iter().map(move |n| (l, n)))
+        {
+            let (language, inches) = (*language, false);
+            let shown = label(Words { language, inches }, name, "?");
+            // The mean of both arms is a row of its own.
+            assert_ne!(shown, "?", "{name} has no text");
         }
     }
 }

@@ -1,5 +1,6 @@
 //! What `tailor doctor` saw of a capture, photo by photo.
 
+use super::super::findings::is_news;
 use super::super::language::Words;
 use super::super::record::{Kept, Record};
 use super::sentence;
@@ -65,7 +66,8 @@ fn told(words: Words, record: &Record, look: &Value) -> Markup {
                 }
             }
             @for warning in warnings.filter_map(Value::as_str) {
-                li .doubt { strong { (words.say("grade-doubt")) } " " (sentence(words, record, warning)) }
+                @let grade = if is_news(warning) { "hint" } else { "doubt" };
+                li class=(grade) { strong { (words.say(&format!("grade-{grade}"))) } " " (sentence(words, record, warning)) }
             }
         }
         dl .can {
