@@ -38,6 +38,10 @@ pub(super) struct Look {
     pub(super) photos: Arc<Photos>,
     /// Tags of a few of them.
     pub(super) tags: Arc<Tags>,
+    /// Which files are the turn, where that was said.
+    pub(super) images: Vec<String>,
+    /// The photos that lie in the folder, by their names within it.
+    pub(super) files: Vec<String>,
 }
 
 /// What the arguments ask for, seen: what the stage found, and the warnings.
@@ -101,6 +105,8 @@ fn looked(
         warnings,
         photos: photos(&graph, &outcome),
         tags: get::<Tags>(&graph, &outcome, "tags").unwrap_or_default(),
+        images: looked.patterns,
+        files: looked.photos,
     })
 }
 

@@ -109,7 +109,16 @@ impl Facts {
     ///
     /// A flag that cannot be read.
     pub(super) fn personal(&self, key: &str) -> Result<Option<String>, Fault> {
-        let begin = format!("{}=", place(&format!("subject.{key}")));
+        self.given(&format!("subject.{key}"))
+    }
+
+    /// What was said under a key, as TOML has it.
+    ///
+    /// # Errors
+    ///
+    /// A flag that cannot be read.
+    pub(super) fn given(&self, key: &str) -> Result<Option<String>, Fault> {
+        let begin = format!("{}=", place(key));
         let said = self.said()?;
         let value = said.iter().find_map(|s| s.set.strip_prefix(&begin));
         Ok(value.map(|text| match text.parse::<f64>() {

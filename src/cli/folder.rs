@@ -16,6 +16,10 @@ pub(super) struct Looked {
     pub(super) source: Source,
     /// Patterns of files that are read, besides those of the pipeline.
     pub(super) patterns: Vec<String>,
+    /// The photos of the folder, by their names within it; those that only patterns name are not among them.
+    pub(super) photos: Vec<String>,
+    /// A plate that is named and may lie in any folder below.
+    plate: Option<String>,
     /// What follows from the folder, as if it were said.
     pub(super) more: Vec<Said>,
     /// What the user should know.
@@ -40,6 +44,8 @@ pub(super) fn look(
         return Ok(Looked {
             source,
             patterns: vec![],
+            photos: vec![],
+            plate: None,
             more: vec![],
             warnings: vec![],
             few: None,
@@ -59,6 +65,8 @@ pub(super) fn look(
     let mut looked = Looked {
         source,
         patterns: wanted(facts.images(), &file),
+        photos: names.iter().filter(|n| is_photo(n)).cloned().collect(),
+        plate: plate(facts, &file)?,
         more: vec![],
         warnings: vec![],
         few: None,
@@ -145,7 +153,7 @@ pub(super) fn widen(graph: &mut Graph, looked: &Looked) {
     let more: Vec<String> = more
         .flat_map(|e| [format!("images/*.{e}"), format!("*.{e}")])
         .collect();
-    for pattern in looked.patterns.iter().chain(&more) {
+    for pattern in looked.patterns.iter().chain(&looked.plate).chain(&more) {
         if !files.contains(pattern) {
             files.push(pattern.clone());
         }
@@ -165,6 +173,17 @@ fn wanted(said: &[String], file: &toml::Table) -> Vec<String> {
         }
         _ => vec![],
     }
+}
+
+/// The plate that is named, the flag before the file, where it lies in a folder below and is no pattern itself.
+fn plate(facts: &Facts, file: &toml::Table) -> Result<Option<String>, Fault> {
+    let said = facts.given("plate")?;
+    let said = said.map(|text| text.trim_matches('"').to_owned());
+    let file = file.get("plate").and_then(toml::Value::as_str);
+    let named = said.or(file.map(str::to_owned));
+    let below =
+        |name: &String| name.contains('/') && !name.contains(['*', '?', '{', '}', '[', ']']);
+    Ok(named.filter(below).filter(|name| stays_inside(name)))
 }
 
 /// A pattern for each folder that holds photos, in natural order of their paths.

@@ -15,6 +15,9 @@ use std::path::PathBuf;
 pub(crate) struct Init {
     /// The folder with the photos of one turn
     folder: PathBuf,
+    /// Take the photos in folders below, too, in the order of their paths
+    #[arg(long)]
+    recursive: bool,
     #[command(flatten)]
     facts: Facts,
 }
@@ -34,7 +37,7 @@ pub(crate) fn init(args: &Init, global: &GlobalArgs) -> Result<(), Fault> {
             "{shown} is there already and was left as it is"
         )));
     }
-    let seen = look(&args.folder, &args.facts, false, false, global)?;
+    let seen = look(&args.folder, &args.facts, args.recursive, false, global)?;
     let whole = args
         .folder
         .canonicalize()
@@ -89,7 +92,7 @@ fn draft(name: &str, seen: &Look, facts: &Facts) -> Result<String, Fault> {
         "# What is known of this capture. A line that begins with # says nothing: take the # away where you know.\n\
          # Every key has a flag of `tailor measure`, which wins. `tailor doctor` says what would help.\n",
     );
-    turn(&mut to, name, seen, facts.images());
+    turn(&mut to, name, seen, facts)?;
     camera(&mut to, seen);
     subject(&mut to, rig, facts)?;
     mat(&mut to, seen, rig);
@@ -97,7 +100,7 @@ fn draft(name: &str, seen: &Look, facts: &Facts) -> Result<String, Fault> {
 }
 
 /// The photos: how many there are, which, and how far apart.
-fn turn(to: &mut String, name: &str, seen: &Look, images: &[String]) {
+fn turn(to: &mut String, name: &str, seen: &Look, facts: &Facts) -> Result<(), Fault> {
     let rig = &seen.photos.rig;
     let count = seen.photos.photos.len();
     let name = Some(quoted(rig.name.as_deref().unwrap_or(name)));
@@ -107,8 +110,8 @@ fn turn(to: &mut String, name: &str, seen: &Look, images: &[String]) {
     }
     let note = "so many photos are there; one that gets lost is then named";
     line(to, "views", Some(count.to_string()), "", note);
-    if !images.is_empty() {
-        let list = toml::Value::Array(images.iter().cloned().map(toml::Value::from).collect());
+    if !seen.images.is_empty() {
+        let list = toml::Value::Array(seen.images.iter().cloned().map(toml::Value::from).collect());
         let list = Some(list.to_string());
         line(to, "images", list, "", "which photos are the turn");
     }
@@ -116,9 +119,23 @@ fn turn(to: &mut String, name: &str, seen: &Look, images: &[String]) {
     let even = number((3600.0 / count as f64).round() / 10.0);
     let note = "if steps were even: 360° by the number of photos of a full turn";
     line(to, "step_deg", step, &even, note);
-    let plate = seen.findings["plate"].as_str().map(quoted);
+    let plate = match facts.given("plate")? {
+        Some(given) => Some(given),
+        None => plate(seen).map(quoted),
+    };
     let note = "the same scene without the subject";
     line(to, "plate", plate, "\"plate.jpg\"", note);
+    Ok(())
+}
+
+/// Where the photo of the empty scene lies. One that is no photo of the folder (of a video, raw) or shares its
+/// name with another is found by its name alone.
+fn plate(seen: &Look) -> Option<&str> {
+    let name = seen.findings["plate"].as_str()?;
+    let is = |file: &&String| file.rsplit('/').next() == Some(name);
+    let mut files = seen.files.iter().filter(is);
+    let first = files.next()?;
+    files.next().is_none().then_some(first)
 }
 
 /// The lens.

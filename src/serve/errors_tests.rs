@@ -28,7 +28,7 @@ const FILES: [&str; 14] = [
 const ELSEWHERE: [&str; 4] = [
     "capture.toml says * views, but",
     "`images` says *, but",
-    "capture.toml names the plate",
+    "`plate` in capture.toml, or --plate, names",
     "photo * is * pixels, but its camera",
 ];
 

@@ -9,6 +9,7 @@ mod first_answer;
 mod foreign;
 mod foreign_measured;
 mod keeping;
+mod layouts;
 mod limits;
 mod manual;
 mod outs;

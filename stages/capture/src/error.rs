@@ -75,6 +75,17 @@ pub enum CaptureError {
     #[error("{0} (if you are sure of the photos: --set photos.stop=false)")]
     Hopeless(String),
     /// A plate that is not there.
-    #[error("capture.toml names the plate {0}, but there is no such file")]
-    NoPlate(String),
+    #[error(
+        "`plate` in capture.toml, or --plate, names {name}, but there is no such file{}: correct it, or leave it out (a photo called plate.jpg is found without it)",
+        match near.as_slice() {
+            [] => String::new(),
+            some => format!("; there is {}", some.join(", ")),
+        }
+    )]
+    NoPlate {
+        /// What is named.
+        name: String,
+        /// Files that may be meant.
+        near: Vec<String>,
+    },
 }

@@ -33,17 +33,41 @@ pub(crate) fn plate_of<'a>(
     files: &'a Files,
     known: &RigFile,
 ) -> Result<Option<&'a FileEntry>, CaptureError> {
-    let mut entries = files.entries.iter();
+    let entries = files.entries.iter();
     // Of a video, or raw, it is read where the turn is.
     let file = |e: &&FileEntry| !is_video(&e.name) && !is_raw(&e.name);
     match &known.plate {
-        Some(name) => {
-            let found = entries.find(|e| e.name == *name);
-            let found = found.ok_or_else(|| CaptureError::NoPlate(name.clone()))?;
-            Ok(Some(found).filter(file))
-        }
+        Some(name) => Ok(Some(named(files, name)?).filter(file)),
         None => Ok(entries.filter(file).find(|e| is_plate(&e.name))),
     }
+}
+
+/// A file's name without folders.
+fn base(e: &FileEntry) -> &str {
+    e.name.rsplit('/').next().unwrap_or(&e.name)
+}
+
+/// The file that is named as the plate; without its folder where no other is called so.
+fn named<'a>(files: &'a Files, name: &str) -> Result<&'a FileEntry, CaptureError> {
+    if let Some(found) = files.entries.iter().find(|e| e.name == name) {
+        return Ok(found);
+    }
+    let alike = files.entries.iter().filter(|e| base(e) == name);
+    let alike: Vec<&FileEntry> = alike.collect();
+    if let [one] = alike[..] {
+        return Ok(one);
+    }
+    let all: Vec<&str> = files.entries.iter().map(|e| &*e.name).collect();
+    let plates = files.entries.iter().filter(|e| is_plate(&e.name));
+    let mut near: Vec<&str> = alike.into_iter().chain(plates).map(|e| &*e.name).collect();
+    let base = name.rsplit('/').next().unwrap_or(name);
+    near.extend(stage::nearest(name, &all).or_else(|| stage::nearest(base, &all)));
+    near.sort_unstable();
+    near.dedup();
+    Err(CaptureError::NoPlate {
+        name: name.into(),
+        near: near.into_iter().map(str::to_owned).collect(),
+    })
 }
 
 /// The files that `images` says, in its order, none twice.
@@ -119,8 +143,7 @@ pub(crate) fn twins(turn: &mut Vec<&FileEntry>) -> Vec<(String, String)> {
 
 /// What photos are called: their files' names; with their folders where two would be called alike.
 pub(crate) fn names(turn: &[&FileEntry]) -> Vec<String> {
-    let base = |e: &&FileEntry| e.name.rsplit('/').next().unwrap_or(&e.name).to_owned();
-    let plain: Vec<String> = turn.iter().map(base).collect();
+    let plain: Vec<String> = turn.iter().map(|e| base(e).to_owned()).collect();
     let mut sorted = plain.clone();
     sorted.sort();
     match sorted.windows(2).any(|w| w[0] == w[1]) {
@@ -170,6 +193,34 @@ mod tests {
             error.contains("z*.jpg") && error.contains("a1.jpg"),
             "{error}"
         );
+    }
+
+    #[test]
+    fn a_plate_is_found_by_its_name_alone_unless_two_are_called_so() {
+        let plate = |names: &[&str], named: &str| {
+            let known = RigFile {
+                plate: Some(named.into()),
+                ..RigFile::default()
+            };
+            let files = files(names);
+            let found = plate_of(&files, &known).map_err(|e| e.to_string())?;
+            Ok::<_, String>(found.unwrap().name.clone())
+        };
+        let names = ["images/1.jpg", "images/empty.jpg"];
+        assert_eq!(plate(&names, "empty.jpg").unwrap(), "images/empty.jpg");
+        assert_eq!(
+            plate(&names, "images/empty.jpg").unwrap(),
+            "images/empty.jpg"
+        );
+        let names = ["a/empty.jpg", "b/empty.jpg", "b/1.jpg", "b/plate.jpg"];
+        assert_eq!(plate(&names, "b/empty.jpg").unwrap(), "b/empty.jpg");
+        let error = plate(&names, "empty.jpg").unwrap_err();
+        let says = "there is a/empty.jpg, b/empty.jpg, b/plate.jpg";
+        assert!(error.contains(says), "{error}");
+        let error = plate(&["1.jpg", "background.jpg"], "backgruond.jpg").unwrap_err();
+        assert!(error.contains("there is background.jpg"), "{error}");
+        let error = plate(&["1.jpg"], "backgruond.jpg").unwrap_err();
+        assert!(error.contains("no such file: correct it"), "{error}");
     }
 
     #[test]
