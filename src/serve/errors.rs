@@ -2,8 +2,9 @@
 //! reader's language and by what a page has: fields and outlines in place of flags and files.
 
 #[rustfmt::skip]
-pub(super) const ERRORS: [(&str, &str); 57] = [
-    ("found * photos in turning order, but a turn needs at least *: put all photos of one turn into one folder, as images/*.jpg or *.jpg", "fail-few-photos"),
+pub(super) const ERRORS: [(&str, &str); 58] = [
+    ("photos in turning order: *, but a turn needs at least *: put all photos of one turn into one folder, as images/*.jpg or *.jpg", "fail-few-photos"),
+    ("only * of * photos differ, but a turn needs at least *; copies of another photo: *; put the photos of one turn into the folder, each once", "fail-copies"),
     ("* holds * photos: without a marker mat features are followed from photo to photo, which needs a full turn at steps of 30° or less; take 18 to 36 photos, or lay a mat on the disk (`tailor mat`; then say --mat), or say the step between them, such as --step 20", "fail-few-no-mat"),
     ("photos are of several sizes, but one camera must take all of a turn, uncropped: * are *, *; move what does not belong to the turn into another folder, or say which photos are the turn: `images = \"IMG_*.jpg\"` in capture.toml, or --images; a walk around somebody may have several: --walk", "fail-mixed-sizes"),
     ("* is no picture that can be read (*); export it again as JPEG, PNG or TIFF, or remove it", "fail-no-picture"),

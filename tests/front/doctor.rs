@@ -133,3 +133,31 @@ fn init_writes_what_photos_say_once_and_measure_reads_it() {
     let kept = std::fs::read_to_string(place.path("turn/capture.toml")).unwrap();
     assert_eq!(kept, "name = \"mine\"\n");
 }
+
+#[test]
+fn copies_are_named_where_too_few_photos_are_left() {
+    let place = Place::new();
+    place.photos("turn", 1);
+    let photo = std::fs::read(place.path("turn/0000.jpg")).unwrap();
+    for i in 1..5 {
+        place.write(&format!("turn/000{i}.jpg"), &photo);
+    }
+    let said = place.run("doctor turn").code(1).err;
+    for says in [
+        "1 of 5 photos",
+        "0001.jpg = 0000.jpg",
+        "0004.jpg = 0000.jpg",
+        "at least 3",
+    ] {
+        assert!(said.contains(says), "{says}: {said}");
+    }
+    place.photos("turn", 4);
+    let seen = place.run("doctor turn").code(0).out;
+    assert!(
+        seen.contains("0004.jpg is the same file as 0000.jpg"),
+        "{seen}"
+    );
+    place.write("turn/capture.toml", "views = 5\n");
+    let said = place.run("doctor turn").code(1).err;
+    assert!(said.contains("0004.jpg = 0000.jpg"), "{said}");
+}

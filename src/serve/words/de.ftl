@@ -394,7 +394,8 @@ warn-out-of-range = der Körper liegt außerhalb derer, an denen die Höhen best
 warn-too-uncertain = der Bereich wäre weiter als 25 % zu jeder Seite, darum steht hier keine Zahl
 
 # Warum nichts gemessen wurde.
-fail-few-photos = es gibt { $a } Fotos, eine Drehung braucht aber mindestens { $b }: die übrigen Fotos der Drehung hinzufügen
+fail-few-photos = Fotos in der Reihenfolge der Drehung: { $a }, eine Drehung braucht aber mindestens { $b }: die übrigen Fotos der Drehung hinzufügen
+fail-copies = nur { $a } von { $b } Fotos sind verschieden, eine Drehung braucht aber mindestens { $c }; Kopien eines anderen Fotos: { $d }; jedes Foto einmal übergeben
 fail-few-no-mat = es gibt { $b } Fotos: Ohne Markenmatte werden Merkmale von Foto zu Foto verfolgt, und das braucht eine volle Drehung in Schritten von höchstens 30°; 18 bis 36 Fotos aufnehmen, oder eine gedruckte Matte auf die Scheibe legen und die Größe ihrer Marken angeben, oder die Schritte der vollen Drehung angeben
 fail-mixed-sizes = die Fotos sind verschieden groß, aber eine einzige Kamera muss die ganze Drehung aufnehmen, ohne Zuschnitt: { $a } sind { $b }, { $c }; weglassen, was nicht zur Drehung gehört
 fail-no-picture = { $a } ist kein lesbares Bild ({ $b }); noch einmal als JPEG, PNG oder TIFF speichern oder weglassen

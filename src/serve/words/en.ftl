@@ -394,7 +394,8 @@ warn-out-of-range = the body lies outside of what the level model was fitted on,
 warn-too-uncertain = the interval would be wider than 25 % to either side, so no number is given
 
 # Why a measuring came to nothing.
-fail-few-photos = there are { $a } photos, but a turn needs at least { $b }: add the other photos of the turn
+fail-few-photos = photos in turning order: { $a }, but a turn needs at least { $b }: add the other photos of the turn
+fail-copies = only { $a } of { $b } photos differ, but a turn needs at least { $c }; copies of another photo: { $d }; hand over each photo once
 fail-few-no-mat = there are { $b } photos: without a mat of tags features are followed from photo to photo, which needs a full turn at steps of 30° or less; take 18 to 36 photos, or lay a printed mat on the disk and say the size of its tags, or say the steps of the full turn
 fail-mixed-sizes = photos are of several sizes, but one camera must take all of a turn, uncropped: { $a } are { $b }, { $c }; leave out what does not belong to the turn
 fail-no-picture = { $a } is no picture that can be read ({ $b }); export it again as JPEG, PNG or TIFF, or leave it out

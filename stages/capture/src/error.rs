@@ -5,7 +5,7 @@
 pub enum CaptureError {
     /// Too few.
     #[error(
-        "found {found} photos in turning order, but a turn needs at least {least}: put all photos of one turn into one folder, as images/*.jpg or *.jpg"
+        "photos in turning order: {found}, but a turn needs at least {least}: put all photos of one turn into one folder, as images/*.jpg or *.jpg"
     )]
     TooFew {
         /// How many there are.
@@ -13,15 +13,35 @@ pub enum CaptureError {
         /// How many are needed.
         least: u32,
     },
+    /// Too few that are not copies of another.
+    #[error(
+        "only {found} of {files} photos differ, but a turn needs at least {least}; copies of another photo: {copies}; put the photos of one turn into the folder, each once"
+    )]
+    Copies {
+        /// How many differ.
+        found: usize,
+        /// How many files there are.
+        files: usize,
+        /// How many are needed.
+        least: u32,
+        /// Which are copies, and of which.
+        copies: String,
+    },
     /// Not as many as capture.toml says.
     #[error(
-        "capture.toml says {said} views, but {found} photos are there: add what is missing, or correct `views`"
+        "capture.toml says {said} views, but {found} photos are there{}: add what is missing, or correct `views`",
+        match copies.as_str() {
+            "" => String::new(),
+            copies => format!(" (copies of another photo do not count: {copies})"),
+        }
     )]
     Count {
         /// What capture.toml says.
         said: usize,
         /// How many there are.
         found: usize,
+        /// Which files are copies, and of which.
+        copies: String,
     },
     /// Of several sizes.
     #[error(

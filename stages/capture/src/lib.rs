@@ -4,6 +4,7 @@
 
 mod alike;
 mod date;
+mod enough;
 mod error;
 mod exif;
 mod facts;

@@ -2,6 +2,7 @@
 
 use crate::alike::{not_one_turn, one_size};
 use crate::date::{Day, NO_DAY, day_of};
+use crate::enough::{as_many_as_said, enough};
 use crate::error::CaptureError;
 use crate::facts::Facts;
 use crate::glance::{Glance, glance, together};
@@ -168,7 +169,8 @@ struct Turn {
 /// The turn as files.
 fn of_files(p: &LoadParams, files: &Files, known: &RigFile, ctx: &Ctx<'_>) -> Result<Turn, Stop> {
     let (mut turn, plate): Sorted<'_> = sorted(files, known)?;
-    for (copy, first) in twins(&mut turn) {
+    let copies = twins(&mut turn);
+    for (copy, first) in &copies {
         ctx.warn(format!(
             "{copy} is the same file as {first} and was left out: if another photo should be in its place, put it there"
         ));
@@ -177,7 +179,7 @@ fn of_files(p: &LoadParams, files: &Files, known: &RigFile, ctx: &Ctx<'_>) -> Re
         let photo = header(&entry.name, &entry.name, files.read(entry)?)?;
         Ok(sharpness(&photo.decode()?))
     };
-    let (turn, even) = chosen(p, turn, known, sharp, ctx)?;
+    let (turn, even) = chosen(p, turn, &copies, known, sharp, ctx)?;
     let names = names(&turn);
     let places: Vec<(&FileEntry, &String)> = turn.iter().copied().zip(&names).collect();
     let heads = |(entry, name): &(&FileEntry, &String)| -> Result<Photo, Stop> {
@@ -199,7 +201,7 @@ fn of_frames(
     ctx: &Ctx<'_>,
 ) -> Result<Turn, Stop> {
     let sharp = |photo: &Photo| -> Result<f64, Stop> { Ok(sharpness(&photo.decode()?)) };
-    let (photos, even) = chosen(p, frames.photos.clone(), known, sharp, ctx)?;
+    let (photos, even) = chosen(p, frames.photos.clone(), &[], known, sharp, ctx)?;
     let file = plate_of(files, known)?;
     let file = file.map(|entry| empty(files, entry)).transpose()?;
     let size = |photo: &Photo| (photo.width, photo.height);
@@ -232,23 +234,15 @@ fn empty(files: &Files, entry: &FileEntry) -> Result<Photo, Stop> {
 fn chosen<T: Sync>(
     p: &LoadParams,
     turn: Vec<T>,
+    copies: &[(String, String)],
     known: &RigFile,
     sharp: impl Fn(&T) -> Result<f64, Stop> + Sync,
     ctx: &Ctx<'_>,
 ) -> Result<(Vec<T>, Option<usize>), Stop> {
-    if let Some(said) = known.views.filter(|said| *said != turn.len()) {
-        let found = turn.len();
-        return Err(CaptureError::Count { said, found }.into());
-    }
+    as_many_as_said(turn.len(), copies, known.views)?;
     let (keep, of) = (p.keep.min(p.of) as usize, p.of as usize);
     let turn = thinned(turn, keep, of);
-    if turn.len() < p.fewest as usize {
-        return Err(CaptureError::TooFew {
-            found: turn.len(),
-            least: p.fewest,
-        }
-        .into());
-    }
+    enough(turn.len(), copies, p.fewest)?;
     let even = match (keep == of, keep) {
         (true, _) => Some(1),
         (false, 1) => Some(of),
