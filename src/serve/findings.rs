@@ -7,9 +7,12 @@ use super::warnings::WARNINGS;
 
 /// Sentences, `*` for what is put in, and their texts, in which that is `a` and `b`.
 #[rustfmt::skip]
-const TOLD: [(&str, &str); 46] = [
+const TOLD: [(&str, &str); 49] = [
     ("only * % of the picture stands still: the camera, or all behind the subject, moved between the photos", "find-moved"),
     ("a turn wants one camera on a tripod and the subject on a disk; is this a walk around somebody who stands still? Then say --walk", "find-moved-mend"),
+    ("the subject, which all other photos show, is not seen here", "find-empty"),
+    ("if this is the empty scene, say plate = * in capture.toml, or --plate *; else leave it out, or take it again", "find-empty-plate"),
+    ("leave it out, or take it again", "find-empty-mend"),
     ("photos are more like others far away in order than like their neighbours: they are not in turning order", "find-shuffled"),
     ("name photos in turning order, or list them with `images = [...]`; `tailor run pipelines/any-order.toml` finds cameras without an order", "find-shuffled-mend"),
     ("far more like one far away in order than like its neighbours", "find-stranger"),
@@ -146,7 +149,7 @@ mod tests {
 
     #[test]
     fn every_sentence_of_the_room_is_known() {
-        let all = [sentences("odd.rs"), sentences("verdict.rs")].concat();
+        let all = ["odd.rs", "verdict.rs", "empty.rs"].map(sentences).concat();
         assert!(all.len() > 40, "{all:?}");
         // What only joins names and sentences has no words, but for the count of photos.
         let says = |s: &&String| s.contains(char::is_alphabetic) && !s.ends_with("photos): ");
@@ -173,6 +176,15 @@ mod tests {
             "in Zentimetern, aus: Körpergröße"
         );
         assert_eq!(told("no").unwrap(), "nein");
+        let empty = "0018.jpg: the subject, which all other photos show, is not seen here; if this is the empty scene, say \
+                     plate = \"0018.jpg\" in capture.toml, or --plate 0018.jpg; else leave it out, or take it again";
+        let de = told(empty).unwrap();
+        assert!(
+            de.starts_with("0018.jpg: die Person")
+                && de.contains("leere Szene")
+                && !de.contains("--"),
+            "{de}"
+        );
         assert_eq!(told("no such sentence"), None);
     }
 }

@@ -135,6 +135,43 @@ fn init_writes_what_photos_say_once_and_measure_reads_it() {
 }
 
 #[test]
+fn a_photo_without_the_subject_is_named_in_seconds_with_how_to_use_it() {
+    let place = Place::new();
+    place.photos("turn", 18);
+    let sample = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("samples/mannequin/images");
+    let plate = std::fs::read(sample.join("plate.jpg")).unwrap();
+    for (at, name) in ["0018.jpg", "0007-again.jpg"].iter().enumerate() {
+        place.write(&format!("turn/{name}"), &plate);
+        let said = place.run("doctor turn").code(1).out;
+        let line = said
+            .lines()
+            .find(|l| l.contains("stop"))
+            .unwrap_or_default();
+        for says in [*name, "empty scene", &format!("plate = \"{name}\"")] {
+            assert!(line.contains(says), "{says}: {said}");
+        }
+        let said = place.run("measure turn --mat-tag 60").code(1).err;
+        assert!(
+            said.contains("photos failed") && said.contains(name),
+            "{said}"
+        );
+        assert!(!said.contains("two legs"), "{said}");
+        // As it says, it is the plate from there on.
+        if at == 0 {
+            let seen = place
+                .run(&format!("doctor turn --plate {name} --json"))
+                .code(0)
+                .json();
+            assert_eq!(
+                (&seen["photos"], &seen["plate"]),
+                (&18.into(), &(*name).into())
+            );
+        }
+        std::fs::remove_file(place.path("turn").join(name)).unwrap();
+    }
+}
+
+#[test]
 fn copies_are_named_where_too_few_photos_are_left() {
     let place = Place::new();
     place.photos("turn", 1);

@@ -245,6 +245,9 @@ brush-nothing = Es gibt noch keine Umrisse: erst messen. Umrisse eines Videos la
 # Was `doctor` findet (findings.rs)
 find-moved = nur { $a } % des Bildes stehen still: Die Kamera oder alles hinter der Person bewegte sich zwischen den Fotos
 find-moved-mend = für eine Drehung gehört die Kamera auf ein Stativ und die Person auf eine Drehscheibe; wurde die Kamera um eine stehende Person herumgetragen? Dann oben angeben
+find-empty = die Person, die alle anderen Fotos zeigen, ist hier nicht zu sehen
+find-empty-plate = zeigt es die leere Szene, dann oben als deren Foto angeben; sonst weglassen oder noch einmal aufnehmen
+find-empty-mend = weglassen oder noch einmal aufnehmen
 find-shuffled = Fotos ähneln weit entfernten mehr als ihren Nachbarn: Sie folgen nicht der Drehung
 find-shuffled-mend = die Fotos in der Reihenfolge der Drehung benennen und noch einmal übergeben
 find-stranger = ähnelt einem weit entfernten weit mehr als seinen Nachbarn

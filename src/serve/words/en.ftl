@@ -245,6 +245,9 @@ brush-nothing = There are no outlines yet: measure first. Outlines of a video ca
 # What `doctor` finds (findings.rs)
 find-moved = only { $a } % of the picture stand still: the camera, or all behind the person, moved between the photos
 find-moved-mend = a turn wants one camera on a tripod and the person on a disk; was the camera walked around a person who stood still? Then say so above
+find-empty = the person, seen in all other photos, is not seen here
+find-empty-plate = if this is the empty scene, choose it above as its photo; else leave it out, or take it again
+find-empty-mend = leave it out, or take it again
 find-shuffled = photos are more like others far away in order than like their neighbours: they are not in turning order
 find-shuffled-mend = name the photos in turning order, and hand them over again
 find-stranger = far more like one far away in order than like its neighbours

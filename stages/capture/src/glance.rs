@@ -19,6 +19,8 @@ const FIRM: usize = 60;
 pub struct Glance {
     /// Brightness in few pixels, 0..=255.
     pub small: Gray,
+    /// Its colours, in as many pixels.
+    pub colors: Vec<[f32; 3]>,
     /// Share of pixels that are as white as white can be in some colour.
     pub burnt: f64,
     /// Share of pixels that are as black as black can be in all colours.
@@ -30,15 +32,21 @@ pub fn glance(photo: &Rgb) -> Glance {
     let block = (photo.width.max(photo.height) / ACROSS).max(1);
     let (w, h) = (photo.width / block, photo.height / block);
     let mut small = Gray::filled(w, h, 0.0);
+    let mut colors = Vec::with_capacity(w * h);
     for y in 0..h {
         for x in 0..w {
-            let mut sum = 0u32;
+            let mut sums = [0u32; 3];
             for j in y * block..(y + 1) * block {
                 for i in x * block..(x + 1) * block {
-                    sum += photo.at(i, j).iter().map(|c| u32::from(*c)).sum::<u32>();
+                    let pixel = photo.at(i, j);
+                    sums.iter_mut()
+                        .zip(pixel)
+                        .for_each(|(sum, c)| *sum += u32::from(c));
                 }
             }
-            *small.at_mut(x, y) = sum as f32 / (3 * block * block) as f32;
+            let count = (block * block) as f32;
+            *small.at_mut(x, y) = sums.iter().sum::<u32>() as f32 / (3.0 * count);
+            colors.push(sums.map(|sum| sum as f32 / count));
         }
     }
     let share = |of: fn(&[u8; 3]) -> bool| {
@@ -49,6 +57,7 @@ pub fn glance(photo: &Rgb) -> Glance {
         burnt: share(|p| p.iter().any(|c| *c >= 254)),
         black: share(|p| p.iter().all(|c| *c <= 2)),
         small,
+        colors,
     }
 }
 
@@ -57,6 +66,10 @@ pub fn glance(photo: &Rgb) -> Glance {
 pub struct Together {
     /// Share of the picture that stands still.
     pub still: f64,
+    /// By pixel of the small pictures, whether it does.
+    pub stands: Vec<bool>,
+    /// Brightness of each photo against the middle one.
+    pub gains: Vec<f64>,
     /// Exposure of each photo against the middle one, by what stands still; empty where too little does to tell. \[EV\]
     pub exposure_ev: Vec<f64>,
     /// How much each photo differs from the next, the last from the first, where something moves. \[levels\]
@@ -139,6 +152,8 @@ pub fn together(all: &[Glance]) -> Together {
         steps,
         astray: (0..n).map(astray).collect(),
         reached: reached(&still, all[0].small.width),
+        stands: still,
+        gains,
     }
 }
 

@@ -4,6 +4,7 @@
 
 mod alike;
 mod date;
+mod empty;
 mod enough;
 mod error;
 mod exif;

@@ -36,7 +36,7 @@ pub struct Look;
 
 impl Stage for Look {
     const NAME: &'static str = "capture.look";
-    const VERSION: u32 = 4;
+    const VERSION: u32 = 5;
     const ABOUT: &'static str = "Looks at photos at a glance: order, gaps, blur, exposure, tags, frame, and what can be measured with them.";
     type Params = LookParams;
     type Input = LookInput;

@@ -1,8 +1,8 @@
 //! What is odd about a capture, and what would mend it.
 
+use crate::empty::absent;
 use crate::glance::Glance;
-use crate::verdict::{Finding, Grade, Seen, camera_stood, lengths};
-use shape::Photos;
+use crate::verdict::{Finding, Findings, Grade, Seen, camera_stood, lengths};
 
 /// Less than this of the picture stands still: nothing will come of it without a mat.
 const MOVED: f64 = 0.03;
@@ -26,29 +26,13 @@ const FEW: usize = 12;
 /// Fewer pixels than these show little. \[px\]
 const SMALL: f64 = 0.7e6;
 
-struct Findings<'a> {
-    photos: &'a Photos,
-    all: Vec<Finding>,
-}
-
-impl Findings<'_> {
-    fn put(&mut self, grade: Grade, what: impl Into<String>, mend: &str, of: &[usize]) {
-        let names = of.iter().map(|i| self.photos.photos[*i].name.clone());
-        self.all.push(Finding {
-            grade,
-            what: what.into(),
-            mend: mend.into(),
-            photos: names.collect(),
-        });
-    }
-}
-
 /// What is odd about the pictures, the worst first.
 pub(crate) fn seen_in_pictures(seen: &Seen<'_>) -> Vec<Finding> {
     let mut told = Findings {
         photos: seen.photos,
         all: vec![],
     };
+    absent(seen, &mut told);
     order(seen, &mut told);
     pictures(seen, &mut told);
     frame(seen, &mut told);

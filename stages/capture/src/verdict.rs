@@ -41,6 +41,25 @@ impl Finding {
     }
 }
 
+/// What was found so far.
+pub(crate) struct Findings<'a> {
+    pub(crate) photos: &'a Photos,
+    pub(crate) all: Vec<Finding>,
+}
+
+impl Findings<'_> {
+    /// One more.
+    pub(crate) fn put(&mut self, grade: Grade, what: impl Into<String>, mend: &str, of: &[usize]) {
+        let names = of.iter().map(|i| self.photos.photos[*i].name.clone());
+        self.all.push(Finding {
+            grade,
+            what: what.into(),
+            mend: mend.into(),
+            photos: names.collect(),
+        });
+    }
+}
+
 /// How sharp photos are against the middle one.
 pub(crate) fn against_the_middle(sharp: &[f64]) -> Vec<f64> {
     let mut sorted = sharp.to_vec();
