@@ -5,11 +5,15 @@
 //! Two processes deliver one after the other. No file is ever half-written, and none is written or
 //! removed through a link.
 
+mod withdraw;
+
 use crate::system::{self, Folder, nofollow, private_folder};
 use serde_json::{Map, Value, json};
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs::File;
 use std::path::{Component, Path, PathBuf};
+
+pub use withdraw::{Withdrawn, of, withdraw};
 
 /// Why results cannot be delivered.
 #[derive(Debug, thiserror::Error)]

@@ -10,7 +10,7 @@ use std::path::{Path, PathBuf};
 type Form = fn(&str) -> bool;
 
 /// The store's folders, and the form of the names in each.
-const FOLDERS: [(&str, Form); 15] = [
+const FOLDERS: [(&str, Form); 16] = [
     ("cas", is_prefix),
     ("ac", is_prefix),
     ("part", is_prefix),
@@ -20,6 +20,7 @@ const FOLDERS: [(&str, Form); 15] = [
     ("pins", is_pin),
     ("quarantine", is_hash),
     ("captures", is_hash),
+    ("delivered", is_hash),
     ("tmp", is_writing),
     ("allowed", is_hash),
     ("plans", is_hash),

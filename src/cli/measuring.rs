@@ -189,6 +189,7 @@ pub(super) fn one(
         None => std::env::args().collect(),
     };
     let store = Store::open(&global.cache).map_err(Fault::input)?;
+    store.note_delivery(&ready.out, &ready.whose(), &ready.folders);
     let again = again.join(" ");
     let first = first_answer(measure, &ready, &looked, said, global);
     let mut global = global.clone();

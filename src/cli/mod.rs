@@ -42,6 +42,7 @@ const PRODUCT: Program = Program {
     sign_env: "TAILOR_SIGN_KEY",
     trust_env: "TAILOR_TRUST",
     pipeline: Some("body"),
+    input: Some("photos"),
     verbs: &[
         Verb {
             name: "measure",

@@ -26,6 +26,11 @@ pub(crate) struct Prepared {
 }
 
 impl Prepared {
+    /// What the folder of results says of whose they are.
+    pub(super) fn whose(&self) -> String {
+        whose(&[("photos".to_owned(), self.capture.clone())])
+    }
+
     /// Writes the results; with `clean`, what an earlier run wrote and this one does not is removed.
     ///
     /// # Errors
@@ -37,8 +42,7 @@ impl Prepared {
         clean: bool,
         global: &GlobalArgs,
     ) -> Result<(), Fault> {
-        let own = whose(&[("photos".to_owned(), self.capture.clone())]);
-        let mut delivery = Delivery::open(&self.out, &own).map_err(Fault::stage)?;
+        let mut delivery = Delivery::open(&self.out, &self.whose()).map_err(Fault::stage)?;
         delivery.begin().map_err(Fault::stage)?;
         write(&self.graph, outcome, &self.shown, &mut delivery)?;
         finish(delivery, &self.graph, outcome, clean, global)

@@ -150,3 +150,103 @@ fn who_is_measured_is_in_no_key_but_of_what_asks_for_it() {
         "{said}"
     );
 }
+
+/// A place with a turn that was run into a folder of results.
+fn run_into(out: &str) -> Place {
+    let place = Place::new();
+    place.write("turn.toml", TURN);
+    place.photos("anna", 3);
+    let run = format!("run turn.toml photos tags --input photos=anna --out {out}");
+    place.run(&run).code(0);
+    place
+}
+
+#[test]
+fn forget_names_the_folders_of_results_that_stay_and_removes_what_is_theirs() {
+    let place = run_into("far/results");
+    let photo = place.path("far/results/photos/images/0000.jpg");
+    assert!(photo.exists());
+    let said = place.run("cache forget anna").code(0).out;
+    for says in ["far/results", "--out"] {
+        assert!(said.contains(says), "{says}: {said}");
+    }
+    assert!(photo.exists(), "named, not removed");
+    assert!(!holds(&place, b"/anna") && !holds(&place, b"far/results"));
+    // Now that nothing else is known of the capture; a file that is somebody else's stays, and links are not followed.
+    place.write("far/results/notes.txt", "mine");
+    place.write("other/0001.jpg", "mine, too");
+    fs::remove_file(place.path("far/results/photos/images/0001.jpg")).unwrap();
+    let link = place.path("far/results/photos/images/0001.jpg");
+    std::os::unix::fs::symlink(place.path("other/0001.jpg"), &link).unwrap();
+    let said = place.run("cache forget anna --out far/results").code(0).out;
+    assert!(
+        !photo.exists() && !place.path("far/results/run.json").exists(),
+        "{said}"
+    );
+    assert!(
+        said.contains("notes.txt") && said.contains("0001.jpg"),
+        "{said}"
+    );
+    assert!(place.path("far/results/notes.txt").exists());
+    assert!(place.path("other/0001.jpg").exists());
+}
+
+#[test]
+fn forget_removes_no_results_of_another_capture() {
+    let place = run_into("results");
+    place.photos("bert", 4);
+    place
+        .run("run turn.toml --input photos=bert --out theirs")
+        .code(0);
+    for out in ["theirs", "bert", "nowhere"] {
+        let said = place
+            .run(&format!("cache forget anna --out {out}"))
+            .code(2)
+            .err;
+        assert!(said.contains(out), "{said}");
+    }
+    assert!(place.path("theirs/run.json").exists());
+    let photo = fs::read(place.path("anna/0000.jpg")).unwrap();
+    assert!(
+        holds(&place, &photo[2000..2400]),
+        "nothing goes if one word is wrong"
+    );
+    let said = place
+        .run("cache forget anna --out results --json")
+        .code(0)
+        .json();
+    assert_eq!(said["outs"], serde_json::json!([]), "{said}");
+    assert!(!place.path("results").exists(), "{said}");
+}
+
+#[test]
+fn forget_finds_the_folder_beside_a_capture_by_itself() {
+    // Of a program that noted no folders, or of a cache that is gone.
+    let place = run_into("anna-out");
+    fs::remove_dir_all(place.path("cache")).unwrap();
+    place.run("run turn.toml --input photos=anna").code(0);
+    let said = place.run("cache forget anna --json").code(0).json();
+    let outs = said["outs"].as_array().unwrap();
+    assert!(
+        outs.len() == 1 && outs[0].as_str().unwrap().ends_with("anna-out"),
+        "{said}"
+    );
+}
+
+#[test]
+fn nothing_to_forget_is_not_a_success() {
+    let place = run_into("results");
+    let said = place.run("cache forget ana").code(1).err;
+    assert!(said.contains("ana") && said.contains("--cache"), "{said}");
+    place.run("cache forget anna").code(0);
+    place.run("cache forget anna").code(1);
+}
+
+#[test]
+fn the_log_of_a_killed_run_goes_too() {
+    let place = run_into("results");
+    let log = "cache/runs/00000000000000000009-1.jsonl";
+    place.write(log, "{\"event\":\"started\",\"node\":\"photos\"}\n");
+    place.run("cache forget anna").code(0);
+    assert!(!place.path(log).exists());
+}

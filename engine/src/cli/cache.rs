@@ -1,13 +1,14 @@
 //! `cache ls|du|runs|pin|unpin|pins|gc|forget|verify`; `cli/store.rs` has the rest.
 
 use super::fault::Fault;
+use super::forget::{Forget, forget_folder};
 use super::program::GlobalArgs;
 use super::size::mib;
 use crate::past::ago;
 use crate::past::{self, Head};
+use crate::store::Store;
 use crate::store::keeper::{self, Budget, KEPT_RECORDS, Kept, Swept};
 use crate::store::remote::Sharing;
-use crate::store::{Forgotten, Store, forget};
 use clap::{Args, Subcommand};
 use serde_json::{Value, json};
 use std::collections::BTreeMap;
@@ -55,11 +56,8 @@ enum Verb {
         #[arg(long)]
         dry_run: bool,
     },
-    /// Remove all that came of an input's folder: results, parts, records of runs
-    Forget {
-        /// The folder; it may be gone
-        folder: PathBuf,
-    },
+    /// Remove all that came of an input's folder: results, parts, records of runs; folders of results are named (see --out)
+    Forget(Forget),
     /// Read everything; put aside what is corrupt
     Verify,
     /// What the shared store (--store) holds, how it answers, whether it keeps its word
@@ -176,10 +174,7 @@ pub(crate) fn cache(
             let swept = keeper::gc(&store, &budget, *dry_run).map_err(Fault::input)?;
             report_swept(&swept, *dry_run, global);
         }
-        Verb::Forget { folder } => {
-            let forgotten = forget(&store, folder).map_err(Fault::input)?;
-            told_forgotten(&forgotten, global);
-        }
+        Verb::Forget(args) => forget_folder(args, &store, global)?,
         Verb::Verify => {
             let bad = keeper::verify(&store);
             let results = keeper::list(&store).len();
@@ -275,26 +270,5 @@ fn report_swept(swept: &Swept, dry_run: bool, global: &GlobalArgs) {
             "{verb} {n} results, {freed:.1} MiB; to rebuild them: {seconds:.1} s; \
              parts {parts:.1} MiB; {records} records of runs"
         )]
-    });
-}
-
-fn told_forgotten(f: &Forgotten, global: &GlobalArgs) {
-    let json = json!({
-        "results": f.results, "bytes": f.bytes, "runs": f.runs, "pins": f.pins, "shared": f.shared,
-    });
-    say(global, json, || {
-        let (results, runs, freed) = (f.results, f.runs, mib(f.bytes));
-        let mut lines = vec![format!(
-            "forgot {results} results, {freed:.1} MiB, all parts and {runs} records of runs"
-        )];
-        if !f.pins.is_empty() {
-            lines.push(format!("pins that went with them: {}", f.pins.join(", ")));
-        }
-        for folder in &f.shared {
-            lines.push(format!(
-                "{folder} shared some of it, which is made again for that"
-            ));
-        }
-        lines
     });
 }

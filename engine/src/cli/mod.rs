@@ -20,6 +20,7 @@ mod dask;
 mod deliver;
 mod export;
 mod fault;
+mod forget;
 mod host;
 mod impact;
 mod itself;

@@ -33,6 +33,8 @@ pub struct Program {
     pub trust_env: &'static str,
     /// The built-in pipeline that is meant where none is said.
     pub pipeline: Option<&'static str>,
+    /// The input whose folder alone marks results as its own, where a verb of the program's says so.
+    pub input: Option<&'static str>,
     /// Verbs of its own, before the engine's.
     pub verbs: &'static [Verb],
     /// What a page in HTML that a run writes gets from the run: its warnings, how it was made.
@@ -72,6 +74,7 @@ impl Program {
             sign_env: "STAGE_SIGN_KEY",
             trust_env: "STAGE_TRUST",
             pipeline: None,
+            input: None,
             verbs: &[],
             complete: |page, _, _| page.to_vec(),
             errors: |_, _, _| Err("this program has no ground truth".into()),

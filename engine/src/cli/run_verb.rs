@@ -195,6 +195,9 @@ pub(crate) fn run(run: &Run, global: &GlobalArgs) -> Result<(), Fault> {
         deliver::check(out, &graph, &folders)?;
     }
     let store = Store::open_after(&global.cache, prefetch).map_err(Fault::input)?;
+    if let Some(out) = &run.out {
+        store.note_delivery(out, &deliver::whose(&folders), &folders);
+    }
     let again: Vec<String> = std::env::args().collect();
     let wanted = match run.verify {
         true => walk::all(&graph, &wanted),

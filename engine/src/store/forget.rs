@@ -27,6 +27,8 @@ pub struct Forgotten {
     pub runs: usize,
     /// Pins of those runs.
     pub pins: Vec<String>,
+    /// Whether anything in the store came of it.
+    pub known: bool,
     /// Other folders from which some of it came as well: what went is made again for them.
     pub shared: Vec<String>,
 }
@@ -140,6 +142,7 @@ pub fn forget(store: &Store, folder: &Path) -> Result<Forgotten, StoreError> {
     let folder = whole.or_else(|_| std::path::absolute(folder));
     let folder = folder.unwrap_or_default();
     let below = |text: &String| Path::new(text).starts_with(&folder);
+    let deliveries = store.forget_deliveries(below);
     // First, so that nobody goes by it when this is cut off.
     own::remove(root, &[], NOTED);
     let (mut mine, mut others) = (BTreeSet::new(), BTreeMap::new());
@@ -198,7 +201,8 @@ pub fn forget(store: &Store, folder: &Path) -> Result<Forgotten, StoreError> {
         }
     }
     forget_runs(store, &below, &mut forgotten);
-    forget_plans(root, &below);
+    let plans = forget_plans(root, &below);
+    forgotten.known = !mine.is_empty() || forgotten.runs + plans + deliveries > 0;
     keeper::remove_parts(root);
     keeper::sweep(root);
     let memo = root.join("files.json");
@@ -206,8 +210,8 @@ pub fn forget(store: &Store, folder: &Path) -> Result<Forgotten, StoreError> {
     Ok(forgotten)
 }
 
-/// Removes the plans that name a folder that fits, or cannot be read.
-fn forget_plans(root: &Path, fits: &dyn Fn(&String) -> bool) {
+/// Removes the plans that name a folder that fits, or cannot be read; how many name one.
+fn forget_plans(root: &Path, fits: &dyn Fn(&String) -> bool) -> usize {
     #[derive(serde::Deserialize)]
     struct Plan {
         inputs: Vec<Input>,
@@ -216,13 +220,17 @@ fn forget_plans(root: &Path, fits: &dyn Fn(&String) -> bool) {
     struct Input {
         folder: String,
     }
+    let mut count = 0;
     for name in own::files(root, "plans", own::is_hash) {
         let bytes = std::fs::read(root.join("plans").join(&name)).unwrap_or_default();
         let plan = serde_json::from_slice::<Plan>(&bytes);
-        if plan.map_or(true, |plan| plan.inputs.iter().any(|i| fits(&i.folder))) {
+        let named = plan.map(|plan| plan.inputs.iter().any(|i| fits(&i.folder)));
+        count += usize::from(matches!(named, Ok(true)));
+        if named.unwrap_or(true) {
             own::remove(root, &["plans"], &name);
         }
     }
+    count
 }
 
 /// Removes the records of runs on inputs that fit, and their pins.
@@ -236,6 +244,13 @@ fn forget_runs(store: &Store, fits: &dyn Fn(&String) -> bool, forgotten: &mut Fo
     for id in &going {
         own::remove(root, &["runs"], &format!("{id}.json"));
         own::remove(root, &["runs"], &format!("{id}.jsonl"));
+    }
+    // Of runs that were killed, whose they were is not known; none runs now.
+    for name in own::files(root, "runs", own::is_run) {
+        let log = name.strip_suffix(".jsonl");
+        if log.is_some_and(|id| !past::run_file(root, id).is_file()) {
+            own::remove(root, &["runs"], &name);
+        }
     }
     for (pin, run) in store.pins() {
         if going.contains(&run) && store.unpin(&pin) {

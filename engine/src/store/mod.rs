@@ -24,6 +24,7 @@
 //! worth it is synced to the disk before it gets its name.
 
 mod blob;
+mod delivered;
 mod disk;
 mod error;
 mod files;
@@ -46,6 +47,7 @@ pub mod remote;
 mod simulated;
 
 pub use blob::Blob;
+pub use delivered::Delivered;
 pub use error::StoreError;
 pub use folder::Store;
 pub use forget::{Forgotten, forget};
