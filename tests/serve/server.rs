@@ -124,11 +124,13 @@ impl Server {
     }
 
     /// The address that the program prints.
+    #[cfg(chromium)]
     pub(crate) fn url(&self) -> String {
         format!("http://127.0.0.1:{}/?token={}", self.port, self.token)
     }
 
     /// The origin of its pages.
+    #[cfg(chromium)]
     pub(crate) fn origin(&self) -> String {
         format!("http://127.0.0.1:{}", self.port)
     }
