@@ -69,6 +69,38 @@ fn two_people_twice_have_errors_correlation_and_plots() {
 }
 
 #[test]
+fn captures_that_come_out_equal_err_by_their_rounding_at_least() {
+    let place = tempfile::tempdir().unwrap();
+    let all = ["anna-1", "anna-2", "anna-3"];
+    let all = all.map(|name| capture(place.path(), name, &[("CC", 912.3)]));
+    let mut args = vec!["repeat", "--json"];
+    args.extend(all.iter().map(|p| p.to_str().unwrap()));
+    let (code, text, errors) = tailor(&args);
+    assert_eq!(code, Some(0), "{errors}");
+    let told: Value = serde_json::from_str(&text).unwrap();
+    let chest = &told["repeatability"][0];
+    // 0.1 mm / √12; by χ² of two degrees of freedom up to 6.3 times that.
+    let error = 0.1 / 12f64.sqrt();
+    proof::near(chest["tem_mm"].as_f64().unwrap(), error, 1e-4);
+    proof::near(chest["lsc95_mm"].as_f64().unwrap(), 2.77 * error, 1e-3);
+    let ends = chest["tem_interval_mm"].as_array().unwrap();
+    assert_eq!(ends[0].as_f64(), Some(0.0), "{chest}");
+    proof::near(
+        ends[1].as_f64().unwrap() / error,
+        (2.0f64 / 0.050_64).sqrt(),
+        0.01,
+    );
+    let (_, text, _) = tailor(
+        &args[..1]
+            .iter()
+            .chain(&args[2..])
+            .copied()
+            .collect::<Vec<_>>(),
+    );
+    assert!(text.contains("0.03 mm at least"), "{text}");
+}
+
+#[test]
 fn what_cannot_be_told_is_refused_with_what_to_do() {
     let place = tempfile::tempdir().unwrap();
     let anna = capture(place.path(), "anna", &[("WC", 800.0)]);

@@ -57,6 +57,12 @@ impl Repeats {
         Some([end(0.975), end(0.025)])
     }
 
+    /// How far above the technical error the upper end of its interval is; of those who were measured twice.
+    pub fn upper_factor(&self) -> f64 {
+        let free = self.freedom().max(1);
+        (free as f64 / chi_square_quantile(0.025, free)).sqrt()
+    }
+
     /// Root mean square of people's coefficients of variation, weighted by their degrees of freedom (Glüer 1995).
     pub fn rms_cv(&self) -> Option<f64> {
         let share = |p: &Vec<f64>| squares(p, mean(p)) / (mean(p) * mean(p));

@@ -6,6 +6,8 @@ use super::statistics::{Agreement, Repeats};
 
 /// From so many degrees of freedom on a precision error is known to +30 % (Glüer 1995, Osteoporos Int 5:262).
 const ENOUGH: usize = 27;
+/// Files hold lengths to 0.1 mm: such rounding alone errs by so much, and captures that come out equal tell of no less. \[mm\]
+const ROUNDED_MM: f64 = 0.1 / 3.464_101_615_137_754_6;
 
 /// One girth, all lengths of its tape. \[mm\]
 #[derive(Debug, Clone, PartialEq)]
@@ -80,18 +82,23 @@ pub fn study(captures: &[Capture]) -> Result<Study, NotRepeated> {
         });
         (c.person.clone(), c.name.clone(), tapes.collect())
     };
-    study_of(&captures.iter().map(named).collect::<Vec<_>>())
+    studied(&captures.iter().map(named).collect::<Vec<_>>(), ROUNDED_MM)
 }
 
 /// A capture as numbers: whose, what it is called, and each girth's name, label, part and tape. \[mm\]
 pub type Tapes = (String, String, Vec<(String, String, Option<String>, f64)>);
 
-/// The same from tapes that were taken otherwise. \[mm\]
+/// The same from tapes that were taken otherwise, and not rounded. \[mm\]
 ///
 /// # Errors
 ///
 /// No girth that one person has twice.
 pub fn study_of(captures: &[Tapes]) -> Result<Study, NotRepeated> {
+    studied(captures, 0.0)
+}
+
+/// What tapes tell that are known no better than to a standard deviation `least`. \[mm\]
+fn studied(captures: &[Tapes], least: f64) -> Result<Study, NotRepeated> {
     let mut study = Study::default();
     for (person, capture, _) in captures {
         match study.people.iter_mut().find(|(p, _)| p == person) {
@@ -114,7 +121,7 @@ pub fn study_of(captures: &[Tapes]) -> Result<Study, NotRepeated> {
         let people = study.people.iter().map(|(p, _)| (p.clone(), tapes(p)));
         let people: Vec<(String, Vec<f64>)> = people.filter(|(_, t)| !t.is_empty()).collect();
         let allowed = allowed_mm(name, part.as_deref());
-        match one(name, label, people, allowed) {
+        match one(name, label, people, allowed, least) {
             Some(girth) => study.girths.push(girth),
             None => study.warnings.push(format!("{name}: nobody has it twice")),
         }
@@ -133,16 +140,19 @@ fn one(
     label: &str,
     people: Vec<(String, Vec<f64>)>,
     allowed: Option<f64>,
+    least: f64,
 ) -> Option<GirthStudy> {
     let repeats = Repeats(people.iter().map(|(_, t)| t.clone()).collect());
     // Correlation is of those who were repeated.
     let again = Repeats(repeats.0.iter().filter(|p| p.len() > 1).cloned().collect());
+    let (tem, [low, high]) = (again.technical_error()?, again.technical_error_interval()?);
     Some(GirthStudy {
         name: name.into(),
         label: label.into(),
-        tem: again.technical_error()?,
-        tem_interval: again.technical_error_interval()?,
-        rms_cv: again.rms_cv()?,
+        tem: tem.max(least),
+        // The upper end is as far above the error as it would be above one that was measured.
+        tem_interval: [low, high.max(least * again.upper_factor())],
+        rms_cv: again.rms_cv()?.max(least / again.mean()),
         agreement: again.agreement()?,
         mean: again.mean(),
         freedom: again.freedom(),

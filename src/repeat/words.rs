@@ -9,7 +9,8 @@ use std::fmt::Write;
 pub(super) type Table = Vec<Vec<String>>;
 
 /// What the words of the head mean.
-pub(super) const LEGEND: &str = "TEM: technical error of measurement, one standard deviation of a measurement about the person's mean, with its 95 % interval. \
+pub(super) const LEGEND: &str = "TEM: technical error of measurement, one standard deviation of a measurement about the person's mean, with its 95 % interval; \
+    0.03 mm at least, for files hold lengths to 0.1 mm. \
     RMS-CV: the same as a share of the length. LSC: least significant change of one capture against another, 2.77 TEM. \
     ICC(2,1): share of all variance that is between people. Allowed: most that the ANSUR II survey lets two trained measurers differ (NATICK/TR-11/017, appendix G).";
 
