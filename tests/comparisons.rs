@@ -94,6 +94,7 @@ fn the_first_difference_the_girths_and_the_surfaces_are_told() {
         "| WC (WC)",
         "NO, 9 mm",
         "voxel_mm",
+        "LSC: least significant change",
     ] {
         assert!(words.contains(line), "{line}: {words}");
     }
@@ -105,6 +106,7 @@ fn the_first_difference_the_girths_and_the_surfaces_are_told() {
         assert!(!page.contains(outside), "{outside}");
     }
     assert!(page.contains("\"distances\":["));
+    assert!(page.contains("LSC: least significant change"));
 }
 
 #[test]

@@ -3,7 +3,9 @@
 use super::Comparison;
 use super::pictures::{Surface, pictures};
 use super::surfaces::distances;
-use super::words::{Table, change_table, cost_table, girth_table, sentences, surface_table};
+use super::words::{
+    GIRTHS, LEGEND, Table, change_table, cost_table, girth_table, sentences, surface_table,
+};
 use crate::page;
 use serde_json::{Value, json};
 use shape::{Mesh, thinned};
@@ -55,7 +57,7 @@ pub fn page(c: &Comparison, show_photos: bool) -> String {
         body += IMAGES;
     }
     for (title, table) in [
-        ("Girths by tape", girth_table(c)),
+        (GIRTHS, girth_table(c)),
         ("Surfaces, from the first", surface_table(c)),
         ("Said otherwise", change_table(c)),
         ("Time and size", cost_table(c)),
@@ -81,7 +83,11 @@ fn section(title: &str, table: &Table) -> String {
         return String::new();
     }
     let html = page::table("", &table[0], &table[1..]);
-    format!("<section><h2>{title}</h2>{html}</section>\n")
+    let legend = match title == GIRTHS {
+        true => format!("<p class=\"soft\">{LEGEND}</p>"),
+        false => String::new(),
+    };
+    format!("<section><h2>{title}</h2>{html}{legend}</section>\n")
 }
 
 /// The surfaces for the view: the first with its distance to the second, the others to the first.

@@ -10,6 +10,13 @@ use std::fmt::Write;
 /// A table as rows of texts, its head first.
 pub(super) type Table = Vec<Vec<String>>;
 
+/// Above the table of girths.
+pub(super) const GIRTHS: &str = "Girths by tape";
+
+/// What the head of the table of girths means.
+pub(super) const LEGEND: &str = "off: the tape less that of the first. By intervals: the true difference is between these nine times in ten. \
+    LSC: least significant change, which measuring the same body twice exceeds one time in twenty; changed: whether the difference exceeds it.";
+
 fn number(x: Option<f64>, digits: usize) -> String {
     x.map_or("-".into(), |x| format!("{x:.digits$}"))
 }
@@ -196,12 +203,15 @@ pub fn markdown(c: &Comparison) -> String {
     }
     for (title, table) in [
         ("Said otherwise", change_table(c)),
-        ("Girths by tape", girth_table(c)),
+        (GIRTHS, girth_table(c)),
         ("Surfaces, from the first", surface_table(c)),
         ("Time and size", cost_table(c)),
     ] {
         if table.len() > 1 {
             let _ = write!(text, "## {title}\n\n{}\n", rows(&table));
+            if title == GIRTHS {
+                let _ = writeln!(text, "{LEGEND}\n");
+            }
         }
     }
     text
