@@ -9,6 +9,7 @@ with a line, ``{"done": true}`` or ``{"failed": "why"}``.
 import inspect
 import json
 import os
+import re
 import shutil
 import sys
 import tempfile
@@ -22,6 +23,8 @@ from .artifacts import Cameras, Photos, read
 from .files import write
 
 _LOADED: Dict[str, dict] = {}
+#: How a file begins that `tailor.stage` wrote.
+_WRITTEN = re.compile(r"# \w+ \d+\.\d+\n")
 
 
 def _function(place: str) -> Callable[..., Any]:
@@ -104,9 +107,16 @@ def _told(why: BaseException) -> str:
     """An exception with its place in the user's text."""
     if isinstance(why, Error):
         return str(why)
-    own = [f for f in traceback.extract_tb(why.__traceback__) if not f.filename.endswith(("worker.py",))]
-    place = f" (line {own[-1].lineno} of {own[-1].filename}, in {own[-1].name})" if own else ""
-    return f"{type(why).__name__}: {why}{place}"
+    texts = {os.path.basename(space["__file__"]): text for text, space in _LOADED.items()}
+    frames = traceback.extract_tb(why.__traceback__)
+    frame = next((f for f in reversed(frames) if f.filename in texts), None)
+    if frame is None:
+        return f"{type(why).__name__}: {why}"
+    text = texts[frame.filename]
+    line = text.splitlines()[(frame.lineno or 1) - 1].strip()
+    # Who made a function a stage by `tailor.stage` never saw the file that it went into.
+    number = "" if _WRITTEN.match(text) else f"line {frame.lineno} of {frame.filename}, "
+    return f"{type(why).__name__}: {why} ({number}in {frame.name}: `{line}`)"
 
 
 def main() -> int:

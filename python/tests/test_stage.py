@@ -10,6 +10,7 @@ import pytest
 
 import tailor
 from conftest import COMMAND, DOLL
+from tailor import worker
 
 SHARE = 0.5
 
@@ -140,10 +141,19 @@ def test_a_worker_a_thread_serves_all_points_of_a_sweep(doll):
     print(f"a point of a stage in Python: {each * 1e3:.0f} ms")
 
 
+@pytest.mark.parametrize("head, place", [("", "line 2 of mine.py, in half"), ("# cpython 3.12\n\n", "in half")])
+def test_an_error_names_the_line_and_only_a_file_that_the_user_wrote(tmp_path, head, place):
+    file = tmp_path / "mine.py"
+    file.write_text(f"{head}def half(x=1):\n    return x / 0\n")
+    with pytest.raises(ZeroDivisionError) as error:
+        worker._function(f"{file}:half")()
+    assert worker._told(error.value) == f"ZeroDivisionError: division by zero ({place}: `return x / 0`)"
+
+
 @pytest.mark.parametrize(
     "stage, told",
     [
-        (raises, "of raises.py, in raises)"),
+        (raises, '(in raises: `return mesh.vertices / {}["nothing"], mesh.faces`)'),
         (nothing, "gave nothing back"),
         (other, "a pair of vertices and faces"),
         (nan, "(NaN or infinite)"),
