@@ -8,7 +8,7 @@ wrong-title = Das ging nicht
 
 # Die erste Seite
 home-title = Ein Körper, aus Fotos gemessen
-home-about = Aus Fotos einer vollen Drehung werden Umfänge, jeder mit einem Intervall, und ein Bericht. So wird aufgenommen: zuerst die leere Szene, dann alle 10° bis 20° ein Foto, während die Person sich dreht und die Kamera steht; enge, gemusterte Kleidung, die Arme vom Körper weg.
+home-about = Aus Fotos einer vollen Drehung werden Umfänge, jeder mit einem Intervall, und ein Bericht. So wird aufgenommen: zuerst die leere Szene, dann alle 10° bis 20° ein Foto, während die Person sich dreht und die Kamera steht; eng anliegende Kleidung, am besten gemustert, oder Unterwäsche; die Haare hoch, die Arme vom Körper weg.
 drop-title = Eine neue Aufnahme
 drop-hint = Die Fotos einer Drehung hierher ziehen, oder ein Video, oder Ordner mit Aufnahmen; oder auswählen.
 drop-name = Wie sie heißt

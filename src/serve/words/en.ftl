@@ -8,7 +8,7 @@ wrong-title = That did not work
 
 # The first page
 home-title = A body measured from photos
-home-about = Photos of one full turn of a person become girths, each with an interval, and a report. How to take them: an empty scene first, then a photo every 10° to 20° while the person turns and the camera stands still; tight clothes with a pattern, arms held away from the body.
+home-about = Photos of one full turn of a person become girths, each with an interval, and a report. How to take them: an empty scene first, then a photo every 10° to 20° while the person turns and the camera stands still; close-fitting clothes, best with a pattern, or underwear; hair up, arms held away from the body.
 drop-title = A new capture
 drop-hint = Drop the photos of one turn here, or a video, or folders with captures; or choose them.
 drop-name = What it is called
