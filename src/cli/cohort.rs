@@ -2,8 +2,8 @@
 
 use super::measuring::Measured;
 use super::provenance::{get, warnings};
-use engine::cli::Fault;
 use engine::cli::text::{lines, table, to_the_right};
+use engine::cli::{Fault, Ran};
 use serde_json::{Value, json};
 use shape::{Cameras, Girths, Scale, Unit, csv_table};
 use std::path::Path;
@@ -30,7 +30,7 @@ impl Row {
         let (graph, outcome) = (&measured.graph, &measured.outcome);
         let girths = get::<Girths>(graph, outcome, "girths");
         let cameras = get::<Cameras>(graph, outcome, "cameras");
-        let warnings = warnings(outcome, graph, girths.as_deref());
+        let warnings = warnings(&Ran::of(graph, outcome, &[]), girths.as_deref());
         let came = girths.zip(cameras).map(|(girths, cameras)| Came {
             girths,
             scale: cameras.scale,

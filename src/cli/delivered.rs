@@ -4,7 +4,7 @@ use super::provenance::{self, get};
 use crate::delivery::{self, Delivery};
 use crate::engine::Outcome;
 use crate::graph::{Graph, Source};
-use engine::cli::{Fault, inside, lies_in, there, whose};
+use engine::cli::{Fault, Ran, inside, lies_in, there, whose};
 use engine::out;
 use shape::{Document, Girths, Mesh};
 use stage::{AnyArtifact, Artifact};
@@ -101,6 +101,21 @@ fn measured(graph: &Graph) -> Option<usize> {
     }
 }
 
+/// A result as it is written: girths with the name of the folder with the photos, as `measure` calls the capture.
+pub(super) fn present(artifact: AnyArtifact, ran: &Ran<'_>) -> AnyArtifact {
+    match folder(ran) {
+        Some(folder) => named(artifact, &called(folder)),
+        None => artifact,
+    }
+}
+
+/// The folder with the photos of a run.
+pub(super) fn folder<'a>(ran: &'a Ran<'_>) -> Option<&'a Path> {
+    let mut folders = ran.folders.iter();
+    let photos = folders.find(|(name, _)| name == "photos");
+    photos.map(|(_, folder)| folder.as_path())
+}
+
 /// Girths with the capture's name where nobody gave one: results of several captures may be put together.
 fn named(artifact: AnyArtifact, name: &str) -> AnyArtifact {
     match artifact.clone().downcast::<Girths>() {
@@ -131,7 +146,7 @@ pub(super) fn write(
         delivery.put(file, &files).map_err(Fault::stage)?;
     }
     if let Some(report) = get::<Document>(graph, outcome, "report") {
-        let page = provenance::completed(&report.bytes, outcome, graph);
+        let page = provenance::completed(&report.bytes, &Ran::of(graph, outcome, &[]));
         let page = vec![(String::new(), page)];
         delivery.put("report.html", &page).map_err(Fault::stage)?;
     }

@@ -7,7 +7,7 @@ use super::provenance::{completed, get};
 use super::screen::screen;
 use crate::delivery::Delivery;
 use crate::graph::Graph;
-use engine::cli::{GlobalArgs, above, whose};
+use engine::cli::{GlobalArgs, Ran, above, whose};
 use engine::walk::{Done, Status, Watch};
 use engine::{Options, Outcome, run};
 use shape::{Document, Girths};
@@ -152,7 +152,8 @@ impl Answer {
     /// Writes the page. What cannot be written now is said when the whole is to be.
     fn write(&self, graph: &Graph, outcome: &Outcome) -> Option<()> {
         let report = get::<Document>(graph, outcome, "report")?;
-        let page = vec![(String::new(), completed(&report.bytes, outcome, graph))];
+        let ran = Ran::of(graph, outcome, &self.folders);
+        let page = vec![(String::new(), completed(&report.bytes, &ran))];
         let own = whose(&[("photos".to_owned(), self.capture.clone())]);
         let mut delivery = Delivery::open(&self.out, &own).ok()?;
         delivery.begin().ok()?;

@@ -125,6 +125,7 @@ const PRODUCT: Program = Program {
         },
     ],
     complete: provenance::completed,
+    present: delivered::present,
     errors: crate::errors::errors,
     ..Program::new(
         "tailor",

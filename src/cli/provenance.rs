@@ -2,7 +2,9 @@
 
 use crate::engine::Outcome;
 use crate::graph::Graph;
+use engine::cli::Ran;
 use engine::cli::text::short;
+use serde_json::Value;
 use shape::Girths;
 
 /// The stage whose params are facts of a person.
@@ -24,66 +26,63 @@ fn escaped(text: &str) -> String {
 }
 
 /// What the stages warned of, without what the table says anyway.
-pub(super) fn warnings(outcome: &Outcome, graph: &Graph, girths: Option<&Girths>) -> Vec<String> {
-    let said: Vec<String> = girths
-        .iter()
-        .flat_map(|g| &g.missing)
-        .map(|m| format!("{}: {}", m.name, m.why))
-        .collect();
-    let mut warnings = Vec::new();
-    for (done, node) in outcome.nodes.iter().zip(&graph.nodes) {
-        for warning in done.iter().flat_map(|done| &done.warnings) {
-            if !said.contains(warning) {
-                warnings.push(format!("{}: {warning}", node.name));
-            }
-        }
-    }
-    warnings
+pub(super) fn warnings(ran: &Ran<'_>, girths: Option<&Girths>) -> Vec<String> {
+    let missing = girths.iter().flat_map(|g| &g.missing);
+    let listed: Vec<String> = missing.map(|m| format!("{}: {}", m.name, m.why)).collect();
+    let warnings = ran.warnings().into_iter();
+    let new = warnings.filter(|(_, warning)| !listed.contains(warning));
+    new.map(|(node, warning)| format!("{node}: {warning}"))
+        .collect()
 }
 
 /// The report with what only the run knows: its warnings on top, how it was made at the end.
-pub(crate) fn completed(page: &[u8], outcome: &Outcome, graph: &Graph) -> Vec<u8> {
-    let girths = get::<Girths>(graph, outcome, "girths");
-    let warnings = warnings(outcome, graph, girths.as_deref());
+pub(crate) fn completed(page: &[u8], ran: &Ran<'_>) -> Vec<u8> {
+    let girths = ran.last::<Girths>();
+    let warnings = warnings(ran, girths.as_deref());
     let paragraph = |w: &String| format!("<p class=\"warn\">{}</p>", escaped(w));
     let warnings: String = warnings.iter().map(paragraph).collect();
     let page = String::from_utf8_lossy(page).replacen("<!--warnings-->", &warnings, 1);
-    let made = table(outcome, graph);
+    let made = table(&ran.record());
     page.replacen("<!--provenance-->", &made, 1).into_bytes()
 }
 
 /// Every node with its stage, params and numbers; not how long it took, so that equal results give
 /// equal pages (`run.json` has it).
-fn table(outcome: &Outcome, graph: &Graph) -> String {
+fn table(record: &Value) -> String {
     let mut rows = String::new();
-    for (done, node) in outcome.nodes.iter().zip(&graph.nodes) {
-        let Some(done) = done else { continue };
-        let params = node.params.values.iter();
+    let text = |value: &Value| value.as_str().unwrap_or_default().to_owned();
+    let list = |value: &Value| value.as_array().cloned().unwrap_or_default();
+    for node in list(&record["nodes"]) {
+        let stage = text(&node["stage"]);
+        let lines = list(&node["provenance"]).into_iter();
         // Who is measured is nobody's matter whom the page is shown.
-        let params = params.filter(|_| node.stage.name() != PERSONAL);
-        let params: Vec<String> = params.map(|(k, v)| format!("{k} = {v}")).collect();
-        let number = |m: &stage::Metric| {
-            format!("{} {} {}", m.name, short(m.value), m.unit)
+        let lines = lines.filter(|_| stage != PERSONAL);
+        let param = |line: Value| {
+            let name = text(&line[0]).strip_prefix("with ")?.to_owned();
+            Some(format!("{name} = {}", text(&line[1])))
+        };
+        let params: Vec<String> = lines.filter_map(param).collect();
+        let number = |m: Value| {
+            let value = m["value"].as_f64().unwrap_or(f64::NAN);
+            format!("{} {} {}", text(&m["name"]), short(value), text(&m["unit"]))
                 .trim()
                 .to_owned()
         };
-        let numbers: Vec<String> = done.metrics.iter().map(number).collect();
-        let key = done.key.map(|k| k.to_hex()[..12].to_owned());
+        let numbers: Vec<String> = list(&node["metrics"]).into_iter().map(number).collect();
+        let key: String = text(&node["key"]).chars().take(12).collect();
         rows += &format!(
-            "<tr><td><b>{}</b></td><td>{} v{}</td><td class=\"note\">{}</td>\
-             <td class=\"note\">{}</td><td class=\"note\">{}</td></tr>",
-            escaped(&node.name),
-            node.stage.name(),
-            node.stage.version(),
+            "<tr><td><b>{}</b></td><td>{stage} v{}</td><td class=\"note\">{}</td>\
+             <td class=\"note\">{}</td><td class=\"note\">{key}</td></tr>",
+            escaped(&text(&node["node"])),
+            node["version"],
             escaped(&params.join(", ")),
             escaped(&numbers.join(", ")),
-            key.unwrap_or_default(),
         );
     }
     format!(
         "<details><summary>tailor {}: {}</summary><table id=\"provenance\"><tr><th>node</th><th>stage</th>\
          <th>params</th><th>numbers</th><th>key</th></tr>{rows}</table></details>",
         env!("CARGO_PKG_VERSION"),
-        escaped(&graph.about),
+        escaped(&text(&record["about"])),
     )
 }

@@ -42,6 +42,26 @@ fn every_command_in_the_book_is_understood() {
     assert!(count > 10, "only {count} commands were found");
 }
 
+/// The lines in a page's sentences that show something.
+fn shown(text: &str) -> Vec<&str> {
+    let spans = text.split('`').skip(1).step_by(2);
+    let whole = |span: &&str| span.starts_with("tailor show ") && span.contains(" --as ");
+    spans.filter(whole).collect()
+}
+
+#[test]
+fn what_sentences_say_of_show_is_understood_as_it_is_printed() {
+    let mut count = 0;
+    for page in pages() {
+        for line in shown(&read(&page)) {
+            count += 1;
+            let words: Vec<&str> = line.split_whitespace().collect();
+            tailor::check_arguments(&words).unwrap_or_else(|why| panic!("{page}: {line}\n{why}"));
+        }
+    }
+    assert!(count > 6, "only {count} were found");
+}
+
 #[test]
 fn commands_on_what_ships_run() {
     let folder = tempfile::tempdir().unwrap();

@@ -17,5 +17,6 @@ mod place;
 mod privacy;
 mod profile;
 mod reports;
+mod shown;
 mod stops;
 mod words;

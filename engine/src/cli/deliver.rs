@@ -2,6 +2,7 @@
 
 use super::fault::Fault;
 use super::program::GlobalArgs;
+use super::ran::Ran;
 use super::result::there;
 use crate::delivery::{self, Delivery, Left};
 use crate::graph::Graph;
@@ -104,11 +105,12 @@ pub fn finish(
 /// Writes the results that there are of the wanted nodes.
 pub(super) fn write(
     delivery: &mut Delivery,
-    graph: &Graph,
     outcome: &Outcome,
+    ran: &Ran<'_>,
     wanted: &[usize],
     global: &GlobalArgs,
 ) -> Result<(), Fault> {
+    let graph = ran.graph;
     let made = |node: &&usize| {
         outcome.nodes[**node]
             .as_ref()
@@ -118,11 +120,12 @@ pub(super) fn write(
         let (artifact, raw) = there(graph, outcome, *node)?;
         let format = out::extension(graph.catalog, &artifact);
         let beside = out::beside(graph, *node).and_then(|at| outcome.artifact(graph, at));
+        let artifact = (global.program().present)(artifact, ran);
         let files = out::files(graph.catalog, artifact, || raw, beside, None);
         let mut files = files.map_err(Fault::stage)?;
         if format == "html" {
             for (_, page) in &mut files {
-                *page = (global.program().complete)(page, outcome, graph);
+                *page = (global.program().complete)(page, ran);
             }
         }
         let single = files.len() == 1 && files[0].0.is_empty();

@@ -2,12 +2,13 @@
 
 use super::fault::Fault;
 use super::host::Host;
+use super::ran::Ran;
 use super::size::bytes;
 use crate::graph::Graph;
 use crate::kind::Catalog;
 use crate::outcome::Outcome;
 use clap::{ArgMatches, Args, Command};
-use stage::Metric;
+use stage::{AnyArtifact, Metric};
 use std::num::NonZeroUsize;
 use std::path::{Path, PathBuf};
 
@@ -37,8 +38,10 @@ pub struct Program {
     pub input: Option<&'static str>,
     /// Verbs of its own, before the engine's.
     pub verbs: &'static [Verb],
-    /// What a page in HTML that a run writes gets from the run: its warnings, how it was made.
-    pub complete: fn(&[u8], &Outcome, &Graph) -> Vec<u8>,
+    /// What a page in HTML that is written gets from its run: warnings, how it was made.
+    pub complete: fn(&[u8], &Ran<'_>) -> Vec<u8>,
+    /// A result as it is written: with what only its run knows of it.
+    pub present: fn(AnyArtifact, &Ran<'_>) -> AnyArtifact,
     /// Errors of results against a folder of ground truth, for `sweep --truth`.
     pub errors: fn(&Graph, &Outcome, &Path) -> Result<Vec<Metric>, String>,
 }
@@ -76,7 +79,8 @@ impl Program {
             pipeline: None,
             input: None,
             verbs: &[],
-            complete: |page, _, _| page.to_vec(),
+            complete: |page, _| page.to_vec(),
+            present: |artifact, _| artifact,
             errors: |_, _, _| Err("this program has no ground truth".into()),
         }
     }

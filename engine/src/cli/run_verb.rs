@@ -7,6 +7,7 @@ use super::open::{folders, open, options, prefetch};
 use super::profiled::profiled;
 use super::program::GlobalArgs;
 use super::progress::Progress;
+use super::ran::Ran;
 use crate::delivery::Delivery;
 use crate::graph::Graph;
 use crate::lasttime::History;
@@ -209,10 +210,13 @@ pub(crate) fn run(run: &Run, global: &GlobalArgs) -> Result<(), Fault> {
     if run.verify && fault.is_none() {
         verify(&graph, &folders, &outcome, global)?;
     }
-    if let Some(out) = run.out.as_ref().filter(|_| fault.is_none() || keep_going) {
+    let ran = Ran::of(&graph, &outcome, &folders);
+    let out = run.out.as_deref();
+    let out = out.filter(|_| fault.is_none() || keep_going);
+    if let Some(out) = out {
         let mut delivery = Delivery::open(out, &deliver::whose(&folders)).map_err(Fault::stage)?;
         delivery.begin().map_err(Fault::stage)?;
-        deliver::write(&mut delivery, &graph, &outcome, &wanted, global)?;
+        deliver::write(&mut delivery, &outcome, &ran, &wanted, global)?;
         deliver::finish(delivery, &graph, &outcome, run.clean, global)?;
     }
     if let Some(fault) = fault {

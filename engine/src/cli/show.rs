@@ -4,14 +4,16 @@ use super::arguments::Change;
 use super::fault::Fault;
 use super::open::{folders, node, open_pipeline};
 use super::program::GlobalArgs;
+use super::ran::Ran;
 use super::speech::answer_bytes;
 use crate::graph::{Bound, Graph, Source};
 use crate::key::{self, Provenance};
-use crate::store::Store;
-use crate::{delivery, out, session, walk};
+use crate::store::{Blob, Store};
+use crate::{delivery, out, past, session, walk};
 use clap::Args;
 use serde_json::{Value, json};
-use stage::Hash;
+use stage::{AnyArtifact, Hash};
+use std::io::IsTerminal;
 use std::path::{Path, PathBuf};
 
 /// Arguments of `show`.
@@ -27,9 +29,10 @@ pub(crate) struct Show {
     /// The format; the kind's usual one if not said
     #[arg(long = "as")]
     format: Option<String>,
-    /// The file, or the folder where there are several; `-` is standard output, for a single file
+    /// The file, or the folder where there are several; `-` is standard output, for a single file. Without it texts go to
+    /// standard output, the rest into a file or a folder here that is called like the node
     #[arg(short)]
-    o: PathBuf,
+    o: Option<PathBuf>,
 }
 
 /// What a run's record says of a node.
@@ -91,6 +94,60 @@ fn ending_fits(path: &Path, files: &[(String, Vec<u8>)]) -> Result<(), Fault> {
     }
 }
 
+/// Where what is shown goes.
+enum Place {
+    Output,
+    File(PathBuf),
+}
+
+/// Whether a file is a text that somebody reads as it is; a page is opened.
+fn is_text(files: &[(String, Vec<u8>)]) -> bool {
+    match files {
+        [(name, bytes)] if name.is_empty() => {
+            let page = |text: &str| {
+                text.trim_start()
+                    .to_lowercase()
+                    .starts_with("<!doctype html")
+            };
+            std::str::from_utf8(bytes).is_ok_and(|text| !text.contains('\0') && !page(text))
+        }
+        _ => false,
+    }
+}
+
+/// Where what is shown goes if nothing else is asked for: texts to standard output, the rest into a file or a folder
+/// of the node's name here, which is never written over.
+fn usual(
+    node: &str,
+    format: &str,
+    files: &[(String, Vec<u8>)],
+    json: bool,
+) -> Result<Place, Fault> {
+    if is_text(files) && !json {
+        return Ok(Place::Output);
+    }
+    let (path, there) = match files {
+        [(name, bytes)] if name.is_empty() => {
+            let ending = match bytes.as_slice() {
+                [0xff, 0xd8, 0xff, ..] => "jpg",
+                [0x89, b'P', b'N', b'G', ..] => "png",
+                _ => format,
+            };
+            let path = PathBuf::from(format!("{node}.{ending}"));
+            let there = path.exists() && std::fs::read(&path).ok().as_ref() != Some(bytes);
+            (path, there)
+        }
+        _ => (PathBuf::from(node), Path::new(node).exists()),
+    };
+    match there {
+        true => Err(Fault::input(format!(
+            "{} is there already; say where to write with -o",
+            path.display()
+        ))),
+        false => Ok(Place::File(path)),
+    }
+}
+
 /// Writes a single file to standard output.
 fn to_output(files: &[(String, Vec<u8>)], json: bool) -> Result<(), Fault> {
     match files {
@@ -98,6 +155,10 @@ fn to_output(files: &[(String, Vec<u8>)], json: bool) -> Result<(), Fault> {
             "--json would be mixed with the file: say a file with -o",
         )),
         [(name, bytes)] if name.is_empty() => {
+            if !is_text(files) && std::io::stdout().is_terminal() {
+                let why = "this file is no text for a terminal: say a file with -o";
+                return Err(Fault::input(why));
+            }
             answer_bytes(bytes);
             Ok(())
         }
@@ -105,6 +166,14 @@ fn to_output(files: &[(String, Vec<u8>)], json: bool) -> Result<(), Fault> {
             "these are several files: say a folder with -o, or another format with --as",
         )),
     }
+}
+
+/// The record of a run, and the artifact and bytes of a node's result in it, if it is still there.
+fn result(store: &Store, graph: &Graph, run: &Value, name: &str) -> Option<(AnyArtifact, Blob)> {
+    let stage = graph.nodes[graph.node(name)?].stage;
+    let node = entry(run, name).filter(|n| n["stage"] == stage.name())?;
+    let blob = store.blob(Hash::from_hex(node["content"].as_str()?).ok()?)?;
+    Some((stage.read(&blob).ok()?, blob))
 }
 
 /// `show`: the newest run of a node of that name whose result is still there.
@@ -119,21 +188,19 @@ pub(crate) fn show(show: &Show, global: &GlobalArgs) -> Result<(), Fault> {
         .map(|f| f.as_ref().map(stage::content))
         .collect();
     let changed = show.change.changes();
-    let read = |name: &str| {
+    let newest = |name: &str| {
         let at = graph.node(name)?;
-        let stage = graph.nodes[at].stage;
         // One after the other: a store may hold many large ones.
         let mut fitting = session::runs(store.root())
             .filter(|(_, run)| !changed || fits(run, &graph, at))
             .filter(|(_, run)| reads(run, &graph, at, &contents));
-        fitting.find_map(|(_, run)| {
-            let node = entry(&run, name).filter(|n| n["stage"] == stage.name())?;
-            let blob = store.blob(Hash::from_hex(node["content"].as_str()?).ok()?)?;
-            Some((stage.read(&blob).ok()?, blob))
+        fitting.find_map(|(id, run)| {
+            let result = result(&store, &graph, &run, name)?;
+            Some((id, run, result))
         })
     };
     let name = &graph.nodes[wanted].name;
-    let (artifact, blob) = read(name).ok_or_else(|| {
+    let (id, run, (artifact, blob)) = newest(name).ok_or_else(|| {
         let of = if said.is_empty() {
             ""
         } else {
@@ -144,20 +211,57 @@ pub(crate) fn show(show: &Show, global: &GlobalArgs) -> Result<(), Fault> {
             "the cache holds no result of `{name}`{of}{so}; run the pipeline first"
         ))
     })?;
-    let beside = out::beside(&graph, wanted).and_then(|at| read(&graph.nodes[at].name));
-    let beside = beside.map(|(artifact, _)| artifact);
+    // Of the same run if it is there.
+    let beside = out::beside(&graph, wanted).and_then(|at| {
+        let name = &graph.nodes[at].name;
+        let same = result(&store, &graph, &run, name);
+        Some(same.or_else(|| Some(newest(name)?.2))?.0)
+    });
+    let folders = past::head(store.root(), &id).unwrap_or_default().of.inputs;
+    let folders = folders.into_iter().map(|(name, f)| (name, f.into()));
+    let read = |name: &str| Some(result(&store, &graph, &run, name)?.0);
+    let ran = Ran::recorded(&graph, folders.collect(), run.clone(), Box::new(read));
+    let usual_ending = out::extension(graph.catalog, &artifact);
+    let artifact = (global.program().present)(artifact, &ran);
     let (raw, format) = (|| blob.to_vec(), show.format.as_deref());
-    let files = out::files(graph.catalog, artifact, raw, beside, format).map_err(Fault::input)?;
-    if show.o.as_os_str() == "-" {
-        return to_output(&files, global.json);
+    let files = out::files(graph.catalog, artifact, raw, beside, format);
+    let mut files = files.map_err(Fault::input)?;
+    let ending = format.filter(|f| *f != "file").unwrap_or(usual_ending);
+    if ending == "html" {
+        for (_, page) in &mut files {
+            *page = (global.program().complete)(page, &ran);
+        }
     }
-    ending_fits(&show.o, &files)?;
-    delivery::write(&show.o, &files).map_err(Fault::stage)?;
+    written(show, name, ending, &files, global)
+}
+
+/// Writes the files where they are wanted, and tells where that is.
+fn written(
+    show: &Show,
+    name: &str,
+    ending: &str,
+    files: &[(String, Vec<u8>)],
+    global: &GlobalArgs,
+) -> Result<(), Fault> {
+    let place = match &show.o {
+        Some(o) if o.as_os_str() == "-" => Place::Output,
+        Some(o) => Place::File(o.clone()),
+        None => usual(name, ending, files, global.json)?,
+    };
+    let place = match place {
+        Place::Output => return to_output(files, global.json),
+        Place::File(place) => place,
+    };
+    ending_fits(&place, files)?;
+    delivery::write(&place, files).map_err(Fault::stage)?;
+    if show.o.is_none() && !global.json && !global.quiet {
+        crate::outln!("{}", place.display());
+    }
     if global.json {
         let one = |(name, bytes): &(String, Vec<u8>)| {
             let path = match name.is_empty() {
-                true => show.o.clone(),
-                false => show.o.join(name),
+                true => place.clone(),
+                false => place.join(name),
             };
             json!({ "file": path, "bytes": bytes.len() })
         };

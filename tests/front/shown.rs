@@ -1,0 +1,61 @@
+//! What is shown without saying where to.
+
+use crate::place::{Place, SMALL};
+
+/// The doll with its girths.
+const GIRTHS: &str = "[node.landmarks]\nstage = \"measure.landmarks\"\nfrom = { mesh = \"body\" }\n\
+    [node.girths]\nstage = \"measure.girths\"\nfrom = { mesh = \"body\", landmarks = \"landmarks\" }\n";
+
+/// A pipeline that makes girths of a doll within a second.
+fn doll() -> String {
+    let finer = SMALL.replace("40.0", "14.0");
+    finer.replace("\"sway\", \"body\"", "\"sway\", \"girths\"") + GIRTHS
+}
+
+#[test]
+fn what_is_shown_without_a_place_is_printed_or_written_under_its_nodes_name() {
+    let place = Place::new();
+    place.write("doll.toml", doll());
+    place.run("run doll.toml --out out").code(0);
+    let show = |args: &str| place.run(&format!("show {args} --pipeline doll.toml"));
+    let csv = show("girths --as csv").code(0).out;
+    assert!(
+        csv.starts_with("name,label,tape_cm") && csv.contains("\nWC,"),
+        "{csv}"
+    );
+    let json = show("girths").code(0).out;
+    assert_eq!(
+        json.as_bytes(),
+        std::fs::read(place.path("out/girths.json")).unwrap()
+    );
+    // What nobody reads on a terminal is a file, and its name is the answer.
+    assert_eq!(show("body").code(0).out, "body.ply\n");
+    assert_eq!(show("body --as views").code(0).out, "body.jpg\n");
+    assert_eq!(show("body --as obj").code(0).out, "body\n");
+    assert!(place.path("body/body.obj").exists() || place.path("body").is_dir());
+    // The same again is no matter; nothing else is written over unasked.
+    assert_eq!(show("body").code(0).out, "body.ply\n");
+    place.write("body.ply", "mine");
+    let said = show("body").code(2).err;
+    assert!(
+        said.contains("body.ply is there already") && said.contains("-o"),
+        "{said}"
+    );
+    assert!(
+        show("body --as obj")
+            .code(2)
+            .err
+            .contains("body is there already")
+    );
+    show("body -o body.ply").code(0);
+    assert_ne!(std::fs::read(place.path("body.ply")).unwrap(), b"mine");
+    let files = show("girths --as csv --json").code(0).json();
+    assert_eq!(files["files"][0]["file"], "girths.csv");
+    // A terminal is no place for a picture.
+    let exe = env!("CARGO_BIN_EXE_tailor");
+    if proof::program("script", "script") {
+        let line = format!("script -qec '{exe} show body --pipeline doll.toml -o -' /dev/null");
+        let said = place.bash(&line);
+        assert!(said.out.contains("no text for a terminal"), "{}", said.out);
+    }
+}
