@@ -125,4 +125,6 @@ pub mod why;
 
 pub use kind::{Catalog, Kind};
 pub use outcome::{Outcome, ResultError};
-pub use session::{EngineError, Options, inputs, run, run_in, runs, said_inputs, threads};
+pub use session::{
+    EngineError, Options, inputs, run, run_in, run_unrecorded, runs, said_inputs, threads,
+};

@@ -130,6 +130,25 @@ pub fn run(
     run_in(store, graph, folders, wanted, options, watch, cancel)
 }
 
+/// As [`run`], of a part of a run that goes on beside it: its results lie in the store and nothing is recorded, so that
+/// no list of runs has it and nobody takes it for the last one.
+///
+/// # Errors
+///
+/// As [`run`].
+pub fn run_unrecorded(
+    graph: &Graph,
+    folders: &[(String, PathBuf)],
+    wanted: &[usize],
+    options: &Options,
+    watch: &dyn Watch,
+    cancel: &AtomicBool,
+) -> Result<Outcome, EngineError> {
+    let store = Store::open(&options.cache)?;
+    let files = ready(graph, folders, wanted, &store, cancel)?;
+    Ok(walked(store, graph, &files, wanted, options, watch, cancel))
+}
+
 /// As [`run`], in a store that is open already.
 ///
 /// # Errors
@@ -144,10 +163,21 @@ pub fn run_in(
     watch: &dyn Watch,
     cancel: &AtomicBool,
 ) -> Result<Outcome, EngineError> {
-    let stop = || cancel.load(std::sync::atomic::Ordering::Relaxed);
-    settled(graph, &crate::walk::all(graph, wanted), &store, &stop)?;
-    let files = inputs(graph, folders, &store)?;
+    let files = ready(graph, folders, wanted, &store, cancel)?;
     run_files(store, graph, files, wanted, options, watch, cancel)
+}
+
+/// The files of each input, hashed, of a graph whose programs may run.
+fn ready(
+    graph: &Graph,
+    folders: &[(String, PathBuf)],
+    wanted: &[usize],
+    store: &Store,
+    cancel: &AtomicBool,
+) -> Result<Vec<Files>, EngineError> {
+    let stop = || cancel.load(std::sync::atomic::Ordering::Relaxed);
+    settled(graph, &crate::walk::all(graph, wanted), store, &stop)?;
+    inputs(graph, folders, store)
 }
 
 /// As [`run_in`], of files that are hashed already, one entry an input, and of programs that may run.
@@ -160,6 +190,29 @@ pub(crate) fn run_files(
     watch: &dyn Watch,
     cancel: &AtomicBool,
 ) -> Result<Outcome, EngineError> {
+    let id = past::next_id(store.root());
+    let journal = Journal::new(watch, store.root().join(format!("runs/{id}.jsonl")));
+    let outcome = walked(store, graph, &files, wanted, options, &journal, cancel);
+    let summary = RunSummary {
+        graph,
+        nodes: &outcome.nodes,
+        inputs: &outcome.inputs,
+        seconds: outcome.seconds,
+    };
+    history::write(&outcome.store, &id, &summary, &files)?;
+    Ok(outcome)
+}
+
+/// Finds or makes the wanted nodes; nothing is recorded.
+fn walked(
+    store: Store,
+    graph: &Graph,
+    files: &[Files],
+    wanted: &[usize],
+    options: &Options,
+    watch: &dyn Watch,
+    cancel: &AtomicBool,
+) -> Outcome {
     let start = std::time::Instant::now();
     let _keeping = foreign::Keeping::new(store.root());
     let using = store.using();
@@ -167,19 +220,17 @@ pub(crate) fn run_files(
     let folders = files.iter().map(|files| files.root.as_path());
     store.note_captures(&contents.iter().copied().zip(folders).collect::<Vec<_>>());
     let threads = threads(options);
-    let id = past::next_id(store.root());
-    let journal = Journal::new(watch, store.root().join(format!("runs/{id}.jsonl")));
     let pool = Pool::new(threads);
     let around = Surroundings {
         store: &store,
-        watch: &journal,
+        watch,
         cancel,
         pool: &pool,
         failures: &Failures::default(),
     };
     let job = Job {
         graph,
-        files: &files,
+        files,
         contents: &contents,
         wanted,
         threads,
@@ -187,23 +238,15 @@ pub(crate) fn run_files(
     };
     let nodes = walk(&job, &around);
     store.save_index();
-    let seconds = start.elapsed().as_secs_f64();
-    let summary = RunSummary {
-        graph,
-        nodes: &nodes,
-        inputs: &contents,
-        seconds,
-    };
-    history::write(&store, &id, &summary, &files)?;
     let names = graph.nodes.iter().map(|n| (n.name.clone(), n.stage));
-    Ok(Outcome {
+    Outcome {
         names: names.collect(),
         inputs: contents,
         nodes,
-        seconds,
+        seconds: start.elapsed().as_secs_f64(),
         store,
         _using: using,
-    })
+    }
 }
 
 /// Whether all programs may run that the nodes need.

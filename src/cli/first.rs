@@ -9,7 +9,7 @@ use crate::delivery::Delivery;
 use crate::graph::Graph;
 use engine::cli::{GlobalArgs, Ran, above, whose};
 use engine::walk::{Done, Status, Watch};
-use engine::{Options, Outcome, run};
+use engine::{Options, Outcome, run_unrecorded};
 use shape::{Document, Girths};
 use std::num::NonZeroUsize;
 use std::path::PathBuf;
@@ -142,11 +142,11 @@ impl Answer {
         }
     }
 
-    /// Makes the result of a node, if it can be made.
+    /// Makes the result of a node, if it can be made. It is a part of the run that goes on: none of its own.
     fn run(&self, graph: &Graph, goal: &str) -> Option<Outcome> {
         let wanted: Vec<usize> = graph.node(goal).into_iter().collect();
         let (folders, options) = (&self.folders, &self.options);
-        run(graph, folders, &wanted, options, &Nobody, &self.stop).ok()
+        run_unrecorded(graph, folders, &wanted, options, &Nobody, &self.stop).ok()
     }
 
     /// Writes the page. What cannot be written now is said when the whole is to be.

@@ -1,11 +1,11 @@
-//! A first answer comes while the whole is made, and its page says so when the whole does not come.
+//! A first answer comes while the whole is made, its page says so when the whole does not come, and it is no run.
 
 use crate::place::{Place, signal};
 use std::io::{BufRead, BufReader};
 use std::path::Path;
 
-#[test]
-fn a_first_answer_whose_whole_is_stopped_says_so() {
+/// The sample, with its plate and what is known of it.
+fn sample() -> Place {
     let place = Place::new();
     place.photos("turn/images", 18);
     let sample = Path::new(env!("CARGO_MANIFEST_DIR")).join("samples/mannequin");
@@ -13,6 +13,81 @@ fn a_first_answer_whose_whole_is_stopped_says_so() {
         let bytes = std::fs::read(sample.join(name)).unwrap();
         place.write(&format!("turn/{name}"), bytes);
     }
+    place
+}
+
+/// Half of the photos and coarse surfaces: a whole measuring within seconds.
+const COARSE: &str = "--set photos.of=2 --set photos.keep=1 --set params.cell_mm=6 --set compensated.level=2 \
+    --set middle.level=2 --set middle.edge_px=8 --set middle.rounds=1 --set body.level=2 --set body.edge_px=8 \
+    --set body.rounds=1 --set textured.atlas_px=256 --set textured.rounds=0";
+
+/// The logs and records of runs.
+fn records(place: &Place) -> Vec<String> {
+    let runs = std::fs::read_dir(place.path("cache/runs")).unwrap();
+    let names = runs.map(|e| e.unwrap().file_name().into_string().unwrap());
+    let mut names: Vec<String> = names.collect();
+    names.sort();
+    names
+}
+
+#[test]
+fn what_reads_the_last_run_agrees_with_what_measure_wrote() {
+    let place = sample();
+    let said = place.run(&format!("measure turn --out out {COARSE}"));
+    let said = said.code(0);
+    assert!(said.err.contains("first answer"), "{}", said.err);
+    let one = records(&place);
+    assert!(one.len() == 2 && one[1].ends_with(".jsonl"), "{one:?}");
+    let runs = place.run("cache runs --json").code(0).json();
+    assert_eq!(runs.as_array().unwrap().len(), 1, "{runs}");
+    let agrees = || {
+        for (shown, file) in [
+            ("girths --as csv", "girths.csv"),
+            ("girths", "girths.json"),
+            ("girths --as csv --input photos=turn", "girths.csv"),
+            ("landmarks", "landmarks.json"),
+            ("cameras", "cameras.json"),
+            ("report", "report.html"),
+            ("body", "body.ply"),
+            ("hull", "hull.ply"),
+            ("textured", "body.glb"),
+        ] {
+            place.run(&format!("show {shown} -o shown")).code(0);
+            let [shown_now, written] = ["shown".into(), format!("out/{file}")]
+                .map(|file: String| std::fs::read(place.path(&file)).unwrap());
+            assert!(shown_now == written, "show {shown} is not out/{file}");
+        }
+        let against = place.run("compare last out").code(0).out;
+        assert!(against.contains("the same bytes as last"), "{against}");
+    };
+    agrees();
+    // What is swept is worth less than the last run.
+    place.run("cache gc --max-size 1k").code(0);
+    agrees();
+    place.run("cache pin keep").code(0);
+    place.run("run small.toml").code(0);
+    place.run("cache gc --max-size 1k").code(0);
+    let against = place.run("compare keep out").code(0).out;
+    assert!(against.contains("the same bytes as keep"), "{against}");
+    let again = format!("measure turn --out out {COARSE} --json");
+    let again = place.run(&again).code(0).json();
+    for node in again["nodes"].as_array().unwrap() {
+        assert_eq!(node["status"], "found", "{}", node["node"]);
+    }
+    place.sound();
+    // All that came of the capture goes, what came on the way, too.
+    place.run("cache forget turn").code(0);
+    let left = place.run("cache ls --json").code(0).json();
+    let of_bodies = |stage: &str| !stage.starts_with("synth.");
+    for result in left.as_array().unwrap() {
+        let stage = result["stage"].as_str().unwrap();
+        assert!(!of_bodies(stage), "{stage}");
+    }
+}
+
+#[test]
+fn a_first_answer_whose_whole_is_stopped_says_so() {
+    let place = sample();
     // The whole must still be under way when its first answer is there.
     let mut child = place.start("measure turn --out out --set body.rounds=60");
     let mut said = BufReader::new(child.stderr.take().unwrap())
@@ -33,4 +108,9 @@ fn a_first_answer_whose_whole_is_stopped_says_so() {
     assert_eq!(child.wait().unwrap().code(), Some(130), "{left:?}");
     assert!(page().contains("the full one failed or was stopped"));
     assert!(!place.path("out/girths.csv").exists());
+    // Nor is it taken for a result of the run that was stopped.
+    let one = records(&place);
+    assert!(one.len() == 2 && one[1].ends_with(".jsonl"), "{one:?}");
+    let shown = place.run("show girths --as csv").code(2).err;
+    assert!(shown.contains("no result of `girths`"), "{shown}");
 }
