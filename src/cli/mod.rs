@@ -4,6 +4,7 @@ pub(crate) mod cohort;
 mod compare;
 mod delivered;
 pub(crate) mod doctor;
+mod ending;
 mod facts;
 mod first;
 mod folder;
@@ -126,6 +127,7 @@ const PRODUCT: Program = Program {
     ],
     complete: provenance::completed,
     present: delivered::present,
+    screen: ending::ending,
     errors: crate::errors::errors,
     ..Program::new(
         "tailor",

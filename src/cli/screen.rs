@@ -78,6 +78,19 @@ pub(crate) fn screen(
     text
 }
 
+/// What was warned of on the way, once more and counted.
+pub(crate) fn warned(warnings: &[String]) -> String {
+    let mut text = match warnings.len() {
+        0 => return String::new(),
+        1 => "\n1 warning\n".to_owned(),
+        n => format!("\n{n} warnings\n"),
+    };
+    for warning in warnings {
+        text += &broken(&format!("  {warning}"), 4);
+    }
+    text
+}
+
 fn origin(cameras: &Cameras) -> String {
     let from = match cameras.scale {
         Scale::Mat => "the marker mat",

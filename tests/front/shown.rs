@@ -1,4 +1,4 @@
-//! What is shown without saying where to.
+//! What is shown without saying where to, and how a run ends.
 
 use crate::place::{Place, SMALL};
 
@@ -58,4 +58,31 @@ fn what_is_shown_without_a_place_is_printed_or_written_under_its_nodes_name() {
         let said = place.bash(&line);
         assert!(said.out.contains("no text for a terminal"), "{}", said.out);
     }
+}
+
+#[test]
+fn a_run_ends_with_its_girths_its_warnings_and_its_folder() {
+    let place = Place::new();
+    place.write("doll.toml", doll());
+    let said = place.run("run doll.toml --out out").code(0);
+    let warned = said.err.matches("        warning: ").count();
+    assert!(warned > 1, "{}", said.err);
+    let lines: Vec<&str> = said.out.lines().collect();
+    assert!(
+        lines[0].starts_with("girth ") && lines[0].contains("tape cm"),
+        "{}",
+        said.out
+    );
+    let at = |line: &str| lines.iter().position(|l| *l == line);
+    let counted = at(&format!("{warned} warnings")).expect(&said.out);
+    assert!(
+        lines[counted + 1].starts_with("  landmarks: "),
+        "{}",
+        said.out
+    );
+    assert_eq!(at("all files: out"), Some(lines.len() - 1), "{}", said.out);
+    // Without girths there is the folder alone, in JSON the record alone.
+    let said = place.run("run small.toml --out small").code(0);
+    assert_eq!(said.out, "all files: small\n");
+    place.run("run doll.toml --json").code(0).json();
 }

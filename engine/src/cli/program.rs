@@ -42,6 +42,8 @@ pub struct Program {
     pub complete: fn(&[u8], &Ran<'_>) -> Vec<u8>,
     /// A result as it is written: with what only its run knows of it.
     pub present: fn(AnyArtifact, &Ran<'_>) -> AnyArtifact,
+    /// The last screen of a run, if it made something that the program shows.
+    pub screen: fn(&Ran<'_>) -> Option<String>,
     /// Errors of results against a folder of ground truth, for `sweep --truth`.
     pub errors: fn(&Graph, &Outcome, &Path) -> Result<Vec<Metric>, String>,
 }
@@ -81,6 +83,7 @@ impl Program {
             verbs: &[],
             complete: |page, _| page.to_vec(),
             present: |artifact, _| artifact,
+            screen: |_| None,
             errors: |_, _, _| Err("this program has no ground truth".into()),
         }
     }

@@ -19,7 +19,7 @@ use crate::walk::{Done, Watch};
 use crate::{out, verify, walk};
 use clap::Args;
 use stage::Hash;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::sync::atomic::Ordering;
 
 /// Arguments of `run`.
@@ -183,6 +183,18 @@ fn verify(
     }
 }
 
+/// The last screen of a run: what the program shows of its results, and where they lie.
+fn ended(ran: &Ran<'_>, out: Option<&Path>, global: &GlobalArgs) {
+    let screen = (global.program().screen)(ran);
+    if let Some(screen) = &screen {
+        crate::out!("{screen}");
+    }
+    if let Some(out) = out {
+        let apart = if screen.is_some() { "\n" } else { "" };
+        crate::outln!("{apart}all files: {}", out.display());
+    }
+}
+
 /// Runs a pipeline and writes its results.
 pub(crate) fn run(run: &Run, global: &GlobalArgs) -> Result<(), Fault> {
     let global = &GlobalArgs {
@@ -218,6 +230,9 @@ pub(crate) fn run(run: &Run, global: &GlobalArgs) -> Result<(), Fault> {
         delivery.begin().map_err(Fault::stage)?;
         deliver::write(&mut delivery, &outcome, &ran, &wanted, global)?;
         deliver::finish(delivery, &graph, &outcome, run.clean, global)?;
+    }
+    if !global.json {
+        ended(&ran, out, global);
     }
     if let Some(fault) = fault {
         return Err(fault);
