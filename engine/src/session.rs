@@ -42,8 +42,8 @@ pub enum EngineError {
         /// Why.
         why: SourceError,
     },
-    /// An input that nobody handed over.
-    #[error("input `{0}` ({1}) was not handed over: say --input {0}=FOLDER")]
+    /// An input that is missing.
+    #[error("input `{0}` is missing{1}: add --input {0}=FOLDER")]
     Unsaid(String, String),
     /// An input that the pipeline does not have.
     #[error("{0}")]
@@ -73,7 +73,11 @@ pub fn inputs(
 ) -> Result<Vec<Files>, EngineError> {
     let found = said_inputs(graph, said, store)?;
     let whole = |(files, input): (Option<Files>, &InputDecl)| {
-        files.ok_or_else(|| EngineError::Unsaid(input.name.clone(), input.about.clone()))
+        let about = match input.about.trim_end_matches('.') {
+            "" => String::new(),
+            about => format!(" ({about})"),
+        };
+        files.ok_or_else(|| EngineError::Unsaid(input.name.clone(), about))
     };
     found.into_iter().zip(&graph.inputs).map(whole).collect()
 }

@@ -155,7 +155,7 @@ def test_a_server_that_is_gone_is_told_and_what_waits_goes_there_later(s3):
     assert s3.waits("a") in (3, 4) and time.time() - began < 60
     s3.proxy.well()
     said = s3.run("a", "cache", "push")[1]
-    assert "3 results went there" in said and s3.waits("a") == 0
+    assert "3 results uploaded" in said and s3.waits("a") == 0
     assert s3.sweep("b")[0] == 0
 
 

@@ -7,6 +7,7 @@ use super::said::opened;
 use crate::photos::photos;
 use crate::store::Store;
 use clap::Args;
+use engine::cli::text::count;
 use engine::cli::{Fault, GlobalArgs, execute};
 use serde_json::Value;
 use shape::{Document, Photos, Tags};
@@ -162,8 +163,10 @@ fn screen(folder: &Path, look: &Look) -> String {
     let text = |key: &str| found[key].as_str().unwrap_or_default();
     let mut facts = vec![
         format!(
-            "{} photos of {}×{} pixels",
-            found["photos"], found["width"], found["height"]
+            "{} of {}×{} pixels",
+            count(found["photos"].as_u64().unwrap_or(0) as usize, "photo"),
+            found["width"],
+            found["height"]
         ),
         text("camera").to_owned(),
         found["focal_35mm"]

@@ -26,13 +26,13 @@ pub(crate) struct Facts {
     /// The subject's day of birth, in place of an age: 2016-05-01; the capture's own day must be known
     #[arg(long, value_name = "DAY")]
     born: Option<String>,
-    /// Focal length as if on 36 × 24 mm film, by the diagonal \[mm\], where photos do not tell
+    /// Focal length as if on 36 × 24 mm film, by the diagonal, where photos do not tell
     #[arg(long, value_name = "MM")]
     focal: Option<f64>,
-    /// Focal length as a calibration of this lens gave it, photo at full size \[px\]
+    /// Focal length as a calibration of this lens gave it, in pixels of the photo at full size
     #[arg(long, value_name = "PX")]
     focal_px: Option<f64>,
-    /// Principal point as a calibration gave it, the top-left pixel's centre at 0,0 \[px\]
+    /// Principal point as a calibration gave it, in pixels, the top-left one's centre at 0,0
     #[arg(long, value_name = "X,Y")]
     centre_px: Option<String>,
     /// Into how many even steps the full turn was divided: 18 is a photo every 20°
@@ -89,7 +89,7 @@ pub(crate) struct Facts {
     /// A known length: subject_height=165cm, disk_diameter=70cm, tag_size=60mm, points=297mm (with --seen)
     #[arg(long, value_name = "KIND=LENGTH")]
     reference: Option<String>,
-    /// Where the two ends of `--reference points` are in a photo, upright and at full size \[px\]; for two photos or more
+    /// Where the two ends of `--reference points` are in a photo, in pixels, upright and at full size; for two photos or more
     #[arg(long, value_name = "PHOTO=X1,Y1,X2,Y2")]
     seen: Vec<String>,
     /// Any key of capture.toml: subject.height_cm=178

@@ -2,6 +2,7 @@
 
 use crate::catalog::{is_photo, is_plate, is_raw, is_video};
 use engine::cli::Fault;
+use engine::cli::text::count;
 use std::path::{Path, PathBuf};
 
 /// What is read.
@@ -89,9 +90,10 @@ impl Source {
         let video = matches!(self, Source::Video(..));
         let other = |name: &&String| video && photo(name) && !is_plate(name);
         let first = names.iter().find(other)?;
-        let count = names.iter().filter(other).count();
+        let photos = names.iter().filter(other).count();
         Some(format!(
-            "the video is read; {count} photos beside it are not ({first}, …)"
+            "the video is read, not what is beside it: {} ({first}, …)",
+            count(photos, "photo")
         ))
     }
 }

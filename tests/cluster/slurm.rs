@@ -45,7 +45,7 @@ fn a_failing_element_drops_only_what_reads_it() {
     site.settle();
     let (code, told) = site.said(&["status", &plan]);
     assert_eq!(code, Some(1), "{told}");
-    assert!(told.contains("layer 0: 1 of 1 strands done"), "{told}");
+    assert!(told.contains("layer 0: 1 of 1 strand done"), "{told}");
     assert!(
         told.contains("layer 1: 2 of 3 strands done; elements: 1 FAILED"),
         "{told}"
@@ -54,7 +54,7 @@ fn a_failing_element_drops_only_what_reads_it() {
     // What it is missing is sent again, and nothing else.
     let said = site.submit(&plan);
     assert!(
-        said.contains("1 elements for 3 strands") && !said.contains("layer 0"),
+        said.contains("1 element for 3 strands") && !said.contains("layer 0"),
         "{said}"
     );
     site.settle();

@@ -75,7 +75,10 @@ fn what_is_said_on_the_command_line_is_checked() {
             "there is no input `photos`",
         ),
         ("run load.toml --input files", "say NAME=FOLDER"),
-        ("run load.toml", "say --input files=FOLDER"),
+        (
+            "run load.toml",
+            "`files` is missing: add --input files=FOLDER",
+        ),
         ("run load.toml --input files=nowhere", "nowhere"),
         (
             "run load.toml --input files=.",

@@ -36,7 +36,7 @@ fn a_run_with_a_budget_sweeps_at_its_end_and_keeps_its_own() {
     place.run(&format!("{own} --max-size 1G")).code(0);
     assert!(size(&place) > before);
     let said = place.run(&format!("{own} --max-size {most}")).code(0);
-    assert!(said.err.contains("results went"), "{}", said.err);
+    assert!(said.err.contains("over its size: "), "{}", said.err);
     assert!(size(&place) <= most, "{} of {most}", size(&place));
     let run = place.run(&format!("{own} --json")).code(0).json();
     for node in run["nodes"].as_array().unwrap() {

@@ -25,6 +25,39 @@ fn every_verb_is_completed_and_has_a_page() {
 }
 
 #[test]
+fn the_help_of_a_verb_has_what_it_uses_in_plain_letters() {
+    let place = Place::new();
+    let help = |verb: &str| place.run(&format!("{verb} --help")).code(0).out;
+    let all = help("");
+    let verbs = all
+        .lines()
+        .skip_while(|l| !l.starts_with("Commands:"))
+        .skip(1);
+    let verbs = verbs.take_while(|l| !l.is_empty());
+    let verbs: Vec<&str> = verbs.filter_map(|l| l.split_whitespace().next()).collect();
+    assert!(verbs.len() > 20, "{all}");
+    for verb in verbs.iter().filter(|v| **v != "help") {
+        let told = help(verb);
+        assert!(!told.contains("\\["), "{told}");
+        if !cfg!(feature = "remote") {
+            assert!(
+                !told.contains("--store <") && !told.contains("--trust"),
+                "{told}"
+            );
+        }
+    }
+    for verb in ["mat", "check", "follow", "stages"] {
+        assert!(!help(verb).contains("--sign-key"), "{verb}");
+    }
+    let stages = place.run("stages").code(0).out;
+    assert!(!stages.contains("\\["), "{stages}");
+    // What the help leaves out is understood.
+    place
+        .run("check small.toml --store file:///nowhere")
+        .code(0);
+}
+
+#[test]
 fn a_picture_gets_the_ending_of_what_it_is() {
     let place = Place::new();
     place.run("run small.toml").code(0);

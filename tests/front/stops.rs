@@ -27,7 +27,7 @@ fn the_first_ctrl_c_drains_and_the_same_command_goes_on() {
     let said = BufReader::new(child.stderr.take().unwrap()).lines();
     let said: Vec<String> = said.map(Result::unwrap).collect();
     assert_eq!(status.code(), Some(130), "{said:?}");
-    assert!(said.iter().any(|l| l.starts_with("stopping;")), "{said:?}");
+    assert!(said.iter().any(|l| l.starts_with("Stopping.")), "{said:?}");
     assert_eq!(
         said.last().unwrap(),
         "stopped; run the same command to go on"
@@ -66,7 +66,7 @@ fn the_second_ctrl_c_stops_at_once() {
     place.wait_for("body", "started");
     signal(&child, "INT");
     let mut said = BufReader::new(child.stderr.take().unwrap()).lines();
-    let told = |line: String| line.starts_with("stopping;");
+    let told = |line: String| line.starts_with("Stopping.");
     assert!(said.any(|line| told(line.unwrap())), "told that it drains");
     signal(&child, "INT");
     assert_eq!(child.wait().unwrap().code(), Some(130));

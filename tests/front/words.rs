@@ -1,4 +1,4 @@
-//! Words for mistakes: all at once, each where it was made.
+//! Words for mistakes: all at once, each where it was made; words for one thing and for many.
 
 use crate::place::{Place, SMALL};
 
@@ -130,4 +130,27 @@ fn odd_names_of_files_are_told_and_steer_no_terminal() {
         std::fs::write(other, "x").unwrap();
         place.run("run turn.toml --input photos=turn").code(0);
     }
+}
+
+#[test]
+fn one_of_something_is_told_as_one() {
+    let place = Place::new();
+    let plan = place.run("plan small.toml ring --strands").code(0).out;
+    assert!(
+        plan.contains("1 strand, ") && !plan.contains("1 strands"),
+        "{plan}"
+    );
+    assert!(plan.contains(" 0.0 s") && !plan.contains("-0.0"), "{plan}");
+    place.run("run small.toml ring").code(0);
+    let whole = place.run("cache du").code(0).out;
+    assert!(whole.starts_with("1 result, "), "{whole}");
+    let swept = place.run("cache gc --max-size 1G --dry-run").code(0).out;
+    assert!(swept.contains("0 records of runs"), "{swept}");
+    let swept = place.run("sweep small.toml --over body.cell_mm=40").code(0);
+    assert!(swept.out.contains("\n1 point: "), "{}", swept.out);
+    assert!(
+        swept.err.starts_with("1 point, 4 results unless cached"),
+        "{}",
+        swept.err
+    );
 }

@@ -270,9 +270,9 @@ pub(crate) fn check(pipeline: &Path, global: &GlobalArgs) -> Result<(), Fault> {
                 crate::outln!("{}", json!({ "mistakes": [], "nodes": recipes.len() }));
             } else if !global.quiet {
                 crate::outln!(
-                    "{}: {} nodes, no mistakes",
+                    "{}: {}, no mistakes",
                     pipeline.display(),
-                    graph.nodes.len()
+                    text::count(graph.nodes.len(), "node")
                 );
             }
             listed(&graph, global)

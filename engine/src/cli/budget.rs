@@ -2,6 +2,7 @@
 
 use super::program::GlobalArgs;
 use super::size::mib;
+use super::text::count;
 use crate::past;
 use crate::store::keeper::{self, Budget, KEPT_RECORDS};
 use crate::store::{Store, StoreError};
@@ -32,8 +33,8 @@ pub(super) fn after_run(global: &GlobalArgs) {
     match swept {
         Ok(swept) if !swept.results.is_empty() => {
             let freed: u64 = swept.results.iter().map(|k| k.bytes).sum();
-            let (n, freed) = (swept.results.len(), mib(freed));
-            crate::errln!("the cache was over its size: {n} results went, {freed:.1} MiB");
+            let (went, freed) = (count(swept.results.len(), "result"), mib(freed));
+            crate::errln!("the cache was over its size: {went} removed, {freed:.1} MiB");
         }
         Ok(_) | Err(StoreError::Busy(_)) => {}
         Err(error) => crate::errln!("{error}"),

@@ -4,6 +4,7 @@ use super::fault::Fault;
 use super::forget::{Forget, forget_folder};
 use super::program::GlobalArgs;
 use super::size::mib;
+use super::text::count;
 use crate::past::ago;
 use crate::past::{self, Head};
 use crate::store::Store;
@@ -71,7 +72,7 @@ enum Verb {
     },
     /// Remove from the shared store (--store) what was written long ago, by its own clock
     SweepStore {
-        /// How long ago \[days\]
+        /// How many days ago
         #[arg(long)]
         older_days: f64,
         /// Say what would go, remove nothing
@@ -179,9 +180,8 @@ pub(crate) fn cache(
             let bad = keeper::verify(&store);
             let results = keeper::list(&store).len();
             say(global, json!({ "checked": results, "bad": bad }), || {
-                vec![format!(
-                    "{results} results are whole, {bad} files put aside"
-                )]
+                let (whole, aside) = (count(results, "result"), count(bad, "file"));
+                vec![format!("whole: {whole}; put aside: {aside}")]
             });
         }
     }
@@ -208,8 +208,8 @@ fn du(store: &Store, global: &GlobalArgs) {
     let (total, parts) = (sizes.values().sum(), keeper::parts_size(store));
     let json = json!({ "results": kept.len(), "bytes": total, "parts_bytes": parts });
     say(global, json, || {
-        let (n, total, parts) = (kept.len(), mib(total), mib(parts));
-        vec![format!("{n} results, {total:.1} MiB; parts {parts:.1} MiB")]
+        let (results, total, parts) = (count(kept.len(), "result"), mib(total), mib(parts));
+        vec![format!("{results}, {total:.1} MiB; parts {parts:.1} MiB")]
     });
 }
 
@@ -246,13 +246,9 @@ fn run_of(store: &Store, text: &str) -> Result<String, Fault> {
         Some(ago) => ids.get(ago),
         None => ids.iter().find(|id| *id == text),
     };
-    let n = ids.len();
-    let unknown = || {
-        Fault::input(format!(
-            "`{text}` is none of the {n} runs that `cache runs` tells"
-        ))
-    };
-    found.cloned().ok_or_else(unknown)
+    let known = count(ids.len(), "run");
+    let why = format!("`{text}` is no run of this cache; `cache runs` lists its {known}");
+    found.cloned().ok_or_else(|| Fault::input(why))
 }
 
 fn report_swept(swept: &Swept, dry_run: bool, global: &GlobalArgs) {
@@ -267,8 +263,10 @@ fn report_swept(swept: &Swept, dry_run: bool, global: &GlobalArgs) {
         let verb = if dry_run { "would remove" } else { "removed" };
         let (freed, parts) = (mib(freed), mib(parts));
         vec![format!(
-            "{verb} {n} results, {freed:.1} MiB; to rebuild them: {seconds:.1} s; \
-             parts {parts:.1} MiB; {records} records of runs"
+            "{verb} {}, {freed:.1} MiB; to rebuild them: {seconds:.1} s; \
+             parts {parts:.1} MiB; {} of runs",
+            count(n, "result"),
+            count(records, "record")
         )]
     });
 }

@@ -5,6 +5,7 @@ use super::fault::Fault;
 use super::itself;
 use super::known::{Known, known, past};
 use super::program::GlobalArgs;
+use super::text::count;
 use crate::cluster::{self, Layer, Limits, Packing, Sent, Slurm, Strands, Wish};
 use crate::lasttime::History;
 use crate::past::Of;
@@ -51,7 +52,7 @@ pub(crate) struct Submit {
     /// How long an element may take: 2:00:00
     #[arg(long)]
     time: Option<String>,
-    /// An element should work at least so long; short strands are packed \[s\]
+    /// An element should work at least so long; short strands are packed (seconds)
     #[arg(long, default_value_t = 60.0)]
     least_s: f64,
     /// A word more for sbatch, such as --sbatch=--account=lab
@@ -118,7 +119,8 @@ pub(crate) fn submit(args: &Submit, global: &GlobalArgs) -> Result<(), Fault> {
         if !global.json && !global.quiet {
             let (elements, strands) = (layer.elements.len(), layer.strands.len());
             let how = if fresh { "sent" } else { "is there already" };
-            crate::outln!("layer {at}: job {id} {how}: {elements} elements for {strands} strands");
+            let (elements, strands) = (count(elements, "element"), count(strands, "strand"));
+            crate::outln!("layer {at}: job {id} {how}: {elements} for {strands}");
         }
         sent.push(json!({
             "layer": at, "job": id, "sent": fresh, "elements": layer.elements.len(),
@@ -238,7 +240,7 @@ pub(crate) fn status(asked: &Asked, global: &GlobalArgs) -> Result<(), Fault> {
                 true => String::new(),
                 false => format!("; elements: {}", told.join(", ")),
             };
-            crate::outln!("layer {at}: {done} of {of} strands done{told}");
+            crate::outln!("layer {at}: {done} of {} done{told}", count(of, "strand"));
         }
         layers.push(json!({ "layer": at, "strands": of, "done": done, "elements": states }));
     }
@@ -273,10 +275,10 @@ pub(crate) fn cancel(asked: &Asked, global: &GlobalArgs) -> Result<(), Fault> {
         name: &name,
         plan: &plan,
     };
-    let count = slurm.cancel().map_err(Fault::input)?;
+    let jobs = slurm.cancel().map_err(Fault::input)?;
     match global.json {
-        true => crate::outln!("{}", json!({ "plan": name, "cancelled": count })),
-        false => crate::outln!("{count} jobs were cancelled; what is done stays"),
+        true => crate::outln!("{}", json!({ "plan": name, "cancelled": jobs })),
+        false => crate::outln!("{} cancelled; what is done stays", count(jobs, "job")),
     }
     Ok(())
 }

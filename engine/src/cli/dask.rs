@@ -4,6 +4,7 @@ use super::fault::Fault;
 use super::itself;
 use super::known::known;
 use super::program::GlobalArgs;
+use super::text::count;
 use crate::cluster::{self, Dask, Layer, Limits, Strands};
 use crate::strands::Plan;
 use serde_json::json;
@@ -106,7 +107,7 @@ pub(super) fn status(
             } else {
                 format!("; tasks: {}", told.join(", "))
             };
-            crate::outln!("{done} of {of} strands done{told}");
+            crate::outln!("{done} of {} done{told}", count(of, "strand"));
         }
     }
     match done == of || alive > 0 {

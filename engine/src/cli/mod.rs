@@ -21,6 +21,7 @@ mod deliver;
 mod export;
 mod fault;
 mod forget;
+mod help;
 mod host;
 mod impact;
 mod itself;
@@ -169,7 +170,7 @@ fn command(program: &'static Program) -> clap::Command {
         let own = clap::Command::new(verb.name);
         command = command.subcommand((verb.arguments)(own).display_order(place));
     }
-    command
+    help::trimmed(command, program)
 }
 
 /// Whether a command line could be run, the program's name first: verbs, flags and values, not files.
@@ -199,7 +200,9 @@ pub fn run<A: Into<OsString> + Clone>(
             private::burn();
             std::process::exit(130);
         }
-        errln!("stopping; what is done is kept, run again to go on (once more stops at once)");
+        errln!(
+            "Stopping. Finished steps are kept; run the same command to continue. Ctrl-C again stops at once."
+        );
     });
     let (name, own) = matches
         .subcommand()

@@ -98,7 +98,7 @@ pub struct GlobalArgs {
     /// Where results are kept
     #[arg(long, global = true, default_value = "cache")]
     pub cache: PathBuf,
-    /// How many threads work; one a core if not said, four a core at most
+    /// Number of threads (default one per core, at most four per core)
     #[arg(long, global = true)]
     pub threads: Option<NonZeroUsize>,
     /// What the cache may hold, such as 500M or 20G: what is worth least goes at the end of a run
@@ -116,7 +116,7 @@ pub struct GlobalArgs {
     /// Believe of the shared store only what one of the public keys in this file signed
     #[arg(long, global = true, value_name = "FILE")]
     pub trust: Option<PathBuf>,
-    /// At the end, wait so long for uploads when nothing gets through; the rest waits in the cache \[s\]
+    /// Give up on uploads after SECONDS without progress; what is left stays in the cache for the next run
     #[arg(long, global = true, default_value_t = 60.0, value_name = "SECONDS")]
     pub store_wait: f64,
     /// Let the programs of the pipeline run (`stage = "exec"`); remembered in the cache until one changes

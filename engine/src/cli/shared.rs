@@ -3,6 +3,7 @@
 use super::fault::Fault;
 use super::program::GlobalArgs;
 use super::speech::CANCEL;
+use super::text::count;
 use crate::store::remote::{Left, Manner, Objects, Seal, Sharing};
 use std::sync::atomic::Ordering;
 use std::time::Duration;
@@ -10,6 +11,18 @@ use std::time::Duration;
 /// Verbs that read no result and make none.
 pub(super) const NEEDS_NONE: [&str; 6] =
     ["stages", "check", "pipelines", "completions", "man", "mat"];
+
+/// The verb that refuses a shared store.
+pub(super) const REFUSES: &str = "serve";
+
+/// The flags that say how a store is shared.
+pub(super) const OF_STORE: [&str; 5] = [
+    "store",
+    "store_read_only",
+    "sign_key",
+    "trust",
+    "store_wait",
+];
 
 /// The place of an address.
 #[cfg(feature = "remote")]
@@ -81,7 +94,7 @@ pub(super) fn begin(
             "--private keeps nothing and --store gives it to others: say one of them",
         ));
     }
-    if verb == "serve" {
+    if verb == REFUSES {
         return Err(Fault::input(
             "`serve` keeps captures on this machine alone: leave --store out",
         ));
@@ -116,7 +129,8 @@ pub(super) fn finish(
     let left = sharing.finish(Duration::from_secs_f64(patience));
     if left.waiting == 0 {
         if left.sent > 0 && !global.quiet && !global.json {
-            crate::errln!("store {name}: {} results went there", left.sent);
+            let sent = count(left.sent, "result");
+            crate::errln!("store {name}: {sent} uploaded");
         }
         return done;
     }
@@ -142,8 +156,7 @@ fn waits(name: &str, left: &Left) -> String {
         .as_ref()
         .map_or(String::new(), |why| format!(" ({why})"));
     format!(
-        "store {name}: {} results could not be uploaded{why}; they wait in the cache, and go there with the next \
-         run, or with `cache push`",
-        left.waiting
+        "store {name}: {} could not be uploaded{why}: kept in the cache for the next run or `cache push`",
+        count(left.waiting, "result")
     )
 }

@@ -21,7 +21,7 @@ use std::path::{Path, PathBuf};
 pub(crate) struct Show {
     /// The node
     node: String,
-    /// The pipeline file that it belongs to, if it is not the program's own
+    /// The pipeline file that it belongs to, or the name of a built-in one, if it is not the program's own
     #[arg(long)]
     pipeline: Option<PathBuf>,
     #[command(flatten)]

@@ -3,6 +3,7 @@
 use super::fault::Fault;
 use super::program::GlobalArgs;
 use super::size::mib;
+use super::text::count;
 use crate::store::remote::{Honest, Sharing, Trouble};
 use serde_json::json;
 use std::path::Path;
@@ -38,12 +39,13 @@ pub(super) fn look(shared: Option<&Sharing>, global: &GlobalArgs) -> Result<(), 
         return Ok(());
     }
     let (records, size) = (looked.records, mib(looked.bytes));
-    crate::outln!("{}: {records} results, {size:.1} MiB", shared.name());
+    let records = count(records, "result");
+    crate::outln!("{}: {records}, {size:.1} MiB", shared.name());
     crate::outln!("it answers within {:.0} ms", 1000.0 * looked.answer_s);
     match creates {
-        Some(true) => crate::outln!("of two that create one object, one wins"),
+        Some(true) => crate::outln!("conditional create works (two writers, one wins)"),
         Some(false) => crate::outln!(
-            "of two that create one object both are told that they won: what is not deterministic is not noticed"
+            "conditional create does not work (of two writers both win): what is not deterministic is not noticed"
         ),
         None => {}
     }
@@ -121,9 +123,9 @@ pub(super) fn sweep(
     }
     let verb = if dry_run { "would remove" } else { "removed" };
     crate::outln!(
-        "{verb} {} results, {} plans, {:.1} MiB",
-        swept.records,
-        swept.plans,
+        "{verb} {}, {}, {:.1} MiB",
+        count(swept.records, "result"),
+        count(swept.plans, "plan"),
         mib(swept.bytes)
     );
     Ok(())

@@ -6,6 +6,7 @@ use super::open::{folders, node, options};
 use super::program::GlobalArgs;
 use super::programs::permitted;
 use super::speech::CANCEL;
+use super::text::count;
 use crate::lasttime::History;
 use crate::past::Of;
 use crate::pattern::natural;
@@ -97,7 +98,8 @@ pub(super) fn written(asked: &Asked<'_>, global: &GlobalArgs) -> Result<(), Faul
     for layer in 0..plan.layers() {
         let strands = &plan.strands[plan.layer(layer)];
         let nodes = || strands.iter().flat_map(|s| &s.nodes);
-        let known: f64 = nodes().filter_map(|n| seconds(n)).sum();
+        // A sum of nothing is -0.
+        let known = nodes().filter_map(|n| seconds(n)).fold(0.0, |a, b| a + b);
         let unknown = nodes().filter(|n| seconds(n).is_none()).count();
         layers.push((strands.len(), nodes().count(), known, unknown));
     }
@@ -117,7 +119,8 @@ pub(super) fn written(asked: &Asked<'_>, global: &GlobalArgs) -> Result<(), Faul
             0 => String::new(),
             n => format!(", {n} of them not known"),
         };
-        crate::outln!("layer {at}: {strands} strands, {nodes} nodes, {seconds:.1} s{unknown}");
+        let (strands, nodes) = (count(*strands, "strand"), count(*nodes, "node"));
+        crate::outln!("layer {at}: {strands}, {nodes}, {seconds:.1} s{unknown}");
     }
     crate::outln!("plan: {name}");
     Ok(())

@@ -227,7 +227,7 @@ fn missing_metrics(asked: &Asked, rows: &[Row]) -> Vec<String> {
         if !done.iter().any(has) {
             let known: Vec<&str> = done[0].known.iter().map(String::as_str).collect();
             lines.push(format!(
-                "no point tells `{name}`; there are {}",
+                "`{name}` was not measured at any point (see the warnings); available: {}",
                 known.join(", ")
             ));
         }

@@ -12,14 +12,14 @@ use std::path::PathBuf;
 /// Arguments of `sweep`.
 #[derive(Args)]
 pub struct SweepArgs {
-    /// The pipeline file
+    /// The pipeline file, or the name of a built-in one
     pub(super) pipeline: PathBuf,
     /// A sweep that it declares; none if `--sweep` says all
     pub(super) name: Option<String>,
     #[command(flatten)]
     pub(super) change: Change,
     /// A param and its values: NODE.PARAM=2,3,4 or NODE.PARAM=2..8/4 (4 values), or 1..100/3log
-    #[arg(long = "sweep")]
+    #[arg(long = "sweep", visible_alias = "over")]
     pub(super) over: Vec<String>,
     /// A metric to report: NODE.METRIC
     #[arg(long)]

@@ -15,6 +15,14 @@ pub fn plain(text: String) -> String {
     text.replace("\r\n", "\n").chars().map(one).collect()
 }
 
+/// So many of something: `1 photo`, `2 photos`.
+pub fn count(n: usize, one: &str) -> String {
+    match n {
+        1 => format!("1 {one}"),
+        n => format!("{n} {one}s"),
+    }
+}
+
 /// A number for people: whole as it is, else with four digits that matter.
 pub fn short(x: f64) -> String {
     if !x.is_finite() || (x.fract() == 0.0 && x.abs() < 1e9) {

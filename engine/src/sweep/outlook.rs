@@ -55,12 +55,20 @@ pub fn outlook(
     outlook
 }
 
+fn many(n: u128, one: &str) -> String {
+    match n {
+        1 => format!("1 {one}"),
+        n => format!("{n} {one}s"),
+    }
+}
+
 impl std::fmt::Display for Outlook {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         write!(
             f,
-            "{} points, at most {} results to make",
-            self.points, self.results
+            "{}, {} unless cached",
+            many(self.points, "point"),
+            many(self.results, "result")
         )?;
         let s = self.seconds;
         if self.unknown.is_empty() || s > 0.0 {
@@ -70,7 +78,7 @@ impl std::fmt::Display for Outlook {
                 s if s < 172_800.0 => format!("{:.1} h", s / 3600.0),
                 s => format!("{:.1} days", s / 86_400.0),
             };
-            write!(f, ", about {time} going by earlier runs")?;
+            write!(f, ", about {time} if none is, going by earlier runs")?;
         }
         if !self.unknown.is_empty() {
             write!(f, " (not known how long: {})", self.unknown.join(", "))?;

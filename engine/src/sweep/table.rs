@@ -2,6 +2,7 @@
 
 use super::points::plain;
 use super::row::{End, Row};
+use crate::cli::text::count;
 use serde_json::{Value, json};
 use std::fmt::Write;
 
@@ -104,8 +105,9 @@ pub(super) fn summary(rows: &[Row]) -> String {
         .iter()
         .fold((0, 0), |(m, f), r| (m + r.made, f + r.found));
     format!(
-        "{} points{failed}: {made} results made in {:.1} s, {found} found; {:.1} s in all, {:.1} s of them while no stage ran; each point alone: {:.1} s",
-        rows.len(),
+        "{}{failed}: {} made in {:.1} s, {found} found; {:.1} s in all, {:.1} s of them while no stage ran; each point alone: {:.1} s",
+        count(rows.len(), "point"),
+        count(made, "result"),
         sum(|r| r.work),
         sum(|r| r.seconds),
         sum(|r| r.engine),

@@ -31,7 +31,7 @@ fn a_million_points_are_counted_and_not_written_out() {
     proof::near(outlook.seconds, 200.0 * 60.0 + 200_000.0 * 0.5, 1e-6);
     assert_eq!(
         outlook.to_string(),
-        "200000 points, at most 200202 results to make, about 31.1 h going by earlier runs (not known how long: src)"
+        "200000 points, 200202 results unless cached, about 31.1 h if none is, going by earlier runs (not known how long: src)"
     );
 }
 

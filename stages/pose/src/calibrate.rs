@@ -61,7 +61,7 @@ impl Stage for Calibrate {
     type Output = Cameras;
     const METRICS: &'static [&'static str] = &[
         "cameras",
-        "reprojection",
+        "reprojection rms",
         "focal",
         "focal sigma",
         "scale sigma",
@@ -115,7 +115,7 @@ impl Stage for Calibrate {
             Posture::Upright => {}
         }
         ctx.metric("cameras", cameras.views.len() as f64, "");
-        ctx.metric("reprojection", fit.rms_px, "px");
+        ctx.metric("reprojection rms", fit.rms_px, "px");
         let lens = cameras
             .views
             .values()

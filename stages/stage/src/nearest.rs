@@ -13,8 +13,21 @@ pub fn unknown(what: &str, name: &str, known: &[&str]) -> String {
     format!("there is no {what} `{name}`; {asked}{there}")
 }
 
-/// The known name within a third of the letters by edit distance, the first of the nearest.
+/// The known name within a third of the letters by edit distance, the first of the nearest; else the only one that
+/// goes on where this one ends: a param without its unit.
 pub fn nearest<'a>(name: &str, known: &[&'a str]) -> Option<&'a str> {
+    near(name, known).or_else(|| {
+        let more = |k: &&&str| {
+            k.strip_prefix(name)
+                .is_some_and(|rest| rest.starts_with('_'))
+        };
+        let mut longer = known.iter().filter(more);
+        let first = longer.next().filter(|_| !name.is_empty())?;
+        longer.next().is_none().then_some(*first)
+    })
+}
+
+fn near<'a>(name: &str, known: &[&'a str]) -> Option<&'a str> {
     let most = (name.chars().count() / 3).max(1);
     let near = known
         .iter()
@@ -55,6 +68,9 @@ mod tests {
         );
         assert_eq!(nearest("colour", &["consensus", "voxel_mm"]), None);
         assert_eq!(nearest("veiws", &["views", "with"]), Some("views"));
+        assert_eq!(nearest("voxel", &["cell_mm", "voxel_mm"]), Some("voxel_mm"));
+        assert_eq!(nearest("voxel", &["voxel_mm", "voxel_px"]), None);
+        assert_eq!(nearest("", &["_mm"]), None);
     }
 
     #[test]

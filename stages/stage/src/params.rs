@@ -144,7 +144,7 @@ macro_rules! params {
     (@specs , $to:ident, $name:ident, $ty:ty, $value:expr, $doc:tt, $range:expr, $must:expr) => {
         $to.push($crate::ParamSpec {
             name: stringify!($name),
-            doc: $doc.map(|l: &str| l.trim()).join(" "),
+            doc: $doc.map(|l: &str| l.trim()).join(" ").replace("\\[", "[").replace("\\]", "]"),
             type_name: <$ty as $crate::ParamType>::NAME,
             choices: <$ty as $crate::ParamType>::CHOICES,
             default: $crate::ParamType::value(&$value),

@@ -75,7 +75,7 @@ pub(super) fn plain(error: &dyn std::error::Error) -> String {
         word.split_once('?')
             .map_or(word.to_owned(), |(head, _)| format!("{head}?…"))
     };
-    let words: Vec<String> = text.split_whitespace().map(cut).collect();
+    let words: Vec<String> = told(&text).split_whitespace().map(cut).collect();
     words
         .join(" ")
         .chars()
@@ -84,4 +84,39 @@ pub(super) fn plain(error: &dyn std::error::Error) -> String {
         .collect()
 }
 
+/// A text with what a server says in XML in its own words: code and message.
+fn told(text: &str) -> String {
+    let Some((before, xml)) = text
+        .split_once("<?xml")
+        .or_else(|| text.split_once("<Error>"))
+    else {
+        return text.to_owned();
+    };
+    let of = |tag: &str| {
+        let (_, rest) = xml.split_once(&format!("<{tag}>"))?;
+        rest.split_once(&format!("</{tag}>")).map(|(text, _)| text)
+    };
+    let said: Vec<&str> = ["Code", "Message"].into_iter().filter_map(of).collect();
+    let after = xml.rsplit_once('>').map_or("", |(_, after)| after);
+    format!("{before}{}{after}", said.join(": "))
+}
+
 const MOST_TEXT: usize = 400;
+
+#[cfg(test)]
+mod tests {
+    use super::told;
+
+    #[test]
+    fn what_a_server_says_in_xml_is_said_in_words() {
+        let xml = "Server returned 403 Forbidden: <?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<Error><Code>AccessDenied</Code>\
+            <Message>Access Denied.</Message><Resource>/lab/ac</Resource><RequestId>1</RequestId></Error> (try 1)";
+        assert_eq!(
+            told(xml),
+            "Server returned 403 Forbidden: AccessDenied: Access Denied. (try 1)"
+        );
+        let bare = "status code: 404: <Error><Code>NoSuchBucket</Code></Error>";
+        assert_eq!(told(bare), "status code: 404: NoSuchBucket");
+        assert_eq!(told("plain <b> text"), "plain <b> text");
+    }
+}

@@ -98,7 +98,7 @@ impl Stage for Walk {
     type Output = Cameras;
     const METRICS: &'static [&'static str] = &[
         "cameras",
-        "reprojection",
+        "reprojection rms",
         "focal",
         "focal sigma",
         "points",
@@ -137,7 +137,7 @@ impl Stage for Walk {
         }
         let cameras = placed(photos, &done, ctx)?;
         ctx.metric("cameras", cameras.views.len() as f64, "");
-        ctx.metric("reprojection", done.rms_px, "px");
+        ctx.metric("reprojection rms", done.rms_px, "px");
         let lens = done.model.shots.first().map_or(0, |s| s.lens);
         ctx.metric("focal", done.model.lenses[lens].focal[0], "px");
         if let Some(sure) = &done.sure {
