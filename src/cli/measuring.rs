@@ -14,7 +14,7 @@ use crate::graph::Graph;
 use crate::photos::{photos, photos_node};
 use crate::store::Store;
 use engine::Outcome;
-use engine::cli::{Fault, GlobalArgs, Ran, check_out, execute};
+use engine::cli::{Fault, GlobalArgs, Job, Ran, check_out, execute};
 use serde_json::Value;
 use shape::{Cameras, Girths};
 use std::ffi::OsString;
@@ -168,6 +168,31 @@ fn prepared(
         shown,
     };
     Ok((ready, looked))
+}
+
+/// What `measure` with these words would run, for `plan` and `why`: words that are no folders are nodes.
+///
+/// # Errors
+///
+/// As [`measured`], before anything runs.
+pub(super) fn ahead(measure: &Measure) -> Result<Job, Fault> {
+    let (folders, words): (Vec<&PathBuf>, Vec<&PathBuf>) =
+        measure.folders.iter().partition(|word| word.exists());
+    let (capture, nodes) = match (folders.as_slice(), words.as_slice()) {
+        ([capture], nodes) => (*capture, nodes),
+        // It is told that it is not there.
+        ([], [capture, nodes @ ..]) => (*capture, nodes),
+        _ => return Err(Fault::input("one capture at a time: say one folder")),
+    };
+    let said = measure.facts.said()?;
+    let (ready, _) = prepared(measure, capture, measure.out.as_deref(), &said)?;
+    let name = |word: &&PathBuf| word.to_string_lossy().into_owned();
+    Ok(Job {
+        graph: ready.graph,
+        folders: ready.folders,
+        goal: ready.wanted,
+        nodes: nodes.iter().map(name).collect(),
+    })
 }
 
 /// Measures one capture.

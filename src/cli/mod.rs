@@ -125,6 +125,7 @@ const PRODUCT: Program = Program {
             runs: false,
         },
     ],
+    jobs: &[("measure", |said, _| measuring::ahead(&read(said)?))],
     complete: provenance::completed,
     present: delivered::present,
     screen: ending::ending,

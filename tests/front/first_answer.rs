@@ -61,6 +61,17 @@ fn what_reads_the_last_run_agrees_with_what_measure_wrote() {
         assert!(against.contains("the same bytes as last"), "{against}");
     };
     agrees();
+    // What `measure` of the same would do is nothing.
+    let plan = place
+        .run(&format!("plan measure turn {COARSE}"))
+        .code(0)
+        .out;
+    assert!(
+        !plan.contains(" run ") && plan.ends_with("all cached\n"),
+        "{plan}"
+    );
+    let why = place.run(&format!("why measure turn girths {COARSE}"));
+    assert_eq!(why.code(0).out, "girths: cached, as in the last run\n");
     // What is swept is worth less than the last run.
     place.run("cache gc --max-size 1k").code(0);
     agrees();

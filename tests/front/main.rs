@@ -1,5 +1,6 @@
 //! The program itself, as somebody uses it: stops, bad input, answers, what it keeps its hands off.
 
+mod ahead;
 mod answers;
 mod bad_input;
 mod causes;

@@ -11,6 +11,7 @@
 //! }
 //! ```
 
+mod ahead;
 mod answers;
 mod arguments;
 mod budget;
@@ -51,7 +52,7 @@ pub use deliver::{check as check_out, finish, inside, lies_in, whose};
 pub use fault::Fault;
 pub use host::Host;
 pub use open::{folders, node, open_pipeline};
-pub use program::{GlobalArgs, Program, Verb};
+pub use program::{GlobalArgs, Job, JobOf, Program, Verb};
 pub use progress::above;
 pub use ran::Ran;
 pub use result::there;
@@ -102,9 +103,9 @@ enum Own {
     /// Run a pipeline
     Run(run_verb::Run),
     /// What would run, and why
-    Plan(answers::PlanArgs),
+    Plan(ahead::PlanArgs),
     /// Which line of what a node depends on changed: old, new, back to the root cause
-    Why(answers::Why),
+    Why(ahead::Why),
     /// Every point of a sweep, what they share made once: a table, plots
     Sweep(sweep_asked::SweepArgs),
     /// Strands of a plan (`plan --strands`), on any machine that sees the cache
@@ -170,7 +171,7 @@ fn command(program: &'static Program) -> clap::Command {
         let own = clap::Command::new(verb.name);
         command = command.subcommand((verb.arguments)(own).display_order(place));
     }
-    help::trimmed(command, program)
+    help::trimmed(ahead::of_verbs(command, program), program)
 }
 
 /// Whether a command line could be run, the program's name first: verbs, flags and values, not files.
@@ -248,13 +249,13 @@ fn done(
     let cli = Cli::from_arg_matches(all).unwrap_or_else(|error| error.exit());
     match &cli.verb {
         Own::Run(verb) => run_verb::run(verb, global),
-        Own::Plan(verb) => answers::plan(verb, global),
+        Own::Plan(verb) => ahead::plan(verb, own.subcommand(), global),
         Own::Work(verb) => strands::work(verb, global),
         Own::Submit(verb) => cluster::submit(verb, global),
         Own::Status(verb) => cluster::status(verb, global),
         Own::Cancel(verb) => cluster::cancel(verb, global),
         Own::Export(verb) => export::export(verb, global),
-        Own::Why(verb) => answers::why(verb, global),
+        Own::Why(verb) => ahead::why(verb, own.subcommand(), global),
         Own::Sweep(verb) => sweep::sweep(verb, global),
         Own::Impact(verb) => impact::impact(verb, global),
         Own::Graph(verb) => answers::graph(verb, global),

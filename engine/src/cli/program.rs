@@ -38,6 +38,8 @@ pub struct Program {
     pub input: Option<&'static str>,
     /// Verbs of its own, before the engine's.
     pub verbs: &'static [Verb],
+    /// What verbs of its own would run, for `plan` and `why`: the verb, and how its words become a job.
+    pub jobs: &'static [(&'static str, JobOf)],
     /// What a page in HTML that is written gets from its run: warnings, how it was made.
     pub complete: fn(&[u8], &Ran<'_>) -> Vec<u8>,
     /// A result as it is written: with what only its run knows of it.
@@ -47,6 +49,21 @@ pub struct Program {
     /// Errors of results against a folder of ground truth, for `sweep --truth`.
     pub errors: fn(&Graph, &Outcome, &Path) -> Result<Vec<Metric>, String>,
 }
+
+/// What a verb would run.
+pub struct Job {
+    /// The pipeline.
+    pub graph: Graph,
+    /// The folder of each input.
+    pub folders: Vec<(String, PathBuf)>,
+    /// The nodes whose results it wants.
+    pub goal: Vec<usize>,
+    /// The nodes that are asked after; none is all.
+    pub nodes: Vec<String>,
+}
+
+/// What a verb would run, by its words.
+pub type JobOf = fn(&ArgMatches, &GlobalArgs) -> Result<Job, Fault>;
 
 /// A verb of a program's own.
 pub struct Verb {
@@ -81,6 +98,7 @@ impl Program {
             pipeline: None,
             input: None,
             verbs: &[],
+            jobs: &[],
             complete: |page, _| page.to_vec(),
             present: |artifact, _| artifact,
             screen: |_| None,

@@ -1,0 +1,84 @@
+//! `plan` and `why` before anything runs: their words in any order, and those of `measure`.
+
+use crate::place::Place;
+
+#[test]
+fn plan_and_why_take_pipeline_and_node_in_any_order() {
+    let place = Place::new();
+    place.run("run small.toml").code(0);
+    let change = "--set solid.stature_mm=1500";
+    for verb in ["plan", "why"] {
+        let out = |words: &str| place.run(&format!("{verb} {words} {change}")).code(0).out;
+        let told = out("small.toml body");
+        assert!(told.contains("1750.0 -> 1500.0"), "{told}");
+        assert_eq!(out("body small.toml"), told);
+        // Names of built-in pipelines are nodes as well.
+        let both = place.run(&format!("{verb} hull body")).code(2).err;
+        assert!(both.contains("input `photos`"), "{both}");
+    }
+    assert!(
+        place
+            .run("plan small.toml")
+            .code(0)
+            .out
+            .ends_with("all cached\n")
+    );
+    let said = place.run("why small.toml").code(2).err;
+    assert!(said.contains("say one node of: "), "{said}");
+    let said = place.run("why small.toml nobody").code(2).err;
+    assert!(said.contains("no node `nobody`"), "{said}");
+    // Nodes alone are of the program's own pipeline.
+    for words in ["why girths", "plan girths"] {
+        let said = place.run(words).code(2).err;
+        assert!(said.contains("input `photos`"), "{words}: {said}");
+    }
+    let said = place.run("plan smal").code(2).err;
+    assert!(said.contains("smal cannot be read"), "{said}");
+}
+
+#[test]
+fn what_measure_would_do_is_told_by_its_own_words() {
+    let place = Place::new();
+    place.photos("turn", 18);
+    let facts = "--stature 81cm --weight 9";
+    let plan = place.run(&format!("plan measure turn {facts} --json"));
+    let plan = plan.code(0).json();
+    let nodes = plan["nodes"].as_array().unwrap();
+    assert!(nodes.iter().any(|n| n["node"] == "report"), "{plan}");
+    assert_eq!(
+        nodes.iter().find(|n| n["node"] == "photos").unwrap()["state"],
+        "will run"
+    );
+    let walk = place.run("plan measure turn --walk").code(0).out;
+    assert!(walk.contains("walked"), "{walk}");
+    let why = place
+        .run(&format!("why measure turn girths {facts}"))
+        .code(0)
+        .out;
+    assert!(
+        why.starts_with("girths: may run\n") && why.contains("\nphotos: will run"),
+        "{why}"
+    );
+    for (words, says) in [
+        ("plan measure nowhere", "nowhere"),
+        ("plan measure turn nobody", "no node `nobody`"),
+        ("plan measure turn --stature 7km", "--stature"),
+        ("why measure turn", "say one node of"),
+        ("plan --variant quick measure turn", "say `measure` first"),
+        ("why girths measure turn", "say `measure` first"),
+        ("plan --strands measure turn", "--strands cuts a pipeline"),
+    ] {
+        let said = place.run(words).code(2).err;
+        assert!(said.contains(says), "{words}: {said}");
+    }
+    assert!(
+        place
+            .run("cache runs --json")
+            .code(0)
+            .json()
+            .as_array()
+            .unwrap()
+            .is_empty()
+    );
+    assert!(!place.path("turn-out").exists());
+}
