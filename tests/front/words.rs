@@ -54,6 +54,37 @@ fn what_the_command_line_says_is_not_looked_for_in_the_file() {
 }
 
 #[test]
+fn names_of_girths_that_are_taken_are_refused_before_anything_runs() {
+    let place = Place::new();
+    let own = |name: &str, part: &str| format!("[girth.{name}]\npart = \"{part}\"\nat = 0.4\n");
+    for (girths, says) in [
+        (own("WC", "trunk"), "`girth.WC` is taken"),
+        (own("TC", "thigh"), "`girth.TC` is taken: TC_L is a girth"),
+        (
+            own("thigh2", "thigh") + &own("thigh2_L", "trunk"),
+            "`girth.thigh2` is taken: a side of `[girth.thigh2_L]`",
+        ),
+    ] {
+        place.write("own.toml", format!("extends = \"body\"\n{girths}"));
+        let said = place.run("check own.toml").code(2).err;
+        assert!(
+            said.contains(says) && said.contains("own.toml:2:"),
+            "{said}"
+        );
+    }
+    place.write(
+        "own.toml",
+        format!("extends = \"body\"\n{}", own("thigh2", "thigh")),
+    );
+    place.run("check own.toml").code(0);
+    let set = "landmarks.girth.NC.part=trunk --set landmarks.girth.NC.at=0.9";
+    let said = place.run(&format!("plan body --set {set}")).code(2).err;
+    assert!(said.contains("`girth.NC` is taken"), "{said}");
+    let said = place.run("plan body --set hull.voxel=2").code(2).err;
+    assert!(said.contains("did you mean `voxel_mm`"), "{said}");
+}
+
+#[test]
 fn both_places_of_a_duplicate_are_told() {
     let place = Place::new();
     for (more, line) in [

@@ -7,14 +7,14 @@ use crate::model::error::ModelError;
 use crate::model::file::LevelModel;
 use crate::model::law::Place;
 use crate::model::predict::Cover;
-use crate::planes::custom::{OwnGirth, own};
+use crate::planes::custom::{OwnGirth, own, taken_names};
 use crate::planes::joints::arm_joints;
 use crate::planes::limbs::parts;
 use crate::planes::place::{across_neck, arms, legs, trunk};
 use crate::planes::trunk::Trunk;
 use crate::planes::wanted::{Waist, Wanted};
 use shape::{Cameras, GirthId, Landmarks, Mesh, Missing, Refusal, Side, Unit};
-use stage::{Ctx, Files, Named, Stage, Stop};
+use stage::{Ctx, Files, Mistake, Named, Stage, Stop};
 use std::sync::Arc;
 
 stage::params! {
@@ -59,6 +59,10 @@ impl Stage for FindLandmarks {
     type Params = LandmarkParams;
     type Input = LandmarkInput;
     type Output = Landmarks;
+
+    fn check(p: &LandmarkParams) -> Vec<Mistake> {
+        taken_names(&p.girth.0)
+    }
 
     fn run(p: &LandmarkParams, input: LandmarkInput, ctx: &Ctx<'_>) -> Result<Landmarks, Stop> {
         let mesh = &input.mesh;

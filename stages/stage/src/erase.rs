@@ -61,7 +61,7 @@ pub trait AnyStage: Sync {
     ///
     /// # Errors
     ///
-    /// Every param that is unknown, or does not fit its type or range.
+    /// Every param that is unknown, or does not fit its type or range, or the others.
     fn check(&self, said: &BTreeMap<String, Value>) -> Result<Checked, Vec<Mistake>>;
     /// See [`Stage::memory`]; nothing where the inputs are wrong, which [`AnyStage::run`] tells.
     /// \[bytes\]
@@ -124,6 +124,10 @@ impl<S: Stage> AnyStage for Erased<S> {
 
     fn check(&self, said: &BTreeMap<String, Value>) -> Result<Checked, Vec<Mistake>> {
         let params = S::Params::read(said)?;
+        let mistakes = S::check(&params);
+        if !mistakes.is_empty() {
+            return Err(mistakes);
+        }
         Ok(Checked {
             values: params.values(),
             typed: Arc::new(params),

@@ -69,6 +69,12 @@ pub trait Stage: 'static {
         vec![]
     }
 
+    /// What is wrong with params that fit one by one, such as a name that is taken: said before anything runs, at the
+    /// place where it was written. A mistake's name is the param, within a section `section.entry`.
+    fn check(_params: &Self::Params) -> Vec<Mistake> {
+        vec![]
+    }
+
     /// What a run takes at most beside its input, as far as that can be told before. Stages of one
     /// process that together say more than is free run one after the other. No part of the key.
     /// \[bytes\]

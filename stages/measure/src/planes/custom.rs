@@ -6,6 +6,7 @@ use crate::planes::limbs::share;
 use crate::planes::trunk::{Trunk, unlike};
 use shape::{GirthId, Landmark, Landmarks, Missing, Part, Plane, PlaneSigma, Refusal};
 use shape::{Region, Side};
+use stage::Mistake;
 use std::collections::BTreeMap;
 
 stage::choice! {
@@ -85,6 +86,40 @@ fn wanted(declared: &BTreeMap<String, OwnGirth>) -> Result<Vec<Wanted<'_>>, BadN
         }
     }
     Ok(all)
+}
+
+/// What is wrong with the names of declared girths: all that are taken.
+pub(crate) fn taken_names(declared: &BTreeMap<String, OwnGirth>) -> Vec<Mistake> {
+    let sides = |name: &str, girth: &OwnGirth| match girth.part {
+        OwnPart::Trunk => vec![name.to_owned()],
+        _ => Side::BOTH
+            .map(|side| format!("{name}{}", side.suffix()))
+            .to_vec(),
+    };
+    let mut mistakes = Vec::new();
+    for (name, girth) in declared {
+        let own = sides(name, girth);
+        let given = own
+            .iter()
+            .chain([name])
+            .find(|n| GirthId::named(n).is_some());
+        let others = declared.iter().filter(|(other, _)| *other != name);
+        let met = |(other, girth): &(&String, &OwnGirth)| {
+            sides(other, girth).iter().any(|n| own.contains(n))
+        };
+        let why = match (given, others.clone().find(met)) {
+            (Some(taken), _) => format!("is taken: {taken} is a girth that is always measured"),
+            (None, Some((other, _))) => {
+                format!("is taken: a side of `[girth.{other}]` is called the same")
+            }
+            (None, None) => continue,
+        };
+        mistakes.push(Mistake {
+            name: format!("girth.{name}"),
+            what: format!("{why}; choose another name"),
+        });
+    }
+    mistakes
 }
 
 /// Landmarks of the declared girths, or why they are not there.
@@ -213,5 +248,26 @@ mod tests {
         assert_eq!(told(&["WC"]), Err(BadName::SectionMeasurement("WC".into())));
         assert_eq!(told(&["TC"]), Err(BadName::Twice("TC".into())));
         assert_eq!(told(&["a", "b"]).unwrap(), ["a_L", "a_R", "b_L", "b_R"]);
+        let taken = |names: &[(&str, OwnPart)]| {
+            let declared = names.iter().map(|(name, part)| {
+                let girth = OwnGirth {
+                    part: *part,
+                    ..girth.clone()
+                };
+                ((*name).to_owned(), girth)
+            });
+            let wrong = taken_names(&declared.collect());
+            wrong.into_iter().map(|m| m.name).collect::<Vec<_>>()
+        };
+        use OwnPart::{Thigh, Trunk};
+        assert_eq!(
+            taken(&[("WC", Trunk), ("TC", Thigh)]),
+            ["girth.TC", "girth.WC"]
+        );
+        assert_eq!(
+            taken(&[("a", Thigh), ("a_L", Trunk)]),
+            ["girth.a", "girth.a_L"]
+        );
+        assert!(taken(&[("a", Trunk), ("a_L", Trunk), ("b", Thigh)]).is_empty());
     }
 }
