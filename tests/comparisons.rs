@@ -90,7 +90,7 @@ fn the_first_difference_the_girths_and_the_surfaces_are_told() {
     proof::near(apart.volume_l, 1.04f64.powi(3) - 1.0, 1e-5);
     let words = markdown(&c);
     for line in [
-        "b parts from a at `hull`; 2 of 3 results are others.",
+        "b differs from a from `hull` on (2 of 3 results).",
         "| WC (WC)",
         "NO, 9 mm",
         "voxel_mm",

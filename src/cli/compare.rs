@@ -5,6 +5,7 @@ use crate::repeat::technical_errors;
 use crate::store::Store;
 use crate::{delivery, walk};
 use clap::Args;
+use engine::cli::text::count;
 use engine::cli::{Change, Fault, GlobalArgs, execute, folders, open_pipeline};
 use engine::past::ago;
 use std::path::{Path, PathBuf};
@@ -13,8 +14,8 @@ use std::path::{Path, PathBuf};
 #[derive(Args)]
 pub(crate) struct CompareArgs {
     /// What is compared, the reference first: folders that `measure` or `run` wrote; `last` and
-    /// `last~1` for runs of the cache; and, after a pipeline file, what to change in it: a variant,
-    /// NODE.PARAM=VALUE, several joined by `+`, or `as-is`
+    /// `last~1` for runs of the cache; and, after a pipeline file or the name of a built-in one, what to change in it:
+    /// a variant, NODE.PARAM=VALUE, several joined by `+`, or `as-is`
     #[arg(required = true)]
     what: Vec<String>,
     #[command(flatten)]
@@ -35,13 +36,7 @@ pub(crate) struct CompareArgs {
 
 /// Compares two or more sides and writes the page.
 pub(crate) fn compare_sides(args: &CompareArgs, global: &GlobalArgs) -> Result<(), Fault> {
-    let pipeline = args.what.iter().find(|w| w.ends_with(".toml"));
-    let what: Vec<&String> = args.what.iter().filter(|w| !w.ends_with(".toml")).collect();
-    if what.len() < 2 || args.what.len() > what.len() + 1 {
-        return Err(Fault::input(
-            "give two or more to compare: folders that `tailor measure` wrote, `last` and `last~1`, or a pipeline file and variants of it",
-        ));
-    }
+    let (pipeline, what) = sorted(&args.what, global)?;
     if let Some(out) = &args.out {
         delivery::check(out).map_err(Fault::input)?;
     }
@@ -105,6 +100,38 @@ pub(crate) fn compare_sides(args: &CompareArgs, global: &GlobalArgs) -> Result<(
     Ok(())
 }
 
+/// The pipeline among the words, and what is compared: a file anywhere, a built-in one by its name in front.
+fn sorted<'a>(
+    words: &'a [String],
+    global: &GlobalArgs,
+) -> Result<(Option<&'a String>, Vec<&'a String>), Fault> {
+    let file = |word: &&String| word.ends_with(".toml");
+    let built_in = |word: &&String| {
+        let results = Path::new(word).join("run.json").is_file();
+        global.catalog().pipeline(word).is_some() && !results && pin(word, global).is_none()
+    };
+    let first = words.first().filter(|word| file(word) || built_in(word));
+    let pipeline = first.or_else(|| words.iter().find(file));
+    let what: Vec<&String> = words
+        .iter()
+        .filter(|word| pipeline.is_none_or(|p| !std::ptr::eq(p, *word)))
+        .collect();
+    match what.len() < 2 || what.iter().any(file) {
+        true => Err(Fault::input(
+            "give two or more to compare: folders that `tailor measure` wrote, `last` and `last~1`, or one pipeline (its file, \
+             or the name of a built-in one) and variants of it",
+        )),
+        false => Ok((pipeline, what)),
+    }
+}
+
+/// The run that is pinned under a name.
+fn pin(name: &str, global: &GlobalArgs) -> Option<String> {
+    let pinned = std::fs::read_to_string(global.cache.join("pins").join(name));
+    let pinned = pinned.ok().filter(|_| !name.contains('/'))?;
+    Some(pinned.trim().to_owned())
+}
+
 /// The technical errors of a `repeat.json`; none where none is given.
 pub(super) fn known_errors(file: Option<&Path>) -> Result<TechnicalErrors, Fault> {
     let Some(file) = file else {
@@ -131,12 +158,16 @@ fn changed(text: &str, all: &Change) -> Change {
 
 /// A folder of results, or a run of the cache: how long ago it was, or the name of a pin.
 fn found(text: &str, global: &GlobalArgs) -> Result<Side, Fault> {
-    let pinned = std::fs::read_to_string(global.cache.join("pins").join(text));
-    let id = match (pinned.ok().filter(|_| !text.contains('/')), ago(text)) {
-        (Some(pinned), _) => Some(pinned.trim().to_owned()),
+    let id = match (pin(text, global), ago(text)) {
+        (Some(pinned), _) => Some(pinned),
         (None, Some(ago)) => {
             let ids = crate::past::ids(&global.cache);
-            let unknown = || Fault::input(format!("`{text}`: the cache knows {} runs", ids.len()));
+            let unknown = || {
+                Fault::input(format!(
+                    "`{text}`: the cache knows {}",
+                    count(ids.len(), "run")
+                ))
+            };
             Some(ids.get(ago).ok_or_else(unknown)?.clone())
         }
         (None, None) => None,
@@ -157,7 +188,7 @@ fn found(text: &str, global: &GlobalArgs) -> Result<Side, Fault> {
     let folder = Path::new(text);
     if !folder.is_dir() {
         return Err(Fault::input(format!(
-            "`{text}` is no folder; to compare variants, name their pipeline first: tailor compare pipelines/body.toml as-is quick --input photos=DIR"
+            "`{text}` is no folder; to compare variants, name their pipeline first: tailor compare body as-is quick --input photos=DIR"
         )));
     }
     let name = folder

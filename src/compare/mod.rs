@@ -7,6 +7,7 @@
 //!                                   └─ pictures: silhouettes and surfaces as each camera saw them
 //! ```
 
+mod cut;
 mod girths;
 mod laid;
 mod page;

@@ -59,7 +59,7 @@ pub fn page(c: &Comparison, show_photos: bool) -> String {
     for (title, table) in [
         (GIRTHS, girth_table(c)),
         ("Surfaces, from the first", surface_table(c)),
-        ("Said otherwise", change_table(c)),
+        ("Settings that differ", change_table(c)),
         ("Time and size", cost_table(c)),
     ] {
         body += &section(title, &table);

@@ -1,6 +1,7 @@
 //! A comparison as Markdown and JSON.
 
 use super::Comparison;
+use super::cut::short;
 use crate::differ::{Difference, by_name};
 use serde_json::{Value, json};
 use shape::Unit;
@@ -65,7 +66,7 @@ pub(super) fn girth_table(c: &Comparison) -> Table {
     table
 }
 
-/// What was said otherwise.
+/// Settings that differ.
 pub(super) fn change_table(c: &Comparison) -> Table {
     let first = &c.sides[0].name;
     let mut table = vec![vec![
@@ -77,14 +78,9 @@ pub(super) fn change_table(c: &Comparison) -> Table {
     ]];
     for (side, d) in c.sides.iter().skip(1).zip(&c.differences) {
         for change in &d.changes {
-            let cells = [
-                &change.node,
-                &change.what,
-                &change.old,
-                &change.new,
-                &side.name,
-            ];
-            table.push(cells.map(String::clone).to_vec());
+            let (node, what, side) = (&change.node, &change.what, &side.name);
+            let [old, new] = short([&change.old, &change.new]);
+            table.push([node, what, &old, &new, side].map(String::clone).to_vec());
         }
     }
     table
@@ -170,7 +166,7 @@ pub(super) fn sentences(c: &Comparison) -> Vec<String> {
             }
             None => format!("{name} made the same bytes as {first} in every node that both have."),
             Some(node) => format!(
-                "{name} parts from {first} at `{node}`; {} of {} results are others.",
+                "{name} differs from {first} from `{node}` on ({} of {} results).",
                 d.diverged.len(),
                 c.sides[0].nodes.len()
             ),
@@ -184,7 +180,7 @@ pub(super) fn sentences(c: &Comparison) -> Vec<String> {
         if !d.met_again.is_empty() {
             let _ = write!(
                 text,
-                " Told otherwise, but the same bytes: {}.",
+                " Different settings, identical results: {}.",
                 list(&d.met_again)
             );
         }
@@ -202,7 +198,7 @@ pub fn markdown(c: &Comparison) -> String {
         let _ = writeln!(text, "{sentence}\n");
     }
     for (title, table) in [
-        ("Said otherwise", change_table(c)),
+        ("Settings that differ", change_table(c)),
         (GIRTHS, girth_table(c)),
         ("Surfaces, from the first", surface_table(c)),
         ("Time and size", cost_table(c)),

@@ -185,3 +185,16 @@ fn one_of_something_is_told_as_one() {
         swept.err
     );
 }
+
+#[test]
+fn a_built_in_pipeline_is_compared_by_its_name() {
+    let place = Place::new();
+    let said = place.run("compare paper rigid weighted_median").code(2).err;
+    assert!(said.contains("input `photos`"), "{said}");
+    let said = place.run("compare paper rigid weightd_median").code(2).err;
+    assert!(said.contains("did you mean `weighted_median`"), "{said}");
+    let said = place.run("compare papr rigid weighted_median").code(2).err;
+    assert!(said.contains("`papr` is no folder"), "{said}");
+    place.run("run small.toml --out paper").code(0);
+    place.run("compare paper last").code(0);
+}
