@@ -6,7 +6,7 @@ use crate::{delivery, score};
 use stage::Metric;
 use std::path::Path;
 
-/// Errors of a point: `error.WC` along the contour \[%\], `error.WC.tape` \[mm\], cameras and surface.
+/// Errors of a point: `error.WC` by tape \[mm\], `error.WC.contour` \[%\], cameras and surface.
 pub(crate) fn errors(
     graph: &Graph,
     outcome: &Outcome,
@@ -49,12 +49,10 @@ fn metrics(score: &score::Score) -> Vec<Metric> {
     let mut all = Vec::new();
     for (name, girth) in &score.girths {
         let Some(girth) = girth else { continue };
-        all.extend(girth.error_pct.map(|v| metric(name.clone(), v, "%")));
-        all.extend(
-            girth
-                .tape_error_mm
-                .map(|v| metric(format!("{name}.tape"), v, "mm")),
-        );
+        let tape = girth.tape_error_mm;
+        all.extend(tape.map(|v| metric(name.clone(), v, "mm tape")));
+        let contour = girth.error_pct;
+        all.extend(contour.map(|v| metric(format!("{name}.contour"), v, "%")));
     }
     if let Some(cameras) = &score.cameras {
         all.extend(

@@ -8,8 +8,8 @@ use shape::{
 };
 use stage::{Artifact, Metric};
 
-/// Every kind that is written as files or tells numbers: girths along the contour and by tape, a
-/// surface's volume, area and size.
+/// Every kind that is written as files or tells numbers: girths by tape (`girths.WC`) and along the contour
+/// (`girths.WC.contour`), a surface's volume, area and size.
 pub const KINDS: &[Kind] = &[
     Kind {
         facts: |artifact| artifact.downcast().map_or(vec![], |g| girths(&g)),
@@ -86,7 +86,7 @@ fn girth_names(declared: &[String]) -> Vec<String> {
         std::iter::once(name.clone()).chain(sides)
     });
     let girths = GirthId::all().map(GirthId::name).chain(own);
-    let all = girths.flat_map(|n| [n.clone(), format!("{n}.tape"), format!("{n}.width")]);
+    let all = girths.flat_map(|n| [n.clone(), format!("{n}.contour"), format!("{n}.width")]);
     let beside = ["stature", "volume"].into_iter().chain(Girths::RATIOS);
     all.chain(beside.map(String::from)).collect()
 }
@@ -107,8 +107,11 @@ fn girths(girths: &Girths) -> Vec<Metric> {
     };
     let mut all = Vec::new();
     for g in &girths.girths {
-        all.push(length(&g.name, g.contour_mm));
-        all.push(length(&format!("{}.tape", g.name), g.tape_mm));
+        // The girth is what a tape tells, wherever somebody asks for it; headings say so.
+        let mut tape = length(&g.name, g.tape_mm);
+        tape.unit += " tape";
+        all.push(tape);
+        all.push(length(&format!("{}.contour", g.name), g.contour_mm));
         if let Some([lo, hi]) = g.interval_mm {
             all.push(length(&format!("{}.width", g.name), hi - lo));
         }

@@ -1,4 +1,4 @@
-//! What is shown without saying where to, and how a run ends.
+//! What is shown without saying where to, how a run ends, and which length of a girth is told.
 
 use crate::place::{Place, SMALL};
 
@@ -58,6 +58,32 @@ fn what_is_shown_without_a_place_is_printed_or_written_under_its_nodes_name() {
         let said = place.bash(&line);
         assert!(said.out.contains("no text for a terminal"), "{}", said.out);
     }
+}
+
+#[test]
+fn a_girth_is_its_tape_wherever_it_is_asked_for() {
+    let place = Place::new();
+    place.write("doll.toml", doll());
+    let asked = "--over body.cell_mm=14 --tell girths.WC --tell girths.WC.contour";
+    let swept = place.run(&format!("sweep doll.toml {asked} --json"));
+    let swept = swept.code(0).json();
+    let [tape, contour] =
+        [0, 1].map(|i| swept["points"][0]["metrics"][i]["value"].as_f64().unwrap());
+    let girths = place.run("show girths --pipeline doll.toml").code(0).json();
+    let all = girths["girths"].as_array().unwrap();
+    let waist = all.iter().find(|g| g["name"] == "WC").unwrap();
+    for (told, key) in [(tape, "tape_cm"), (contour, "cm")] {
+        assert!(
+            (told - waist[key].as_f64().unwrap()).abs() < 0.006,
+            "{told}: {waist}"
+        );
+    }
+    assert!(contour > tape + 0.1, "{contour} {tape}");
+    let head = place.run(&format!("sweep doll.toml {asked}")).code(0).out;
+    assert!(
+        head.contains("girths.WC cm tape  girths.WC.contour cm"),
+        "{head}"
+    );
 }
 
 #[test]

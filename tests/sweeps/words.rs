@@ -73,8 +73,8 @@ fn a_sweep_that_cannot_be_is_refused_before_anything_runs() {
             "`--tell hull.volum`: `hull` (hull.carve) tells no `volum`; did you mean `volume`?",
         ),
         (
-            &["sweep", body, "cells", "--tell", "girths.WC.tapes"],
-            "`--tell girths.WC.tapes`: `girths` (measure.girths) tells no `WC.tapes`; did you mean `WC.tape`?",
+            &["sweep", body, "cells", "--tell", "girths.WC.contours"],
+            "`--tell girths.WC.contours`: `girths` (measure.girths) tells no `WC.contours`; did you mean `WC.contour`?",
         ),
         (&huge, "998000 points"),
         (&huge, "say --yes"),
