@@ -148,9 +148,24 @@ fn read<A: FromArgMatches>(said: &ArgMatches) -> Result<A, Fault> {
     A::from_arg_matches(said).map_err(Fault::input)
 }
 
-/// The program over another catalog: one that adds to the product's.
+/// The program over another catalog, one that adds to the product's: called as that calls its program, `NAME VERSION`.
 pub const fn program_over(catalog: &'static Catalog) -> Program {
-    Program { catalog, ..PRODUCT }
+    let called = catalog.program;
+    let mut end = 0;
+    while end < called.len() && called.as_bytes()[end] != b' ' {
+        end += 1;
+    }
+    let (name, rest) = called.split_at(end);
+    let version = match rest.is_empty() {
+        true => PRODUCT.version,
+        false => rest.split_at(1).1,
+    };
+    Program {
+        name,
+        version,
+        catalog,
+        ..PRODUCT
+    }
 }
 
 /// The program: its catalog, its verbs.
@@ -171,4 +186,25 @@ pub fn main() -> ExitCode {
 /// What is wrong with it, in words.
 pub fn check_arguments(arguments: &[&str]) -> Result<(), String> {
     engine::cli::check_arguments(&TAILOR, arguments).map_err(|e| e.to_string())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_program_over_another_catalog_says_its_own_name() {
+        static MINE: Catalog = Catalog {
+            program: "my-tailor 0.1.0",
+            ..CATALOG
+        };
+        static BARE: Catalog = Catalog {
+            program: "mine",
+            ..CATALOG
+        };
+        let [mine, bare, own] = [&MINE, &BARE, &CATALOG].map(program_over);
+        assert_eq!((mine.name, mine.version), ("my-tailor", "0.1.0"));
+        assert_eq!((bare.name, bare.version), ("mine", PRODUCT.version));
+        assert_eq!((own.name, own.version), (PRODUCT.name, PRODUCT.version));
+    }
 }
