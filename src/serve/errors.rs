@@ -2,7 +2,7 @@
 //! reader's language and by what a page has: fields and outlines in place of flags and files.
 
 #[rustfmt::skip]
-pub(super) const ERRORS: [(&str, &str); 58] = [
+pub(super) const ERRORS: [(&str, &str); 59] = [
     ("photos in turning order: *, but a turn needs at least *: put all photos of one turn into one folder, as images/*.jpg or *.jpg", "fail-few-photos"),
     ("only * of * photos differ, but a turn needs at least *; copies of another photo: *; put the photos of one turn into the folder, each once", "fail-copies"),
     ("* holds * photos: without a marker mat features are followed from photo to photo, which needs a full turn at steps of 30° or less; take 18 to 36 photos, or lay a mat on the disk (`tailor mat`; then say --mat), or say the step between them, such as --step 20", "fail-few-no-mat"),
@@ -54,6 +54,7 @@ pub(super) const ERRORS: [(&str, &str); 58] = [
     ("only * photos have both a mask and a camera, but a hull needs at least 3", "fail-hull-few"),
     ("the mask of * is *: correct or remove it", "fail-mask-empty"),
     ("no point of space is body on * % of the photos: do masks and cameras belong together? a lower `consensus` may help", "fail-hull-nothing"),
+    ("no point of space is body on all photos: the outline on * cuts away up to * % of what nearly all others show; look at this mask, correct it, or leave the photo out", "fail-hull-contradicted"),
     ("cells of * mm would need about * MB, but * MB may be taken: * mm fits, or raise `memory_mb`", "fail-hull-memory"),
     ("only * photos have a camera, but a surface needs at least 2 that see it", "fail-surface-few"),
     ("the mesh cannot be refined; repair it, or start from `hull.carve`", "fail-surface-fault"),

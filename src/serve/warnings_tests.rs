@@ -143,10 +143,10 @@ fn names_stay_and_numbers_are_written_as_there() {
         told("NC: the surface has no closed section there"),
         "NC: die Oberfläche hat dort keinen geschlossenen Schnitt"
     );
-    let smaller = "3 smaller parts, 1.5 % of the volume in all, were left out: if a part of the body is missing, look at the masks";
+    let smaller = "smaller parts left out: 3, 1.5 % of the volume in all; if a part of the body is missing, look at the masks";
     assert_eq!(
         told(smaller),
-        "3 kleinere Teile, zusammen 1,5 % des Volumens, wurden weggelassen: Fehlt etwas vom Körper, dann die Umrisse ansehen"
+        "kleinere Teile weggelassen: 3, zusammen 1,5 % des Volumens; fehlt etwas vom Körper, dann die Umrisse ansehen"
     );
     assert!(
         told("nothing was measured: the surface has no closed section there")

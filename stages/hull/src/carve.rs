@@ -1,11 +1,12 @@
 //! The stage that carves the visual hull and gives its surface.
 
 use crate::field::{BRICK, Lattice, evaluate};
+use crate::left_out::left_out;
 use crate::silhouettes::{Silhouette, bounds, consensus};
 use crate::surface::{largest, surface};
 use nalgebra::{Point3, Vector3};
 use rayon::prelude::*;
-use shape::{Cameras, Image, Mask, Masks, Mesh, View, seen_by_half, signed_distance};
+use shape::{Cameras, Image, Mask, Masks, Mesh, View, coherence, seen_by_half, signed_distance};
 use stage::{Cancelled, Ctx, Stage, Stop};
 use std::sync::Arc;
 
@@ -57,6 +58,17 @@ pub enum CarveError {
         "no point of space is body on {0:.0} % of the photos: do masks and cameras belong together? a lower `consensus` may help"
     )]
     Nothing(f64),
+    /// Some outlines contradict those of all others.
+    #[error(
+        "no point of space is body on all photos: the outline on {names} cuts away up to {percent:.0} % of what nearly all others show; look at \
+         this mask, correct it, or leave the photo out"
+    )]
+    Contradicted {
+        /// The photos.
+        names: String,
+        /// How much the first of them cuts away.
+        percent: f64,
+    },
     /// Too fine.
     #[error(
         "cells of {voxel_mm} mm would need about {need:.0} MB, but {most:.0} MB may be taken: {fits:.1} mm fits, or raise `memory_mb`"
@@ -115,7 +127,7 @@ impl Stage for Carve {
             .collect::<Result<_, Cancelled>>()?;
         let dissent = ((1.0 - p.consensus) * prepared.len() as f64 + 1e-9).floor() as usize;
         let ground = input.cameras.ground_mm + p.ground_mm;
-        let nothing = || CarveError::Nothing(p.consensus * 100.0);
+        let nothing = || nothing(p, &input);
         let cylinder = seen_by_half(&input.cameras).ok_or_else(nothing)?;
         let (lo, hi) = bounds(&prepared, dissent, &cylinder, ground).ok_or_else(nothing)?;
         let lattice = Lattice::over(lo, hi, p.voxel_mm);
@@ -141,13 +153,8 @@ impl Stage for Carve {
                 "the hull is cut off where the search for it ended: the photos do not see around the body, or masks and cameras do not belong together",
             );
         }
-        let small: f64 = rest.iter().map(|v| v.abs()).sum();
-        if small > 0.01 * mesh.volume() {
-            ctx.warn(format!(
-                "{} smaller parts, {:.1} % of the volume in all, were left out: if a part of the body is missing, look at the masks",
-                rest.len(),
-                100.0 * small / mesh.volume()
-            ));
+        if let Some(word) = left_out(mesh.volume(), &rest) {
+            ctx.warn(word);
         }
         let (volume, unit) = input.cameras.scale.unit().volume(mesh.volume());
         ctx.metric("volume", volume, unit);
@@ -156,6 +163,25 @@ impl Stage for Carve {
             unit: input.cameras.scale.unit(),
             ..mesh
         })
+    }
+}
+
+/// An outline that cuts away more than this share of what nearly all others show contradicts them (by hand: of whole turns,
+/// gaps that few photos see come to less than 0.05).
+const CUTS: f64 = 0.15;
+
+/// Why nothing is body on all photos: outlines that contradict those of nearly all others, where there are some.
+fn nothing(p: &CarveParams, input: &CarveInput) -> CarveError {
+    let found = coherence(&input.cameras, &input.masks);
+    let cut: Vec<_> = found.iter().flat_map(|found| found.beyond(CUTS)).collect();
+    let Some((_, most)) = cut.first() else {
+        return CarveError::Nothing(p.consensus * 100.0);
+    };
+    let name = |(id, _): &(_, f64)| input.cameras.views.get(*id).map(|v| v.name.as_str());
+    let names: Vec<&str> = cut.iter().filter_map(name).collect();
+    CarveError::Contradicted {
+        names: names.join(", "),
+        percent: 100.0 * most,
     }
 }
 

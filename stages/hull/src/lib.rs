@@ -5,6 +5,7 @@
 mod carve;
 mod cases;
 mod field;
+mod left_out;
 mod silhouettes;
 mod surface;
 

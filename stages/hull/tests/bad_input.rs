@@ -223,3 +223,16 @@ fn a_hull_without_an_end_is_closed_all_the_same() {
     assert_eq!(mesh.validate_closed(), Ok(()));
     assert!(mesh.volume() > 0.0);
 }
+
+#[test]
+fn a_photo_that_leaves_nothing_of_what_all_others_show_is_named() {
+    // A speck in the corner: no empty mask, but nothing that the others see.
+    let mut speck = Mask::filled(80, 120, 0);
+    (2..8).for_each(|x| *speck.at_mut(x, 4) = 255);
+    let (masks, cameras) = with(speck);
+    let said = says(masks, cameras, 10.0);
+    assert!(
+        said.contains("the outline on 0003.jpg cuts away up to 100 %"),
+        "{said}"
+    );
+}

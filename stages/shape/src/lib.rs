@@ -12,6 +12,7 @@
 mod by_photo;
 mod camera;
 mod cameras;
+mod coherence;
 mod csv_table;
 mod cylinder;
 mod day;
@@ -55,6 +56,7 @@ mod warps;
 pub use by_photo::{ByPhoto, PhotoId};
 pub use camera::{Camera, Intrinsics, Pose};
 pub use cameras::{Cameras, Scale, View};
+pub use coherence::{Coherence, coherence};
 pub use csv_table::csv_table;
 pub use cylinder::{Cylinder, bounding_cylinder, seen_by_half};
 pub use day::day_number;
