@@ -85,6 +85,7 @@ fn origin(scale: Scale) -> &'static str {
         Scale::Stature => "stature",
         Scale::Given => "cameras",
         Scale::Nothing => "none",
+        Scale::Disputed(_) => "disputed",
     }
 }
 

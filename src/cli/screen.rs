@@ -1,6 +1,6 @@
 //! The last screen of `tailor measure`: what was measured, what was not, and where it lies.
 
-use shape::{Cameras, Girths, Scale, Score, Unit};
+use shape::{Cameras, Girth, Girths, Scale, Score, Unit, by_reason, listed};
 
 /// Lines are broken before this column.
 const WIDTH: usize = 100;
@@ -21,10 +21,7 @@ pub(crate) fn screen(
             origin(cameras)
         );
     }
-    let wide = girths
-        .girths
-        .iter()
-        .map(|g| g.name.len() + 1 + g.label.chars().count());
+    let wide = girths.girths.iter().map(|g| called(g).chars().count());
     let wide = wide.fold(24, usize::max);
     let (head, length): (_, fn(f64) -> String) = match girths.unit {
         Unit::Metric if inches => ("tape in", |mm| format!("{:.1}", mm / 25.4)),
@@ -42,7 +39,7 @@ pub(crate) fn screen(
             Some([lo, hi]) => format!("{} to {}", length(lo), length(hi)),
             None => format!("unknown: {}", g.sigmas.unknown().join(", ")),
         };
-        let label = format!("{} {}", g.name, g.label);
+        let label = called(g);
         let (tape, contour) = (length(g.tape_mm), length(g.contour_mm));
         text += &format!("{label:<wide$} {tape:>8}  {interval:<16} {contour:>8}\n");
     }
@@ -65,15 +62,8 @@ pub(crate) fn screen(
         text += "\nnot measured\n";
     }
     // One reason is shown once, for all that it is the reason of.
-    let mut reasons: Vec<(Vec<&str>, &str)> = Vec::new();
-    for missing in &girths.missing {
-        match reasons.iter_mut().find(|(_, why)| *why == missing.why) {
-            Some((names, _)) => names.push(&missing.name),
-            None => reasons.push((vec![&missing.name], &missing.why)),
-        }
-    }
-    for (names, why) in reasons {
-        text += &broken(&format!("  {:<6} {why}", names.join(", ")), 9);
+    for (why, all) in by_reason(&girths.missing) {
+        text += &broken(&format!("  {}: {why}", listed(&all)), 4);
     }
     text
 }
@@ -91,6 +81,14 @@ pub(crate) fn warned(warnings: &[String]) -> String {
     text
 }
 
+/// A girth as people call it, with its name in files.
+fn called(girth: &Girth) -> String {
+    match girth.label.is_empty() {
+        true => girth.name.clone(),
+        false => format!("{} ({})", girth.label, girth.name),
+    }
+}
+
 fn origin(cameras: &Cameras) -> String {
     let from = match cameras.scale {
         Scale::Mat => "the marker mat",
@@ -99,6 +97,11 @@ fn origin(cameras: &Cameras) -> String {
         Scale::Disk => "the disk's diameter",
         Scale::Stature => "the subject's stature",
         Scale::Given => "the cameras that were given",
+        Scale::Disputed(_) => {
+            return "LENGTHS ARE RELATIVE, for known lengths contradict each other (see below): \
+                    ratios of girths hold, and 1 is the camera ring's radius"
+                .into();
+        }
         Scale::Nothing => {
             return "LENGTHS ARE RELATIVE, for nothing of known length was given: \
                     ratios hold, and 1 is the camera ring's radius"
@@ -151,7 +154,7 @@ fn grown(girths: &Girths, wide: usize) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use shape::{GirthId, Refusal};
+    use shape::{GirthId, Length, Refusal};
 
     #[test]
     fn long_lines_are_broken_between_words_and_lose_none() {
@@ -170,7 +173,7 @@ mod tests {
     #[test]
     fn one_reason_is_told_once_for_all_that_it_is_the_reason_of() {
         let missing = shape::Missing::because;
-        let legs = "no two legs were found";
+        let legs = "the surface shows no two legs";
         let girths = Girths {
             missing: vec![
                 missing(GirthId::Hip, Refusal::NoLegs, legs),
@@ -182,7 +185,7 @@ mod tests {
         let text = screen("a", 3, None, &girths, false);
         assert_eq!(
             text,
-            format!("\nnot measured\n  HC, WC {legs}\n  NC     no neck\n")
+            format!("\nnot measured\n  hip, waist: {legs}\n  neck: no neck\n")
         );
     }
 
@@ -198,6 +201,12 @@ mod tests {
         };
         let text = screen("a", 3, Some(&cameras), &Girths::default(), false);
         assert!(text.contains("LENGTHS ARE RELATIVE"), "{text}");
+        cameras.scale = Scale::Disputed([Length::Mat, Length::Stature]);
+        let text = screen("a", 3, Some(&cameras), &Girths::default(), false);
+        assert!(
+            text.contains("known lengths contradict each other"),
+            "{text}"
+        );
         cameras.scale = Scale::Mat;
         let text = screen("a", 3, Some(&cameras), &Girths::default(), false);
         assert!(

@@ -62,7 +62,7 @@ pub fn captures(paths: &[PathBuf], by: By) -> Result<Vec<Capture>, String> {
         let name = last(Some(&folder));
         if girths.unit == Unit::Relative {
             return Err(format!(
-                "{name}: its lengths are relative, for nothing of known length was given, so they cannot be held against those of another capture: \
+                "{name}: its lengths are relative, for nothing of known length was given or known lengths contradict each other, so they cannot be held against those of another capture: \
                  give one when measuring, such as --stature"
             ));
         }

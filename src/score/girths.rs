@@ -49,7 +49,7 @@ pub(crate) fn iso_mm(name: &str, part: Option<&str>) -> f64 {
 pub(crate) const RELATIVE: &str = "relative";
 
 /// Why such results are not scored.
-pub(crate) const NO_SCALE: &str = "its lengths are relative, for nothing of known length was given: they cannot be held against centimetres; \
+pub(crate) const NO_SCALE: &str = "its lengths are relative, for nothing of known length was given or known lengths contradict each other: they cannot be held against centimetres; \
      give one when measuring, such as --stature, and score that";
 
 /// The girths of a `girths.json` against the true ones.

@@ -2,7 +2,7 @@
 //! in `words/`; those of warnings are in `warnings.rs`, of failures in `errors.rs`. A sentence that is not known stays as it is.
 
 use super::errors::ERRORS;
-use super::language::Words;
+use super::language::{Language, Words};
 use super::warnings::WARNINGS;
 
 /// Sentences, `*` for what is put in, and their texts, in which that is `a` and `b`.
@@ -59,6 +59,33 @@ const TOLD: [(&str, &str); 49] = [
     ("the stature", "find-from-stature"),
 ];
 
+/// Girths and lengths as they are listed in sentences, and their texts.
+#[rustfmt::skip]
+const LISTED: [(&str, &str); 25] = [
+    ("hip", "girth-HC"), ("greatest hip", "girth-HC-max"),
+    ("waist", "girth-WC"), ("natural waist", "girth-WC-natural"), ("narrowest waist", "girth-WC-narrowest"),
+    ("waist at the navel", "girth-WC-navel"), ("waist at the hip bone", "girth-WC-hip-bone"),
+    ("chest", "girth-CC"), ("neck", "girth-NC"),
+    ("upper arms", "girth-arms"), ("left upper arm", "girth-AC-L"), ("right upper arm", "girth-AC-R"),
+    ("thighs", "girth-thighs"), ("left thigh", "girth-TC-L"), ("right thigh", "girth-TC-R"),
+    ("calves", "girth-calves"), ("left calf", "girth-CFC-L"), ("right calf", "girth-CFC-R"),
+    ("stature", "girth-stature"),
+    ("the mat", "find-from-mat"), ("the marker tags", "find-from-tags"), ("the unit of the surface", "find-from-surface"), ("the reference length", "find-from-reference"),
+    ("the disk's diameter", "find-from-disk-alone"), ("the stature", "find-from-stature"),
+];
+
+/// A list of girths or lengths in the reader's language; what is not known stays.
+fn listed(words: Words, text: &str) -> String {
+    if words.language == Language::En {
+        return text.to_owned();
+    }
+    let one = |part: &str| {
+        let known = LISTED.iter().find(|(name, _)| *name == part);
+        known.map_or_else(|| part.to_owned(), |(_, key)| words.say(key))
+    };
+    text.split(", ").map(one).collect::<Vec<_>>().join(", ")
+}
+
 /// What stands in a text where a pattern has `*`, if it fits.
 fn put_in<'a>(pattern: &str, text: &'a str) -> Option<Vec<&'a str>> {
     let mut parts = pattern.split('*');
@@ -100,15 +127,18 @@ pub(super) fn translated(words: Words, text: &str) -> Option<String> {
             return Some(format!("{odd}; {mend}"));
         }
         let (about, rest) = text.split_once(": ")?;
-        return Some(format!("{about}: {}", translated(words, rest)?));
+        let rest = translated(words, rest)?;
+        return Some(format!("{}: {rest}", listed(words, about)));
     };
     // A number as it is written there, with its unit; or something that is told itself: where centimetres come from.
     let shown = |inner: &&str| {
+        let (lead, inner) = inner.split_at(inner.len() - inner.trim_start().len());
         let number = inner.split(' ').next().unwrap_or_default();
-        match number.parse::<f64>() {
+        let shown = match number.parse::<f64>() {
             Ok(_) => words.written(number) + &inner[number.len()..],
-            Err(_) => translated(words, inner).unwrap_or_else(|| (*inner).to_owned()),
-        }
+            Err(_) => translated(words, inner).unwrap_or_else(|| listed(words, inner)),
+        };
+        lead.to_owned() + &shown
     };
     let shown: Vec<String> = found.iter().map(shown).collect();
     let put: Vec<_> = ["a", "b", "c", "d", "e", "f", "g", "h"]

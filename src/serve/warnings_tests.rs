@@ -130,7 +130,7 @@ fn every_reason_and_note_is_told_in_german() {
         Note::Folds { share }.sentence(),
     ];
     let why = Refusal::ALL.map(|r| format!("AC_L: {r}"));
-    for sentence in why.iter().chain(&notes[1..]) {
+    for sentence in why.iter().chain(&notes) {
         let told = translated(DE, sentence);
         assert!(told.is_some_and(|t| t != *sentence), "{sentence}");
     }
@@ -155,4 +155,15 @@ fn names_stay_and_numbers_are_written_as_there() {
     let feet = "the surface ends 12.5 mm above the ground without feet: they are lost, and heights are told from the ground";
     assert!(told(feet).contains("endet 12,5 mm über"));
     assert_eq!(translated(DE, "NC: what nobody says"), None);
+    let refused = "hip, narrowest waist, upper arms, mid_thigh_L not measured: the surface has no closed section there";
+    assert_eq!(
+        told(refused),
+        "Hüfte, Taille, am schmalsten, Oberarme, mid_thigh_L nicht gemessen: die Oberfläche hat dort keinen geschlossenen Schnitt"
+    );
+    let tall = "this body (81 cm tall) lies outside the range that the waist and chest model knows: where waist and chest lie is a rough \
+                estimate, and their intervals are wide accordingly; check the stature, and that the whole body is visible and upright";
+    assert!(told(tall).starts_with("dieser Körper (81 cm groß) liegt"));
+    assert!(told(&tall.replace(" (81 cm tall)", "")).starts_with("dieser Körper liegt"));
+    let withheld = "the mat and the stature contradict each other, so what depends on them is not given: correct one of them, or leave one out";
+    assert!(told(withheld).starts_with("Matte mit Marken und Körpergröße widersprechen"));
 }

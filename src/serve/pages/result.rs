@@ -81,21 +81,34 @@ fn score(score: &Value) -> Option<(f64, f64)> {
     Some((score["z"].as_f64()?, score["centile"].as_f64()?))
 }
 
-/// What could not be measured, and why.
+/// What could not be measured, and why: a reason once.
 fn missing(words: Words, record: &Record, girths: &Value) -> Markup {
     let all = girths["missing"].as_array().into_iter().flatten();
-    let text = |one: &Value, key: &str| one[key].as_str().unwrap_or_default().to_owned();
-    let all: Vec<_> = all
-        .map(|one| (text(one, "name"), text(one, "why")))
-        .collect();
+    let mut reasons: Vec<(&str, Vec<String>)> = Vec::new();
+    let mut count = 0;
+    for one in all {
+        let text = |key: &str| one[key].as_str().unwrap_or_default();
+        let name = label(words, text("name"), text("name"));
+        count += 1;
+        match reasons.iter_mut().find(|(why, _)| *why == text("why")) {
+            Some((_, names)) => names.push(name),
+            None => reasons.push((text("why"), vec![name])),
+        }
+    }
     html! {
-        @if !all.is_empty() {
+        @if count > 0 {
             details open[is_empty(girths)] {
-                summary { (words.with("result-missing", &[("count", all.len().into())])) }
-                ul { @for (name, why) in &all { li { (label(words, name, name)) ": " (sentence(words, record, why)) } } }
+                summary { (words.with("result-missing", &[("count", count.into())])) }
+                ul { @for (why, names) in &reasons { li { (names.join("; ")) ": " (sentence(words, record, why)) } } }
             }
         }
     }
+}
+
+/// Whether known lengths contradict each other.
+fn disputed(girths: &Value) -> bool {
+    let mut all = girths["missing"].as_array().into_iter().flatten();
+    girths["unit"] == "relative" && all.any(|one| one["reason"] == "disputed")
 }
 
 /// A row of a number that follows from others. On a phone cells stand below one another, so roles are said.
@@ -116,6 +129,7 @@ pub(crate) fn result(words: Words, place: &Place, record: &Record, girths: &Valu
         section aria-labelledby="result-title" {
             h2 #result-title { (words.say("result-title")) }
             @if is_empty(girths) { p .alert { (words.say("result-none")) } }
+            @else if disputed(girths) { p .alert { (words.say("result-disputed")) } }
             @else if girths["unit"] == "relative" { p .alert { (words.say("result-relative")) } }
             div .wide tabindex="0" role="group" aria-labelledby="result-title" {
                 table .girths role="table" {
@@ -197,5 +211,25 @@ mod tests {
             // The mean of both arms is a row of its own.
             assert_ne!(shown, "?", "{name} has no text");
         }
+    }
+
+    #[test]
+    fn a_reason_is_shown_once_and_lengths_that_contradict_each_other_are_told() {
+        let words = Words {
+            language: Language::De,
+            inches: false,
+        };
+        let one = |name: &str, reason: &str, why: &str| json!({ "name": name, "reason": reason, "why": why });
+        let why = shape::Refusal::NoLegs.why();
+        let mut girths = json!({
+            "unit": "relative",
+            "missing": [one("HC", "no_legs", why), one("WC", "no_legs", why)],
+        });
+        let html = missing(words, &Record::default(), &girths).into_string();
+        assert_eq!(html.matches("keine zwei Beine").count(), 1, "{html}");
+        assert!(html.contains("Hüfte; Taille: "), "{html}");
+        assert!(!disputed(&girths));
+        girths["missing"] = json!([one("BMI", "disputed", "")]);
+        assert!(disputed(&girths));
     }
 }

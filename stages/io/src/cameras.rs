@@ -33,7 +33,7 @@ pub fn cameras_to_json(cameras: &Cameras) -> String {
     };
     let file = json!({
         "unit": unit, "frame": "turntable: origin on the axis at the disk's top, z up",
-        "scale": format!("{:?}", cameras.scale).to_lowercase(),
+        "scale": cameras.scale.word(),
         "scale_sigma": cameras.scale_sigma, (key("disk_radius")): cameras.disk_radius_mm,
         (key("ground")): cameras.ground_mm, "views": views,
     });

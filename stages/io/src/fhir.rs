@@ -11,7 +11,7 @@ use shape::{Girth, GirthId, Girths, Unit};
 /// Lengths without a unit are no observation.
 #[derive(Debug, thiserror::Error)]
 #[error(
-    "lengths are relative, for nothing of known length was given: FHIR observations need centimetres; give a length when measuring, such as --stature"
+    "lengths are relative, for nothing of known length was given or known lengths contradict each other: FHIR observations need centimetres; give a length when measuring, such as --stature"
 )]
 pub struct NoLengths;
 

@@ -10,7 +10,7 @@ use zip::{CompressionMethod, DateTime, ZipWriter};
 /// A mesh of unknown scale: the format knows lengths in millimetres, inches and so on, and no others.
 #[derive(Debug, thiserror::Error)]
 #[error(
-    "lengths of this surface are relative, for nothing of known length was given, and 3MF has no such unit: give one, such as the stature, or write PLY, OBJ or STL"
+    "lengths of this surface are relative, for nothing of known length was given or known lengths contradict each other, and 3MF has no such unit: give one, such as the stature, or write PLY, OBJ or STL"
 )]
 pub struct NoUnit;
 

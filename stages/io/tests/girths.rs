@@ -246,11 +246,7 @@ fn what_is_unknown_is_null_and_what_is_none_is_zero() {
     assert_eq!(at("/girths/1/iso8559"), json!("5.3.16"));
     assert_eq!(at("/missing/0/reason"), json!("fused"));
     let notes = at("/girths/0/notes").to_string();
-    for told in [
-        "25 %",
-        "how sure the level is cannot be told",
-        "2.0 % of the tape",
-    ] {
+    for told in ["25 %", "unknown how sure the level is", "2.0 % of the tape"] {
         assert!(notes.contains(told), "{notes}");
     }
 }

@@ -2,22 +2,32 @@
 
 use crate::features::arms::arm_ring;
 use crate::features::body::Body;
-use shape::{GirthId, Girths, Mesh, Profile, Sex, Unit};
+use shape::{GirthId, Girths, Mesh, Missing, Profile, Refusal, Sex, Unit};
+
+/// What is known of a body besides its girths.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Known {
+    /// Crown above the ground, as the surface shows it. \[mm\]
+    pub(crate) measured_mm: Option<f64>,
+    /// The stature that was given. \[mm\]
+    pub(crate) given_mm: Option<f64>,
+    /// The weight that was given. \[kg\]
+    pub(crate) kg: Option<f64>,
+}
 
 /// Adds ratios, body mass index and volume. Stature and weight are the user's where he gave them; where
 /// lengths are relative, nothing is said that needs centimetres.
-pub(crate) fn derive(
-    girths: &mut Girths,
-    mesh: &Mesh,
-    measured_mm: Option<f64>,
-    said_mm: Option<f64>,
-    kg: Option<f64>,
-) {
+pub(crate) fn derive(girths: &mut Girths, mesh: &Mesh, known: &Known) {
+    let Known {
+        measured_mm,
+        given_mm,
+        kg,
+    } = *known;
     let metric = girths.unit == Unit::Metric;
     let (waist, hip) = (girths.of(GirthId::Waist), girths.of(GirthId::Hip));
     let [waist_tape, hip_tape] = [waist, hip].map(|g| g.map(|g| g.tape_mm));
     let [waist_skin, hip_skin] = [waist, hip].map(|g| g.map(|g| g.contour_mm));
-    let stature = said_mm.filter(|_| metric).or(measured_mm);
+    let stature = given_mm.filter(|_| metric).or(measured_mm);
     let mut ratios = Vec::new();
     let mut add = |name: &str, value: Option<f64>, note: &str| {
         if let Some(value) = value.filter(|v| v.is_finite()) {
@@ -47,7 +57,7 @@ pub(crate) fn derive(
     add(
         "density_kg_l",
         density.filter(|d| *d > 0.0),
-        "experimental: 1 % of volume is 1 % of density, and the air in the lungs is in it",
+        "experimental; includes air in the lungs; 1 % error in volume means 1 % error in density",
     );
     girths.ratios = ratios;
     girths.weight_kg = kg;
@@ -69,6 +79,35 @@ pub(crate) fn compress(girths: &mut Girths, percent: f64) {
     girths.profile.tape_mm.iter_mut().for_each(|mm| *mm *= by);
 }
 
+/// Takes back what depends on lengths that contradict each other, and says why it is not there: all that takes stature or a
+/// volume; and all centimetres, where lengths are not relative already. Ratios of girths stay, for they have no unit.
+pub(crate) fn withhold(girths: &mut Girths, between: [&str; 2]) {
+    let [one, other] = between;
+    let why = format!(
+        "{one} and {other} contradict each other, so what depends on them is not given: correct one of them, or leave one out"
+    );
+    let number = |name: &str| Missing::number(name, Refusal::Disputed, &why);
+    let mut missing = Vec::new();
+    if girths.unit == Unit::Metric {
+        missing.extend(
+            std::mem::take(&mut girths.girths)
+                .into_iter()
+                .map(|girth| Missing {
+                    id: Some(girth.id),
+                    ..number(&girth.name)
+                }),
+        );
+        missing.extend(girths.stature_mm.take().map(|_| number("stature")));
+        (girths.stature_sigma_mm, girths.profile) = (None, Profile::default());
+    }
+    missing.extend(girths.weight_kg.map(|_| number("BMI")));
+    let waist = girths.ratios.iter().any(|(name, ..)| name == "WHtR");
+    missing.extend(waist.then(|| number("WHtR")));
+    girths.ratios.retain(|(name, ..)| name.starts_with("WHR"));
+    (girths.bmi, girths.volume_l, girths.growth) = (None, None, None);
+    girths.missing.extend(missing);
+}
+
 /// Densities of living bodies, with air in their lungs and what a surface errs. \[kg/l\]
 const DENSITIES: std::ops::RangeInclusive<f64> = 0.8..=1.2;
 
@@ -78,8 +117,8 @@ pub(crate) fn no_density(girths: &Girths) -> Option<String> {
     let (_, density, _) = ratios.find(|(name, ..)| name == "density_kg_l")?;
     (!DENSITIES.contains(density)).then(|| {
         format!(
-            "weight and volume make {density:.2} kg/l, a living body has 0.93 to 1.1: unless this is none, the scale, the weight or \
-             the surface is wrong (is the body cut off?); look at the masks"
+            "weight / volume = {density:.2} kg/l, but bodies have 0.93 to 1.1: unless this is a dummy, scale, weight or surface is \
+             wrong (is the body cut off?); look at the masks"
         )
     })
 }
@@ -113,6 +152,15 @@ pub(crate) fn profile(body: &Body, girths: &Girths) -> Profile {
 mod tests {
     use super::*;
 
+    /// Of a body of half a metre.
+    fn known(given_mm: Option<f64>, kg: Option<f64>) -> Known {
+        Known {
+            measured_mm: Some(500.0),
+            given_mm,
+            kg,
+        }
+    }
+
     #[test]
     fn thresholds_of_adults_stand_beside_no_figure_of_a_childs_size() {
         let (positions, faces) = proof::block([500.0; 3]);
@@ -135,7 +183,11 @@ mod tests {
                 age_months,
                 ..Girths::default()
             };
-            derive(&mut girths, &cube, stature, None, None);
+            let known = Known {
+                measured_mm: stature,
+                ..known(None, None)
+            };
+            derive(&mut girths, &cube, &known);
             let notes: Vec<String> = girths.ratios.into_iter().map(|r| r.2).collect();
             notes.join("; ")
         };
@@ -165,7 +217,7 @@ mod tests {
         };
         let said = |kg: Option<f64>| {
             let mut girths = Girths::default();
-            derive(&mut girths, &cube, Some(500.0), None, kg);
+            derive(&mut girths, &cube, &known(None, kg));
             let known =
                 |(name, ..): &(String, f64, String)| Girths::RATIOS.contains(&name.as_str());
             assert!(girths.ratios.iter().all(known));
@@ -179,7 +231,7 @@ mod tests {
             unit: Unit::Relative,
             ..Girths::default()
         };
-        derive(&mut relative, &cube, Some(500.0), Some(1700.0), Some(52.0));
+        derive(&mut relative, &cube, &known(Some(1700.0), Some(52.0)));
         assert_eq!((relative.bmi, relative.volume_l), (None, None));
         assert_eq!(
             (relative.ratios, relative.stature_mm),

@@ -1,9 +1,10 @@
 //! The stage that measures: contour, tape and the paper's spline at each landmark.
 
-use crate::derive::{compress, derive, no_density, profile};
-
+use crate::causes::{Evidence, Tall, disputed, explain};
+use crate::derive::{Known, compress, derive, profile, withhold};
 use crate::features::body::{Body, body};
 use crate::growth::growth;
+use crate::remarks::warnings;
 use crate::sections::one::SectionMeasurement;
 use crate::sections::picked::picked;
 use crate::sections::taken::taken;
@@ -11,10 +12,8 @@ use crate::uncertainty::interval::{Level, level_spread};
 use crate::uncertainty::outlines::{by_silhouettes, open_mm};
 use crate::uncertainty::told::{Seen, Sure};
 use shape::{
-    Cameras, Girth, GirthId, Girths, Landmark, Landmarks, Masks, Mesh, Missing, Note, Person,
-    Photos,
+    Cameras, GirthId, Girths, Landmark, Landmarks, Masks, Mesh, Missing, Person, Photos, Refusal,
 };
-use shape::{Refusal, Unit};
 use stage::{Ctx, Stage, Stop};
 use std::f64::consts::TAU;
 use std::sync::Arc;
@@ -62,7 +61,7 @@ const EVEN: f64 = 0.1;
 
 impl Stage for Measure {
     const NAME: &'static str = "measure.girths";
-    const VERSION: u32 = 24;
+    const VERSION: u32 = 25;
     const ABOUT: &'static str = "Measures girths at landmarks: along the skin, as a tape, and as the paper's closed spline (eq. 8).";
     type Params = GirthParams;
     type Input = GirthInput;
@@ -85,7 +84,7 @@ impl Stage for Measure {
                     let seen = seen(body.as_ref(), landmark, &here, &input);
                     all.push((landmark, here, seen));
                 }
-                Err(reason) => refuse(landmark, reason, &mut girths, ctx),
+                Err(reason) => refuse(landmark, reason, &mut girths),
             }
             steps.tick()?;
         }
@@ -96,7 +95,7 @@ impl Stage for Measure {
                 .map_or(Level::default(), |b| level_spread(mesh, b, landmark, &here));
             match sure.girth(landmark, here, &seen, level) {
                 Ok(girth) => girths.girths.push(girth),
-                Err(reason) => refuse(landmark, reason, &mut girths, ctx),
+                Err(reason) => refuse(landmark, reason, &mut girths),
             }
             steps.tick()?;
         }
@@ -113,13 +112,32 @@ impl Stage for Measure {
         compress(&mut girths, p.compression_pct);
         let rig = input.photos.as_ref().map(|photos| photos.rig.clone());
         let rig = rig.unwrap_or_default();
-        let (stature, kg) = (rig.stature_mm, rig.weight_kg);
-        (girths.capture, girths.date) = (rig.name, rig.date);
+        let evidence = Evidence {
+            mesh,
+            cameras: input.cameras.as_deref(),
+            masks: input.masks.as_deref(),
+            rig: &rig,
+        };
+        let tall = Tall {
+            mm: landmarks.stature_mm,
+            sigma_mm: landmarks.stature_sigma_mm,
+        };
+        let disputed = disputed(&evidence, tall, girths.unit);
+        let known = Known {
+            measured_mm: landmarks.stature_mm,
+            given_mm: rig.stature_mm.filter(|_| disputed.is_none()),
+            kg: rig.weight_kg,
+        };
+        (girths.capture, girths.date) = (rig.name.clone(), rig.date.clone());
         grown(&mut girths, input.person.as_deref(), ctx);
         girths.scale_sigma = input.cameras.as_ref().and_then(|c| c.scale_sigma);
         girths.stature_sigma_mm = landmarks.stature_sigma_mm;
-        derive(&mut girths, mesh, landmarks.stature_mm, stature, kg);
-        girths.growth = growth(&girths, stature);
+        derive(&mut girths, mesh, &known);
+        girths.growth = growth(&girths, known.given_mm);
+        if let Some(between) = disputed {
+            withhold(&mut girths, between);
+        }
+        explain(&mut girths, &evidence);
         warnings(&girths).into_iter().for_each(|w| ctx.warn(w));
         Ok(girths)
     }
@@ -142,8 +160,7 @@ fn grown(girths: &mut Girths, person: Option<&Person>, ctx: &Ctx<'_>) {
 }
 
 /// Takes down why a girth is not given.
-fn refuse(landmark: &Landmark, reason: Refusal, girths: &mut Girths, ctx: &Ctx<'_>) {
-    ctx.warn(format!("{}: {reason}", landmark.name));
+fn refuse(landmark: &Landmark, reason: Refusal, girths: &mut Girths) {
     girths.missing.push(Missing {
         name: landmark.name.clone(),
         ..Missing::new(landmark.id, reason)
@@ -188,60 +205,4 @@ fn sure<'a>(
         off_mm: square.sqrt(),
         cameras: input.cameras.as_deref(),
     }
-}
-
-/// What is said of the girths: each kind of remark once, for all that it is of.
-fn warnings(girths: &Girths) -> Vec<String> {
-    let names = |of: &dyn Fn(&Girth) -> bool| -> Vec<&str> {
-        let all = girths.girths.iter().filter(|g| of(g));
-        all.map(|g| g.name.as_str()).collect()
-    };
-    let mut told = Vec::new();
-    let open = |g: &Girth| {
-        let mm = |note: &Note| match note {
-            Note::Open { share } => Some(share * g.tape_mm),
-            _ => None,
-        };
-        g.notes.iter().find_map(mm)
-    };
-    if let Some(most) = girths.girths.iter().filter_map(open).reduce(f64::max) {
-        let unit = match girths.unit {
-            Unit::Metric => format!("{:.1} cm", most / 10.0),
-            unit => unit.words(most),
-        };
-        told.push(format!(
-            "{}: for a stretch no photo shows the body's outline there, for hands are before it or photos are few, and the surface \
-             runs out to a corner: {unit} or so may not be body; take more photos, or hold the hands farther away",
-            names(&|g| open(g).is_some()).join(", "),
-        ));
-    }
-    let split = names(&|g| g.split.is_some());
-    if !split.is_empty() {
-        told.push(format!(
-            "{}: arm and trunk are one on the surface there and were split: intervals are wider; hold the arms farther away",
-            split.join(", ")
-        ));
-    }
-    let unknown = names(&|g| g.interval_mm.is_none());
-    if !unknown.is_empty() {
-        told.push(format!(
-            "{}: no interval is given, for a part of it that matters is not known (the report says which)",
-            unknown.join(", ")
-        ));
-    }
-    for girth in &girths.girths {
-        let own = girth
-            .notes
-            .iter()
-            .filter(|n| !matches!(n, Note::Open { .. }));
-        told.extend(own.map(|note| format!("{}: {}", girth.name, note.sentence())));
-    }
-    if girths.compression_pct > 0.0 {
-        told.push(format!(
-            "tapes and their intervals are shortened by {} %, as compression_pct declares",
-            girths.compression_pct
-        ));
-    }
-    told.extend(no_density(girths));
-    told
 }

@@ -54,7 +54,7 @@ pub struct FindLandmarks;
 
 impl Stage for FindLandmarks {
     const NAME: &'static str = "measure.landmarks";
-    const VERSION: u32 = 22;
+    const VERSION: u32 = 23;
     const ABOUT: &'static str = "Finds neck, chest, waist, hip, arms and legs from marks on the outline: buttocks, hollow of the back, bust, shoulders, ears.";
     type Params = LandmarkParams;
     type Input = LandmarkInput;
@@ -74,7 +74,6 @@ impl Stage for FindLandmarks {
         };
         if let Some(why) = stands.refused {
             found.missing = nothing(p, why);
-            ctx.warn(format!("nothing was measured: {why}"));
             return Ok(found);
         }
         if let Some(ground) = stands.ground {
@@ -103,7 +102,9 @@ impl Stage for FindLandmarks {
         let told = marks
             .as_ref()
             .map(|m| Trunk::new(&body, m, &model, absolute));
-        if let Some(word) = told.as_ref().and_then(Trunk::cover).and_then(word) {
+        let tall = absolute.then_some(body.stature);
+        let cover = told.as_ref().and_then(Trunk::cover);
+        if let Some(word) = cover.and_then(|cover| word(cover, tall)) {
             ctx.warn(word);
         }
         trunk(p.waist, &body, told.as_ref(), &mut found);
@@ -122,18 +123,9 @@ impl Stage for FindLandmarks {
             .retain(|m| m.id.is_none_or(|id| p.set.holds(id)));
         if let Some((reason, why)) = crate::features::whole::no_stature(&body) {
             (found.stature_mm, found.stature_sigma_mm) = (None, None);
-            found.missing.push(Missing {
-                id: None,
-                name: "stature".into(),
-                reason,
-                why: why.into(),
-            });
+            found.missing.push(Missing::number("stature", reason, why));
         }
         found.parts = parts(mesh, &body, &limbs);
-        found
-            .missing
-            .iter()
-            .for_each(|m| ctx.warn(format!("{}: {}", m.name, m.why)));
         Ok(found)
     }
 }
@@ -146,12 +138,7 @@ fn nothing(p: &LandmarkParams, why: Refusal) -> Vec<Missing> {
     let all = all.chain(limbs(GirthId::Thigh)).chain(limbs(GirthId::Calf));
     let wanted = all.filter(|id| p.set.holds(*id));
     let mut missing: Vec<Missing> = wanted.map(|id| Missing::new(id, why)).collect();
-    missing.push(Missing {
-        id: None,
-        name: "stature".into(),
-        reason: why,
-        why: why.why().into(),
-    });
+    missing.push(Missing::number("stature", why, why.why()));
     missing
 }
 
@@ -170,17 +157,19 @@ fn level_model(files: Option<&Files>) -> Result<LevelModel, Stop> {
     )?)
 }
 
-/// What is said of a body that the measured people do not cover.
-fn word(cover: Cover) -> Option<&'static str> {
+/// What is said of a body that the measured people do not cover, so tall where lengths are known. \[mm\]
+fn word(cover: Cover, tall: Option<f64>) -> Option<String> {
+    let tall = tall.map(|mm| format!(" ({:.0} cm tall)", mm / 10.0));
+    let tall = tall.unwrap_or_default();
     match cover {
         Cover::People => None,
-        Cover::Made => Some(
-            "this body is outside of the adults that levels were fitted on (a child, a small figure, an unusual build, or a stature that is wrong): \
-             the levels of waist and chest come from made bodies, and their intervals are wider",
-        ),
-        Cover::Outside => Some(
-            "this body is unlike all that levels were fitted on: the levels of waist and chest are guesses, with intervals as wide; \
-             is the stature right, and is the body whole and upright?",
-        ),
+        Cover::Made => Some(format!(
+            "this body{tall} lies outside the range of adults that the waist and chest model was fitted on (a child, a small figure, an \
+             unusual build, or a wrong stature): where waist and chest lie comes from synthetic bodies, and their intervals are wider"
+        )),
+        Cover::Outside => Some(format!(
+            "this body{tall} lies outside the range that the waist and chest model knows: where waist and chest lie is a rough estimate, and \
+             their intervals are wide accordingly; check the stature, and that the whole body is visible and upright"
+        )),
     }
 }

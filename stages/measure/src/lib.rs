@@ -8,6 +8,7 @@
 //!
 //! Inside, arrows go one way: `geometry` → `features` → `model` → `planes` → `sections` → `uncertainty`.
 
+mod causes;
 mod derive;
 mod features;
 mod geometry;
@@ -17,6 +18,7 @@ mod import;
 mod landmarks;
 mod model;
 mod planes;
+mod remarks;
 mod sections;
 mod uncertainty;
 

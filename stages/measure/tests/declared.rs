@@ -241,7 +241,7 @@ impl Host for Heard {
 
 #[test]
 fn a_child_is_told_beside_the_growth_reference_and_what_lacks_is_warned_of() {
-    let mesh = mesh();
+    let mesh = Arc::new(made::meshed(&made::built(1400.0, 1.0, 30.0), 12.0));
     let told = |person: Person, day: Option<&str>| {
         let rig = Rig {
             stature_mm: Some(1400.0),

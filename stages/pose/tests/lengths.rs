@@ -4,8 +4,8 @@ mod post;
 
 use nalgebra::{Point3, Vector3};
 use pose::mat_corners;
-use post::{framed_with, photo, turn};
-use shape::{Camera, Cameras, Mat, Photo, PhotoId, Reference, Rig, Scale, Tag, Tags};
+use post::{framed_from, framed_with, photo, turn};
+use shape::{Camera, Cameras, Length, Mat, Photo, PhotoId, Reference, Rig, Scale, Tag, Tags};
 
 /// A mat under the post.
 const MAT: Mat = Mat {
@@ -86,9 +86,59 @@ fn a_known_length_makes_units_millimetres() {
     let (before, after) = (turn()[0], found.views.values().next().unwrap().camera);
     // A post has no round head, which the stature allows for.
     proof::near(far(&after) / far(&before), 2.0, 0.05);
-    assert!(
-        framed(1600.0, 1760.0).is_ok(),
-        "a tenth is told, not refused"
+    let near = framed(1600.0, 1680.0).unwrap();
+    assert_eq!(near.scale, Scale::Reference, "a twentieth is told of");
+}
+
+/// Mean distance of cameras from the axis.
+fn away(cameras: &Cameras) -> f64 {
+    let far = cameras
+        .views
+        .values()
+        .map(|v| v.camera.centre().coords.xy().norm());
+    far.sum::<f64>() / cameras.views.len() as f64
+}
+
+#[test]
+fn lengths_that_contradict_each_other_give_no_centimetres() {
+    // The post is 800 mm tall where cameras of a mat are in millimetres.
+    let by_mat = |scale, stature_mm| {
+        let rig = Rig {
+            stature_mm: Some(stature_mm),
+            ..Rig::default()
+        };
+        framed_from(scale, rig, None, None).unwrap()
+    };
+    let near = by_mat(Scale::Mat, 820.0);
+    assert_eq!(near.scale, Scale::Mat, "2.5 % is what people err");
+    proof::near(away(&near), away(&by_mat(Scale::Mat, 800.0)), 1e-9);
+    for stature_mm in [1780.0, 880.0, 740.0] {
+        let off = by_mat(Scale::Mat, stature_mm);
+        let pair = [Length::Mat, Length::Stature];
+        assert_eq!(off.scale, Scale::Disputed(pair), "{stature_mm}");
+        assert_eq!(off.scale.unit(), shape::Unit::Relative);
+        assert_eq!((off.scale_sigma, off.disk_radius_mm), (None, None));
+        proof::near(away(&off), 1000.0, 1e-9);
+    }
+    // Without a mat as well, and what was disputed once stays so.
+    let pair = [Length::Reference, Length::Stature];
+    assert_eq!(framed(1600.0, 1760.0).unwrap().scale, Scale::Disputed(pair));
+    let before = Scale::Disputed([Length::Mat, Length::Reference]);
+    assert_eq!(by_mat(before, 800.0).scale, before);
+    // Two sizes of the same tags, one of them typed wrongly.
+    let rig = Rig {
+        mat: Some(MAT),
+        reference: Some(Reference {
+            kind: "tag_size".into(),
+            length_mm: 1.1 * MAT.tag_mm,
+            seen: vec![],
+        }),
+        ..Rig::default()
+    };
+    let found = framed_from(Scale::Mat, rig, None, None).unwrap();
+    assert_eq!(
+        found.scale,
+        Scale::Disputed([Length::Mat, Length::Reference])
     );
 }
 
@@ -105,8 +155,8 @@ fn tags_on_the_ground_of_a_walk_go_before_a_stature_and_say_where_the_ground_is(
     let layout = (Some(MAT), None);
     let size = (None, Some(MAT.tag_mm));
     for known in [layout, size] {
-        // The stature is a tenth too long: the tags are believed.
-        let found = framed_by(1760.0, 1760.0, Some(known), None).unwrap();
+        // The stature is 3 % too long: the tags are believed.
+        let found = framed_by(1648.0, 1648.0, Some(known), None).unwrap();
         assert_eq!(found.scale, Scale::Tags);
         let far = |camera: &Camera| camera.centre().coords.xy().norm();
         let (before, after) = (turn()[0], found.views.values().next().unwrap().camera);

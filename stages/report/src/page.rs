@@ -3,7 +3,7 @@
 use crate::answer::Answer;
 use crate::lengths::Lengths;
 use crate::{derived, profile, ring, scene, sides, tables};
-use shape::{Cameras, Girths, Landmarks, Mesh, Photos, Scale, Textured};
+use shape::{Cameras, Girths, Landmarks, Length, Mesh, Photos, Scale, Textured};
 
 /// A surface that the viewer can show.
 pub(crate) enum Surface {
@@ -180,6 +180,13 @@ fn warnings(photos: &Photos, cameras: &Cameras) -> String {
     if cameras.scale == Scale::Nothing {
         html += "<p class=\"warn\"><b>Lengths are relative.</b> Nothing of known length was given, so lengths \
                  here are shares of the camera ring's radius; ratios hold. Give a marker mat, a reference length, the disk's diameter or the stature in capture.toml.</p>";
+    }
+    if let Scale::Disputed(pair) = cameras.scale {
+        let [one, other] = pair.map(Length::word);
+        html += &format!(
+            "<p class=\"warn\"><b>Lengths are relative.</b> Known lengths contradict each other ({one}, {other}), so lengths here are shares of the camera \
+             ring's radius, and what takes stature or weight is left out; ratios of girths hold. Correct one of them, or leave one out.</p>"
+        );
     }
     let missing: Vec<_> = photos
         .iter()

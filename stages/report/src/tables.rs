@@ -1,7 +1,7 @@
 //! The tables of the page: girths with intervals, what is missing, scale.
 
 use crate::lengths::Lengths;
-use shape::{Cameras, Girth, Girths, Missing, Rig, Scale, Unit};
+use shape::{Cameras, Girth, Girths, NamedGirth, Rig, Scale, Unit, by_reason, listed};
 use std::fmt::Write;
 
 /// Text that may stand in HTML.
@@ -93,25 +93,21 @@ pub(crate) fn weight(kg: f64, lengths: Lengths) -> String {
     }
 }
 
-/// A missing girth by its short name, as commands take it, and in words.
-fn called(missing: &Missing) -> String {
-    let label = missing.id.map(|id| id.definition().label);
-    let label = label.filter(|label| *label != missing.name);
-    let label = label.map_or(String::new(), |label| format!(" ({})", escaped(label)));
-    format!("<b>{}</b>{label}", escaped(&missing.name))
-}
-
-/// What is not measured, and why; the same reason once.
+/// What is not measured, and why; the same reason once, with the short names that commands take.
 fn missing(girths: &Girths) -> String {
-    let mut reasons: Vec<(&str, Vec<String>)> = Vec::new();
-    for m in &girths.missing {
-        match reasons.iter_mut().find(|(why, _)| *why == m.why) {
-            Some((_, names)) => names.push(called(m)),
-            None => reasons.push((&m.why, vec![called(m)])),
-        }
-    }
-    let line = |(why, names): &(&str, Vec<String>)| {
-        format!("<li>{}: {}</li>", names.join(", "), escaped(why))
+    let reasons = by_reason(&girths.missing);
+    let line = |(why, all): &(&str, Vec<NamedGirth<'_>>)| {
+        let names = all.iter().map(|(_, name)| *name).collect::<Vec<_>>();
+        let (listed, names) = (listed(all), names.join(", "));
+        let names = match names == listed {
+            true => String::new(),
+            false => format!(" ({})", escaped(&names)),
+        };
+        format!(
+            "<li><b>{}</b>{names}: {}</li>",
+            escaped(&listed),
+            escaped(why)
+        )
     };
     let lines: String = reasons.iter().map(line).collect();
     match lines.is_empty() {
@@ -130,6 +126,9 @@ pub(crate) fn origin(scale: Scale) -> &'static str {
         Scale::Stature => "lengths come from the subject's stature",
         Scale::Given => "lengths come from the cameras that were given, taken at their word",
         Scale::Nothing => "lengths are relative: 1 is the camera ring's radius",
+        Scale::Disputed(_) => {
+            "lengths are relative, for known lengths contradict each other: 1 is the camera ring's radius"
+        }
     }
 }
 

@@ -4,7 +4,7 @@
 mod tube;
 
 use report::{Html, HtmlInput, HtmlParams};
-use shape::{Girths, Growth, Scale, Score, Sex};
+use shape::{Girths, Growth, Length, Scale, Score, Sex};
 use stage::{Ctx, Stage};
 use std::sync::Arc;
 use tube::input;
@@ -35,6 +35,21 @@ fn lengths_of_unknown_scale_are_called_relative() {
     for text in ["[cm]", " cm<", "± 0.00 %", "centimetres"] {
         assert!(!told.contains(text), "{text}");
     }
+}
+
+#[test]
+fn lengths_that_contradict_each_other_are_relative_and_named() {
+    let mut input = input();
+    Arc::make_mut(&mut input.cameras).scale = Scale::Disputed([Length::Mat, Length::Stature]);
+    Arc::make_mut(&mut input.girths).unit = shape::Unit::Relative;
+    let page = page_of(&HtmlParams::default(), input);
+    for text in [
+        "Known lengths contradict each other (the mat, the stature)",
+        "tape [relative]",
+    ] {
+        assert!(page.contains(text), "{text}");
+    }
+    assert!(!page.contains("[cm]") && !page.contains("sets the scale</b>"));
 }
 
 #[test]

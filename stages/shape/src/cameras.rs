@@ -19,15 +19,68 @@ pub enum Scale {
     Given,
     /// Nothing: lengths are relative to the camera ring's radius, called 1000 mm.
     Nothing,
-    /// Marker tags of known size, in cameras that were found without them. Last: results are written with its place.
+    /// Marker tags of known size, in cameras that were found without them. Results are written with its place.
     Tags,
+    /// Known lengths that contradict each other: relative as with nothing. Last: results are written with its place.
+    Disputed([Length; 2]),
+}
+
+/// A known length that cameras are brought to millimetres by.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+pub enum Length {
+    /// A marker mat.
+    Mat,
+    /// Marker tags.
+    Tags,
+    /// A reference length.
+    Reference,
+    /// The disk's diameter.
+    Disk,
+    /// The subject's stature.
+    Stature,
+}
+
+impl Length {
+    /// The reference, where that is what the scale would come from.
+    #[must_use]
+    pub fn or_reference(self, scale: Scale) -> Length {
+        match scale {
+            Scale::Reference => Length::Reference,
+            _ => self,
+        }
+    }
+
+    /// What messages call it.
+    pub fn word(self) -> &'static str {
+        match self {
+            Length::Mat => "the mat",
+            Length::Tags => "the marker tags",
+            Length::Reference => "the reference length",
+            Length::Disk => "the disk's diameter",
+            Length::Stature => "the stature",
+        }
+    }
 }
 
 impl Scale {
+    /// Its word in files.
+    pub fn word(self) -> &'static str {
+        match self {
+            Scale::Mat => "mat",
+            Scale::Reference => "reference",
+            Scale::Disk => "disk",
+            Scale::Stature => "stature",
+            Scale::Given => "given",
+            Scale::Nothing => "nothing",
+            Scale::Tags => "tags",
+            Scale::Disputed(_) => "disputed",
+        }
+    }
+
     /// What lengths are in.
     pub fn unit(self) -> Unit {
         match self {
-            Scale::Nothing => Unit::Relative,
+            Scale::Nothing | Scale::Disputed(_) => Unit::Relative,
             _ => Unit::Metric,
         }
     }

@@ -72,15 +72,15 @@ impl Girth {
     pub fn remarks(&self) -> Vec<String> {
         let split = self.split.map(|split| {
             format!(
-                "arm and trunk are one there on the surface and were split: {:.0} % of the way around is told by the outline \
-                 beside it or by a clear section",
+                "the arm touches the trunk and was separated by estimation: {:.0} % of the way around is seen, on the outline \
+                 beside it or on a clear section",
                 100.0 * split.share
             )
         });
         let unknown = self.sigmas.unknown();
         let unknown = (!unknown.is_empty()).then(|| {
             let parts = unknown.join(" and ");
-            format!("no interval: how sure the {parts} is cannot be told")
+            format!("no interval: it is unknown how sure the {parts} is")
         });
         let notes = self.notes.iter().map(Note::sentence);
         split.into_iter().chain(unknown).chain(notes).collect()

@@ -39,11 +39,19 @@ pub enum Refusal {
     OutOfRange,
     /// The interval is wider than ± 25 %, or reaches zero.
     TooUncertain,
+    /// Some photos show no subject.
+    EmptyPhoto,
+    /// The outlines of some photos contradict those of all others.
+    Outlines,
+    /// A large part of the body is missing on the surface.
+    Incomplete,
+    /// Known lengths contradict each other.
+    Disputed,
 }
 
 impl Refusal {
     /// All of them, in the order of the declaration.
-    pub const ALL: [Refusal; 16] = [
+    pub const ALL: [Refusal; 20] = [
         Refusal::NoLegs,
         Refusal::NoNeck,
         Refusal::NeckGroove,
@@ -60,19 +68,23 @@ impl Refusal {
         Refusal::NoExtreme,
         Refusal::OutOfRange,
         Refusal::TooUncertain,
+        Refusal::EmptyPhoto,
+        Refusal::Outlines,
+        Refusal::Incomplete,
+        Refusal::Disputed,
     ];
 
     /// A sentence: what is wrong and what would help.
     pub fn why(self) -> &'static str {
         match self {
             Refusal::NoLegs => {
-                "no two legs were found: is the body cut off, or does a coat or a skirt hide them?"
+                "the surface shows no two legs: stand with the feet apart, without coat or skirt, and look whether the masks have both legs"
             }
             Refusal::NoNeck => {
                 "no neck was found between head and shoulders: does hair or a collar hide it, or do the photos cut the head off?"
             }
             Refusal::NeckGroove => {
-                "the neck is a groove between head and shoulders on the surface, too short for a tape to lie around it: lift the chin"
+                "the neck is too short on this surface for a tape: lift the chin"
             }
             Refusal::NoHead => {
                 "the top of the surface is flat, not a crown: the head is missing or cut off by the photos' border"
@@ -112,6 +124,16 @@ impl Refusal {
             Refusal::TooUncertain => {
                 "the interval would be wider than 25 % to either side, so no number is given"
             }
+            Refusal::EmptyPhoto => "a photo shows no subject: leave it out, or correct its mask",
+            Refusal::Outlines => {
+                "the outlines of some photos contradict those of all others: look at these masks"
+            }
+            Refusal::Incomplete => {
+                "a large part of the body is missing on the surface: look at the masks"
+            }
+            Refusal::Disputed => {
+                "known lengths contradict each other: correct one of them, or leave one out"
+            }
         }
     }
 }
@@ -136,6 +158,10 @@ impl Refusal {
             Refusal::NoExtreme => "no_extreme",
             Refusal::OutOfRange => "out_of_range",
             Refusal::TooUncertain => "too_uncertain",
+            Refusal::EmptyPhoto => "empty_photo",
+            Refusal::Outlines => "outlines",
+            Refusal::Incomplete => "incomplete",
+            Refusal::Disputed => "disputed",
         }
     }
 }
@@ -154,7 +180,7 @@ mod tests {
 
     #[test]
     fn all_are_all_in_order_each_with_a_word_of_its_own() {
-        let last = Refusal::TooUncertain as usize;
+        let last = Refusal::Disputed as usize;
         assert_eq!(
             Refusal::ALL.map(|r| r as usize).to_vec(),
             (0..=last).collect::<Vec<_>>()

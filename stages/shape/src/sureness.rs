@@ -98,8 +98,8 @@ impl Note {
     pub fn sentence(&self) -> String {
         match self {
             Note::Open { share } => format!(
-                "for a stretch no photo shows the body's outline there, for hands are before it or photos are few: {:.1} % of the \
-                 tape may not be body; take more photos, or hold the hands farther away",
+                "no photo shows the outline along part of this section (hands in front, or too few photos): up to {:.1} % of the tape \
+                 may not be body; take more photos, or hold the hands farther away",
                 100.0 * share
             ),
             Note::SplineLeft { share } => format!(

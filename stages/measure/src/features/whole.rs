@@ -10,10 +10,7 @@ const ROUND: f64 = 0.7;
 /// Why the height of what is seen is no stature, with a sentence. `None` if it is one.
 pub(crate) fn no_stature(body: &Body) -> Option<(Refusal, &'static str)> {
     if body.crotch.is_none() {
-        return Some((
-            Refusal::NoLegs,
-            "no two legs were found, so nothing tells whether the body is whole from crown to soles",
-        ));
+        return Some((Refusal::NoLegs, Refusal::NoLegs.why()));
     }
     let tapes: Vec<f64> = body
         .slices
@@ -27,7 +24,7 @@ pub(crate) fn no_stature(body: &Body) -> Option<(Refusal, &'static str)> {
         (true, _) => Some((Refusal::NoHead, Refusal::NoHead.why())),
         (false, None) => Some((
             Refusal::NoNeck,
-            "no neck was found between head and shoulders, so nothing tells whether the head is there",
+            "no neck was found between head and shoulders, so it is unknown whether the head is there",
         )),
         (false, Some(_)) => None,
     }

@@ -65,7 +65,7 @@ impl Stage for Follow {
     type Input = TracksInput;
     type Output = Tracks;
     const METRICS: &'static [&'static str] =
-        &["matches a pair", "left out as standing still", "tracks"];
+        &["matches a pair", "matches ignored as background", "tracks"];
 
     /// Descriptions as they are compared, and what they match.
     fn memory(_: &TracksParams, input: &TracksInput) -> u64 {
@@ -124,7 +124,7 @@ impl Stage for Follow {
             matches.len() as f64 / pairs.len().max(1) as f64,
             "",
         );
-        ctx.metric("left out as standing still", still as f64, "");
+        ctx.metric("matches ignored as background", still as f64, "");
         let tracks = joined(&views, &matches);
         ctx.metric("tracks", tracks.points.len() as f64, "");
         for (id, _) in &views {

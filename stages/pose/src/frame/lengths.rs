@@ -5,7 +5,7 @@ use crate::frame::stature::Stature;
 use crate::frame::tag_scale::{Known, TagScale, tag_scale};
 use crate::frame::two_points::{NoLength, between};
 use crate::mat::recognise::printed;
-use shape::{Cameras, Reference, Rig, Scale, Tags};
+use shape::{Cameras, GIVEN_STATURE, Length, Reference, Rig, Scale, Tags};
 
 /// A length that is known, and what it makes of a unit.
 pub(crate) struct Measure {
@@ -13,6 +13,19 @@ pub(crate) struct Measure {
     pub(crate) scale: Scale,
     pub(crate) mm_per_unit: f64,
     pub(crate) sigma: Option<f64>,
+    /// Which length it is.
+    pub(crate) length: Length,
+    /// The length as it was given; none of what is no single length. \[mm\]
+    pub(crate) given: Option<f64>,
+    /// Standard deviation of what was given, as people give it, as a share.
+    pub(crate) slip: f64,
+}
+
+impl Measure {
+    /// Standard deviation with what people err who give it, as far as it is known; a share.
+    pub(crate) fn errs(&self) -> f64 {
+        libm::hypot(self.sigma.unwrap_or(0.0), self.slip)
+    }
 }
 
 /// What was seen of body and disk, in the cameras' unit.
@@ -34,6 +47,9 @@ const TALL: f64 = 0.003;
 /// like balls; a shoe's edge is sharper). Where disk, tags or a floor tell of the ground, nothing is hidden.
 const SOLES: f64 = 0.01;
 
+/// Standard deviation of a length that is read off a ruler in whole millimetres: even from half of one below to half of one above. \[mm\]
+const RULER_MM: f64 = 0.289;
+
 /// The edge that is seen of a covered disk may be its cover's, which ends so far within it, or where the disk's own edge
 /// begins to be rounded (by hand: as paper is cut). \[mm\]
 const CUT_MM: f64 = 3.0;
@@ -45,21 +61,7 @@ pub(crate) fn measures(
     seen: &Seen,
     warn: impl Fn(String),
 ) -> Vec<Measure> {
-    let mut measures = Vec::new();
-    if cameras.scale == Scale::Mat {
-        measures.push(Measure {
-            what: "the mat",
-            scale: Scale::Mat,
-            mm_per_unit: 1.0,
-            sigma: cameras.scale_sigma,
-        });
-    }
-    measures.extend(seen.tags.map(|tags| Measure {
-        what: "the marker tags",
-        scale: Scale::Tags,
-        mm_per_unit: tags.mm_per_unit,
-        sigma: Some(tags.sigma),
-    }));
+    let mut measures = printed_marks(cameras, seen);
     let tall = |mm: f64, what, scale| {
         let body = seen.body.as_ref()?;
         let height = body.crown - seen.ground;
@@ -74,6 +76,9 @@ pub(crate) fn measures(
             scale,
             mm_per_unit: mm / height,
             sigma: Some(libm::hypot(spread / height, libm::hypot(TALL, hidden))),
+            length: Length::Stature.or_reference(scale),
+            given: Some(mm),
+            slip: GIVEN_STATURE,
         })
     };
     let round = |mm: f64, what, scale| {
@@ -84,6 +89,9 @@ pub(crate) fn measures(
             scale,
             mm_per_unit: mm / 2.0 / edge.radius,
             sigma: Some(libm::hypot(0.004, cut)),
+            length: Length::Disk.or_reference(scale),
+            given: Some(mm),
+            slip: 0.0,
         })
     };
     if let Some(reference) = &rig.reference {
@@ -94,13 +102,7 @@ pub(crate) fn measures(
             "points" => pointed(cameras, reference)
                 .map_err(|why| warn(why.to_string()))
                 .ok(),
-            "tag_size" => {
-                let tag = rig.mat.map(|mat| mat.tag_mm);
-                if let Some(tag) = tag.filter(|tag| (mm / tag - 1.0).abs() > 0.002) {
-                    warn(format!("[mat] says that tags are {tag} mm, [reference] that they are {mm} mm: [mat] was taken; measure a printed tag and correct the other"));
-                }
-                None
-            }
+            "tag_size" => tag_size(mm, rig, measures.first(), &warn),
             other => {
                 warn(format!(
                     "the reference of kind `{other}` is not known here: `points`, `subject_height`, `disk_diameter` and `tag_size` are"
@@ -116,6 +118,54 @@ pub(crate) fn measures(
     measures
 }
 
+/// What marks of known size say: the mat that made the cameras, or tags that did not.
+fn printed_marks(cameras: &Cameras, seen: &Seen) -> Vec<Measure> {
+    let mat = (cameras.scale == Scale::Mat).then_some(Measure {
+        what: "the mat",
+        scale: Scale::Mat,
+        mm_per_unit: 1.0,
+        sigma: cameras.scale_sigma,
+        length: Length::Mat,
+        given: None,
+        slip: 0.0,
+    });
+    let tags = seen.tags.map(|tags| Measure {
+        what: "the marker tags",
+        scale: Scale::Tags,
+        mm_per_unit: tags.mm_per_unit,
+        sigma: Some(tags.sigma),
+        length: Length::Tags,
+        given: None,
+        slip: 0.0,
+    });
+    mat.into_iter().chain(tags).collect()
+}
+
+/// A reference that is the size of the mat's tags: another length where that differs from the mat's own.
+fn tag_size(
+    mm: f64,
+    rig: &Rig,
+    marks: Option<&Measure>,
+    warn: &impl Fn(String),
+) -> Option<Measure> {
+    let tag = rig.mat?.tag_mm;
+    if (mm / tag - 1.0).abs() <= 0.002 {
+        return None;
+    }
+    warn(format!(
+        "[mat] says that tags are {tag} mm, [reference] that they are {mm} mm: [mat] was taken; measure a printed tag and correct the other"
+    ));
+    Some(Measure {
+        what: "the reference length (tag size)",
+        scale: Scale::Reference,
+        mm_per_unit: marks?.mm_per_unit * mm / tag,
+        sigma: Some(RULER_MM / mm),
+        length: Length::Reference,
+        given: Some(mm),
+        slip: 0.0,
+    })
+}
+
 /// What two points that somebody pointed at tell.
 fn pointed(cameras: &Cameras, reference: &Reference) -> Result<Measure, NoLength> {
     let found = between(cameras, reference)?;
@@ -124,6 +174,9 @@ fn pointed(cameras: &Cameras, reference: &Reference) -> Result<Measure, NoLength
         scale: Scale::Reference,
         mm_per_unit: reference.length_mm / found.length,
         sigma: Some(found.sigma),
+        length: Length::Reference,
+        given: Some(reference.length_mm),
+        slip: 0.0,
     })
 }
 

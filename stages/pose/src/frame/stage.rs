@@ -6,7 +6,7 @@ use crate::frame::disk_tags::on_disk;
 use crate::frame::lengths::{Measure, Seen, by_tags, floor, measures};
 use crate::frame::stature::{Stature, stature};
 use nalgebra::{Point3, Rotation3};
-use shape::{Cameras, Masks, Photos, Scale, Tags};
+use shape::{CONTRADICTION, Cameras, Length, Masks, Photos, Scale, Tags};
 use stage::{Ctx, Stage, Stop};
 use std::sync::Arc;
 
@@ -67,12 +67,12 @@ struct Contradiction {
 
 impl Stage for Frame {
     const NAME: &'static str = "pose.frame";
-    const VERSION: u32 = 11;
+    const VERSION: u32 = 12;
     const ABOUT: &'static str = "Puts the origin on the disk and scales to millimetres: by the mat, marker tags, a reference length, the disk, or the stature.";
     type Params = FrameParams;
     type Input = FrameInput;
     type Output = Cameras;
-    const METRICS: &'static [&'static str] = &["* against *", "scale sigma"];
+    const METRICS: &'static [&'static str] = &["* and *: difference", "scale sigma"];
 
     fn run(p: &FrameParams, input: FrameInput, ctx: &Ctx<'_>) -> Result<Cameras, Stop> {
         let (cameras, rig) = (&*input.cameras, &input.photos.rig);
@@ -115,12 +115,24 @@ impl Stage for Frame {
         if cameras.scale == Scale::Given {
             return Ok(cameras.clone());
         }
+        let mut pair = match cameras.scale {
+            Scale::Disputed(pair) => Some(pair),
+            _ => None,
+        };
         let Some(first) = measures.first() else {
+            if let Some(pair) = pair {
+                return Ok(without_scale(cameras, ground, pair));
+            }
             ctx.warn("nothing tells of millimetres (no mat or tags of known size, reference, disk or stature that could be seen): lengths are relative to the camera ring's radius, called 1000 mm");
             return Ok(on_ground(cameras, ground, 1.0));
         };
         for other in &measures[1..] {
-            compare(first, other, cameras.scale, p, ctx)?;
+            if compare(first, other, cameras.scale, p, ctx)? {
+                pair = pair.or(Some([first.length, other.length]));
+            }
+        }
+        if let Some(pair) = pair {
+            return Ok(without_scale(cameras, ground, pair));
         }
         if let Some(sigma) = first.sigma {
             ctx.metric("scale sigma", sigma * 100.0, "%");
@@ -149,31 +161,35 @@ fn body(cameras: &Cameras, masks: Option<&Masks>) -> Option<Stature> {
     stature(&views)
 }
 
-/// Tells how far another length disagrees with the one that is believed.
+/// Tells how far another length disagrees with the one that is believed; whether more than both can err.
 ///
 /// # Errors
-/// They contradict each other and neither is a mat's.
+/// They contradict each other so far that cameras or silhouettes may be wrong, and neither is a mat's.
 fn compare(
     first: &Measure,
     other: &Measure,
     scale: Scale,
     p: &FrameParams,
     ctx: &Ctx<'_>,
-) -> Result<(), Contradiction> {
+) -> Result<bool, Contradiction> {
     let off = other.mm_per_unit / first.mm_per_unit - 1.0;
-    ctx.metric(
-        &format!("{} against {}", other.what, first.what),
-        off * 100.0,
-        "%",
-    );
-    if scale != Scale::Mat && off.abs() > p.contradiction {
+    let bare = |what: &'static str| what.strip_prefix("the ").unwrap_or(what);
+    let name = format!("{} and {}: difference", bare(other.what), bare(first.what));
+    ctx.metric(&name, (off * 1e4).round() / 100.0, "%");
+    let settled = matches!(scale, Scale::Mat | Scale::Disputed(_));
+    if !settled && off.abs() > p.contradiction {
         return Err(Contradiction {
             first: first.what,
             other: other.what,
             percent: off * 100.0,
         });
     }
-    if off.abs() > p.disagreement.max(3.0 * both(first.sigma, other.sigma)) {
+    let far = |errs: f64| off.abs() > p.disagreement.max(CONTRADICTION * errs);
+    if far(libm::hypot(first.errs(), other.errs())) {
+        ctx.warn(disputed(first, other, off));
+        return Ok(true);
+    }
+    if far(both(first.sigma, other.sigma)) {
         ctx.warn(format!(
             "{} and {} disagree by {:.1} %: {} was taken; check what capture.toml says of both",
             first.what,
@@ -182,7 +198,40 @@ fn compare(
             first.what
         ));
     }
-    Ok(())
+    Ok(false)
+}
+
+/// What is said of two lengths that cannot both be right.
+fn disputed(first: &Measure, other: &Measure, off: f64) -> String {
+    let (what, by) = (other.what, first.what);
+    let percent = 100.0 * off.abs();
+    let Some(mm) = other.given else {
+        return format!(
+            "{what} and {by} contradict each other by {percent:.0} %, more than either can err: lengths are relative, without \
+             centimetres; correct one of the two, or leave out the one that you are less sure of"
+        );
+    };
+    let (given, seen) = (mm / 10.0, mm / 10.0 / (1.0 + off));
+    format!(
+        "{what} was given as {given:.1} cm, but by {by} it is {seen:.1} cm, and neither can err by so much: lengths are relative, without \
+         centimetres; correct one of the two, leave out the one that you are less sure of, or look whether the masks lack legs or head"
+    )
+}
+
+/// What cameras are called when nothing tells of millimetres: their mean distance from the axis.
+const RING_MM: f64 = 1000.0;
+
+/// The cameras with their ground at height 0, in shares of their own distance from the axis.
+fn without_scale(cameras: &Cameras, ground: f64, pair: [Length; 2]) -> Cameras {
+    let away = cameras.views.values().map(|v| v.camera.centre());
+    let away: Vec<f64> = away.map(|c| libm::hypot(c.x, c.y)).collect();
+    let mean = away.iter().sum::<f64>() / away.len().max(1) as f64;
+    let size = if mean > 0.0 { RING_MM / mean } else { 1.0 };
+    Cameras {
+        scale: Scale::Disputed(pair),
+        scale_sigma: None,
+        ..on_ground(cameras, ground, size)
+    }
 }
 
 /// The cameras with their ground at height 0, in another unit.

@@ -71,6 +71,16 @@ pub(crate) fn framed_with(
     tags: Option<Tags>,
     plate: Option<Photo>,
 ) -> Result<Cameras, String> {
+    framed_from(Scale::Nothing, rig, tags, plate)
+}
+
+/// As [`framed_with`], of cameras whose unit comes from elsewhere already.
+pub(crate) fn framed_from(
+    scale: Scale,
+    rig: Rig,
+    tags: Option<Tags>,
+    plate: Option<Photo>,
+) -> Result<Cameras, String> {
     let cameras = turn();
     let black = shape::Image::filled(320, 480, 0);
     let photo = |i: usize| photo(&format!("{i:04}.png"), &black);
@@ -98,10 +108,11 @@ pub(crate) fn framed_with(
         tags: tags.map(Arc::new),
         cameras: Arc::new(Cameras {
             views: cameras.iter().enumerate().map(view).collect(),
-            scale: Scale::Nothing,
+            scale,
             scale_sigma: None,
             disk_radius_mm: None,
-            ground_mm: 0.0,
+            // The post's foot, where a mat tells of it.
+            ground_mm: if scale == Scale::Nothing { 0.0 } else { -400.0 },
             points: Vec::new(),
         }),
     };

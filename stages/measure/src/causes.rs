@@ -1,0 +1,177 @@
+//! Why a body was refused: what photos and facts tell of the cause, where the surface alone shows only that legs or feet are missing.
+
+use shape::{
+    CONTRADICTION, Cameras, GIVEN_STATURE, Girths, Length, Masks, Mesh, PhotoId, Refusal, Rig,
+    Scale, Unit, coherence,
+};
+
+/// A photo whose outline has less than this share of the usual area shows no subject (by hand).
+const EMPTY: f64 = 0.05;
+/// A photo whose outline cuts away more than this share of what nearly all others show contradicts them (by hand: of whole turns,
+/// gaps that few photos see come to less than 0.05).
+const CUTS: f64 = 0.15;
+/// A surface with less than this share of what all outlines share has lost a part of the body (by hand).
+const KEPT: f64 = 0.7;
+/// Density of a body with air in its lungs. \[kg/l\]
+const DENSITY: f64 = 1.0;
+/// Share of a body's volume that density, clothes and scales do not explain (by hand).
+const LACKS: f64 = 0.25;
+/// So many photos are named at most.
+const NAMED: usize = 5;
+
+/// What a cause is looked for in.
+pub(crate) struct Evidence<'a> {
+    /// The surface.
+    pub(crate) mesh: &'a Mesh,
+    /// The cameras.
+    pub(crate) cameras: Option<&'a Cameras>,
+    /// The silhouettes.
+    pub(crate) masks: Option<&'a Masks>,
+    /// What is known of the capture.
+    pub(crate) rig: &'a Rig,
+}
+
+/// Reasons that a body which is not whole leads to.
+const BROKEN: [Refusal; 5] = [
+    Refusal::NoLegs,
+    Refusal::NotUpright,
+    Refusal::NoGround,
+    Refusal::NoLimb,
+    Refusal::NoNeck,
+];
+
+/// Puts the cause in the place of what it led to, where the body was refused as a whole and a cause is found.
+pub(crate) fn explain(girths: &mut Girths, input: &Evidence<'_>) {
+    let whole = |m: &shape::Missing| m.id.is_none() && BROKEN[..3].contains(&m.reason);
+    if !girths.missing.iter().any(whole) {
+        return;
+    }
+    let Some((reason, why)) = cause(girths.unit, input) else {
+        return;
+    };
+    for missing in &mut girths.missing {
+        if BROKEN.contains(&missing.reason) {
+            (missing.reason, missing.why) = (reason, why.clone());
+        }
+    }
+}
+
+/// The cause, and a sentence.
+fn cause(unit: Unit, input: &Evidence<'_>) -> Option<(Refusal, String)> {
+    let photos = input.cameras.zip(input.masks);
+    let by_photos = photos.and_then(|(cameras, masks)| {
+        empty(cameras, masks).or_else(|| outlines(input, cameras, masks))
+    });
+    let known = || short(input).or_else(|| light(input));
+    by_photos.or_else(|| known().filter(|_| unit == Unit::Metric))
+}
+
+/// Names of photos, some at most.
+fn named(cameras: &Cameras, photos: &[PhotoId]) -> String {
+    let name = |id: &PhotoId| cameras.views.get(*id).map(|v| v.name.as_str());
+    let names: Vec<&str> = photos.iter().filter_map(name).take(NAMED).collect();
+    let more = match photos.len() > NAMED {
+        true => format!(" and {} more", photos.len() - NAMED),
+        false => String::new(),
+    };
+    names.join(", ") + &more
+}
+
+/// Photos with next to nothing in their outline.
+fn empty(cameras: &Cameras, masks: &Masks) -> Option<(Refusal, String)> {
+    let areas: Vec<(PhotoId, f64)> = cameras
+        .views
+        .join(&masks.views)
+        .map(|(id, _, mask)| (id, mask.area() as f64 / mask.data.len().max(1) as f64))
+        .collect();
+    let mut sorted: Vec<f64> = areas.iter().map(|a| a.1).collect();
+    sorted.sort_by(f64::total_cmp);
+    let usual = *sorted.get(sorted.len() / 2)?;
+    let none = areas.iter().filter(|(_, area)| *area < EMPTY * usual);
+    let none: Vec<PhotoId> = none.map(|(id, _)| *id).collect();
+    let named = named(cameras, &none);
+    (!none.is_empty()).then(|| {
+        let why = format!(
+            "next to no subject is seen on {named}: leave such photos out, or correct their masks"
+        );
+        (Refusal::EmptyPhoto, why)
+    })
+}
+
+/// Outlines that contradict those of all others, or a surface that kept only a part of what they share.
+fn outlines(input: &Evidence<'_>, cameras: &Cameras, masks: &Masks) -> Option<(Refusal, String)> {
+    let seen = coherence(cameras, masks)?;
+    let beyond: Vec<(PhotoId, f64)> = seen.beyond(CUTS).collect();
+    if let Some((_, most)) = beyond.first() {
+        let ids: Vec<PhotoId> = beyond.iter().map(|(id, _)| *id).collect();
+        let why = format!(
+            "the outline on {} cuts away up to {:.0} % of what nearly all other photos show as body: look at this mask; \
+             correct it, or leave the photo out",
+            named(cameras, &ids),
+            100.0 * most
+        );
+        return Some((Refusal::Outlines, why));
+    }
+    let kept = input.mesh.volume() / seen.shared;
+    (kept < KEPT).then(|| {
+        let why = format!(
+            "the surface holds {:.0} % of what all outlines show as body, the rest hangs apart from it and was left out: look where \
+             the masks cut the body through",
+            100.0 * kept
+        );
+        (Refusal::Incomplete, why)
+    })
+}
+
+/// A surface that is shorter than the stature that was given.
+fn short(input: &Evidence<'_>) -> Option<(Refusal, String)> {
+    let said = input.rig.stature_mm?;
+    let (low, high) = input.mesh.bounds()?;
+    let tall = high.z - low.z;
+    (tall < (1.0 - CONTRADICTION * GIVEN_STATURE) * said).then(|| {
+        let why = format!(
+            "the surface is {:.0} cm high, the stature was given as {:.0} cm: {:.0} % of the height are missing; look whether the masks \
+             have legs and head",
+            tall / 10.0,
+            said / 10.0,
+            100.0 * (1.0 - tall / said)
+        );
+        (Refusal::Incomplete, why)
+    })
+}
+
+/// A surface that holds less than the weight that was given.
+fn light(input: &Evidence<'_>) -> Option<(Refusal, String)> {
+    let kg = input.rig.weight_kg?;
+    let (holds, fills) = (input.mesh.volume() * 1e-6, kg / DENSITY);
+    (holds < (1.0 - LACKS) * fills).then(|| {
+        let why = format!(
+            "the surface holds {holds:.1} l, a body of {kg:.1} kg fills about {fills:.1} l: {:.0} % of the volume are missing; look at the \
+             masks, and check scale and weight",
+            100.0 * (1.0 - holds / fills)
+        );
+        (Refusal::Incomplete, why)
+    })
+}
+
+/// A stature as the surface shows it.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Tall {
+    /// Crown above the ground. \[mm\]
+    pub(crate) mm: Option<f64>,
+    /// Its standard deviation. \[mm\]
+    pub(crate) sigma_mm: Option<f64>,
+}
+
+/// Two lengths that contradict each other beyond what both can err, in words: those of the cameras, or the unit of the cameras and
+/// the stature, where the one that was given is not the one that was measured.
+pub(crate) fn disputed(input: &Evidence<'_>, tall: Tall, unit: Unit) -> Option<[&'static str; 2]> {
+    if let Some(Scale::Disputed(pair)) = input.cameras.map(|c| c.scale) {
+        return Some(pair.map(Length::word));
+    }
+    let (said, mm) = input.rig.stature_mm.zip(tall.mm)?;
+    let errs = tall.sigma_mm.unwrap_or(0.0) / mm;
+    let far = CONTRADICTION * libm::hypot(GIVEN_STATURE, errs);
+    let apart = unit == Unit::Metric && (said / mm - 1.0).abs() > far;
+    apart.then_some(["the unit of the surface", Length::Stature.word()])
+}
