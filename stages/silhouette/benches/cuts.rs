@@ -91,6 +91,7 @@ fn main() {
         gamma: 40.0,
         rounds: 2,
         clusters: 6,
+        thinner: 0.0,
     };
     let without = Backdrop::whole(room);
     let one = || {

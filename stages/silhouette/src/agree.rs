@@ -16,7 +16,7 @@ impl Prepared {
     /// a patch of the size of a gap: a garment's hem may have the wall's colour.
     pub fn agree<'a>(&mut self, agreed: impl Iterator<Item = &'a Known>, firm: &[Known]) {
         let agreed: Vec<&Known> = agreed.collect();
-        let (sure, likely) = (self.gaps(&self.cost), self.gaps(self.explained()));
+        let (sure, likely) = (self.gaps(&self.cost), self.gaps(&self.explained));
         let body = |i: usize| *agreed[i] == Known::Body;
         let only_likely = |i: usize| body(i) && likely[i] && firm.get(i) != Some(&Known::Body);
         // A gap between legs goes on to where the others say nothing, and is as large as all of it. What
@@ -45,9 +45,7 @@ impl Prepared {
         for i in pixels {
             self.known[*i] = Known::Background;
             self.cost[*i] = FLAT;
-            if let Some(explained) = &mut self.explained {
-                explained[*i] = FLAT;
-            }
+            self.explained[*i] = FLAT;
         }
     }
 
@@ -91,13 +89,10 @@ mod tests {
             factor: 1,
             small: Rgb::filled(SIDE, SIDE, [0; 3]),
             cost: costs(8.0).collect(),
-            explained: Some(costs(4.5).collect()),
+            explained: costs(4.5).collect(),
             strange: Vec::new(),
             known: vec![Known::Unknown; SIDE * SIDE],
-            noise: Noise {
-                room: 1.0,
-                disk: 1.0,
-            },
+            noise: Noise::even(1.0),
             disk: None,
         };
         let told: Vec<Known> = (0..SIDE * SIDE).map(told).collect();

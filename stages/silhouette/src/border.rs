@@ -168,13 +168,7 @@ mod tests {
     #[test]
     fn the_border_lies_where_the_colours_mix_though_the_cut_is_a_pixel_wide() {
         let mut dice = proof::Dice(8);
-        let (radius, noise) = (
-            40.0,
-            Noise {
-                room: 2.0,
-                disk: 2.0,
-            },
-        );
+        let (radius, noise) = (40.0, Noise::even(2.0));
         let photo = disc(radius, 190.0, 70.0, &mut dice);
         let wall = Rgb::filled(120, 120, [70; 3]);
         // Every pixel with a trace of the body was cut out.

@@ -15,6 +15,9 @@ use crate::unary::{FLAT, Likeness, Noise};
 use shape::{Image, Mask, Rgb};
 use std::ops::Range;
 
+/// Half the side of neighbourhoods. \[px\]
+const REACH: usize = 2;
+
 /// The border of a coarse cut again at full size, window by window so that memory stays small. `depths`
 /// says how far the rays of coarse pixels pass through the hull of the other photos, if anything does.
 pub fn fine(
@@ -31,7 +34,8 @@ pub fn fine(
     let (width, height) = (pixels.width, pixels.height);
     // The ground of every pixel is dear, and that of its neighbourhood serves.
     let grounds = Grounds::of(ready.disk.as_ref(), factor, width, height);
-    let noise = Noise::measure(pixels, image, &|x, y| grounds.about(x, y));
+    let noise = Noise::measure(pixels, image, &|x, y| grounds.about(x, y), REACH);
+    let settings = &settings.with(noise);
     if factor == 1 {
         return soft_border(pixels, image, coarse, noise);
     }
@@ -42,7 +46,7 @@ pub fn fine(
         expected: image,
         noise,
         ground: &|x, y| grounds.at(x, y),
-        reach: 2,
+        reach: REACH,
     };
     let cost = settled.cost(&likeness, without, &ready.strange);
     let mut sides = Image::filled(width, height, false);
@@ -73,7 +77,7 @@ pub fn fine(
     }
     let cost = |i: usize| {
         let i = settled.small(i % width, i / width);
-        [ready.cost[i], ready.explained()[i]]
+        [ready.cost[i], ready.explained[i]]
     };
     soft_border(pixels, image, &largest(&sides, &cost), noise)
 }
@@ -267,6 +271,7 @@ mod tests {
             gamma: 40.0,
             rounds: 1,
             clusters: 1,
+            thinner: 0.0,
         };
         let skin = Gmm::fit(&skin, 1).expect("one cluster");
         let mask = fine(&pixels, &without, &ready, &coarse, &skin, None, &settings);

@@ -30,6 +30,7 @@ pub(crate) fn follow(
         photo: likeness.photo,
         likeness,
         body,
+        thinner: likeness.noise.thinner(),
         seen: &without.seen,
         before: sides.clone(),
         known: vec![f32::NAN; width * height],
@@ -52,6 +53,8 @@ struct Gaps<'a> {
     photo: &'a Rgb,
     likeness: &'a Likeness<'a>,
     body: &'a Gmm,
+    /// By how much noise makes the background's density thinner. \[nats\]
+    thinner: f64,
     seen: &'a Image<bool>,
     /// The cut as it was.
     before: Image<bool>,
@@ -84,7 +87,8 @@ impl Gaps<'_> {
             if cost >= CERTAIN - FLAT {
                 return false;
             }
-            odds += (body_cost(self.body, self.photo.data[i]) as f32 - here) / 9.0;
+            let of_body = body_cost(self.body, self.photo.data[i]) - self.thinner;
+            odds += (of_body as f32 - here) / 9.0;
         }
         odds > APART
     }
@@ -184,10 +188,7 @@ mod tests {
             image: Rgb::filled(SIDE, SIDE, wall.map(|v| v as u8)),
             seen: Image::filled(SIDE, SIDE, seen),
         };
-        let noise = Noise {
-            room: 2.0,
-            disk: 2.0,
-        };
+        let noise = Noise::even(2.0);
         let likeness = Likeness {
             photo: &photo,
             expected: &without.image,

@@ -28,7 +28,7 @@ pub struct GrabCut;
 
 impl Stage for GrabCut {
     const NAME: &'static str = "silhouette.grabcut";
-    const VERSION: u32 = 22;
+    const VERSION: u32 = 23;
     const ABOUT: &'static str = "Cuts the body out of each photo by graph cuts, seeded by the plate, or by what stands still, and the disk.";
     type Params = GrabCutParams;
     type Input = GrabCutInput;
@@ -41,6 +41,7 @@ impl Stage for GrabCut {
             gamma: p.gamma,
             rounds: p.rounds as usize,
             clusters: p.clusters as usize,
+            thinner: 0.0,
         };
         let Some(background) = background(p, &settings, &input, ctx)? else {
             return alone(p, &settings, &input.photos, ctx);

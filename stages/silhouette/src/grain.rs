@@ -13,7 +13,7 @@ use crate::gmm::Gmm;
 use crate::photo_cut::{Prepared, UNSEEN};
 use crate::scene::{Scene, Shot};
 use crate::segment::{OWN_COLOR, body_cost};
-use crate::unary::{CAP, FLAT};
+use crate::unary::CAP;
 use nalgebra::Point2;
 use rayon::prelude::*;
 use shape::Image;
@@ -41,10 +41,9 @@ pub(crate) fn missed(
     body: Option<&Gmm>,
 ) {
     for (ready, strange) in ready.iter_mut().zip(strange(shots, around, covered)) {
-        let pixels = ready.cost.iter_mut().zip(&ready.small.data);
-        for ((cost, color), strange) in pixels.zip(strange) {
-            if *cost != UNSEEN && strange > 0.0 && has(body, *color) {
-                *cost = cost.max(FLAT + strange.min(CAP));
+        for (i, strange) in strange.into_iter().enumerate() {
+            if ready.cost[i] != UNSEEN && has(body, ready.small.data[i]) {
+                ready.raise(i, strange.min(CAP));
             }
         }
     }

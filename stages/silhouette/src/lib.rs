@@ -31,6 +31,7 @@ mod maxflow;
 mod means;
 mod modes;
 mod nearby;
+mod noise;
 mod one_photo;
 mod params;
 mod parts;

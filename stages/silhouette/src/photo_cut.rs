@@ -18,9 +18,9 @@ pub struct Prepared {
     pub small: Rgb,
     /// -ln p(pixel | background) of the reduced photo.
     pub cost: Vec<f32>,
-    /// The same where the background was seen. Where it was not, and colours are held against those
-    /// beside: by how much less it costs than the body does. `None` where that is all the same.
-    pub explained: Option<Vec<f32>>,
+    /// The same in any light where the background was seen. Where it was not, and colours are compared with
+    /// those beside: by how much less it costs than the body does.
+    pub explained: Vec<f32>,
     /// What it costs more to call each pixel the bare disk, by its grain; empty where nobody asked.
     pub strange: Vec<f32>,
     /// What is certain before any cut.
@@ -32,14 +32,20 @@ pub struct Prepared {
 }
 
 impl Prepared {
-    /// What pixels cost as background as far as holes may trust it.
-    pub(crate) fn explained(&self) -> &[f32] {
-        self.explained.as_deref().unwrap_or(&self.cost)
+    /// Raises what a pixel costs as background to so much beyond what matches to the level.
+    pub(crate) fn raise(&mut self, i: usize, beyond: f32) {
+        if beyond > 0.0 {
+            self.cost[i] = self.cost[i].max(FLAT + beyond);
+            self.explained[i] = self.explained[i].max(FLAT + beyond);
+        }
     }
 }
 
 /// Where the disk is: the photo's camera and the disk's radius. \[mm\]
 pub type Disk<'a> = Option<(&'a Camera, f64)>;
+
+/// Half the side of neighbourhoods of the reduced photo. \[px\]
+const COARSE_REACH: usize = 1;
 
 /// What the background costs where nobody saw it: a little more than any colour of the body does, for
 /// it is the body that covers it.
@@ -64,14 +70,17 @@ pub fn prepare(
         disk.map(|(c, radius)| (c.resized(small.width as u32, small.height as u32), radius));
     let grounds = Grounds::of(at_small.as_ref(), 1, small.width, small.height);
     let on = |x: usize, y: usize| grounds.at(x, y);
-    let noise = Noise::measure(&small, &expected, &on);
+    let noise = Noise::measure(&small, &expected, &on, COARSE_REACH);
     let all = [0, 0, small.width, small.height];
-    let mut cost = background_cost(&small, &expected, noise, &on, 1, all);
-    for (i, cost) in cost.iter_mut().enumerate() {
+    let cost_by = |noise| background_cost(&small, &expected, noise, &on, COARSE_REACH, all);
+    let mut cost = cost_by(noise);
+    // A gap between arm and trunk may lie in shadow.
+    let mut explained = cost_by(noise.in_any_light());
+    for (i, (cost, explained)) in cost.iter_mut().zip(&mut explained).enumerate() {
         let (x, y) = (i % small.width * factor, i / small.width * factor);
         let rows = |y: usize| (x..x + factor).all(|x| without.seen.at(x, y));
         if !(y..y + factor).all(rows) {
-            *cost = UNSEEN;
+            (*cost, *explained) = (UNSEEN, UNSEEN);
         }
     }
     let known = certain(
@@ -82,7 +91,7 @@ pub fn prepare(
     Prepared {
         factor,
         small,
-        explained: None,
+        explained,
         strange: Vec::new(),
         cost,
         known,
@@ -93,8 +102,9 @@ pub fn prepare(
 
 /// The coarse cut. `None` if nothing can be body.
 pub fn coarse(ready: &Prepared, settings: &Settings) -> Option<(Image<bool>, Gmm)> {
-    let (cost, explained) = (&ready.cost, ready.explained());
-    cut_whole(&ready.small, cost, explained, &ready.known, settings)
+    let (cost, explained) = (&ready.cost, &ready.explained);
+    let settings = settings.with(ready.noise);
+    cut_whole(&ready.small, cost, explained, &ready.known, &settings)
 }
 
 /// What cannot be body: below the disk's top, and outside of the cylinder above the disk.

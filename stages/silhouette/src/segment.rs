@@ -3,7 +3,7 @@
 use crate::gmm::Gmm;
 use crate::least_cut::{Known, Terms, UNIT, Window, least_cut};
 use crate::parts::largest;
-use crate::unary::FLAT;
+use crate::unary::{FLAT, Noise};
 use shape::{Image, Rgb};
 
 /// How to cut.
@@ -15,6 +15,18 @@ pub struct Settings {
     pub rounds: usize,
     /// Clusters of each mixture of colours.
     pub clusters: usize,
+    /// By how much noise makes the background's density thinner ([`crate::Noise`]): the body costs so much less. \[nats\]
+    pub thinner: f64,
+}
+
+impl Settings {
+    /// The same for a photo of such noise.
+    pub(crate) fn with(&self, noise: Noise) -> Self {
+        Settings {
+            thinner: noise.thinner(),
+            ..*self
+        }
+    }
 }
 
 /// Neighbours that cost the background no more than this are its own.
@@ -110,7 +122,8 @@ pub fn cut(
     let colours = |i: usize, here: usize| {
         // The grid is small where it matters: -ln of body = -ln(0.7 GMM + 0.3 anything).
         let keep = (f64::from(background[here]) * UNIT) as i32;
-        (keep, (body_cost(body, photo.data[i]) * UNIT) as i32)
+        let of_body = body_cost(body, photo.data[i]) - settings.thinner;
+        (keep, (of_body * UNIT) as i32)
     };
     // An edge that the background has by itself is no reason to cut here.
     let own = |here: usize, there: usize| background[here].min(background[there]) < OWN;

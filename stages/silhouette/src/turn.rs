@@ -150,7 +150,7 @@ impl Turn<'_> {
         let evident = evident(shots, &ready, radius);
         missed(&mut ready, shots, &around, covered, evident.as_ref());
         shots.par_iter().zip(&mut ready).for_each(|(shot, ready)| {
-            let mut explained = ready.cost.clone();
+            let mut explained = std::mem::take(&mut ready.explained);
             for i in 0..ready.cost.len() {
                 if ready.cost[i] != UNSEEN {
                     continue;
@@ -165,7 +165,7 @@ impl Turn<'_> {
                     explained[i] = beside(ready.cost[i], of_body as f32);
                 }
             }
-            ready.explained = Some(explained);
+            ready.explained = explained;
         });
         ready
     }

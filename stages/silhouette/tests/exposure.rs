@@ -45,6 +45,7 @@ fn overlap(photo: &Rgb, plate: &Rgb, truth: &Image<bool>) -> f64 {
         gamma: 40.0,
         rounds: 2,
         clusters: 6,
+        thinner: 0.0,
     };
     let ready = prepare(photo, &Backdrop::whole(plate.clone()), None, 800, 0.0);
     let (sides, _) = coarse(&ready, &settings).unwrap();
@@ -61,8 +62,8 @@ fn a_plate_a_fifth_brighter_darker_or_of_another_white_cuts_as_well() {
         let before = overlap(&photo, &other, &truth);
         let levels = exposure(&photo, &other).expect("another exposure");
         let after = overlap(&photo, &relit(&other, &levels), &truth);
-        // What is darker than the plate may be a shadow, what is brighter may not.
-        let fails = by.iter().any(|b| *b < 1.0);
+        // What is darker than the plate may be a shadow, what is brighter may not; another white is noise.
+        let fails = by.iter().all(|b| *b < 1.0);
         assert!(
             after > 0.98 && (!fails || before < 0.9),
             "{by:?}: {before}, then {after}"

@@ -82,6 +82,7 @@ fn through(shots: &[Shot]) -> BTreeMap<usize, (u32, u32)> {
         gamma: 40.0,
         rounds: 2,
         clusters: 6,
+        thinner: 0.0,
     };
     let Cuts { cuts, .. } = without_plate(shots, &cameras, &settings, 0.0, None);
     let mut seen = BTreeMap::new();
@@ -154,13 +155,10 @@ fn colours_beside_yield_to_all_other_photos_and_the_room_itself_does_not() {
             factor: 1,
             small: Rgb::filled(30, 9, [0; 3]),
             cost: all([4.5, 8.0, 18.5]),
-            explained: Some(all([4.5, 4.5, 18.5])),
+            explained: all([4.5, 4.5, 18.5]),
             strange: Vec::new(),
             known: vec![Known::Unknown; 30 * 9],
-            noise: Noise {
-                room: 1.0,
-                disk: 1.0,
-            },
+            noise: Noise::even(1.0),
             disk: None,
         };
         ready.agree([Known::Body; 30 * 9].iter(), firm);

@@ -39,10 +39,8 @@ pub(crate) fn missed_in_photo(ready: &mut Prepared, without: &Rgb) {
         }
     };
     ready.strange = places.iter().zip(&ready.small.data).map(strange).collect();
-    for (cost, strange) in ready.cost.iter_mut().zip(&ready.strange) {
-        if *strange > 0.0 {
-            *cost = cost.max(FLAT + strange);
-        }
+    for i in 0..ready.strange.len() {
+        ready.raise(i, ready.strange[i]);
     }
 }
 

@@ -15,10 +15,7 @@ const REACH: usize = 6;
 /// Pixels this near to the border may show both sides. \[px\]
 const MIXED: f32 = 2.5;
 /// Noise that is believed of a photo. \[levels\]
-const NOISE: Noise = Noise {
-    room: 2.0,
-    disk: 2.0,
-};
+const NOISE: Noise = Noise::even(2.0);
 
 /// The mask of a photo from the sides of the reduced one; `closed` tells of pixels of the photo that
 /// cannot be the subject.
