@@ -157,6 +157,18 @@ fn some(photos: &Value) -> String {
     }
 }
 
+/// How much noise the photos have.
+fn noise(found: &Value) -> String {
+    let against = match found["noise_against"].as_str() {
+        Some("plate") => "photos against the plate",
+        _ => "photos against their neighbours, where nothing moved",
+    };
+    match found["noise_levels"].as_f64() {
+        Some(levels) => format!("noise: {levels:.1} grey levels ({against})\n"),
+        None => "noise: not measured (no two pictures show the same)\n".into(),
+    }
+}
+
 /// The answer for people.
 fn screen(folder: &Path, look: &Look) -> String {
     let found = &look.findings;
@@ -189,6 +201,7 @@ fn screen(folder: &Path, look: &Look) -> String {
             found["still_pct"].as_f64().unwrap_or(0.0)
         ),
     };
+    said += &noise(found);
     let mut lines: Vec<String> = entries(found)
         .map(|f| {
             let word = |key: &str| f[key].as_str().unwrap_or_default();

@@ -7,7 +7,7 @@ use super::warnings::WARNINGS;
 
 /// Sentences, `*` for what is put in, and their texts, in which that is `a` and `b`.
 #[rustfmt::skip]
-const TOLD: [(&str, &str); 49] = [
+const TOLD: [(&str, &str); 51] = [
     ("only * % of the picture stands still: the camera, or all behind the subject, moved between the photos", "find-moved"),
     ("a turn wants one camera on a tripod and the subject on a disk; is this a walk around somebody who stands still? Then say --walk", "find-moved-mend"),
     ("the subject, which all other photos show, is not seen here", "find-empty"),
@@ -28,6 +28,8 @@ const TOLD: [(&str, &str); 49] = [
     ("take them again with the exposure held", "find-lost-mend"),
     ("exposed from * to * EV against the middle", "find-uneven"),
     ("hold exposure and white balance (on phones: press and hold until AE/AF lock shows)", "find-uneven-mend"),
+    ("the photos have noise of * grey levels", "find-noise"),
+    ("masks may lose parts where clothes have the background's colour: take them in more light, at a lower ISO, or in clothes that differ more from the background", "find-noise-mend"),
     ("photos of *×* pixels are small", "find-pixels"),
     ("hand over the camera's own files", "find-pixels-mend"),
     ("what moves reaches the upper border: the head may be cut off", "find-head"),
@@ -179,7 +181,9 @@ mod tests {
 
     #[test]
     fn every_sentence_of_the_room_is_known() {
-        let all = ["odd.rs", "verdict.rs", "empty.rs"].map(sentences).concat();
+        let all = ["odd.rs", "noise.rs", "verdict.rs", "empty.rs"]
+            .map(sentences)
+            .concat();
         assert!(all.len() > 40, "{all:?}");
         // What only joins names and sentences has no words, but for the count of photos.
         let says = |s: &&String| s.contains(char::is_alphabetic) && !s.ends_with("photos): ");

@@ -13,6 +13,7 @@ mod keeping;
 mod layouts;
 mod limits;
 mod manual;
+mod noise;
 mod outs;
 mod place;
 mod privacy;

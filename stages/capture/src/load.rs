@@ -7,6 +7,7 @@ use crate::error::CaptureError;
 use crate::facts::Facts;
 use crate::glance::{Glance, glance, together};
 use crate::names::{Sorted, names, plate_of, sorted, twins};
+use crate::noise::{noisy, of_photos};
 use crate::odd::seen_in_pictures;
 use crate::ordered::in_order;
 use crate::photo::{header, photo};
@@ -134,13 +135,17 @@ impl Stage for Load {
 /// Warns of what is odd about photos; fails where nothing will come of them.
 fn looked_at(photos: &Photos, seen: Vec<(Glance, f64)>, ctx: &Ctx<'_>) -> Result<(), CaptureError> {
     let (glances, sharp): (Vec<Glance>, Vec<f64>) = seen.into_iter().unzip();
-    let findings = seen_in_pictures(&Seen {
+    let together = together(&glances);
+    let mut findings = seen_in_pictures(&Seen {
         photos,
         glances: &glances,
-        together: &together(&glances),
+        together: &together,
         sharpness: &against_the_middle(&sharp),
         tags: None,
     });
+    // A plate that cannot be decoded is refused where it is used.
+    let noise = of_photos(photos, &together).ok().flatten();
+    findings.extend(noise.and_then(|(levels, _)| noisy(levels)));
     let of = |grade: Grade| findings.iter().filter(move |f| f.grade == grade);
     of(Grade::Doubt).for_each(|f| ctx.warn(f.sentence()));
     match of(Grade::Hopeless).next() {

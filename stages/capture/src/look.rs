@@ -1,6 +1,7 @@
 //! The stage that looks at a capture before minutes are spent on it.
 
 use crate::glance::{Glance, glance, together};
+use crate::noise::{noisy, of_photos};
 use crate::odd::{seen_in_facts, seen_in_pictures};
 use crate::ordered::in_order;
 use crate::sharpness::sharpness;
@@ -36,12 +37,12 @@ pub struct Look;
 
 impl Stage for Look {
     const NAME: &'static str = "capture.look";
-    const VERSION: u32 = 5;
-    const ABOUT: &'static str = "Looks at photos at a glance: order, gaps, blur, exposure, tags, frame, and what can be measured with them.";
+    const VERSION: u32 = 6;
+    const ABOUT: &'static str = "Looks at photos at a glance: order, gaps, blur, exposure, noise, tags, frame, and what can be measured with them.";
     type Params = LookParams;
     type Input = LookInput;
     type Output = Document;
-    const METRICS: &'static [&'static str] = &["stands still", "findings"];
+    const METRICS: &'static [&'static str] = &["stands still", "findings", "noise"];
 
     fn run(_: &LookParams, input: LookInput, ctx: &Ctx<'_>) -> Result<Document, Stop> {
         let photos = &*input.photos;
@@ -69,6 +70,11 @@ impl Stage for Look {
         };
         let mut findings = seen_in_pictures(&seen);
         findings.extend(seen_in_facts(&seen));
+        let noise = of_photos(photos, &together)?;
+        if let Some((levels, _)) = noise {
+            ctx.metric("noise", levels, "levels");
+            findings.extend(noisy(levels));
+        }
         findings.sort_by_key(|f| f.grade as u8);
         ctx.metric("stands still", 100.0 * together.still, "%");
         ctx.metric("findings", findings.len() as f64, "");
@@ -76,11 +82,11 @@ impl Stage for Look {
             .into_iter()
             .map(|(what, how)| (what.to_owned(), how.into()))
             .collect();
+        let round = |x: f64, tens: f64| (x * tens).round() / tens;
         let views: Vec<Value> = photos
             .iter()
             .map(|(id, photo)| {
                 let i = id.0 as usize;
-                let round = |x: f64, tens: f64| (x * tens).round() / tens;
                 json!({
                     "name": photo.name,
                     "taken_s": photo.time_s.map(|s| round(s, 1e1)),
@@ -98,6 +104,7 @@ impl Stage for Look {
             "camera": first.device, "focal_35mm": rig.focal_35mm, "plate": photos.plate.as_ref().map(|p| &p.name),
             "step_deg": rig.step.map(f64::to_degrees), "lengths_from": lengths(rig),
             "still_pct": (1e3 * together.still).round() / 10.0,
+            "noise_levels": noise.map(|(levels, _)| round(levels, 1e2)), "noise_against": noise.map(|(_, against)| against),
             "motion": if camera_stood(&together) { "turn" } else { "walk" },
             "findings": findings, "can": can, "views": views,
         });
