@@ -2,7 +2,7 @@
 //! `words/` that say the same in the reader's language.
 
 #[rustfmt::skip]
-pub(super) const WARNINGS: [(&str, &str); 116] = [
+pub(super) const WARNINGS: [(&str, &str); 117] = [
     ("frames of a video are not at even steps: `step_deg` was passed over (how many are taken: --set frames.step_deg=)", "warn-video-steps"),
     ("* is the same file as * and was left out: if another photo should be in its place, put it there", "warn-same-file"),
     ("* is the same file as * and was left out", "warn-same-raw"),
@@ -20,6 +20,7 @@ pub(super) const WARNINGS: [(&str, &str); 116] = [
     ("the hull is cut off where the search for it ended: the photos do not see around the body, or masks and cameras do not belong together", "warn-hull-cut"),
     ("smaller parts left out: *, * % of the volume in all; if a part of the body is missing, look at the masks", "warn-hull-parts"),
     ("the hull is in pieces: only the largest was kept, and * % of the volume left out; look where the masks cut the body through", "warn-hull-pieces"),
+    ("its mask leaves out body that all other photos show (* % of it): look at this mask and correct it", "warn-contradicted"),
     ("the evolution made the photos agree less; the mesh is handed on as it came: look at masks and cameras", "warn-evolve"),
     ("only * % of the surface is seen by two photos or more: take more photos of the turn, or look at the masks", "warn-seen-by-two"),
     ("the photos agree less on the optimized surface than on the one that came in: look at masks and cameras before you trust girths to a millimetre", "warn-agree-less"),

@@ -321,6 +321,7 @@ warn-zoomed = { $a } wurde mit { $b } mm aufgenommen, die meisten mit { $c } mm:
 warn-hull-cut = die Hülle ist dort abgeschnitten, wo die Suche endete: Die Fotos sehen nicht um den Körper herum, oder Umrisse und Kameras gehören nicht zusammen
 warn-hull-parts = kleinere Teile weggelassen: { $a }, zusammen { $b } % des Volumens; fehlt etwas vom Körper, dann die Umrisse ansehen
 warn-hull-pieces = die Hülle ist in Stücken: Nur das größte wurde behalten, { $a } % des Volumens weggelassen; ansehen, wo die Umrisse den Körper durchschneiden
+warn-contradicted = dem Umriss fehlt, was alle anderen Fotos als Körper zeigen ({ $a } % von ihm): diesen Umriss ansehen und berichtigen
 warn-evolve = die Verfeinerung ließ die Fotos schlechter übereinstimmen; die Oberfläche bleibt, wie sie kam: Umrisse und Kameras ansehen
 warn-seen-by-two = nur { $a } % der Oberfläche sind auf zwei Fotos oder mehr zu sehen: mehr Fotos der Drehung aufnehmen oder die Umrisse ansehen
 warn-agree-less = die Fotos stimmen auf der verfeinerten Oberfläche schlechter überein als vorher: Umrisse und Kameras ansehen, bevor Umfängen auf den Millimeter getraut wird

@@ -321,6 +321,7 @@ warn-zoomed = { $a } was taken at { $b } mm, most photos at { $c } mm: do not zo
 warn-hull-cut = the hull is cut off where the search for it ended: the photos do not see around the body, or masks and cameras do not belong together
 warn-hull-parts = smaller parts left out: { $a }, { $b } % of the volume in all; if a part of the body is missing, look at the outlines
 warn-hull-pieces = the hull is in pieces: only the largest was kept, and { $a } % of the volume left out; look where the outlines cut the body through
+warn-contradicted = its outline leaves out body that all other photos show ({ $a } % of it): look at this outline and correct it
 warn-evolve = the evolution made the photos agree less; the mesh is handed on as it came: look at masks and cameras
 warn-seen-by-two = only { $a } % of the surface is seen by two photos or more: take more photos of the turn, or look at the masks
 warn-agree-less = the photos agree less on the optimized surface than on the one that came in: look at masks and cameras before you trust girths to a millimetre

@@ -4,6 +4,7 @@
 
 mod carve;
 mod cases;
+mod contradicted;
 mod field;
 mod left_out;
 mod silhouettes;
