@@ -95,7 +95,7 @@ pub(super) const WARNINGS: [(&str, &str); 117] = [
     ("between * and * the room moved by * px in the photo: the camera was moved; leave out what was taken before or after, or take the turn again", "warn-room-moved"),
     ("* shows the same as *, nothing turned between them: remove one of them", "warn-shows-same"),
     ("and so on, * more photos", "warn-and-more"),
-    ("the surface shows no two legs: stand with the feet apart, without coat or skirt, and look whether the masks have both legs", "warn-no-legs"),
+    ("the surface shows no two legs: is the body cut off, or do masks lack a leg? Stand with the feet apart, without coat or skirt", "warn-no-legs"),
     ("no neck was found between head and shoulders: does hair or a collar hide it, or do the photos cut the head off?", "warn-no-neck"),
     ("the neck is too short on this surface for a tape: lift the chin", "warn-neck-groove"),
     ("the top of the surface is flat, not a crown: the head is missing or cut off by the photos' border", "warn-no-head"),

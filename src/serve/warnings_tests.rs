@@ -158,7 +158,7 @@ fn names_stay_and_numbers_are_written_as_there() {
     let refused = "hip, narrowest waist, upper arms, mid_thigh_L not measured: the surface has no closed section there";
     assert_eq!(
         told(refused),
-        "Hüfte, Taille, am schmalsten, Oberarme, mid_thigh_L nicht gemessen: die Oberfläche hat dort keinen geschlossenen Schnitt"
+        "Hüfte, Taille, schmalste Stelle, Oberarme, mid_thigh_L nicht gemessen: die Oberfläche hat dort keinen geschlossenen Schnitt"
     );
     let tall = "this body (81 cm tall) lies outside the range that the waist and chest model knows: where waist and chest lie is a rough \
                 estimate, and their intervals are wide accordingly; check the stature, and that the whole body is visible and upright";

@@ -78,7 +78,7 @@ impl Refusal {
     pub fn why(self) -> &'static str {
         match self {
             Refusal::NoLegs => {
-                "the surface shows no two legs: stand with the feet apart, without coat or skirt, and look whether the masks have both legs"
+                "the surface shows no two legs: is the body cut off, or do masks lack a leg? Stand with the feet apart, without coat or skirt"
             }
             Refusal::NoNeck => {
                 "no neck was found between head and shoulders: does hair or a collar hide it, or do the photos cut the head off?"
