@@ -190,6 +190,6 @@ fn what_is_no_raw_photo_is_named_with_what_the_program_says() {
     assert!(
         read(place.path(), &[])
             .unwrap_err()
-            .contains("found 0 photos")
+            .contains("photos in turning order: 0")
     );
 }
