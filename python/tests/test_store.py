@@ -150,7 +150,7 @@ def test_a_server_that_is_gone_is_told_and_what_waits_goes_there_later(s3):
     s3.proxy.gone = True
     began = time.time()
     made, said = s3.sweep("a", "--store-wait=1")
-    assert made == 3 and "going on without it" in said and "wait in the cache" in said, said
+    assert made == 3 and "going on without it" in said and "waits in the cache" in said, said
     # What was found may have to go there, too: nobody could ask.
     assert s3.waits("a") in (3, 4) and time.time() - began < 60
     s3.proxy.well()
