@@ -1,9 +1,19 @@
 //! What the background is at each pixel of a photo: the room, the floor, or the disk.
 
 use crate::background::on_disk;
-use crate::unary::Ground;
 use nalgebra::{Point2, Point3};
 use shape::Camera;
+
+/// What the background is at a pixel, which says how light may change there.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Ground {
+    /// Walls: the subject dims or brightens them a little.
+    Room,
+    /// The floor around the disk: a shadow may fall on it.
+    Floor,
+    /// The disk's top: feet touch it, and under them it is nearly dark.
+    Disk,
+}
 
 /// The subject's shadow may fall deep on the disk and the floor around it: this many disk radii.
 const SHADOW_RADII: f64 = 5.0;

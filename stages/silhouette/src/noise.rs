@@ -1,5 +1,6 @@
 //! Noise of a photo against the background that is expected of it, measured.
 
+use crate::grounds::Ground;
 use shape::Rgb;
 
 /// What a pixel that matches the background to the level costs.
@@ -11,23 +12,14 @@ const BELIEVED: (f32, f32) = (1.0, 40.0);
 const UNEVEN: f32 = 1.3;
 /// Least spread of a neighbourhood's light: half a level of a middle grey.
 const LEAST_LIGHT: f32 = 0.5 / 128.0;
-/// Spread of a room's light where the subject changes it, and where nothing is known of it.
+/// Spread of a room's light where the subject changes it, and where nothing is known of it. Set by hand, for all of the
+/// light before it was measured.
 pub(crate) const SHADED_LIGHT: f32 = 0.04;
-/// By how much less the mean of a neighbourhood is noisy than a pixel, at least.
+/// By how much less the mean of a neighbourhood is noisy than a pixel, at least. Set by hand, for all photos before it
+/// was measured.
 const ALIKE: f32 = 2.5;
 /// The quantile that is taken, and where it lies for the absolute value of a normal variable.
 const QUANTILE: (f32, f32) = (0.4, 0.5244);
-
-/// What the background is at a pixel, which says how light may change there.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Ground {
-    /// Walls: the subject dims or brightens them a little.
-    Room,
-    /// The floor around the disk: a shadow may fall on it.
-    Floor,
-    /// The disk's top: feet touch it, and under them it is nearly dark.
-    Disk,
-}
 
 /// Standard deviations of photo and background against each other.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -85,59 +77,62 @@ impl Noise {
         ground: &dyn Fn(usize, usize) -> Ground,
         reach: usize,
     ) -> Self {
-        let [room, disk] = spread(photo, expected, ground, 0);
-        let room_or = room.unwrap_or(4.0);
+        let pixels = Spread::of(photo, expected, ground, 0);
+        let around = Spread::of(photo, expected, ground, reach);
+        let room_or = pixels.colors[0].unwrap_or(4.0);
         let [room, disk] =
-            [room_or, disk.unwrap_or(room_or)].map(|s| s.clamp(BELIEVED.0, BELIEVED.1));
-        let of_means = spread(photo, expected, ground, reach);
+            [room_or, pixels.colors[1].unwrap_or(room_or)].map(|s| s.clamp(BELIEVED.0, BELIEVED.1));
         let at_most =
             |means: Option<f32>, single: f32| means.unwrap_or(f32::MAX).min(single / ALIKE);
-        let light = light(photo, expected, ground, reach);
+        let light = around.light;
         Noise {
             room,
             disk,
-            means: [at_most(of_means[0], room), at_most(of_means[1], disk)],
+            means: [
+                at_most(around.colors[0], room),
+                at_most(around.colors[1], disk),
+            ],
             light: light.map_or(SHADED_LIGHT, |l| l.clamp(LEAST_LIGHT, SHADED_LIGHT)),
         }
     }
 }
 
-/// Spread of the colours of neighbourhoods (`reach` pixels to each side) when both are equally bright, for
-/// shadows are no noise: of what does not move, and of the disk. \[levels\]
-fn spread(
-    photo: &Rgb,
-    expected: &Rgb,
-    ground: &dyn Fn(usize, usize) -> Ground,
-    reach: usize,
-) -> [Option<f32>; 2] {
-    let mut counts = [Counts::of_units(8.0), Counts::of_units(8.0)];
-    let bright = |c: [f32; 3]| c.iter().sum::<f32>() + 3.0;
-    for (x, y) in places(photo, reach) {
-        let (p, e) = (mean(photo, x, y, reach), mean(expected, x, y, reach));
-        let of = &mut counts[usize::from(ground(x, y) == Ground::Disk)];
-        let light = bright(p) / bright(e);
-        for c in 0..3 {
-            of.add((p[c] - light * e[c]).abs());
-        }
-    }
-    // Of three channels that share their brightness two are free.
-    counts.map(|c| c.sigma().map(|s| s * 1.5f32.sqrt()))
+/// By how much neighbourhoods differ from what is expected of them; `None` where there are too few.
+struct Spread {
+    /// Of their colours when both are equally bright, for shadows are no noise: of what does not move, and of
+    /// the disk. \[levels\]
+    colors: [Option<f32>; 2],
+    /// Of the ratio of their light, in the room.
+    light: Option<f32>,
 }
 
-/// Spread of the ratio of the light of the room's neighbourhoods.
-fn light(
-    photo: &Rgb,
-    expected: &Rgb,
-    ground: &dyn Fn(usize, usize) -> Ground,
-    reach: usize,
-) -> Option<f32> {
-    let bright = |c: [f32; 3]| c.iter().sum::<f32>() + 3.0;
-    let mut counts = Counts::of_units(2000.0);
-    for (x, y) in places(photo, reach).filter(|(x, y)| ground(*x, *y) == Ground::Room) {
-        let (p, e) = (mean(photo, x, y, reach), mean(expected, x, y, reach));
-        counts.add((bright(p) / bright(e) - 1.0).abs());
+impl Spread {
+    /// Of neighbourhoods that reach so many pixels to each side.
+    fn of(
+        photo: &Rgb,
+        expected: &Rgb,
+        ground: &dyn Fn(usize, usize) -> Ground,
+        reach: usize,
+    ) -> Self {
+        let mut colors = [Counts::of_units(8.0), Counts::of_units(8.0)];
+        let mut lights = Counts::of_units(2000.0);
+        let bright = |c: [f32; 3]| c.iter().sum::<f32>() + 3.0;
+        for (x, y) in places(photo, reach) {
+            let (p, e) = (mean(photo, x, y, reach), mean(expected, x, y, reach));
+            let (light, on) = (bright(p) / bright(e), ground(x, y));
+            let of = &mut colors[usize::from(on == Ground::Disk)];
+            (0..3).for_each(|c| of.add((p[c] - light * e[c]).abs()));
+            if on == Ground::Room {
+                lights.add((light - 1.0).abs());
+            }
+        }
+        // Of three channels that share their brightness two are free.
+        let free = 1.5f32.sqrt();
+        Spread {
+            colors: colors.map(|c| c.sigma().map(|s| s * free)),
+            light: lights.sigma(),
+        }
     }
-    counts.sigma()
 }
 
 /// The middles of neighbourhoods that lie beside each other, every second pixel at most.

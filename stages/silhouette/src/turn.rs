@@ -150,7 +150,6 @@ impl Turn<'_> {
         let evident = evident(shots, &ready, radius);
         missed(&mut ready, shots, &around, covered, evident.as_ref());
         shots.par_iter().zip(&mut ready).for_each(|(shot, ready)| {
-            let mut explained = std::mem::take(&mut ready.explained);
             for i in 0..ready.cost.len() {
                 if ready.cost[i] != UNSEEN {
                     continue;
@@ -162,10 +161,9 @@ impl Turn<'_> {
                 } else if let Some(cost) = nearby.cost(&shot.small, i) {
                     ready.cost[i] = ready.cost[i].min(cost);
                     let of_body = evident.as_ref().map_or(0.0, |b| body_cost(b, color));
-                    explained[i] = beside(ready.cost[i], of_body as f32);
+                    ready.explained[i] = beside(ready.cost[i], of_body as f32);
                 }
             }
-            ready.explained = explained;
         });
         ready
     }

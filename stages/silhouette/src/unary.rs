@@ -1,9 +1,10 @@
 //! How well a pixel is explained by the background: negative log likelihoods.
 
 use crate::around::{box_means, least_around};
+pub use crate::grounds::Ground;
 pub(crate) use crate::noise::FLAT;
+pub use crate::noise::Noise;
 use crate::noise::SHADED_LIGHT;
-pub use crate::noise::{Ground, Noise};
 use shape::Rgb;
 
 /// How far an edge of the background may move. \[px\]
