@@ -183,14 +183,13 @@ impl Stage for Carve {
     }
 }
 
-/// An outline that cuts away more than this share of what nearly all others show contradicts them (by hand: of whole turns,
-/// gaps that few photos see come to less than 0.05).
-const CUTS: f64 = 0.15;
-
 /// Why nothing is body on all photos: outlines that contradict those of nearly all others, where there are some.
 fn nothing(p: &CarveParams, input: &CarveInput) -> CarveError {
     let found = coherence(&input.cameras, &input.masks);
-    let cut: Vec<_> = found.iter().flat_map(|found| found.beyond(CUTS)).collect();
+    let cut: Vec<_> = found
+        .iter()
+        .flat_map(|found| found.contradicting())
+        .collect();
     let Some((_, most)) = cut.first() else {
         return CarveError::Nothing(p.consensus * 100.0);
     };

@@ -7,9 +7,6 @@ use shape::{
 
 /// A photo whose outline has less than this share of the usual area shows no subject (by hand).
 const EMPTY: f64 = 0.05;
-/// A photo whose outline cuts away more than this share of what nearly all others show contradicts them (by hand: of whole turns,
-/// gaps that few photos see come to less than 0.05).
-const CUTS: f64 = 0.15;
 /// A surface with less than this share of what all outlines share has lost a part of the body (by hand).
 const KEPT: f64 = 0.7;
 /// Density of a body with air in its lungs. \[kg/l\]
@@ -101,7 +98,7 @@ fn empty(cameras: &Cameras, masks: &Masks) -> Option<(Refusal, String)> {
 /// Outlines that contradict those of all others, or a surface that kept only a part of what they share.
 fn outlines(input: &Evidence<'_>, cameras: &Cameras, masks: &Masks) -> Option<(Refusal, String)> {
     let seen = coherence(cameras, masks)?;
-    let beyond: Vec<(PhotoId, f64)> = seen.beyond(CUTS).collect();
+    let beyond: Vec<(PhotoId, f64)> = seen.contradicting().collect();
     if let Some((_, most)) = beyond.first() {
         let ids: Vec<PhotoId> = beyond.iter().map(|(id, _)| *id).collect();
         let why = format!(
