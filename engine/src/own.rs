@@ -6,6 +6,12 @@ use stage::Hash;
 use std::fs;
 use std::path::{Path, PathBuf};
 
+/// The user's folder by its whole path, without links where it is there.
+pub(crate) fn whole(path: &Path) -> PathBuf {
+    let real = path.canonicalize().or_else(|_| std::path::absolute(path));
+    real.unwrap_or_else(|_| path.to_owned())
+}
+
 /// Whether a name is of a form.
 type Form = fn(&str) -> bool;
 

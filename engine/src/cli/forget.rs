@@ -6,6 +6,7 @@ use super::fault::Fault;
 use super::program::GlobalArgs;
 use super::size::mib;
 use crate::delivery::{self, Withdrawn, withdraw};
+use crate::own::whole;
 use crate::store::{Forgotten, Store, forget};
 use clap::Args;
 use serde_json::json;
@@ -20,12 +21,6 @@ pub(super) struct Forget {
     /// Remove the results of it in this folder, too: only what runs wrote there and nobody changed since; may be repeated
     #[arg(long)]
     out: Vec<PathBuf>,
-}
-
-/// A path as it is.
-fn whole(path: &Path) -> PathBuf {
-    let real = path.canonicalize().or_else(|_| std::path::absolute(path));
-    real.unwrap_or_else(|_| path.to_owned())
 }
 
 /// What marks results of a folder, or of a file in it, that were made without a note of it in this cache.

@@ -16,10 +16,11 @@ pub fn plain(text: String) -> String {
 }
 
 /// So many of something: `1 photo`, `2 photos`.
-pub fn count(n: usize, one: &str) -> String {
-    match n {
-        1 => format!("1 {one}"),
-        n => format!("{n} {one}s"),
+pub fn count(n: impl std::fmt::Display, one: &str) -> String {
+    let n = n.to_string();
+    match n.as_str() {
+        "1" => format!("1 {one}"),
+        _ => format!("{n} {one}s"),
     }
 }
 

@@ -5,7 +5,7 @@
 
 use super::folder::Store;
 use crate::delivery;
-use crate::own;
+use crate::own::{self, whole};
 use serde::{Deserialize, Serialize};
 use std::path::{Path, PathBuf};
 
@@ -27,11 +27,6 @@ impl Delivered {
     pub(crate) fn is_there(&self) -> bool {
         delivery::of(&self.out).is_some_and(|of| of == self.of)
     }
-}
-
-fn whole(path: &Path) -> PathBuf {
-    let real = path.canonicalize().or_else(|_| std::path::absolute(path));
-    real.unwrap_or_else(|_| path.to_owned())
 }
 
 impl Store {

@@ -138,9 +138,7 @@ pub fn forget(store: &Store, folder: &Path) -> Result<Forgotten, StoreError> {
     }
     let busy = || StoreError::Busy(root.into());
     let _alone = store.alone().ok_or_else(busy)?;
-    let whole = folder.canonicalize();
-    let folder = whole.or_else(|_| std::path::absolute(folder));
-    let folder = folder.unwrap_or_default();
+    let folder = own::whole(folder);
     let below = |text: &String| Path::new(text).starts_with(&folder);
     let deliveries = store.forget_deliveries(below);
     // First, so that nobody goes by it when this is cut off.

@@ -1,6 +1,7 @@
 //! How much a sweep is before any of it runs.
 
 use super::points::Points;
+use crate::cli::text::count;
 use crate::graph::Graph;
 use crate::impact;
 
@@ -55,20 +56,13 @@ pub fn outlook(
     outlook
 }
 
-fn many(n: u128, one: &str) -> String {
-    match n {
-        1 => format!("1 {one}"),
-        n => format!("{n} {one}s"),
-    }
-}
-
 impl std::fmt::Display for Outlook {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         write!(
             f,
             "{}, {} unless cached",
-            many(self.points, "point"),
-            many(self.results, "result")
+            count(self.points, "point"),
+            count(self.results, "result")
         )?;
         let s = self.seconds;
         if self.unknown.is_empty() || s > 0.0 {
