@@ -28,9 +28,9 @@ fn escaped(text: &str) -> String {
 /// What the stages warned of, without what the table says anyway.
 pub(super) fn warnings(ran: &Ran<'_>, girths: Option<&Girths>) -> Vec<String> {
     let missing = girths.iter().flat_map(|g| &g.missing);
-    let listed: Vec<String> = missing.map(|m| format!("{}: {}", m.name, m.why)).collect();
+    let whys: Vec<String> = missing.map(|m| format!(": {}", m.why)).collect();
     let warnings = ran.warnings().into_iter();
-    let new = warnings.filter(|(_, warning)| !listed.contains(warning));
+    let new = warnings.filter(|(_, warning)| !whys.iter().any(|why| warning.ends_with(why)));
     new.map(|(node, warning)| format!("{node}: {warning}"))
         .collect()
 }
