@@ -3,11 +3,11 @@
 use crate::contradicted::{CONTRADICTED, contradicted};
 use crate::field::{BRICK, Lattice, evaluate};
 use crate::left_out::left_out;
-use crate::silhouettes::{Silhouette, bounds, consensus};
+use crate::silhouettes::{bounds, consensus};
 use crate::surface::{largest, surface};
 use nalgebra::{Point3, Vector3};
 use rayon::prelude::*;
-use shape::{Cameras, Image, Mask, Masks, Mesh, View, coherence, seen_by_half, signed_distance};
+use shape::{Cameras, DISSENT_DEPTH, Mask, Masks, Mesh, Silhouette, View, coherence, seen_by_half};
 use stage::{Cancelled, Ctx, Stage, Stop};
 use std::sync::Arc;
 
@@ -31,7 +31,7 @@ stage::params! {
         /// is. Share of the body's height. \[%\] Single views carve wedges of up to 6 % of a limb's
         /// radius on their own; 1.2 % was chosen on good masks (`contradicted.rs`).
         #[range(0.0..=20.0)]
-        contradicted_pct: f64 = 1.2,
+        contradicted_pct: f64 = 100.0 * DISSENT_DEPTH,
     }
 }
 
@@ -123,12 +123,7 @@ impl Stage for Carve {
             .par_iter()
             .map(|(_, mask, view)| {
                 ctx.check()?;
-                let small = halved(mask);
-                let camera = view.camera.resized(small.width as u32, small.height as u32);
-                Ok(Silhouette {
-                    camera,
-                    distance: signed_distance(&small),
-                })
+                Ok(Silhouette::of(mask, &view.camera))
             })
             .collect::<Result<_, Cancelled>>()?;
         let dissent = ((1.0 - p.consensus) * prepared.len() as f64 + 1e-9).floor() as usize;
@@ -267,23 +262,4 @@ const BODY_BOX_MM2: f64 = 2.0 * (1.0 * 1.8 + 1.8 * 2.0 + 1.0 * 2.0) * 1e6;
 fn need_mb(area_mm2: f64, voxel_mm: f64) -> f64 {
     let bricks = area_mm2 / (voxel_mm * BRICK as f64).powi(2) * 2.0;
     bricks * 17f64.powi(3) * 4.0 / 1e6 + area_mm2 / (voxel_mm * voxel_mm) * 150.0 / 1e6
-}
-
-/// Masks of more than 3000 pixels are halved: 24 megapixels tell no more of a border.
-fn halved(mask: &Mask) -> Mask {
-    if mask.width.max(mask.height) <= 3000 {
-        return mask.clone();
-    }
-    let (width, height) = (mask.width / 2, mask.height / 2);
-    let mean = |i: usize| {
-        let (x, y) = (i % width * 2, i / width * 2);
-        let four =
-            [(0, 0), (1, 0), (0, 1), (1, 1)].map(|(dx, dy)| u32::from(mask.at(x + dx, y + dy)));
-        (four.iter().sum::<u32>() / 4) as u8
-    };
-    Image {
-        width,
-        height,
-        data: (0..width * height).map(mean).collect(),
-    }
 }

@@ -1,24 +1,16 @@
 //! Which masks leave out body that all other photos show.
 
-use crate::silhouettes::Silhouette;
 use nalgebra::Point3;
 use rayon::prelude::*;
+use shape::{MIN_DISSENT_PHOTOS, Silhouette, deep_dissent};
 
 /// So many cells lie along the longest edge of the box in which the body is: 15 mm of an adult, some 200 000 cells, 0.1 s.
 const CELLS: f64 = 120.0;
-/// Of fewer photos one alone may see a wide gap, or carve a wide wedge, so nothing is said: good masks of 18 photos
-/// thinned to every second come to 0.56 % of a mask.
-const FEW: usize = 12;
 /// A mask is contradicted from this share of it on. \[%\] Good masks of 18 photos (true ones of man, woman, mannequin
 /// and blue room; found ones of man, woman and mannequin): no photo has more than 0.0 %; three photos beside each other
 /// missing 0.04, two of three photos 0.23, 80° of the turn missing 0.39. One stripe of 1.5 to 5 % of the height over
 /// chest, waist or thighs of one mask (mannequin, woman), across or upright: 0.8 to 7.3 %, the other photos 0.0.
 pub(crate) const CONTRADICTED: f64 = 0.6;
-
-/// Where a photo alone shows the background, it must do so this part of the margin beyond the body's border: gaps
-/// narrower than twice that (15 mm of an adult) are seen by one photo alone even between two round thighs, wider
-/// ones by its neighbours, 20° aside, too.
-const CORE: f32 = 3.0;
 
 /// How much of each mask, as it shows there, is left out body: of space that all other photos show as body, deeper in
 /// all of them than a margin (a share of the body's height), and this one as background. \[%\] Empty where photos are
@@ -30,7 +22,7 @@ pub(crate) fn contradicted(
     (lo, hi): (Point3<f64>, Point3<f64>),
     margin_pct: f64,
 ) -> Vec<f64> {
-    if views.len() < FEW {
+    if views.len() < MIN_DISSENT_PHOTOS {
         return vec![];
     }
     let margin = (margin_pct / 100.0 * (hi.z - lo.z)) as f32;
@@ -47,7 +39,7 @@ pub(crate) fn contradicted(
         for (i, j) in (0..count(0)).flat_map(|i| (0..count(1)).map(move |j| (i, j))) {
             let steps = [i, j, k].map(|n| (n as f64 + 0.5) * cell);
             let x = lo + nalgebra::Vector3::from(steps);
-            let sole = sole_dissent(views, &x, margin);
+            let sole = deep_dissent(views, &x, margin);
             let place = sole.and_then(|v| Some((v, views[v].camera.project_with_depth(&x)?.0)));
             found.extend(place.map(|(v, px)| {
                 let square = [px.x, px.y].map(|c| (c / across[v]) as u32);
@@ -66,19 +58,4 @@ pub(crate) fn contradicted(
         100.0 * left_out as f64 * across[v].powi(2) / body.max(1) as f64
     };
     views.iter().enumerate().map(share).collect()
-}
-
-/// The one view that shows a point as background, where all others that see it show it deep as body.
-fn sole_dissent(views: &[Silhouette], x: &Point3<f64>, margin: f32) -> Option<usize> {
-    let (mut sole, mut seen) = (None, 0);
-    for (v, view) in views.iter().enumerate() {
-        let Some(depth) = view.depth_inside(x) else {
-            continue;
-        };
-        seen += 1;
-        if depth < margin && (depth >= -margin / CORE || sole.replace(v).is_some()) {
-            return None;
-        }
-    }
-    sole.filter(|_| seen * 2 >= views.len())
 }

@@ -13,7 +13,7 @@ mod surface;
 pub use carve::{Carve, CarveError, CarveInput, CarveParams};
 pub use cases::{Case, EDGES, Place, cases};
 pub use field::{BRICK, Bricks, Lattice, SIDE, evaluate};
-pub use silhouettes::{Silhouette, bounds, consensus};
+pub use silhouettes::{bounds, consensus};
 pub use surface::{largest, surface};
 
 /// Every stage of this room, in the order in which data flows through it.

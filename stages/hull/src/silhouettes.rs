@@ -2,28 +2,7 @@
 
 use nalgebra::Point3;
 use rayon::prelude::*;
-use shape::{Camera, Cylinder, Gray};
-
-/// A silhouette as a distance field, and its camera at the field's size.
-pub struct Silhouette {
-    /// The camera.
-    pub camera: Camera,
-    /// Signed distance to the border, positive inside. \[px\]
-    pub distance: Gray,
-}
-
-impl Silhouette {
-    /// How deep inside of the silhouette's cone a point is. \[mm\] `None` where it is out of view.
-    pub fn depth_inside(&self, x: &Point3<f64>) -> Option<f32> {
-        let (px, depth) = self.camera.project_with_depth(x)?;
-        let (w, h) = (self.distance.width as f64, self.distance.height as f64);
-        if px.x < 0.0 || px.y < 0.0 || px.x > w - 1.0 || px.y > h - 1.0 {
-            return None;
-        }
-        let far = self.distance.sample(px.x as f32, px.y as f32);
-        Some(far * (depth / self.camera.lens.focal[0]) as f32)
-    }
-}
+use shape::{Cylinder, Silhouette};
 
 /// How deep inside of the hull a point is, `dissent` views not counted: their least depths. \[mm\]
 /// Views that do not see the point say nothing; a point that fewer than half see is outside.

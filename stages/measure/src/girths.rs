@@ -8,6 +8,7 @@ use crate::remarks::warnings;
 use crate::sections::one::SectionMeasurement;
 use crate::sections::picked::picked;
 use crate::sections::taken::taken;
+use crate::uncertainty::contradicted::Outlines;
 use crate::uncertainty::interval::{Level, level_spread};
 use crate::uncertainty::outlines::{by_silhouettes, open_mm};
 use crate::uncertainty::told::{Seen, Sure};
@@ -61,7 +62,7 @@ const EVEN: f64 = 0.1;
 
 impl Stage for Measure {
     const NAME: &'static str = "measure.girths";
-    const VERSION: u32 = 25;
+    const VERSION: u32 = 26;
     const ABOUT: &'static str = "Measures girths at landmarks: along the skin, as a tape, and as the paper's closed spline (eq. 8).";
     type Params = GirthParams;
     type Input = GirthInput;
@@ -76,12 +77,21 @@ impl Stage for Measure {
             missing: landmarks.missing.clone(),
             ..Girths::default()
         };
+        let pictures = input.cameras.as_deref().zip(input.masks.as_deref());
+        let outlines = pictures
+            .zip(body.as_ref())
+            .and_then(|((cameras, masks), body)| Outlines::of(cameras, masks, body.stature));
         let steps = ctx.steps("girths", 2 * landmarks.found.len());
         let mut all: Vec<(&Landmark, SectionMeasurement, Seen)> = Vec::new();
         for landmark in &landmarks.found {
             match taken(mesh, body.as_ref(), landmark) {
                 Ok(here) => {
-                    let seen = seen(body.as_ref(), landmark, &here, &input);
+                    let seen = Seen {
+                        left_out_mm: outlines
+                            .as_ref()
+                            .map_or(0.0, |all| all.left_out_mm(&here.contour, &landmark.plane)),
+                        ..seen(body.as_ref(), landmark, &here, &input)
+                    };
                     all.push((landmark, here, seen));
                 }
                 Err(reason) => refuse(landmark, reason, &mut girths),
@@ -180,11 +190,13 @@ fn seen(
             support: None,
             // A surface that no photos made has no corners of theirs.
             open_mm: cameras.is_none().then_some(0.0),
+            left_out_mm: 0.0,
         };
     };
     Seen {
         support: by_silhouettes(body, landmark, here, cameras, masks),
         open_mm: Some(open_mm(body, landmark, here, cameras)),
+        left_out_mm: 0.0,
     }
 }
 

@@ -20,6 +20,8 @@ pub(crate) struct Seen {
     pub(crate) support: Option<Support>,
     /// How much of its tape no outline confirms; `None` where nobody looked. \[mm\]
     pub(crate) open_mm: Option<f64>,
+    /// How much longer the tape would be with what one photo alone denies, against all others; 0 where nobody looked. \[mm\]
+    pub(crate) left_out_mm: f64,
 }
 
 /// What is known of the surface's error.
@@ -85,6 +87,7 @@ impl Sure<'_> {
             (s.girth, libm::hypot(s.sigma, shared))
         });
         let (mean, width) = together((here.tape_mm, TAU * surface), outline);
+        let width = libm::hypot(width, seen.left_out_mm);
         let sigmas = Sigmas {
             level_mm: level.against_definition,
             surface_mm: Some(width),
