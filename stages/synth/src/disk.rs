@@ -1,5 +1,6 @@
 //! The disk that turns, with a marker mat or plain wood on it, as a formula of the place.
 
+use crate::drawn::Palette;
 use crate::noise::{chance, octaves};
 use nalgebra::{Point3, Vector3};
 use shape::tag36h11::modules;
@@ -21,6 +22,8 @@ pub(crate) struct Disk {
     pub(crate) rim: Option<Rim>,
     /// Which of all such disks.
     pub(crate) seed: u32,
+    /// How it looks without a mat, and what it then mirrors.
+    pub(crate) palette: Palette,
 }
 
 /// The mat for a disk: tags as large as leave the ring its white margins.
@@ -51,12 +54,8 @@ impl Disk {
         along: &Vector3<f64>,
         spread: f64,
     ) -> Option<[f32; 3]> {
-        if along.z < 0.0 && from.z > 0.0 {
-            let t = -from.z / along.z;
-            let hit = from + along * t;
-            if hit.x * hit.x + hit.y * hit.y <= self.radius * self.radius {
-                return Some(self.top(hit.x, hit.y, (t * spread) as f32));
-            }
+        if let Some((t, hit)) = self.top_met(from, along) {
+            return Some(self.top(hit.x, hit.y, (t * spread) as f32));
         }
         // The rim: a cylinder about z.
         let a = along.x * along.x + along.y * along.y;
@@ -80,11 +79,27 @@ impl Disk {
         })
     }
 
+    /// How far along a ray its top is met, and where.
+    pub(crate) fn top_met(
+        &self,
+        from: &Point3<f64>,
+        along: &Vector3<f64>,
+    ) -> Option<(f64, Point3<f64>)> {
+        let t = -from.z / along.z;
+        let hit = from + along * t;
+        let within = hit.x * hit.x + hit.y * hit.y <= self.radius * self.radius;
+        (along.z < 0.0 && from.z > 0.0 && within).then_some((t, hit))
+    }
+
     fn top(&self, x: f64, y: f64, pixel: f32) -> [f32; 3] {
         let at = [x as f32, y as f32, 0.0];
         let Some(mat) = &self.mat else {
             let grain = octaves([at[0] * 0.15, at[1], 0.0], 60.0, 3.0, pixel, self.seed + 22);
-            return [0.42, 0.27, 0.15].map(|c| c * (1.0 + 0.3 * grain));
+            let Palette {
+                disk, gloss, wall, ..
+            } = self.palette;
+            return [0, 1, 2]
+                .map(|c| (1.0 - gloss) * disk[c] * (1.0 + 0.3 * grain) + gloss * wall[c]);
         };
         let ink = if in_tag(mat, x, y) { 0.02 } else { PAPER };
         let inner = mat.ring_mm - 0.75 * mat.tag_mm;

@@ -13,6 +13,7 @@ mod bounds;
 mod contour;
 mod dice;
 mod disk;
+mod drawn;
 mod errors;
 mod field;
 mod frame;

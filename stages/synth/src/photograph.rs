@@ -1,6 +1,7 @@
 //! One photo of a body on a disk in a room: all that a fixed camera sees.
 
 use crate::disk::Disk;
+use crate::drawn::{Palette, Placed};
 use crate::noise::chance;
 use crate::raster::cast;
 use crate::room::Room;
@@ -13,6 +14,10 @@ use shape::{Camera, Image, Mesh, Pose, Rgb};
 pub(crate) struct Scene {
     /// How the body looks.
     pub(crate) look: Look,
+    /// Colours of skin, clothes, room and disk.
+    pub(crate) palette: Palette,
+    /// Where the body is.
+    pub(crate) body: Placed,
     /// The room.
     pub(crate) room: Room,
     /// The disk.
@@ -97,11 +102,69 @@ pub(crate) fn with_body(
         let normal = seen.normal.try_normalize(0.0).unwrap_or_default();
         let bright = scene.ambient + (1.0 - scene.ambient) * normal.dot(&light).max(0.0) * 1.25;
         let pixel = (seen.depth / focal) as f32;
-        let color = albedo(&scene.look, seen.at_rest.map(|x| x as f32).into(), pixel);
+        let at = seen.at_rest.map(|x| x as f32).into();
+        let base = scene.palette.cover(at, &scene.body, pixel);
+        let color = albedo(&scene.look, base, at, pixel);
         let (cover, bright) = (seen.cover as f32, bright as f32);
         let to = behind.at_mut(x, y);
         (0..3).for_each(|c| to[c] += cover * (bright * color[c] - to[c]));
     });
+}
+
+/// Puts what a disk that is no mat mirrors of the body on it.
+pub(crate) fn with_reflection(
+    scene: &Scene,
+    behind: &mut Linear,
+    mesh: &Mesh,
+    camera: &Camera,
+    motion: Option<&Pose>,
+) {
+    let Palette { gloss, wall, .. } = scene.palette;
+    let Some(disk) = scene.disk.filter(|d| d.mat.is_none() && gloss > 0.0) else {
+        return;
+    };
+    let still = Pose {
+        rotation: Rotation3::identity(),
+        translation: Vector3::zeros(),
+    };
+    let motion = motion.unwrap_or(&still);
+    let mut mirrored = mesh.clone();
+    for v in 0..mesh.positions.len() as u32 {
+        let p = motion.apply(&mesh.point(v));
+        mirrored.positions[v as usize] = [p.x as f32, p.y as f32, -p.z as f32];
+    }
+    mirrored.faces.iter_mut().for_each(|f| f.swap(1, 2));
+    let normals = mirrored.normals();
+    let (centre, to_world) = (camera.centre(), camera.pose.rotation.inverse());
+    let light = to_world * light();
+    let focal = camera.lens.focal[0];
+    cast(
+        &mirrored,
+        &normals,
+        camera,
+        None,
+        scene.rays,
+        |x, y, seen| {
+            let p = camera.lens.undistort(Point2::new(x as f64, y as f64));
+            let ray = to_world * Vector3::new(p.x, p.y, 1.0);
+            if disk.top_met(&centre, &ray).is_none() {
+                return;
+            }
+            let normal = seen.normal.try_normalize(0.0).unwrap_or_default();
+            let normal = Vector3::new(normal.x, normal.y, -normal.z);
+            let bright = scene.ambient + (1.0 - scene.ambient) * normal.dot(&light).max(0.0) * 1.25;
+            let above = Point3::new(seen.at_rest.x, seen.at_rest.y, -seen.at_rest.z);
+            let back = motion.rotation.inverse() * (above.coords - motion.translation);
+            let at = back.map(|c| c as f32).into();
+            let pixel = (seen.depth / focal) as f32;
+            let base = scene.palette.cover(at, &scene.body, pixel);
+            let color = albedo(&scene.look, base, at, pixel);
+            let to = behind.at_mut(x, y);
+            (0..3).for_each(|c| {
+                to[c] += gloss * seen.cover as f32 * (bright as f32 * color[c] - wall[c])
+            });
+        },
+    );
 }
 
 /// As a file has it: sRGB or, if `linear`, in proportion to light; with noise by seed.

@@ -1,5 +1,6 @@
 //! A furnished room: walls with pictures and a boarded floor, as a formula of the place.
 
+use crate::drawn::Palette;
 use crate::noise::{chance, octaves, three};
 use nalgebra::{Point3, Vector3};
 
@@ -14,12 +15,14 @@ pub(crate) struct Room {
     pub(crate) scale: f64,
     /// Which of all such rooms.
     pub(crate) seed: u32,
+    /// Its colours.
+    pub(crate) palette: Palette,
 }
 
 impl Room {
     /// The room around a turntable for a camera, in axes in which the camera is at -y; the floor is
     /// so much below the disk's top, or under the camera.
-    pub(crate) fn around(camera: &Point3<f64>, below: f64, seed: u32) -> Self {
+    pub(crate) fn around(camera: &Point3<f64>, below: f64, seed: u32, palette: Palette) -> Self {
         let far = camera.coords.norm().max(1.0);
         let scale = far / 3200.0;
         let floor = (-below).min(camera.z - 0.1 * far);
@@ -28,6 +31,7 @@ impl Room {
             high: [2600.0 * scale, 1700.0 * scale, 4200.0 * scale],
             scale,
             seed,
+            palette,
         }
     }
 
@@ -69,7 +73,7 @@ impl Room {
         } else {
             tone * (1.0 + 0.35 * grain)
         };
-        [0.24 * shade, 0.13 * shade, 0.08 * shade]
+        self.palette.floor.map(|c| c * shade)
     }
 
     fn wall(&self, at: [f32; 3], axis: usize, pixel: f32) -> [f32; 3] {
@@ -82,10 +86,10 @@ impl Room {
         ];
         let [u, v] = [x - frame[0] as f32 * 620.0, z - frame[1] as f32 * 760.0];
         let inside = (60.0..560.0).contains(&u) && (60.0..700.0).contains(&v);
-        let hangs = inside && z > 250.0 && chance(frame, self.seed + 1) < 0.75;
+        let hangs = inside && z > 250.0 && chance(frame, self.seed + 1) < self.palette.pictures;
         if !hangs {
-            let shade = 0.42 * (1.0 + 0.12 * plaster);
-            return [shade, shade * 1.0, shade * 0.92];
+            let shade = 1.0 + 0.12 * plaster;
+            return self.palette.wall.map(|c| c * shade);
         }
         if !(80.0..540.0).contains(&u) || !(80.0..680.0).contains(&v) {
             return [0.03; 3];

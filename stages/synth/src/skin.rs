@@ -15,16 +15,15 @@ pub(crate) struct Look {
     pub(crate) seed: u32,
 }
 
-/// The share of light that a place sends back, red, green, blue, linear; `pixel` is the size of a
-/// pixel there. \[mm\]
-pub(crate) fn albedo(look: &Look, at: [f32; 3], pixel: f32) -> [f32; 3] {
-    const SKIN: [f32; 3] = [0.55, 0.33, 0.22];
+/// The share of light that a place sends back, red, green, blue, linear, whose `base` is skin or cloth; `pixel` is the size
+/// of a pixel there. \[mm\]
+pub(crate) fn albedo(look: &Look, base: [f32; 3], at: [f32; 3], pixel: f32) -> [f32; 3] {
     let noise = |seed: u32| octaves(at, look.coarsest, look.finest, pixel, seed);
     let gray = noise(look.seed);
     let tint = noise(look.seed.wrapping_add(101));
     let mut color = [0, 1, 2].map(|c| {
         let turn = [0.5, -0.1, -0.6][c] * tint;
-        SKIN[c] * (1.0 + look.contrast * (0.9 * gray + turn))
+        base[c] * (1.0 + look.contrast * (0.9 * gray + turn))
     });
     // A print: one drop in two cells, its colour by chance.
     let drop = (4.0 * look.finest).max(8.0);

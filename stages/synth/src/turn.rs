@@ -1,9 +1,13 @@
 //! The stage that takes the photos of a turn.
 
 use crate::disk::{Disk, mat_for, rim_for};
-use crate::photograph::{Scene, developed, empty_room, fixed_pose, with_body, with_disk};
+use crate::drawn::{Palette, Placed};
+use crate::photograph::{
+    Scene, developed, empty_room, fixed_pose, with_body, with_disk, with_reflection,
+};
 use crate::room::Room;
 use crate::skin::Look;
+use nalgebra::Point3;
 use rayon::prelude::*;
 use shape::{
     Camera, Cameras, Mat, Mesh, Photo, PhotoId, Photos, Rgb, Rig, Rim, Sway, px_to_film,
@@ -48,6 +52,9 @@ stage::params! {
         /// By how much the focal length that EXIF tells is too short, as a share of it.
         #[range(-0.2..=0.2)]
         exif_error: f64 = 0.004,
+        /// Which room, clothes, skin, light and disk, drawn by this number; 0: a furnished room, skin all over, a disk of wood.
+        #[range(0..=1000000)]
+        scene: u32 = 0,
         /// Seed of textures and noise.
         #[range(0..=1000000)]
         seed: u32 = 1,
@@ -76,7 +83,7 @@ pub struct TakePhotos;
 
 impl Stage for TakePhotos {
     const NAME: &'static str = "synth.turn";
-    const VERSION: u32 = 5;
+    const VERSION: u32 = 6;
     const ABOUT: &'static str =
         "Takes the photos of a turn of any mesh: textured, lit, on a disk in a furnished room.";
     type Params = TurnParams;
@@ -91,7 +98,7 @@ impl Stage for TakePhotos {
         let mat = cameras.disk_radius_mm.filter(|_| p.mat).map(mat_for);
         let rim = cameras.disk_radius_mm.zip(mat).filter(|_| p.rim);
         let rim = rim.map(|(radius, mat)| rim_for(radius, &mat));
-        let scene = scene(p, cameras, &first, mat, rim);
+        let scene = scene(p, cameras, &first, mesh, mat, rim);
         let room = empty_room(&scene, &first, &fixed);
         let normals = mesh.normals();
         let steps = ctx.steps("photos", cameras.views.len());
@@ -101,6 +108,7 @@ impl Stage for TakePhotos {
             let own = (!same).then(|| empty_room(&scene, camera, &fixed));
             let mut seen = with_disk(&scene, own.as_ref().unwrap_or(&room), camera, &fixed);
             let motion = input.sway.as_ref().and_then(|s| s.views.get(*id));
+            with_reflection(&scene, &mut seen, mesh, camera, motion);
             with_body(&scene, &mut seen, mesh, &normals, camera, motion);
             let rgb = developed(
                 &seen,
@@ -137,9 +145,14 @@ fn scene(
     p: &TurnParams,
     cameras: &Cameras,
     first: &Camera,
+    mesh: &Mesh,
     mat: Option<Mat>,
     rim: Option<Rim>,
 ) -> Scene {
+    let palette = Palette::drawn(p.scene);
+    let nowhere = (Point3::origin(), Point3::origin());
+    let ends = mesh.bounds().unwrap_or(nowhere);
+    let middle = nalgebra::center(&ends.0, &ends.1);
     // Without a disk the body stands on the floor.
     let thick = 0.25 * cameras.disk_radius_mm.unwrap_or(0.0);
     let disk = |radius: f64| Disk {
@@ -148,6 +161,7 @@ fn scene(
         mat,
         rim,
         seed: p.seed,
+        palette,
     };
     Scene {
         look: Look {
@@ -156,9 +170,14 @@ fn scene(
             coarsest: p.coarsest_mm.max(p.finest_mm) as f32,
             seed: p.seed,
         },
-        room: Room::around(&fixed_pose(&first.pose).centre(), thick, p.seed),
+        room: Room::around(&fixed_pose(&first.pose).centre(), thick, p.seed, palette),
         disk: cameras.disk_radius_mm.map(disk),
-        ambient: p.ambient,
+        palette,
+        body: Placed {
+            foot: Point3::new(middle.x, middle.y, ends.0.z),
+            tall: (ends.1.z - ends.0.z).max(1.0),
+        },
+        ambient: palette.ambient.unwrap_or(p.ambient),
         rays: p.rays as usize,
         noise: p.noise_levels as f32,
     }
