@@ -17,6 +17,7 @@ import sys
 
 import scans
 import timed
+from PIL import Image
 
 SIZE = {"ring.width": 900, "ring.height": 1200}
 
@@ -47,7 +48,13 @@ def cut(tailor, work, capture, true):
     out = work / "out" / capture.name
     run = [tailor, "run", "body", "--input", f"photos={capture}", "--cache", work / "cache", "--out", out, "--quiet", "masks"]
     done = subprocess.run(run, capture_output=True, text=True)
-    return {"failed": done.stderr.strip()} if done.returncode else scans.masks(out / "masks", true)
+    if done.returncode:
+        return {"failed": done.stderr.strip()}
+    # A photo that found no camera has no mask, and counts as none.
+    for path in true.glob("*.png"):
+        if not (out / "masks" / path.name).exists():
+            Image.new("L", Image.open(path).size).save(out / "masks" / path.name)
+    return {name: float(value) for name, value in scans.masks(out / "masks", true).items()}
 
 
 def main(tailor, work, first, last, *surfaces):
