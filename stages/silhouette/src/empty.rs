@@ -1,14 +1,15 @@
 //! The scene without the subject, for the stage that cuts: a plate, or what all photos say.
 
-use crate::boxed::Rectangle;
-use crate::doubt::doubtful;
-use crate::level::{Level, exposed_alike, on_each_other, on_plate};
-use crate::means::Means;
+use crate::align::alignment::{Alignments, Level, exposed_alike, on_each_other, on_plate};
+use crate::align::rectangle::Rectangle;
+use crate::align::reduced::reduced;
+use crate::label::color_cut::Settings;
+use crate::label::see_through_holes::Depths;
 use crate::params::{CutError, GrabCutParams};
-use crate::scene::{Scene, Shot, full_side};
-use crate::segment::{Settings, reduced};
-use crate::tunnels::Depths;
-use crate::turn::{Cuts, standing, without_plate};
+use crate::room::doubtful_patches::doubtful;
+use crate::room::means::Means;
+use crate::room::rounds::{Cuts, standing, without_plate};
+use crate::scene::still_and_disk::{Scene, Shot, full_side};
 use rayon::prelude::*;
 use shape::{Camera, Cameras, Image, Photo, PhotoError, PhotoId, Photos, Placed, Rgb};
 use stage::Hash;
@@ -24,7 +25,7 @@ pub(crate) enum Empty {
         scene: Box<Scene>,
         cuts: BTreeMap<PhotoId, Image<bool>>,
         depths: BTreeMap<PhotoId, Depths>,
-        strays: BTreeMap<PhotoId, Vec<usize>>,
+        background_patches: BTreeMap<PhotoId, Vec<usize>>,
     },
 }
 
@@ -68,9 +69,6 @@ impl EmptyStats {
     }
 }
 
-/// How each photo lies in the common place.
-pub(crate) type Levels = BTreeMap<PhotoId, Level>;
-
 /// A photo with its camera.
 type Known<'a> = (PhotoId, &'a Photo, Camera);
 
@@ -79,7 +77,7 @@ fn levelled<E: From<PhotoError> + Send>(
     coarse_px: usize,
     known: &[Known<'_>],
     check: &(impl Fn() -> Result<(), E> + Sync),
-) -> Result<(Vec<Shot>, Levels), E> {
+) -> Result<(Vec<Shot>, Alignments), E> {
     let factor = |pixels: &Rgb| factor(pixels, coarse_px);
     let first = |(_, photo, _): &Known<'_>| {
         check()?;
@@ -143,7 +141,7 @@ pub(crate) fn on_the_plate<E: From<PhotoError> + Send>(
     photos: &Photos,
     plate: &Rgb,
     check: impl Fn() -> Result<(), E> + Sync,
-) -> Result<Levels, E> {
+) -> Result<Alignments, E> {
     let factor = plate
         .width
         .max(plate.height)
@@ -166,7 +164,7 @@ pub(crate) fn empty_scene<E: From<CutError> + From<PhotoError> + Send>(
     photos: &Photos,
     cameras: &Cameras,
     check: impl Fn() -> Result<(), E> + Sync,
-) -> Result<(Empty, Levels, EmptyStats), E> {
+) -> Result<(Empty, Alignments, EmptyStats), E> {
     let known: Vec<Known<'_>> = photos
         .iter()
         .filter_map(|(id, photo)| Some((id, photo, cameras.views.get(id)?.camera)))
@@ -187,7 +185,7 @@ pub(crate) fn empty_scene<E: From<CutError> + From<PhotoError> + Send>(
     let Cuts {
         cuts,
         depths,
-        strays,
+        background_patches,
     } = without_plate(&shots, cameras, settings, p.disk_side_mm, within);
     let (width, height) = (wide, tall);
     let radius = cameras.disk_radius_mm.unwrap_or(0.0);
@@ -224,7 +222,11 @@ pub(crate) fn empty_scene<E: From<CutError> + From<PhotoError> + Send>(
         scene: Box::new(means.scene()),
         cuts: cuts.collect(),
         depths,
-        strays: shots.iter().map(|shot| shot.id).zip(strays).collect(),
+        background_patches: shots
+            .iter()
+            .map(|shot| shot.id)
+            .zip(background_patches)
+            .collect(),
     };
     Ok((empty, levels, EmptyStats { stands, doubtful }))
 }

@@ -1,13 +1,14 @@
 //! The stage that cuts the body out of each photo, without a hand-drawn box.
 
-use crate::boxed::{Rectangle, by_colors};
-use crate::coherence::agreed;
-use crate::common_place::where_photos_lie_alike;
+use crate::align::alignment::Level;
+use crate::align::cameras::where_photos_lie_alike;
+use crate::align::rectangle::Rectangle;
+use crate::border::by_colors::by_colors;
 use crate::empty::{Empty, empty_scene, everything, on_the_plate};
-use crate::level::Level;
+use crate::label::color_cut::Settings;
+use crate::label::consensus::agreed;
 use crate::one_photo::{Background, OnePhoto};
 use crate::params::{CutError, GrabCutParams};
-use crate::segment::Settings;
 use rayon::prelude::*;
 use shape::{Cameras, Mask, Masks, Photo, PhotoId, Photos};
 use stage::{Ctx, Stage, Stop};

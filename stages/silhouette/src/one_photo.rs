@@ -1,18 +1,19 @@
 //! One photo of a turn on its way to its mask: a coarse cut, then, with what all say, the whole.
 
-use crate::backdrop::Backdrop;
-use crate::background::{expected, plate_turn};
-use crate::boxed::Rectangle;
-use crate::empty::{Empty, Levels};
-use crate::exposure::{self, exposure, relit};
-use crate::full_size::fine;
-use crate::gmm::Gmm;
-use crate::grain::missed_in_photo;
-use crate::least_cut::Known;
-use crate::level::Level;
+use crate::align::alignment::{Alignments, Level};
+use crate::align::exposure::{self, exposure, relit};
+use crate::align::rectangle::Rectangle;
+use crate::border::full_size::fine;
+use crate::cut::least_cut::Known;
+use crate::empty::Empty;
+use crate::label::color_cut::Settings;
+use crate::label::color_cut::coarse;
+use crate::likelihood::gmm::Gmm;
+use crate::likelihood::grain::missed_in_photo;
+use crate::likelihood::prepared::{Prepared, prepare};
 use crate::params::{CutError, GrabCutParams};
-use crate::photo_cut::{Prepared, coarse, prepare};
-use crate::segment::Settings;
+use crate::plate::expected::{expected, plate_turn};
+use crate::scene::backdrop::Backdrop;
 use shape::{Camera, Image, Mask, Photo, PhotoError, PhotoId, Rgb};
 use std::sync::Mutex;
 
@@ -20,7 +21,7 @@ use std::sync::Mutex;
 pub(crate) struct Background {
     pub(crate) empty: Empty,
     /// How each photo lies in the common place.
-    pub(crate) levels: Levels,
+    pub(crate) levels: Alignments,
     /// Hash of all that it follows from.
     pub(crate) content: stage::Hash,
 }
@@ -82,11 +83,15 @@ impl OnePhoto<'_> {
             ready.agree(agreed.iter(), &[]);
         }
         let (sides, gmm) = self.checked(self.cut(&ready, settings))?;
-        let (depths, strays) = match &self.background.empty {
-            Empty::Turn { depths, strays, .. } => (depths.get(&self.id), strays.get(&self.id)),
+        let (depths, background_patches) = match &self.background.empty {
+            Empty::Turn {
+                depths,
+                background_patches,
+                ..
+            } => (depths.get(&self.id), background_patches.get(&self.id)),
             Empty::Plate(_) => (None, None),
         };
-        ready.lay_bare(strays.map_or(&[][..], Vec::as_slice));
+        ready.lay_bare(background_patches.map_or(&[][..], Vec::as_slice));
         let mask = fine(&pixels, &without, &ready, &sides, &gmm, depths, settings);
         Ok(self.level.returned(mask))
     }

@@ -1,6 +1,6 @@
 //! How the body is cut out, and why it may not be.
 
-use crate::boxed::RectangleError;
+use crate::align::rectangle::RectangleError;
 
 stage::params! {
     /// How the body is cut out.

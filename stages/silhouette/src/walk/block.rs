@@ -1,6 +1,6 @@
 //! A block of cells about the subject, what of it photos see, and how it looks on a photo.
 
-use crate::scene::Shot;
+use crate::scene::still_and_disk::Shot;
 use nalgebra::{Point3, Vector3};
 use rayon::prelude::*;
 use shape::{Camera, Image};

@@ -1,7 +1,7 @@
 //! Colours of the subject and of the room on one photo, by bands of rows: behind a head there is
 //! another room than behind feet.
 
-use crate::gmm::Gmm;
+use crate::likelihood::gmm::Gmm;
 use rayon::prelude::*;
 use shape::{Image, Rgb};
 

@@ -1,6 +1,6 @@
 //! What is doubtful about the outlines of a walk.
 
-use crate::scene::Shot;
+use crate::scene::still_and_disk::Shot;
 use crate::walk::colors::Colors;
 use nalgebra::Vector2;
 use shape::{Image, signed_distance};

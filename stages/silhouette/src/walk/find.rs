@@ -1,6 +1,6 @@
 //! The subject amid the cameras: colours and cells in turn, from what all cameras look at.
 
-use crate::scene::Shot;
+use crate::scene::still_and_disk::Shot;
 use crate::walk::block::Block;
 use crate::walk::colors::{Colors, Samples};
 use crate::walk::features::free;

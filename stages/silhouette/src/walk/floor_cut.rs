@@ -1,6 +1,6 @@
 //! Where the subject ends below: a level plane, as a photo sees it.
 
-use crate::scene::Shot;
+use crate::scene::still_and_disk::Shot;
 use crate::walk::block::Block;
 use crate::walk::find::Subject;
 use nalgebra::Point2;

@@ -1,9 +1,9 @@
 //! The outline of a reduced photo again at full size, window by window so that memory stays small.
 
-use crate::border::{coverage, soft_border};
-use crate::full_size::band;
-use crate::least_cut::{Known, Window, cut_by_odds};
-use crate::unary::Noise;
+use crate::border::full_size::band;
+use crate::border::soft_border::{coverage, soft_border};
+use crate::cut::least_cut::{Known, Window, cut_by_odds};
+use crate::likelihood::background::Noise;
 use crate::walk::colors::Colors;
 use shape::{Image, Mask, Rgb};
 

@@ -1,8 +1,8 @@
 //! The outline on one photo: a least cut by colours about what the cells cover.
 
-use crate::least_cut::{Known, Window, cut_by_odds};
-use crate::parts::parts;
-use crate::scene::Shot;
+use crate::cut::least_cut::{Known, Window, cut_by_odds};
+use crate::label::parts::parts;
+use crate::scene::still_and_disk::Shot;
 use crate::walk::block::Block;
 use crate::walk::colors::Colors;
 use crate::walk::features::Spot;

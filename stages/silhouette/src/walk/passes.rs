@@ -1,6 +1,6 @@
 //! Outlines from cells, and cells from outlines, until both agree.
 
-use crate::scene::Shot;
+use crate::scene::still_and_disk::Shot;
 use crate::walk::block::Block;
 use crate::walk::doubt::alike;
 use crate::walk::find::{Search, Subject, cells, next_colors};

@@ -1,6 +1,6 @@
 //! The space in which the subject of a walk is looked for.
 
-use crate::scene::Shot;
+use crate::scene::still_and_disk::Shot;
 use crate::walk::features::Spot;
 use nalgebra::{Point3, Vector3};
 

@@ -1,7 +1,7 @@
 //! The stage that cuts a subject out of the photos of a walk around it.
 
-use crate::scene::Shot;
-use crate::segment::reduced;
+use crate::align::reduced::reduced;
+use crate::scene::still_and_disk::Shot;
 use crate::walk::doubt::widest_gap;
 use crate::walk::features::spots;
 use crate::walk::find::{Search, Subject, find};

@@ -1,7 +1,7 @@
 //! Which cells are the subject: what every photo says of each, and a least cut through the block.
 
-use crate::maxflow::Grid;
-use crate::scene::Shot;
+use crate::cut::maxflow::Grid;
+use crate::scene::still_and_disk::Shot;
 use crate::walk::block::Block;
 use rayon::prelude::*;
 use shape::Image;

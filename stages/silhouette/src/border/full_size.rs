@@ -1,0 +1,296 @@
+//! The border of a coarse cut, cut again at full size.
+
+use crate::border::narrow_gaps::follow;
+use crate::border::soft_border::soft_border;
+use crate::border::tiles::tiles;
+use crate::cut::least_cut::Known;
+use crate::label::color_cut::{Settings, cut};
+use crate::label::parts::largest;
+use crate::label::see_through_holes::Depths;
+use crate::likelihood::background::{FLAT, Likeness, Noise};
+use crate::likelihood::gmm::Gmm;
+use crate::likelihood::grounds::Grounds;
+use crate::likelihood::prepared::{Prepared, UNSEEN};
+use crate::scene::backdrop::Backdrop;
+use shape::{Image, Mask, Rgb};
+use std::ops::Range;
+
+/// Half the side of neighbourhoods. \[px\]
+const REACH: usize = 2;
+
+/// The border of a coarse cut again at full size, window by window so that memory stays small. `depths`
+/// says how far the rays of coarse pixels pass through the hull of the other photos, if anything does.
+pub fn fine(
+    pixels: &Rgb,
+    without: &Backdrop,
+    ready: &Prepared,
+    coarse: &Image<bool>,
+    gmm: &Gmm,
+    depths: Option<&Depths>,
+    settings: &Settings,
+) -> Mask {
+    let factor = ready.factor;
+    let image = &without.image;
+    let (width, height) = (pixels.width, pixels.height);
+    // The ground of every pixel is dear, and that of its neighbourhood serves.
+    let grounds = Grounds::of(ready.disk.as_ref(), factor, width, height);
+    let noise = Noise::measure(pixels, image, &|x, y| grounds.about(x, y), REACH);
+    let settings = &settings.with(noise);
+    if factor == 1 {
+        return soft_border(pixels, image, coarse, noise);
+    }
+    let band = band(coarse);
+    let settled = Settled::of(ready, coarse, &band);
+    let likeness = Likeness {
+        photo: pixels,
+        expected: image,
+        noise,
+        ground: &|x, y| grounds.at(x, y),
+        reach: REACH,
+    };
+    let cost = settled.cost(&likeness, without, &ready.strange);
+    let mut sides = Image::filled(width, height, false);
+    for y in 0..height {
+        for (x, side) in sides.data[y * width..][..width].iter_mut().enumerate() {
+            *side = coarse.data[settled.small(x, y)];
+        }
+    }
+    for tile in tiles(&band) {
+        let window = tile.with_margin(coarse, factor);
+        let rows = window.y..window.y + window.height;
+        let of_window: Vec<f32> = rows
+            .flat_map(|y| &cost[y * width + window.x..][..window.width])
+            .copied()
+            .collect();
+        let known = |i: usize| settled.at(i % width, i / width);
+        let body = cut(pixels, &of_window, &window, gmm, settings, &known);
+        let (left, right) = (tile.x.start * factor, tile.x.end * factor);
+        for y in tile.y.start * factor..tile.y.end * factor {
+            let from = (y - window.y) * window.width + left - window.x;
+            sides.data[y * width..][left..right].copy_from_slice(&body[from..][..right - left]);
+        }
+    }
+    let before = depths.map(|_| sides.clone());
+    follow(&mut sides, &likeness, without, gmm);
+    if let (Some(before), Some(depths)) = (before, depths) {
+        settled.close_see_through_holes(&mut sides, &before, depths);
+    }
+    let cost = |i: usize| {
+        let i = settled.small(i % width, i / width);
+        [ready.cost[i], ready.explained[i]]
+    };
+    soft_border(pixels, image, &largest(&sides, &cost), noise)
+}
+
+/// What the coarse cut leaves open: its border, where nothing was certain before.
+struct Settled {
+    factor: usize,
+    known: Image<Known>,
+    /// Coarse pixels that are open or beside one.
+    near: Image<bool>,
+}
+
+impl Settled {
+    fn of(ready: &Prepared, coarse: &Image<bool>, band: &Image<bool>) -> Self {
+        let one = |i: usize| match (band.data[i], coarse.data[i]) {
+            (true, _) => ready.known[i],
+            (false, false) => Known::Background,
+            (false, true) => Known::Body,
+        };
+        let (width, height) = (coarse.width, coarse.height);
+        let known = Image {
+            width,
+            height,
+            data: (0..coarse.data.len()).map(one).collect(),
+        };
+        let mut near = Image::filled(width, height, false);
+        for (x, y) in (0..height).flat_map(|y| (0..width).map(move |x| (x, y))) {
+            if known.at(x, y) == Known::Unknown {
+                for y in y.max(1) - 1..(y + 2).min(height) {
+                    near.data[y * width..][x.max(1) - 1..(x + 2).min(width)].fill(true);
+                }
+            }
+        }
+        Settled {
+            factor: ready.factor,
+            known,
+            near,
+        }
+    }
+
+    /// The coarse pixel of a pixel.
+    fn small(&self, x: usize, y: usize) -> usize {
+        let (x, y) = (x / self.factor, y / self.factor);
+        y.min(self.known.height - 1) * self.known.width + x.min(self.known.width - 1)
+    }
+
+    fn at(&self, x: usize, y: usize) -> Known {
+        self.known.data[self.small(x, y)]
+    }
+
+    /// Gives back to the body what a gap was followed into, where no gap can be.
+    fn close_see_through_holes(
+        &self,
+        sides: &mut Image<bool>,
+        before: &Image<bool>,
+        depths: &Depths,
+    ) {
+        let mut open = vec![0; self.known.data.len()];
+        let width = sides.width;
+        for i in (0..sides.data.len()).filter(|i| !sides.data[*i]) {
+            open[self.small(i % width, i / width)] += 1;
+        }
+        let most = self.factor * self.factor;
+        let mut closed = vec![false; open.len()];
+        let cut = Image {
+            width: self.known.width,
+            height: self.known.height,
+            data: open.iter().map(|open| 2 * open < most).collect(),
+        };
+        for i in depths.see_through_holes(&cut) {
+            closed[i] = true;
+        }
+        for i in 0..sides.data.len() {
+            sides.data[i] |= before.data[i] && closed[self.small(i % width, i / width)];
+        }
+    }
+
+    /// Whether a pixel or one of its neighbours is open.
+    fn beside_open(&self, x: usize, y: usize) -> bool {
+        let open = |x: usize, y: usize| self.at(x, y) == Known::Unknown;
+        let mut rows = y.max(1) - 1..y + 2;
+        self.near.data[self.small(x, y)]
+            && (open(x, y) || rows.any(|y| (x.max(1) - 1..x + 2).any(|x| open(x, y))))
+    }
+
+    /// What pixels cost as background where that is asked: the others are settled.
+    fn cost(&self, likeness: &Likeness<'_>, without: &Backdrop, strange: &[f32]) -> Vec<f32> {
+        let (width, height) = (likeness.photo.width, likeness.photo.height);
+        let mut cost = vec![0.0; width * height];
+        for tile in tiles(&self.near) {
+            let scaled = |r: &Range<usize>| (r.start * self.factor, r.len() * self.factor);
+            let ((left, wide), (top, tall)) = (scaled(&tile.x), scaled(&tile.y));
+            let wanted = |x: usize, y: usize| self.beside_open(x, y);
+            let here = likeness.cost_where([left, top, wide, tall], &wanted);
+            for (y, row) in (top..top + tall).zip(here.chunks(wide)) {
+                let places = y * width + left..;
+                for (i, here) in places.zip(row) {
+                    cost[i] = match (without.seen.data[i], self.between(strange, i % width, y)) {
+                        (false, _) => UNSEEN,
+                        (true, strange) if strange > 0.0 => here.max(FLAT + strange),
+                        (true, _) => *here,
+                    };
+                }
+            }
+        }
+        cost
+    }
+
+    /// What coarse pixels say at a pixel between their middles, bilinear; 0 where they say nothing.
+    fn between(&self, coarse: &[f32], x: usize, y: usize) -> f32 {
+        let (width, height) = (self.known.width, self.known.height);
+        if coarse.is_empty() {
+            return 0.0;
+        }
+        let place = |v: usize, most: usize| {
+            let at = (v as f32 + 0.5) / self.factor as f32 - 0.5;
+            let at = at.clamp(0.0, (most - 1) as f32);
+            let first = (at as usize).min(most.saturating_sub(2));
+            (first, (first + 1).min(most - 1), at - first as f32)
+        };
+        let ((left, right, u), (top, bottom, v)) = (place(x, width), place(y, height));
+        let along = |y: usize| {
+            let (a, b) = (coarse[y * width + left], coarse[y * width + right]);
+            a + u * (b - a)
+        };
+        along(top) + v * (along(bottom) - along(top))
+    }
+}
+
+/// Coarse pixels within two of the border.
+pub(crate) fn band(sides: &Image<bool>) -> Image<bool> {
+    let (w, h) = (sides.width as i32, sides.height as i32);
+    let mut band = Image {
+        width: sides.width,
+        height: sides.height,
+        data: vec![false; sides.data.len()],
+    };
+    for y in 0..h {
+        for x in 0..w {
+            let here = sides.at(x as usize, y as usize);
+            let differs = |dx: i32, dy: i32| {
+                let (nx, ny) = (x + dx, y + dy);
+                nx >= 0 && ny >= 0 && nx < w && ny < h && sides.at(nx as usize, ny as usize) != here
+            };
+            let near = (-2..=2).any(|dy| (-2..=2).any(|dx| differs(dx, dy)));
+            *band.at_mut(x as usize, y as usize) = near;
+        }
+    }
+    band
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const SIDE: usize = 160;
+    const FACTOR: usize = 4;
+
+    /// Body to the left, of the floor's colour in a faint shadow.
+    fn half(x: usize) -> bool {
+        x < SIDE / 2
+    }
+
+    /// Where the border comes to lie, on the mean. \[px\]
+    fn border(strange: Vec<f32>) -> f64 {
+        let mut dice = proof::Dice(2);
+        let mut noisy =
+            |color: [f64; 3], sigma: f64| color.map(|v| (v + sigma * dice.normal()).round() as u8);
+        let mut pixels = Rgb::filled(SIDE, SIDE, [0; 3]);
+        for (i, p) in pixels.data.iter_mut().enumerate() {
+            let body = half(i % SIDE);
+            *p = noisy(
+                if body {
+                    [162.0, 133.0, 102.0]
+                } else {
+                    [178.0, 146.0, 112.0]
+                },
+                1.5,
+            );
+        }
+        let skin: Vec<[u8; 3]> = (0..2000)
+            .map(|_| noisy([162.0, 133.0, 102.0], 12.0))
+            .collect();
+        let without = Backdrop::whole(Rgb::filled(SIDE, SIDE, [178, 146, 112]));
+        let small = SIDE / FACTOR;
+        let coarse = Image {
+            width: small,
+            height: small,
+            data: (0..small * small)
+                .map(|i| half(i % small * FACTOR))
+                .collect(),
+        };
+        let mut ready = crate::likelihood::prepared::prepare(&pixels, &without, None, small, 0.0);
+        ready.strange = strange;
+        let settings = Settings {
+            gamma: 40.0,
+            rounds: 1,
+            clusters: 1,
+            thinner: 0.0,
+        };
+        let skin = Gmm::fit(&skin, 1).expect("one cluster");
+        let mask = fine(&pixels, &without, &ready, &coarse, &skin, None, &settings);
+        let body: f64 = mask.data.iter().map(|c| f64::from(*c) / 255.0).sum();
+        body / SIDE as f64
+    }
+
+    #[test]
+    fn the_border_at_full_size_keeps_to_the_grain_where_colours_tell_nothing() {
+        let small = SIDE / FACTOR;
+        let lacks = (0..small * small).map(|i| if half(i % small * FACTOR) { 24.0 } else { 0.0 });
+        let (by_colors, by_grain) = (border(Vec::new()), border(lacks.collect()));
+        let true_border = SIDE as f64 / 2.0;
+        assert!(by_colors < true_border - 4.0, "{by_colors} px");
+        assert!((by_grain - true_border).abs() < 1.0, "{by_grain} px");
+    }
+}

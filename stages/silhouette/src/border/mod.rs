@@ -1,0 +1,7 @@
+//! The border of the body at full size.
+
+pub(crate) mod by_colors;
+pub(crate) mod full_size;
+pub(crate) mod narrow_gaps;
+pub(crate) mod soft_border;
+pub(crate) mod tiles;

@@ -1,0 +1,183 @@
+//! The border of a cut between pixels: how much of each border pixel is body.
+//!
+//! A pixel on the border shows a mixture of body and background, `I = a F + (1 - a) B` (Porter and
+//! Duff 1984). The background B is known, the body's colour F is taken from beside it, and `a`
+//! follows. Where F and B are alike, the cut's own border is smoothed instead.
+
+use crate::likelihood::background::Noise;
+use shape::{Image, Mask, Rgb};
+
+/// Half the side of the neighbourhood in which the body's colour is sought. \[px\]
+const REACH: usize = 4;
+/// Pixels this far from the border show one side only. \[px\]
+const MIXED: i32 = 2;
+
+/// Coverage of every pixel: 0 or 255 but at the border, where it is what colours say.
+pub fn soft_border(photo: &Rgb, without: &Rgb, sides: &Image<bool>, noise: Noise) -> Mask {
+    let near = near_border(sides);
+    let mut mask = smoothed(sides, &near);
+    for y in 0..sides.height {
+        for x in along(&near, y) {
+            let smooth = mask.at(x, y);
+            let Some((body, light)) = around(photo, without, sides, &near, x, y) else {
+                continue;
+            };
+            let ground = without.at(x, y).map(|c| f32::from(c) * light);
+            let (mut along, mut length) = (0.0, 0.0);
+            for c in 0..3 {
+                let step = body[c] - ground[c];
+                along += step * (f32::from(photo.at(x, y)[c]) - ground[c]);
+                length += step * step;
+            }
+            let share = (along / length.max(1.0)).clamp(0.0, 1.0);
+            let trust = length / (length + (8.0 * noise.room).powi(2));
+            let mixed = trust * share * 255.0 + (1.0 - trust) * f32::from(smooth);
+            *mask.at_mut(x, y) = mixed.round() as u8;
+        }
+    }
+    mask
+}
+
+/// The body's mean colour beside a border pixel, and the background's light there.
+fn around(
+    photo: &Rgb,
+    without: &Rgb,
+    sides: &Image<bool>,
+    near: &Image<bool>,
+    x: usize,
+    y: usize,
+) -> Option<([f32; 3], f32)> {
+    let (mut body, mut bodies) = ([0u32; 3], 0u32);
+    let (mut seen, mut want) = (0u32, 0u32);
+    for row in y.saturating_sub(REACH)..(y + REACH + 1).min(sides.height) {
+        for column in x.saturating_sub(REACH)..(x + REACH + 1).min(sides.width) {
+            if near.at(column, row) {
+                continue;
+            }
+            let color = photo.at(column, row);
+            if sides.at(column, row) {
+                (0..3).for_each(|c| body[c] += u32::from(color[c]));
+                bodies += 1;
+            } else {
+                seen += color.iter().map(|c| u32::from(*c)).sum::<u32>();
+                want += without
+                    .at(column, row)
+                    .iter()
+                    .map(|c| u32::from(*c))
+                    .sum::<u32>();
+            }
+        }
+    }
+    let light = if want == 0 {
+        1.0
+    } else {
+        seen as f32 / want as f32
+    };
+    (bodies > 0).then(|| {
+        (
+            body.map(|b| b as f32 / bodies as f32),
+            light.clamp(0.2, 1.2),
+        )
+    })
+}
+
+/// Columns of the pixels of a row that may show both sides.
+fn along(near: &Image<bool>, y: usize) -> impl Iterator<Item = usize> {
+    let columns = near.row(y).iter().enumerate();
+    columns.filter(|(_, near)| **near).map(|(x, _)| x)
+}
+
+/// Pixels that may show both sides.
+fn near_border(sides: &Image<bool>) -> Image<bool> {
+    let (w, h) = (sides.width, sides.height);
+    let mut near = Image::filled(w, h, false);
+    let mut grow = |x: usize, y: usize| {
+        let (x, y) = (x as i32, y as i32);
+        let columns = (x - MIXED + 1).max(0) as usize..(x + MIXED).min(w as i32) as usize;
+        for ny in (y - MIXED + 1).max(0)..(y + MIXED).min(h as i32) {
+            near.data[ny as usize * w..][columns.clone()].fill(true);
+        }
+    };
+    for y in 0..h {
+        let row = sides.row(y);
+        for x in 1..w {
+            if row[x - 1] != row[x] {
+                grow(x - 1, y);
+                grow(x, y);
+            }
+        }
+        if y + 1 == h || row == sides.row(y + 1) {
+            continue;
+        }
+        for x in 0..w {
+            if row[x] != sides.at(x, y + 1) {
+                grow(x, y);
+                grow(x, y + 1);
+            }
+        }
+    }
+    near
+}
+
+/// Sides as coverage with a soft border: a 3 × 3 binomial filter, so that the border crosses half
+/// coverage between the two pixels that differ.
+pub fn coverage(sides: &Image<bool>) -> Mask {
+    smoothed(sides, &near_border(sides))
+}
+
+/// The same where it is known which pixels lie near the border: beyond, all nine are of one side.
+fn smoothed(sides: &Image<bool>, near: &Image<bool>) -> Mask {
+    let (w, h) = (sides.width, sides.height);
+    let mut mask: Mask = sides.map(|body| if *body { 255 } else { 0 });
+    for y in 0..h {
+        for x in along(near, y) {
+            let (mut sum, mut weight) = (0u32, 0u32);
+            for (dy, wy) in [(-1i32, 1u32), (0, 2), (1, 1)] {
+                for (dx, wx) in [(-1i32, 1u32), (0, 2), (1, 1)] {
+                    let (nx, ny) = (x as i32 + dx, y as i32 + dy);
+                    if nx >= 0 && ny >= 0 && nx < w as i32 && ny < h as i32 {
+                        sum += u32::from(sides.at(nx as usize, ny as usize)) * wx * wy;
+                        weight += wx * wy;
+                    }
+                }
+            }
+            *mask.at_mut(x, y) = (sum * 255 / weight) as u8;
+        }
+    }
+    mask
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A disc of one colour before another, drawn with 8 × 8 samples a pixel.
+    fn disc(radius: f64, body: f64, wall: f64, dice: &mut proof::Dice) -> Rgb {
+        let mut image = Rgb::filled(120, 120, [0; 3]);
+        for (i, p) in image.data.iter_mut().enumerate() {
+            let (x, y) = ((i % 120) as f64 - 59.3, (i / 120) as f64 - 59.8);
+            let part = |s: i32| (f64::from(s) + 0.5) / 8.0 - 0.5;
+            let inside = (0..64).filter(|s| libm::hypot(x + part(s % 8), y + part(s / 8)) < radius);
+            let share = inside.count() as f64 / 64.0;
+            let level = wall + share * (body - wall);
+            *p = [0, 1, 2].map(|_| (level + 1.5 * dice.normal()).round() as u8);
+        }
+        image
+    }
+
+    #[test]
+    fn the_border_lies_where_the_colours_mix_though_the_cut_is_a_pixel_wide() {
+        let mut dice = proof::Dice(8);
+        let (radius, noise) = (40.0, Noise::even(2.0));
+        let photo = disc(radius, 190.0, 70.0, &mut dice);
+        let wall = Rgb::filled(120, 120, [70; 3]);
+        // Every pixel with a trace of the body was cut out.
+        let sides = photo.map(|p| p[1] > 78);
+        let area = |mask: &Mask| mask.data.iter().map(|c| f64::from(*c) / 255.0).sum::<f64>();
+        let want = std::f64::consts::PI * radius * radius;
+        let round = std::f64::consts::TAU * radius;
+        let off = (area(&soft_border(&photo, &wall, &sides, noise)) - want) / round;
+        let cut = (area(&coverage(&sides)) - want) / round;
+        assert!(cut > 0.3 && off.abs() < 0.05, "{cut} px, then {off} px");
+    }
+}

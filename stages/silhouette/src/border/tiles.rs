@@ -1,0 +1,45 @@
+//! Squares of coarse pixels in which the border lies.
+
+use crate::cut::least_cut::Window;
+use shape::Image;
+use std::ops::Range;
+
+/// A square of coarse pixels, clipped to the photo.
+pub(crate) struct Tile {
+    pub(crate) x: Range<usize>,
+    pub(crate) y: Range<usize>,
+}
+
+impl Tile {
+    /// What is cut of it at full size: a margin of four coarse pixels around the tile is cut too, then
+    /// thrown away.
+    pub(crate) fn with_margin(&self, coarse: &Image<bool>, factor: usize) -> Window {
+        let widened = |r: &Range<usize>, most: usize| {
+            let (start, end) = (r.start.saturating_sub(4), (r.end + 4).min(most));
+            (start * factor, (end - start) * factor)
+        };
+        let (x, width) = widened(&self.x, coarse.width);
+        let (y, height) = widened(&self.y, coarse.height);
+        Window {
+            x,
+            y,
+            width,
+            height,
+        }
+    }
+}
+
+/// The tiles of 16 pixels in which some of the band lies, row by row.
+pub(crate) fn tiles(band: &Image<bool>) -> Vec<Tile> {
+    const SIDE: usize = 16;
+    let along = |most: usize| {
+        let starts = (0..most).step_by(SIDE);
+        starts.map(move |start| start..(start + SIDE).min(most))
+    };
+    let all = along(band.height).flat_map(|y| along(band.width).map(move |x| (x, y.clone())));
+    let on_band = |tile: &Tile| {
+        let mut rows = tile.y.clone();
+        rows.any(|y| tile.x.clone().any(|x| band.at(x, y)))
+    };
+    all.map(|(x, y)| Tile { x, y }).filter(on_band).collect()
+}

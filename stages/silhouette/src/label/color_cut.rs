@@ -1,0 +1,114 @@
+//! Body and background of a photo by graph cuts, coarse to fine (Rother, Kolmogorov, Blake 2004).
+
+use crate::cut::least_cut::{Known, Terms, UNIT, Window, least_cut};
+use crate::label::parts::largest;
+use crate::likelihood::background::{FLAT, Noise};
+use crate::likelihood::body::{EVIDENT, body_cost};
+use crate::likelihood::gmm::Gmm;
+use crate::likelihood::prepared::Prepared;
+use shape::{Image, Rgb};
+
+/// How to cut.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Settings {
+    /// Weight of the border's length against colours (γ).
+    pub gamma: f64,
+    /// Rounds of fitting colours and cutting.
+    pub rounds: usize,
+    /// Clusters of each mixture of colours.
+    pub clusters: usize,
+    /// By how much noise makes the background's density thinner ([`crate::Noise`]): the body costs so much less. \[nats\]
+    pub thinner: f64,
+}
+
+impl Settings {
+    /// The same for a photo of such noise.
+    pub(crate) fn with(&self, noise: Noise) -> Self {
+        Settings {
+            thinner: noise.thinner(),
+            ..*self
+        }
+    }
+}
+
+/// Neighbours that cost the background no more than this are its own.
+const OWN: f32 = FLAT + 1.5;
+/// Which pixels are body: `background` is -ln p(pixel | background), `explained` the same as far as
+/// holes may trust it, `known` what is certain.
+/// Returns the sides and the mixture of the body's colours. `None` if nothing can be body.
+pub fn cut_whole(
+    photo: &Rgb,
+    background: &[f32],
+    explained: &[f32],
+    known: &[Known],
+    settings: &Settings,
+) -> Option<(Image<bool>, Gmm)> {
+    let certain = |i: usize| match known[i] {
+        Known::Unknown => background[i] > EVIDENT,
+        other => other == Known::Body,
+    };
+    let mut body: Vec<bool> = (0..known.len()).map(certain).collect();
+    let mut gmm = None;
+    for _ in 0..settings.rounds.max(1) {
+        let colors: Vec<[u8; 3]> = body
+            .iter()
+            .zip(&photo.data)
+            .filter(|(b, _)| **b)
+            .map(|(_, c)| *c)
+            .step_by(7)
+            .collect();
+        let fitted = Gmm::fit(&colors, settings.clusters)?;
+        let window = Window {
+            x: 0,
+            y: 0,
+            width: photo.width,
+            height: photo.height,
+        };
+        body = cut(photo, background, &window, &fitted, settings, &|i| known[i]);
+        gmm = Some(fitted);
+    }
+    let sides = Image {
+        width: photo.width,
+        height: photo.height,
+        data: body,
+    };
+    let costs = |i: usize| [background[i], explained[i]];
+    Some((largest(&sides, &costs), gmm?))
+}
+
+/// The coarse cut. `None` if nothing can be body.
+pub fn coarse(ready: &Prepared, settings: &Settings) -> Option<(Image<bool>, Gmm)> {
+    let (cost, explained) = (&ready.cost, &ready.explained);
+    let settings = settings.with(ready.noise);
+    cut_whole(&ready.small, cost, explained, &ready.known, &settings)
+}
+
+/// Cuts a window: true is body. `background` and the result are row-major over the window, `known`
+/// goes by the photo's pixels.
+pub fn cut(
+    photo: &Rgb,
+    background: &[f32],
+    window: &Window,
+    body: &Gmm,
+    settings: &Settings,
+    known: &dyn Fn(usize) -> Known,
+) -> Vec<bool> {
+    let colours = |i: usize, here: usize| {
+        // The grid is small where it matters: -ln of body = -ln(0.7 GMM + 0.3 anything).
+        let keep = (f64::from(background[here]) * UNIT) as i32;
+        let of_body = body_cost(body, photo.data[i]) - settings.thinner;
+        (keep, (of_body * UNIT) as i32)
+    };
+    // An edge that the background has by itself is no reason to cut here.
+    let own = |here: usize, there: usize| background[here].min(background[there]) < OWN;
+    least_cut(
+        photo,
+        window,
+        settings.gamma,
+        &Terms {
+            known,
+            colours: &colours,
+            own: &own,
+        },
+    )
+}

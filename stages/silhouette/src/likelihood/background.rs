@@ -1,0 +1,200 @@
+//! How well a pixel is explained by the background: negative log likelihoods.
+
+pub use crate::likelihood::grounds::Ground;
+use crate::likelihood::neighbourhoods::{box_means, least_around};
+pub(crate) use crate::likelihood::noise::FLAT;
+pub use crate::likelihood::noise::Noise;
+use crate::likelihood::noise::SHADED_LIGHT;
+use shape::Rgb;
+
+/// How far an edge of the background may move. \[px\]
+const SLACK: f32 = 0.4;
+/// A pixel that the background explains worse than by so much is not it, however much worse.
+pub(crate) const CAP: f32 = 24.0;
+/// Least noise of a neighbourhood's mean: light that the subject throws back colours what is near. \[levels\]
+const BOUNCE: [f32; 2] = [1.0, 2.0];
+/// What the noise grows by where the disk is all dark. \[levels\]
+const THROWN: f32 = 10.0;
+/// Share of a room's neighbourhoods whose light the subject changes, by a shadow or by what it throws back.
+/// Set by hand: in renders of three rooms none was, in real ones some are.
+const SHADED_SHARE: f32 = 0.1;
+
+/// -ln p(pixel | background) of the pixels of a rectangle (left, top, width, height), row-major, up to
+/// a constant that noise changes (`Noise::thinner`).
+///
+/// The pixel may match what is expected there, or lie part of the way (`SLACK`) towards the
+/// darkest and brightest of its eight neighbours (edges move by a part of a pixel), as it is or
+/// with its light changed as far as the ground there allows. One pixel may match by chance: the
+/// means of a neighbourhood (`reach` pixels to each side) that it belongs to must match, too, in a light that
+/// changes no more than neighbourhoods of this photo do (`Noise::light`) or, one time in ten, by a shadow.
+pub fn background_cost(
+    photo: &Rgb,
+    expected: &Rgb,
+    noise: Noise,
+    ground: &dyn Fn(usize, usize) -> Ground,
+    reach: usize,
+    rectangle: [usize; 4],
+) -> Vec<f32> {
+    let likeness = Likeness {
+        photo,
+        expected,
+        noise,
+        ground,
+        reach,
+    };
+    likeness.cost_where(rectangle, &|_, _| true)
+}
+
+/// A photo and the background that is expected of it.
+pub(crate) struct Likeness<'a> {
+    pub(crate) photo: &'a Rgb,
+    pub(crate) expected: &'a Rgb,
+    pub(crate) noise: Noise,
+    pub(crate) ground: &'a dyn Fn(usize, usize) -> Ground,
+    /// Half the side of neighbourhoods. \[px\]
+    pub(crate) reach: usize,
+}
+
+impl Likeness<'_> {
+    /// As [`background_cost`], of the pixels that are wanted; of no meaning at the others.
+    pub(crate) fn cost_where(
+        &self,
+        [left, top, width, height]: [usize; 4],
+        wanted: &dyn Fn(usize, usize) -> bool,
+    ) -> Vec<f32> {
+        let (photo, expected, reach) = (self.photo, self.expected, self.reach);
+        // Windows that hold a pixel of the rectangle reach so far beyond it.
+        let margin = 2 * reach;
+        let (x0, y0) = (left.saturating_sub(margin), top.saturating_sub(margin));
+        let (x1, y1) = (
+            (left + width + margin).min(photo.width),
+            (top + height + margin).min(photo.height),
+        );
+        let wide = x1 - x0;
+        let places = || (y0..y1).flat_map(|y| (x0..x1).map(move |x| (x, y)));
+        let inside = |x: usize, y: usize| {
+            (left..left + width).contains(&x) && (top..top + height).contains(&y)
+        };
+        // 0 where wanted, and then, spread, where a mean is.
+        let missing = |(x, y)| f32::from(u8::from(!(inside(x, y) && wanted(x, y))));
+        let wanted: Vec<f32> = places().map(missing).collect();
+        let asked = least_around(&wanted, wide, reach);
+        let area = [x0, y0, x1, y1];
+        let (photo_means, expected_means) = (
+            box_means(photo, area, reach),
+            box_means(expected, area, reach),
+        );
+        let mut means = vec![f32::MAX; asked.len()];
+        let mut single = vec![0.0; asked.len()];
+        for (i, (x, y)) in places().enumerate().filter(|(i, _)| asked[*i] == 0.0) {
+            let on = (self.ground)(x, y);
+            let mean = expected_means[i];
+            let disk = usize::from(on == Ground::Disk);
+            let rough = self.noise.means[disk].max(BOUNCE[disk]);
+            means[i] = cost(photo_means[i], mean, mean, on, rough, self.noise.light);
+            if wanted[i] == 0.0 {
+                single[i] = self.single(x, y, on);
+            }
+        }
+        let best = least_around(&means, wide, reach);
+        let within = places().enumerate().filter(|(_, (x, y))| inside(*x, *y));
+        within.map(|(i, _)| single[i].max(best[i])).collect()
+    }
+
+    /// -ln p(pixel | background) by the pixel's own colour, on the ground that lies there.
+    pub(crate) fn single(&self, x: usize, y: usize, on: Ground) -> f32 {
+        let (lo, hi) = slack(self.expected, x, y);
+        let shown = self.photo.at(x, y).map(f32::from);
+        // The spread of light is that of means; one pixel's is mostly noise.
+        cost(shown, lo, hi, on, self.noise.on(on), SHADED_LIGHT)
+    }
+}
+
+/// What a pixel may be when edges move by a part of a pixel: darkest and brightest.
+pub(crate) fn slack(expected: &Rgb, x: usize, y: usize) -> ([f32; 3], [f32; 3]) {
+    let (mut lo, mut hi) = ([255u8; 3], [0u8; 3]);
+    for row in y.saturating_sub(1)..(y + 2).min(expected.height) {
+        for p in &expected.row(row)[x.saturating_sub(1)..(x + 2).min(expected.width)] {
+            (0..3).for_each(|c| (lo[c], hi[c]) = (lo[c].min(p[c]), hi[c].max(p[c])));
+        }
+    }
+    let middle = expected.at(x, y).map(f32::from);
+    let towards = |end: [u8; 3]| {
+        let part = |c: usize| middle[c] + SLACK * (f32::from(end[c]) - middle[c]);
+        [part(0), part(1), part(2)]
+    };
+    (towards(lo), towards(hi))
+}
+
+/// The cost of a change of a room's light whose spread is `sigma`, or [`SHADED_LIGHT`] where the subject changes it.
+fn price_of_light(change: f32, sigma: f32) -> f32 {
+    let half_square = |sigma: f32| (change / sigma) * (change / sigma) / 2.0;
+    let seldom = libm::logf((1.0 - SHADED_SHARE) / SHADED_SHARE * SHADED_LIGHT / sigma);
+    match sigma < SHADED_LIGHT {
+        true => half_square(sigma).min(half_square(SHADED_LIGHT) + seldom),
+        false => half_square(SHADED_LIGHT),
+    }
+}
+
+/// The cost of a colour against a box of colours, as it is or in a light whose spread in a room is `spread`.
+fn cost(p: [f32; 3], lo: [f32; 3], hi: [f32; 3], on: Ground, sigma: f32, spread: f32) -> f32 {
+    let beyond = |light: f32| -> f32 {
+        (0..3)
+            .map(|c| (lo[c] * light - p[c]).max(p[c] - hi[c] * light).max(0.0))
+            .map(|d| d * d)
+            .sum::<f32>()
+            / 2.0
+    };
+    let (darkest, brightest) = match on {
+        Ground::Room => (0.88, 1.04),
+        Ground::Floor => (0.45, 1.04),
+        Ground::Disk => (0.2, 1.04),
+    };
+    // The light that explains the pixel best, by its brightness.
+    let sum = |c: [f32; 3]| c.iter().sum::<f32>() + 3.0;
+    let light = (sum(p) / ((sum(lo) + sum(hi)) / 2.0)).clamp(darkest, brightest);
+    let change = (light - 1.0).abs();
+    let price = match on {
+        Ground::Room => price_of_light(change, spread),
+        _ => 7.0 * change,
+    };
+    // The darker a shadow on the disk, the more of what is left there the subject's colour throws back.
+    let thrown = match on {
+        Ground::Disk => THROWN * (1.0 - light).max(0.0),
+        _ => 0.0,
+    };
+    let bright = beyond(1.0) / (sigma * sigma);
+    let shaded = beyond(light) / ((sigma + thrown) * (sigma + thrown));
+    bright.min(shaded + price).min(CAP) + FLAT
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn noisy(level: f64, sigma: f64, dice: &mut proof::Dice) -> Rgb {
+        let mut image = Rgb::filled(80, 60, [0; 3]);
+        for p in &mut image.data {
+            *p = [0, 1, 2].map(|_| (level + sigma * dice.normal()).round() as u8);
+        }
+        image
+    }
+
+    #[test]
+    fn a_shirt_nearly_as_dark_as_the_wall_is_no_wall() {
+        let mut dice = proof::Dice(4);
+        let plate = Rgb::filled(80, 60, [170, 166, 154]);
+        let photo = noisy(160.0, 1.0, &mut dice);
+        let noise = Noise::even(2.0);
+        let all = [0, 0, 80, 60];
+        let cost = background_cost(&photo, &plate, noise, &|_, _| Ground::Room, 1, all);
+        let mean = cost.iter().sum::<f32>() / cost.len() as f32;
+        assert!(mean > FLAT + 5.0, "{mean}");
+        // The wall itself, and the floor in a shadow of the same colour.
+        let wall = background_cost(&plate, &plate, noise, &|_, _| Ground::Room, 1, all);
+        assert!(wall.iter().all(|c| *c == FLAT));
+        let dark = Rgb::filled(80, 60, [119, 116, 108]);
+        let shadow = background_cost(&dark, &plate, noise, &|_, _| Ground::Floor, 1, all);
+        assert!(shadow.iter().all(|c| *c < FLAT + 3.0));
+    }
+}

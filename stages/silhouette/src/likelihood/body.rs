@@ -1,0 +1,19 @@
+//! How well a colour is explained by the body: negative log likelihoods. \[nats\]
+
+use crate::likelihood::gmm::Gmm;
+
+/// -ln of an even density over all colours: anything can be body.
+const ANY_COLOR: f64 = 16.6;
+/// A pixel that costs the background more than this is evidently body.
+pub(crate) const EVIDENT: f32 = 22.0;
+/// What the body costs where its mixture tells nothing: a colour that it has not.
+pub(crate) const STRANGE: f64 = ANY_COLOR + 1.2;
+
+/// What a colour costs the body at most that it evidently has: twenty times as likely as any colour. Set by
+/// hand.
+pub(crate) const OWN_COLOR: f64 = ANY_COLOR - 3.0;
+
+/// -ln p(colour | body): of its mixture or, one time in three, of any colour.
+pub(crate) fn body_cost(body: &Gmm, color: [u8; 3]) -> f64 {
+    (body.cost(color) + 0.36).min(STRANGE)
+}

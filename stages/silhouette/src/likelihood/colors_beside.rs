@@ -1,0 +1,119 @@
+//! Background that nobody saw, out of what lies beside it.
+//!
+//! Near the axis the body covers a pixel on nearly all photos. Where one of the few others shows a
+//! colour that the room has close by, it is the room's rather than the body's.
+
+use crate::likelihood::background::FLAT;
+use crate::scene::backdrop::Backdrop;
+use shape::{Image, Rgb};
+
+/// How far away the room is asked, as a share of the photo's height.
+const REACH: f64 = 0.03;
+/// Places that are asked along a side of the neighbourhood.
+const ASKED: usize = 17;
+/// How far colours of neighbours differ. \[levels\]
+pub(crate) const UNLIKE: f32 = 4.0;
+/// What it costs that a colour is found beside its place.
+const BESIDE: f32 = 2.0;
+
+/// Odds (ln) by which a colour of the room beside must beat the body's before it is the room's beyond
+/// doubt.
+pub(crate) const APART: f32 = 6.0;
+
+/// What the background costs as far as it may contradict the others: that it shows a colour of the
+/// room beside and one that the body has not. Both are -ln p.
+pub(crate) fn beside(background: f32, body: f32) -> f32 {
+    FLAT + (background + APART - body).max(0.0)
+}
+
+/// The room seen close to each pixel that nobody saw.
+pub struct Nearby<'a> {
+    room: &'a Backdrop,
+    step: i64,
+    close: Image<bool>,
+}
+
+impl<'a> Nearby<'a> {
+    /// Finds the unseen pixels that have seen ones nearby.
+    pub fn of(room: &'a Backdrop) -> Self {
+        let (w, h) = (room.seen.width, room.seen.height);
+        let step = ((h as f64 * REACH * 2.0 / (ASKED - 1) as f64).round() as i64).max(1);
+        let reach = step as usize * (ASKED / 2);
+        // Nearest seen pixel along rows, then along columns.
+        let mut close = room.seen.clone();
+        for along_rows in [true, false] {
+            let from = close.clone();
+            let (lines, length) = if along_rows { (h, w) } else { (w, h) };
+            let at = |line: usize, i: usize| {
+                if along_rows {
+                    line * w + i
+                } else {
+                    i * w + line
+                }
+            };
+            for line in 0..lines {
+                for order in [false, true] {
+                    let mut last = None;
+                    for step in 0..length {
+                        let i = if order { length - 1 - step } else { step };
+                        if from.data[at(line, i)] {
+                            last = Some(step);
+                        }
+                        close.data[at(line, i)] |= last.is_some_and(|l| step - l <= reach);
+                    }
+                }
+            }
+        }
+        Nearby { room, step, close }
+    }
+
+    /// -ln p(pixel | a colour of the room nearby), on the scale of the costs of the background.
+    /// `None` where the room was not seen nearby.
+    pub fn cost(&self, photo: &Rgb, i: usize) -> Option<f32> {
+        if !self.close.data[i] {
+            return None;
+        }
+        let (w, h) = (photo.width as i64, photo.height as i64);
+        let (x, y) = (i as i64 % w, i as i64 / w);
+        let half = (ASKED / 2) as i64;
+        let color = photo.data[i].map(f32::from);
+        let mut least = f32::MAX;
+        for v in -half..=half {
+            for u in -half..=half {
+                let (nx, ny) = (x + u * self.step, y + v * self.step);
+                if nx < 0 || ny < 0 || nx >= w || ny >= h {
+                    continue;
+                }
+                let j = (ny * w + nx) as usize;
+                if self.room.seen.data[j] {
+                    let there = self.room.image.data[j];
+                    let off = (0..3).map(|c| color[c] - f32::from(there[c]));
+                    least = least.min(off.map(|d| d * d).sum());
+                }
+            }
+        }
+        (least < f32::MAX).then(|| FLAT + BESIDE + least / (2.0 * UNLIKE * UNLIKE))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_colour_that_the_room_has_close_by_is_cheap_and_another_is_dear() {
+        // 400 rows: 12 pixels around are asked. The room was not seen in a block in its middle.
+        let mut room = Backdrop::whole(Rgb::filled(60, 400, [90, 100, 120]));
+        let unseen = |i: usize| (10..50).contains(&(i % 60)) && (100..300).contains(&(i / 60));
+        (0..24000)
+            .filter(|i| unseen(*i))
+            .for_each(|i| room.seen.data[i] = false);
+        let nearby = Nearby::of(&room);
+        let mut photo = room.image.clone();
+        let (like, unlike, far) = (200 * 60 + 14, 202 * 60 + 14, 200 * 60 + 30);
+        photo.data[unlike] = [210, 170, 150];
+        assert!(nearby.cost(&photo, like).unwrap() < FLAT + 3.0);
+        assert!(nearby.cost(&photo, unlike).unwrap() > FLAT + 100.0);
+        assert_eq!(nearby.cost(&photo, far), None);
+    }
+}

@@ -1,0 +1,99 @@
+//! Body or disk, by colour alone: a first guess where the disk turns below the feet.
+
+use crate::likelihood::gmm::Gmm;
+use crate::likelihood::prepared::UNSEEN;
+use crate::scene::backdrop::Backdrop;
+use crate::scene::disk_map::point;
+use crate::scene::still_and_disk::{Shot, scene};
+use rayon::prelude::*;
+use shape::Image;
+
+/// What it costs to find a colour of the disk at another place than there.
+const ELSEWHERE: f32 = 1.0;
+/// Clusters of each mixture of colours.
+const CLUSTERS: usize = 12;
+/// Where on its radius the disk is mostly free of feet.
+const RIM_FROM: f64 = 0.6;
+/// A pixel that is off the room by so much in all channels together is not the room. \[levels\]
+const OFF: u32 = 90;
+
+/// What a colour costs as the disk's where nobody saw it: as one of its colours elsewhere, in light
+/// or in shadow.
+pub(crate) fn disk_cost(disk: Option<&Gmm>, color: [u8; 3]) -> f32 {
+    let Some(disk) = disk else {
+        return UNSEEN;
+    };
+    let lit = |(light, price): (f32, f32)| {
+        let bright = color.map(|c| (f32::from(c) * light).min(255.0) as u8);
+        disk.cost(bright) as f32 + price
+    };
+    let shades = [(1.0, 0.0), (1.35, 0.7), (1.8, 1.2)];
+    shades.map(lit).into_iter().fold(f32::MAX, f32::min) + ELSEWHERE
+}
+
+/// Some colours at most, spread evenly, as a mixture.
+pub(crate) fn mixture(colors: &[[u8; 3]]) -> Option<Gmm> {
+    let some: Vec<[u8; 3]> = colors
+        .iter()
+        .copied()
+        .step_by(colors.len() / 8000 + 1)
+        .collect();
+    Gmm::fit(&some, CLUSTERS)
+}
+
+/// The colours of what is surely not the room.
+pub(crate) fn body_colors(shots: &[Shot], room: &Backdrop, radius: f64) -> Option<Gmm> {
+    let mut colors = Vec::new();
+    for shot in shots {
+        for (i, c) in shot.small.data.iter().enumerate().step_by(5) {
+            let off: u32 = (0..3)
+                .map(|k| u32::from(c[k].abs_diff(room.image.data[i][k])))
+                .sum();
+            if room.seen.data[i] && off > OFF && !shot.shows_disk(i, radius) {
+                colors.push(*c);
+            }
+        }
+    }
+    mixture(&colors)
+}
+
+/// The colours of the disk beyond a share of its radius, where it was seen.
+pub(crate) fn disk_colors(disk: &Backdrop, beyond: f64) -> Option<Gmm> {
+    let side = disk.image.width;
+    let colors: Vec<[u8; 3]> = (0..side * side)
+        .filter(|i| disk.seen.data[*i])
+        .filter(|i| point(*i, 1.0, side).is_some_and(|x| libm::hypot(x.x, x.y) > beyond))
+        .map(|i| disk.image.data[i])
+        .collect();
+    mixture(&colors)
+}
+
+/// Pixels on the disk whose colour is the body's rather than the disk's.
+pub(crate) fn on_the_disk(
+    shots: &[Shot],
+    room: &Backdrop,
+    body: Option<&Gmm>,
+    radius: f64,
+) -> Vec<Image<bool>> {
+    let open: Vec<Image<bool>> = shots.iter().map(|s| s.small.map(|_| false)).collect();
+    let Some(body) = body.filter(|_| radius > 0.0) else {
+        return open;
+    };
+    // Feet stand in the middle, and legs hide what is behind them in some photos only.
+    let outer = scene(shots, room.clone(), radius, &open).disk;
+    let Some(disk) = disk_colors(&outer, RIM_FROM) else {
+        return open;
+    };
+    let covers = |shot: &Shot| {
+        let one = |i: usize| {
+            let c = shot.small.data[i];
+            shot.shows_disk(i, radius) && body.cost(c) < disk.cost(c)
+        };
+        let data = (0..shot.small.data.len()).map(one).collect();
+        Image {
+            data,
+            ..shot.small.map(|_| false)
+        }
+    };
+    shots.par_iter().map(covers).collect()
+}

@@ -1,0 +1,156 @@
+//! What the background is at each pixel of a photo: the room, the floor, or the disk.
+
+use crate::scene::disk_plane::on_disk;
+use nalgebra::{Point2, Point3};
+use shape::Camera;
+
+/// What the background is at a pixel, which says how light may change there.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Ground {
+    /// Walls: the subject dims or brightens them a little.
+    Room,
+    /// The floor around the disk: a shadow may fall on it.
+    Floor,
+    /// The disk's top: feet touch it, and under them it is nearly dark.
+    Disk,
+}
+
+/// The subject's shadow may fall deep on the disk and the floor around it: this many disk radii.
+const SHADOW_RADII: f64 = 5.0;
+/// Side of the blocks of a photo, in most of which the ground is the same. \[px\]
+const SIDE: usize = 8;
+/// Points of the disk's outline: fewer pixels apart than a block is wide.
+const OUTLINE: usize = 720;
+
+/// The ground of each pixel of a photo.
+pub(crate) struct Grounds<'a> {
+    /// The camera at the reduced size, and the disk's radius. \[mm\]
+    disk: Option<&'a (Camera, f64)>,
+    factor: usize,
+    /// Blocks along a row, and one more corner.
+    wide: usize,
+    /// The ground at each block's left upper corner.
+    corners: Vec<Ground>,
+    /// Whether it is the same all over the block.
+    plain: Vec<bool>,
+}
+
+impl<'a> Grounds<'a> {
+    /// Of a photo of a size, `factor` times as large as the disk's camera sees it.
+    pub(crate) fn of(
+        disk: Option<&'a (Camera, f64)>,
+        factor: usize,
+        width: usize,
+        height: usize,
+    ) -> Self {
+        let (wide, tall) = (width / SIDE + 2, height / SIDE + 2);
+        let mut grounds = Grounds {
+            disk,
+            factor,
+            wide,
+            corners: Vec::new(),
+            plain: Vec::new(),
+        };
+        let places = || (0..tall).flat_map(|y| (0..wide).map(move |x| (x, y)));
+        grounds.corners = places()
+            .map(|(x, y)| grounds.seen(SIDE * x, SIDE * y))
+            .collect();
+        // An outline that passes between the corners around a block is a thin disk's.
+        let plain = |(x, y): (usize, usize)| {
+            let here = grounds.corners[y * wide + x];
+            let rows = y.max(1) - 1..(y + 3).min(tall);
+            let mut all = rows.flat_map(|y| {
+                let row = &grounds.corners[y * wide..];
+                &row[x.max(1) - 1..(x + 3).min(wide)]
+            });
+            all.all(|corner| *corner == here)
+        };
+        grounds.plain = places().map(plain).collect();
+        for (x, y) in grounds.outline() {
+            if x < wide && y < tall {
+                grounds.plain[y * wide + x] = false;
+            }
+        }
+        grounds
+    }
+
+    /// The ground at a pixel.
+    pub(crate) fn at(&self, x: usize, y: usize) -> Ground {
+        let block = y / SIDE * self.wide + x / SIDE;
+        match self.plain[block] {
+            true => self.corners[block],
+            false => self.seen(x, y),
+        }
+    }
+
+    /// The ground nearby.
+    pub(crate) fn about(&self, x: usize, y: usize) -> Ground {
+        self.corners[y / SIDE * self.wide + x / SIDE]
+    }
+
+    /// What a pixel's ray meets. Without a camera a shadow may fall anywhere.
+    fn seen(&self, x: usize, y: usize) -> Ground {
+        let Some((camera, radius)) = self.disk else {
+            return Ground::Floor;
+        };
+        let small = |v: usize| (v as f64 + 0.5) / self.factor as f64 - 0.5;
+        let at = Point2::new(small(x), small(y));
+        match on_disk(camera, at, radius * SHADOW_RADII) {
+            None => Ground::Room,
+            Some(hit) if libm::hypot(hit.x, hit.y) < *radius => Ground::Disk,
+            Some(_) => Ground::Floor,
+        }
+    }
+
+    /// The blocks through which the disk's outline passes, and those beside them.
+    fn outline(&self) -> Vec<(usize, usize)> {
+        let Some((camera, radius)) = self.disk else {
+            return Vec::new();
+        };
+        let point = |i: usize| {
+            let (s, c) = libm::sincos(i as f64 * std::f64::consts::TAU / OUTLINE as f64);
+            let px = camera.project(&Point3::new(radius * c, radius * s, 0.0))?;
+            let block = |v: f64| ((v + 0.5) * self.factor as f64 / SIDE as f64).floor();
+            let (x, y) = (block(px.x), block(px.y));
+            (x >= -1.0 && y >= -1.0).then_some((x as i64, y as i64))
+        };
+        let around = |(x, y): (i64, i64)| {
+            (-1..=1).flat_map(move |dy| (-1..=1).map(move |dx| (x + dx, y + dy)))
+        };
+        let all = (0..OUTLINE).filter_map(point).flat_map(around);
+        all.filter(|(x, y)| *x >= 0 && *y >= 0)
+            .map(|(x, y)| (x as usize, y as usize))
+            .collect()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use nalgebra::{Rotation3, Vector3};
+    use shape::{Intrinsics, Pose};
+
+    #[test]
+    fn blocks_say_the_same_as_pixels() {
+        // From the height of a chest, and so low that the disk is a few pixels thin.
+        for (height, down) in [(1100.0, 0.35), (12.0, 0.004)] {
+            let mut lens = Intrinsics::simple(160, 240, 300.0);
+            lens.radial = [-0.1, 0.02];
+            let rotation =
+                Rotation3::from_euler_angles(std::f64::consts::FRAC_PI_2 + down, 0.0, 0.0);
+            let centre = Vector3::new(0.0, -3000.0, height);
+            let pose = Pose {
+                rotation,
+                translation: -(rotation * centre),
+            };
+            let disk = (Camera { lens, pose }, 450.0);
+            let grounds = Grounds::of(Some(&disk), 3, 480, 720);
+            let mut met = [0; 3];
+            for (x, y) in (0..720).flat_map(|y| (0..480).map(move |x| (x, y))) {
+                assert_eq!(grounds.at(x, y), grounds.seen(x, y), "{x} {y}");
+                met[grounds.at(x, y) as usize] += 1;
+            }
+            assert!(met.iter().all(|count| *count > 0), "{met:?}");
+        }
+    }
+}

@@ -1,0 +1,12 @@
+//! What each pixel costs as background and as body. \[nats\]
+
+pub(crate) mod background;
+pub(crate) mod body;
+pub(crate) mod colors_beside;
+pub(crate) mod disk_colors;
+pub(crate) mod gmm;
+pub(crate) mod grain;
+pub(crate) mod grounds;
+pub(crate) mod neighbourhoods;
+pub(crate) mod noise;
+pub(crate) mod prepared;

@@ -1,0 +1,236 @@
+//! Noise of a photo against the background that is expected of it, measured.
+
+use crate::likelihood::grounds::Ground;
+use shape::Rgb;
+
+/// What a pixel that matches the background to the level costs.
+pub(crate) const FLAT: f32 = 4.5;
+
+/// Bounds of the noise that is believed: rounding, and a photo that shows nothing. \[levels\]
+const BELIEVED: (f32, f32) = (1.0, 40.0);
+/// Some neighbourhoods are noisier than others: the median's deviation is taken so much larger.
+const UNEVEN: f32 = 1.3;
+/// Least spread of a neighbourhood's light: half a level of a middle grey.
+const LEAST_LIGHT: f32 = 0.5 / 128.0;
+/// Spread of a room's light where the subject changes it, and where nothing is known of it. Set by hand, for all of the
+/// light before it was measured.
+pub(crate) const SHADED_LIGHT: f32 = 0.04;
+/// By how much less the mean of a neighbourhood is noisy than a pixel, at least. Set by hand, for all photos before it
+/// was measured.
+const ALIKE: f32 = 2.5;
+/// The quantile that is taken, and where it lies for the absolute value of a normal variable.
+const QUANTILE: (f32, f32) = (0.4, 0.5244);
+
+/// Standard deviations of photo and background against each other.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Noise {
+    /// Of what does not move. \[levels\]
+    pub room: f32,
+    /// On the disk, which is turned back and lit otherwise. \[levels\]
+    pub disk: f32,
+    /// Of the means of neighbourhoods, on what does not move and on the disk: JPEG's noise is alike in neighbours,
+    /// a sensor's is not. \[levels\]
+    pub means: [f32; 2],
+    /// Of the light of the room's neighbourhoods, as a ratio; at most 4 %.
+    pub light: f32,
+}
+
+impl Noise {
+    /// The same everywhere, and of its light nothing is known. \[levels\]
+    pub const fn even(levels: f32) -> Self {
+        Noise {
+            room: levels,
+            disk: levels,
+            means: [levels / ALIKE; 2],
+            light: SHADED_LIGHT,
+        }
+    }
+
+    /// The same where nothing is known of the light.
+    pub(crate) fn in_any_light(self) -> Self {
+        Noise {
+            light: SHADED_LIGHT,
+            ..self
+        }
+    }
+
+    pub(crate) fn on(&self, ground: Ground) -> f32 {
+        match ground {
+            Ground::Disk => self.disk,
+            _ => self.room,
+        }
+    }
+
+    /// By how much the density of the background, which [`FLAT`] stands for, is thinner for noise: three channels
+    /// whose normal density is e^-FLAT where it is greatest have a standard deviation of 1.8 levels,
+    /// FLAT = 3/2 ln 2π + 3 ln σ. Mixtures of the body's colours widen with noise by themselves. \[nats\]
+    pub(crate) fn thinner(&self) -> f64 {
+        let whole = 1.5 * libm::log(std::f64::consts::TAU) + 3.0 * libm::log(f64::from(self.room));
+        (whole - f64::from(FLAT)).max(0.0)
+    }
+
+    /// Measured: the subject covers less than half, so small quantiles of the differences are noise. `reach` is
+    /// half the side of neighbourhoods. \[px\]
+    pub fn measure(
+        photo: &Rgb,
+        expected: &Rgb,
+        ground: &dyn Fn(usize, usize) -> Ground,
+        reach: usize,
+    ) -> Self {
+        let pixels = Spread::of(photo, expected, ground, 0);
+        let around = Spread::of(photo, expected, ground, reach);
+        let room_or = pixels.colors[0].unwrap_or(4.0);
+        let [room, disk] =
+            [room_or, pixels.colors[1].unwrap_or(room_or)].map(|s| s.clamp(BELIEVED.0, BELIEVED.1));
+        let at_most =
+            |means: Option<f32>, single: f32| means.unwrap_or(f32::MAX).min(single / ALIKE);
+        let light = around.light;
+        Noise {
+            room,
+            disk,
+            means: [
+                at_most(around.colors[0], room),
+                at_most(around.colors[1], disk),
+            ],
+            light: light.map_or(SHADED_LIGHT, |l| l.clamp(LEAST_LIGHT, SHADED_LIGHT)),
+        }
+    }
+}
+
+/// By how much neighbourhoods differ from what is expected of them; `None` where there are too few.
+struct Spread {
+    /// Of their colours when both are equally bright, for shadows are no noise: of what does not move, and of
+    /// the disk. \[levels\]
+    colors: [Option<f32>; 2],
+    /// Of the ratio of their light, in the room.
+    light: Option<f32>,
+}
+
+impl Spread {
+    /// Of neighbourhoods that reach so many pixels to each side.
+    fn of(
+        photo: &Rgb,
+        expected: &Rgb,
+        ground: &dyn Fn(usize, usize) -> Ground,
+        reach: usize,
+    ) -> Self {
+        let mut colors = [Counts::of_units(8.0), Counts::of_units(8.0)];
+        let mut lights = Counts::of_units(2000.0);
+        let bright = |c: [f32; 3]| c.iter().sum::<f32>() + 3.0;
+        for (x, y) in places(photo, reach) {
+            let (p, e) = (mean(photo, x, y, reach), mean(expected, x, y, reach));
+            let (light, on) = (bright(p) / bright(e), ground(x, y));
+            let of = &mut colors[usize::from(on == Ground::Disk)];
+            (0..3).for_each(|c| of.add((p[c] - light * e[c]).abs()));
+            if on == Ground::Room {
+                lights.add((light - 1.0).abs());
+            }
+        }
+        // Of three channels that share their brightness two are free.
+        let free = 1.5f32.sqrt();
+        Spread {
+            colors: colors.map(|c| c.sigma().map(|s| s * free)),
+            light: lights.sigma(),
+        }
+    }
+}
+
+/// The middles of neighbourhoods that lie beside each other, every second pixel at most.
+fn places(image: &Rgb, reach: usize) -> impl Iterator<Item = (usize, usize)> {
+    let step = (2 * reach + 1).max(2);
+    let (width, height) = (image.width, image.height);
+    let rows = (reach..height.saturating_sub(reach)).step_by(step);
+    rows.flat_map(move |y| {
+        let columns = (reach..width.saturating_sub(reach)).step_by(step);
+        columns.map(move |x| (x, y))
+    })
+}
+
+/// The mean colour of a neighbourhood.
+fn mean(image: &Rgb, x: usize, y: usize, reach: usize) -> [f32; 3] {
+    let mut sum = [0u32; 3];
+    for y in y - reach..=y + reach {
+        for p in &image.row(y)[x - reach..=x + reach] {
+            (0..3).for_each(|c| sum[c] += u32::from(p[c]));
+        }
+    }
+    let count = ((2 * reach + 1) * (2 * reach + 1)) as f32;
+    sum.map(|s| s as f32 / count)
+}
+
+/// A histogram of absolute differences.
+struct Counts {
+    classes: [u32; 1024],
+    /// Classes to a unit.
+    units: f32,
+}
+
+impl Counts {
+    fn of_units(units: f32) -> Self {
+        Counts {
+            classes: [0; 1024],
+            units,
+        }
+    }
+
+    fn add(&mut self, off: f32) {
+        self.classes[((off * self.units) as usize).min(1023)] += 1;
+    }
+
+    /// Standard deviation, by the quantile below which 0.4 of a normal distribution's lie. `None` for too few.
+    fn sigma(&self) -> Option<f32> {
+        let total: u32 = self.classes.iter().sum();
+        if total < 300 {
+            return None;
+        }
+        let want = total as f32 * QUANTILE.0;
+        let mut below = 0.0;
+        for (class, count) in self.classes.iter().enumerate() {
+            let here = *count as f32;
+            if below + here >= want {
+                let quantile = (class as f32 + (want - below) / here) / self.units;
+                return Some(quantile / QUANTILE.1 * UNEVEN);
+            }
+            below += here;
+        }
+        None
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn noisy(level: f64, sigma: f64, dice: &mut proof::Dice) -> Rgb {
+        let mut image = Rgb::filled(160, 120, [0; 3]);
+        for p in &mut image.data {
+            *p = [0, 1, 2].map(|_| (level + sigma * dice.normal()).round() as u8);
+        }
+        image
+    }
+
+    #[test]
+    fn noise_is_found_though_a_subject_covers_a_third() {
+        let mut dice = proof::Dice(3);
+        let plate = Rgb::filled(160, 120, [120; 3]);
+        for sigma in [2.0, 9.0] {
+            let mut photo = noisy(120.0, sigma, &mut dice);
+            photo.data[..6400].fill([30, 200, 90]);
+            let noise = Noise::measure(&photo, &plate, &|_, _| Ground::Room, 1);
+            // A third of the differences are the subject's, so the quantile lies somewhat high.
+            let times = f64::from(noise.room) / (sigma * f64::from(UNEVEN));
+            assert!((1.0..1.8).contains(&times), "{noise:?}");
+            // Nine pixels of three channels each.
+            let light = f64::from(noise.light) / (sigma / 27f64.sqrt() / 123.0 * f64::from(UNEVEN));
+            assert!((1.0..1.8).contains(&light), "{noise:?}");
+        }
+    }
+
+    #[test]
+    fn a_density_is_thinner_by_what_a_normal_one_loses() {
+        let thinner = |levels| Noise::even(levels).thinner();
+        assert_eq!(thinner(1.5), 0.0);
+        assert!((thinner(8.0) - thinner(4.0) - 3.0 * libm::log(2.0)).abs() < 1e-6);
+        assert!(thinner(1.9) > 0.0 && thinner(1.9) < 0.3);
+    }
+}

@@ -1,0 +1,141 @@
+//! One photo: a coarse cut of all of it, before its border is cut at full size.
+
+use crate::align::reduced::reduced;
+use crate::cut::least_cut::Known;
+use crate::likelihood::background::{FLAT, Noise, background_cost};
+use crate::likelihood::grounds::Grounds;
+use crate::scene::backdrop::Backdrop;
+use crate::scene::disk_plane::on_disk;
+use nalgebra::{Point2, Point3};
+use shape::{Camera, Rgb};
+
+/// A photo made ready: reduced, with what is known of each pixel.
+pub struct Prepared {
+    /// How many pixels along a side became one.
+    pub factor: usize,
+    /// The reduced photo.
+    pub small: Rgb,
+    /// -ln p(pixel | background) of the reduced photo.
+    pub cost: Vec<f32>,
+    /// The same in any light where the background was seen. Where it was not, and colours are compared with
+    /// those beside: by how much less it costs than the body does.
+    pub explained: Vec<f32>,
+    /// What it costs more to call each pixel the bare disk, by its grain; empty where nobody asked.
+    pub strange: Vec<f32>,
+    /// What is certain before any cut.
+    pub known: Vec<Known>,
+    /// How far the reduced photo and what was expected of it differ without a reason. \[levels\]
+    pub noise: Noise,
+    /// The camera at the reduced size, and the disk's radius. \[mm\]
+    pub disk: Option<(Camera, f64)>,
+}
+
+impl Prepared {
+    /// Raises what a pixel costs as background to so much beyond what matches to the level.
+    pub(crate) fn raise(&mut self, i: usize, beyond: f32) {
+        if beyond > 0.0 {
+            self.cost[i] = self.cost[i].max(FLAT + beyond);
+            self.explained[i] = self.explained[i].max(FLAT + beyond);
+        }
+    }
+}
+
+/// Where the disk is: the photo's camera and the disk's radius. \[mm\]
+pub type Disk<'a> = Option<(&'a Camera, f64)>;
+
+/// Half the side of neighbourhoods of the reduced photo. \[px\]
+const COARSE_REACH: usize = 1;
+
+/// What the background costs where nobody saw it: a little more than any colour of the body does, for
+/// it is the body that covers it.
+pub(crate) const UNSEEN: f32 = FLAT + 14.0;
+
+/// Makes a photo ready to be cut. `without` is what it would show without the subject, `coarse_px`
+/// the longest side of the reduced photo.
+pub fn prepare(
+    pixels: &Rgb,
+    without: &Backdrop,
+    disk: Disk<'_>,
+    coarse_px: usize,
+    side_mm: f64,
+) -> Prepared {
+    let factor = pixels
+        .width
+        .max(pixels.height)
+        .div_ceil(coarse_px.max(1))
+        .max(1);
+    let (small, expected) = (reduced(pixels, factor), reduced(&without.image, factor));
+    let at_small =
+        disk.map(|(c, radius)| (c.resized(small.width as u32, small.height as u32), radius));
+    let grounds = Grounds::of(at_small.as_ref(), 1, small.width, small.height);
+    let on = |x: usize, y: usize| grounds.at(x, y);
+    let noise = Noise::measure(&small, &expected, &on, COARSE_REACH);
+    let all = [0, 0, small.width, small.height];
+    let cost_by = |noise| background_cost(&small, &expected, noise, &on, COARSE_REACH, all);
+    let mut cost = cost_by(noise);
+    // A gap between arm and trunk may lie in shadow.
+    let mut explained = cost_by(noise.in_any_light());
+    for (i, (cost, explained)) in cost.iter_mut().zip(&mut explained).enumerate() {
+        let (x, y) = (i % small.width * factor, i / small.width * factor);
+        let rows = |y: usize| (x..x + factor).all(|x| without.seen.at(x, y));
+        if !(y..y + factor).all(rows) {
+            (*cost, *explained) = (UNSEEN, UNSEEN);
+        }
+    }
+    let known = certain(
+        &small,
+        at_small.as_ref().map(|(c, radius)| (c, *radius)),
+        side_mm,
+    );
+    Prepared {
+        factor,
+        small,
+        explained,
+        strange: Vec::new(),
+        cost,
+        known,
+        noise,
+        disk: at_small,
+    }
+}
+
+/// What cannot be body: below the disk's top, and outside of the cylinder above the disk.
+fn certain(image: &Rgb, disk: Disk<'_>, side_mm: f64) -> Vec<Known> {
+    let mut known = vec![Known::Unknown; image.data.len()];
+    let Some((camera, radius)) = disk else {
+        return known;
+    };
+    // The disk's front rim: pixels below the top's outline in each column see its side or the floor.
+    let mut front = vec![f64::MAX; image.width];
+    for i in 0..720 {
+        let (s, c) = libm::sincos(f64::from(i) * std::f64::consts::TAU / 720.0);
+        if let Some(px) = camera.project(&Point3::new(radius * c, radius * s, 0.0)) {
+            let x = px.x.round();
+            if x >= 0.0 && x < image.width as f64 {
+                let lowest = &mut front[x as usize];
+                *lowest = if *lowest == f64::MAX {
+                    px.y
+                } else {
+                    lowest.max(px.y)
+                };
+            }
+        }
+    }
+    for y in 0..image.height {
+        for x in 0..image.width {
+            let at_px = Point2::new(x as f64, y as f64);
+            let below = front[x] != f64::MAX && at_px.y > front[x];
+            let beside = front[x] == f64::MAX && side_mm > 0.0 && {
+                // Left and right of the disk nothing below its top can be body.
+                let centre = camera.centre();
+                let ray = camera.ray(at_px);
+                let away = libm::hypot(centre.x, centre.y) / libm::hypot(ray.x, ray.y).max(1e-9);
+                centre.z + ray.z * away < -0.2 * side_mm
+            };
+            if below && on_disk(camera, at_px, radius).is_none() || beside {
+                known[y * image.width + x] = Known::Background;
+            }
+        }
+    }
+    known
+}

@@ -1,0 +1,3 @@
+//! The empty scene by a photo of it.
+
+pub(crate) mod expected;

@@ -1,0 +1,97 @@
+//! The empty scene at full size, a photo at a time, so that memory holds a few of them only.
+
+use crate::scene::backdrop::{Backdrop, SHY, thinned};
+use crate::scene::disk_map::{laid_out, point};
+use crate::scene::still_and_disk::Scene;
+use shape::{Camera, Image, Rgb};
+
+/// Means over the photos whose masks leave a pixel free.
+pub struct Means {
+    width: usize,
+    room: Vec<([u16; 3], u8)>,
+    side: usize,
+    disk: Vec<([u16; 3], u8)>,
+    radius: f64,
+}
+
+impl Means {
+    /// Nothing seen yet of photos of a size, and of a disk. \[px, mm\]
+    pub fn new(width: usize, height: usize, radius: f64, side: usize) -> Self {
+        let side = if radius > 0.0 { side } else { 1 };
+        Means {
+            width,
+            room: vec![([0; 3], 0); width * height],
+            side,
+            disk: vec![([0; 3], 0); side * side],
+            radius,
+        }
+    }
+
+    /// Takes a photo in. `cut` is its mask at another size.
+    pub fn add(&mut self, photo: &Rgb, camera: &Camera, cut: &Image<bool>) {
+        let covered = thinned(&cut.map(|b| !b), SHY).map(|b| !b);
+        let factor = (photo.width / covered.width).max(1);
+        let hidden = |x: usize, y: usize| {
+            let (x, y) = (
+                (x / factor).min(covered.width - 1),
+                (y / factor).min(covered.height - 1),
+            );
+            covered.at(x, y)
+        };
+        let put = |to: &mut ([u16; 3], u8), color: [u8; 3]| {
+            if to.1 < u8::MAX {
+                (0..3).for_each(|c| to.0[c] += u16::from(color[c]));
+                to.1 += 1;
+            }
+        };
+        let width = self.width;
+        for (i, to) in self.room.iter_mut().enumerate() {
+            if !hidden(i % width, i / width) {
+                put(to, photo.data[i]);
+            }
+        }
+        if self.radius <= 0.0 {
+            return;
+        }
+        let map = laid_out(photo, camera, self.radius, self.side);
+        for (i, color) in map.into_iter().enumerate() {
+            let at = point(i, self.radius, self.side).and_then(|x| camera.project(&x));
+            if let (Some(color), Some(at)) = (color, at)
+                && !hidden(
+                    at.x.round().max(0.0) as usize,
+                    at.y.round().max(0.0) as usize,
+                )
+            {
+                put(&mut self.disk[i], color);
+            }
+        }
+    }
+
+    /// The scene.
+    pub fn scene(self) -> Scene {
+        let settled = |sums: Vec<([u16; 3], u8)>, width: usize| {
+            let height = sums.len() / width;
+            let mean = |(sum, n): &([u16; 3], u8)| {
+                let half = u16::from(*n) / 2;
+                sum.map(|s| ((s + half) / u16::from(*n).max(1)) as u8)
+            };
+            Backdrop {
+                image: Rgb {
+                    width,
+                    height,
+                    data: sums.iter().map(mean).collect(),
+                },
+                seen: Image {
+                    width,
+                    height,
+                    data: sums.iter().map(|s| s.1 > 0).collect(),
+                },
+            }
+        };
+        Scene {
+            room: settled(self.room, self.width),
+            disk: settled(self.disk, self.side),
+            radius: self.radius,
+        }
+    }
+}

@@ -1,0 +1,257 @@
+//! What comes again to the level is background: patches that photos of a turn share.
+//!
+//! The room stands still, so where two photos show it their patches differ by noise alone. A body
+//! that has turned between them does not look the same to the level, be it ever so plain: its shade
+//! changes. So patches are held against each other pair by pair, and the photos that agree with most
+//! others show the background.
+
+use crate::scene::backdrop::Backdrop;
+use rayon::prelude::*;
+use shape::{Image, Rgb};
+
+/// Half the side of a patch. \[px\]
+pub(crate) const REACH: usize = 2;
+/// Patches may differ by so much more than those of most pixels do.
+pub(crate) const OUTLIER: f32 = 3.5;
+/// Least and greatest squared difference that counts as noise before [`OUTLIER`]. \[levels²\]
+const NOISE: (f32, f32) = (0.4, 12.0);
+/// Share of a patch's own contrast by which it may differ: cameras tremble by a part of a pixel.
+const TREMBLE: f32 = 0.005;
+/// Where photos are not equally sharp that is [`OUTLIER`] times what most places of such a contrast differ
+/// by, and at most so much. \[levels²\]
+const STEEP: f32 = 200.0;
+const BLURRED: f32 = 0.06;
+/// Photos that show the same differ by noise alone, so they agree by so much in the mean. Where those
+/// that agree do so barely, a body looks nearly alike from several sides: the crown of a head.
+const ALIKE: f32 = 0.45;
+/// Photos that each is held against, at most: more of them tell nothing new.
+const PARTNERS: usize = 9;
+
+/// What recurs at a pixel, and which photos agree on it.
+type Common = ([u8; 3], Vec<usize>);
+
+/// What most photos agree on.
+#[derive(Debug, Clone)]
+pub struct Recurring {
+    /// What they show, where any agree.
+    pub backdrop: Backdrop,
+    /// Of each photo: where it agrees.
+    pub agrees: Vec<Image<bool>>,
+}
+
+/// Sums over all pixels left of and above; differences of them are right though they wrap around.
+struct Sums {
+    width: usize,
+    data: Vec<u32>,
+}
+
+impl Sums {
+    fn of(width: usize, height: usize, value: impl Fn(usize) -> u32) -> Self {
+        let wide = width + 1;
+        let mut data = vec![0u32; wide * (height + 1)];
+        for y in 0..height {
+            let mut row = 0u32;
+            for x in 0..width {
+                row = row.wrapping_add(value(y * width + x));
+                data[(y + 1) * wide + x + 1] = data[y * wide + x + 1].wrapping_add(row);
+            }
+        }
+        Sums { width, data }
+    }
+
+    /// Sum over the patch around a pixel, cut off at the border.
+    fn around(&self, x: usize, y: usize) -> u32 {
+        let (wide, tall) = (self.width + 1, self.data.len() / (self.width + 1));
+        let (x0, x1) = (x.saturating_sub(REACH), (x + REACH + 1).min(wide - 1));
+        let (y0, y1) = (y.saturating_sub(REACH), (y + REACH + 1).min(tall - 1));
+        let at = |x: usize, y: usize| self.data[y * wide + x];
+        let plus = at(x1, y1).wrapping_add(at(x0, y0));
+        plus.wrapping_sub(at(x1, y0)).wrapping_sub(at(x0, y1))
+    }
+}
+
+/// Mean squared difference of the patches of two photos around each pixel, per channel. \[levels²\]
+pub(crate) fn differences(a: &Rgb, b: &Rgb) -> Vec<f32> {
+    let (w, h) = (a.width, a.height);
+    let squared = |i: usize| -> u32 {
+        let off = |c: usize| u32::from(a.data[i][c].abs_diff(b.data[i][c]));
+        (0..3).map(|c| off(c) * off(c)).sum()
+    };
+    let count = |x: usize, y: usize| {
+        let along = |v: usize, n: usize| (v + REACH + 1).min(n) - v.saturating_sub(REACH);
+        (along(x, w) * along(y, h) * 3) as f32
+    };
+    let sums = Sums::of(w, h, squared);
+    let one = |i: usize| sums.around(i % w, i / w) as f32 / count(i % w, i / w);
+    (0..w * h).map(one).collect()
+}
+
+/// Squared contrast within the patch around each pixel, per channel. \[levels²\]
+pub(crate) fn contrast(photo: &Rgb) -> Vec<f32> {
+    let (w, h) = (photo.width, photo.height);
+    let steep = |i: usize| -> u32 {
+        let (x, y) = (i % w, i / w);
+        let off = |j: usize| -> u32 {
+            let one = |c: usize| u32::from(photo.data[i][c].abs_diff(photo.data[j][c]));
+            (0..3).map(|c| one(c) * one(c)).sum()
+        };
+        let right = if x + 1 < w { off(i + 1) } else { 0 };
+        right + if y + 1 < h { off(i + w) } else { 0 }
+    };
+    let sums = Sums::of(w, h, steep);
+    let area = ((2 * REACH + 1) * (2 * REACH + 1) * 3) as f32;
+    (0..w * h)
+        .map(|i| sums.around(i % w, i / w) as f32 / area)
+        .collect()
+}
+
+/// Pairs of photos that are held against each other.
+pub(crate) fn pairs(count: usize) -> Vec<(usize, usize)> {
+    let half = count / 2;
+    let mut steps: Vec<usize> = (1..=PARTNERS.min(half))
+        .map(|i| (i * half).div_ceil(PARTNERS.min(half)))
+        .collect();
+    steps.dedup();
+    let all = steps
+        .iter()
+        .flat_map(|s| (0..count).map(move |k| (k, (k + s) % count)));
+    let mut all: Vec<(usize, usize)> = all.map(|(a, b)| (a.min(b), a.max(b))).collect();
+    all.sort_unstable();
+    all.dedup();
+    all
+}
+
+/// How far two photos differ where they show the same.
+pub(crate) struct Unlike {
+    /// Of most pixels. \[levels²\]
+    noise: f32,
+    /// Share of a patch's own contrast.
+    tremble: f32,
+}
+
+impl Unlike {
+    /// Measured: less than half of what is open to both shows something else in one of them.
+    pub(crate) fn of(
+        far: &[f32],
+        open: &dyn Fn(usize) -> bool,
+        steep: &dyn Fn(usize) -> f32,
+    ) -> Self {
+        let some = || (0..far.len()).step_by(3).filter(|i| open(*i));
+        let middle = |mut values: Vec<f32>| {
+            values.sort_by(f32::total_cmp);
+            values.get(values.len() * 2 / 5).copied().unwrap_or(0.0)
+        };
+        let noise = middle(some().map(|i| far[i]).collect()).clamp(NOISE.0, NOISE.1);
+        // Some photos are less sharp than others.
+        let edges = some().filter(|i| steep(*i) > STEEP);
+        let blur = middle(
+            edges
+                .map(|i| (far[i] - noise).max(0.0) / steep(i))
+                .collect(),
+        );
+        let tremble = TREMBLE.max((OUTLIER * blur).min(BLURRED));
+        Unlike { noise, tremble }
+    }
+
+    /// The most by which patches of such a contrast differ that show the same. \[levels²\]
+    pub(crate) fn most(&self, steep: f32) -> f32 {
+        OUTLIER * self.noise + self.tremble * steep
+    }
+}
+
+/// What photos that share it pixel for pixel agree on. `hidden` names the photos (first) and pixels
+/// (second) that cannot show it; `least` is the agreement with others, each of which gives 1 at most,
+/// that makes a pixel seen.
+pub fn recurring(photos: &[Rgb], hidden: Option<&[Image<bool>]>, least: f32) -> Recurring {
+    let (w, h) = photos.first().map_or((0, 0), |p| (p.width, p.height));
+    let pairwise = Pairwise::of(photos, hidden);
+    let rows: Vec<Vec<Option<Common>>> = (0..h)
+        .into_par_iter()
+        .map(|y| {
+            let row = y * w..(y + 1) * w;
+            row.map(|i| pairwise.common(photos, i, least)).collect()
+        })
+        .collect();
+    let image = |data| Image {
+        width: w,
+        height: h,
+        data,
+    };
+    let mut agrees = vec![image(vec![false; w * h]); photos.len()];
+    let mut seen = image(vec![false; w * h]);
+    let mut shown = Rgb::filled(w, h, [0; 3]);
+    for (i, common) in rows.into_iter().flatten().enumerate() {
+        if let Some((color, agree)) = common {
+            (shown.data[i], seen.data[i]) = (color, true);
+            agree.into_iter().for_each(|k| agrees[k].data[i] = true);
+        }
+    }
+    let backdrop = Backdrop { image: shown, seen };
+    Recurring { backdrop, agrees }
+}
+
+/// Photos held against each other.
+struct Pairwise {
+    photos: usize,
+    pairs: Vec<(usize, usize)>,
+    /// How far each pair agrees at each pixel, in 255ths.
+    agreement: Vec<Vec<u8>>,
+}
+
+impl Pairwise {
+    fn of(photos: &[Rgb], hidden: Option<&[Image<bool>]>) -> Self {
+        let pairs = pairs(photos.len());
+        let rough: Vec<Vec<f32>> = photos.par_iter().map(contrast).collect();
+        let open = |k: usize, i: usize| hidden.is_none_or(|hidden| !hidden[k].data[i]);
+        let agreement = pairs
+            .par_iter()
+            .map(|(a, b)| {
+                let far = differences(&photos[*a], &photos[*b]);
+                let both = |i: usize| open(*a, i) && open(*b, i);
+                let steep = |i: usize| rough[*a][i].min(rough[*b][i]);
+                let unlike = Unlike::of(&far, &both, &steep);
+                let one = |i: usize| {
+                    let share = 1.0 - far[i] / unlike.most(steep(i));
+                    (if both(i) { share.max(0.0) } else { 0.0 } * 255.0) as u8
+                };
+                (0..far.len()).map(one).collect()
+            })
+            .collect();
+        Pairwise {
+            photos: photos.len(),
+            pairs,
+            agreement,
+        }
+    }
+
+    /// What most photos show at a pixel, and which do; `None` where too few agree.
+    fn common(&self, photos: &[Rgb], i: usize, least: f32) -> Option<Common> {
+        let agreement = || {
+            self.pairs
+                .iter()
+                .zip(&self.agreement)
+                .map(|(p, a)| (p, a[i]))
+        };
+        let mut worth = vec![0u32; self.photos];
+        for ((a, b), share) in agreement() {
+            worth[*a] += u32::from(share);
+            worth[*b] += u32::from(share);
+        }
+        let best = (0..worth.len()).max_by_key(|k| (worth[*k], usize::MAX - k))?;
+        let partners =
+            agreement().filter(|((a, b), share)| *share > 0 && (*a == best || *b == best));
+        let agree: Vec<usize> = std::iter::once(best)
+            .chain(partners.map(|((a, b), _)| a + b - best))
+            .collect();
+        let alike = ALIKE.min(least) * 255.0 * (agree.len() - 1) as f32;
+        if (worth[best] as f32) < alike.max(least * 255.0) {
+            return None;
+        }
+        let count = agree.len() as u32;
+        let mut sum = [0u32; 3];
+        for k in &agree {
+            (0..3).for_each(|c| sum[c] += u32::from(photos[*k].data[i][c]));
+        }
+        Some((sum.map(|s| ((s + count / 2) / count) as u8), agree))
+    }
+}

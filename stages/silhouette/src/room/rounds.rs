@@ -1,0 +1,285 @@
+//! The scene without its subject when nobody took a plate: out of all photos of the turn.
+
+use crate::align::rectangle::Rectangle;
+use crate::cut::least_cut::Known;
+use crate::label::color_cut::Settings;
+use crate::label::color_cut::coarse;
+use crate::label::consensus::{DISSENT, Together};
+use crate::label::parts::parts;
+use crate::label::see_through_holes::{Depths, depths};
+use crate::likelihood::body::{EVIDENT, STRANGE, body_cost};
+use crate::likelihood::colors_beside::{Nearby, beside};
+use crate::likelihood::disk_colors::{body_colors, disk_colors, disk_cost, mixture, on_the_disk};
+use crate::likelihood::gmm::Gmm;
+use crate::likelihood::grain::missed;
+use crate::likelihood::prepared::{Prepared, UNSEEN, prepare};
+use crate::room::background_patches::background_patches;
+use crate::room::recurring::recurring;
+use crate::room::recurring_levels::Modes;
+use crate::room::scene_labelling::chosen;
+use crate::scene::backdrop::{Backdrop, SHY, still, thinned};
+use crate::scene::still_and_disk::{Scene, Shot, scene};
+use rayon::prelude::*;
+use shape::{Cameras, Image, Mask, PhotoId, Rgb};
+use std::collections::BTreeMap;
+
+/// The cuts of reduced photos, with what they follow from that a photo alone cannot tell.
+pub struct Cuts {
+    /// True is body; `None` where a photo shows nothing that moves.
+    pub cuts: Vec<Option<Image<bool>>>,
+    /// How far rays pass through the hull of the other photos.
+    pub(crate) depths: BTreeMap<PhotoId, Depths>,
+    /// Of each photo the pixels that were found to be bits of the room.
+    pub(crate) background_patches: Vec<Vec<usize>>,
+}
+
+/// Rounds of finding masks and the background by turns.
+const ROUNDS: usize = 2;
+
+/// A part of the room that is seen amid the turn must be so large a share of the photo.
+const MIN_ISLAND_SHARE: f64 = 0.004;
+/// Agreement of photos, each of which gives 1 at most, that suffices once masks are known.
+const MIN_AGREEMENT: f32 = 0.3;
+
+/// Share of the pixels that stand still around the turn.
+pub(crate) fn standing(shots: &[Shot]) -> f64 {
+    let smalls: Vec<Rgb> = shots.iter().map(|s| s.small.clone()).collect();
+    let still = still(&smalls);
+    let count = still.data.iter().filter(|s| **s == Some(true)).count();
+    count as f64 / still.data.len().max(1) as f64
+}
+
+/// Masks of reduced photos without a plate. `within` is a rectangle that holds the body, and how many of
+/// its pixels became one.
+pub fn without_plate(
+    shots: &[Shot],
+    cameras: &Cameras,
+    settings: &Settings,
+    disk_side_mm: f64,
+    within: Option<(Rectangle, usize)>,
+) -> Cuts {
+    let radius = cameras.disk_radius_mm.unwrap_or(0.0);
+    let smalls: Vec<Rgb> = shots.iter().map(|s| s.small.clone()).collect();
+    let mut room = followed(&smalls);
+    let turn = Turn {
+        shots,
+        cameras,
+        settings,
+        radius,
+        disk_side_mm,
+        within,
+        stands: always(&smalls, &room),
+    };
+    let body = body_colors(shots, &room, radius);
+    if let Some(body) = &body {
+        glimpsed(&mut room, &smalls, body);
+        without_islands(&mut room.seen);
+    }
+    let mut covered = on_the_disk(shots, &room, body.as_ref(), radius);
+    let mut cuts: Vec<Option<Image<bool>>> = Vec::new();
+    let mut ready = Vec::new();
+    for round in 0..ROUNDS {
+        if round > 0 {
+            room = recurring(&smalls, Some(&covered), MIN_AGREEMENT).backdrop;
+            without_islands(&mut room.seen);
+        }
+        ready = turn.ready(&room, &covered);
+        cuts = turn.together(&mut ready);
+        covered = cuts
+            .iter()
+            .zip(shots)
+            .map(|(cut, shot)| match cut {
+                Some(sides) => thinned(&sides.map(|b| !b), SHY).map(|b| !b),
+                None => Image::filled(shot.small.width, shot.small.height, false),
+            })
+            .collect();
+    }
+    let background_patches = turn.laid_bare(&mut ready, &mut cuts);
+    let depths = turn.depths(&cuts);
+    for ((shot, background_patches), cut) in shots.iter().zip(&background_patches).zip(&mut cuts) {
+        if let Some((cut, depths)) = cut.as_mut().zip(depths.get(&shot.id)) {
+            let mut filled = cut.clone();
+            background_patches
+                .iter()
+                .for_each(|i| filled.data[*i] = true);
+            let see_through_holes = depths.see_through_holes(&filled);
+            see_through_holes.iter().for_each(|i| cut.data[*i] = true);
+        }
+    }
+    Cuts {
+        cuts,
+        depths,
+        background_patches,
+    }
+}
+
+/// The room, followed from where it always stands to where few photos show it.
+fn followed(smalls: &[Rgb]) -> Backdrop {
+    let modes = Modes::of(smalls);
+    let mut room = modes.room(&chosen(&modes, smalls));
+    without_islands(&mut room.seen);
+    room
+}
+
+/// Pixels that are the room on all photos. What never changes may be the crown of a head, but then it is
+/// not the room that is followed there.
+fn always(smalls: &[Rgb], room: &Backdrop) -> Vec<bool> {
+    let still = still(smalls);
+    let both = |(still, seen): (&Option<bool>, &bool)| *still == Some(true) && *seen;
+    still.data.iter().zip(&room.seen.data).map(both).collect()
+}
+
+/// A turn whose photos are cut.
+struct Turn<'a> {
+    shots: &'a [Shot],
+    cameras: &'a Cameras,
+    settings: &'a Settings,
+    radius: f64,
+    disk_side_mm: f64,
+    within: Option<(Rectangle, usize)>,
+    /// Pixels that are the room on all photos.
+    stands: Vec<bool>,
+}
+
+impl Turn<'_> {
+    /// The photos made ready: what each pixel costs as room, as disk, or as a colour of the room beside.
+    fn ready(&self, room: &Backdrop, covered: &[Image<bool>]) -> Vec<Prepared> {
+        let (shots, radius) = (self.shots, self.radius);
+        let around = scene(shots, room.clone(), radius, covered);
+        let of_disk = disk_colors(&around.disk, 0.0);
+        let nearby = Nearby::of(&around.room);
+        let mut ready: Vec<Prepared> = shots.par_iter().map(|s| self.one(s, &around)).collect();
+        let evident = evident(shots, &ready, radius);
+        missed(&mut ready, shots, &around, covered, evident.as_ref());
+        shots.par_iter().zip(&mut ready).for_each(|(shot, ready)| {
+            for i in 0..ready.cost.len() {
+                if ready.cost[i] != UNSEEN {
+                    continue;
+                }
+                let color = shot.small.data[i];
+                if shot.shows_disk(i, radius) {
+                    let as_disk = disk_cost(of_disk.as_ref(), color);
+                    ready.cost[i] = ready.cost[i].min(as_disk);
+                } else if let Some(cost) = nearby.cost(&shot.small, i) {
+                    ready.cost[i] = ready.cost[i].min(cost);
+                    let of_body = evident.as_ref().map_or(0.0, |b| body_cost(b, color));
+                    ready.explained[i] = beside(ready.cost[i], of_body as f32);
+                }
+            }
+        });
+        ready
+    }
+
+    /// One photo before the scene around, with what is certain of it.
+    fn one(&self, shot: &Shot, around: &Scene) -> Prepared {
+        let behind = around.behind(&shot.small, &shot.camera);
+        let disk = (self.radius > 0.0).then_some((&shot.camera, self.radius));
+        let mut ready = prepare(&shot.small, &behind, disk, usize::MAX, self.disk_side_mm);
+        if let Some((rectangle, factor)) = &self.within {
+            rectangle.close(&mut ready.known, shot.small.width, *factor);
+        }
+        for (known, stands) in ready.known.iter_mut().zip(&self.stands) {
+            if *stands {
+                *known = Known::Background;
+            }
+        }
+        ready
+    }
+
+    /// Bits of the room within the cuts. Photos that show some are cut again without.
+    fn laid_bare(
+        &self,
+        ready: &mut [Prepared],
+        cuts: &mut [Option<Image<bool>>],
+    ) -> Vec<Vec<usize>> {
+        let mut all = vec![vec![]; cuts.len()];
+        for _ in 0..ROUNDS {
+            let background_patches = background_patches(self.shots, cuts, self.radius);
+            if background_patches.iter().all(Vec::is_empty) {
+                break;
+            }
+            for (ready, background_patches) in ready.iter_mut().zip(&background_patches) {
+                ready.lay_bare(background_patches);
+            }
+            let again = self.together(ready);
+            for (k, (background_patches, again)) in
+                background_patches.into_iter().zip(again).enumerate()
+            {
+                if !background_patches.is_empty() {
+                    cuts[k] = again;
+                    all[k].extend(background_patches);
+                }
+            }
+        }
+        all
+    }
+
+    /// Each photo cut alone, then again with what all say together.
+    fn together(&self, ready: &mut [Prepared]) -> Vec<Option<Image<bool>>> {
+        let alone = |ready: &Prepared| coarse(ready, self.settings).map(|(sides, _)| sides);
+        let first: Vec<Option<Image<bool>>> = ready.par_iter().map(alone).collect();
+        let masks = self.masks(&first);
+        let all = Together::of(&masks, self.cameras);
+        let of = |dissent: usize| all.as_ref().map(|all| all.known(dissent));
+        let (agreed, firm) = (of(DISSENT).unwrap_or_default(), of(1).unwrap_or_default());
+        let again = |(shot, ready): (&Shot, &mut Prepared)| {
+            let firm = firm.get(&shot.id).map_or(&[][..], Vec::as_slice);
+            let before = ready.known.clone();
+            ready.agree(agreed.get(&shot.id).into_iter().flatten(), firm);
+            let cut = alone(ready);
+            ready.known = before;
+            cut
+        };
+        self.shots.par_iter().zip(ready).map(again).collect()
+    }
+
+    /// How far rays pass through what the cuts of the other photos say together.
+    fn depths(&self, cuts: &[Option<Image<bool>>]) -> BTreeMap<PhotoId, Depths> {
+        let masks = self.masks(cuts);
+        let all = Together::of(&masks, self.cameras);
+        let depths = all.map(|all| depths(&all));
+        depths.unwrap_or_default()
+    }
+
+    fn masks(&self, cuts: &[Option<Image<bool>>]) -> Vec<(PhotoId, Mask)> {
+        let mask = |sides: &Image<bool>| sides.map(|b| if *b { 255 } else { 0 });
+        let all = self.shots.iter().zip(cuts);
+        all.filter_map(|(shot, cut)| Some((shot.id, mask(cut.as_ref()?))))
+            .collect()
+    }
+}
+
+/// The colours of what is evidently not the room, on all photos.
+fn evident(shots: &[Shot], ready: &[Prepared], radius: f64) -> Option<Gmm> {
+    let mut colors = Vec::new();
+    for (shot, ready) in shots.iter().zip(ready) {
+        let off = |i: &usize| ready.cost[*i] > EVIDENT && ready.known[*i] == Known::Unknown;
+        let some = (0..ready.cost.len()).filter(off).step_by(7);
+        let above = some.filter(|i| !shot.shows_disk(*i, radius));
+        colors.extend(above.map(|i| shot.small.data[i]));
+    }
+    mixture(&colors)
+}
+
+/// Adds to the room what two photos suffice to tell: that they show the same to the level, in a
+/// colour that the body has not.
+fn glimpsed(room: &mut Backdrop, smalls: &[Rgb], body: &Gmm) {
+    let likely = |c: &[u8; 3]| body_cost(body, *c) < STRANGE;
+    let hidden: Vec<Image<bool>> = smalls.par_iter().map(|s| s.map(likely)).collect();
+    let more = recurring(smalls, Some(&hidden), MIN_AGREEMENT).backdrop;
+    for i in 0..room.seen.data.len() {
+        if !room.seen.data[i] && more.seen.data[i] {
+            room.seen.data[i] = true;
+            room.image.data[i] = more.image.data[i];
+        }
+    }
+}
+
+/// Drops small parts of what is seen.
+fn without_islands(seen: &mut Image<bool>) {
+    let least = (seen.data.len() as f64 * MIN_ISLAND_SHARE) as usize;
+    let (of, sizes) = parts(seen, true);
+    for (seen, of) in seen.data.iter_mut().zip(&of.data) {
+        *seen &= *of != u32::MAX && sizes[*of as usize] >= least;
+    }
+}

@@ -1,0 +1,6 @@
+//! The empty scene: what stands still, and the top of the disk, which turns.
+
+pub(crate) mod backdrop;
+pub(crate) mod disk_map;
+pub(crate) mod disk_plane;
+pub(crate) mod still_and_disk;

@@ -1,0 +1,117 @@
+//! The empty scene as it is laid out: the room, which stands still, and the disk, which turns.
+
+use crate::scene::backdrop::{Backdrop, middle};
+use crate::scene::disk_map::{laid_out, lay_into, point};
+use crate::scene::disk_plane::on_disk;
+use nalgebra::Point2;
+use rayon::prelude::*;
+use shape::{Camera, Image, PhotoId, Rgb};
+
+/// A photo, reduced, with its camera at that size.
+pub struct Shot {
+    /// The photo.
+    pub id: PhotoId,
+    /// The pixels.
+    pub small: Rgb,
+    /// The camera.
+    pub camera: Camera,
+}
+
+impl Shot {
+    /// Whether a pixel looks at the disk's top, or what stands on it.
+    pub(crate) fn shows_disk(&self, i: usize, radius: f64) -> bool {
+        let at = Point2::new((i % self.small.width) as f64, (i / self.small.width) as f64);
+        radius > 0.0 && on_disk(&self.camera, at, radius).is_some()
+    }
+}
+
+/// The room, which stands still, and the disk, which turns.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Scene {
+    /// The room as all photos show it.
+    pub room: Backdrop,
+    /// The map of the disk's top.
+    pub disk: Backdrop,
+    /// The disk's radius. \[mm\] 0 without one.
+    pub radius: f64,
+}
+
+impl Scene {
+    /// What one camera would see. Where nobody saw it, the photo itself stands in, so that it tells nothing.
+    pub fn behind(&self, photo: &Rgb, camera: &Camera) -> Backdrop {
+        let mut behind = self.room.clone();
+        if self.radius > 0.0 {
+            let Backdrop { image, seen } = &mut behind;
+            let (map, known) = (&self.disk.image, &self.disk.seen);
+            lay_into(image, seen, camera, self.radius, map, known);
+        }
+        for (i, seen) in behind.seen.data.iter().enumerate() {
+            if !seen {
+                behind.image.data[i] = photo.data[i];
+            }
+        }
+        behind
+    }
+}
+
+/// Finds the scene from reduced photos; `covered` names the photos (first) and pixels (second) that
+/// cannot show it.
+pub(crate) fn scene(shots: &[Shot], room: Backdrop, radius: f64, covered: &[Image<bool>]) -> Scene {
+    let cameras: Vec<Camera> = shots.iter().map(|s| s.camera).collect();
+    let side = full_side(&cameras, radius);
+    let nowhere = Backdrop {
+        image: Rgb::filled(1, 1, [0; 3]),
+        seen: Image::filled(1, 1, false),
+    };
+    if radius <= 0.0 {
+        return Scene {
+            room,
+            disk: nowhere,
+            radius,
+        };
+    }
+    let maps: Vec<_> = shots
+        .par_iter()
+        .map(|s| laid_out(&s.small, &s.camera, radius, side))
+        .collect();
+    let hides = |k: usize, i: usize| -> bool {
+        let Some(at) = point(i, radius, side).and_then(|x| shots[k].camera.project(&x)) else {
+            return true;
+        };
+        let (x, y) = (
+            at.x.round().max(0.0) as usize,
+            at.y.round().max(0.0) as usize,
+        );
+        x < covered[k].width && y < covered[k].height && covered[k].at(x, y)
+    };
+    let hidden: Vec<Image<bool>> = (0..shots.len())
+        .into_par_iter()
+        .map(|k| Image {
+            width: side,
+            height: side,
+            data: (0..side * side)
+                .map(|i| maps[k][i].is_none() || hides(k, i))
+                .collect(),
+        })
+        .collect();
+    let maps: Vec<Rgb> = maps
+        .into_iter()
+        .map(|map| Rgb {
+            width: side,
+            height: side,
+            data: map.into_iter().map(|c| c.unwrap_or([0; 3])).collect(),
+        })
+        .collect();
+    Scene {
+        room,
+        disk: middle(&maps, &hidden),
+        radius,
+    }
+}
+
+/// As many points along the map of the disk as its width has pixels.
+pub(crate) fn full_side(cameras: &[Camera], radius: f64) -> usize {
+    let width = |c: &Camera| 2.0 * radius * c.lens.focal[0] / c.centre().coords.norm();
+    let most = cameras.iter().map(width).fold(0.0, f64::max);
+    (most as usize).clamp(64, 2048)
+}
