@@ -3,8 +3,8 @@
 use engine::Kind;
 use io::{document_extension, files};
 use shape::{
-    Cameras, Document, GirthId, Girths, Keypoints, Landmarks, Masks, Mesh, Photos, Side, Tags,
-    Textured, Tracks, Unit, Warps,
+    Aligned, Cameras, Document, Evidence, GirthId, Girths, Keypoints, Labels, Landmarks, Masks,
+    Mesh, Photos, Scene, Side, Tags, Textured, Tracks, Unit, Warps,
 };
 use stage::{Artifact, Metric};
 
@@ -40,6 +40,10 @@ pub const KINDS: &[Kind] = &[
         &["json", "colmap", "colmap-binary", "middlebury", "svg"],
     ),
     on_photos(Masks::KIND, &["png", "sheet"]),
+    on_photos(Aligned::KIND, &["jpg"]),
+    written(Scene::KIND, &["png"]),
+    on_photos(Evidence::KIND, &["png"]),
+    on_photos(Labels::KIND, &["png"]),
     written(Photos::KIND, &["capture"]),
     written(Landmarks::KIND, &["json"]),
     Kind {

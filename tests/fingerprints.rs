@@ -55,7 +55,8 @@ fn listed() -> Vec<Line> {
 #[test]
 fn no_stage_gives_other_bytes_under_the_same_version() {
     let place = tempfile::tempdir().unwrap();
-    let goal = "photos masks cameras body girths_formula tracks calibrated walked walk_masks framed grabcut carved \
+    let goal = "photos masks cameras body girths_formula tracks calibrated walked walk_masks framed grabcut masks_by_plate \
+        masks_by_turn masks_by_turn_of_phone masks_by_box carved \
         compensated optimized evolved textured girths page rig mat score phone";
     let mut more: Vec<&str> = goal.split_whitespace().collect();
     more.extend(["--out", "out"]);
@@ -85,6 +86,12 @@ fn no_stage_gives_other_bytes_under_the_same_version() {
             stage.name()
         );
     }
+    let of = |node: &str| now.iter().find(|l| l.1 == node).map(|l| &l.3);
+    assert_eq!(
+        of("grabcut"),
+        of("masks_by_plate"),
+        "one stage, and its steps"
+    );
     let before = listed();
     let known: BTreeMap<&str, &str> = before.iter().map(|l| (&*l.2, &*l.3)).collect();
     let mut wrong = Vec::new();

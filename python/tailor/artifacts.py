@@ -416,6 +416,22 @@ class Warps(_ByPhoto):
         return cell, self.array(f"warp {photo}", "<f4", 2).reshape(-1, columns, 2)
 
 
+class Aligned(Artifact):
+    """How photos lie in one common place; ``tones N`` are 3 × 256 levels of photo N where its exposure is changed."""
+
+
+class Scene(Artifact):
+    """The scene without the body: ``still`` and ``disk`` are colours, row by row."""
+
+
+class Evidence(Artifact):
+    """What speaks for background on each reduced photo, in nats, packed: see formats.md."""
+
+
+class Labels(Artifact):
+    """Body or background of each reduced photo, packed as masks are."""
+
+
 class Sway(Artifact):
     """How the body moved against the disk: ``document`` has ``photo``, ``R``, ``t`` of each photo."""
 
@@ -434,16 +450,20 @@ class Files(Artifact):
 
 #: The class of each kind.
 READERS: Dict[str, Callable[..., Artifact]] = {
+    "aligned": Aligned,
     "cameras": Cameras,
     "document": Document,
+    "evidence": Evidence,
     "files": Files,
     "girths": Girths,
     "keypoints": Keypoints,
+    "labels": Labels,
     "landmarks": Landmarks,
     "masks": Masks,
     "mesh": Mesh,
     "person": Person,
     "photos": Photos,
+    "scene": Scene,
     "solid": Solid,
     "sway": Sway,
     "tags": Tags,

@@ -28,7 +28,7 @@ def doll(cache):
 @pytest.fixture(scope="session")
 def shown(doll):
     """The doll's parts, run once."""
-    nodes = ["photos", "masks", "carved", "girths", "page", "textured", "tags", "tracks", "deformation", "rig"]
+    nodes = ["photos", "masks", "carved", "girths", "page", "textured", "tags", "tracks", "deformation", "rig", "aligned", "scene", "evidence", "labels"]
     return doll.run(*nodes, progress=False)
 
 

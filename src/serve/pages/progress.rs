@@ -21,7 +21,10 @@ const PARTS: [(&str, &[&str]); 7] = [
             "cameras",
         ],
     ),
-    ("masks", &["masks"]),
+    (
+        "masks",
+        &["aligned", "plate", "scene", "evidence", "labels", "masks"],
+    ),
     ("hull", &["rough", "compensated_coarse", "hull"]),
     (
         "surface",

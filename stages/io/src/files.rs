@@ -10,6 +10,7 @@ use crate::girths_csv::girths_to_csv;
 use crate::glb::{mesh_to_glb, textured_to_glb};
 use crate::landmarks::landmarks_to_json;
 use crate::marks::{keypoints_to_png, tracks_to_png};
+use crate::mask_steps::{aligned_to_jpeg, evidence_to_png, labels_to_png, scene_to_png};
 use crate::middlebury::cameras_to_middlebury;
 use crate::obj::{mesh_to_obj, textured_to_obj};
 use crate::ring::cameras_to_svg;
@@ -19,8 +20,8 @@ use crate::three_mf::mesh_to_3mf;
 use crate::views::mesh_to_views;
 use crate::write_error::WriteError;
 use shape::{
-    Cameras, Document, Girths, Keypoints, Landmarks, Masks, Mesh, Photos, Tags, Textured, Tracks,
-    Warps, gray_to_png, mesh_to_ply, rgb_to_jpeg,
+    Aligned, Cameras, Document, Evidence, Girths, Keypoints, Labels, Landmarks, Masks, Mesh,
+    Photos, Scene, Tags, Textured, Tracks, Warps, gray_to_png, mesh_to_ply, rgb_to_jpeg,
 };
 use stage::AnyArtifact;
 use std::path::Path;
@@ -105,6 +106,10 @@ pub fn files(
         ("warps", _) => one(warps_to_json(&*take!(Warps)).into_bytes()),
         ("tags", _) => one(tags_to_json(&*take!(Tags)).into_bytes()),
         ("photos", _) => Ok(photos_to_capture(&*take!(Photos))),
+        ("aligned", _) => Ok(aligned_to_jpeg(&*take!(Aligned), names)?),
+        ("scene", _) => Ok(scene_to_png(&*take!(Scene))),
+        ("evidence", _) => Ok(evidence_to_png(&*take!(Evidence), names)),
+        ("labels", _) => Ok(labels_to_png(&*take!(Labels), names)),
         ("document", _) => one(take!(Document).bytes.clone()),
         ("masks", "sheet") => {
             let sheet = masks_to_sheet(&*take!(Masks), names)?;

@@ -6,9 +6,11 @@
 //!
 //! ```text
 //! Photos ─ Keypoints ─ Tracks ─ Cameras ─┐
-//!    └──────────────── Masks ────────────┴─ Mesh ─ Landmarks ─ Girths ─ Document
+//!    ├──────────────── Masks ────────────┴─ Mesh ─ Landmarks ─ Girths ─ Document
+//!    └─ Aligned ─ Scene ─ Evidence ─ Labels ─┘ (to Masks)
 //! ```
 
+mod aligned;
 mod by_photo;
 mod camera;
 mod cameras;
@@ -18,6 +20,7 @@ mod cylinder;
 mod day;
 mod distance;
 mod document;
+mod evidence;
 mod fill;
 mod film;
 mod girth_id;
@@ -27,6 +30,7 @@ mod girth_table;
 mod girths;
 mod image;
 mod keypoints;
+mod labels;
 mod landmarks;
 mod masks;
 mod mesh;
@@ -42,6 +46,8 @@ mod refusal;
 mod register;
 mod registered;
 mod rig;
+mod runs;
+mod scene;
 mod silhouette;
 mod solid;
 mod sureness;
@@ -54,6 +60,7 @@ mod tracks;
 mod unit;
 mod warps;
 
+pub use aligned::{Aligned, Alignment, Tones, toned};
 pub use by_photo::{ByPhoto, PhotoId};
 pub use camera::{Camera, Intrinsics, Pose};
 pub use cameras::{Cameras, Length, Scale, View};
@@ -63,6 +70,7 @@ pub use cylinder::{Cylinder, bounding_cylinder, seen_by_half};
 pub use day::day_number;
 pub use distance::signed_distance;
 pub use document::Document;
+pub use evidence::{Evidence, Known, PhotoEvidence};
 pub use fill::fill_triangle;
 pub use film::{film_to_px, px_to_film};
 pub use girth_id::{GirthId, Side};
@@ -71,6 +79,7 @@ pub use girth_table::{Definition, TABLE};
 pub use girths::{Girth, Girths, Profile};
 pub use image::{Gray, Image, Rgb};
 pub use keypoints::{Features, Keypoint, Keypoints};
+pub use labels::{Label, Labels, MixtureRow};
 pub use landmarks::{Landmark, Landmarks, Part, Plane, PlaneSigma};
 pub use masks::{Mask, Masks};
 pub use mesh::{Adjacency, Mesh, MeshFault, rows};
@@ -84,6 +93,7 @@ pub use refusal::Refusal;
 pub use register::register;
 pub use registered::{median, registered};
 pub use rig::{CONTRADICTION, GIVEN_STATURE, Mat, Reference, Rig, Rim, SeenEnds};
+pub use scene::{FoundBody, HullCells, InPhoto, Scene, Seen};
 pub use silhouette::{DISSENT_DEPTH, MIN_DISSENT_PHOTOS, Silhouette, deep_dissent, sole_dissent};
 pub use solid::{Furrow, Level, Part as SolidPart, Solid};
 pub use sureness::{Note, Sigmas, Split};

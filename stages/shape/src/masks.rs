@@ -1,5 +1,6 @@
 //! Silhouettes: how much of each pixel the body covers.
 
+use crate::runs::{pixels, runs};
 use crate::{ByPhoto, Image, PhotoId};
 use nalgebra::Point2;
 use stage::{Artifact, Corrupt, Packer, Unpacker};
@@ -68,37 +69,6 @@ impl Artifact for Masks {
                 .collect::<Result<_, Corrupt>>()?,
         })
     }
-}
-
-/// Pixels as runs: value, then length as three bytes.
-fn runs(pixels: &[u8]) -> Vec<u8> {
-    let mut runs = Vec::new();
-    for run in pixels.chunk_by(|a, b| a == b) {
-        for run in run.chunks(0xff_ffff) {
-            runs.push(run[0]);
-            runs.extend_from_slice(&(run.len() as u32).to_le_bytes()[..3]);
-        }
-    }
-    runs
-}
-
-/// Runs as pixels; never more than `count` of them.
-fn pixels(runs: &[u8], count: usize) -> Result<Vec<u8>, Corrupt> {
-    let mut pixels = Vec::new();
-    for run in runs.chunks(4) {
-        let &[value, a, b, c] = run else {
-            return Err(Corrupt("half a run".into()));
-        };
-        let length = u32::from_le_bytes([a, b, c, 0]) as usize;
-        if pixels.len() + length > count {
-            return Err(Corrupt("a mask longer than its size".into()));
-        }
-        pixels.resize(pixels.len() + length, value);
-    }
-    if pixels.len() != count {
-        return Err(Corrupt("a mask shorter than its size".into()));
-    }
-    Ok(pixels)
 }
 
 #[cfg(test)]

@@ -1,18 +1,15 @@
-//! The stage that cuts the body out of each photo, without a hand-drawn box.
+//! All steps from photos to masks as one stage, for pipelines that name it: the same bytes as the nodes.
 
-use crate::align::alignment::Level;
-use crate::align::cameras::where_photos_lie_alike;
-use crate::align::rectangle::Rectangle;
-use crate::border::by_colors::by_colors;
-use crate::empty::{Empty, empty_scene, everything, on_the_plate};
-use crate::label::color_cut::Settings;
-use crate::label::consensus::agreed;
-use crate::one_photo::{Background, OnePhoto};
-use crate::params::{CutError, GrabCutParams};
-use rayon::prelude::*;
-use shape::{Cameras, Mask, Masks, Photo, PhotoId, Photos};
+use crate::align::stage::{Align, AlignInput, AlignParams};
+use crate::border::stage::{Border, BorderInput, BorderParams};
+use crate::label::stage::{Label, LabelInput, LabelParams};
+use crate::likelihood::stage::{Likelihood, LikelihoodInput, LikelihoodParams};
+use crate::params::GrabCutParams;
+use crate::plate::stage::{Plate, PlateInput};
+use crate::room::stage::{Room, RoomInput, RoomParams};
+use shape::{Cameras, Masks, Photos};
 use stage::{Ctx, Stage, Stop};
-use std::sync::{Arc, Mutex};
+use std::sync::Arc;
 
 stage::inputs! {
     /// Photos, with a plate or without.
@@ -30,166 +27,66 @@ pub struct GrabCut;
 impl Stage for GrabCut {
     const NAME: &'static str = "silhouette.grabcut";
     const VERSION: u32 = 23;
-    const ABOUT: &'static str = "Cuts the body out of each photo by graph cuts, seeded by the plate, or by what stands still, and the disk.";
+    const ABOUT: &'static str = "Cuts the body out of each photo by graph cuts, seeded by the plate, or by what stands still, and the disk: silhouette.align, plate, room, likelihood, label and border in one.";
     type Params = GrabCutParams;
     type Input = GrabCutInput;
     type Output = Masks;
-    const METRICS: &'static [&'static str] = &["stands still"];
+    const METRICS: &'static [&'static str] = Room::METRICS;
 
     fn run(p: &GrabCutParams, input: GrabCutInput, ctx: &Ctx<'_>) -> Result<Masks, Stop> {
-        let radius = input.cameras.as_ref().and_then(|c| c.disk_radius_mm);
-        let settings = Settings {
-            gamma: p.gamma,
-            rounds: p.rounds as usize,
-            clusters: p.clusters as usize,
-            thinner: 0.0,
+        let GrabCutInput { photos, cameras } = input;
+        let params = AlignParams {
+            coarse_px: p.coarse_px,
+            box_px: p.box_px.clone(),
         };
-        let Some(background) = background(p, &settings, &input, ctx)? else {
-            return alone(p, &settings, &input.photos, ctx);
+        let sources = AlignInput {
+            photos: Arc::clone(&photos),
+            cameras,
         };
-        let level = |id| background.levels.get(&id).unwrap_or(&Level::NONE);
-        let cameras = input.cameras.as_deref();
-        let cameras = cameras.map(|cameras| where_photos_lie_alike(cameras, &background.levels));
-        let camera = |id| {
-            let cameras = cameras.as_ref();
-            cameras.and_then(|c| c.views.get(id)).map(|v| v.camera)
+        let aligned = Arc::new(Align::run(&params, sources, ctx)?);
+        let sources = PlateInput {
+            photos: Arc::clone(&photos),
+            aligned: Arc::clone(&aligned),
         };
-        let jobs: Vec<OnePhoto<'_>> = input
-            .photos
-            .iter()
-            .map(|(id, photo)| OnePhoto {
-                id,
-                photo,
-                camera: camera(id),
-                level: level(id),
-                radius,
-                background: &background,
-                kept: Mutex::default(),
-            })
-            .filter(|job| job.camera.is_some() || input.photos.plate.is_some())
-            .collect();
-        // Without a plate the photos have agreed already.
-        let agreeing = cameras
-            .as_ref()
-            .filter(|_| p.coherence && input.photos.plate.is_some());
-        let passes = 1 + usize::from(agreeing.is_some());
-        let steps = ctx.steps("photos", jobs.len() * passes);
-        // First a coarse cut of each photo alone, then again with what all of them say together.
-        let coarse = |job: &OnePhoto<'_>| {
-            let mask = remembered(job, ctx, "coarse", &[], || job.coarse::<Stop>(p, &settings))?;
-            steps.tick()?;
-            Ok((job.id, mask))
+        let known = Some(Arc::new(Plate::run(&(), sources, ctx)?));
+        let params = RoomParams {
+            cut: p.cut.clone(),
+            disk_side_mm: p.disk_side_mm,
         };
-        let together = match agreeing {
-            Some(cameras) => {
-                let first = jobs.par_iter().map(coarse);
-                agreed(&first.collect::<Result<Vec<_>, Stop>>()?, cameras)
-            }
-            None => Default::default(),
+        let sources = RoomInput {
+            photos: Arc::clone(&photos),
+            aligned: Arc::clone(&aligned),
+            known,
         };
-        let whole = |job: &OnePhoto<'_>| {
-            let agreed = together.get(&job.id).map_or(&[][..], Vec::as_slice);
-            let said: Vec<u8> = agreed.iter().map(|k| *k as u8).collect();
-            let more = [stage::hash(&said)];
-            let whole = || job.whole::<Stop>(p, &settings, agreed);
-            let mask = remembered(job, ctx, "mask", &more, whole)?;
-            steps.tick()?;
-            Ok((job.id, mask))
+        let scene = Arc::new(Room::run(&params, sources, ctx)?);
+        let params = LikelihoodParams {
+            disk_side_mm: p.disk_side_mm,
         };
-        let second: Vec<(PhotoId, Mask)> =
-            jobs.par_iter().map(whole).collect::<Result<_, Stop>>()?;
-        Ok(Masks {
-            views: second.into_iter().collect(),
-        })
+        let sources = LikelihoodInput {
+            photos: Arc::clone(&photos),
+            aligned: Arc::clone(&aligned),
+            scene: Arc::clone(&scene),
+        };
+        let evidence = Arc::new(Likelihood::run(&params, sources, ctx)?);
+        let params = LabelParams {
+            cut: p.cut.clone(),
+            coherence: p.coherence,
+        };
+        let sources = LabelInput {
+            photos: Arc::clone(&photos),
+            aligned: Arc::clone(&aligned),
+            scene: Arc::clone(&scene),
+            evidence: Arc::clone(&evidence),
+        };
+        let labels = Arc::new(Label::run(&params, sources, ctx)?);
+        let params = BorderParams { gamma: p.cut.gamma };
+        let sources = BorderInput {
+            photos,
+            aligned,
+            scene,
+            evidence,
+            labels,
+        };
+        Border::run(&params, sources, ctx)
     }
-}
-
-/// The scene without the subject, by the plate or by what stands still; `None` where there is neither,
-/// but the user drew a rectangle.
-fn background(
-    p: &GrabCutParams,
-    settings: &Settings,
-    input: &GrabCutInput,
-    ctx: &Ctx<'_>,
-) -> Result<Option<Background>, Stop> {
-    let check = || ctx.check().map_err(Stop::from);
-    let photos = &input.photos;
-    let (empty, levels, content) = match (&photos.plate, &input.cameras) {
-        (Some(plate), _) => {
-            let pixels = plate.decode()?;
-            let levels = on_the_plate(p.coarse_px as usize, photos, &pixels, check)?;
-            (Empty::Plate(pixels), levels, plate.content())
-        }
-        (None, Some(cameras)) => match empty_scene(p, settings, photos, cameras, check) {
-            Err(Stop::Failed(why)) if !p.box_px.is_empty() && moves(&*why) => {
-                ctx.warn(format!("{why}; so photos are cut by colours alone"));
-                return Ok(None);
-            }
-            Err(stop) => return Err(stop),
-            Ok((empty, levels, told)) => {
-                ctx.metric("stands still", told.stands, "%");
-                told.warnings(photos).into_iter().for_each(|w| ctx.warn(w));
-                (empty, levels, everything(photos, cameras))
-            }
-        },
-        (None, None) if !p.box_px.is_empty() => return Ok(None),
-        (None, None) => return Err(CutError::NoPlate.into()),
-    };
-    Ok(Some(Background {
-        empty,
-        levels,
-        content,
-    }))
-}
-
-/// Whether nothing stands still.
-fn moves(why: &(dyn std::error::Error + Send + Sync + 'static)) -> bool {
-    matches!(why.downcast_ref(), Some(CutError::Moves(_)))
-}
-
-/// Each photo by itself, within the user's rectangle, by its colours.
-fn alone(
-    p: &GrabCutParams,
-    settings: &Settings,
-    photos: &Photos,
-    ctx: &Ctx<'_>,
-) -> Result<Masks, Stop> {
-    let all: Vec<(PhotoId, &Photo)> = photos.iter().collect();
-    let steps = ctx.steps("photos", all.len());
-    let cut = |(id, photo): &(PhotoId, &Photo)| {
-        let nothing = || CutError::Empty(photo.name.clone());
-        let rectangle = Rectangle::read(&p.box_px, photo.width, photo.height);
-        let rectangle = rectangle.map_err(CutError::from)?.ok_or_else(nothing)?;
-        let pixels = photo.decode()?;
-        let mask = by_colors(&pixels, &rectangle, settings, p.coarse_px as usize);
-        steps.tick()?;
-        Ok((*id, mask.ok_or_else(nothing)?))
-    };
-    let views = all.par_iter().map(cut).collect::<Result<Vec<_>, Stop>>()?;
-    Ok(Masks {
-        views: views.into_iter().collect(),
-    })
-}
-
-/// A mask of a photo, found again when nothing that it depends on has changed.
-fn remembered(
-    job: &OnePhoto<'_>,
-    ctx: &Ctx<'_>,
-    label: &str,
-    more: &[stage::Hash],
-    make: impl FnOnce() -> Result<Mask, Stop>,
-) -> Result<Mask, Stop> {
-    let stands = format!("{:?} {:?}", job.camera, job.radius);
-    let mut depends = vec![
-        job.photo.content(),
-        job.background.content,
-        stage::hash(stands.as_bytes()),
-    ];
-    depends.extend_from_slice(more);
-    let only = |mask| Masks {
-        views: [(PhotoId(0), mask)].into_iter().collect(),
-    };
-    let masks: Masks = ctx.part(label, &depends, || Ok(only(make()?)))?;
-    let mask = masks.views.get(PhotoId(0)).cloned();
-    mask.ok_or_else(|| CutError::Empty(job.photo.name.clone()).into())
 }

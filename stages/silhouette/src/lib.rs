@@ -1,56 +1,109 @@
 //! From photos to masks: where the body is.
 //!
-//! `photos`, `cameras` → [`GrabCut`] → `masks`
-//! `files`, `photos` → [`Import`] → `masks`
-//! `photos`, `cameras`, `tracks` → [`Walk`] → `masks`
+//! # The steps of a turn
+//!
+//! Each folder is a step, and each step a node with a version, params and a fingerprint of its own.
+//!
+//! | step | reads | makes | what it is |
+//! |---|---|---|---|
+//! | [`Align`] (`align/`) | photos, cameras | `aligned` | how each photo lies on the plate or on the others, and its levels at one exposure |
+//! | [`Plate`] (`plate/`) | photos, aligned | `scene` | the empty scene by a photo of it; without one *unknown* |
+//! | [`Room`] (`room/`) | photos, aligned, scene | `scene` | the empty scene out of all photos, where it is unknown; with it the bodies on which photos agree |
+//! | [`Likelihood`] (`likelihood/`) | photos, aligned, scene | `evidence` | what each reduced pixel costs as background, and what is certain |
+//! | [`Label`] (`label/`) | aligned, scene, evidence | `labels` | body or background of each reduced pixel, all photos together |
+//! | [`Border`] (`border/`) | all of these | `masks` | the border again at full size |
+//!
+//! `scene/` is what an empty scene is (what does not move, and the disk, which turns), `cut/` the solver. [`GrabCut`]
+//! runs the six in one, for pipelines that name it. [`Import`] takes masks of somebody else, [`Walk`] (`walk/`) finds
+//! those of a walk, which has no empty scene.
+//!
+//! Without a plate there is no seam between scene and labels: rounds alternate between what the photos show where
+//! nobody covers it, and outlines on which they agree. So `Room` makes both, and `Label` takes the bodies over.
+//! Noise is measured against what a photo should show, so it belongs to `Likelihood` (reduced) and `Border` (full size).
+//!
+//! # The energy
+//!
+//! A labelling gives each pixel p of each photo a side, body or background, so that
+//!
+//! ```text
+//! E = Σ U_p(side)  +  γ Σ C_pq [sides differ]  +  λ Σ [side of p against what all photos say of it]     [nats]
+//!     pixels          neighbours (8)              pixels on whose ray all photos agree
+//! ```
+//!
+//! is least. It is found by least cuts, photo by photo (`cut/least_cut.rs`, `maxflow.rs`; Boykov and Kolmogorov 2004),
+//! colours and labels in turns (`label/color_cut.rs`; Rother, Kolmogorov and Blake 2004).
+//!
+//! | term | what | file |
+//! |---|---|---|
+//! | U(background) | -ln p(pixel given the scene): its colour, edges that move by a part of a pixel, the light of its ground, and that of its neighbourhood | `likelihood/background.rs`, `grounds.rs`, `neighbourhoods.rs` |
+//! | | … with the noise of that photo, which makes the density thinner by 3 ln σ | `likelihood/noise.rs` |
+//! | | … on the disk also its grain: what a window leaves at the best light | `likelihood/grain.rs`, `grain/in_photo.rs`, `grain/window.rs` |
+//! | | … where nobody saw the scene: colours of the scene beside, of the disk elsewhere, or a little more than any body costs | `likelihood/colors_beside.rs`, `disk_colors.rs`, `prepared.rs` (`UNSEEN`) |
+//! | U(body) | -ln of the mixture of the body's colours or, one time in three, of any colour | `likelihood/body.rs`, `gmm.rs` |
+//! | | ∞ below the disk's top, beside it, and beyond the user's rectangle | `likelihood/prepared.rs`, `align/rectangle.rs` |
+//! | γ C | (0.15 + 0.85 exp(-β d²)) / 8, d by colours, β of the photo; an edge that the scene has by itself is not one | `cut/least_cut.rs` |
+//! | λ | ∞: what the hull of all photos makes certain, two photos may dissent. 0 where this photo shows the scene to the level, or something like it over a patch of the size of a gap | `label/consensus.rs`, `consensus_in_photo.rs` |
+//! | parts | the body is the largest part; of its holes stay those that the scene explains | `label/parts.rs` |
+//!
+//! Beside the energy, each with its reason in its file: a hole whose rays pass far through the hull of the others is
+//! filled (`label/see_through_holes.rs`); patches that stay in place as the body turns are background
+//! (`room/background_patches.rs`); narrow ends of gaps are followed at full size (`border/narrow_gaps.rs`). The scene of a
+//! turn is a labelling of its own: of all levels that recur at a pixel (`room/recurring_levels.rs`) those that go over
+//! smoothly into each other (`room/scene_labelling.rs`, by `message_passing.rs`; Kolmogorov 2006).
+//!
+//! # Another algorithm
+//!
+//! It is one producer of evidence: a stage in a crate of its own that makes a [`shape::Evidence`] (a reduced photo, what
+//! each pixel costs as background in nats, what is certain), one line in the product's catalog, and a pipeline whose node
+//! `evidence` is that stage. Labels, border and all after them stay as they are. What costs the background U nats when
+//! it is certain of odds L = ln p(background) - ln p(body) is 17.8 - L: the body costs 17.8 where nothing is known of its
+//! colours. They are learned from pixels that cost more than 22, so some must. Where the scene is unknown the evidence of
+//! colours is not asked, and bodies that were found with it are taken as they are. A program that makes masks needs no Rust: see `docs/pipelines.md`.
 
 mod align;
 mod border;
 mod cut;
-mod empty;
 mod grabcut;
 mod import;
 mod label;
 mod likelihood;
-mod one_photo;
 mod params;
 mod plate;
 mod room;
 mod scene;
 mod walk;
 
-pub use align::exposure::{Levels, exposure, relit};
+pub use align::exposure::exposure;
 pub use align::rectangle::{Rectangle, RectangleError};
-pub use align::reduced::reduced;
-pub use border::by_colors::by_colors;
+pub use align::stage::{Align, AlignInput, AlignParams};
 pub use border::full_size::fine;
-pub use border::soft_border::{coverage, soft_border};
-pub use cut::least_cut::{Known, Window};
+pub use border::stage::{Border, BorderInput, BorderParams};
+pub use cut::least_cut::Known;
 pub use cut::maxflow::{Grid, STEPS};
 pub use grabcut::{GrabCut, GrabCutInput};
 pub use import::{Body, Import, ImportError, ImportInput, ImportParams};
-pub use label::color_cut::{Settings, coarse, cut, cut_whole};
-pub use label::consensus::agreed;
-pub use label::parts::largest;
-pub use label::see_through_holes::Depths;
-pub use likelihood::background::{Ground, Noise, background_cost};
-pub use likelihood::colors_beside::Nearby;
-pub use likelihood::gmm::Gmm;
-pub use likelihood::prepared::{Disk, Prepared, prepare};
-pub use params::{CutError, GrabCutParams};
-pub use plate::expected::{expected, plate_turn, turned};
-pub use room::doubtful_patches::doubtful;
-pub use room::means::Means;
-pub use room::recurring::{Recurring, recurring};
+pub use label::color_cut::{Settings, coarse};
+pub use label::stage::{Label, LabelInput, LabelParams};
+pub use likelihood::background::Noise;
+pub use likelihood::prepared::{Prepared, prepare};
+pub use likelihood::stage::{Likelihood, LikelihoodInput, LikelihoodParams};
+pub use params::{CutError, CutParams, GrabCutParams};
+pub use plate::stage::{Plate, PlateInput};
+pub use room::recurring::recurring;
 pub use room::rounds::{Cuts, without_plate};
-pub use scene::backdrop::{Backdrop, middle, still, thinned};
-pub use scene::disk_map::{laid_out, lay_into, point};
-pub use scene::disk_plane::{on_disk, sample};
-pub use scene::still_and_disk::{Scene, Shot};
+pub use room::stage::{Room, RoomInput, RoomParams};
+pub use scene::backdrop::Backdrop;
+pub use scene::still_and_disk::Shot;
 pub use walk::{Walk, WalkCutError, WalkInput, WalkParams};
 
-/// Every stage of this room, in the order in which data flows through it.
+/// Every stage of this crate, in the order in which data flows through it.
 pub const STAGES: &[&dyn stage::AnyStage] = &[
+    &stage::erase::<Align>(),
+    &stage::erase::<Plate>(),
+    &stage::erase::<Room>(),
+    &stage::erase::<Likelihood>(),
+    &stage::erase::<Label>(),
+    &stage::erase::<Border>(),
     &stage::erase::<GrabCut>(),
     &stage::erase::<Import>(),
     &stage::erase::<Walk>(),

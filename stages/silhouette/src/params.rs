@@ -3,8 +3,8 @@
 use crate::align::rectangle::RectangleError;
 
 stage::params! {
-    /// How the body is cut out.
-    pub struct GrabCutParams {
+    /// How photos are cut by their colours.
+    pub struct CutParams {
         /// Weight of the border's length against colours (γ).
         #[range(0.0..=1000.0)]
         gamma: f64 = 40.0,
@@ -14,6 +14,15 @@ stage::params! {
         /// Clusters of the mixture of the body's colours.
         #[range(1..=20)]
         clusters: u32 = 6,
+    }
+}
+
+stage::params! {
+    /// How the body is cut out.
+    pub struct GrabCutParams {
+        /// How photos are cut.
+        #[group(flat)]
+        cut: CutParams = CutParams::default(),
         /// Longest side at which the first cut is made; the border is cut again at full size.
         #[range(100..=4000)]
         coarse_px: u32 = 800,

@@ -2,7 +2,7 @@
 
 use proof::Dice;
 use shape::{Image, Rgb};
-use silhouette::{Backdrop, Settings, coarse, exposure, prepare, relit};
+use silhouette::{Backdrop, Settings, coarse, exposure, prepare};
 
 /// A room of plain patches, and a body before it that covers a third.
 fn scene(dice: &mut Dice) -> (Rgb, Rgb, Image<bool>) {
@@ -61,7 +61,7 @@ fn a_plate_a_fifth_brighter_darker_or_of_another_white_cuts_as_well() {
         let other = changed(&plate, by);
         let before = overlap(&photo, &other, &truth);
         let levels = exposure(&photo, &other).expect("another exposure");
-        let after = overlap(&photo, &relit(&other, &levels), &truth);
+        let after = overlap(&photo, &shape::toned(&other, &levels), &truth);
         // What is darker than the plate may be a shadow, what is brighter may not; another white is noise.
         let fails = by.iter().all(|b| *b < 1.0);
         assert!(

@@ -3,78 +3,22 @@
 //! A stabiliser shifts each photo by a part of a pixel or more, and automatic exposure changes its
 //! light: held against each other as they are, nothing in them stands still.
 
-use crate::align::exposure::{Levels, exposure_beyond, relit};
+use crate::align::exposure::exposure_beyond;
 use rayon::prelude::*;
-use shape::{Camera, Gray, Image, Mask, PhotoId, Placed, Rgb, register, registered};
-use std::collections::BTreeMap;
+use shape::{Alignment, Gray, Image, Placed, Rgb, Tones, register, registered};
 
 /// Photos of a turn are of the same exposure where ratios are off one by less than this.
 const SAME: f32 = 0.003;
 /// Levels by which exposures are compared.
 const COMPARED: std::ops::Range<usize> = 40..248;
 
-/// How a photo lies in the common place, and what its levels are there.
-#[derive(Debug, Clone, PartialEq)]
-pub(crate) struct Level {
-    pub(crate) placed: Placed,
-    pub(crate) levels: Option<Levels>,
-}
-
-impl Level {
-    /// A photo that is where and as it should be.
-    pub(crate) const NONE: Level = Level {
-        placed: Placed::SAME,
-        levels: None,
-    };
-
-    /// The photo, brought there.
-    pub(crate) fn brought(&self, photo: Rgb) -> Rgb {
-        let photo = if self.placed.lies() {
-            photo
-        } else {
-            self.placed.brought(&photo)
-        };
-        self.relit(photo)
-    }
-
-    /// A photo that lies there already, as it is exposed there.
-    pub(crate) fn relit(&self, photo: Rgb) -> Rgb {
-        match &self.levels {
-            Some(levels) => relit(&photo, levels),
-            None => photo,
-        }
-    }
-
-    /// Its camera, brought there.
-    pub(crate) fn camera(&self, camera: &Camera) -> Camera {
-        if self.placed.lies() {
-            *camera
-        } else {
-            self.placed.brought_camera(camera)
-        }
-    }
-
-    /// A mask of what was brought there, back on the photo.
-    pub(crate) fn returned(&self, mask: Mask) -> Mask {
-        if self.placed.lies() {
-            return mask;
-        }
-        let back = self.placed.inverse();
-        let gray: Gray = mask.map(|v| f32::from(*v));
-        back.brought_gray(&gray).map(|v| v.round() as u8)
-    }
-}
-
-/// How each photo lies in the common place.
-pub(crate) type Alignments = BTreeMap<PhotoId, Level>;
-
 /// The photo laid on the plate, both reduced by a factor. Its exposure stays: the plate is brought to it.
-pub(crate) fn on_plate(photo: &Rgb, plate: &Gray, factor: usize) -> Level {
+pub(crate) fn on_plate(photo: &Rgb, plate: &Gray, factor: usize) -> Alignment {
     // Where they share too little the photo stays, and the cut tells that nothing is alike.
     let placed = register(&photo.gray(), plate).unwrap_or(Placed::SAME);
-    Level {
+    Alignment {
         placed: placed.enlarged(factor as f64),
-        levels: None,
+        tones: None,
     }
 }
 
@@ -87,14 +31,14 @@ pub(crate) fn on_each_other(photos: &[Rgb]) -> Vec<Placed> {
 }
 
 /// What brings photos to the exposure of the middle one, once they are laid on each other.
-pub(crate) fn exposed_alike(photos: &[Rgb], placed: &[Placed]) -> Vec<Option<Levels>> {
+pub(crate) fn exposed_alike(photos: &[Rgb], placed: &[Placed]) -> Vec<Option<Tones>> {
     let reference = middle(photos, placed);
     let alike = |photo: &Rgb| exposure_beyond(&reference, photo, SAME).filter(changes);
     photos.par_iter().map(alike).collect()
 }
 
 /// Whether levels change by half a level in the mean of a channel, those left out that are dark or cut off.
-fn changes(levels: &Levels) -> bool {
+fn changes(levels: &Tones) -> bool {
     let off =
         |of: &[u8; 256]| -> u32 { COMPARED.map(|v| u32::from(of[v].abs_diff(v as u8))).sum() };
     levels.iter().any(|of| 2 * off(of) >= COMPARED.len() as u32)
@@ -125,6 +69,7 @@ fn middle(photos: &[Rgb], placed: &[Placed]) -> Rgb {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use shape::toned;
 
     /// Photos of a patterned wall before which a plain block goes to and fro, each shifted and exposed
     /// otherwise; the wall, and how each lies.
@@ -174,7 +119,7 @@ mod tests {
             .into_iter()
             .zip(&levels)
             .map(|(photo, levels)| match levels {
-                Some(levels) => relit(&photo, levels),
+                Some(levels) => toned(&photo, levels),
                 None => photo,
             })
             .collect();
@@ -204,20 +149,5 @@ mod tests {
         assert!(exposed_alike(&photos, &placed).iter().all(Option::is_none));
         let level = on_plate(&photos[0], &photos[1].gray(), 1);
         assert!(level.placed.lies(), "{level:?}");
-    }
-
-    #[test]
-    fn a_mask_comes_back_to_where_the_photo_was() {
-        let level = Level {
-            placed: Placed {
-                shift: [3.0, -2.0],
-                ..Placed::SAME
-            },
-            levels: None,
-        };
-        let mut mask = Mask::filled(60, 50, 0);
-        *mask.at_mut(20, 20) = 255;
-        let back = level.returned(mask);
-        assert_eq!((back.at(23, 18), back.at(20, 20)), (255, 0));
     }
 }

@@ -4,7 +4,7 @@
 //! frequent: that of the exposures, channel by channel (a white balance changes, too). Around it the
 //! curve of the camera follows from the pixels that keep to it.
 
-use shape::Rgb;
+use shape::{Rgb, Tones};
 
 /// Bins of the logarithm of a ratio, and how wide they are. Ratios from 0.3 to 3.3.
 const BINS: usize = 240;
@@ -25,17 +25,14 @@ const CUT_OFF: (u8, usize) = (252, 85);
 /// shadow rather than a camera's.
 const SAME: f32 = 0.012;
 
-/// What each level of the plate is on the photo, by channel.
-pub type Levels = [[u8; 256]; 3];
-
 /// Levels of the plate as the photo would show them. `None` if they are exposed alike, or share too
 /// little to tell.
-pub fn exposure(photo: &Rgb, plate: &Rgb) -> Option<Levels> {
+pub fn exposure(photo: &Rgb, plate: &Rgb) -> Option<Tones> {
     exposure_beyond(photo, plate, SAME)
 }
 
 /// The same; ratios that are off one by less than `same` are the same exposure.
-pub(crate) fn exposure_beyond(photo: &Rgb, plate: &Rgb, same: f32) -> Option<Levels> {
+pub(crate) fn exposure_beyond(photo: &Rgb, plate: &Rgb, same: f32) -> Option<Tones> {
     if (photo.width, photo.height) != (plate.width, plate.height) {
         return None;
     }
@@ -95,11 +92,6 @@ impl Pairs {
         };
         Some(counts.iter().position(reaches).unwrap_or(255) as u8)
     }
-}
-
-/// The plate with its levels changed.
-pub fn relit(plate: &Rgb, levels: &Levels) -> Rgb {
-    plate.map(|p| [0, 1, 2].map(|c| levels[c][p[c] as usize]))
 }
 
 /// The most frequent ratio of photo to plate.

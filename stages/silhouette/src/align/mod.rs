@@ -5,3 +5,4 @@ pub(crate) mod cameras;
 pub(crate) mod exposure;
 pub(crate) mod rectangle;
 pub(crate) mod reduced;
+pub(crate) mod stage;

@@ -3,7 +3,7 @@
 use shape::Rgb;
 
 /// An image reduced by a whole factor, pixels averaged.
-pub fn reduced(image: &Rgb, factor: usize) -> Rgb {
+pub(crate) fn reduced(image: &Rgb, factor: usize) -> Rgb {
     let (width, height) = (image.width / factor, image.height / factor);
     let mut small = Rgb::filled(width, height, [0; 3]);
     let area = (factor * factor) as u32;
@@ -19,4 +19,10 @@ pub fn reduced(image: &Rgb, factor: usize) -> Rgb {
         }
     }
     small
+}
+
+/// By how much a photo is reduced so that its longest side is so long at most.
+pub(crate) fn factor(pixels: &Rgb, coarse_px: usize) -> usize {
+    let longest = pixels.width.max(pixels.height);
+    longest.div_ceil(coarse_px.max(1)).max(1)
 }

@@ -13,7 +13,7 @@ const REACH: usize = 4;
 const MIXED: i32 = 2;
 
 /// Coverage of every pixel: 0 or 255 but at the border, where it is what colours say.
-pub fn soft_border(photo: &Rgb, without: &Rgb, sides: &Image<bool>, noise: Noise) -> Mask {
+pub(crate) fn soft_border(photo: &Rgb, without: &Rgb, sides: &Image<bool>, noise: Noise) -> Mask {
     let near = near_border(sides);
     let mut mask = smoothed(sides, &near);
     for y in 0..sides.height {
@@ -121,7 +121,7 @@ fn near_border(sides: &Image<bool>) -> Image<bool> {
 
 /// Sides as coverage with a soft border: a 3 × 3 binomial filter, so that the border crosses half
 /// coverage between the two pixels that differ.
-pub fn coverage(sides: &Image<bool>) -> Mask {
+pub(crate) fn coverage(sides: &Image<bool>) -> Mask {
     smoothed(sides, &near_border(sides))
 }
 

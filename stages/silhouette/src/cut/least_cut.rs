@@ -2,6 +2,7 @@
 //! brightness changes (Boykov and Jolly 2001; Rother, Kolmogorov, Blake 2004).
 
 use crate::cut::maxflow::{Grid, STEPS};
+pub use shape::Known;
 use shape::Rgb;
 
 /// Costs are multiplied by this and rounded, so that flows are whole numbers.
@@ -11,19 +12,8 @@ const MOST: f64 = 12.0;
 /// Share of the price of a border that no edge takes away.
 const LEAST: f64 = 0.15;
 
-/// What is known of each pixel before the cut.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Known {
-    /// It may be either.
-    Unknown,
-    /// It cannot be body.
-    Background,
-    /// It cannot be background.
-    Body,
-}
-
 /// A rectangle of an image. \[px\]
-pub struct Window {
+pub(crate) struct Window {
     /// Left column.
     pub x: usize,
     /// Top row.

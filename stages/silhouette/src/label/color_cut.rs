@@ -6,6 +6,7 @@ use crate::likelihood::background::{FLAT, Noise};
 use crate::likelihood::body::{EVIDENT, body_cost};
 use crate::likelihood::gmm::Gmm;
 use crate::likelihood::prepared::Prepared;
+use crate::params::CutParams;
 use shape::{Image, Rgb};
 
 /// How to cut.
@@ -22,6 +23,26 @@ pub struct Settings {
 }
 
 impl Settings {
+    /// As the user says.
+    pub(crate) fn of(p: &CutParams) -> Self {
+        Settings {
+            gamma: p.gamma,
+            rounds: p.rounds as usize,
+            clusters: p.clusters as usize,
+            thinner: 0.0,
+        }
+    }
+
+    /// For a cut by colours that are known already.
+    pub(crate) fn of_border(gamma: f64) -> Self {
+        Settings {
+            gamma,
+            rounds: 1,
+            clusters: 1,
+            thinner: 0.0,
+        }
+    }
+
     /// The same for a photo of such noise.
     pub(crate) fn with(&self, noise: Noise) -> Self {
         Settings {
@@ -36,7 +57,7 @@ const OWN: f32 = FLAT + 1.5;
 /// Which pixels are body: `background` is -ln p(pixel | background), `explained` the same as far as
 /// holes may trust it, `known` what is certain.
 /// Returns the sides and the mixture of the body's colours. `None` if nothing can be body.
-pub fn cut_whole(
+pub(crate) fn cut_whole(
     photo: &Rgb,
     background: &[f32],
     explained: &[f32],
@@ -85,7 +106,7 @@ pub fn coarse(ready: &Prepared, settings: &Settings) -> Option<(Image<bool>, Gmm
 
 /// Cuts a window: true is body. `background` and the result are row-major over the window, `known`
 /// goes by the photo's pixels.
-pub fn cut(
+pub(crate) fn cut(
     photo: &Rgb,
     background: &[f32],
     window: &Window,

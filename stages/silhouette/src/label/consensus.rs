@@ -60,7 +60,10 @@ pub(crate) struct Together<'a> {
 }
 
 /// What is certain of each pixel of each mask, from all masks and the cameras.
-pub fn agreed(masks: &[(PhotoId, Mask)], cameras: &Cameras) -> BTreeMap<PhotoId, Vec<Known>> {
+pub(crate) fn agreed(
+    masks: &[(PhotoId, Mask)],
+    cameras: &Cameras,
+) -> BTreeMap<PhotoId, Vec<Known>> {
     let all = Together::of(masks, cameras);
     all.map(|all| all.known(DISSENT)).unwrap_or_default()
 }

@@ -17,7 +17,7 @@ pub(crate) const LIKELY_HOLE: usize = 250;
 /// a shirt only something like it. What a pixel costs as background is given twice, as it was seen and
 /// as it is likely: a hole that is only likely must be of the size of such a gap, for a hole in one
 /// photo is a tunnel through the hull.
-pub fn largest(sides: &Image<bool>, background: &dyn Fn(usize) -> [f32; 2]) -> Image<bool> {
+pub(crate) fn largest(sides: &Image<bool>, background: &dyn Fn(usize) -> [f32; 2]) -> Image<bool> {
     let whole = Parts::of(sides, true);
     let Some(best) = (0..whole.sizes.len()).max_by_key(|i| (whole.sizes[*i], usize::MAX - i))
     else {

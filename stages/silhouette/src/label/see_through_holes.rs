@@ -4,13 +4,12 @@
 //! middle of it: of a gap of width w that is d deep, d - 2 w / tan θ where they stand θ to either side. A hole
 //! that is long in the hull of the others is therefore no gap, but a garment of the wall's colour.
 
-use crate::label::consensus::{Block, Together, View};
+use crate::label::body_hull::Hull;
+use crate::label::consensus::Together;
 use crate::label::parts::parts;
-use nalgebra::{Point2, Point3, Vector3};
-use rayon::prelude::*;
-use shape::{Camera, Image, PhotoId};
+use nalgebra::Point2;
+use shape::{Camera, HullCells, Image, PhotoId};
 use std::collections::BTreeMap;
-use std::ops::Range;
 use std::sync::Arc;
 
 /// Half of a tunnel's rays are longer than this share of the body's height. Of 145 gaps on photos of three bodies
@@ -18,8 +17,6 @@ use std::sync::Arc;
 const MAX_GAP_SHARE: f64 = 0.06;
 /// Neighbours that stand farther off do not see into a gap. \[deg\]
 const NEIGHBOUR_DEG: f64 = 25.0;
-/// Cells along the body's height.
-const CELLS: f64 = 200.0;
 
 /// How long the rays of a photo's pixels are within the hull of the others.
 pub struct Depths {
@@ -59,7 +56,9 @@ impl Depths {
     /// Whether the ray of a pixel passes a long way through the hull.
     fn long(&self, i: usize, width: usize) -> bool {
         let at = Point2::new((i % width) as f64, (i / width) as f64);
-        let along = self.hull.along(&self.camera.centre(), &self.camera.ray(at));
+        let along = self
+            .hull
+            .along(&self.camera.centre(), &self.camera.ray(at), MAX_GAP_SHARE);
         along > MAX_GAP_SHARE * self.hull.height
     }
 }
@@ -70,11 +69,27 @@ pub(crate) fn depths(all: &Together<'_>) -> BTreeMap<PhotoId, Depths> {
         return BTreeMap::new();
     };
     let hull = Arc::new(hull);
-    let among = all
-        .views
-        .iter()
-        .filter(|view| has_neighbours(view, &all.views));
-    let one = |(id, _, camera): &View<'_>| {
+    let views: Vec<(PhotoId, Camera)> = all.views.iter().map(|(id, _, c)| (*id, *c)).collect();
+    among(hull, &views)
+}
+
+/// The same of a hull that was found, and the cameras of all photos that have the body on them, at their reduced size.
+pub(crate) fn depths_in(
+    cells: &HullCells,
+    views: &[(PhotoId, Camera)],
+) -> BTreeMap<PhotoId, Depths> {
+    among(Arc::new(Hull::from(cells)), views)
+}
+
+/// The hull that all go by, if there is one.
+pub(crate) fn cells(depths: &BTreeMap<PhotoId, Depths>) -> Option<HullCells> {
+    Some(depths.values().next()?.hull.cells())
+}
+
+/// The photos that have neighbours to both sides.
+fn among(hull: Arc<Hull>, views: &[(PhotoId, Camera)]) -> BTreeMap<PhotoId, Depths> {
+    let among = views.iter().filter(|view| has_neighbours(view, views));
+    let one = |(id, camera): &(PhotoId, Camera)| {
         let (hull, camera) = (Arc::clone(&hull), *camera);
         (*id, Depths { hull, camera })
     };
@@ -82,100 +97,21 @@ pub(crate) fn depths(all: &Together<'_>) -> BTreeMap<PhotoId, Depths> {
 }
 
 /// Whether photos to both sides were taken near by.
-fn has_neighbours(view: &View<'_>, all: &[View<'_>]) -> bool {
-    let azimuth = |view: &View<'_>| {
-        let at = view.2.centre();
+fn has_neighbours(view: &(PhotoId, Camera), all: &[(PhotoId, Camera)]) -> bool {
+    let azimuth = |view: &(PhotoId, Camera)| {
+        let at = view.1.centre();
         libm::atan2(at.y, at.x).to_degrees()
     };
     let here = azimuth(view);
-    let ahead = |other: &View<'_>| (azimuth(other) - here).rem_euclid(360.0);
+    let ahead = |other: &(PhotoId, Camera)| (azimuth(other) - here).rem_euclid(360.0);
     let others: Vec<f64> = all.iter().filter(|o| o.0 != view.0).map(ahead).collect();
     others.iter().any(|a| *a <= NEIGHBOUR_DEG) && others.iter().any(|a| *a >= 360.0 - NEIGHBOUR_DEG)
-}
-
-/// The hull of all photos of which one may dissent.
-struct Hull {
-    block: Block,
-    solid: Vec<bool>,
-    /// \[mm\]
-    height: f64,
-    middle: Point3<f64>,
-}
-
-impl Hull {
-    /// `None` if nothing is left of it.
-    fn of(all: &Together<'_>) -> Option<Self> {
-        let rough = &all.block;
-        let layer = rough.count[0] * rough.count[1];
-        let solid = |i: &usize| all.against[*i] <= 1;
-        let (mut lo, mut hi) = (Vector3::repeat(f64::MAX), Vector3::repeat(f64::MIN));
-        let layers = tallest(rough.count[2], &|z| {
-            (z * layer..(z + 1) * layer).any(|i| solid(&i))
-        });
-        for i in (layers.start * layer..layers.end * layer).filter(solid) {
-            let at = rough.centre(i).coords;
-            (lo, hi) = (lo.inf(&at), hi.sup(&at));
-        }
-        if lo.z > hi.z {
-            return None;
-        }
-        let side = Vector3::repeat(rough.cell);
-        let (lo, hi) = (lo - side, hi + side);
-        let height = hi.z - lo.z - rough.cell;
-        let cell = height / CELLS;
-        let block = Block {
-            origin: lo.into(),
-            cell,
-            count: [0, 1, 2].map(|a| ((hi[a] - lo[a]) / cell) as usize + 1),
-        };
-        let cells: usize = block.count.iter().product();
-        let solid = (0..cells)
-            .into_par_iter()
-            .map(|i| all.against(&block.centre(i)) <= 1)
-            .collect();
-        Some(Hull {
-            middle: nalgebra::center(&lo.into(), &hi.into()),
-            block,
-            solid,
-            height,
-        })
-    }
-
-    /// How far a ray passes through the hull, or at least `MAX_GAP_SHARE` of its height. \[mm\]
-    fn along(&self, from: &Point3<f64>, ray: &Vector3<f64>) -> f64 {
-        let (block, step) = (&self.block, self.block.cell);
-        let enough = (MAX_GAP_SHARE * self.height / step) as usize + 1;
-        let middle = (self.middle - from).dot(ray);
-        let [x, y, _] = block.count;
-        let reach = libm::hypot(x as f64, y as f64) as i64;
-        let inside = |k: &i64| {
-            let at = (from + ray * (middle + *k as f64 * step) - block.origin) / block.cell;
-            let cell = [0, 1, 2].map(|a| at[a].round());
-            let within = (0..3).all(|a| cell[a] >= 0.0 && cell[a] < block.count[a] as f64);
-            let [x, y, z] = cell.map(|v| v as usize);
-            within && self.solid[(z * block.count[1] + y) * block.count[0] + x]
-        };
-        (-reach..=reach).filter(inside).take(enough).count() as f64 * step
-    }
-}
-
-/// The longest run of layers that hold something: what many photos cannot see may hold a cell by itself.
-fn tallest(count: usize, holds: &dyn Fn(usize) -> bool) -> Range<usize> {
-    let (mut best, mut start) = (0..0, 0);
-    for z in 0..count {
-        if !holds(z) {
-            start = z + 1;
-        } else if z + 1 - start > best.len() {
-            best = start..z + 1;
-        }
-    }
-    best
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use nalgebra::{Matrix3, Rotation3};
+    use nalgebra::{Matrix3, Point3, Rotation3, Vector3};
     use shape::{Cameras, Intrinsics, Mask, Pose, Scale};
 
     const SIZE: (usize, usize) = (240, 320);

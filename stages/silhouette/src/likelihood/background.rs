@@ -1,6 +1,6 @@
 //! How well a pixel is explained by the background: negative log likelihoods.
 
-pub use crate::likelihood::grounds::Ground;
+pub(crate) use crate::likelihood::grounds::Ground;
 use crate::likelihood::neighbourhoods::{box_means, least_around};
 pub(crate) use crate::likelihood::noise::FLAT;
 pub use crate::likelihood::noise::Noise;
@@ -27,7 +27,7 @@ const SHADED_SHARE: f32 = 0.1;
 /// with its light changed as far as the ground there allows. One pixel may match by chance: the
 /// means of a neighbourhood (`reach` pixels to each side) that it belongs to must match, too, in a light that
 /// changes no more than neighbourhoods of this photo do (`Noise::light`) or, one time in ten, by a shadow.
-pub fn background_cost(
+pub(crate) fn background_cost(
     photo: &Rgb,
     expected: &Rgb,
     noise: Noise,

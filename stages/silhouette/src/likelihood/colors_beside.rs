@@ -27,7 +27,7 @@ pub(crate) fn beside(background: f32, body: f32) -> f32 {
 }
 
 /// The room seen close to each pixel that nobody saw.
-pub struct Nearby<'a> {
+pub(crate) struct Nearby<'a> {
     room: &'a Backdrop,
     step: i64,
     close: Image<bool>,
@@ -35,7 +35,7 @@ pub struct Nearby<'a> {
 
 impl<'a> Nearby<'a> {
     /// Finds the unseen pixels that have seen ones nearby.
-    pub fn of(room: &'a Backdrop) -> Self {
+    pub(crate) fn of(room: &'a Backdrop) -> Self {
         let (w, h) = (room.seen.width, room.seen.height);
         let step = ((h as f64 * REACH * 2.0 / (ASKED - 1) as f64).round() as i64).max(1);
         let reach = step as usize * (ASKED / 2);
@@ -69,7 +69,7 @@ impl<'a> Nearby<'a> {
 
     /// -ln p(pixel | a colour of the room nearby), on the scale of the costs of the background.
     /// `None` where the room was not seen nearby.
-    pub fn cost(&self, photo: &Rgb, i: usize) -> Option<f32> {
+    pub(crate) fn cost(&self, photo: &Rgb, i: usize) -> Option<f32> {
         if !self.close.data[i] {
             return None;
         }

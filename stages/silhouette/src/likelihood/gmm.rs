@@ -1,6 +1,7 @@
 //! Colours as a mixture of Gaussians (Rother, Kolmogorov and Blake 2004, §2.1).
 
 use nalgebra::{Matrix3, Vector3};
+use shape::MixtureRow;
 
 /// One cluster of colours.
 #[derive(Debug, Clone, Copy)]
@@ -85,6 +86,29 @@ impl Gmm {
         Some(Gmm {
             clusters: clusters.collect(),
         })
+    }
+
+    /// As it is stored.
+    pub(crate) fn rows(&self) -> Vec<MixtureRow> {
+        let row = |c: &Cluster| {
+            let mut row = [c.log_scale; 13];
+            row[..3].copy_from_slice(c.mean.as_slice());
+            row[3..12].copy_from_slice(c.inverse.as_slice());
+            row
+        };
+        self.clusters.iter().map(row).collect()
+    }
+
+    /// From what is stored.
+    pub(crate) fn from_rows(rows: &[MixtureRow]) -> Gmm {
+        let cluster = |row: &MixtureRow| Cluster {
+            mean: Vector3::from_column_slice(&row[..3]),
+            inverse: Matrix3::from_column_slice(&row[3..12]),
+            log_scale: row[12],
+        };
+        Gmm {
+            clusters: rows.iter().map(cluster).collect(),
+        }
     }
 
     /// -ln of the density of a colour, by its likeliest cluster.

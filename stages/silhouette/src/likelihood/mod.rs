@@ -1,6 +1,7 @@
 //! What each pixel costs as background and as body. \[nats\]
 
 pub(crate) mod background;
+pub(crate) mod behind;
 pub(crate) mod body;
 pub(crate) mod colors_beside;
 pub(crate) mod disk_colors;
@@ -10,3 +11,4 @@ pub(crate) mod grounds;
 pub(crate) mod neighbourhoods;
 pub(crate) mod noise;
 pub(crate) mod prepared;
+pub(crate) mod stage;

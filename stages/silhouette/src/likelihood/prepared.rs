@@ -1,4 +1,4 @@
-//! One photo: a coarse cut of all of it, before its border is cut at full size.
+//! One photo made ready to be cut: what each of its reduced pixels costs as background.
 
 use crate::align::reduced::reduced;
 use crate::cut::least_cut::Known;
@@ -7,7 +7,7 @@ use crate::likelihood::grounds::Grounds;
 use crate::scene::backdrop::Backdrop;
 use crate::scene::disk_plane::on_disk;
 use nalgebra::{Point2, Point3};
-use shape::{Camera, Rgb};
+use shape::{Camera, PhotoEvidence, Rgb};
 
 /// A photo made ready: reduced, with what is known of each pixel.
 pub struct Prepared {
@@ -31,6 +31,33 @@ pub struct Prepared {
 }
 
 impl Prepared {
+    /// Of evidence that was found; `disk` as in [`Prepared`].
+    pub(crate) fn of(evidence: &PhotoEvidence, disk: Option<(Camera, f64)>) -> Self {
+        Prepared {
+            factor: evidence.factor as usize,
+            small: evidence.photo.clone(),
+            cost: evidence.background.clone(),
+            explained: evidence.background_in_any_light.clone(),
+            strange: evidence.against_disk.clone(),
+            known: evidence.known.clone(),
+            noise: Noise::even(evidence.noise_levels),
+            disk,
+        }
+    }
+
+    /// As it is stored.
+    pub(crate) fn evidence(self) -> PhotoEvidence {
+        PhotoEvidence {
+            factor: self.factor as u32,
+            photo: self.small,
+            background: self.cost,
+            background_in_any_light: self.explained,
+            against_disk: self.strange,
+            known: self.known,
+            noise_levels: self.noise.room,
+        }
+    }
+
     /// Raises what a pixel costs as background to so much beyond what matches to the level.
     pub(crate) fn raise(&mut self, i: usize, beyond: f32) {
         if beyond > 0.0 {
@@ -41,7 +68,7 @@ impl Prepared {
 }
 
 /// Where the disk is: the photo's camera and the disk's radius. \[mm\]
-pub type Disk<'a> = Option<(&'a Camera, f64)>;
+pub(crate) type Disk<'a> = Option<(&'a Camera, f64)>;
 
 /// Half the side of neighbourhoods of the reduced photo. \[px\]
 const COARSE_REACH: usize = 1;

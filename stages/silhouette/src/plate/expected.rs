@@ -9,7 +9,7 @@ use nalgebra::{Point2, Point3, Rotation3, Vector3};
 use shape::{Camera, Pose, Rgb};
 
 /// The camera as if the disk had been turned on by an angle, counter-clockwise from above. \[rad\]
-pub fn turned(camera: &Camera, angle: f64) -> Camera {
+pub(crate) fn turned(camera: &Camera, angle: f64) -> Camera {
     let turn = Rotation3::from_axis_angle(&Vector3::z_axis(), angle);
     Camera {
         pose: Pose {
@@ -25,7 +25,7 @@ const SOME: usize = 16;
 
 /// By how much the disk on the plate is turned against a photo, and how far the two differ there
 /// (mean over the outer disk of the capped absolute difference, 0..=60). \[rad, levels\]
-pub fn plate_turn(photo: &Rgb, plate: &Rgb, camera: &Camera, radius: f64) -> (f64, f64) {
+pub(crate) fn plate_turn(photo: &Rgb, plate: &Rgb, camera: &Camera, radius: f64) -> (f64, f64) {
     let mut places = Vec::new();
     for ring in 0..12 {
         let r = radius * (0.62 + 0.34 * f64::from(ring) / 11.0);
@@ -86,7 +86,7 @@ pub fn plate_turn(photo: &Rgb, plate: &Rgb, camera: &Camera, radius: f64) -> (f6
 }
 
 /// What the photo of a camera would show without the subject.
-pub fn expected(plate: &Rgb, disk: Option<(&Camera, f64, f64)>) -> Rgb {
+pub(crate) fn expected(plate: &Rgb, disk: Option<(&Camera, f64, f64)>) -> Rgb {
     let mut image = plate.clone();
     let Some((camera, radius, angle)) = disk else {
         return image;

@@ -1,3 +1,4 @@
 //! The empty scene by a photo of it.
 
 pub(crate) mod expected;
+pub(crate) mod stage;

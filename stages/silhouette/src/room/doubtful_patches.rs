@@ -14,7 +14,7 @@ use shape::Image;
 
 /// Share of each mask that its largest patch takes which no photo shows without the body, and whose
 /// colours the body has nowhere else. \[%\] `radius` is the disk's, 0 without one: its top is left out.
-pub fn doubtful(shots: &[Shot], cuts: &[Option<Image<bool>>], radius: f64) -> Vec<f64> {
+pub(crate) fn doubtful(shots: &[Shot], cuts: &[Option<Image<bool>>], radius: f64) -> Vec<f64> {
     let Some(vouched) = Vouched::of(shots, cuts) else {
         return vec![0.0; shots.len()];
     };

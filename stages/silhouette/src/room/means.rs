@@ -1,12 +1,11 @@
 //! The empty scene at full size, a photo at a time, so that memory holds a few of them only.
 
-use crate::scene::backdrop::{Backdrop, SHY, thinned};
+use crate::scene::backdrop::{SHY, thinned};
 use crate::scene::disk_map::{laid_out, point};
-use crate::scene::still_and_disk::Scene;
-use shape::{Camera, Image, Rgb};
+use shape::{Camera, Image, Rgb, Seen};
 
 /// Means over the photos whose masks leave a pixel free.
-pub struct Means {
+pub(crate) struct Means {
     width: usize,
     room: Vec<([u16; 3], u8)>,
     side: usize,
@@ -16,7 +15,7 @@ pub struct Means {
 
 impl Means {
     /// Nothing seen yet of photos of a size, and of a disk. \[px, mm\]
-    pub fn new(width: usize, height: usize, radius: f64, side: usize) -> Self {
+    pub(crate) fn new(width: usize, height: usize, radius: f64, side: usize) -> Self {
         let side = if radius > 0.0 { side } else { 1 };
         Means {
             width,
@@ -28,7 +27,7 @@ impl Means {
     }
 
     /// Takes a photo in. `cut` is its mask at another size.
-    pub fn add(&mut self, photo: &Rgb, camera: &Camera, cut: &Image<bool>) {
+    pub(crate) fn add(&mut self, photo: &Rgb, camera: &Camera, cut: &Image<bool>) {
         let covered = thinned(&cut.map(|b| !b), SHY).map(|b| !b);
         let factor = (photo.width / covered.width).max(1);
         let hidden = |x: usize, y: usize| {
@@ -67,31 +66,28 @@ impl Means {
         }
     }
 
-    /// The scene.
-    pub fn scene(self) -> Scene {
+    /// What stands still, and the disk's map where there is a disk: how many photos show each pixel.
+    pub(crate) fn seen(self) -> (Seen, Option<Seen>) {
         let settled = |sums: Vec<([u16; 3], u8)>, width: usize| {
             let height = sums.len() / width;
             let mean = |(sum, n): &([u16; 3], u8)| {
                 let half = u16::from(*n) / 2;
                 sum.map(|s| ((s + half) / u16::from(*n).max(1)) as u8)
             };
-            Backdrop {
+            Seen {
                 image: Rgb {
                     width,
                     height,
                     data: sums.iter().map(mean).collect(),
                 },
-                seen: Image {
+                shown_by: Image {
                     width,
                     height,
-                    data: sums.iter().map(|s| s.1 > 0).collect(),
+                    data: sums.iter().map(|s| s.1).collect(),
                 },
             }
         };
-        Scene {
-            room: settled(self.room, self.width),
-            disk: settled(self.disk, self.side),
-            radius: self.radius,
-        }
+        let disk = (self.radius > 0.0).then(|| settled(self.disk, self.side));
+        (settled(self.room, self.width), disk)
     }
 }

@@ -2,9 +2,11 @@
 
 pub(crate) mod background_patches;
 pub(crate) mod doubtful_patches;
+pub(crate) mod full_size;
 pub(crate) mod means;
 pub(crate) mod message_passing;
 pub(crate) mod recurring;
 pub(crate) mod recurring_levels;
 pub(crate) mod rounds;
 pub(crate) mod scene_labelling;
+pub(crate) mod stage;

@@ -39,7 +39,7 @@ fn alike(colors: &[[u8; 3]], same: u8) -> usize {
 
 /// The middle of what photos show that are not covered, channel by channel, where three are not: for
 /// surfaces that turn and so are not lit alike.
-pub fn middle(photos: &[Rgb], covered: &[Image<bool>]) -> Backdrop {
+pub(crate) fn middle(photos: &[Rgb], covered: &[Image<bool>]) -> Backdrop {
     let (w, h) = photos.first().map_or((0, 0), |p| (p.width, p.height));
     let mut middle = Backdrop {
         image: Rgb::filled(w, h, [0; 3]),
@@ -89,7 +89,7 @@ fn contrast(photo: &Rgb) -> Vec<u8> {
 ///
 /// Returns for each pixel whether it stands still as background (`Some(true)`), is enclosed by the
 /// turn and may always show the body (`Some(false)`), or changes.
-pub fn still(photos: &[Rgb]) -> Image<Option<bool>> {
+pub(crate) fn still(photos: &[Rgb]) -> Image<Option<bool>> {
     let fixed = fixed(photos);
     let apart = enclosed(&fixed);
     let verdict = |i: usize| fixed.data[i].then(|| !apart.data[i]);
@@ -148,7 +148,7 @@ fn enclosed(fixed: &Image<bool>) -> Image<bool> {
 }
 
 /// Pixels whose whole neighbourhood is true: a square of `reach` pixels to each side.
-pub fn thinned(image: &Image<bool>, reach: usize) -> Image<bool> {
+pub(crate) fn thinned(image: &Image<bool>, reach: usize) -> Image<bool> {
     let along = |from: &Image<bool>, across: bool| {
         let (w, h) = (from.width, from.height);
         let one = |i: usize| {

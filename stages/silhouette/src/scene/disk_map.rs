@@ -6,7 +6,12 @@ use shape::{Camera, Image, Rgb};
 
 /// A photo's view of the disk, laid out: `side` × `side` points of the square around the disk.
 /// Points that are off the disk or out of view are `None`.
-pub fn laid_out(photo: &Rgb, camera: &Camera, radius: f64, side: usize) -> Vec<Option<[u8; 3]>> {
+pub(crate) fn laid_out(
+    photo: &Rgb,
+    camera: &Camera,
+    radius: f64,
+    side: usize,
+) -> Vec<Option<[u8; 3]>> {
     let seen = |i: usize| {
         let at = point(i, radius, side)?;
         let color = camera.project(&at).and_then(|px| sample(photo, px))?;
@@ -16,7 +21,7 @@ pub fn laid_out(photo: &Rgb, camera: &Camera, radius: f64, side: usize) -> Vec<O
 }
 
 /// The point of the disk at a place of the map. \[mm\] `None` off the disk.
-pub fn point(i: usize, radius: f64, side: usize) -> Option<Point3<f64>> {
+pub(crate) fn point(i: usize, radius: f64, side: usize) -> Option<Point3<f64>> {
     let place = |v: usize| ((v as f64 + 0.5) / side as f64 * 2.0 - 1.0) * radius;
     let (x, y) = (place(i % side), place(i / side));
     (libm::hypot(x, y) < radius).then(|| Point3::new(x, y, 0.0))
@@ -26,7 +31,7 @@ pub fn point(i: usize, radius: f64, side: usize) -> Option<Point3<f64>> {
 pub(crate) const RIM: f64 = 0.985;
 
 /// Lays a map of the disk into an image as a camera sees it, with whether it is known there.
-pub fn lay_into(
+pub(crate) fn lay_into(
     image: &mut Rgb,
     seen: &mut Image<bool>,
     camera: &Camera,

@@ -4,7 +4,7 @@ use nalgebra::{Point2, Point3};
 use shape::{Camera, Rgb};
 
 /// The point of the disk's top that is seen at a pixel, if it is on the disk. \[mm\]
-pub fn on_disk(camera: &Camera, at_px: Point2<f64>, radius: f64) -> Option<Point3<f64>> {
+pub(crate) fn on_disk(camera: &Camera, at_px: Point2<f64>, radius: f64) -> Option<Point3<f64>> {
     let (centre, ray) = (camera.centre(), camera.ray(at_px));
     if ray.z >= -1e-6 || centre.z <= 0.0 {
         return None;
@@ -14,7 +14,7 @@ pub fn on_disk(camera: &Camera, at_px: Point2<f64>, radius: f64) -> Option<Point
 }
 
 /// A pixel between pixels, bilinear; [`None`] outside.
-pub fn sample(image: &Rgb, at: Point2<f64>) -> Option<[f32; 3]> {
+pub(crate) fn sample(image: &Rgb, at: Point2<f64>) -> Option<[f32; 3]> {
     let (x0, y0) = (at.x.floor(), at.y.floor());
     let inside =
         x0 >= 0.0 && y0 >= 0.0 && x0 + 1.0 < image.width as f64 && y0 + 1.0 < image.height as f64;

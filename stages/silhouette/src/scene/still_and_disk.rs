@@ -27,7 +27,7 @@ impl Shot {
 
 /// The room, which stands still, and the disk, which turns.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Scene {
+pub(crate) struct Scene {
     /// The room as all photos show it.
     pub room: Backdrop,
     /// The map of the disk's top.
@@ -38,7 +38,7 @@ pub struct Scene {
 
 impl Scene {
     /// What one camera would see. Where nobody saw it, the photo itself stands in, so that it tells nothing.
-    pub fn behind(&self, photo: &Rgb, camera: &Camera) -> Backdrop {
+    pub(crate) fn behind(&self, photo: &Rgb, camera: &Camera) -> Backdrop {
         let mut behind = self.room.clone();
         if self.radius > 0.0 {
             let Backdrop { image, seen } = &mut behind;

@@ -1,0 +1,208 @@
+//! What speaks for body or background at each pixel, before photos are asked together: all in nats.
+
+use crate::aligned::picture;
+use crate::runs::{pixels, repeated, repeats, runs};
+use crate::{ByPhoto, PhotoId, Rgb};
+use stage::{Artifact, Corrupt, Hash, Packer, Unpacker};
+
+/// What is known of a pixel before it is labelled.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Known {
+    /// It may be either.
+    Unknown,
+    /// It cannot be body.
+    Background,
+    /// It cannot be background.
+    Body,
+}
+
+impl Known {
+    /// As they are stored.
+    pub(crate) fn bytes(known: &[Known]) -> Vec<u8> {
+        runs(&known.iter().map(|k| *k as u8).collect::<Vec<u8>>())
+    }
+
+    /// From what is stored of so many pixels.
+    pub(crate) fn from_bytes(runs: &[u8], count: usize) -> Result<Vec<Known>, Corrupt> {
+        let known = |k: u8| match k {
+            0 => Ok(Known::Unknown),
+            1 => Ok(Known::Background),
+            2 => Ok(Known::Body),
+            _ => Err(Corrupt("neither body nor background nor unknown".into())),
+        };
+        pixels(runs, count)?.into_iter().map(known).collect()
+    }
+}
+
+/// The evidence of one photo, reduced, where all photos lie alike: pixels row by row.
+#[derive(Debug, Clone, PartialEq)]
+pub struct PhotoEvidence {
+    /// How many pixels of the photo along a side became one.
+    pub factor: u32,
+    /// The reduced photo.
+    pub photo: Rgb,
+    /// -ln p(pixel | background), up to a constant that is the same for all pixels. \[nats\]
+    pub background: Vec<f32>,
+    /// The same in any light: as far as a hole amid the body may trust it. \[nats\]
+    pub background_in_any_light: Vec<f32>,
+    /// By how much the disk's grain speaks against the bare disk; empty where nobody asked. \[nats\]
+    pub against_disk: Vec<f32>,
+    /// What is certain.
+    pub known: Vec<Known>,
+    /// How far the photo and what was expected of it differ without a reason. \[levels\]
+    pub noise_levels: f32,
+}
+
+impl PhotoEvidence {
+    /// Hash of all of it: for [`stage::Ctx::part`].
+    pub fn content(&self) -> Hash {
+        let known: Vec<u8> = self.known.iter().map(|k| *k as u8).collect();
+        let costs = [
+            &self.background,
+            &self.background_in_any_light,
+            &self.against_disk,
+        ];
+        let mut bytes = format!("{} {}", self.factor, self.noise_levels).into_bytes();
+        let mut add = |part: &[u8]| bytes.extend_from_slice(stage::hash(part).as_bytes());
+        add(self.photo.data.as_flattened());
+        add(&known);
+        costs
+            .iter()
+            .for_each(|cost| add(bytemuck::cast_slice(cost)));
+        stage::hash(&bytes)
+    }
+
+    /// log p(background) - log p(body) of each pixel, while nothing is known of the body's colours: `any_body` is
+    /// -ln p(pixel | some body). Infinite where a pixel is certain. \[nats\]
+    pub fn log_odds(&self, any_body: f32) -> impl Iterator<Item = f32> {
+        let all = self.background.iter().zip(&self.known);
+        all.map(move |(cost, known)| match known {
+            Known::Unknown => any_body - cost,
+            Known::Background => f32::INFINITY,
+            Known::Body => f32::NEG_INFINITY,
+        })
+    }
+}
+
+/// The evidence of each photo.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Evidence {
+    /// The photos that have some.
+    pub views: ByPhoto<PhotoEvidence>,
+}
+
+/// Photo, size, factor, noise.
+type Row = (u32, [u32; 2], u32, f32);
+
+/// The sections of a photo's costs.
+const COSTS: [&str; 3] = ["background", "in any light", "against disk"];
+
+/// Bits of one that differ from those of the other: mostly none.
+fn differing(a: &[f32], b: &[f32]) -> Vec<f32> {
+    let bits = a.iter().zip(b).map(|(a, b)| a.to_bits() ^ b.to_bits());
+    bits.map(f32::from_bits).collect()
+}
+
+impl Artifact for Evidence {
+    const KIND: &'static str = "evidence";
+    const FORMAT: u32 = 1;
+
+    fn pack(&self, to: &mut Packer) {
+        let row = |(id, e): (PhotoId, &PhotoEvidence)| -> Row {
+            let size = [e.photo.width as u32, e.photo.height as u32];
+            (id.0, size, e.factor, e.noise_levels)
+        };
+        to.meta(&self.views.iter().map(row).collect::<Vec<Row>>());
+        for (PhotoId(id), e) in self.views.iter() {
+            to.section(format!("photo {id}"), &e.photo.data);
+            to.section(format!("known {id}"), &Known::bytes(&e.known));
+            let light = differing(&e.background_in_any_light, &e.background);
+            let costs = [&e.background, &light, &e.against_disk];
+            for (name, cost) in COSTS.iter().zip(costs) {
+                let (lengths, kept) = repeats(cost);
+                to.section(format!("{name} {id} lengths"), &lengths);
+                to.section(format!("{name} {id}"), &kept);
+            }
+        }
+    }
+
+    fn unpack(from: &Unpacker<'_>) -> Result<Self, Corrupt> {
+        let rows: Vec<Row> = from.meta()?;
+        let one = |(id, size, factor, noise_levels): Row| {
+            let photo = picture(size, from.section(&format!("photo {id}"))?, "a photo")?;
+            let count = photo.data.len();
+            let cost = |name: &str, count: usize| {
+                let lengths: Vec<u32> = from.section(&format!("{name} {id} lengths"))?;
+                repeated(&lengths, &from.section(&format!("{name} {id}"))?, count)
+            };
+            let background = cost(COSTS[0], count)?;
+            let light = cost(COSTS[1], count)?;
+            let asked: Vec<u32> = from.section(&format!("{} {id} lengths", COSTS[2]))?;
+            let asked = asked.iter().any(|length| *length > 0);
+            if factor == 0 {
+                return Err(Corrupt("a photo reduced by 0".into()));
+            }
+            let evidence = PhotoEvidence {
+                factor,
+                background_in_any_light: differing(&light, &background),
+                background,
+                against_disk: cost(COSTS[2], if asked { count } else { 0 })?,
+                known: Known::from_bytes(&from.section(&format!("known {id}"))?, count)?,
+                photo,
+                noise_levels,
+            };
+            Ok((PhotoId(id), evidence))
+        };
+        Ok(Evidence {
+            views: rows.into_iter().map(one).collect::<Result<_, Corrupt>>()?,
+        })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn evidence() -> Evidence {
+        let one = |against_disk: Vec<f32>| PhotoEvidence {
+            factor: 3,
+            photo: Rgb::filled(3, 2, [4, 5, 6]),
+            background: vec![4.5, 4.5, 4.5, 4.5, 4.5, 28.5],
+            background_in_any_light: vec![4.5, 4.5, 4.25, 4.5, 4.5, 9.0],
+            against_disk,
+            known: vec![
+                Known::Unknown,
+                Known::Unknown,
+                Known::Background,
+                Known::Body,
+                Known::Unknown,
+                Known::Unknown,
+            ],
+            noise_levels: 1.5,
+        };
+        let asked = one(vec![0.0, 0.0, 0.0, 0.0, 0.0, 7.5]);
+        Evidence {
+            views: [(PhotoId(0), one(vec![])), (PhotoId(2), asked)]
+                .into_iter()
+                .collect(),
+        }
+    }
+
+    #[test]
+    fn evidence_comes_back_bit_by_bit_and_gives_odds() {
+        let evidence = evidence();
+        let bytes = stage::to_bytes(&evidence);
+        assert_eq!(stage::from_bytes::<Evidence>(&bytes).unwrap(), evidence);
+        let one = evidence.views.get(PhotoId(0)).unwrap();
+        let odds: Vec<f32> = one.log_odds(17.5).collect();
+        let all = f32::INFINITY;
+        assert_eq!(odds, [13.0, 13.0, all, -all, 13.0, -11.0]);
+    }
+
+    #[test]
+    fn what_does_not_fill_its_photo_is_refused() {
+        let mut short = evidence();
+        short.views.get_mut(PhotoId(0)).unwrap().background.pop();
+        assert!(stage::from_bytes::<Evidence>(&stage::to_bytes(&short)).is_err());
+    }
+}

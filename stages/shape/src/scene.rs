@@ -1,0 +1,296 @@
+//! The scene without the body, with what of it is unknown.
+
+use crate::aligned::{picture, tones};
+use crate::runs::{from_sides, pixels, runs, sides};
+use crate::{ByPhoto, Image, PhotoId, Rgb, Tones};
+use stage::{Artifact, Corrupt, Hash, Packer, Unpacker};
+
+/// A picture of the scene, and how sure it is.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Seen {
+    /// The colours; of no meaning where nothing shows them.
+    pub image: Rgb,
+    /// How many photos show each pixel without the body, 255 for more: 0 is *unknown*.
+    pub shown_by: Image<u8>,
+}
+
+impl Seen {
+    /// One photo that shows all of it.
+    pub fn whole(image: Rgb) -> Self {
+        let shown_by = Image::filled(image.width, image.height, 1);
+        Seen { image, shown_by }
+    }
+
+    fn nothing() -> Self {
+        Seen::whole(Rgb::filled(0, 0, [0; 3]))
+    }
+}
+
+/// How the picture of the scene comes to what a photo would show of it.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct InPhoto {
+    /// What each level of the picture is on the photo; `None` where they are alike.
+    pub tones: Option<Tones>,
+    /// By how much the disk on the picture is turned against the photo; `None` where no disk is known. \[rad\]
+    pub disk_turn: Option<f64>,
+}
+
+/// The body as it was found together with the scene.
+#[derive(Debug, Clone, PartialEq)]
+pub struct FoundBody {
+    /// The reduced photo: true is body.
+    pub body: Image<bool>,
+    /// Its pixels that were found to be patches of the background, in rising order.
+    pub background_patches: Vec<u32>,
+}
+
+/// Cells of the body's hull, x fastest.
+#[derive(Debug, Clone, PartialEq)]
+pub struct HullCells {
+    /// Centre of the first cell, in the turntable frame. \[mm\]
+    pub origin_mm: [f64; 3],
+    /// Side of a cell. \[mm\]
+    pub cell_mm: f64,
+    /// Cells along each axis.
+    pub count: [u32; 3],
+    /// Which are body.
+    pub solid: Vec<bool>,
+    /// Height of the body. \[mm\]
+    pub height_mm: f64,
+    /// The middle of the block. \[mm\]
+    pub middle_mm: [f64; 3],
+}
+
+/// The scene without the body: what does not move, and the top of the disk, which turns.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Scene {
+    /// What does not move, at full size, where photos lie alike; without pixels where nothing is known.
+    pub still: Seen,
+    /// A map of the disk's top: the square around it in the turntable frame. `None` where `still` shows the disk, and
+    /// where there is none.
+    pub disk: Option<Seen>,
+    /// How `still` comes to what each photo would show.
+    pub views: ByPhoto<InPhoto>,
+    /// The body on each photo, where scene and body were found together.
+    pub bodies: ByPhoto<FoundBody>,
+    /// The hull of the bodies, where there is one.
+    pub hull: Option<HullCells>,
+}
+
+impl Scene {
+    /// Nothing is known.
+    pub fn unknown() -> Self {
+        Scene {
+            still: Seen::nothing(),
+            disk: None,
+            views: ByPhoto::default(),
+            bodies: ByPhoto::default(),
+            hull: None,
+        }
+    }
+
+    /// Hash of all that a photo's background follows from, but for the photo itself: for [`stage::Ctx::part`].
+    pub fn content_for(&self, picture: Hash, id: PhotoId) -> Hash {
+        let body = self.bodies.get(id).map(|found| {
+            let body = stage::hash(&sides(&found.body.data));
+            (body, &found.background_patches)
+        });
+        let text = format!("{picture} {:?} {body:?}", self.views.get(id));
+        stage::hash(text.as_bytes())
+    }
+
+    /// Hash of what is the same for all photos.
+    pub fn picture_content(&self) -> Hash {
+        stage::content(&Scene {
+            still: self.still.clone(),
+            disk: self.disk.clone(),
+            views: ByPhoto::default(),
+            bodies: ByPhoto::default(),
+            hull: self.hull.clone(),
+        })
+    }
+
+    /// Whether nothing is known.
+    pub fn is_unknown(&self) -> bool {
+        self.still.image.data.is_empty()
+    }
+}
+
+type Size = [u32; 2];
+
+fn size<T>(image: &Image<T>) -> Size {
+    [image.width as u32, image.height as u32]
+}
+
+/// Photo, has tones, the disk's turn.
+type ViewRow = (u32, bool, Option<f64>);
+/// Origin, cell, count, height, middle.
+type HullRow = ([f64; 3], f64, [u32; 3], f64, [f64; 3]);
+/// Size of the still picture, side of the disk's map, views, bodies, hull.
+type Meta = (
+    Size,
+    Option<Size>,
+    Vec<ViewRow>,
+    Vec<(u32, Size)>,
+    Option<HullRow>,
+);
+
+impl Artifact for Scene {
+    const KIND: &'static str = "scene";
+    const FORMAT: u32 = 1;
+
+    fn pack(&self, to: &mut Packer) {
+        let views = self.views.iter();
+        let views = views.map(|(id, v)| (id.0, v.tones.is_some(), v.disk_turn));
+        let bodies = self.bodies.iter().map(|(id, b)| (id.0, size(&b.body)));
+        let hull = |h: &HullCells| -> HullRow {
+            (h.origin_mm, h.cell_mm, h.count, h.height_mm, h.middle_mm)
+        };
+        let meta: Meta = (
+            size(&self.still.image),
+            self.disk.as_ref().map(|disk| size(&disk.image)),
+            views.collect(),
+            bodies.collect(),
+            self.hull.as_ref().map(hull),
+        );
+        to.meta(&meta);
+        for (name, seen) in [("still", Some(&self.still)), ("disk", self.disk.as_ref())] {
+            if let Some(Seen { image, shown_by }) = seen {
+                to.section(name, &image.data);
+                to.section(format!("{name} shown by"), &runs(&shown_by.data));
+            }
+        }
+        for (id, view) in self.views.iter() {
+            if let Some(tones) = &view.tones {
+                to.section(format!("tones {}", id.0), tones.as_flattened());
+            }
+        }
+        for (id, found) in self.bodies.iter() {
+            to.section(format!("body {}", id.0), &sides(&found.body.data));
+            let patches = format!("background patches {}", id.0);
+            to.section(patches, &found.background_patches);
+        }
+        if let Some(hull) = &self.hull {
+            to.section("hull", &sides(&hull.solid));
+        }
+    }
+
+    fn unpack(from: &Unpacker<'_>) -> Result<Self, Corrupt> {
+        let (still, disk, views, bodies, hull): Meta = from.meta()?;
+        let view = |(id, toned, disk_turn): ViewRow| {
+            let tones = toned.then(|| tones(from, &format!("tones {id}")));
+            let tones = tones.transpose()?;
+            Ok((PhotoId(id), InPhoto { tones, disk_turn }))
+        };
+        let body = |(id, size): (u32, Size)| {
+            let body = from_sides(&from.section(&format!("body {id}"))?, count(&size))?;
+            let body = picture(size, body, "a body")?;
+            let background_patches: Vec<u32> = from.section(&format!("background patches {id}"))?;
+            if background_patches
+                .iter()
+                .any(|i| *i as usize >= body.data.len())
+            {
+                return Err(Corrupt("a patch outside of its photo".into()));
+            }
+            let found = FoundBody {
+                body,
+                background_patches,
+            };
+            Ok((PhotoId(id), found))
+        };
+        let cells = |(origin_mm, cell_mm, along, height_mm, middle_mm): HullRow| {
+            let solid = from_sides(&from.section("hull")?, count(&along))?;
+            Ok::<_, Corrupt>(HullCells {
+                origin_mm,
+                cell_mm,
+                count: along,
+                solid,
+                height_mm,
+                middle_mm,
+            })
+        };
+        Ok(Scene {
+            still: seen(from, "still", still)?,
+            disk: disk.map(|side| seen(from, "disk", side)).transpose()?,
+            views: views
+                .into_iter()
+                .map(view)
+                .collect::<Result<_, Corrupt>>()?,
+            bodies: bodies
+                .into_iter()
+                .map(body)
+                .collect::<Result<_, Corrupt>>()?,
+            hull: hull.map(cells).transpose()?,
+        })
+    }
+}
+
+/// So many pixels or cells.
+fn count(along: &[u32]) -> usize {
+    let product = |so_far: usize, n: &u32| so_far.saturating_mul(*n as usize);
+    along.iter().fold(1, product)
+}
+
+fn seen(from: &Unpacker<'_>, name: &str, size: Size) -> Result<Seen, Corrupt> {
+    let shown_by = pixels(&from.section(&format!("{name} shown by"))?, count(&size))?;
+    Ok(Seen {
+        image: picture(size, from.section(name)?, name)?,
+        shown_by: picture(size, shown_by, name)?,
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn scene() -> Scene {
+        let mut still = Seen::whole(Rgb::filled(3, 2, [10, 20, 30]));
+        still.shown_by.data[4] = 0;
+        let body = Image {
+            width: 2,
+            height: 1,
+            data: vec![true, false],
+        };
+        let view = InPhoto {
+            tones: Some([[7; 256]; 3]),
+            disk_turn: Some(0.25),
+        };
+        let found = FoundBody {
+            body,
+            background_patches: vec![1],
+        };
+        Scene {
+            still,
+            disk: Some(Seen::whole(Rgb::filled(2, 2, [1; 3]))),
+            views: [(PhotoId(3), view)].into_iter().collect(),
+            bodies: [(PhotoId(3), found)].into_iter().collect(),
+            hull: Some(HullCells {
+                origin_mm: [-1.0, 0.0, 2.0],
+                cell_mm: 8.5,
+                count: [1, 2, 1],
+                solid: vec![false, true],
+                height_mm: 1700.0,
+                middle_mm: [0.0, 1.0, 850.0],
+            }),
+        }
+    }
+
+    #[test]
+    fn a_scene_comes_back_and_says_what_is_unknown() {
+        let scene = scene();
+        let bytes = stage::to_bytes(&scene);
+        assert_eq!(stage::from_bytes::<Scene>(&bytes).unwrap(), scene);
+        assert!(!scene.is_unknown());
+        let unknown = Scene::unknown();
+        let bytes = stage::to_bytes(&unknown);
+        assert!(stage::from_bytes::<Scene>(&bytes).unwrap().is_unknown());
+    }
+
+    #[test]
+    fn a_patch_outside_of_its_photo_is_refused() {
+        let mut scene = scene();
+        let found = scene.bodies.get_mut(PhotoId(3)).unwrap();
+        found.background_patches = vec![2];
+        assert!(stage::from_bytes::<Scene>(&stage::to_bytes(&scene)).is_err());
+    }
+}

@@ -1,0 +1,149 @@
+//! The stage that makes photos of a turn comparable.
+
+use crate::align::alignment::{exposed_alike, on_each_other, on_plate};
+use crate::align::rectangle::Rectangle;
+use crate::align::reduced::{factor, reduced};
+use rayon::prelude::*;
+use shape::{Aligned, Alignment, ByPhoto, Cameras, Photo, PhotoId, Photos, Placed, Rgb};
+use stage::{Ctx, Stage, Stop};
+use std::sync::Arc;
+
+stage::params! {
+    /// At which size photos are compared, and where the body is.
+    pub struct AlignParams {
+        /// Longest side at which photos are compared and first cut; the border is cut again at full size.
+        #[range(100..=4000)]
+        coarse_px: u32 = 800,
+        /// A rectangle that holds the body on every photo, [left, top, right, bottom]; beyond it
+        /// nothing is body. With it photos are cut by their colours alone where there is neither a
+        /// plate nor anything that stands still. Empty for none.
+        box_px: Vec<f64> = vec![],
+    }
+}
+
+stage::inputs! {
+    /// Photos, with a plate or without.
+    pub struct AlignInput {
+        /// The photos.
+        photos: Arc<Photos>,
+        /// Their cameras: where the disk is, and where the body cannot be. Without a plate they are needed.
+        cameras: Option<Arc<Cameras>>,
+    }
+}
+
+/// `silhouette.align`: photos, cameras → aligned.
+pub struct Align;
+
+impl Stage for Align {
+    const NAME: &'static str = "silhouette.align";
+    const VERSION: u32 = 1;
+    const ABOUT: &'static str = "Finds how photos lie on the plate, or on each other, and what brings them to one exposure.";
+    type Params = AlignParams;
+    type Input = AlignInput;
+    type Output = Aligned;
+
+    fn run(p: &AlignParams, input: AlignInput, ctx: &Ctx<'_>) -> Result<Aligned, Stop> {
+        let photos = &input.photos;
+        for (_, photo) in photos.iter() {
+            Rectangle::read(&p.box_px, photo.width, photo.height)?;
+        }
+        let cameras = input.cameras.as_deref().cloned();
+        let coarse_px = p.coarse_px as usize;
+        let views = match (&photos.plate, &cameras) {
+            (Some(plate), _) => placed_on(plate, photos, coarse_px, ctx)?,
+            (None, Some(cameras)) => alike(photos, cameras, coarse_px, ctx)?,
+            (None, None) => ByPhoto::default(),
+        };
+        Ok(Aligned {
+            views,
+            cameras,
+            coarse_px: p.coarse_px,
+            box_px: p.box_px.clone(),
+        })
+    }
+}
+
+/// How photos lie on the plate.
+fn placed_on(
+    plate: &Photo,
+    photos: &Photos,
+    coarse_px: usize,
+    ctx: &Ctx<'_>,
+) -> Result<ByPhoto<Alignment>, Stop> {
+    let steps = ctx.steps("photos", photos.photos.len());
+    let pixels = plate.decode()?;
+    let by = factor(&pixels, coarse_px);
+    let still = reduced(&pixels, by).gray();
+    drop(pixels);
+    let all: Vec<(PhotoId, &Photo)> = photos.iter().collect();
+    let one = |(id, photo): &(PhotoId, &Photo)| {
+        let alone = || {
+            let small = reduced(&photo.decode()?, by);
+            Ok(one_view(on_plate(&small, &still, by)))
+        };
+        let found: Aligned = ctx.part("lies", &[photo.content(), plate.content()], alone)?;
+        steps.tick()?;
+        Ok((*id, found.of(PhotoId(0)).clone()))
+    };
+    all.par_iter()
+        .map(one)
+        .collect::<Result<Vec<_>, Stop>>()
+        .map(|v| v.into_iter().collect())
+}
+
+/// One photo's alignment as what a part can be.
+fn one_view(alignment: Alignment) -> Aligned {
+    Aligned {
+        views: [(PhotoId(0), alignment)].into_iter().collect(),
+        cameras: None,
+        coarse_px: 0,
+        box_px: vec![],
+    }
+}
+
+/// How photos that have a camera lie on each other, and what brings them to one exposure.
+fn alike(
+    photos: &Photos,
+    cameras: &Cameras,
+    coarse_px: usize,
+    ctx: &Ctx<'_>,
+) -> Result<ByPhoto<Alignment>, Stop> {
+    let known = photos
+        .iter()
+        .filter(|(id, _)| cameras.views.get(*id).is_some());
+    let known: Vec<(PhotoId, &Photo)> = known.collect();
+    let small = |(_, photo): &(PhotoId, &Photo)| {
+        ctx.check()?;
+        let pixels = photo.decode()?;
+        Ok(reduced(&pixels, factor(&pixels, coarse_px)))
+    };
+    let smalls: Vec<Rgb> = known.par_iter().map(small).collect::<Result<_, Stop>>()?;
+    let placed = on_each_other(&smalls);
+    // What moves is moved at full size, where no detail is lost.
+    let again = |((known, small), placed): ((&(PhotoId, &Photo), Rgb), &Placed)| {
+        let by = f64::from(known.1.width) / small.width as f64;
+        let alignment = Alignment {
+            placed: placed.enlarged(by.floor()),
+            tones: None,
+        };
+        if placed.lies() {
+            return Ok((small, alignment));
+        }
+        ctx.check()?;
+        let there = alignment.brought(known.1.decode()?);
+        Ok((reduced(&there, factor(&there, coarse_px)), alignment))
+    };
+    let all: Vec<(Rgb, Alignment)> = known
+        .par_iter()
+        .zip(smalls)
+        .zip(&placed)
+        .map(again)
+        .collect::<Result<_, Stop>>()?;
+    let (smalls, mut views): (Vec<Rgb>, Vec<Alignment>) = all.into_iter().unzip();
+    let exposed = exposed_alike(&smalls, &placed);
+    for (view, tones) in views.iter_mut().zip(exposed) {
+        view.tones = tones;
+    }
+    let ids = known.iter().map(|(id, _)| *id);
+    Ok(ids.zip(views).collect())
+}

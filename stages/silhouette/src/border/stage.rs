@@ -1,0 +1,199 @@
+//! The stage that cuts the border of the labels again at full size.
+
+use crate::border::by_colors::fine_by_colors;
+use crate::border::full_size::fine;
+use crate::border::returned::returned;
+use crate::label::by_colors::ByColors;
+use crate::label::color_cut::Settings;
+use crate::label::see_through_holes::{Depths, depths_in};
+use crate::likelihood::behind::Behind;
+use crate::likelihood::gmm::Gmm;
+use crate::likelihood::prepared::Prepared;
+use crate::params::CutError;
+use rayon::prelude::*;
+use shape::{
+    Aligned, Camera, Evidence, Label, Labels, Mask, Masks, Photo, PhotoEvidence, PhotoId, Photos,
+    Scene,
+};
+use stage::{Ctx, Hash, Stage, Stop};
+use std::collections::BTreeMap;
+use std::sync::Arc;
+
+stage::params! {
+    /// How the border is cut.
+    pub struct BorderParams {
+        /// Weight of the border's length against colours (γ).
+        #[range(0.0..=1000.0)]
+        gamma: f64 = 40.0,
+    }
+}
+
+stage::inputs! {
+    /// Labels of reduced photos, and all they came from.
+    pub struct BorderInput {
+        /// The photos.
+        photos: Arc<Photos>,
+        /// How they lie, with their cameras.
+        aligned: Arc<Aligned>,
+        /// The scene without the body.
+        scene: Arc<Scene>,
+        /// What speaks for body or background.
+        evidence: Arc<Evidence>,
+        /// Body or background of each reduced pixel.
+        labels: Arc<Labels>,
+    }
+}
+
+/// `silhouette.border`: photos, aligned, scene, evidence, labels → masks.
+pub struct Border;
+
+impl Stage for Border {
+    const NAME: &'static str = "silhouette.border";
+    const VERSION: u32 = 1;
+    const ABOUT: &'static str = "Cuts the border of the labels again at full size, follows narrow gaps, and says how much of each border pixel is body.";
+    type Params = BorderParams;
+    type Input = BorderInput;
+    type Output = Masks;
+
+    fn run(p: &BorderParams, input: BorderInput, ctx: &Ctx<'_>) -> Result<Masks, Stop> {
+        let behind = Behind::of(&input.scene, &input.aligned);
+        let all = Turn {
+            settings: Settings::of_border(p.gamma),
+            depths: depths(&input),
+            picture: input.scene.picture_content(),
+            behind,
+            input: &input,
+        };
+        let labels = input.labels.views.as_slice();
+        let steps = ctx.steps("photos", labels.len());
+        let one = |(id, label): &(PhotoId, Label)| {
+            let both = input.photos.get(*id).zip(input.evidence.views.get(*id));
+            let Some((photo, evidence)) = both else {
+                return Ok(None);
+            };
+            let depends = all.depends(*id, photo, evidence, label);
+            let mask = || {
+                let mask = all.mask(*id, photo, evidence, label)?;
+                let views = [(PhotoId(0), mask)].into_iter().collect();
+                Ok(Masks { views })
+            };
+            let masks: Masks = ctx.part("mask", &depends, mask)?;
+            steps.tick()?;
+            let mask = masks.views.get(PhotoId(0)).cloned();
+            let mask = mask.ok_or_else(|| CutError::Empty(photo.name.clone()))?;
+            Ok(Some((*id, mask)))
+        };
+        let views = labels
+            .par_iter()
+            .map(one)
+            .collect::<Result<Vec<_>, Stop>>()?;
+        Ok(Masks {
+            views: views.into_iter().flatten().collect(),
+        })
+    }
+}
+
+/// What all photos share.
+struct Turn<'a> {
+    settings: Settings,
+    /// How far rays pass through the hull that was found with the scene.
+    depths: BTreeMap<PhotoId, Depths>,
+    /// Of the scene's picture.
+    picture: Hash,
+    behind: Behind<'a>,
+    input: &'a BorderInput,
+}
+
+impl Turn<'_> {
+    /// All that a photo's mask depends on.
+    fn depends(
+        &self,
+        id: PhotoId,
+        photo: &Photo,
+        evidence: &PhotoEvidence,
+        label: &Label,
+    ) -> [Hash; 5] {
+        let aligned = &self.input.aligned;
+        let lies = format!(
+            "{:?} {:?} {:?} {:?} {}",
+            aligned.of(id),
+            aligned.camera(id),
+            aligned.taken(id),
+            aligned.disk_radius_mm(),
+            self.depths.contains_key(&id),
+        );
+        let labels = Labels {
+            views: [(PhotoId(0), label.clone())].into_iter().collect(),
+        };
+        [
+            photo.content(),
+            stage::hash(lies.as_bytes()),
+            self.input.scene.content_for(self.picture, id),
+            evidence.content(),
+            stage::content(&labels),
+        ]
+    }
+
+    /// The mask at full size.
+    fn mask(
+        &self,
+        id: PhotoId,
+        photo: &Photo,
+        evidence: &PhotoEvidence,
+        label: &Label,
+    ) -> Result<Mask, Stop> {
+        let own = Gmm::from_rows(&label.body_colors);
+        let scene = &self.input.scene;
+        if scene.is_unknown() {
+            let coarse = ByColors {
+                sides: label.body.clone(),
+                ground: Gmm::from_rows(&label.background_colors),
+                own,
+            };
+            let (pixels, factor) = (photo.decode()?, evidence.factor as usize);
+            return Ok(fine_by_colors(
+                &pixels,
+                &coarse,
+                &label.known,
+                factor,
+                &self.settings,
+            ));
+        }
+        let alignment = self.input.aligned.of(id);
+        let pixels = alignment.brought(photo.decode()?);
+        let without = self.behind.of_photo(id, &pixels);
+        let (width, height) = (evidence.photo.width as u32, evidence.photo.height as u32);
+        let disk = self.behind.disk(id);
+        let disk = disk.map(|(camera, radius)| (camera.resized(width, height), radius));
+        let mut ready = Prepared::of(evidence, disk);
+        ready.known.clone_from(&label.known);
+        if let Some(found) = scene.bodies.get(id) {
+            let patches = found.background_patches.iter().map(|i| *i as usize);
+            ready.lay_bare(&patches.collect::<Vec<usize>>());
+        }
+        let (depths, settings) = (self.depths.get(&id), &self.settings);
+        let mask = fine(
+            &pixels,
+            &without,
+            &ready,
+            &label.body,
+            &own,
+            depths,
+            settings,
+        );
+        Ok(returned(alignment, mask))
+    }
+}
+
+/// How far rays pass through the hull that was found with the scene, of the cameras as they were taken.
+fn depths(input: &BorderInput) -> BTreeMap<PhotoId, Depths> {
+    let Some(hull) = &input.scene.hull else {
+        return BTreeMap::new();
+    };
+    let view = |(id, found): (PhotoId, &shape::FoundBody)| {
+        let (width, height) = (found.body.width as u32, found.body.height as u32);
+        Some((id, input.aligned.taken(id)?.resized(width, height)))
+    };
+    let views: Vec<(PhotoId, Camera)> = input.scene.bodies.iter().filter_map(view).collect();
+    depths_in(hull, &views)
+}

@@ -1,0 +1,67 @@
+//! The subject by its colours alone, where nothing is known of the scene but a rectangle (Rother, Kolmogorov, Blake 2004).
+
+use crate::cut::least_cut::{Known, Window};
+use crate::label::color_cut::{Settings, cut};
+use crate::label::parts::largest;
+use crate::likelihood::gmm::Gmm;
+use shape::{Image, Rgb};
+
+/// Share of the pixels that the colours of the background and of the body are learnt from.
+const EVERY: usize = 7;
+
+/// A photo, reduced, parted by its colours.
+pub(crate) struct ByColors {
+    /// True is body.
+    pub(crate) sides: Image<bool>,
+    /// The colours of the background.
+    pub(crate) ground: Gmm,
+    /// The colours of the body.
+    pub(crate) own: Gmm,
+}
+
+/// What each colour costs.
+pub(crate) fn costs(image: &Rgb, of: &Gmm) -> Vec<f32> {
+    image.data.iter().map(|c| of.cost(*c) as f32).collect()
+}
+
+/// All of an image.
+pub(crate) fn window(image: &Rgb) -> Window {
+    Window {
+        x: 0,
+        y: 0,
+        width: image.width,
+        height: image.height,
+    }
+}
+
+/// The subject by colours alone: those that are known to be background's; elsewhere, what
+/// they explain worse than the rest does is body, and both learn from the cut in turns. `None` where
+/// nothing stands out.
+pub(crate) fn by_colors(small: &Rgb, known: &[Known], settings: &Settings) -> Option<ByColors> {
+    let colors = |of: &[bool], side: bool| -> Vec<[u8; 3]> {
+        let on = of.iter().zip(&small.data).filter(|(b, _)| **b == side);
+        on.map(|(_, c)| *c).step_by(EVERY).collect()
+    };
+    let mut body: Vec<bool> = known.iter().map(|k| *k == Known::Unknown).collect();
+    let mut learnt = None;
+    // Without an empty scene the first cuts are rough: more rounds than with one.
+    for _ in 0..settings.rounds.max(1) * 3 {
+        let ground = Gmm::fit(&colors(&body, false), settings.clusters)?;
+        let own = Gmm::fit(&colors(&body, true), settings.clusters)?;
+        let costs = costs(small, &ground);
+        body = cut(small, &costs, &window(small), &own, settings, &|i| known[i]);
+        learnt = Some((ground, own));
+    }
+    let (ground, own) = learnt?;
+    let sides = Image {
+        width: small.width,
+        height: small.height,
+        data: body,
+    };
+    // No hole is filled for its colours: they are all that is known.
+    let sides = largest(&sides, &|_| [0.0; 2]);
+    sides
+        .data
+        .contains(&true)
+        .then_some(ByColors { sides, ground, own })
+}

@@ -1,0 +1,127 @@
+//! The stage that weighs each reduced pixel: how well the empty scene explains it.
+
+use crate::align::rectangle::Rectangle;
+use crate::align::reduced::{factor, reduced};
+use crate::cut::least_cut::Known;
+use crate::likelihood::behind::Behind;
+use crate::likelihood::grain::missed_in_photo;
+use crate::likelihood::prepared::{UNSEEN, prepare};
+use crate::params::CutError;
+use rayon::prelude::*;
+use shape::{Aligned, Evidence, Photo, PhotoEvidence, PhotoId, Photos, Scene};
+use stage::{Ctx, Stage, Stop};
+use std::sync::Arc;
+
+stage::params! {
+    /// Where the body cannot be.
+    pub struct LikelihoodParams {
+        /// Height of the side of the disk below its top that is not body.
+        #[range(0.0..=500.0)]
+        disk_side_mm: f64 = 150.0,
+    }
+}
+
+stage::inputs! {
+    /// Photos before a scene.
+    pub struct LikelihoodInput {
+        /// The photos.
+        photos: Arc<Photos>,
+        /// How they lie, with their cameras.
+        aligned: Arc<Aligned>,
+        /// The scene without the body.
+        scene: Arc<Scene>,
+    }
+}
+
+/// `silhouette.likelihood`: photos, aligned, scene → evidence.
+pub struct Likelihood;
+
+impl Stage for Likelihood {
+    const NAME: &'static str = "silhouette.likelihood";
+    const VERSION: u32 = 1;
+    const ABOUT: &'static str = "Weighs each reduced pixel against the empty scene, in nats: its colour, its neighbourhood, the grain of the disk, and what cannot be body.";
+    type Params = LikelihoodParams;
+    type Input = LikelihoodInput;
+    type Output = Evidence;
+
+    fn run(p: &LikelihoodParams, input: LikelihoodInput, ctx: &Ctx<'_>) -> Result<Evidence, Stop> {
+        let (aligned, scene) = (&*input.aligned, &*input.scene);
+        let behind = Behind::of(scene, aligned);
+        let all: Vec<(PhotoId, &Photo)> = match scene.is_unknown() {
+            true => input.photos.iter().collect(),
+            false => {
+                let known = |id| Some((id, input.photos.get(id)?));
+                let can = |(id, _): &(PhotoId, &Photo)| {
+                    aligned.camera(*id).is_some() || scene.bodies.is_empty()
+                };
+                behind.photos().filter_map(known).filter(can).collect()
+            }
+        };
+        let steps = ctx.steps("photos", all.len());
+        let one = |(id, photo): &(PhotoId, &Photo)| {
+            ctx.check()?;
+            let evidence = match scene.is_unknown() {
+                true => of_nothing(photo, aligned)?,
+                false => weighed(*id, photo, aligned, &behind, p.disk_side_mm)?,
+            };
+            steps.tick()?;
+            Ok((*id, evidence))
+        };
+        let views = all.par_iter().map(one).collect::<Result<Vec<_>, Stop>>()?;
+        Ok(Evidence {
+            views: views.into_iter().collect(),
+        })
+    }
+}
+
+/// A photo before the scene that lies behind it.
+fn weighed(
+    id: PhotoId,
+    photo: &Photo,
+    aligned: &Aligned,
+    behind: &Behind<'_>,
+    disk_side_mm: f64,
+) -> Result<PhotoEvidence, Stop> {
+    let pixels = aligned.of(id).brought(photo.decode()?);
+    let without = behind.of_photo(id, &pixels);
+    let disk = behind.disk(id);
+    let disk = disk.as_ref().map(|(camera, radius)| (camera, *radius));
+    let most = aligned.coarse_px as usize;
+    let mut ready = prepare(&pixels, &without, disk, most, disk_side_mm);
+    missed_in_photo(&mut ready, &without.image);
+    let (known, width, factor) = (&mut ready.known, ready.small.width, ready.factor);
+    close(known, width, factor, photo, aligned)?;
+    Ok(ready.evidence())
+}
+
+/// A photo of whose scene nothing is known, as it was taken: only the rectangle speaks.
+fn of_nothing(photo: &Photo, aligned: &Aligned) -> Result<PhotoEvidence, Stop> {
+    let pixels = photo.decode()?;
+    let factor = factor(&pixels, aligned.coarse_px as usize);
+    let small = reduced(&pixels, factor);
+    let mut known = vec![Known::Unknown; small.data.len()];
+    close(&mut known, small.width, factor, photo, aligned)?;
+    Ok(PhotoEvidence {
+        factor: factor as u32,
+        background: vec![UNSEEN; known.len()],
+        background_in_any_light: vec![UNSEEN; known.len()],
+        against_disk: vec![],
+        known,
+        photo: small,
+        noise_levels: 0.0,
+    })
+}
+
+/// Nothing beyond the user's rectangle is body.
+fn close(
+    known: &mut [Known],
+    width: usize,
+    factor: usize,
+    photo: &Photo,
+    aligned: &Aligned,
+) -> Result<(), CutError> {
+    if let Some(rectangle) = Rectangle::read(&aligned.box_px, photo.width, photo.height)? {
+        rectangle.close(known, width, factor);
+    }
+    Ok(())
+}

@@ -1,0 +1,169 @@
+//! The stage that finds the empty scene out of all photos of a turn, where no plate shows it.
+
+use crate::align::rectangle::Rectangle;
+use crate::label::color_cut::Settings;
+use crate::label::see_through_holes::cells;
+use crate::params::{CutError, CutParams};
+use crate::room::doubtful_patches::doubtful;
+use crate::room::full_size::{Views, at_full_size, shots};
+use crate::room::rounds::{Cuts, standing, without_plate};
+use crate::scene::still_and_disk::Shot;
+use shape::{Aligned, Cameras, FoundBody, Image, InPhoto, Photo, PhotoId, Photos, Scene};
+use stage::{Ctx, Stage, Stop};
+use std::sync::Arc;
+
+stage::params! {
+    /// How the empty scene is found together with the body.
+    pub struct RoomParams {
+        /// How photos are cut.
+        #[group(flat)]
+        cut: CutParams = CutParams::default(),
+        /// Height of the side of the disk below its top that is not body.
+        #[range(0.0..=500.0)]
+        disk_side_mm: f64 = 150.0,
+    }
+}
+
+stage::inputs! {
+    /// Photos of a turn.
+    pub struct RoomInput {
+        /// The photos.
+        photos: Arc<Photos>,
+        /// How they lie on each other, with their cameras.
+        aligned: Arc<Aligned>,
+        /// The scene as far as it is known already, such as by a plate: what is known is left as it is.
+        known: Option<Arc<Scene>>,
+    }
+}
+
+/// `silhouette.room`: photos, aligned, scene → scene.
+pub struct Room;
+
+/// Least share of the photos that must stand still. \[%\]
+const MIN_STILL_PERCENT: f64 = 15.0;
+
+/// A patch that nothing vouches for is named when it takes more of its mask than this. \[%\]
+const MAX_DOUBTFUL_PERCENT: f64 = 0.5;
+
+impl Stage for Room {
+    const NAME: &'static str = "silhouette.room";
+    const VERSION: u32 = 1;
+    const ABOUT: &'static str = "Finds the empty scene, where no plate shows it, out of all photos of the turn: in rounds with the body's outlines on which the photos agree.";
+    type Params = RoomParams;
+    type Input = RoomInput;
+    type Output = Scene;
+    const METRICS: &'static [&'static str] = &["stands still"];
+
+    fn run(p: &RoomParams, input: RoomInput, ctx: &Ctx<'_>) -> Result<Scene, Stop> {
+        if let Some(known) = input.known.as_ref().filter(|known| !known.is_unknown()) {
+            return Ok(Scene::clone(known));
+        }
+        let (photos, aligned) = (&*input.photos, &*input.aligned);
+        let boxed = !aligned.box_px.is_empty();
+        let Some(cameras) = &aligned.cameras else {
+            return match boxed {
+                true => Ok(Scene::unknown()),
+                false => Err(CutError::NoPlate.into()),
+            };
+        };
+        let shots = shots(aligned, &seen(photos, cameras), || {
+            ctx.check().map_err(Stop::from)
+        })?;
+        ctx.check()?;
+        let stands = standing(&shots) * 100.0;
+        if stands < MIN_STILL_PERCENT {
+            let why = CutError::Moves(stands);
+            if !boxed {
+                return Err(why.into());
+            }
+            ctx.warn(format!("{why}; so photos are cut by colours alone"));
+            return Ok(Scene::unknown());
+        }
+        let (scene, doubted) = found(p, photos, aligned, cameras, &shots, ctx)?;
+        ctx.metric("stands still", stands, "%");
+        warnings(&doubted, photos)
+            .into_iter()
+            .for_each(|w| ctx.warn(w));
+        Ok(scene)
+    }
+}
+
+/// The photos that have a camera.
+fn seen<'a>(photos: &'a Photos, cameras: &Cameras) -> Vec<(PhotoId, &'a Photo)> {
+    let all = photos.iter();
+    all.filter(|(id, _)| cameras.views.get(*id).is_some())
+        .collect()
+}
+
+/// The scene, and photos whose mask holds a patch that nothing vouches for.
+fn found(
+    p: &RoomParams,
+    photos: &Photos,
+    aligned: &Aligned,
+    cameras: &Cameras,
+    shots: &[Shot],
+    ctx: &Ctx<'_>,
+) -> Result<(Scene, Vec<PhotoId>), Stop> {
+    let known = seen(photos, cameras);
+    let (wide, tall) = known
+        .first()
+        .map_or((0, 0), |(_, photo)| (photo.width, photo.height));
+    let rectangle = Rectangle::read(&aligned.box_px, wide, tall).map_err(CutError::from)?;
+    let factor = shots.first().map_or(1, |s| wide as usize / s.small.width);
+    let within = rectangle.map(|r| (r, factor));
+    let settings = Settings::of(&p.cut);
+    let Cuts {
+        cuts,
+        depths,
+        background_patches,
+    } = without_plate(shots, cameras, &settings, p.disk_side_mm, within);
+    let radius = cameras.disk_radius_mm.unwrap_or(0.0);
+    let shares = doubtful(shots, &cuts, radius);
+    let doubted = shots
+        .iter()
+        .zip(shares)
+        .filter(|(_, s)| *s > MAX_DOUBTFUL_PERCENT);
+    let doubted = doubted.map(|(shot, _)| shot.id).collect();
+    let cut = |(cut, (_, photo)): (Option<Image<bool>>, &(PhotoId, &Photo))| {
+        cut.ok_or_else(|| CutError::Empty(photo.name.clone()))
+    };
+    let cuts: Vec<Image<bool>> = cuts
+        .into_iter()
+        .zip(&known)
+        .map(cut)
+        .collect::<Result<_, _>>()?;
+    let views = Views {
+        aligned,
+        known: &known,
+        cuts: &cuts,
+        radius,
+    };
+    let (still, disk) = at_full_size(&views, || ctx.check().map_err(Stop::from))?;
+    let ids = || known.iter().map(|(id, _)| *id);
+    let body = |(body, patches): (Image<bool>, Vec<usize>)| FoundBody {
+        body,
+        background_patches: patches.into_iter().map(|i| i as u32).collect(),
+    };
+    let bodies = cuts.into_iter().zip(background_patches).map(body);
+    let scene = Scene {
+        still,
+        disk,
+        views: ids().map(|id| (id, InPhoto::default())).collect(),
+        bodies: ids().zip(bodies).collect(),
+        hull: cells(&depths),
+    };
+    Ok((scene, doubted))
+}
+
+/// What to look at, photos by name.
+fn warnings(doubted: &[PhotoId], photos: &Photos) -> Vec<String> {
+    let all = "there is no plate: the empty scene is guessed from what stands still, and may cost parts of the body; look at the masks, or take one photo without the subject and call it plate.jpg";
+    let one = "a patch of a colour that the body has nowhere else counts as body where no photo shows the empty room: is it a bit of wall beside arm or trunk? girths there may be too large; look at these masks";
+    let name = |id: &PhotoId| photos.get(*id).map(|p| p.name.as_str());
+    let names: Vec<&str> = doubted.iter().filter_map(name).collect();
+    let mut warnings = vec![all.to_owned()];
+    if !names.is_empty() {
+        warnings.push(format!("{}: {one}", names.join(", ")));
+    }
+    warnings
+}
