@@ -19,6 +19,7 @@ pub const ROOMS: &[&[&dyn AnyStage]] = &[
     synth::STAGES,
     capture::STAGES,
     pose::STAGES,
+    person::STAGES,
     silhouette::STAGES,
     hull::STAGES,
     refine::STAGES,

@@ -4,7 +4,7 @@ use engine::Kind;
 use io::{document_extension, files};
 use shape::{
     Aligned, Cameras, Document, Evidence, GirthId, Girths, Keypoints, Labels, Landmarks, Masks,
-    Mesh, Photos, Scene, Side, Tags, Textured, Tracks, Unit, Warps,
+    Mesh, People, Photos, Scene, Side, Tags, Textured, Tracks, Unit, Warps,
 };
 use stage::{Artifact, Metric};
 
@@ -53,6 +53,7 @@ pub const KINDS: &[Kind] = &[
     written(Tags::KIND, &["json"]),
     written(Warps::KIND, &["json"]),
     on_photos(Keypoints::KIND, &["png"]),
+    on_photos(People::KIND, &["png", "json"]),
     on_photos(Tracks::KIND, &["png", "json"]),
 ];
 

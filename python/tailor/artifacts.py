@@ -356,6 +356,10 @@ class Tags(Artifact):
     """Marker tags on photos; ``document`` as ``show --as json`` writes it."""
 
 
+class People(Artifact):
+    """People on photos, and whether the turn shows one; ``document`` as ``show --as json`` writes it."""
+
+
 class Keypoints(_ByPhoto):
     """Features by the photo's place: a pair of arrays.
 
@@ -461,6 +465,7 @@ READERS: Dict[str, Callable[..., Artifact]] = {
     "landmarks": Landmarks,
     "masks": Masks,
     "mesh": Mesh,
+    "people": People,
     "person": Person,
     "photos": Photos,
     "scene": Scene,

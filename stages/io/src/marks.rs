@@ -22,7 +22,7 @@ fn dimmed(photos: &Photos, id: PhotoId) -> Option<Result<(Rgb, f32), PhotoError>
 }
 
 /// A straight line of one pixel; what lies outside the picture is not drawn.
-fn line(picture: &mut Rgb, from: [f32; 2], to: [f32; 2], colour: [u8; 3]) {
+pub(crate) fn line(picture: &mut Rgb, from: [f32; 2], to: [f32; 2], colour: [u8; 3]) {
     let (dx, dy) = (to[0] - from[0], to[1] - from[1]);
     let steps = dx.abs().max(dy.abs()).ceil().clamp(1.0, 1e5);
     for k in 0..=steps as usize {
@@ -96,7 +96,8 @@ pub fn tracks_to_png(
     })
 }
 
-fn drawn(
+/// Each photo, reduced and dimmed, with what `draw` draws on it; `draw` is given the factor by which it is reduced.
+pub(crate) fn drawn(
     photos: &Photos,
     mut draw: impl FnMut(PhotoId, &mut Rgb, f32),
 ) -> Result<Vec<(String, Vec<u8>)>, PhotoError> {

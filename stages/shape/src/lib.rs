@@ -8,6 +8,7 @@
 //! Photos ─ Keypoints ─ Tracks ─ Cameras ─┐
 //!    ├──────────────── Masks ────────────┴─ Mesh ─ Landmarks ─ Girths ─ Document
 //!    └─ Aligned ─ Scene ─ Evidence ─ Labels ─┘ (to Masks)
+//!    └─ People
 //! ```
 
 mod aligned;
@@ -15,6 +16,7 @@ mod by_photo;
 mod camera;
 mod cameras;
 mod coherence;
+mod crop;
 mod csv_table;
 mod cylinder;
 mod day;
@@ -36,6 +38,7 @@ mod masks;
 mod mesh;
 mod mesh_bytes;
 mod missing;
+mod people;
 mod person;
 mod photos;
 mod pieces;
@@ -65,6 +68,7 @@ pub use by_photo::{ByPhoto, PhotoId};
 pub use camera::{Camera, Intrinsics, Pose};
 pub use cameras::{Cameras, Length, Scale, View};
 pub use coherence::{Coherence, coherence};
+pub use crop::Crop;
 pub use csv_table::csv_table;
 pub use cylinder::{Cylinder, bounding_cylinder, seen_by_half};
 pub use day::day_number;
@@ -84,6 +88,7 @@ pub use landmarks::{Landmark, Landmarks, Part, Plane, PlaneSigma};
 pub use masks::{Mask, Masks};
 pub use mesh::{Adjacency, Mesh, MeshFault, rows};
 pub use missing::{Missing, NamedGirth, by_reason, listed};
+pub use people::{Found, Joint, People};
 pub use person::{Growth, Person, Score, Sex};
 pub use photos::{Photo, PhotoError, Photos};
 pub use pixels::{gray_from_file, gray_to_png, rgb_to_jpeg, rgb_to_png};

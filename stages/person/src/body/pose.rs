@@ -1,0 +1,72 @@
+//! Body and joints in the square around a person: looked at once to lay the square exactly, then again.
+
+use super::detect::Detection;
+use super::place::around;
+use super::sample::sampled;
+use crate::net::{Network, Tensor};
+use shape::{Crop, Found, Image, Joint, Rgb};
+
+/// Numbers of a point: x, y, depth, visibility, presence.
+const NUMBERS: usize = 5;
+/// The points from which the square is laid: the middle of the hips, and one on the circle around the body.
+const HIPS: usize = 33;
+const ABOVE: usize = 34;
+
+/// Somebody, seen from near.
+pub(super) fn pose(network: &Network, photo: &Rgb, seen: &Detection) -> Found {
+    let first = look(network, photo, &seen.crop);
+    let crop = around(first.point(HIPS).at_px, first.point(ABOVE).at_px);
+    // A square of no size, or no number, is none.
+    let sound = crop.side_px >= 1.0 && crop.side_px < 1e6 && crop.angle.is_finite();
+    let near = match sound {
+        true => look(network, photo, &crop),
+        false => first,
+    };
+    Found {
+        score: seen.score,
+        presence: logistic(near.out[1].data[0]),
+        head_px: seen.head_px,
+        crop: near.crop,
+        body: Image {
+            width: near.side,
+            height: near.side,
+            data: near.out[2].data.iter().map(|v| Found::kept(*v)).collect(),
+        },
+        joints: (0..Found::JOINTS.len()).map(|k| near.point(k)).collect(),
+    }
+}
+
+/// What the network said of a square.
+struct Look {
+    crop: Crop,
+    side: usize,
+    /// Points, presence, mask.
+    out: Vec<Tensor>,
+}
+
+impl Look {
+    fn point(&self, k: usize) -> Joint {
+        let point = &self.out[0].data[k * NUMBERS..(k + 1) * NUMBERS];
+        let side = self.side as f32;
+        Joint {
+            at_px: self.crop.on_photo([point[0] / side, point[1] / side]),
+            visibility: logistic(point[3]),
+            presence: logistic(point[4]),
+        }
+    }
+}
+
+fn look(network: &Network, photo: &Rgb, crop: &Crop) -> Look {
+    let side = network.input()[0];
+    let mut input = sampled(photo, crop, side);
+    input.iter_mut().for_each(|v| *v *= 1.0 / 255.0);
+    Look {
+        crop: *crop,
+        side,
+        out: network.run(&input),
+    }
+}
+
+fn logistic(logit: f32) -> f32 {
+    1.0 / (1.0 + libm::expf(-logit))
+}
