@@ -49,8 +49,18 @@ impl<'a> Words<'a> {
     }
 }
 
-/// The network of a file.
-pub(super) fn read(file: &[u8]) -> Result<Network, Unreadable> {
+impl Network {
+    /// From its flat file.
+    ///
+    /// # Errors
+    ///
+    /// The file is none, or is cut short.
+    pub fn read(file: &[u8]) -> Result<Network, Unreadable> {
+        read(file)
+    }
+}
+
+fn read(file: &[u8]) -> Result<Network, Unreadable> {
     let mut words = Words(file);
     if words.bytes(MAGIC.len())? != MAGIC {
         return Err(Unreadable("it begins otherwise"));

@@ -2,7 +2,6 @@
 
 use super::convolve::Convolution;
 use super::depthwise::Depthwise;
-use super::file::{self, Unreadable};
 use super::pixelwise::{add, doubled, max_pool, to_space};
 use super::tensor::Tensor;
 
@@ -35,15 +34,6 @@ pub struct Network {
 }
 
 impl Network {
-    /// From its flat file.
-    ///
-    /// # Errors
-    ///
-    /// The file is none, or is cut short.
-    pub fn read(file: &[u8]) -> Result<Network, Unreadable> {
-        file::read(file)
-    }
-
     pub(super) fn new(input: [usize; 3], steps: Vec<Step>, ends: Vec<usize>) -> Network {
         let mut last = vec![0; steps.len() + 1];
         for (i, step) in steps.iter().enumerate() {
