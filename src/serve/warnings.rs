@@ -2,7 +2,7 @@
 //! `words/` that say the same in the reader's language.
 
 #[rustfmt::skip]
-pub(super) const WARNINGS: [(&str, &str); 117] = [
+pub(super) const WARNINGS: [(&str, &str); 124] = [
     ("frames of a video are not at even steps: `step_deg` was passed over (how many are taken: --set frames.step_deg=)", "warn-video-steps"),
     ("* is the same file as * and was left out: if another photo should be in its place, put it there", "warn-same-file"),
     ("* is the same file as * and was left out", "warn-same-raw"),
@@ -119,6 +119,13 @@ pub(super) const WARNINGS: [(&str, &str); 117] = [
     ("the surface holds * % of what all outlines show as body, the rest hangs apart from it and was left out: look where the masks cut the body through", "warn-hangs-apart"),
     ("the surface is * cm high, the stature was given as * cm: * % of the height are missing; look whether the masks have legs and head", "warn-short"),
     ("the surface holds * l, a body of * kg fills about * l: * % of the volume are missing; look at the masks, and check scale and weight", "warn-light"),
+    ("nobody is seen on *, though the other photos show a person: is it the empty scene, or does something hide the person? Take it again, or leave it out", "warn-nobody"),
+    ("more than one person is seen on *: only the one who turns is measured; take such photos again without anybody else, mirrors, or pictures of people", "warn-several"),
+    ("the body is cut off at the upper edge of *: keep the whole person in view, with a margin above the head", "warn-cut-upper"),
+    ("the body is cut off at the lower edge of *: keep the whole person in view, with a margin below the feet", "warn-cut-lower"),
+    ("the body is cut off at the left or right edge of *: keep the whole person in view, with a margin beside the arms", "warn-cut-side"),
+    ("the person is upside down on *: turn such photos, or stand upright", "warn-upside-down"),
+    ("the person lies on the side on *: turn such photos, or stand upright", "warn-on-side"),
     ("known lengths contradict each other: correct one of them, or leave one out", "warn-lengths"),
 ];
 

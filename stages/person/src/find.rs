@@ -1,6 +1,7 @@
 //! The stage that finds people on photos.
 
 use crate::body::Networks;
+use crate::odd::odd;
 use crate::turn::followed;
 use rayon::prelude::*;
 use shape::{Found, People, Photo, PhotoId, Photos};
@@ -48,6 +49,11 @@ impl Stage for FindPeople {
         };
         let views = all.par_iter().map(one).collect::<Result<Vec<_>, Stop>>()?;
         let (views, person) = followed(views.into_iter().collect());
+        // Of things nothing is said: most captures of them are meant.
+        if person {
+            let told = odd(&views, &input.photos);
+            told.into_iter().for_each(|w| ctx.warn(w));
+        }
         Ok(People { views, person })
     }
 }

@@ -3,11 +3,13 @@
 //! `photos` → [`FindPeople`] → `people`
 //!
 //! `net/` runs a network of `models/person/`; `body/` finds people on a photo with two of them, and
-//! `turn.rs` says what all photos say together.
+//! `turn.rs` says what all photos say together, `odd.rs` what
+//! is odd about it.
 
 mod body;
 mod find;
 mod net;
+mod odd;
 mod turn;
 
 pub use body::Networks;

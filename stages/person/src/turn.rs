@@ -38,8 +38,13 @@ pub(crate) fn followed(views: ByPhoto<Vec<Found>>) -> (ByPhoto<Vec<Found>>, bool
     (views.into_iter().collect(), person)
 }
 
+/// Whether two squares are one person's.
+pub(crate) fn alike(a: &Crop, b: &Crop) -> bool {
+    overlap(a, b) >= ONE_PERSON
+}
+
 /// Whether the network that looked from near says that it is a person.
-fn present(found: &Found) -> bool {
+pub(crate) fn present(found: &Found) -> bool {
     found.presence >= PRESENT
 }
 

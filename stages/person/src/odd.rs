@@ -1,0 +1,110 @@
+//! What is odd about the people on the photos of a turn, by photo.
+
+use crate::turn::{alike, present};
+use nalgebra::Point2;
+use shape::{ByPhoto, Found, Photos};
+use std::f32::consts::FRAC_PI_4;
+
+/// So many of the network's pixels along an edge: its outline is right to one or two of them, so fewer may be chance.
+const ALONG_EDGE_PX: usize = 3;
+
+/// An edge of a photo.
+#[derive(Clone, Copy, PartialEq)]
+enum Edge {
+    Upper,
+    Lower,
+    Side,
+}
+
+/// What the user should know of a turn that shows a person; of who is followed, the first on each photo.
+pub(crate) fn odd(views: &ByPhoto<Vec<Found>>, photos: &Photos) -> Vec<String> {
+    let first = |f: &[Found]| f.first().filter(|f| present(f)).cloned();
+    let names = |odd: &dyn Fn(&[Found], [u32; 2]) -> bool| {
+        let of = |(id, photo): (shape::PhotoId, &shape::Photo)| {
+            let found = views.get(id).map_or(&[][..], Vec::as_slice);
+            odd(found, [photo.width, photo.height]).then(|| photo.name.clone())
+        };
+        some(photos.iter().filter_map(of).collect())
+    };
+    let nobody = names(&|found, _| first(found).is_none());
+    let several = names(&|found, _| {
+        let another = |f: &&Found| present(f) && !alike(&f.crop, &found[0].crop);
+        found.iter().skip(1).any(|f| another(&f))
+    });
+    let cut = |edge: Edge| {
+        names(&|found, size| first(found).is_some_and(|f| reached(&f, size).contains(&edge)))
+    };
+    let turned = |over: bool| {
+        names(&|found, _| {
+            let angle = first(found).map_or(0.0, |f| f.crop.angle.abs());
+            angle > FRAC_PI_4 && (angle > 3.0 * FRAC_PI_4) == over
+        })
+    };
+    let mut told = Vec::new();
+    if let Some(names) = nobody {
+        told.push(format!("nobody is seen on {names}, though the other photos show a person: is it the empty scene, or does something hide the person? Take it again, or leave it out"));
+    }
+    if let Some(names) = several {
+        told.push(format!("more than one person is seen on {names}: only the one who turns is measured; take such photos again without anybody else, mirrors, or pictures of people"));
+    }
+    if let Some(names) = cut(Edge::Upper) {
+        told.push(format!("the body is cut off at the upper edge of {names}: keep the whole person in view, with a margin above the head"));
+    }
+    if let Some(names) = cut(Edge::Lower) {
+        told.push(format!("the body is cut off at the lower edge of {names}: keep the whole person in view, with a margin below the feet"));
+    }
+    if let Some(names) = cut(Edge::Side) {
+        told.push(format!("the body is cut off at the left or right edge of {names}: keep the whole person in view, with a margin beside the arms"));
+    }
+    if let Some(names) = turned(true) {
+        told.push(format!(
+            "the person is upside down on {names}: turn such photos, or stand upright"
+        ));
+    }
+    if let Some(names) = turned(false) {
+        told.push(format!(
+            "the person lies on the side on {names}: turn such photos, or stand upright"
+        ));
+    }
+    told
+}
+
+/// Names of photos, the first few.
+fn some(names: Vec<String>) -> Option<String> {
+    match names.len() {
+        0 => None,
+        1..=5 => Some(names.join(", ")),
+        more => Some(format!("{}, … ({more} photos)", names[..3].join(", "))),
+    }
+}
+
+/// The edges of the photo that the body comes to within a pixel of the network.
+fn reached(found: &Found, [width, height]: [u32; 2]) -> Vec<Edge> {
+    let pixel = f64::from(found.pixel_px());
+    if pixel <= 0.0 {
+        return vec![];
+    }
+    let (width, height) = (f64::from(width), f64::from(height));
+    let along = |length: f64, at: &dyn Fn(f64) -> Point2<f64>| {
+        let steps = (length / pixel).ceil() as usize;
+        let body = |k: &usize| {
+            let at = at((*k as f64 + 0.5) * pixel);
+            found.log_odds(at).is_some_and(|odds| odds > 0.0)
+        };
+        (0..steps).filter(body).count() >= ALONG_EDGE_PX
+    };
+    let reaches = [
+        (Edge::Upper, along(width, &|t| Point2::new(t, pixel))),
+        (
+            Edge::Lower,
+            along(width, &|t| Point2::new(t, height - 1.0 - pixel)),
+        ),
+        (Edge::Side, along(height, &|t| Point2::new(pixel, t))),
+        (
+            Edge::Side,
+            along(height, &|t| Point2::new(width - 1.0 - pixel, t)),
+        ),
+    ];
+    let reached = reaches.into_iter().filter(|(_, reached)| *reached);
+    reached.map(|(edge, _)| edge).collect()
+}

@@ -1,0 +1,119 @@
+//! What is odd about the people on a turn is told by photo; the sample and things are passed over in silence.
+
+use person::{FindPeople, FindPeopleInput, FindPeopleParams};
+use shape::{People, Photo, Photos, Rgb, rgb_to_png};
+use stage::{Ctx, Host, Stage};
+use std::path::Path;
+use std::sync::{Arc, Mutex};
+
+fn photo(name: &str, pixels: &Rgb) -> Photo {
+    Photo {
+        name: name.into(),
+        width: pixels.width as u32,
+        height: pixels.height as u32,
+        orientation: 1,
+        focal_35mm: None,
+        device: String::new(),
+        time_s: None,
+        file: rgb_to_png(pixels).into(),
+    }
+}
+
+/// A photo of the sample, 800 × 1200.
+fn sample(name: &str) -> Rgb {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../samples/mannequin/images");
+    let file = std::fs::read(folder.join(name)).unwrap();
+    let whole = Photo {
+        file: file.into(),
+        ..photo(name, &Rgb::filled(800, 1200, [0; 3]))
+    };
+    whole.decode().unwrap()
+}
+
+/// What the stage makes of photos, and its warnings.
+fn found(photos: Vec<Photo>) -> (People, Vec<String>) {
+    #[derive(Default)]
+    struct Heard(Mutex<Vec<String>>);
+    impl Host for Heard {
+        fn warn(&self, text: &str) {
+            self.0.lock().unwrap().push(text.to_owned());
+        }
+    }
+    let heard = Heard::default();
+    let nothing = stage::hash(b"");
+    let photos = Arc::new(Photos {
+        photos,
+        ..Photos::default()
+    });
+    let ctx = Ctx::new(&heard, nothing, nothing);
+    let people = FindPeople::run(&FindPeopleParams {}, FindPeopleInput { photos }, &ctx).unwrap();
+    (people, heard.0.into_inner().unwrap())
+}
+
+/// Each pixel from another place of a photo.
+fn moved(of: &Rgb, width: usize, height: usize, from: impl Fn(usize, usize) -> [usize; 2]) -> Rgb {
+    let mut to = Rgb::filled(width, height, [0; 3]);
+    for (i, pixel) in to.data.iter_mut().enumerate() {
+        let [x, y] = from(i % width, i / width);
+        *pixel = of.at(x.min(of.width - 1), y.min(of.height - 1));
+    }
+    to
+}
+
+#[test]
+fn photos_without_with_two_cut_off_and_turned_people_are_named() {
+    let turn = [
+        "0000.jpg", "0003.jpg", "0006.jpg", "0009.jpg", "0012.jpg", "0015.jpg",
+    ]
+    .map(sample);
+    let whole = |i: usize| photo(&format!("{i}.png"), &turn[i]);
+    let (people, told) = found((0..6).map(whole).collect());
+    assert!(people.person && people.views.values().all(|f| f.len() == 1));
+    assert_eq!(
+        told,
+        Vec::<String>::new(),
+        "nothing is odd about the sample"
+    );
+
+    // Somebody beside the one who is followed.
+    let mut two = moved(&turn[0], 1400, 1200, |x, y| [x, y]);
+    for i in 0..600 * 1200 {
+        let (x, y) = (i % 600, i / 600);
+        *two.at_mut(800 + x, y) = turn[3].at(100 + x, y);
+    }
+    let upper = moved(&turn[1], 800, 1200, |x, y| [x, y + 330]);
+    let lower = moved(&turn[2], 800, 1200, |x, y| [x, y.saturating_sub(330)]);
+    let over = moved(&turn[4], 800, 1200, |x, y| [799 - x, 1199 - y]);
+    let odd = [
+        ("two", &two),
+        ("upper", &upper),
+        ("lower", &lower),
+        ("over", &over),
+        ("empty", &sample("plate.jpg")),
+    ];
+    let mut photos: Vec<Photo> = (0..6).map(whole).collect();
+    photos.extend(odd.map(|(name, pixels)| photo(name, pixels)));
+    let (people, told) = found(photos);
+    assert!(people.person);
+    let says = |what: &str| told.iter().find(|t| t.contains(what)).map(String::as_str);
+    let nobody = says("nobody is seen").unwrap_or_default();
+    assert!(nobody.contains("on empty,"), "{told:?}");
+    let two = says("more than one person").unwrap_or_default();
+    assert!(two.contains("on two:"), "{told:?}");
+    assert!(says("at the upper edge of upper:").is_some(), "{told:?}");
+    assert!(says("at the lower edge of lower:").is_some(), "{told:?}");
+    assert!(says("upside down on over:").is_some(), "{told:?}");
+    assert_eq!(told.len(), 5, "{told:?}");
+}
+
+#[test]
+fn a_thing_is_no_person_and_nothing_is_said() {
+    let mut thing = Rgb::filled(800, 1200, [120, 130, 140]);
+    for y in 500..900 {
+        for x in 300..520 {
+            *thing.at_mut(x, y) = [180, 40, (y % 200) as u8];
+        }
+    }
+    let (people, told) = found((0..4).map(|i| photo(&format!("{i}.png"), &thing)).collect());
+    assert!(!people.person && told.is_empty(), "{told:?}");
+}
