@@ -2,7 +2,7 @@
 //! `words/` that say the same in the reader's language.
 
 #[rustfmt::skip]
-pub(super) const WARNINGS: [(&str, &str); 124] = [
+pub(super) const WARNINGS: [(&str, &str); 130] = [
     ("frames of a video are not at even steps: `step_deg` was passed over (how many are taken: --set frames.step_deg=)", "warn-video-steps"),
     ("* is the same file as * and was left out: if another photo should be in its place, put it there", "warn-same-file"),
     ("* is the same file as * and was left out", "warn-same-raw"),
@@ -126,6 +126,12 @@ pub(super) const WARNINGS: [(&str, &str); 124] = [
     ("the body is cut off at the left or right edge of *: keep the whole person in view, with a margin beside the arms", "warn-cut-side"),
     ("the person is upside down on *: turn such photos, or stand upright", "warn-upside-down"),
     ("the person lies on the side on *: turn such photos, or stand upright", "warn-on-side"),
+    ("masks leave out the head or a part of it on *, where a learned sense of a person sees it: look at these masks", "warn-lost-head"),
+    ("masks leave out a part of the trunk on *, where a learned sense of a person sees it: look at these masks", "warn-lost-trunk"),
+    ("masks leave out an arm or a part of it on *, where a learned sense of a person sees it: look at these masks", "warn-lost-arm"),
+    ("masks leave out a leg or a part of it on *, where a learned sense of a person sees it: look at these masks", "warn-lost-leg"),
+    ("masks leave out a foot or a part of it on *, where a learned sense of a person sees it: look at these masks", "warn-lost-foot"),
+    ("masks have body on * where a learned sense of a person sees none: look at these masks", "warn-kept-body"),
     ("known lengths contradict each other: correct one of them, or leave one out", "warn-lengths"),
 ];
 

@@ -1,20 +1,26 @@
 //! Where a person is on each photo, by networks that were trained elsewhere.
 //!
 //! `photos` → [`FindPeople`] → `people`
+//! `masks`, `people`, `photos` → [`Alarm`] → `masks`
 //!
 //! `net/` runs a network of `models/person/`; `body/` finds people on a photo with two of them, and
 //! `turn.rs` says what all photos say together, `odd.rs` what
 //! is odd about it.
 
+mod alarm;
 mod body;
 mod find;
 mod net;
 mod odd;
+mod regions;
 mod turn;
 
+pub use alarm::{Alarm, AlarmInput, AlarmParams};
 pub use body::Networks;
 pub use find::{FindPeople, FindPeopleInput, FindPeopleParams};
 pub use net::{Network, Tensor, Unreadable};
+pub use regions::{Disagreement, Region, disagreement};
 
 /// Every stage of this crate.
-pub const STAGES: &[&dyn stage::AnyStage] = &[&stage::erase::<FindPeople>()];
+pub const STAGES: &[&dyn stage::AnyStage] =
+    &[&stage::erase::<FindPeople>(), &stage::erase::<Alarm>()];

@@ -70,7 +70,7 @@ pub(crate) fn odd(views: &ByPhoto<Vec<Found>>, photos: &Photos) -> Vec<String> {
 }
 
 /// Names of photos, the first few.
-fn some(names: Vec<String>) -> Option<String> {
+pub(crate) fn some(names: Vec<String>) -> Option<String> {
     match names.len() {
         0 => None,
         1..=5 => Some(names.join(", ")),

@@ -1,0 +1,81 @@
+//! Masks that lose a part of the body are named by photo and region; those that agree are passed over in silence.
+
+use person::{Alarm, AlarmInput, AlarmParams, FindPeople, FindPeopleInput, FindPeopleParams};
+use shape::{Masks, Photo, PhotoId, Photos};
+use stage::{Ctx, Host, Stage};
+use std::path::{Path, PathBuf};
+use std::sync::{Arc, Mutex};
+
+#[derive(Default)]
+struct Heard(Mutex<Vec<String>>);
+
+impl Host for Heard {
+    fn warn(&self, text: &str) {
+        self.0.lock().unwrap().push(text.to_owned());
+    }
+}
+
+fn sample() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("../../samples/mannequin")
+}
+
+/// Four photos of the sample.
+fn turn() -> Photos {
+    let stems = ["0000", "0004", "0009", "0013"];
+    let photo = |stem: &str| Photo {
+        name: format!("{stem}.jpg"),
+        width: 800,
+        height: 1200,
+        orientation: 1,
+        focal_35mm: None,
+        device: String::new(),
+        time_s: None,
+        file: std::fs::read(sample().join(format!("images/{stem}.jpg")))
+            .unwrap()
+            .into(),
+    };
+    Photos {
+        photos: stems.map(photo).to_vec(),
+        ..Photos::default()
+    }
+}
+
+#[test]
+fn masks_without_legs_or_head_are_named_by_photo() {
+    let photos = Arc::new(turn());
+    let input = FindPeopleInput {
+        photos: photos.clone(),
+    };
+    let people = FindPeople::run(&FindPeopleParams {}, input, &Ctx::alone()).unwrap();
+    let people = Arc::new(people);
+    let own = |id| (id, people.subject(id).unwrap().mask(800, 1200));
+    let masks = Masks {
+        views: (0..4).map(PhotoId).map(own).collect(),
+    };
+    let told = |masks: &Masks| {
+        let heard = Heard::default();
+        let nothing = stage::hash(b"");
+        let input = AlarmInput {
+            masks: Arc::new(masks.clone()),
+            people: people.clone(),
+            photos: photos.clone(),
+        };
+        let ctx = Ctx::new(&heard, nothing, nothing);
+        let out = Alarm::run(&AlarmParams::default(), input, &ctx).unwrap();
+        assert_eq!(out, *masks, "handed on as they came");
+        heard.0.into_inner().unwrap()
+    };
+    assert_eq!(told(&masks), Vec::<String>::new());
+    // Nothing below the hips on one; the upper half on another.
+    let mut broken = masks.clone();
+    let legs = broken.views.get_mut(PhotoId(1)).unwrap();
+    legs.data[700 * 800..].fill(0);
+    let upper = broken.views.get_mut(PhotoId(3)).unwrap();
+    upper.data[..330 * 800].fill(0);
+    let told = told(&broken);
+    let says = |what: &str| told.iter().any(|t| t.contains(what));
+    assert!(says("a leg or a part of it on 0004.jpg,"), "{told:?}");
+    assert!(says("a foot or a part of it on 0004.jpg,"), "{told:?}");
+    assert!(says("the head or a part of it on 0013.jpg,"), "{told:?}");
+    assert!(!says("0000.jpg") && !says("0009.jpg"), "{told:?}");
+}
