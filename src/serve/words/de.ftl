@@ -345,6 +345,7 @@ warn-no-interval = kein Bereich ist angegeben, denn ein Teil, auf den es ankommt
 warn-shortened = Maßbänder und ihre Bereiche sind um { $a } % kürzer, wie angegeben
 warn-nothing = nichts wurde gemessen: { $a }
 warn-not-measured = { $a } nicht gemessen: { $b }
+warn-hip-hidden = wo das Gesäß am weitesten nach hinten reicht, ist nicht zu sehen; die Höhe der Hüfte ist aus dem übrigen Körper geschätzt, ihr Bereich ist weiter: Verdeckt sie ein Rock oder ein Mantel?
 warn-front = keine Füße sagen, wohin der Körper blickt, so dass Hüfte und Hals auf falscher Höhe sein können: Verdecken Schuhe oder ein langer Mantel sie?
 warn-made-levels = dieser Körper{ $a } liegt außerhalb der Erwachsenen, an denen das Modell für Taille und Brust bestimmt wurde (ein Kind, eine kleine Figur, eine ungewöhnliche Statur oder eine falsche Körpergröße): Wo Taille und Brust liegen, kommt von künstlichen Körpern, und ihre Bereiche sind weiter
 warn-guessed-levels = dieser Körper{ $a } liegt außerhalb dessen, was das Modell für Taille und Brust kennt: Wo Taille und Brust liegen, ist grob geschätzt, und ihre Bereiche sind entsprechend weit; die Körpergröße prüfen, und ob der ganze Körper zu sehen und aufrecht ist

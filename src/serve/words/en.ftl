@@ -345,6 +345,7 @@ warn-no-interval = no interval is given, for a part of it that matters is not kn
 warn-shortened = tapes and their intervals are shortened by { $a } %, as given
 warn-nothing = nothing was measured: { $a }
 warn-not-measured = { $a } not measured: { $b }
+warn-hip-hidden = where the buttocks reach farthest back does not show, so the hip's level is estimated from the rest of the body and its interval is wider: does a skirt or coat hide it?
 warn-front = no feet tell which way the body faces, so the hip's and the neck's levels may be wrong: do shoes or a long coat hide them?
 warn-made-levels = this body{ $a } lies outside the range of adults that the waist and chest model was fitted on (a child, a small figure, an unusual build, or a wrong stature): where waist and chest lie comes from synthetic bodies, and their intervals are wider
 warn-guessed-levels = this body{ $a } lies outside the range that the waist and chest model knows: where waist and chest lie is a rough estimate, and their intervals are wide accordingly; check the stature, and that the whole body is visible and upright

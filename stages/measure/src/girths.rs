@@ -2,7 +2,7 @@
 
 use crate::causes::{Evidence, Tall, disputed, explain};
 use crate::derive::{Known, compress, derive, profile, withhold};
-use crate::features::body::{Body, body};
+use crate::features::body::{Body, HipAt, body};
 use crate::growth::growth;
 use crate::remarks::warnings;
 use crate::sections::one::SectionMeasurement;
@@ -71,7 +71,11 @@ impl Stage for Measure {
     fn run(p: &GirthParams, input: GirthInput, ctx: &Ctx<'_>) -> Result<Girths, Stop> {
         let (mesh, landmarks) = (&input.mesh, &input.landmarks);
         // Where the landmarks have it: of a body that stands nowhere, nothing was found.
-        let body = landmarks.ground_mm.and_then(|ground| body(mesh, ground));
+        let mut body = landmarks.ground_mm.and_then(|ground| body(mesh, ground));
+        let hip = landmarks.points.iter().find(|p| p.0 == "hip");
+        if let Some((body, (_, [.., z]))) = body.as_mut().zip(hip) {
+            body.hip = Some(HipAt::Hidden(*z, 0.0));
+        }
         let mut girths = Girths {
             unit: input.cameras.as_ref().map_or(mesh.unit, |c| c.scale.unit()),
             missing: landmarks.missing.clone(),

@@ -1,13 +1,15 @@
 //! The stage that finds where to measure, without a statistical body model.
 
+use crate::features::body::HipAt;
 use crate::features::limb::limbs;
-use crate::features::marks::marks;
+use crate::features::marks::{hip, marks};
 use crate::features::standing::standing;
 use crate::model::error::ModelError;
 use crate::model::file::LevelModel;
 use crate::model::law::Place;
 use crate::model::predict::Cover;
 use crate::planes::custom::{OwnGirth, own, taken_names};
+use crate::planes::hidden::tell_hip;
 use crate::planes::joints::arm_joints;
 use crate::planes::limbs::parts;
 use crate::planes::place::{across_neck, arms, legs, trunk};
@@ -54,7 +56,7 @@ pub struct FindLandmarks;
 
 impl Stage for FindLandmarks {
     const NAME: &'static str = "measure.landmarks";
-    const VERSION: u32 = 23;
+    const VERSION: u32 = 24;
     const ABOUT: &'static str = "Finds neck, chest, waist, hip, arms and legs from marks on the outline: buttocks, hollow of the back, bust, shoulders, ears.";
     type Params = LandmarkParams;
     type Input = LandmarkInput;
@@ -67,7 +69,7 @@ impl Stage for FindLandmarks {
     fn run(p: &LandmarkParams, input: LandmarkInput, ctx: &Ctx<'_>) -> Result<Landmarks, Stop> {
         let mesh = &input.mesh;
         let stands = standing(mesh, input.cameras.as_deref()).ok_or(NoBody)?;
-        let body = stands.body;
+        let mut body = stands.body;
         let mut found = Landmarks {
             unit: input.cameras.as_ref().map_or(mesh.unit, |c| c.scale.unit()),
             ..Landmarks::default()
@@ -88,6 +90,13 @@ impl Stage for FindLandmarks {
         if let Some(z) = body.crotch {
             found.points.push(("crotch".into(), [0.0, 0.0, z]));
         }
+        let model = level_model(input.levels.as_deref())?;
+        let absolute = found.unit == Unit::Metric;
+        tell_hip(&mut body, &model, absolute, stands.reaches_ground);
+        if body.hip != body.about_crotch() {
+            let z = hip(&body).map(|z| ("hip".into(), [0.0, 0.0, z]));
+            found.points.extend(z);
+        }
         let front = ("front".to_owned(), body.front.into());
         found.points.push(front);
         if !body.front_is_sure {
@@ -97,8 +106,6 @@ impl Stage for FindLandmarks {
             );
         }
         let marks = marks(&body);
-        let model = level_model(input.levels.as_deref())?;
-        let absolute = found.unit == Unit::Metric;
         let told = marks
             .as_ref()
             .map(|m| Trunk::new(&body, m, &model, absolute));
@@ -106,6 +113,12 @@ impl Stage for FindLandmarks {
         let cover = told.as_ref().and_then(Trunk::cover);
         if let Some(word) = cover.and_then(|cover| word(cover, tall)) {
             ctx.warn(word);
+        }
+        if body.whole && matches!(body.hip, Some(HipAt::Hidden(..))) {
+            ctx.warn(
+                "where the buttocks reach farthest back does not show, so the hip's level is estimated from the rest of the body and its interval \
+                 is wider: does a skirt or coat hide it?",
+            );
         }
         trunk(p.waist, &body, told.as_ref(), &mut found);
         let notch = model.law(Place::Notch);

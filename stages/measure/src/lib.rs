@@ -23,7 +23,7 @@ mod sections;
 mod uncertainty;
 
 pub use features::arms::{Axis, arm_ring, clear, merged, upper_arm_axis};
-pub use features::body::{Body, body, nearest_ring};
+pub use features::body::{Body, HipAt, body, nearest_ring};
 pub use features::ground::{GivenGround, Ground, ground};
 pub use features::limb::bend::Line;
 pub use features::limb::follow::Knot;

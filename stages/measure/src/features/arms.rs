@@ -145,6 +145,9 @@ mod tests {
             front_is_sure: true,
             left: Vector3::x(),
             crotch: Some(850.0),
+            legs_join: Some(850.0),
+            whole: true,
+            hip: None,
             neck: Some(1550.0),
             slices: slices.collect(),
         }

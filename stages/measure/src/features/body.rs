@@ -4,6 +4,18 @@ use crate::geometry::slices::{Ring, Slice, rings, slices};
 use nalgebra::{Point3, Vector3};
 use shape::{Mesh, Plane};
 
+/// Where the hip of a body is.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum HipAt {
+    /// Where the back reaches farthest between two heights. \[mm\]
+    Between(f64, f64),
+    /// At a height that the rest of the body tells, with its standard deviation: the buttocks do not show. \[mm\]
+    Hidden(f64, f64),
+}
+
+/// How far below and above the crotch that shows the buttocks are looked for, as shares of stature.
+const ABOUT_CROTCH: [f64; 2] = [0.01, 0.16];
+
 /// What the slices of an upright body tell.
 #[derive(Debug, Clone)]
 pub struct Body {
@@ -17,8 +29,14 @@ pub struct Body {
     pub front_is_sure: bool,
     /// Its left.
     pub left: Vector3<f64>,
-    /// Where the legs join. \[mm\] `None` without two legs.
+    /// Where two legs that show become one. \[mm\] `None` without two legs.
     pub crotch: Option<f64>,
+    /// Where legs that show become one, however low: thighs that touch join far below the crotch. \[mm\]
+    pub legs_join: Option<f64>,
+    /// Whether it is a body from crown to soles: its legs show, or all else that shows fits one.
+    pub whole: bool,
+    /// Where the hip is. `None` where nothing tells.
+    pub hip: Option<HipAt>,
     /// Height of the narrowest of the neck. \[mm\] `None` without a neck.
     pub neck: Option<f64>,
     /// The slices, from the ground up.
@@ -46,6 +64,13 @@ impl Body {
         )
     }
 
+    /// Where the hip is looked for by the crotch that shows.
+    pub(crate) fn about_crotch(&self) -> Option<HipAt> {
+        let crotch = self.crotch?;
+        let (below, above) = ABOUT_CROTCH.map(|share| share * self.stature).into();
+        Some(HipAt::Between(crotch - below, crotch + above))
+    }
+
     /// Slices between two heights.
     pub fn between(&self, low: f64, high: f64) -> impl Iterator<Item = &Slice> {
         self.slices
@@ -69,24 +94,30 @@ pub fn body(mesh: &Mesh, ground: f64) -> Option<Body> {
         left: Vector3::x(),
         front_is_sure: false,
         crotch: None,
+        legs_join: None,
+        whole: false,
+        hip: None,
         neck: None,
         slices,
     };
-    body.crotch = crotch(&body);
+    body.legs_join = legs_join(&body);
+    body.crotch = body.legs_join.filter(|z| z - ground >= LEGS * stature);
+    body.whole = body.crotch.is_some();
     body.neck = neck(&body);
     if let Some((front, sure)) = facing(&body) {
         body.front = front;
         body.front_is_sure = sure;
         body.left = Vector3::z().cross(&front);
     }
+    body.hip = body.about_crotch();
     Some(body)
 }
 
 /// Legs are at least so long, as a share of stature: less is a body that is cut off.
 const LEGS: f64 = 0.25;
 
-/// Two rings of like size, the largest, are legs; the crotch is where they become one.
-fn crotch(body: &Body) -> Option<f64> {
+/// Two rings of like size, the largest, are legs; they join where they become one.
+fn legs_join(body: &Body) -> Option<f64> {
     let legs = |s: &Slice| s.rings.len() >= 2 && s.rings[1].area > 0.4 * s.rings[0].area;
     let low = body.ground + 0.12 * body.stature;
     let high = body.ground + 0.65 * body.stature;
@@ -106,7 +137,7 @@ fn crotch(body: &Body) -> Option<f64> {
         }
         top = z;
     }
-    (top >= body.ground + LEGS * body.stature).then_some(top)
+    Some(top)
 }
 
 /// The narrowest ring between head and shoulders: from the crown down, the least after the head's
@@ -162,7 +193,7 @@ fn two_feet(body: &Body) -> bool {
 
 /// The horizontal direction from thigh to thigh, unit; which of both is first is not told.
 fn thighs(body: &Body) -> Option<Vector3<f64>> {
-    let high = body.crotch? - body.ground;
+    let high = body.legs_join? - body.ground;
     let pairs = body.between(body.ground + 0.6 * high, body.ground + 0.95 * high);
     let mut sum = Vector3::<f64>::zeros();
     for pair in pairs.filter(|s| s.rings.len() >= 2) {

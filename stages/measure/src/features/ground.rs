@@ -33,7 +33,7 @@ const AGREE: f64 = 0.012;
 /// height: nobody sees soles, and shadows beside them are cut off or taken in.
 const NEAR: f64 = 0.03;
 /// From a mat or a disk up to here feet may be lost, as a share of the body's height: ankles are seen.
-const LOST: f64 = 0.08;
+pub(crate) const LOST: f64 = 0.08;
 /// Standard deviation of a ground where the feet are lost, as a share of the body's height.
 const UNSEEN: f64 = 0.004;
 

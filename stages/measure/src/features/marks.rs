@@ -1,6 +1,6 @@
 //! Heights that the shape of a body marks, so that a visual hull shows them as well as the body.
 
-use crate::features::body::Body;
+use crate::features::body::{Body, HipAt};
 use crate::features::extent::{breadth, depth};
 use crate::features::reach::{BodyExtents, reach};
 use crate::geometry::slices::Slice;
@@ -13,6 +13,8 @@ use crate::geometry::slices::Slice;
 pub struct Marks {
     /// Where the buttocks reach farthest back.
     pub hip: f64,
+    /// Whether that shows; else it is what the rest of the body tells.
+    pub hip_shows: bool,
     /// The narrowest of the neck, cut level.
     pub neck: f64,
     /// The hollow of the back: farthest within the line from buttocks to shoulder blades.
@@ -33,11 +35,10 @@ pub struct Marks {
     pub reach: BodyExtents,
 }
 
-/// Reads the marks. `None` without legs or neck.
+/// Reads the marks. `None` without hip or neck.
 pub fn marks(body: &Body) -> Option<Marks> {
     let ground = body.ground;
-    let (crotch, neck) = (body.crotch?, body.neck?);
-    let hip = hip(body, crotch)?;
+    let (hip, neck) = (hip(body)?, body.neck?);
     let long = neck - hip;
     if long < 0.15 * body.stature {
         return None;
@@ -59,6 +60,7 @@ pub fn marks(body: &Body) -> Option<Marks> {
         .reduce(f64::min)?;
     Some(Marks {
         hip: hip - ground,
+        hip_shows: matches!(body.hip, Some(HipAt::Between(..))),
         neck: neck - ground,
         hollow: hollow - ground,
         bust: bust - ground,
@@ -88,17 +90,21 @@ fn smoothed(
     (0..raw.len()).map(|i| (raw[i].0, mean(i))).collect()
 }
 
-/// The height of the greatest prominence of the buttocks, above the crotch. \[mm\]
-pub(crate) fn hip(body: &Body, crotch: f64) -> Option<f64> {
+/// The height of the hip: of the greatest prominence of the buttocks, or what the rest of the body tells. \[mm\]
+pub(crate) fn hip(body: &Body) -> Option<f64> {
+    match body.hip? {
+        HipAt::Between(low, high) => Some(farthest_back(body, low, high)?.0),
+        HipAt::Hidden(z, _) => Some(z),
+    }
+}
+
+/// Where the back reaches farthest between two heights, and whether it is a prominence: less far to either
+/// side. \[mm\]
+pub(crate) fn farthest_back(body: &Body, low: f64, high: f64) -> Option<(f64, bool)> {
     let back = |s: &Slice| depth(body, s.rings.first()?).map(|e| -e.0);
-    let reach = smoothed(
-        body,
-        crotch - 0.01 * body.stature,
-        crotch + 0.16 * body.stature,
-        back,
-    );
-    let most = reach.iter().max_by(|a, b| a.1.total_cmp(&b.1))?;
-    Some(most.0)
+    let reach = smoothed(body, low, high, back);
+    let most = (0..reach.len()).max_by(|a, b| reach[*a].1.total_cmp(&reach[*b].1))?;
+    Some((reach[most].0, most > 0 && most + 1 < reach.len()))
 }
 
 /// Where a profile lies farthest from the straight line between its ends; above it for `side` 1.

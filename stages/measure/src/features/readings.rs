@@ -105,21 +105,29 @@ pub fn readings(body: &Body, marks: &Marks, absolute: bool) -> Option<Readings> 
     let tape = |share: f64| Some(trunk_tape(body, at(share)).filter(|_| clear)? / s);
     let apex = marks.apex.filter(|(_, sharp)| clear && *sharp >= SHARP);
     let depth = marks.reach.front(0.6667) - marks.reach.back(0.6667);
-    let neck = body.trunk(body.ground + marks.neck);
-    let read = Readings::default()
-        .with(
-            Reading::LnStature,
-            absolute.then(|| libm::log(s / USUAL_MM)),
-        )
-        .with(Reading::Buttock, Some(marks.hip / s))
-        .with(Reading::Neck, Some(marks.neck / s))
-        .with(Reading::NeckTape, neck.map(|r| r.tape / s))
-        .with(Reading::HipTape, tape(0.0))
+    let read = by_neck(body, absolute)?
+        .with(Reading::Buttock, marks.hip_shows.then_some(marks.hip / s))
+        .with(Reading::HipTape, tape(0.0).filter(|_| marks.hip_shows))
         .with(Reading::BellyTape, tape(0.25))
         .with(Reading::WaistTape, tape(0.4))
         .with(Reading::ChestDepth, clear.then_some(depth / s))
         .with(Reading::Bust, clear.then_some(marks.bust / s))
         .with(Reading::Apex, apex.map(|(z, _)| z / s));
+    Some(read)
+}
+
+/// The stature, where lengths are millimetres.
+pub(crate) fn size(body: &Body, absolute: bool) -> Readings {
+    let ln = absolute.then(|| libm::log(body.stature / USUAL_MM));
+    Readings::default().with(Reading::LnStature, ln)
+}
+
+/// What stature and neck tell, of whatever has a neck.
+pub(crate) fn by_neck(body: &Body, absolute: bool) -> Option<Readings> {
+    let (s, neck) = (body.stature, body.neck?);
+    let read = size(body, absolute)
+        .with(Reading::Neck, Some((neck - body.ground) / s))
+        .with(Reading::NeckTape, body.trunk(neck).map(|r| r.tape / s));
     Some(read)
 }
 

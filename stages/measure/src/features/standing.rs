@@ -1,7 +1,7 @@
 //! A body on its ground: what every level hangs on, or why there is none.
 
 use crate::features::body::{Body, body};
-use crate::features::ground::{GivenGround, Ground, ground};
+use crate::features::ground::{GivenGround, Ground, LOST, ground};
 use crate::features::upright::unfit;
 use shape::{Cameras, Mesh, Refusal, Scale};
 
@@ -11,6 +11,8 @@ pub(crate) struct Standing {
     pub(crate) body: Body,
     /// Its ground.
     pub(crate) ground: Option<Ground>,
+    /// Whether its surface reaches down to that, but for lost feet.
+    pub(crate) reaches_ground: bool,
     /// Standard deviation of its stature: ground, crown and scale; `None` where that of the scale is not
     /// known. \[mm\]
     pub(crate) stature_sigma: Option<f64>,
@@ -45,7 +47,9 @@ pub(crate) fn standing(mesh: &Mesh, cameras: Option<&Cameras>) -> Option<Standin
     let scale = cameras.map_or(Some(0.0), |c| c.scale_sigma);
     let crown = 0.5 * mesh.mean_edge();
     let below = found.as_ref().map_or(0.0, |g| g.sigma_mm);
+    let reaches = |g: &Ground| lowest - g.height_mm < LOST * body.stature;
     Some(Standing {
+        reaches_ground: found.as_ref().is_ok_and(reaches),
         ground: found.ok(),
         stature_sigma: scale.map(|s| libm::hypot(libm::hypot(below, crown), s * body.stature)),
         refused,

@@ -9,7 +9,7 @@ const ROUND: f64 = 0.7;
 
 /// Why the height of what is seen is no stature, with a sentence. `None` if it is one.
 pub(crate) fn no_stature(body: &Body) -> Option<(Refusal, &'static str)> {
-    if body.crotch.is_none() {
+    if !body.whole {
         return Some((Refusal::NoLegs, Refusal::NoLegs.why()));
     }
     let tapes: Vec<f64> = body

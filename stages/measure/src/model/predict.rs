@@ -30,7 +30,7 @@ pub enum Cover {
 }
 
 /// People's statures lie within so many standard deviations: all but one in two thousand.
-const SIZES: f64 = 3.5;
+pub(crate) const SIZES: f64 = 3.5;
 
 /// A population's own answer.
 struct Answer<'a> {
@@ -47,14 +47,59 @@ impl LevelModel {
         stature_mm: f64,
         level: Level,
     ) -> Option<LevelEstimate> {
-        let observed: Vec<(usize, f64)> = self
-            .readings
-            .iter()
-            .enumerate()
-            .filter_map(|(i, r)| Some((i, readings.get(*r)?)))
-            .collect();
-        let limit = *self.limit.get(observed.len().checked_sub(1)?)?;
+        self.observed(readings).first()?;
         let target = self.readings.len() + self.levels.iter().position(|l| *l == level)?;
+        self.told(readings, stature_mm, target)
+    }
+
+    /// A reading that does not show, from those that do, as [`estimate`](Self::estimate) tells a level.
+    pub fn hidden(
+        &self,
+        readings: &Readings,
+        stature_mm: f64,
+        reading: Reading,
+    ) -> Option<LevelEstimate> {
+        let target = self.readings.iter().position(|r| *r == reading)?;
+        self.told(&readings.clone().with(reading, None), stature_mm, target)
+    }
+
+    /// So many standard deviations hold 99 in 100 of one reading.
+    pub fn usual(&self) -> f64 {
+        self.limit.first().map_or(SIZES, |limit| limit.sqrt())
+    }
+
+    /// Whether readings are those of a body that the model knows, of measured people or of made bodies: 99 in 100
+    /// of them are.
+    pub fn knows(&self, readings: &Readings) -> bool {
+        let observed = self.observed(readings);
+        let limit = observed
+            .len()
+            .checked_sub(1)
+            .and_then(|n| self.limit.get(n));
+        let near = |p: &Population| {
+            let given = p.normal.given(&observed, self.readings.len());
+            given
+                .zip(limit)
+                .is_some_and(|(given, limit)| given.distance <= *limit)
+        };
+        self.populations.iter().any(near)
+    }
+
+    /// The readings that there are, by the model's variables.
+    fn observed(&self, readings: &Readings) -> Vec<(usize, f64)> {
+        let all = self.readings.iter().enumerate();
+        all.filter_map(|(i, r)| Some((i, readings.get(*r)?)))
+            .collect()
+    }
+
+    /// One of the model's variables from readings.
+    fn told(&self, readings: &Readings, stature_mm: f64, target: usize) -> Option<LevelEstimate> {
+        let observed = self.observed(readings);
+        // Of a body of which nothing is read, nobody is unlike.
+        let limit = match observed.len().checked_sub(1) {
+            Some(n) => *self.limit.get(n)?,
+            None => f64::INFINITY,
+        };
         let answers = |scope: Scope| -> Vec<Answer<'_>> {
             self.populations
                 .iter()

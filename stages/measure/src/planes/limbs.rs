@@ -133,7 +133,7 @@ pub(crate) fn thigh(limbs: &Limbs<'_>, body: &Body, side: f64) -> Result<Placed,
         };
         let before = found.len().checked_sub(4).map(|i| found[i].1);
         if before.is_some_and(|t| ring.tape > JUMP * t) {
-            if !holds_other(limbs, body, side, &ring) {
+            if holds_other(limbs, body, side, &ring) == Some(false) {
                 return Err(Refusal::Hand);
             }
             break;
@@ -162,15 +162,13 @@ pub(crate) fn thigh(limbs: &Limbs<'_>, body: &Body, side: f64) -> Result<Placed,
     Ok((fullest.0, sure(libm::hypot(EXTREME * body.stature, hidden))))
 }
 
-/// Whether a ring reaches the line of the other leg; if that is not known, it may.
-fn holds_other(limbs: &Limbs<'_>, body: &Body, side: f64, ring: &Ring) -> bool {
+/// Whether a ring reaches the line of the other leg. `None` if that is not known.
+fn holds_other(limbs: &Limbs<'_>, body: &Body, side: f64, ring: &Ring) -> Option<bool> {
     let left = body.left * side;
-    let (Ok(other), Some((inner, _))) = (limbs.leg(-side), extent(ring, &left)) else {
-        return true;
-    };
+    let (other, (inner, _)) = (limbs.leg(-side).ok()?, extent(ring, &left)?);
     let off = |k: &&Knot| (k.centre.z - ring.centre.z).abs();
     let near = other.knots.iter().min_by(|a, b| off(a).total_cmp(&off(b)));
-    near.is_none_or(|k| inner < k.centre.coords.dot(&left))
+    Some(near.is_none_or(|k| inner < k.centre.coords.dot(&left)))
 }
 
 /// A ring that is so many times as long as the one a hundredth of stature lower is two legs'.
@@ -191,8 +189,11 @@ pub(crate) fn calf(limbs: &Limbs<'_>, body: &Body, side: f64) -> Result<Placed, 
         (knee - 0.02 * body.stature).min(leg.clear_to()),
     );
     let count = ((high - low) / step).max(0.0) as usize;
+    // Up to where both legs are one on the surface.
+    let own = |(_, ring): &(Plane, Ring)| holds_other(limbs, body, side, ring) != Some(true);
     let found: Vec<(Plane, f64)> = (0..count + NEAR)
         .filter_map(|i| across.at(low + step * i as f64))
+        .take_while(own)
         .map(|(plane, ring)| (plane, ring.tape))
         .collect();
     let most = |i: usize| found[i..=i + NEAR].iter().map(|f| f.1).fold(0.0, f64::max);

@@ -1,6 +1,7 @@
 //! Where each girth is taken: levels from features, and planes across limbs.
 
 pub(crate) mod custom;
+pub(crate) mod hidden;
 pub(crate) mod joints;
 pub(crate) mod limbs;
 pub(crate) mod neck;

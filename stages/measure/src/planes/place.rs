@@ -20,7 +20,7 @@ pub(crate) fn trunk(chosen: Waist, body: &Body, told: Option<&Trunk<'_>>, found:
         ..Landmark::new(id, placed.plane, Part::Trunk)
     };
     // The hip shows on its own, without head and neck.
-    let sigma = told.and_then(Trunk::hip_sigma).unwrap_or_default();
+    let sigma = told.map(Trunk::hip_sigma).unwrap_or_default();
     let shown = |plane| Placed { plane, sigma };
     let hip = hip_plane(body).map(|plane| at(GirthId::Hip, shown(plane)));
     let longest = longest_hip_plane(body).map(|plane| at(GirthId::HipGreatest, shown(plane)));
@@ -47,9 +47,11 @@ pub(crate) fn trunk(chosen: Waist, body: &Body, told: Option<&Trunk<'_>>, found:
         (GirthId::Chest, chest.is_some()),
     ] {
         let nowhere = chosen == Waist::Narrowest && told.is_some() && id == GirthId::Waist;
-        let reason = match nowhere {
-            true => Refusal::NoExtreme,
-            false => unlike(body),
+        let reason = match (nowhere, id) {
+            (true, _) => Refusal::NoExtreme,
+            // Of a whole body: under a skirt.
+            (_, GirthId::Hip) if body.whole => Refusal::NoLegs,
+            _ => unlike(body),
         };
         found
             .missing
@@ -69,7 +71,7 @@ pub(crate) fn across_neck(
     law: &Law,
     found: &mut Landmarks,
 ) -> Option<&'static str> {
-    if body.crotch.is_none() {
+    if !body.whole {
         // A body that is cut off: nothing tells that this is its neck.
         let missing = Missing::new(GirthId::Neck, unlike(body));
         found.missing.push(missing);
@@ -126,9 +128,9 @@ pub(crate) fn arms(limbs: &Limbs<'_>, body: &Body, found: &mut Landmarks) {
     for side in Side::BOTH {
         let id = GirthId::UpperArm(side);
         // Shares of a stature that is none tell nothing.
-        let placed = match body.crotch {
-            None => Err(unlike(body)),
-            Some(_) => upper_arm(limbs, body.stature, side.sign()),
+        let placed = match body.whole {
+            false => Err(unlike(body)),
+            true => upper_arm(limbs, body.stature, side.sign()),
         };
         limb(found, id, Part::arm(side), placed);
     }
@@ -136,9 +138,21 @@ pub(crate) fn arms(limbs: &Limbs<'_>, body: &Body, found: &mut Landmarks) {
 
 /// Thigh and calf of both legs.
 pub(crate) fn legs(limbs: &Limbs<'_>, body: &Body, found: &mut Landmarks) {
+    // Legs that join below the crotch show no thigh.
+    let joined = (body.hip != body.about_crotch()).then_some(match body.legs_join {
+        Some(_) => Refusal::ThighsOne,
+        None => Refusal::NoLegs,
+    });
     for side in Side::BOTH {
         let (part, sign) = (Part::leg(side), side.sign());
-        limb(found, GirthId::Thigh(side), part, thigh(limbs, body, sign));
-        limb(found, GirthId::Calf(side), part, calf(limbs, body, sign));
+        let [thigh, calf] = match body.whole {
+            false => [Err(unlike(body)), Err(unlike(body))],
+            true => [
+                joined.map_or_else(|| thigh(limbs, body, sign), Err),
+                calf(limbs, body, sign),
+            ],
+        };
+        limb(found, GirthId::Thigh(side), part, thigh);
+        limb(found, GirthId::Calf(side), part, calf);
     }
 }

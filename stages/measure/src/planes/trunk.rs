@@ -1,12 +1,12 @@
 //! Where the trunk's girths are taken: hip from the surface, the other levels from the model.
 
-use crate::features::body::Body;
+use crate::features::body::{Body, HipAt};
 use crate::features::marks::{Marks, hip};
 use crate::features::readings::{Reading, Readings, readings};
 use crate::geometry::slices::level;
 use crate::model::file::LevelModel;
 use crate::model::level::Level;
-use crate::model::predict::{Cover, LevelEstimate};
+use crate::model::predict::{Cover, LevelEstimate, SIZES};
 use nalgebra::Point3;
 use shape::{Plane, PlaneSigma, Refusal};
 
@@ -81,9 +81,12 @@ impl<'a> Trunk<'a> {
     pub(crate) fn between_hip_and_neck(&self, at: f64) -> (Plane, PlaneSigma) {
         let (m, s) = (self.marks, self.body.stature);
         let z = self.body.ground + m.hip + at * (m.neck - m.hip);
-        let ends = [Reading::Buttock, Reading::Neck].map(|r| self.model.reading(r, s));
+        let ends = (
+            hip_sigma(self.body, self.model).level_mm,
+            self.model.reading(Reading::Neck, s),
+        );
         let level = match ends {
-            [Some(hip), Some(neck)] => Some(libm::hypot((1.0 - at) * hip.0, at * neck.0)),
+            (Some(hip), Some(neck)) => Some(libm::hypot((1.0 - at) * hip, at * neck.0)),
             _ => None,
         };
         let sigma = PlaneSigma {
@@ -98,43 +101,72 @@ impl<'a> Trunk<'a> {
         narrowest(self.body, self.marks).map(|z| self.on_surface(z))
     }
 
+    /// How sure the hip's level is.
+    pub(crate) fn hip_sigma(&self) -> PlaneSigma {
+        hip_sigma(self.body, self.model)
+    }
+
     /// An extreme that shows: as sure as the hip is.
     fn on_surface(&self, z: f64) -> Placed {
         Placed {
             plane: across(self.body, z),
-            sigma: self.hip_sigma().unwrap_or_default(),
+            sigma: shown(self.body, self.model),
         }
     }
+}
 
-    /// How sure the hip's level is.
-    pub(crate) fn hip_sigma(&self) -> Option<PlaneSigma> {
-        let (level, repeat) = self.model.reading(Reading::Buttock, self.body.stature)?;
-        Some(PlaneSigma {
-            level_mm: Some(level),
-            tilt_rad: None,
-            repeat_mm: repeat,
-        })
+/// How sure a level is that shows as the buttocks do.
+fn shown(body: &Body, model: &LevelModel) -> PlaneSigma {
+    let read = model.reading(Reading::Buttock, body.stature);
+    PlaneSigma {
+        level_mm: read.map(|r| r.0),
+        tilt_rad: None,
+        repeat_mm: read.and_then(|r| r.1),
+    }
+}
+
+/// How sure the hip's level is.
+fn hip_sigma(body: &Body, model: &LevelModel) -> PlaneSigma {
+    let shown = shown(body, model);
+    match body.hip {
+        Some(HipAt::Hidden(_, mm)) => PlaneSigma {
+            level_mm: Some(mm),
+            repeat_mm: None,
+            ..shown
+        },
+        _ => shown,
     }
 }
 
 /// What is missing of an upright body.
 pub(crate) fn unlike(body: &Body) -> Refusal {
-    match (body.crotch, body.neck) {
-        (None, _) => Refusal::NoLegs,
+    match (body.whole, body.neck) {
+        (false, _) => Refusal::NoLegs,
         (_, None) => Refusal::NoNeck,
         _ => Refusal::NotUpright,
     }
 }
 
-/// The plane of the hip: where the surface shows it.
+/// The plane of the hip: where the surface shows it, else where the rest of a whole body tells it.
 pub(crate) fn hip_plane(body: &Body) -> Option<Plane> {
-    let z = body.crotch.and_then(|crotch| hip(body, crotch))?;
+    let z = hip(body).filter(|_| body.whole && !widens(body))?;
     Some(across(body, z))
+}
+
+/// Whether a hip that does not show is under a skirt: the tape grows downward all through where it may be.
+fn widens(body: &Body) -> bool {
+    let Some(HipAt::Hidden(z, sigma)) = body.hip else {
+        return false;
+    };
+    let tapes = body.between(z - SIZES * sigma, z + SIZES * sigma);
+    let tapes: Vec<f64> = tapes.filter_map(|s| Some(s.rings.first()?.tape)).collect();
+    tapes.is_sorted_by(|low, high| low >= high)
 }
 
 /// The plane of the longest tape near the hip's level.
 pub(crate) fn longest_hip_plane(body: &Body) -> Option<Plane> {
-    let z = body.crotch.and_then(|crotch| hip(body, crotch))?;
+    let shows = matches!(body.hip, Some(HipAt::Between(..)));
+    let z = hip(body).filter(|_| body.whole && shows)?;
     longest(body, z).map(|z| across(body, z))
 }
 
@@ -143,7 +175,8 @@ const NEAR_HIP: f64 = 0.03;
 
 /// The height near the hip's at which the tape around the trunk is longest.
 fn longest(body: &Body, hip: f64) -> Option<f64> {
-    let low = body.crotch?.max(hip - NEAR_HIP * body.stature);
+    let crotch = body.crotch.unwrap_or(body.ground);
+    let low = crotch.max(hip - NEAR_HIP * body.stature);
     body.between(low, hip + NEAR_HIP * body.stature)
         .filter_map(|s| Some((s.z, s.rings.first()?.tape)))
         .max_by(|a, b| a.1.total_cmp(&b.1))

@@ -90,7 +90,7 @@ struct Beside {
 }
 
 fn beside(body: &Body) -> Vec<Beside> {
-    let Some(low) = body.crotch.and_then(|c| hip(body, c)) else {
+    let Some(low) = hip(body) else {
         return vec![];
     };
     let one = |side: f64| {
