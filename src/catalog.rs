@@ -6,7 +6,7 @@ use engine::kind::Importer;
 use stage::{AnyStage, erase};
 
 // What a folder holds besides photos, and what capture.toml says.
-pub(crate) use capture::{READ, foreign, is_photo, is_plate, is_raw, is_video};
+pub(crate) use capture::{READ, foreign, is_photo, is_plate, is_raw, is_scan, is_video};
 
 // The layout of a mat from its tags.
 pub(crate) use pose::ringed;

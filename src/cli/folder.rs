@@ -138,10 +138,13 @@ fn unread(capture: &Path, names: &[String], nothing_else: bool) -> Result<Vec<St
 /// Lets the graph read what was found.
 pub(super) fn widen(graph: &mut Graph, looked: &Looked) {
     let only = looked.source.only();
-    let read = |name: &str| ["photos", "video"].contains(&name) && !only.is_empty();
+    let read = |name: &str| ["photos", "video", "surface"].contains(&name) && !only.is_empty();
     for input in graph.inputs.iter_mut().filter(|i| read(&i.name)) {
         input.files.retain(|pattern| !pattern.starts_with("*."));
         input.files.extend(only.iter().cloned());
+    }
+    if matches!(looked.source, Source::Scan(..)) {
+        return;
     }
     let input = graph.inputs.iter_mut().find(|i| i.name == "photos");
     let files = &mut input.expect("bug: a pipeline without photos").files;

@@ -13,10 +13,40 @@ pub(super) enum Shown {
     In,
 }
 
+/// What a scan's numbers are in.
+#[derive(Clone, Copy, PartialEq, clap::ValueEnum)]
+pub(super) enum FileUnit {
+    /// Millimetres
+    Mm,
+    /// Centimetres
+    Cm,
+    /// Metres
+    M,
+    /// Inches
+    In,
+}
+
+/// The axis of a scan that points up.
+#[derive(Clone, Copy, PartialEq, clap::ValueEnum)]
+pub(super) enum Up {
+    /// x
+    X,
+    /// y
+    Y,
+    /// z
+    Z,
+}
+
+/// A word of the command line as a param has it; `auto` where none was said.
+fn word(said: Option<&impl clap::ValueEnum>) -> String {
+    let value = said.and_then(clap::ValueEnum::to_possible_value);
+    value.map_or("auto".to_owned(), |value| value.get_name().to_owned())
+}
+
 /// Arguments of `tailor measure`.
 #[derive(Args)]
 pub(crate) struct Measure {
-    /// Folders with the photos or the video of one turn each, or videos; masks in a folder's `masks` are taken instead of own ones
+    /// Folders with the photos or the video of one turn each, videos, or scans (PLY, OBJ, STL, OFF); masks in a folder's `masks` are taken instead of own ones
     #[arg(required = true)]
     pub(super) folders: Vec<PathBuf>,
     /// Where to write; here, the folder's name with `-out`, if not said. Of several folders each gets its own in it
@@ -55,6 +85,12 @@ pub(crate) struct Measure {
     /// Take the folder's video, though there are photos, too
     #[arg(long)]
     pub(super) video: bool,
+    /// What a scan's numbers are in, where it is not recognised
+    #[arg(long, value_enum)]
+    pub(super) unit_of_file: Option<FileUnit>,
+    /// The axis of a scan that points up, where it is not recognised
+    #[arg(long, value_enum)]
+    pub(super) up: Option<Up>,
     /// Show what each node and loop took of clock, processor and memory, and write a trace of it into this file
     #[arg(long, value_name = "FILE")]
     pub(super) profile: Option<PathBuf>,
@@ -63,6 +99,15 @@ pub(crate) struct Measure {
 }
 
 impl Measure {
+    /// How a scan is read, as params of the stage that does.
+    pub(super) fn scan(&self) -> [String; 3] {
+        [
+            format!("body.unit={}", word(self.unit_of_file.as_ref())),
+            format!("body.up={}", word(self.up.as_ref())),
+            "body.scan=true".to_owned(),
+        ]
+    }
+
     /// Whether lengths are shown in inches.
     pub(super) fn inches(&self) -> bool {
         self.unit == Shown::In

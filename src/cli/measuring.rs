@@ -35,6 +35,21 @@ fn pipeline(
     said: &[Said],
     first: Option<&str>,
 ) -> Result<(Graph, Vec<(String, PathBuf)>), Fault> {
+    if let Source::Scan(..) = source {
+        if let Some(fact) = said.first() {
+            return Err(Fault::input(format!(
+                "{}: of photos; a scan takes --unit-of-file and --up",
+                fact.flag
+            )));
+        }
+        let sets: Vec<String> = measure
+            .scan()
+            .into_iter()
+            .chain(measure.set.iter().cloned())
+            .collect();
+        let graph = opened("surface", None, measure.variant.clone(), said, &sets)?;
+        return Ok((graph, source.inputs()));
+    }
     let mut sets = Vec::new();
     // A turn is looked at while it is read; a walk is none.
     sets.push(format!("photos.stop={}", !measure.walk));
@@ -74,7 +89,8 @@ fn first_answer(
     said: &[Said],
     global: &GlobalArgs,
 ) -> Option<Arc<First>> {
-    let alone = measure.fast || measure.variant.is_some() || global.host.watch.is_some();
+    let scan = matches!(looked.source, Source::Scan(..));
+    let alone = scan || measure.fast || measure.variant.is_some() || global.host.watch.is_some();
     if alone {
         return None;
     }
@@ -238,7 +254,9 @@ pub(super) fn one(
         engine::out!("{screen}{}", warned(&told));
         engine::outln!("\nall files: {}", ready.out.display());
         let page = ready.out.join("report.html");
-        engine::outln!("report:    {}", page.display());
+        if page.exists() {
+            engine::outln!("report:    {}", page.display());
+        }
     }
     Ok(Measured {
         out: ready.out,

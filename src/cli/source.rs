@@ -1,6 +1,6 @@
-//! What a capture is read from: photos, a video, raw photos.
+//! What a capture is read from: photos, a video, raw photos; or a scan, which is none.
 
-use crate::catalog::{is_photo, is_plate, is_raw, is_video};
+use crate::catalog::{is_photo, is_plate, is_raw, is_scan, is_video};
 use engine::cli::Fault;
 use engine::cli::text::count;
 use std::path::{Path, PathBuf};
@@ -14,6 +14,8 @@ pub(super) enum Source {
     Video(PathBuf, Option<String>),
     /// Raw photos of a folder.
     Raw(PathBuf),
+    /// A surface from elsewhere: a file of a folder.
+    Scan(PathBuf, String),
 }
 
 impl Source {
@@ -23,15 +25,19 @@ impl Source {
             return Ok(None);
         }
         let name = capture.file_name().and_then(|n| n.to_str());
-        let Some(name) = name.filter(|n| is_video(n)) else {
+        let Some(name) = name.filter(|n| is_video(n) || is_scan(n)) else {
             return Err(Fault::input(format!(
-                "{} is a file: hand over the folder with all photos of the turn, or a video (mp4, mov, mkv, …)",
+                "{} is a file: hand over the folder with all photos of the turn, a video (mp4, mov, mkv, …), or a scan (ply, obj, stl, off)",
                 capture.display()
             )));
         };
         let folder = capture.parent().filter(|f| !f.as_os_str().is_empty());
         let folder = folder.unwrap_or(Path::new(".")).to_owned();
-        Ok(Some(Source::Video(folder, Some(name.to_owned()))))
+        let name = name.to_owned();
+        Ok(Some(match is_scan(&name) {
+            true => Source::Scan(folder, name),
+            false => Source::Video(folder, Some(name)),
+        }))
     }
 
     /// What a folder with these files is read from: photos if there are any, unless its `video` is wanted.
@@ -55,14 +61,17 @@ impl Source {
     /// The folder.
     pub(super) fn folder(&self) -> &Path {
         match self {
-            Source::Photos(folder) | Source::Video(folder, _) | Source::Raw(folder) => folder,
+            Source::Photos(folder)
+            | Source::Video(folder, _)
+            | Source::Raw(folder)
+            | Source::Scan(folder, _) => folder,
         }
     }
 
     /// The built-in pipeline that makes photos of it, over the one that measures; none where they are there.
     pub(super) fn over(&self) -> Option<&'static str> {
         match self {
-            Source::Photos(_) => None,
+            Source::Photos(_) | Source::Scan(..) => None,
             Source::Video(..) => Some("video"),
             Source::Raw(_) => Some("raw"),
         }
@@ -70,7 +79,11 @@ impl Source {
 
     /// The inputs of that pipeline.
     pub(super) fn inputs(&self) -> Vec<(String, PathBuf)> {
-        let names = std::iter::once("photos").chain(self.over());
+        let first = match self {
+            Source::Scan(..) => "surface",
+            _ => "photos",
+        };
+        let names = std::iter::once(first).chain(self.over());
         names
             .map(|name| (name.to_owned(), self.folder().to_owned()))
             .collect()
@@ -79,7 +92,7 @@ impl Source {
     /// The one file that is read of those that a pattern by ending fits.
     pub(super) fn only(&self) -> Vec<String> {
         match self {
-            Source::Video(_, Some(name)) => vec![name.clone()],
+            Source::Video(_, Some(name)) | Source::Scan(_, name) => vec![name.clone()],
             _ => vec![],
         }
     }
@@ -125,7 +138,7 @@ mod tests {
     }
 
     #[test]
-    fn a_file_is_a_video_or_refused() {
+    fn a_file_is_a_video_or_a_scan_or_refused() {
         let place = tempfile::tempdir().unwrap();
         let at = |name: &str| {
             let path = place.path().join(name);
@@ -134,6 +147,8 @@ mod tests {
         };
         let video = Source::Video(place.path().to_owned(), Some("turn.MP4".into()));
         assert!(at("turn.MP4").is_ok_and(|s| s == Some(video)));
+        let scan = Source::Scan(place.path().to_owned(), "body.OBJ".into());
+        assert!(at("body.OBJ").is_ok_and(|s| s == Some(scan)));
         assert!(at("a.jpg").is_err_and(|f| f.text().contains("is a file")));
         assert!(Source::file(place.path()).is_ok_and(|s| s.is_none()));
     }

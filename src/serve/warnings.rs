@@ -2,7 +2,7 @@
 //! `words/` that say the same in the reader's language.
 
 #[rustfmt::skip]
-pub(super) const WARNINGS: [(&str, &str); 131] = [
+pub(super) const WARNINGS: [(&str, &str); 135] = [
     ("frames of a video are not at even steps: `step_deg` was passed over (how many are taken: --set frames.step_deg=)", "warn-video-steps"),
     ("* is the same file as * and was left out: if another photo should be in its place, put it there", "warn-same-file"),
     ("* is the same file as * and was left out", "warn-same-raw"),
@@ -31,6 +31,10 @@ pub(super) const WARNINGS: [(&str, &str); 131] = [
     ("tapes and their intervals are shortened by * %, as compression_pct declares", "warn-shortened"),
     ("nothing was measured: *", "warn-nothing"),
     ("* not measured: *", "warn-not-measured"),
+    ("* is taken as * with * up, * cm tall: if that is wrong, say --unit-of-file and --up", "warn-scan"),
+    ("*: pieces that do not hang together with the body are left out: *", "warn-scan-pieces"),
+    ("*: small holes closed by flat covers: *, up to * mm around", "warn-scan-holes"),
+    ("*: its faces look inward; they were turned", "warn-scan-inward"),
     ("where the buttocks reach farthest back does not show, so the hip's level is estimated from the rest of the body and its interval is wider: does a skirt or coat hide it?", "warn-hip-hidden"),
     ("no feet tell which way the body faces, so the hip's and the neck's levels may be wrong: do shoes or a long coat hide them?", "warn-front"),
     ("this body* lies outside the range of adults that the waist and chest model was fitted on (a child, a small figure, an unusual build, or a wrong stature): where waist and chest lie comes from synthetic bodies, and their intervals are wider", "warn-made-levels"),

@@ -1,6 +1,9 @@
-//! The stage that takes a surface from elsewhere: a scan, or any mesh as PLY.
+//! The stage that takes a surface from elsewhere: a scan, or any mesh as PLY, OBJ, STL or OFF.
 
-use shape::{Mesh, mesh_from_ply};
+use crate::scan_file::read;
+use crate::scan_holes::closed;
+use crate::scan_stand::{pieces, turned, unit, up};
+use shape::Mesh;
 use stage::{Ctx, Files, FilesError, Stage, Stop};
 use std::sync::Arc;
 
@@ -15,19 +18,18 @@ stage::choice! {
         M = "m",
         /// Inches.
         Inch = "in",
+        /// That in which the surface is nearest to a grown person's height.
+        Auto = "auto",
     }
 }
 
-impl Unit {
-    fn mm(self) -> f64 {
-        match self {
-            Unit::Mm => 1.0,
-            Unit::Cm => 10.0,
-            Unit::M => 1000.0,
-            Unit::Inch => 25.4,
-        }
-    }
-}
+/// Units that are recognised, their millimetres and what they are called.
+const UNITS: [(Unit, f64, &str); 4] = [
+    (Unit::Mm, 1.0, "mm"),
+    (Unit::Cm, 10.0, "cm"),
+    (Unit::M, 1000.0, "m"),
+    (Unit::Inch, 25.4, "in"),
+];
 
 stage::choice! {
     /// The axis that points up.
@@ -38,6 +40,8 @@ stage::choice! {
         Y = "y",
         /// z.
         Z = "z",
+        /// That which a body's head points to, or away from.
+        Auto = "auto",
     }
 }
 
@@ -49,13 +53,15 @@ stage::params! {
         unit: Unit = Unit::Mm,
         /// The axis that points up.
         up: Up = Up::Z,
+        /// Look at it as at a scan: of several pieces the body is taken, and faces that look inward are turned round.
+        scan: bool = false,
     }
 }
 
 stage::inputs! {
     /// A surface from elsewhere.
     pub struct SurfaceInput {
-        /// One PLY file.
+        /// One file: PLY, OBJ, STL or OFF.
         files: Arc<Files>,
     }
 }
@@ -64,11 +70,21 @@ stage::inputs! {
 #[derive(Debug, thiserror::Error)]
 pub enum SurfaceError {
     /// None or several.
-    #[error("one PLY file is wanted, but {0} are there")]
+    #[error("one file with a surface is wanted, but {0} are there")]
     Count(usize),
     /// Not a mesh.
-    #[error("{0} cannot be read as a PLY mesh: {1}")]
-    Ply(String, String),
+    #[error("{0} cannot be read as a mesh: {1}")]
+    Read(String, String),
+    /// More faces than can be worked on.
+    #[error(
+        "{0} has {1} faces, more than 4 million: reduce them, such as to 400 000, and measure again"
+    )]
+    Faces(String, usize),
+    /// Two bodies, or a body in halves.
+    #[error(
+        "{0} holds two large pieces that do not hang together: two bodies, or halves of one? Leave one person in the file, in one piece"
+    )]
+    Pieces(String),
     /// A mesh that sections cannot be taken of.
     #[error("{0}: {1}")]
     Fault(String, shape::MeshFault),
@@ -92,6 +108,8 @@ pub enum SurfaceError {
     Files(#[from] FilesError),
 }
 
+/// More faces need gigabytes for what a tenth of them shows as well.
+const MOST_FACES: usize = 4_000_000;
 /// Heights of bodies, from an infant to more than the tallest person. \[mm\]
 const HEIGHTS: std::ops::RangeInclusive<f64> = 200.0..=3000.0;
 
@@ -100,8 +118,9 @@ pub struct Surface;
 
 impl Stage for Surface {
     const NAME: &'static str = "capture.surface";
-    const VERSION: u32 = 1;
-    const ABOUT: &'static str = "Takes a closed surface from elsewhere, such as a scan, as PLY.";
+    const VERSION: u32 = 2;
+    const ABOUT: &'static str =
+        "Takes a closed surface from elsewhere, such as a scan: PLY, OBJ, STL or OFF.";
     type Params = SurfaceParams;
     type Input = SurfaceInput;
     type Output = Mesh;
@@ -112,8 +131,8 @@ impl Stage for Surface {
             return Err(SurfaceError::Count(entries.len()).into());
         };
         let bytes = input.files.read(entry).map_err(SurfaceError::from)?;
-        let mesh = mesh_from_ply(&bytes)
-            .map_err(|e| SurfaceError::Ply(entry.name.clone(), e.to_string()))?;
+        let mesh =
+            read(&entry.name, &bytes).map_err(|why| SurfaceError::Read(entry.name.clone(), why))?;
         Ok(upright(mesh, p, &entry.name, ctx)?)
     }
 }
@@ -128,19 +147,19 @@ fn upright(
     if mesh.faces.is_empty() {
         return Err(SurfaceError::Empty(name.into()));
     }
-    let mm = p.unit.mm() as f32;
-    if p.unit != Unit::Mm {
-        mesh.unit = shape::Unit::Metric;
+    if mesh.faces.len() > MOST_FACES {
+        return Err(SurfaceError::Faces(name.into(), mesh.faces.len()));
     }
-    let metric = mesh.unit == shape::Unit::Metric;
-    for at in &mut mesh.positions {
-        let [x, y, z] = at.map(|v| v * mm);
-        // Turned, never mirrored.
-        *at = match p.up {
-            Up::X => [y, z, x],
-            Up::Y => [z, x, y],
-            Up::Z => [x, y, z],
-        };
+    if p.scan {
+        mesh = body(mesh, name, ctx)?;
+    }
+    let (holes, longest) = if p.scan { closed(&mut mesh) } else { (0, 0.0) };
+    let (unit, mm) = stood(&mut mesh, p, name, ctx);
+    if holes > 0 {
+        ctx.warn(format!(
+            "{name}: small holes closed by flat covers: {holes}, up to {:.0} mm around",
+            longest * mm
+        ));
     }
     match mesh.validate_closed() {
         Ok(()) => {}
@@ -152,14 +171,8 @@ fn upright(
         }
         Err(fault) => return Err(SurfaceError::Fault(name.into(), fault)),
     }
-    let high_mm = mesh.bounds().map_or(0.0, |(low, high)| high.z - low.z);
-    if metric && !HEIGHTS.contains(&high_mm) {
-        let unit = match p.unit {
-            Unit::Mm => "mm",
-            Unit::Cm => "cm",
-            Unit::M => "m",
-            Unit::Inch => "in",
-        };
+    let high_mm = tall(&mesh);
+    if mesh.unit == shape::Unit::Metric && !HEIGHTS.contains(&high_mm) {
         let name = name.into();
         return Err(SurfaceError::Size {
             name,
@@ -168,4 +181,64 @@ fn upright(
         });
     }
     Ok(mesh)
+}
+
+/// The piece that is the body, its faces looking outward.
+fn body(mesh: Mesh, name: &str, ctx: &Ctx<'_>) -> Result<Mesh, SurfaceError> {
+    let found = pieces(&mesh);
+    if found.second {
+        return Err(SurfaceError::Pieces(name.into()));
+    }
+    if found.others > 0 {
+        ctx.warn(format!(
+            "{name}: pieces that do not hang together with the body are left out: {}",
+            found.others
+        ));
+    }
+    let mut mesh = found.body;
+    if mesh.volume() < 0.0 {
+        mesh.faces.iter_mut().for_each(|f| f.swap(1, 2));
+        ctx.warn(format!("{name}: its faces look inward; they were turned"));
+    }
+    Ok(mesh)
+}
+
+/// Turns and scales a mesh as it is said or recognised; the unit of its numbers, and its millimetres.
+fn stood(mesh: &mut Mesh, p: &SurfaceParams, name: &str, ctx: &Ctx<'_>) -> (&'static str, f64) {
+    let way = match p.up {
+        Up::X => (0, false),
+        Up::Y => (1, false),
+        Up::Z => (2, false),
+        Up::Auto => up(mesh).unwrap_or((2, false)),
+    };
+    turned(mesh, way);
+    let known = UNITS.map(|(unit, mm, _)| (unit, mm));
+    let own = match p.unit {
+        // What calls its lengths relative has none.
+        Unit::Auto if mesh.unit == shape::Unit::Relative => Unit::Mm,
+        Unit::Auto => unit(tall(mesh), &known).unwrap_or(Unit::Mm),
+        said => said,
+    };
+    if own != Unit::Mm {
+        mesh.unit = shape::Unit::Metric;
+    }
+    let at = UNITS.iter().find(|u| u.0 == own);
+    let (mm, word) = at.map_or((1.0, "mm"), |u| (u.1, u.2));
+    for at in &mut mesh.positions {
+        *at = at.map(|v| v * mm as f32);
+    }
+    if p.up == Up::Auto || p.unit == Unit::Auto {
+        let axis = ["x", "y", "z"][way.0];
+        let sign = if way.1 { "-" } else { "" };
+        ctx.warn(format!(
+            "{name} is taken as {word} with {sign}{axis} up, {:.0} cm tall: if that is wrong, say --unit-of-file and --up",
+            tall(mesh) / 10.0
+        ));
+    }
+    (word, mm)
+}
+
+/// Height of a mesh that stands.
+fn tall(mesh: &Mesh) -> f64 {
+    mesh.bounds().map_or(0.0, |(low, high)| high.z - low.z)
 }

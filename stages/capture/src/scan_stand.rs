@@ -1,0 +1,119 @@
+//! How a surface from elsewhere stands: which of its pieces is the body, which way is up, what its numbers are in.
+
+use shape::Mesh;
+use std::collections::BTreeMap;
+
+/// A stature that most grown people are near. \[mm\]
+const USUAL_MM: f64 = 1700.0;
+/// A second piece with so much of the volume of the first is another body, or the other half of this one (by hand: eyes,
+/// teeth and specks of scans have less than a hundredth).
+const SECOND: f64 = 0.25;
+
+/// Pieces of a surface, taken apart.
+pub(crate) struct Pieces {
+    /// The one that encloses most.
+    pub(crate) body: Mesh,
+    /// How many others there were.
+    pub(crate) others: usize,
+    /// Whether one of the others is as large as a body.
+    pub(crate) second: bool,
+}
+
+/// Takes apart what hangs together; the floor under a body encloses nothing.
+pub(crate) fn pieces(mesh: &Mesh) -> Pieces {
+    let piece = mesh.pieces(|_| true);
+    let mut volumes: BTreeMap<u32, f64> = BTreeMap::new();
+    for (f, piece) in piece.iter().enumerate() {
+        if let Some(piece) = piece {
+            // About a point of the piece, so that a floor encloses nothing wherever it is.
+            let own = mesh.point(*piece);
+            let [a, b, c] = mesh.triangle(f).map(|p| p - own);
+            *volumes.entry(*piece).or_default() += a.dot(&b.cross(&c)) / 6.0;
+        }
+    }
+    let mut order: Vec<(u32, f64)> = volumes.into_iter().map(|(p, v)| (p, v.abs())).collect();
+    order.sort_by(|a, b| b.1.total_cmp(&a.1).then(a.0.cmp(&b.0)));
+    let second = matches!(order.as_slice(), [a, b, ..] if b.1 > SECOND * a.1);
+    if order.len() < 2 {
+        return Pieces {
+            body: mesh.clone(),
+            others: 0,
+            second,
+        };
+    }
+    let main = Some(order[0].0);
+    let faces = (0..mesh.faces.len()).filter(|f| piece[*f] == main);
+    let faces: Vec<[u32; 3]> = faces.map(|f| mesh.faces[f]).collect();
+    Pieces {
+        body: Mesh {
+            unit: mesh.unit,
+            ..Mesh::packed(&mesh.positions, &faces)
+        },
+        others: order.len() - 1,
+        second,
+    }
+}
+
+/// The axis of a body that points to its head: 0 to 2 for x to z, and whether it is the negative one.
+///
+/// It is one of the two along which the body is longest: the one along which it is less like its mirror image, for left
+/// and right are alike; and the head's half is heavier than the legs'.
+pub(crate) fn up(mesh: &Mesh) -> Option<(usize, bool)> {
+    let (low, high) = mesh.bounds()?;
+    let long = high - low;
+    let mut axes = [0, 1, 2];
+    axes.sort_by(|a, b| long[*b].total_cmp(&long[*a]));
+    let odd = |axis: usize| unlike(mesh, axis, low[axis], high[axis]);
+    let axis = match odd(axes[0]) >= odd(axes[1]) {
+        true => axes[0],
+        false => axes[1],
+    };
+    let (mut moment, mut volume) = (0.0, 0.0);
+    let middle = low + long / 2.0;
+    for f in 0..mesh.faces.len() {
+        let [a, b, c] = mesh.triangle(f).map(|p| p - middle);
+        let six = a.dot(&b.cross(&c));
+        moment += six * (a + b + c)[axis] / 4.0;
+        volume += six;
+    }
+    Some((axis, moment * volume < 0.0))
+}
+
+/// Bins along an axis in which a body is held against its mirror image.
+const BINS: usize = 40;
+
+/// How unlike its mirror image along an axis a surface is: the area that is on one side alone, as a share.
+fn unlike(mesh: &Mesh, axis: usize, low: f64, high: f64) -> f64 {
+    let mut areas = [0.0; BINS];
+    for f in 0..mesh.faces.len() {
+        let [a, b, c] = mesh.triangle(f).map(|p| p.coords);
+        let sum = a + b + c;
+        let at = (sum[axis] / 3.0 - low) / (high - low).max(1e-12) * BINS as f64;
+        areas[(at.max(0.0) as usize).min(BINS - 1)] += mesh.area_vector(f).norm();
+    }
+    let all: f64 = areas.iter().sum();
+    let off = (0..BINS).map(|i| (areas[i] - areas[BINS - 1 - i]).abs());
+    off.sum::<f64>() / all.max(1e-12)
+}
+
+/// Turned so that an axis points up: turned, never mirrored.
+pub(crate) fn turned(mesh: &mut Mesh, (axis, negative): (usize, bool)) {
+    for at in &mut mesh.positions {
+        let [x, y, z] = *at;
+        *at = match axis {
+            0 => [y, z, x],
+            1 => [z, x, y],
+            _ => [x, y, z],
+        };
+        if negative {
+            *at = [at[0], -at[1], -at[2]];
+        }
+    }
+}
+
+/// The unit in which a height is nearest to a grown person's, as a ratio; of units with their millimetres.
+pub(crate) fn unit<T: Copy>(height: f64, units: &[(T, f64)]) -> Option<T> {
+    let off = |mm: f64| libm::log(height * mm / USUAL_MM).abs();
+    let nearest = units.iter().min_by(|a, b| off(a.1).total_cmp(&off(b.1)));
+    nearest.map(|u| u.0)
+}
