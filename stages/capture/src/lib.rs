@@ -3,6 +3,7 @@
 //! `files` → [`Load`] → `photos`; videos and raw photos go through [`Video`] or [`Raw`] before.
 
 mod alike;
+mod bare;
 mod date;
 mod empty;
 mod enough;

@@ -1,5 +1,6 @@
 //! One photo of the user's: what its file's head says, and whether it is whole and shows something.
 
+use crate::bare::bare;
 use crate::error::CaptureError;
 use crate::exif::{self, Exif};
 use crate::heic::{is_heic, jpeg};
@@ -56,7 +57,7 @@ fn of(path: &str, name: &str, exif: Exif, bytes: Vec<u8>) -> Result<Photo, Captu
     } else {
         (width, height)
     };
-    Ok(Photo {
+    let photo = Photo {
         name: name.to_owned(),
         width,
         height,
@@ -65,7 +66,8 @@ fn of(path: &str, name: &str, exif: Exif, bytes: Vec<u8>) -> Result<Photo, Captu
         device: exif.device,
         time_s: exif.time_s,
         file: bytes.into(),
-    })
+    };
+    bare(photo).map_err(|e| no_picture(path, e.why))
 }
 
 /// The photo, decoded once to see that it is whole and shows something; and its pixels.
