@@ -65,12 +65,32 @@ impl Text {
         self.start + self.text.len() + 1
     }
 
-    /// Line and column of a byte, from 1.
-    fn place(&self, at: usize) -> (usize, usize) {
-        let before = &self.text[..self.letter(at)];
-        let line = before.matches('\n').count() + 1;
-        let start = before.rfind('\n').map_or(0, |i| i + 1);
-        (line, before[start..].chars().count() + 1)
+    /// Where each line begins. \[bytes\]
+    fn lines(&self) -> Vec<usize> {
+        let ends = self.text.match_indices('\n').map(|(end, _)| end + 1);
+        std::iter::once(0).chain(ends).collect()
+    }
+
+    /// Line and column of a byte, from 1; `lines` as [`Text::lines`] tells them.
+    fn place(&self, at: usize, lines: &[usize]) -> (usize, usize) {
+        let at = self.letter(at);
+        let line = lines.partition_point(|start| *start <= at);
+        let before = &self.text[lines[line - 1]..at];
+        (line, before.chars().count() + 1)
+    }
+
+    /// The lines of a span alone, with the number of the first, and the span in them: what is shown of many mistakes
+    /// takes as long as there are mistakes, and not as long as the text is for each.
+    fn around(&self, span: &Range<usize>, lines: &[usize]) -> (&str, usize, Range<usize>) {
+        let line = lines.partition_point(|start| *start <= span.start);
+        let start = lines[line - 1];
+        let after = lines.partition_point(|start| *start < span.end).max(line);
+        let end = lines.get(after).copied().unwrap_or(self.text.len());
+        (
+            &self.text[start..end],
+            line,
+            span.start - start..span.end - start,
+        )
     }
 
     /// A place as whole letters of this text, at least one if there is one.
@@ -93,8 +113,13 @@ impl Text {
 
 /// The text that a place is in.
 pub(super) fn text_of<'a>(texts: &'a [Text], span: &Range<usize>) -> &'a Text {
-    let found = texts.iter().find(|t| span.start < t.end());
-    found.or(texts.last()).expect("bug: a place in no text")
+    &texts[at_text(texts, span)]
+}
+
+/// The place of the text that a place is in.
+fn at_text(texts: &[Text], span: &Range<usize>) -> usize {
+    let found = texts.iter().position(|t| span.start < t.end());
+    found.unwrap_or_else(|| texts.len().checked_sub(1).expect("bug: a place in no text"))
 }
 
 /// All mistakes, in the order of the files.
@@ -127,12 +152,11 @@ impl Mistakes {
 
     /// For other programs.
     pub fn json(&self) -> Value {
+        let lines: Vec<Vec<usize>> = self.texts.iter().map(Text::lines).collect();
         let one = |m: &Mistake| {
-            let text = m
-                .span
-                .as_ref()
-                .map_or(&self.texts[0], |s| text_of(&self.texts, s));
-            let place = m.span.as_ref().map(|s| text.place(s.start));
+            let at = m.span.as_ref().map_or(0, |s| at_text(&self.texts, s));
+            let text = &self.texts[at];
+            let place = m.span.as_ref().map(|s| text.place(s.start, &lines[at]));
             json!({
                 "file": text.name, "what": m.what,
                 "line": place.map(|p| p.0), "column": place.map(|p| p.1),
@@ -144,6 +168,7 @@ impl Mistakes {
 
 impl fmt::Display for Mistakes {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let lines: Vec<Vec<usize>> = self.texts.iter().map(Text::lines).collect();
         for (i, mistake) in self.all.iter().enumerate() {
             if i > 0 {
                 writeln!(f)?;
@@ -152,10 +177,13 @@ impl fmt::Display for Mistakes {
                 write!(f, "error: {}", mistake.what)?;
                 continue;
             };
-            let text = text_of(&self.texts, span);
-            let source = Snippet::source(&text.text)
+            let at = at_text(&self.texts, span);
+            let text = &self.texts[at];
+            let (shown, line, span) = text.around(&text.whole(span), &lines[at]);
+            let source = Snippet::source(shown)
+                .line_start(line)
                 .path(&text.name)
-                .annotation(AnnotationKind::Primary.span(text.whole(span)));
+                .annotation(AnnotationKind::Primary.span(span));
             let group = Level::ERROR
                 .primary_title(mistake.what.as_str())
                 .element(source);

@@ -4,6 +4,7 @@ use super::mistake::Mistake;
 use super::written::{Node, Recipe, Said};
 use crate::graph::SHARED;
 use stage::{Value, unknown};
+use std::collections::HashMap;
 
 /// The shared param that a value names; `$$` begins a text with a `$` of its own.
 fn named(value: &Value) -> Option<&str> {
@@ -45,6 +46,7 @@ pub(super) fn resolve(recipe: &mut Recipe, strict: bool, mistakes: &mut Vec<Mist
         .iter()
         .map(|(n, _)| n.value.as_str())
         .collect();
+    let places: HashMap<&str, usize> = names.iter().enumerate().map(|(i, n)| (*n, i)).collect();
     let mut read = vec![false; names.len()];
     for node in &mut recipe.nodes {
         if node.name.value == SHARED {
@@ -61,7 +63,7 @@ pub(super) fn resolve(recipe: &mut Recipe, strict: bool, mistakes: &mut Vec<Mist
             let Some(name) = named(&value.value) else {
                 continue;
             };
-            match names.iter().position(|n| *n == name) {
+            match places.get(name).copied() {
                 Some(at) => {
                     read[at] = true;
                     *value = recipe.params[at].1.clone();
