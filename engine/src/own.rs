@@ -36,10 +36,11 @@ const FOLDERS: [(&str, Form); 16] = [
 ];
 
 /// The store's files beside its folders.
-const FILES: [&str; 6] = [
+const FILES: [&str; 7] = [
     "format",
     "in-use",
     "index",
+    "origin",
     "files.json",
     "last-run",
     "noted",
@@ -120,6 +121,12 @@ pub(crate) fn place(root: &Path, shelf: &str, hash: Hash) -> PathBuf {
     path
 }
 
+/// The same, as a name below the store.
+pub(crate) fn name(shelf: &str, hash: Hash) -> String {
+    let hex = hash.to_hex();
+    format!("{shelf}/{}/{hex}", &hex[..2])
+}
+
 /// What lies in a folder of the store and fits, sorted.
 fn inside(root: &Path, names: &[&str], kind: FileKind, fits: impl Fn(&str) -> bool) -> Vec<String> {
     let at = nofollow::folder(root, names);
@@ -145,12 +152,6 @@ pub(crate) fn shelf(root: &Path, name: &str) -> Vec<Hash> {
 /// Removes a plain file of the store; whether it was there.
 pub(crate) fn remove(root: &Path, folders: &[&str], name: &str) -> bool {
     nofollow::folder(root, folders).is_ok_and(|at| nofollow::remove(&at, name))
-}
-
-/// Removes what lies on a shelf under a hash.
-pub(crate) fn remove_from(root: &Path, shelf: &str, hash: Hash) -> bool {
-    let hex = hash.to_hex();
-    remove(root, &[shelf, &hex[..2]], &hex)
 }
 
 /// A folder of the store that is a link: nothing is removed through it.

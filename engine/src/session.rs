@@ -108,7 +108,11 @@ pub fn said_inputs(
         let found = folder.map(|folder| source::files(folder, input, &mut memo));
         let name = input.name.clone();
         let found = found.transpose();
-        files.push(found.map_err(|why| EngineError::Source { name, why })?);
+        let found = found.map_err(|why| EngineError::Source { name, why })?;
+        if let (Some(folder), Some(found)) = (folder, &found) {
+            store.note_link(folder, &found.root);
+        }
+        files.push(found);
     }
     if memo.is_fresh() {
         // Best effort: a store that cannot be written to may still hold all that is wanted.
@@ -221,8 +225,7 @@ fn walked(
     let _keeping = foreign::Keeping::new(store.root());
     let using = store.using();
     let contents: Vec<Hash> = files.iter().map(stage::content).collect();
-    let folders = files.iter().map(|files| files.root.as_path());
-    store.note_captures(&contents.iter().copied().zip(folders).collect::<Vec<_>>());
+    store.note_captures(&contents.iter().copied().zip(files).collect::<Vec<_>>());
     let threads = threads(options);
     let pool = Pool::new(threads);
     let around = Surroundings {

@@ -167,9 +167,9 @@ impl Memo {
         }
     }
 
-    /// Without what lies in a folder or below it.
-    pub fn without(mut self, folder: &Path) -> Memo {
-        self.files.retain(|path, _| !path.starts_with(folder));
+    /// Without the files that fit, by path and content (hexadecimal).
+    pub fn without(mut self, fits: impl Fn(&Path, &str) -> bool) -> Memo {
+        self.files.retain(|path, stamp| !fits(path, &stamp.content));
         self
     }
 

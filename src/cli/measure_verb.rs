@@ -5,10 +5,11 @@ use super::delivered::{called, place_of_results};
 use super::measure_args::Measure;
 use super::measuring::one;
 use super::said::Said;
-use crate::delivery;
-use engine::cli::{Fault, GlobalArgs};
+use crate::delivery::Delivery;
+use crate::store::Store;
+use engine::cli::{Fault, GlobalArgs, whose};
 use serde_json::json;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 /// `tailor measure`: each folder on its own; one that fails does not stop the others.
 pub(crate) fn measure(measure: &Measure, global: &GlobalArgs) -> Result<(), Fault> {
@@ -66,13 +67,7 @@ fn many(measure: &Measure, said: &[Said], global: &GlobalArgs) -> Result<(), Fau
     if let Some(out) = &measure.out {
         let told = rows.iter().map(cohort::json).collect::<Vec<_>>();
         let json = pretty(&json!({ "program": global.catalog().program, "captures": told }));
-        for (name, bytes) in [
-            ("cohort.csv", cohort::csv(&rows)),
-            ("cohort.json", json.into_bytes()),
-        ] {
-            let file = [(String::new(), bytes)];
-            delivery::write(&out.join(name), &file).map_err(Fault::stage)?;
-        }
+        table(measure, out, global, &cohort::csv(&rows), json.into_bytes())?;
     }
     match global.json {
         true => engine::outln!("{}", pretty(&answers)),
@@ -89,6 +84,31 @@ fn many(measure: &Measure, said: &[Said], global: &GlobalArgs) -> Result<(), Fau
             some.join(", ")
         ))),
     }
+}
+
+/// The table of all captures, as a delivery of its own: whoever forgets one of them hears of it.
+fn table(
+    measure: &Measure,
+    out: &Path,
+    global: &GlobalArgs,
+    csv: &[u8],
+    json: Vec<u8>,
+) -> Result<(), Fault> {
+    let input = |folder: &PathBuf| ("photos".to_owned(), folder.clone());
+    let folders: Vec<(String, PathBuf)> = measure.folders.iter().map(input).collect();
+    let of = whose(&folders);
+    let store = Store::open(&global.cache).map_err(Fault::input)?;
+    store.note_delivery(out, &of, &folders);
+    let mut delivery = Delivery::open(out, &of).map_err(Fault::stage)?;
+    for (name, bytes) in [("cohort.csv", csv.to_vec()), ("cohort.json", json)] {
+        let file = [(String::new(), bytes)];
+        delivery.put(name, &file).map_err(Fault::stage)?;
+    }
+    let run = json!({ "program": global.catalog().program });
+    delivery
+        .finish(run, false)
+        .map_err(Fault::stage)
+        .map(|_| ())
 }
 
 fn pretty(value: &impl serde::Serialize) -> String {

@@ -82,3 +82,31 @@ fn what_measure_would_do_is_told_by_its_own_words() {
     );
     assert!(!place.path("turn-out").exists());
 }
+
+#[test]
+fn what_a_plan_says_of_a_result_that_broke_is_what_a_run_does() {
+    let place = Place::new();
+    place.run("run small.toml").code(0);
+    let run = place.run("run small.toml --json").code(0).json();
+    let nodes = run["nodes"].as_array().unwrap();
+    let ring = nodes.iter().find(|node| node["node"] == "ring").unwrap();
+    let content = ring["content"].as_str().unwrap();
+    let path = place.path(&format!("cache/cas/{}/{content}", &content[..2]));
+    let mut blob = std::fs::read(&path).unwrap();
+    blob[100] ^= 1;
+    std::fs::write(&path, blob).unwrap();
+    let plan = place.run("plan small.toml --json").code(0).json();
+    let planned = plan["nodes"].as_array().unwrap().iter();
+    let will: Vec<&str> = planned
+        .filter(|node| node["state"] == "will run")
+        .map(|node| node["node"].as_str().unwrap())
+        .collect();
+    let run = place.run("run small.toml --json").code(0).json();
+    let nodes = run["nodes"].as_array().unwrap().iter();
+    let did: Vec<&str> = nodes
+        .filter(|node| node["status"] != "found")
+        .map(|node| node["node"].as_str().unwrap())
+        .collect();
+    assert_eq!(will, did, "{plan}");
+    place.sound();
+}

@@ -9,6 +9,7 @@ mod facts;
 mod first_answer;
 mod foreign;
 mod foreign_measured;
+mod forgetting;
 mod keeping;
 mod layouts;
 mod limits;
@@ -21,4 +22,6 @@ mod profile;
 mod reports;
 mod shown;
 mod stops;
+#[cfg(feature = "remote")]
+mod strangers;
 mod words;

@@ -5,12 +5,12 @@ use std::fs;
 use std::os::unix::fs::PermissionsExt;
 use std::path::{Path, PathBuf};
 
-const TURN: &str = "goal = \"tags\"\n[input.photos]\nfiles = \"*.jpg\"\n\
+pub(crate) const TURN: &str = "goal = \"tags\"\n[input.photos]\nfiles = \"*.jpg\"\n\
     [node.photos]\nstage = \"capture.load\"\nfrom = { files = \"@photos\" }\n\
     [node.tags]\nstage = \"pose.tags\"\nfrom = [\"photos\"]\n";
 
 /// Every file and folder below one.
-fn all(folder: &Path) -> Vec<PathBuf> {
+pub(crate) fn all(folder: &Path) -> Vec<PathBuf> {
     let mut found = vec![folder.to_owned()];
     let mut at = 0;
     while at < found.len() {
@@ -23,7 +23,7 @@ fn all(folder: &Path) -> Vec<PathBuf> {
 }
 
 /// Whether a file of the cache holds these bytes.
-fn holds(place: &Place, bytes: &[u8]) -> bool {
+pub(crate) fn holds(place: &Place, bytes: &[u8]) -> bool {
     let has = |path: &PathBuf| {
         let file = fs::read(path).unwrap_or_default();
         file.windows(bytes.len()).any(|w| w == bytes)

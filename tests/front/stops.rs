@@ -120,3 +120,34 @@ fn a_killed_program_leaves_nothing_to_unlock_and_keeps_what_is_done() {
     assert_eq!(of(&run, "body", "status"), "made");
     place.sound();
 }
+
+#[test]
+fn a_sweep_of_the_cache_stops_when_it_is_asked_to() {
+    let place = Place::new();
+    let values: Vec<String> = (0..1500)
+        .map(|i| format!("{}", 300.0 + f64::from(i) * 0.1))
+        .collect();
+    let line = format!(
+        "sweep small.toml --sweep ring.disk_mm={} --nodes ring --quiet --yes",
+        values.join(",")
+    );
+    place.run(&line).code(0);
+    let blobs = || {
+        let all = crate::privacy::all(&place.path("cache/cas")).into_iter();
+        all.filter(|path| path.is_file()).collect::<Vec<_>>()
+    };
+    let before = blobs().len();
+    assert!(before > 1000, "{before}");
+    let mut child = place.start("cache gc --max-size 1k --keep-runs 0");
+    // As soon as it removes something.
+    while blobs().len() == before {
+        if child.try_wait().unwrap().is_some() {
+            break;
+        }
+    }
+    signal(&child, "TERM");
+    let code = child.wait().unwrap().code();
+    let left = blobs().len();
+    place.sound();
+    assert!(code == Some(130) && left > 0, "{code:?}, {left} left");
+}

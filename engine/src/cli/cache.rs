@@ -4,16 +4,18 @@ use super::fault::Fault;
 use super::forget::{Forget, forget_folder};
 use super::program::GlobalArgs;
 use super::size::mib;
+use super::speech::CANCEL;
 use super::text::count;
 use crate::past::ago;
 use crate::past::{self, Head};
-use crate::store::Store;
 use crate::store::keeper::{self, Budget, KEPT_RECORDS, Kept, Swept};
 use crate::store::remote::Sharing;
+use crate::store::{Store, StoreError};
 use clap::{Args, Subcommand};
 use serde_json::{Value, json};
 use std::collections::BTreeMap;
 use std::path::PathBuf;
+use std::sync::atomic::Ordering;
 
 /// Arguments of `cache`.
 #[derive(Args)]
@@ -69,6 +71,9 @@ enum Verb {
     Keygen {
         /// The file; it must not be there
         file: PathBuf,
+        /// How many days it is good for
+        #[arg(long, default_value_t = 365, value_parser = clap::value_parser!(u32).range(1..=36_500))]
+        days: u32,
     },
     /// Remove from the shared store (--store) what was written long ago, by its own clock
     SweepStore {
@@ -101,7 +106,7 @@ fn beside(
             older_days,
             dry_run,
         } => Some(super::store::sweep(sharing, *older_days, *dry_run, global)),
-        Verb::Keygen { file } => Some(super::store::keygen(file, global)),
+        Verb::Keygen { file, days } => Some(super::store::keygen(file, *days, global)),
         Verb::Push if sharing.is_none() => {
             let say = "`cache push`: say where to, with --store";
             Some(Err(Fault::input(say)))
@@ -172,8 +177,7 @@ pub(crate) fn cache(
                 keep_runs: *keep_runs,
                 keep_records: *keep_records,
             };
-            let swept = keeper::gc(&store, &budget, *dry_run).map_err(Fault::input)?;
-            report_swept(&swept, *dry_run, global);
+            gc(&store, &budget, *dry_run, global)?;
         }
         Verb::Forget(args) => forget_folder(args, &store, global)?,
         Verb::Verify => {
@@ -186,6 +190,20 @@ pub(crate) fn cache(
         }
     }
     Ok(())
+}
+
+/// Removes what is worth least, until the user asks to stop.
+fn gc(store: &Store, budget: &Budget, dry_run: bool, global: &GlobalArgs) -> Result<(), Fault> {
+    let stop = || CANCEL.load(Ordering::Relaxed);
+    let swept = keeper::gc_until(store, budget, dry_run, &stop).map_err(|why| match why {
+        StoreError::Left(_) => Fault::stage(why),
+        why => Fault::input(why),
+    })?;
+    report_swept(&swept, dry_run, global);
+    match swept.stopped {
+        true => Err(Fault::stopped()),
+        false => Ok(()),
+    }
 }
 
 fn ls(store: &Store, global: &GlobalArgs) {

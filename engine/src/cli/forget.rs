@@ -3,13 +3,12 @@
 
 use super::deliver::whose;
 use super::fault::Fault;
+use super::forget_told::{remains, told};
 use super::program::GlobalArgs;
-use super::size::mib;
 use crate::delivery::{self, Withdrawn, withdraw};
 use crate::own::whole;
-use crate::store::{Forgotten, Store, forget};
+use crate::store::{Store, StoreError, forget};
 use clap::Args;
-use serde_json::json;
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
 
@@ -38,7 +37,8 @@ fn marks(folder: &Path, global: &GlobalArgs) -> BTreeSet<String> {
 
 /// Where results of a folder lie: as the cache notes it, and in folders here and beside the folder.
 fn results(store: &Store, folder: &Path, global: &GlobalArgs) -> BTreeMap<PathBuf, String> {
-    let noted = store.delivered(folder).into_iter().map(|d| (d.out, d.of));
+    let trace = store.trace(folder);
+    let noted = store.delivered(&trace).into_iter().map(|d| (d.out, d.of));
     let mut found: BTreeMap<PathBuf, String> = noted.collect();
     let marks = marks(folder, global);
     let beside = whole(folder).parent().map(Path::to_owned);
@@ -86,7 +86,11 @@ pub(super) fn forget_folder(
 ) -> Result<(), Fault> {
     let found = results(store, &args.folder, global);
     let asked = asked(args, &found, global)?;
-    let forgotten = forget(store, &args.folder).map_err(Fault::input)?;
+    super::private::clear();
+    let forgotten = forget(store, &args.folder).map_err(|why| match why {
+        StoreError::Left(_) => Fault::stage(why),
+        why => Fault::input(why),
+    })?;
     let mut gone: Vec<(PathBuf, Withdrawn)> = Vec::new();
     for out in asked {
         let withdrawn = withdraw(&out).map_err(Fault::stage)?;
@@ -96,9 +100,9 @@ pub(super) fn forget_folder(
         .into_keys()
         .filter(|out| gone.iter().all(|(g, _)| g != out));
     let stay: Vec<String> = stay.map(|out| out.display().to_string()).collect();
-    if !forgotten.known && gone.is_empty() {
+    if !forgotten.known && gone.is_empty() && forgotten.unread.is_empty() {
         let mut why = format!(
-            "nothing in {} came of {}: was it made with another cache (--cache), or has the folder another path since?",
+            "nothing in {} came of {}: was it made with another cache (--cache), or has the folder another path and other files since?",
             global.cache.display(),
             args.folder.display()
         );
@@ -106,47 +110,5 @@ pub(super) fn forget_folder(
             .for_each(|out| why += &format!("\n{}", remains(out)));
         return Err(Fault::stage(why));
     }
-    told(&forgotten, &stay, &gone, global);
-    Ok(())
-}
-
-fn remains(out: &str) -> String {
-    format!("results of it remain in {out}: remove the folder, or run this again with --out {out}")
-}
-
-fn told(f: &Forgotten, stay: &[String], gone: &[(PathBuf, Withdrawn)], global: &GlobalArgs) {
-    if global.json {
-        let removed = |(out, w): &(PathBuf, Withdrawn)| json!({ "out": out.display().to_string(), "files": w.removed, "left": w.left });
-        let removed: Vec<_> = gone.iter().map(removed).collect();
-        crate::outln!(
-            "{}",
-            json!({
-                "results": f.results, "bytes": f.bytes, "runs": f.runs, "pins": f.pins, "shared": f.shared,
-                "outs": stay, "removed": removed,
-            })
-        );
-        return;
-    }
-    let (results, runs, freed) = (f.results, f.runs, mib(f.bytes));
-    if f.known {
-        crate::outln!(
-            "forgotten: results {results} ({freed:.1} MiB), records of runs {runs}, all unfinished parts"
-        );
-    }
-    if !f.pins.is_empty() {
-        crate::outln!("pins that went with them: {}", f.pins.join(", "));
-    }
-    for folder in &f.shared {
-        crate::outln!("{folder} shared some of it; that is made again when it is needed");
-    }
-    for (out, withdrawn) in gone {
-        let out = out.display();
-        crate::outln!("removed from {out}: files {}", withdrawn.removed);
-        if !withdrawn.left.is_empty() {
-            let left = withdrawn.left.join(", ");
-            crate::outln!("left in {out} (not written by a run, or changed since): {left}");
-        }
-    }
-    stay.iter()
-        .for_each(|out| crate::outln!("{}", remains(out)));
+    told(&forgotten, &stay, &gone, global)
 }

@@ -22,6 +22,7 @@ mod deliver;
 mod export;
 mod fault;
 mod forget;
+mod forget_told;
 mod help;
 mod host;
 mod impact;

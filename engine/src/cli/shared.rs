@@ -4,7 +4,7 @@ use super::fault::Fault;
 use super::program::GlobalArgs;
 use super::speech::CANCEL;
 use super::text::count;
-use crate::store::remote::{Left, Manner, Objects, Seal, Sharing};
+use crate::store::remote::{Left, Manner, Objects, Patience, Seal, Sharing};
 use std::sync::atomic::Ordering;
 use std::time::Duration;
 
@@ -26,14 +26,14 @@ pub(super) const OF_STORE: [&str; 5] = [
 
 /// The place of an address.
 #[cfg(feature = "remote")]
-fn place(address: &str) -> Result<Box<dyn Objects>, Fault> {
-    let opened = crate::store::remote::open(address);
+fn place(address: &str, patience: Patience) -> Result<Box<dyn Objects>, Fault> {
+    let opened = crate::store::remote::open(address, patience);
     opened.map_err(|why| Fault::input(format!("--store {}: {why}", plain(address))))
 }
 
 /// There is none in this program.
 #[cfg(not(feature = "remote"))]
-fn place(address: &str) -> Result<Box<dyn Objects>, Fault> {
+fn place(address: &str, _patience: Patience) -> Result<Box<dyn Objects>, Fault> {
     Err(Fault::input(format!(
         "--store {}: this program was built without stores that machines share; build it with `--features remote`",
         plain(address)
@@ -102,11 +102,13 @@ pub(super) fn begin(
     if !(global.store_wait >= 0.0 && global.store_wait.is_finite()) {
         return Err(Fault::input("--store-wait: say seconds, such as 60"));
     }
-    let objects = place(address)?;
+    let patience = Patience::of(Duration::from_secs_f64(global.store_wait));
+    let objects = place(address, patience)?;
     let say = |line: &str| crate::errln!("{line}");
     let manner = Manner {
         read_only: global.store_read_only,
         seal: seal(global)?,
+        patience,
     };
     Sharing::begin(&global.cache, objects, manner, Box::new(say))
         .map(Some)

@@ -67,8 +67,8 @@ pub(super) fn look(shared: Option<&Sharing>, global: &GlobalArgs) -> Result<(), 
 
 /// Makes a key that signs what goes there.
 #[cfg(feature = "remote")]
-pub(super) fn keygen(file: &Path, global: &GlobalArgs) -> Result<(), Fault> {
-    let line = crate::store::remote::keygen(file).map_err(Fault::input)?;
+pub(super) fn keygen(file: &Path, days: u32, global: &GlobalArgs) -> Result<(), Fault> {
+    let line = crate::store::remote::keygen(file, days).map_err(Fault::input)?;
     match global.json {
         true => crate::outln!(
             "{}",
@@ -85,7 +85,7 @@ pub(super) fn keygen(file: &Path, global: &GlobalArgs) -> Result<(), Fault> {
 
 /// There is none in this program.
 #[cfg(not(feature = "remote"))]
-pub(super) fn keygen(_file: &Path, _global: &GlobalArgs) -> Result<(), Fault> {
+pub(super) fn keygen(_file: &Path, _days: u32, _global: &GlobalArgs) -> Result<(), Fault> {
     Err(Fault::input(
         "`cache keygen`: this program was built without stores that machines share; build it with `--features remote`",
     ))

@@ -1,7 +1,7 @@
 //! A folder of results taken back: what was delivered there goes, as long as nobody changed it, and nothing else.
 
 use super::{Delivery, DeliveryError, RUN, said};
-use crate::system::nofollow;
+use crate::system::{self, FileKind, nofollow};
 use std::path::Path;
 
 /// What became of a folder of results.
@@ -33,12 +33,36 @@ pub fn withdraw(folder: &Path) -> Result<Withdrawn, DeliveryError> {
     let run = nofollow::folder(folder, &[]).is_ok_and(|at| nofollow::remove(&at, RUN));
     removed += usize::from(run);
     let mut left = Vec::new();
+    removed += written_halfway(folder, &mut vec![]);
     rest(folder, "", &mut left);
     if left.is_empty() {
         // A folder that is a link stays, as an empty one.
         let _ = std::fs::remove_dir(folder);
     }
     Ok(Withdrawn { removed, left })
+}
+
+/// Removes what killed deliveries were writing, in a folder and below it, and folders that are empty without it; how
+/// many files. Nobody else delivers now. No link is followed.
+fn written_halfway(root: &Path, names: &mut Vec<String>) -> usize {
+    let inner: Vec<&str> = names.iter().map(String::as_str).collect();
+    let Ok(at) = nofollow::folder(root, &inner) else {
+        return 0;
+    };
+    let mut removed = 0;
+    for name in nofollow::inside(&at, FileKind::File, system::is_writing) {
+        removed += usize::from(nofollow::remove(&at, &name));
+    }
+    for name in nofollow::inside(&at, FileKind::Folder, |name| ![".", ".."].contains(&name)) {
+        names.push(name);
+        let below = written_halfway(root, names);
+        let name = names.pop().expect("bug: pushed above");
+        if below > 0 {
+            nofollow::remove_empty(&at, &name);
+        }
+        removed += below;
+    }
+    removed
 }
 
 /// What lies in a folder and below it; links are named and not entered.
@@ -56,6 +80,8 @@ fn rest(root: &Path, inner: &str, left: &mut Vec<String>) {
             false => format!("{inner}/{base}"),
         };
         match entry.file_type().is_ok_and(|kind| kind.is_dir()) {
+            // Results of another run, as those of each capture beside the table of all.
+            true if of(&entry.path()).is_some() => left.push(format!("{name}/")),
             true => {
                 let count = left.len();
                 rest(root, &name, left);

@@ -3,7 +3,7 @@
 use super::family;
 use crate::own;
 use crate::system::{Use, is_alive, permit};
-use std::fs::File;
+use std::fs::{File, TryLockError};
 use std::path::Path;
 
 /// Where a store keeps the folders of programs that run.
@@ -42,10 +42,15 @@ pub fn clear(store: &Path) {
             continue;
         };
         let folder = entry.file_type().is_ok_and(|kind| kind.is_dir());
-        let here = name.split('-').next().is_none_or(is_alive);
-        let lock = File::open(entry.path().join(LOCK));
-        let elsewhere = lock.is_ok_and(|file| file.try_lock().is_err());
-        if folder && !here && !elsewhere {
+        // The number of a killed process may be another's by now: the lock says whose the folder is, and the number only
+        // where the disk knows no locks, or there is none yet.
+        let number = || name.split('-').next().is_none_or(is_alive);
+        let held = match File::open(entry.path().join(LOCK)).map(|file| file.try_lock()) {
+            Ok(Ok(())) => false,
+            Ok(Err(TryLockError::WouldBlock)) => true,
+            Ok(Err(TryLockError::Error(_))) | Err(_) => number(),
+        };
+        if folder && !held {
             let path = entry.path().canonicalize().unwrap_or(entry.path());
             family::end(&path, None);
             remove(&path);

@@ -3,7 +3,9 @@
 //! `delivered/HASH`, of the folder's path, says in JSON which folders the results came of, and the mark by which `run.json`
 //! there says the same. No key and no result has any of it.
 
+use super::error::StoreError;
 use super::folder::Store;
+use super::trace::Trace;
 use crate::delivery;
 use crate::own::{self, whole};
 use serde::{Deserialize, Serialize};
@@ -46,31 +48,41 @@ impl Store {
         );
     }
 
+    fn delivery(&self, name: &str) -> Option<Delivered> {
+        let bytes = std::fs::read(self.root().join(FOLDER).join(name)).ok()?;
+        serde_json::from_slice(&bytes).ok()
+    }
+
     /// The notes of inputs that fit, with their names.
     fn deliveries(&self, fits: impl Fn(&String) -> bool) -> Vec<(String, Delivered)> {
         let names = own::files(self.root(), FOLDER, own::is_hash).into_iter();
         let note = |name: String| {
-            let bytes = std::fs::read(self.root().join(FOLDER).join(&name)).ok()?;
-            let note: Delivered = serde_json::from_slice(&bytes).ok()?;
+            let note = self.delivery(&name)?;
             note.inputs.iter().any(&fits).then_some((name, note))
         };
         names.filter_map(note).collect()
     }
 
-    /// Where results of what lies in a folder, or below it, were delivered, and still are.
-    pub fn delivered(&self, folder: &Path) -> Vec<Delivered> {
-        let folder = whole(folder);
-        let all = self.deliveries(|input| Path::new(input).starts_with(&folder));
+    /// Where results of a capture were delivered, and still are.
+    pub fn delivered(&self, trace: &Trace) -> Vec<Delivered> {
+        let all = self.deliveries(|input| trace.has(input));
         all.into_iter()
             .map(|(_, note)| note)
             .filter(Delivered::is_there)
             .collect()
     }
 
-    /// Removes the notes of inputs that fit; how many.
-    pub(super) fn forget_deliveries(&self, fits: impl Fn(&String) -> bool) -> usize {
-        let all = self.deliveries(fits).into_iter();
-        all.filter(|(name, _)| own::remove(self.root(), &[FOLDER], name))
-            .count()
+    /// Removes the notes of inputs that fit, and those that cannot be read; how many fit.
+    pub(super) fn forget_deliveries(
+        &self,
+        fits: impl Fn(&String) -> bool,
+    ) -> Result<usize, StoreError> {
+        let all = self.deliveries(fits);
+        for (name, _) in &all {
+            self.gone(&[FOLDER], name)?;
+        }
+        let unread = |name: &str| own::is_hash(name) && self.delivery(name).is_none();
+        self.all_gone(FOLDER, unread)?;
+        Ok(all.len())
     }
 }

@@ -1,5 +1,6 @@
 //! What publishing asks of a disk, in single steps: the real one, and in tests one that loses power.
 
+use crate::own;
 use crate::system::{nofollow, private_file, private_folder};
 use std::fs::{self, File, OpenOptions};
 use std::io::{ErrorKind, Result, Write};
@@ -49,6 +50,11 @@ pub(super) trait Disk: Send + Sync {
     /// Removes a file.
     fn remove(&self, path: &Path) -> Result<()> {
         fs::remove_file(path)
+    }
+
+    /// Removes a plain file of the store at `root`, never through a link; whether it was there.
+    fn unlink(&self, root: &Path, folders: &[&str], name: &str) -> bool {
+        own::remove(root, folders, name)
     }
 }
 

@@ -43,6 +43,9 @@ pub enum StoreError {
         /// What is wrong, and what to do about it.
         why: String,
     },
+    /// What was to be removed is still there.
+    #[error("{} could not be removed: is it in use, or not yours? What is known of it stays; say it again when that is mended", .0.display())]
+    Left(PathBuf),
     /// Not to be swept now.
     #[error("a run is using the cache at {}: nothing was removed; say it again when the run is done", .0.display())]
     Busy(PathBuf),

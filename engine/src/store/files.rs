@@ -52,15 +52,18 @@ fn above(disk: &dyn Disk, path: &Path) -> Result<()> {
     path.parent().map_or(Ok(()), |folder| made(disk, folder))
 }
 
-/// A file to be written; the folder that it is to lie in is made when it is missed, which is rare.
+/// A file to be written, locked as long as it is open; the folder that it is to lie in is made when it is missed, which
+/// is rare.
 pub(super) fn create(disk: &dyn Disk, path: &Path) -> Result<File> {
-    match disk.create(path) {
+    let created = match disk.create(path) {
         Err(error) if error.kind() == ErrorKind::NotFound => {
             above(disk, path)?;
             disk.create(path)
         }
         created => created,
-    }
+    };
+    // Where the disk knows no locks, the process's number in the name has to do.
+    created.inspect(|file| _ = file.try_lock())
 }
 
 /// Gives a file a name whose folder is made when it is missed.
@@ -82,14 +85,15 @@ fn sync_way(disk: &dyn Disk, root: &Path, path: &Path) -> Result<()> {
     below.try_for_each(|folder| disk.sync_names(folder))
 }
 
-/// Writes a file that nobody reads yet.
-fn write(disk: &dyn Disk, tmp: &Path, bytes: &[u8], care: Care) -> std::io::Result<()> {
+/// Writes a file that nobody reads yet. Keep it open until it has its name: as long as it is locked, nobody takes it
+/// for what a killed process left.
+fn write(disk: &dyn Disk, tmp: &Path, bytes: &[u8], care: Care) -> std::io::Result<File> {
     let mut file = create(disk, tmp)?;
     disk.write(&mut file, tmp, bytes)?;
-    match care {
-        Care::Durable => disk.sync(&file, tmp),
-        Care::Cheap => Ok(()),
+    if care == Care::Durable {
+        disk.sync(&file, tmp)?;
     }
+    Ok(file)
 }
 
 /// Writes a file of the store at `root` under another name and renames it: whole or not at all. Mode
@@ -102,7 +106,7 @@ pub(super) fn publish(
     care: Care,
 ) -> std::result::Result<(), StoreError> {
     let written = (|| {
-        write(disk, tmp, bytes, care)?;
+        let _file = write(disk, tmp, bytes, care)?;
         rename(disk, tmp, path)?;
         match care {
             Care::Durable => sync_way(disk, root, path),
@@ -125,7 +129,7 @@ pub(super) fn publish_new(
     care: Care,
 ) -> std::result::Result<bool, StoreError> {
     let written = (|| {
-        write(disk, tmp, bytes, care)?;
+        let _file = write(disk, tmp, bytes, care)?;
         let linked = match disk.link(tmp, path) {
             Err(error) if error.kind() == ErrorKind::NotFound => {
                 above(disk, path)?;

@@ -23,6 +23,8 @@ pub struct Store {
     pub(super) disk: Box<dyn Disk>,
     /// Read when somebody asks it first.
     index: OnceLock<Mutex<Index>>,
+    /// See [`super::origin`].
+    pub(super) mark: OnceLock<Option<String>>,
     /// To a store that machines share, if there is one.
     pub(super) link: Option<Arc<Link>>,
 }
@@ -55,6 +57,7 @@ impl Store {
             root: root.to_owned(),
             disk,
             index,
+            mark: OnceLock::new(),
             link: remote::of(root),
         };
         let mark = root.join("format");

@@ -1,20 +1,17 @@
-//! Forgetting a capture: everything that came of a folder of the user's goes.
-//!
-//! `captures/HASH` names the folders whose files had this content, as a list in JSON: where the
-//! search begins, also when the records of the runs are long gone.
+//! Forgetting a capture: everything that came of a folder of the user's goes, and what would tell of it goes last, so
+//! that whoever is cut off can be started again.
 
+use super::captures::{FOLDER as CAPTURES, NOTED, json};
 use super::error::StoreError;
 use super::folder::Store;
 use super::keeper;
+use super::links::Links;
+use super::trace::{Trace, accounted};
 use crate::own;
 use crate::past;
-use crate::source::Memo;
 use stage::Hash;
-use std::collections::{BTreeMap, BTreeSet};
-use std::path::Path;
-
-/// A hash over all folders and contents that the last run noted.
-const NOTED: &str = "noted";
+use std::collections::BTreeSet;
+use std::path::{Path, PathBuf};
 
 /// What went.
 #[derive(Debug, Clone, Default, PartialEq)]
@@ -31,106 +28,24 @@ pub struct Forgotten {
     pub known: bool,
     /// Other folders from which some of it came as well: what went is made again for them.
     pub shared: Vec<String>,
+    /// Records and notes that could not be read, and went with all that may have come of them.
+    pub broken: usize,
+    /// Results that went because nothing readable tells what they came of.
+    pub untraced: usize,
+    /// Blobs that went because no record names them.
+    pub unnamed: usize,
+    /// What may have come of it and could not be read, and stays.
+    pub unread: Vec<String>,
 }
 
-/// What a result was made of, and where it lies.
-struct Link {
-    key: Hash,
-    content: Hash,
-    bytes: u64,
-    from: Vec<String>,
-}
-
-impl Store {
-    /// Notes what the files of each folder had as content. What a run notes as the one before did is looked at
-    /// once, not input by input.
-    pub(crate) fn note_captures(&self, all: &[(Hash, &Path)]) {
-        let mut digest = blake3::Hasher::new();
-        for (content, folder) in all {
-            digest.update(content.as_bytes());
-            let folder = folder.as_os_str().as_encoded_bytes();
-            digest.update(&(folder.len() as u64).to_le_bytes());
-            digest.update(folder);
-        }
-        let digest = digest.finalize().to_hex();
-        let noted = std::fs::read(self.root().join(NOTED)).unwrap_or_default();
-        if noted == digest.as_bytes() {
-            return;
-        }
-        let note = |one: &&(Hash, &Path)| self.note_capture(one.0, one.1);
-        if all.iter().filter(note).count() == all.len() {
-            let _ = self.write(NOTED, digest.as_bytes());
-        }
-    }
-
-    /// Notes that the files of a folder had this content; whether that stands there now.
-    pub fn note_capture(&self, content: Hash, folder: &Path) -> bool {
-        let (mut folders, folder) = (self.folders_of(content), folder.display().to_string());
-        if folders.contains(&folder) {
-            return true;
-        }
-        folders.push(folder);
-        self.write(&capture(content), &json(&folders)).is_ok()
-    }
-
-    fn folders_of(&self, content: Hash) -> Vec<String> {
-        let file = std::fs::read(self.root().join(capture(content)));
-        serde_json::from_slice(&file.unwrap_or_default()).unwrap_or_default()
-    }
-
-    /// Every result with what it was made of.
-    fn links(&self) -> Vec<Link> {
-        let link = |key: Hash| {
-            let record = self.record(key)?;
-            let from = record.provenance.into_iter();
-            let from = from.filter(|(what, _)| what.starts_with("from "));
-            Some(Link {
-                key,
-                content: record.content,
-                bytes: record.bytes,
-                from: from.map(|(_, value)| value).collect(),
-            })
-        };
-        let keys = own::shelf(self.root(), "ac").into_iter();
-        keys.filter_map(link).collect()
-    }
-}
-
-fn capture(content: Hash) -> String {
-    format!("captures/{}", content.to_hex())
-}
-
-fn json(folders: &[String]) -> Vec<u8> {
-    serde_json::to_vec(folders).expect("bug: JSON")
-}
-
-/// The results that came of some contents, directly or not, by their place in the list.
-fn derived(links: &[Link], seeds: &BTreeSet<String>) -> BTreeSet<usize> {
-    let mut readers: BTreeMap<&str, Vec<usize>> = BTreeMap::new();
-    for (i, link) in links.iter().enumerate() {
-        for from in &link.from {
-            readers.entry(from).or_default().push(i);
-        }
-    }
-    let (mut open, mut found): (Vec<String>, _) =
-        (seeds.iter().cloned().collect(), BTreeSet::new());
-    while let Some(content) = open.pop() {
-        for i in readers.get(content.as_str()).into_iter().flatten() {
-            if found.insert(*i) {
-                open.push(links[*i].content.to_hex().to_string());
-            }
-        }
-    }
-    found
-}
-
-/// Removes all that came of the files of a folder or below it: results with their records, parts,
-/// records of runs and their pins, and what is remembered of the files themselves. Not while a run
-/// uses the store.
+/// Removes all that came of the files of a folder or below it, as they were and as they are now: results with their
+/// records, parts, records of runs and their pins, what is remembered of the files themselves, and what killed runs
+/// left. What no readable record accounts for goes, too. Not while a run uses the store.
 ///
 /// # Errors
 ///
-/// A run uses the store, the disk refuses, or the shared store that the store is linked to.
+/// A run uses the store, the disk refuses, or the shared store that the store is linked to. Then what tells of the
+/// folder is still there, and it can be forgotten again.
 pub fn forget(store: &Store, folder: &Path) -> Result<Forgotten, StoreError> {
     let root = store.root();
     if let Some(link) = own::link(root) {
@@ -138,149 +53,140 @@ pub fn forget(store: &Store, folder: &Path) -> Result<Forgotten, StoreError> {
     }
     let busy = || StoreError::Busy(root.into());
     let _alone = store.alone().ok_or_else(busy)?;
-    let folder = own::whole(folder);
-    let below = |text: &String| Path::new(text).starts_with(&folder);
-    let deliveries = store.forget_deliveries(below);
-    // First, so that nobody goes by it when this is cut off.
-    own::remove(root, &[], NOTED);
-    let (mut mine, mut others) = (BTreeSet::new(), BTreeMap::new());
-    for name in own::files(root, "captures", own::is_hash) {
-        let Ok(content) = Hash::from_hex(&name) else {
-            continue;
-        };
-        let (here, there): (Vec<_>, Vec<_>) =
-            store.folders_of(content).into_iter().partition(below);
-        if !here.is_empty() {
-            mine.insert(name.clone());
-            match there.is_empty() {
-                true => _ = own::remove(root, &["captures"], &name),
-                false => store.write(&capture(content), &json(&there))?,
-            }
-        }
-        if !there.is_empty() {
-            others.insert(name, there);
-        }
-    }
+    let trace = store.trace(folder);
     let links = store.links();
-    let going = derived(&links, &mine);
+    // What nothing readable accounts for may have come of it: only what surely did not stays.
+    let sources: BTreeSet<String> = &accounted(store) - &trace.seeds;
+    let stay = links.alive(&sources, &BTreeSet::new());
+    let derived = links.derived(&trace.seeds).into_iter();
+    let of_it: Vec<usize> = derived.filter(|i| !stay.contains(i)).collect();
+    let of_them: BTreeSet<usize> = of_it.iter().copied().collect();
+    let untraced = (0..links.all.len()).filter(|i| !stay.contains(i) && !of_them.contains(i));
+    let order: Vec<usize> = of_it.iter().copied().chain(untraced).collect();
+    let unread_notes = store.notes().iter().filter(|(_, n)| n.is_none()).count();
     let mut forgotten = Forgotten {
-        results: going.len(),
+        results: of_it.len(),
+        untraced: order.len() - of_it.len(),
+        broken: links.broken.len() + unread_notes,
+        shared: shared(&links, &of_it, &trace),
         ..Forgotten::default()
     };
-    let contents: BTreeSet<&[u8; 32]> =
-        going.iter().map(|i| links[*i].content.as_bytes()).collect();
-    for (content, folders) in others {
-        let theirs = derived(&links, &BTreeSet::from([content]));
-        if theirs
-            .iter()
-            .any(|i| contents.contains(links[*i].content.as_bytes()))
-        {
-            forgotten.shared.extend(folders);
+    let there = store.forget_elsewhere(&trace, &links, &stay)?;
+    // First, so that nobody goes by it when this is cut off.
+    store.gone(&[], NOTED)?;
+    let contents = of_it.iter().map(|i| *links.all[*i].content.as_bytes());
+    let contents: BTreeSet<[u8; 32]> = contents.collect();
+    forget_blobs(store, &links.contents(&stay), &contents, &mut forgotten)?;
+    // What was made of something goes before it: what is left leads to the rest.
+    for i in order.iter().rev() {
+        store.gone_from("ac", links.all[*i].key)?;
+    }
+    let keys = order.iter().map(|i| links.all[*i].key);
+    let keys: Vec<Hash> = keys.chain(links.broken.iter().copied()).collect();
+    store.forget_waiting(&keys)?;
+    keeper::remove_parts(store)?;
+    keeper::sweep(store)?;
+    forget_runs(store, &trace, &mut forgotten)?;
+    let plans = forget_plans(store, &trace)?;
+    let deliveries = store.forget_deliveries(|input| trace.has(input))?;
+    store.write("files.json", &trace.memo(store))?;
+    forgotten.known = !trace.seeds.is_empty()
+        || !trace.notes.is_empty()
+        || forgotten.runs + plans + deliveries > 0;
+    let record = |key: &Hash| format!("{}/{}", root.display(), &own::name("ac", *key));
+    forgotten.unread = links.unread.iter().map(record).collect();
+    forgotten.unread.extend(there);
+    let shown = |path: &PathBuf| path.display().to_string();
+    forgotten.unread.extend(trace.unread.iter().map(shown));
+    // Last of all; and not while something may be left to which only they lead.
+    if forgotten.unread.is_empty() {
+        for (name, stays) in &trace.notes {
+            match stays {
+                None => _ = store.gone(&[CAPTURES], name)?,
+                Some(note) => store.write(&format!("{CAPTURES}/{name}"), &json(note))?,
+            }
         }
     }
-    forgotten.shared.sort();
-    forgotten.shared.dedup();
-    let there: Vec<(Hash, Hash)> = going
-        .iter()
-        .map(|i| (links[*i].key, links[*i].content))
-        .collect();
-    store.forget_elsewhere(&there)?;
-    for i in &going {
-        let Link {
-            key,
-            content,
-            bytes,
-            ..
-        } = links[*i];
-        own::remove_from(root, "ac", key);
-        store.forget_waiting(key);
-        if own::remove_from(root, "cas", content) {
-            forgotten.bytes += bytes;
-        }
-    }
-    forget_runs(store, &below, &mut forgotten);
-    let plans = forget_plans(root, &below);
-    forgotten.known = !mine.is_empty() || forgotten.runs + plans + deliveries > 0;
-    keeper::remove_parts(root);
-    keeper::sweep(root);
-    let memo = root.join("files.json");
-    store.write("files.json", &Memo::load(&memo).without(&folder).bytes())?;
     Ok(forgotten)
 }
 
-/// Removes the plans that name a folder that fits, or cannot be read; how many name one.
-fn forget_plans(root: &Path, fits: &dyn Fn(&String) -> bool) -> usize {
-    #[derive(serde::Deserialize)]
-    struct Plan {
-        inputs: Vec<Input>,
-    }
-    #[derive(serde::Deserialize)]
-    struct Input {
-        folder: String,
-    }
-    let mut count = 0;
-    for name in own::files(root, "plans", own::is_hash) {
-        let bytes = std::fs::read(root.join("plans").join(&name)).unwrap_or_default();
-        let plan = serde_json::from_slice::<Plan>(&bytes);
-        let named = plan.map(|plan| plan.inputs.iter().any(|i| fits(&i.folder)));
-        count += usize::from(matches!(named, Ok(true)));
-        if named.unwrap_or(true) {
-            own::remove(root, &["plans"], &name);
+/// Folders of other captures of which something went as well.
+fn shared(links: &Links, of_it: &[usize], trace: &Trace) -> Vec<String> {
+    let going: BTreeSet<usize> = of_it.iter().copied().collect();
+    let mut shared = BTreeSet::new();
+    for (content, folders) in &trace.others {
+        let theirs = links.derived(&BTreeSet::from([content.clone()]));
+        if theirs.iter().any(|i| going.contains(i)) {
+            shared.extend(folders.iter().cloned());
         }
     }
-    count
+    shared.into_iter().collect()
 }
 
-/// Removes the records of runs on inputs that fit, and their pins.
-fn forget_runs(store: &Store, fits: &dyn Fn(&String) -> bool, forgotten: &mut Forgotten) {
-    let root = store.root();
-    let going = |id: &String| {
-        let head = past::head(root, id).unwrap_or_default();
-        head.of.inputs.values().any(fits)
-    };
-    let going: Vec<String> = past::ids(root).into_iter().filter(going).collect();
-    for id in &going {
-        own::remove(root, &["runs"], &format!("{id}.json"));
-        own::remove(root, &["runs"], &format!("{id}.jsonl"));
+/// Removes the blobs that no record names that stays.
+fn forget_blobs(
+    store: &Store,
+    stay: &BTreeSet<[u8; 32]>,
+    of_it: &BTreeSet<[u8; 32]>,
+    forgotten: &mut Forgotten,
+) -> Result<(), StoreError> {
+    for content in own::shelf(store.root(), "cas") {
+        if stay.contains(content.as_bytes()) {
+            continue;
+        }
+        let size = std::fs::metadata(store.place("cas", content)).map_or(0, |m| m.len());
+        let went = store.gone_from("cas", content)?;
+        match of_it.contains(content.as_bytes()) {
+            true if went => forgotten.bytes += size,
+            true => {}
+            false => forgotten.unnamed += usize::from(went),
+        }
     }
-    // Of runs that were killed, whose they were is not known; none runs now.
-    for name in own::files(root, "runs", own::is_run) {
-        let log = name.strip_suffix(".jsonl");
-        if log.is_some_and(|id| !past::run_file(root, id).is_file()) {
-            own::remove(root, &["runs"], &name);
+    Ok(())
+}
+
+/// Removes the plans that name the folder or its files, or cannot be read; how many name it.
+fn forget_plans(store: &Store, trace: &Trace) -> Result<usize, StoreError> {
+    let (root, mut count) = (store.root(), 0);
+    for name in own::files(root, "plans", own::is_hash) {
+        let bytes = std::fs::read(root.join("plans").join(&name)).unwrap_or_default();
+        let named = trace.is_in_plan(&bytes);
+        count += usize::from(named == Some(true));
+        if named != Some(false) {
+            store.gone(&["plans"], &name)?;
+        }
+    }
+    Ok(count)
+}
+
+/// Removes the records of runs on the folder, or that cannot be read, and their pins.
+fn forget_runs(store: &Store, trace: &Trace, forgotten: &mut Forgotten) -> Result<(), StoreError> {
+    let root = store.root();
+    let mut going = BTreeSet::new();
+    for id in past::ids(root) {
+        let head = past::head(root, &id);
+        let mine = |head: &past::Head| head.of.inputs.values().any(|input| trace.has(input));
+        if head.as_ref().is_none_or(mine) {
+            forgotten.broken += usize::from(head.is_none());
+            going.insert(id);
         }
     }
     for (pin, run) in store.pins() {
-        if going.contains(&run) && store.unpin(&pin) {
+        if going.contains(&run) && store.gone(&["pins"], &pin)? {
             forgotten.pins.push(pin);
         }
     }
-    own::remove(root, &[], "last-run");
-    forgotten.runs = going.len();
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn what_was_noted_is_not_looked_at_again_until_it_is_forgotten() {
-        let place = tempfile::tempdir().unwrap();
-        let store = Store::open(&place.path().join("cache")).unwrap();
-        let (content, folder) = (blake3::hash(b"photos"), place.path().join("photos"));
-        let mark = store.root().join(capture(content));
-        store.note_captures(&[(content, &folder)]);
-        assert_eq!(store.folders_of(content).len(), 1);
-        std::fs::remove_file(&mark).unwrap();
-        store.note_captures(&[(content, &folder)]);
-        assert!(!mark.exists(), "one look, and no more");
-        // Another folder with the same content, and both.
-        let other = place.path().join("other");
-        store.note_captures(&[(content, &folder), (content, &other)]);
-        assert_eq!(store.folders_of(content).len(), 2);
-        forget(&store, &folder).unwrap();
-        assert_eq!(store.folders_of(content), [other.display().to_string()]);
-        store.note_captures(&[(content, &folder), (content, &other)]);
-        assert_eq!(store.folders_of(content).len(), 2);
+    store.gone(&[], "last-run")?;
+    // Logs also of runs that were killed: whose they were is not known, and none runs now.
+    for name in own::files(root, "runs", own::is_run) {
+        let log = name.strip_suffix(".jsonl");
+        if log.is_some_and(|id| going.contains(id) || !past::run_file(root, id).is_file()) {
+            store.gone(&["runs"], &name)?;
+        }
     }
+    for id in &going {
+        store.gone(&["runs"], &format!("{id}.json"))?;
+    }
+    forgotten.runs = going.len();
+    Ok(())
 }

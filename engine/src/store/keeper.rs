@@ -2,13 +2,12 @@
 
 use super::error::StoreError;
 use super::folder::Store;
+use super::removal::is_litter;
 use crate::foreign::leftover;
 use crate::own;
 use crate::past;
-use crate::system::is_alive;
 use stage::Hash;
 use std::collections::{BTreeMap, BTreeSet};
-use std::path::Path;
 
 /// Runs whose records are kept if nothing else is said; there may be twice as many for a while.
 pub const KEPT_RECORDS: usize = 200;
@@ -33,11 +32,16 @@ pub struct Kept {
 
 /// The results that are there, by key. Records that are corrupt are put aside and left out.
 pub fn list(store: &Store) -> Vec<Kept> {
+    listed(store, &|| false).unwrap_or_default()
+}
+
+/// As [`list`], unless somebody asks to stop.
+fn listed(store: &Store, stop: &dyn Fn() -> bool) -> Option<Vec<Kept>> {
     let kept = |key: Hash| {
         let record = store.record(key)?;
-        if !store.place("cas", record.content).is_file() {
-            return None;
-        }
+        // What the disk holds, whatever a record says that came from elsewhere.
+        let blob = std::fs::metadata(store.place("cas", record.content)).ok();
+        let bytes = blob.filter(std::fs::Metadata::is_file)?.len();
         let stage = record
             .provenance
             .first()
@@ -45,13 +49,19 @@ pub fn list(store: &Store) -> Vec<Kept> {
         Some(Kept {
             key: key.to_hex().to_string(),
             content: record.content.to_hex().to_string(),
-            bytes: record.bytes,
+            bytes,
             seconds: record.seconds,
             stage,
         })
     };
-    let keys = own::shelf(store.root(), "ac").into_iter();
-    keys.filter_map(kept).collect()
+    let mut all = Vec::new();
+    for key in own::shelf(store.root(), "ac") {
+        if stop() {
+            return None;
+        }
+        all.extend(kept(key));
+    }
+    Some(all)
 }
 
 /// Size of all parts and checkpoints. \[bytes\]
@@ -85,6 +95,8 @@ pub struct Swept {
     pub parts_bytes: u64,
     /// Records of runs.
     pub records: usize,
+    /// Whether it was stopped before its end; what went by then is told.
+    pub stopped: bool,
 }
 
 /// Removes results worth least (seconds to rebuild per byte) until the rest fits into the budget;
@@ -98,6 +110,20 @@ pub struct Swept {
 ///
 /// A run uses the store, or the disk refuses.
 pub fn gc(store: &Store, budget: &Budget, dry_run: bool) -> Result<Swept, StoreError> {
+    gc_until(store, budget, dry_run, &|| false)
+}
+
+/// As [`gc`], until somebody asks to stop: the store is sound at any moment.
+///
+/// # Errors
+///
+/// As [`gc`].
+pub fn gc_until(
+    store: &Store,
+    budget: &Budget,
+    dry_run: bool,
+    stop: &dyn Fn() -> bool,
+) -> Result<Swept, StoreError> {
     if let Some(link) = own::link(store.root()) {
         return Err(StoreError::Link(link));
     }
@@ -112,9 +138,51 @@ pub fn gc(store: &Store, budget: &Budget, dry_run: bool) -> Result<Swept, StoreE
     let pins: BTreeSet<String> = store.pins().into_iter().map(|(_, run)| run).collect();
     let mut stays = past::contents(store.root(), budget.keep_runs, &pins);
     stays.extend(store.waiting_contents());
+    let mut swept = Swept::default();
+    let Some(all) = listed(store, stop) else {
+        swept.stopped = true;
+        return Ok(swept);
+    };
+    let (known, going, parts) = chosen(store, budget, all, &stays);
+    swept.parts_bytes = parts;
+    swept.results = going;
+    swept.records = past::prune(store.root(), budget.keep_records, &pins, dry_run);
+    if !dry_run {
+        if swept.parts_bytes > 0 {
+            remove_parts(store)?;
+        }
+        let going = swept.results.iter().map(|k| k.content.clone());
+        let going: BTreeSet<String> = going.collect();
+        let mut gone = BTreeSet::new();
+        for hash in own::shelf(store.root(), "cas") {
+            if stop() {
+                swept.stopped = true;
+                swept.results.retain(|k| gone.contains(&k.content));
+                return Ok(swept);
+            }
+            let name = hash.to_hex();
+            let goes = going.contains(name.as_str());
+            if goes || !known.contains(name.as_str()) {
+                store.gone_from("cas", hash)?;
+                gone.insert(name.to_string());
+            }
+        }
+        sweep(store)?;
+    }
+    Ok(swept)
+}
+
+/// What goes that is not among the contents that stay, and the size of the parts if they go; and all contents that
+/// records name.
+fn chosen(
+    store: &Store,
+    budget: &Budget,
+    all: Vec<Kept>,
+    stays: &BTreeSet<String>,
+) -> (BTreeSet<String>, Vec<Kept>, u64) {
     // Nodes may share a result: it is worth what the dearest of them took.
     let mut kept: BTreeMap<String, Kept> = BTreeMap::new();
-    for k in list(store) {
+    for k in all {
         let dearest = kept.entry(k.content.clone()).or_insert_with(|| k.clone());
         if k.seconds > dearest.seconds {
             *dearest = k;
@@ -124,67 +192,43 @@ pub fn gc(store: &Store, budget: &Budget, dry_run: bool) -> Result<Swept, StoreE
     let mut kept: Vec<Kept> = kept.into_values().collect();
     let worth = |k: &Kept| k.seconds / k.bytes.max(1) as f64;
     kept.sort_by(|a, b| worth(a).total_cmp(&worth(b)).then(a.key.cmp(&b.key)));
-    let mut total: u64 = kept.iter().map(|k| k.bytes).sum();
-    let mut swept = Swept::default();
+    let mut total = kept.iter().fold(0u64, |sum, k| sum.saturating_add(k.bytes));
     let parts = parts_size(store);
-    if total + parts > budget.most {
-        swept.parts_bytes = parts;
-    }
+    let parts_go = total.saturating_add(parts) > budget.most;
+    let mut going = Vec::new();
     for k in kept {
         if total <= budget.most {
             break;
         }
         if !stays.contains(&k.content) {
-            total -= k.bytes;
-            swept.results.push(k);
+            total = total.saturating_sub(k.bytes);
+            going.push(k);
         }
     }
-    swept.records = past::prune(store.root(), budget.keep_records, &pins, dry_run);
-    if !dry_run {
-        let root = store.root();
-        if swept.parts_bytes > 0 {
-            remove_parts(root);
-        }
-        let going: BTreeSet<&str> = swept.results.iter().map(|k| k.content.as_str()).collect();
-        for hash in own::shelf(root, "cas") {
-            let name = hash.to_hex();
-            if going.contains(name.as_str()) || !known.contains(name.as_str()) {
-                own::remove_from(root, "cas", hash);
-            }
-        }
-        sweep(root);
-    }
-    Ok(swept)
+    (known, going, if parts_go { parts } else { 0 })
 }
 
 /// Removes all parts and checkpoints.
-pub(super) fn remove_parts(root: &Path) {
+pub(super) fn remove_parts(store: &Store) -> Result<(), StoreError> {
     for shelf in PARTS {
-        for key in own::shelf(root, shelf) {
-            own::remove_from(root, shelf, key);
+        for key in own::shelf(store.root(), shelf) {
+            store.gone_from(shelf, key)?;
         }
     }
+    Ok(())
 }
 
 /// Removes what killed processes left: files that were being written, programs with their folders,
 /// files of leases; and what was put aside.
-pub(super) fn sweep(root: &Path) {
-    own::remove(root, &[], "index");
-    for name in own::files(root, "quarantine", own::is_hash) {
-        own::remove(root, &["quarantine"], &name);
-    }
-    for name in own::files(root, "tmp", own::is_writing) {
-        // Files here begin with the number of the process that writes them.
-        let process = name.split('-').next().unwrap_or("");
-        if !is_alive(process) {
-            own::remove(root, &["tmp"], &name);
-        }
-    }
+pub(super) fn sweep(store: &Store) -> Result<(), StoreError> {
+    let root = store.root();
+    store.gone(&[], "index")?;
+    store.all_gone("quarantine", own::is_hash)?;
+    store.all_gone("tmp", |name| own::is_writing(name) && is_litter(root, name))?;
     leftover::clear(root);
     // Nobody runs, so nobody holds one.
-    for name in own::files(root, "lease", own::is_lease) {
-        own::remove(root, &["lease"], &name);
-    }
+    store.all_gone("lease", own::is_lease)?;
+    Ok(())
 }
 
 /// Reads every record, blob and part; what is corrupt is put aside. Returns how many were.

@@ -9,11 +9,12 @@
 //! runs/…                one record a run
 //! pins/…                names of runs whose results stay
 //! in-use                locked by whoever runs, and by who sweeps; see `lease.rs`
+//! origin                marks what was made in this folder; see `origin.rs`
 //! index                 what was verified; see `index.rs`; may go at any time
 //! shared/…              which results a shared store has; see `remote/known.rs`
 //! waiting/…             what waits to be uploaded; see `remote/waiting.rs`
 //! plans/…               what `plan --strands` wrote, named by its hash
-//! captures/…            which folders had files of this content; see `forget.rs`
+//! captures/…            which folders had files of this content; see `captures.rs`
 //! quarantine/…          what was found corrupt
 //! tmp/…                 what is being written
 //! ```
@@ -24,27 +25,34 @@
 //! worth it is synced to the disk before it gets its name.
 
 mod blob;
+mod captures;
 mod delivered;
 mod disk;
 mod error;
 mod files;
 mod folder;
 mod forget;
+#[cfg(test)]
+mod forgetting;
 mod found;
 mod index;
 pub mod keeper;
 mod lease;
+mod links;
 #[cfg(test)]
 mod losses;
 mod metrics;
+mod origin;
 mod part;
 mod pins;
 mod prefetch;
 mod record;
 mod records;
 pub mod remote;
+mod removal;
 #[cfg(test)]
 mod simulated;
+mod trace;
 
 pub use blob::Blob;
 pub use delivered::Delivered;
@@ -56,3 +64,4 @@ pub use lease::{Claim, InUse, Lease};
 pub use pins::PinError;
 pub use prefetch::Prefetch;
 pub use record::Record;
+pub use trace::Trace;

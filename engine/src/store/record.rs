@@ -21,6 +21,22 @@ pub struct Record {
     pub warnings: Vec<String>,
 }
 
+/// Where a record was made. No key and no result has any of it, and no other store gets it.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase", deny_unknown_fields)]
+pub(super) enum Origin {
+    /// In the store of this mark (`origin.rs`).
+    Here(String),
+    /// Elsewhere, and brought.
+    Brought {
+        /// By which shared store.
+        from: String,
+        /// The signature that it came with.
+        #[serde(default, skip_serializing_if = "Option::is_none")]
+        signature: Option<String>,
+    },
+}
+
 /// As it lies on disk, under a line with the hash of the rest.
 #[derive(Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
@@ -34,9 +50,18 @@ struct Written {
     seconds: f64,
     metrics: Vec<MetricText>,
     warnings: Vec<String>,
+    /// Since version 3; without it, it is not known where it was made.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    origin: Option<Origin>,
 }
 
-const VERSION: u32 = 2;
+const VERSION: u32 = 3;
+
+/// What other stores get, which says nothing of where it was made.
+const SHARED_VERSION: u32 = 2;
+
+/// No stage takes longer: some thirty years, so that sums of what strangers say stay numbers. \[s\]
+const LONGEST_S: f64 = 1e9;
 
 /// Versions that are read.
 const READABLE: std::ops::RangeInclusive<u32> = 1..=VERSION;
@@ -53,10 +78,20 @@ impl Record {
         crate::key::of(&self.provenance)
     }
 
-    /// The bytes of its file.
+    /// The bytes of its file in a shared store, as they are signed.
     pub(super) fn file(&self) -> String {
+        self.written(SHARED_VERSION, None)
+    }
+
+    /// The bytes of its file here.
+    pub(super) fn file_of(&self, origin: Option<Origin>) -> String {
+        self.written(VERSION, origin)
+    }
+
+    fn written(&self, version: u32, origin: Option<Origin>) -> String {
         let written = Written {
-            version: VERSION,
+            version,
+            origin,
             provenance: self.provenance.clone(),
             content: self.content.to_hex().to_string(),
             bytes: self.bytes,
@@ -79,6 +114,11 @@ pub(super) enum Unread {
 
 /// A record from the bytes of its file.
 pub(super) fn parse(file: &[u8]) -> Result<Record, Unread> {
+    parse_with_origin(file).map(|(record, _)| record)
+}
+
+/// A record from the bytes of its file, and where it says it was made.
+pub(super) fn parse_with_origin(file: &[u8]) -> Result<(Record, Option<Origin>), Unread> {
     let end = file.iter().position(|b| *b == b'\n');
     let (hash, body) = file.split_at(end.ok_or(Unread::Corrupt)?);
     let body = &body[1..];
@@ -95,7 +135,10 @@ pub(super) fn parse(file: &[u8]) -> Result<Record, Unread> {
     if !READABLE.contains(&written.version) {
         return Err(Unread::OtherVersion);
     }
-    Ok(Record {
+    if !(0.0..=LONGEST_S).contains(&written.seconds) {
+        return Err(Unread::Corrupt);
+    }
+    let record = Record {
         provenance: written.provenance,
         content: Hash::from_hex(&written.content).map_err(|_| Unread::Corrupt)?,
         bytes: written.bytes,
@@ -106,5 +149,6 @@ pub(super) fn parse(file: &[u8]) -> Result<Record, Unread> {
             .map(MetricText::metric)
             .collect(),
         warnings: written.warnings,
-    })
+    };
+    Ok((record, written.origin))
 }

@@ -3,7 +3,7 @@
 use super::error::StoreError;
 use super::files::{self, Care};
 use super::folder::Store;
-use super::record::{Record, Unread, parse};
+use super::record::{Origin, Record, Unread, parse_with_origin};
 use stage::Hash;
 
 impl Store {
@@ -18,15 +18,20 @@ impl Store {
     }
 
     /// What is corrupt is put aside; what another version of the program wrote is left as it is.
-    fn read_record(&self, key: Hash) -> Result<Record, Unread> {
+    pub(super) fn read_record(&self, key: Hash) -> Result<Record, Unread> {
+        self.read_with_origin(key).map(|(record, _)| record)
+    }
+
+    /// The record of a key, and where it says it was made.
+    pub(super) fn read_with_origin(&self, key: Hash) -> Result<(Record, Option<Origin>), Unread> {
         let path = self.place("ac", key);
         let file = std::fs::read(&path).map_err(|_| Unread::Absent)?;
         // The key is the hash of the provenance, and the provenance is in what was hashed.
-        let own = |record: Record| match record.key() == key {
-            true => Ok(record),
+        let own = |read: (Record, Option<Origin>)| match read.0.key() == key {
+            true => Ok(read),
             false => Err(Unread::Corrupt),
         };
-        let read = parse(&file).and_then(own);
+        let read = parse_with_origin(&file).and_then(own);
         if let Err(Unread::Corrupt) = read {
             self.quarantine(&path);
         }
@@ -40,9 +45,9 @@ impl Store {
     ///
     /// The disk refuses.
     pub fn create_record(&self, key: Hash, record: &Record) -> Result<Option<Record>, StoreError> {
-        let (file, path) = (record.file(), self.place("ac", key));
+        let (file, path) = (self.file_here(record), self.place("ac", key));
         let care = Care::worth(record.seconds);
-        let shared = self.will_share(key);
+        let shared = self.will_share_made(key);
         for _ in 0..2 {
             if files::publish_new(self.disk(), &self.fresh(), &path, file.as_bytes(), care)? {
                 self.note_made(key, record);
@@ -68,11 +73,11 @@ impl Store {
     ///
     /// The disk refuses.
     pub fn write_record(&self, key: Hash, record: &Record) -> Result<(), StoreError> {
-        let file = record.file();
+        let file = self.file_here(record);
         let (tmp, path) = (self.fresh(), self.place("ac", key));
         let care = Care::worth(record.seconds);
         // Noted first: whoever is killed in between leaves a note too many, not one too few.
-        let shared = self.will_share(key);
+        let shared = self.will_share_made(key);
         files::publish(self.disk(), &tmp, &path, file.as_bytes(), care)?;
         self.note_made(key, record);
         if shared {

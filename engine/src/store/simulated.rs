@@ -26,11 +26,13 @@ pub(super) enum Step {
     Remove(PathBuf),
 }
 
-/// The real disk with its steps written down; the one of this number fails.
+/// The real disk with its steps written down; the one of this number fails, or that and all after it.
 #[derive(Clone, Default)]
 pub(super) struct Simulated {
     pub(super) steps: Arc<Mutex<Vec<Step>>>,
     pub(super) fails: Option<usize>,
+    /// As for a process that is killed there.
+    pub(super) ends: Option<usize>,
     pub(super) count: Arc<Mutex<usize>>,
 }
 
@@ -46,7 +48,7 @@ impl Simulated {
             *tried += 1;
             *tried - 1
         };
-        if self.fails == Some(number) {
+        if self.fails == Some(number) || self.ends.is_some_and(|end| number >= end) {
             return Err(Error::from(ErrorKind::StorageFull));
         }
         let done = real()?;
@@ -63,7 +65,7 @@ impl Disk for Simulated {
         self.step(Step::Create(path.into()), || Real.create(path))
     }
     fn write(&self, file: &mut File, path: &Path, bytes: &[u8]) -> Result<()> {
-        if self.fails == Some(self.tried()) {
+        if [self.fails, self.ends].contains(&Some(self.tried())) {
             // Torn: what fails may have written half.
             Real.write(file, path, &bytes[..bytes.len() / 2])?;
         }
@@ -86,6 +88,19 @@ impl Disk for Simulated {
     }
     fn remove(&self, path: &Path) -> Result<()> {
         self.step(Step::Remove(path.into()), || Real.remove(path))
+    }
+    fn unlink(&self, root: &Path, folders: &[&str], name: &str) -> bool {
+        let path = folders.iter().fold(root.to_owned(), |at, f| at.join(f));
+        let path = path.join(name);
+        if !path.is_file() {
+            return false;
+        }
+        let step = Step::Remove(path);
+        let removed = self.step(step, || match Real.unlink(root, folders, name) {
+            true => Ok(()),
+            false => Err(Error::from(ErrorKind::NotFound)),
+        });
+        removed.is_ok()
     }
 }
 

@@ -71,7 +71,7 @@ impl Whole {
             for (one, files) in all.iter().zip(files) {
                 if !self.inputs.contains(one) {
                     let content = stage::content(&files);
-                    store.note_capture(content, &files.root);
+                    store.note_capture(content, &files);
                     self.inputs.push(one.clone());
                     self.contents.push(content);
                     self.files.push(files);

@@ -51,6 +51,26 @@ pub(crate) fn is_private(path: &Path) -> bool {
     std::fs::metadata(path).is_ok_and(|m| system::is_private(&m))
 }
 
+/// Makes the folders of a file in a folder that machines share: for their owner, and for those who may write into that
+/// folder.
+#[cfg(feature = "remote")]
+pub(crate) fn shared_folders(folder: &Path, name: &str) {
+    let mut at = folder.to_owned();
+    let names: Vec<&str> = name.split('/').collect();
+    for name in &names[..names.len() - 1] {
+        at.push(name);
+        if private_folder(&at, false).is_ok() {
+            system::share(&at, folder, true);
+        }
+    }
+}
+
+/// Has a file in a folder that machines share be its owner's, and of those who may write into that folder.
+#[cfg(feature = "remote")]
+pub(crate) fn shared_file(folder: &Path, name: &str) {
+    system::share(&folder.join(name), folder, false);
+}
+
 /// Whether a folder can be entered and written into.
 pub(crate) fn may_write(folder: &Path) -> Result<()> {
     system::may_write(folder)
@@ -119,6 +139,16 @@ mod system {
         meta.mode() & 0o077 == 0
     }
 
+    #[cfg(feature = "remote")]
+    pub(super) fn share(path: &Path, like: &Path, folder: bool) {
+        let above = std::fs::metadata(like).map_or(0, |meta| meta.mode());
+        let group = if above & 0o020 != 0 { 0o060 } else { 0 };
+        let all = if above & 0o002 != 0 { 0o006 } else { 0 };
+        let mode = 0o600 | group | all;
+        let enter = if folder { (mode & 0o222) >> 1 } else { 0 };
+        let _ = std::fs::set_permissions(path, Permissions::from_mode(mode | enter));
+    }
+
     pub(super) fn may_write(folder: &Path) -> Result<()> {
         let wanted = rustix::fs::Access::WRITE_OK | rustix::fs::Access::EXEC_OK;
         Ok(rustix::fs::access(folder, wanted)?)
@@ -171,6 +201,9 @@ mod system {
     pub(super) fn is_private(_meta: &Metadata) -> bool {
         true
     }
+
+    #[cfg(feature = "remote")]
+    pub(super) fn share(_path: &Path, _like: &Path, _folder: bool) {}
 
     pub(super) fn may_write(folder: &Path) -> Result<()> {
         match std::fs::metadata(folder)?.permissions().readonly() {

@@ -12,24 +12,30 @@ pub(crate) mod nofollow;
 
 pub(crate) use entries::FileKind;
 use entries::WRITING;
-#[cfg(feature = "remote")]
-pub(crate) use files::is_private;
 pub(crate) use files::{
     Stamp, Use, can_start, is_mine, may_write, permit, private_file, private_folder, read_exact_at,
 };
+#[cfg(feature = "remote")]
+pub(crate) use files::{is_private, shared_file, shared_folders};
 pub(crate) use nofollow::Folder;
 
 /// Removes what killed processes were writing into a folder.
 pub(crate) fn tidy(at: &Folder) {
-    let hex = |text: &str| !text.is_empty() && text.bytes().all(|b| b.is_ascii_hexdigit());
     let dead = |name: &str| {
-        let words = name.strip_prefix(WRITING).map(|rest| rest.split('-'));
-        let words: Vec<&str> = words.into_iter().flatten().collect();
-        words.len() == 3 && words.iter().all(|word| hex(word)) && !is_alive(words[0])
+        let process = name.strip_prefix(WRITING).and_then(|n| n.split('-').next());
+        is_writing(name) && !process.is_some_and(is_alive)
     };
     for name in nofollow::inside(at, FileKind::File, dead) {
         nofollow::remove(at, &name);
     }
+}
+
+/// Whether a name is of a file that is being written into a folder of results.
+pub(crate) fn is_writing(name: &str) -> bool {
+    let hex = |text: &&str| !text.is_empty() && text.bytes().all(|b| b.is_ascii_hexdigit());
+    let words = name.strip_prefix(WRITING).map(|rest| rest.split('-'));
+    let words: Vec<&str> = words.into_iter().flatten().collect();
+    words.len() == 3 && words.iter().all(hex)
 }
 
 /// Whether the process that a name begins with lives.

@@ -7,6 +7,7 @@ use engine::recipe::Overrides;
 use engine::store::Store;
 use engine::store::remote::{Left, Manner, Sharing};
 use engine::strands::Plan;
+use stage::Hash;
 use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex};
 use std::time::Duration;
@@ -22,6 +23,7 @@ pub(crate) fn begun(cache: &Path, bucket: &Bucket, read_only: bool) -> (Sharing,
     let manner = Manner {
         read_only,
         seal: None,
+        ..Manner::default()
     };
     let sharing = Sharing::begin(cache, Box::new(bucket.clone()), manner, Box::new(say));
     (sharing.unwrap(), said)
@@ -96,7 +98,14 @@ fn what_one_makes_another_finds_with_the_bytes_of_a_run_alone() {
         for blob in shelf(&b, "cas") {
             assert!(alone.contains(&blob));
         }
-        assert_eq!(shelf(&b, "ac"), shelf(&a, "ac"));
+        // The same records, but for where they were made.
+        let records = |cache: &Path| {
+            let store = Store::open(cache).unwrap();
+            let keys = shelf(cache, "ac").into_iter();
+            let record = |(key, _): (String, Vec<u8>)| store.record(Hash::from_hex(&key).unwrap());
+            keys.map(record).collect::<Vec<_>>()
+        };
+        assert_eq!(records(&b), records(&a));
         // Alone again, all the same.
         assert_eq!(place.run_in(&chain(1), &b, 2), NONE);
     }
@@ -258,6 +267,7 @@ fn read_only_takes_and_puts_nothing() {
     let manner = Manner {
         read_only: true,
         seal: None,
+        ..Manner::default()
     };
     let refused = Sharing::begin(&b, Box::new(bucket.clone()), manner, Box::new(|_| {}));
     let why = refused.err().expect("there is no store yet").to_string();

@@ -53,6 +53,7 @@ fn run(
     let manner = Manner {
         read_only: false,
         seal: Some(Box::new(Name { own, trusts })),
+        ..Manner::default()
     };
     let sharing = Sharing::begin(cache, Box::new(bucket.clone()), manner, Box::new(say)).unwrap();
     let made = place.run_in(what, cache, 2);
@@ -71,6 +72,7 @@ pub(crate) fn trusting(cache: &Path, bucket: &Bucket, who: &'static str) -> Shar
     let manner = Manner {
         read_only: true,
         seal: Some(Box::new(seal)),
+        ..Manner::default()
     };
     Sharing::begin(cache, Box::new(bucket.clone()), manner, Box::new(|_| {})).unwrap()
 }

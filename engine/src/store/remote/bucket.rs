@@ -5,19 +5,14 @@
 //! address holds is cut out of every text.
 
 use super::answer::{absent, plain, trouble};
+use super::clients::{ADDRESSES, of_scheme};
 use super::objects::{Created, Got, Object, Objects, Trouble};
-use super::profile;
+use super::patience::Patience;
+use crate::system;
 use futures_util::{StreamExt, TryStreamExt};
-use object_store::aws::AmazonS3Builder;
-use object_store::azure::MicrosoftAzureBuilder;
-use object_store::gcp::GoogleCloudStorageBuilder;
 use object_store::local::LocalFileSystem;
 use object_store::path::Path;
-use object_store::{
-    BackoffConfig, ClientOptions, ObjectStore, ObjectStoreExt, PutMode, PutOptions, PutPayload,
-    RetryConfig,
-};
-use std::time::Duration;
+use object_store::{ObjectStore, ObjectStoreExt, PutMode, PutOptions, PutPayload};
 use tokio::runtime::Runtime;
 
 /// A bucket, or a folder on a disk that machines share.
@@ -25,15 +20,19 @@ struct Bucket {
     name: String,
     prefix: Path,
     store: Box<dyn ObjectStore>,
+    /// As `store`, with time for a large result to get there.
+    writes: Box<dyn ObjectStore>,
     runtime: Runtime,
+    /// Where it lies, if it is a folder.
+    folder: Option<std::path::PathBuf>,
 }
 
-/// The place of an address.
+/// The place of an address; how long an answer is waited for.
 ///
 /// # Errors
 ///
 /// The address is none, or what the environment says of it is not enough.
-pub fn open(address: &str) -> Result<Box<dyn Objects>, Trouble> {
+pub fn open(address: &str, patience: Patience) -> Result<Box<dyn Objects>, Trouble> {
     let refuse = |why: &str| Trouble::Refused(why.to_owned());
     let (scheme, rest) = address.split_once("://").ok_or_else(|| refuse(ADDRESSES))?;
     if rest.contains('@') || rest.contains('?') || rest.contains('#') {
@@ -44,82 +43,39 @@ pub fn open(address: &str) -> Result<Box<dyn Objects>, Trouble> {
     let (bucket, prefix) = rest.split_once('/').unwrap_or((rest, ""));
     let prefix = prefix.trim_end_matches('/');
     let _ = rustls::crypto::ring::default_provider().install_default();
-    let store: Result<Box<dyn ObjectStore>, _> = match scheme {
-        "file" if bucket.is_empty() => return folder(rest),
-        _ if bucket.is_empty() => return Err(refuse(ADDRESSES)),
-        "s3" => amazon()?
-            .with_bucket_name(bucket)
-            .with_client_options(client())
-            .with_allow_http(allowed())
-            .with_retry(retry())
-            .build()
-            .map(|s| Box::new(s) as _),
-        "gs" => GoogleCloudStorageBuilder::from_env()
-            .with_bucket_name(bucket)
-            .with_client_options(client())
-            .with_retry(retry())
-            .build()
-            .map(|s| Box::new(s) as _),
-        "az" => MicrosoftAzureBuilder::from_env()
-            .with_container_name(bucket)
-            .with_client_options(client())
-            .with_allow_http(allowed())
-            .with_retry(retry())
-            .build()
-            .map(|s| Box::new(s) as _),
-        _ => return Err(refuse(ADDRESSES)),
-    };
-    let store = store.map_err(|e| Trouble::Refused(plain(&e)))?;
+    if scheme == "file" && bucket.is_empty() {
+        return folder(rest);
+    }
+    if bucket.is_empty() {
+        return Err(refuse(ADDRESSES));
+    }
+    let store = of_scheme(scheme, bucket, patience.of_an_answer())?;
+    let writes = of_scheme(scheme, bucket, Patience::default().of_a_large_answer())?;
     let name = match prefix {
         "" => format!("{scheme}://{bucket}"),
         _ => format!("{scheme}://{bucket}/{prefix}"),
     };
-    made(name, prefix, store)
+    made(name, prefix, [store, writes], None)
 }
-
-/// As the environment says, and where it says nothing, a profile.
-fn amazon() -> Result<AmazonS3Builder, Trouble> {
-    let env = |name: &str| std::env::var(name).ok();
-    let said = |names: &[&str]| names.iter().any(|n| env(n).is_some_and(|v| !v.is_empty()));
-    let profile = profile::chosen(&env).map_err(Trouble::Refused)?;
-    let mut builder = AmazonS3Builder::from_env();
-    if let Some(keys) = profile.keys {
-        builder = builder
-            .with_access_key_id(keys.id)
-            .with_secret_access_key(keys.secret);
-        if let Some(token) = keys.token {
-            builder = builder.with_token(token);
-        }
-    }
-    if let Some(region) = profile.region.filter(|_| !said(&REGION)) {
-        builder = builder.with_region(region);
-    }
-    if let Some(endpoint) = profile.endpoint.filter(|_| !said(&ENDPOINT)) {
-        builder = builder.with_endpoint(endpoint);
-    }
-    Ok(builder)
-}
-
-const REGION: [&str; 2] = ["AWS_REGION", "AWS_DEFAULT_REGION"];
-
-const ENDPOINT: [&str; 3] = ["AWS_ENDPOINT_URL", "AWS_ENDPOINT_URL_S3", "AWS_ENDPOINT"];
-
-const ADDRESSES: &str = "its address is none: say s3://BUCKET/PREFIX, gs://BUCKET/PREFIX, az://CONTAINER/PREFIX or file:///FOLDER";
 
 /// A folder that is there.
 fn folder(path: &str) -> Result<Box<dyn Objects>, Trouble> {
-    let store = LocalFileSystem::new_with_prefix(path).map_err(|e| {
-        Trouble::Refused(format!(
-            "{path} is no folder here: make or mount it first ({e})"
-        ))
-    })?;
-    made(format!("file://{path}"), "", Box::new(store))
+    let open = || {
+        LocalFileSystem::new_with_prefix(path).map_err(|e| {
+            Trouble::Refused(format!(
+                "{path} is no folder here: make or mount it first ({e})"
+            ))
+        })
+    };
+    let stores: [Box<dyn ObjectStore>; 2] = [Box::new(open()?), Box::new(open()?)];
+    made(format!("file://{path}"), "", stores, Some(path.into()))
 }
 
 fn made(
     name: String,
     prefix: &str,
-    store: Box<dyn ObjectStore>,
+    [store, writes]: [Box<dyn ObjectStore>; 2],
+    folder: Option<std::path::PathBuf>,
 ) -> Result<Box<dyn Objects>, Trouble> {
     let prefix =
         Path::parse(prefix).map_err(|e| Trouble::Refused(format!("its prefix is none: {e}")))?;
@@ -130,37 +86,27 @@ fn made(
         name,
         prefix,
         store,
+        writes,
         runtime,
+        folder,
     }))
 }
 
-/// HTTP without TLS, where the environment allows it: servers of one's own.
-fn allowed() -> bool {
-    let said = |name: &str| std::env::var(name).is_ok_and(|v| v == "true" || v == "1");
-    said("AWS_ALLOW_HTTP") || said("AZURE_ALLOW_HTTP")
-}
-
-fn client() -> ClientOptions {
-    ClientOptions::new()
-        .with_connect_timeout(Duration::from_secs(5))
-        // From one byte to the next; a large result may take its time.
-        .with_read_timeout(Duration::from_secs(20))
-        .with_timeout(Duration::from_secs(600))
-}
-
-fn retry() -> RetryConfig {
-    RetryConfig {
-        backoff: BackoffConfig {
-            init_backoff: Duration::from_millis(50),
-            max_backoff: Duration::from_secs(2),
-            base: 2.0,
-        },
-        max_retries: 3,
-        retry_timeout: Duration::from_secs(15),
-    }
-}
-
 impl Bucket {
+    /// Makes the folders of an object for their owner only, before it is written into them.
+    fn before(&self, name: &str) {
+        if let Some(folder) = &self.folder {
+            system::shared_folders(folder, name);
+        }
+    }
+
+    /// Lets an object be read by who may read the folder of the store, if anybody.
+    fn after(&self, name: &str) {
+        if let Some(folder) = &self.folder {
+            system::shared_file(folder, name);
+        }
+    }
+
     fn path(&self, name: &str) -> Path {
         let parts = name.split('/').filter(|part| !part.is_empty());
         parts.fold(self.prefix.clone(), |path, part| path.join(part))
@@ -204,20 +150,25 @@ impl Objects for Bucket {
     fn put(&self, name: &str, bytes: &[u8]) -> Result<(), Trouble> {
         let payload = PutPayload::from(bytes.to_vec());
         let path = self.path(name);
-        let put = self.store.put(&path, payload);
-        self.runtime
-            .block_on(put)
-            .map_err(|e| trouble(&e))
-            .map(|_| ())
+        let put = self.writes.put(&path, payload);
+        self.before(name);
+        let put = self.runtime.block_on(put);
+        self.after(name);
+        put.map_err(|e| trouble(&e)).map(|_| ())
     }
 
     fn create(&self, name: &str, bytes: &[u8]) -> Result<Created, Trouble> {
         let payload = PutPayload::from(bytes.to_vec());
         let path = self.path(name);
         let put = self
-            .store
+            .writes
             .put_opts(&path, payload, PutOptions::from(PutMode::Create));
-        match self.runtime.block_on(put) {
+        self.before(name);
+        let put = self.runtime.block_on(put);
+        if put.is_ok() {
+            self.after(name);
+        }
+        match put {
             Ok(_) => Ok(Created::New),
             // 409 comes as this, too; who reads it back knows.
             Err(

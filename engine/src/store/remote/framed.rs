@@ -27,6 +27,9 @@ pub(super) const SMALL: usize = 64 << 10;
 /// No record with its small result is larger. \[bytes\]
 pub(super) const MOST: usize = 8 << 20;
 
+/// No blob is larger. \[bytes\]
+pub(super) const MOST_BLOB: u64 = 16 << 30;
+
 /// What was read.
 pub(super) struct Framed {
     pub(super) record: Record,
@@ -71,9 +74,14 @@ pub(super) fn parse(object: &[u8], key: Hash) -> Result<Framed, Unread> {
     let rest = &object[end + 1..];
     let (file, tail) = rest.split_at_checked(length).ok_or(Unread::Corrupt)?;
     let record = parse_record(file)?;
+    // What it says of its size decides what goes when the store grows.
     let whole = match blob {
-        "-" => tail.is_empty(),
-        size => size.parse() == Ok(tail.len()) && blake3::hash(tail) == record.content,
+        "-" => tail.is_empty() && record.bytes <= MOST_BLOB,
+        size => {
+            size.parse() == Ok(tail.len())
+                && record.bytes == tail.len() as u64
+                && blake3::hash(tail) == record.content
+        }
     };
     if !whole || record.key() != key || !is_plain(&record) {
         return Err(Unread::Corrupt);
@@ -145,6 +153,23 @@ mod tests {
             parse(later.as_bytes(), key),
             Err(Unread::OtherVersion)
         ));
+    }
+
+    #[test]
+    fn a_size_that_is_not_the_blob_s_and_a_time_that_nobody_has_are_refused() {
+        let object = |change: &dyn Fn(&mut Record), blob: Option<&[u8]>| {
+            let mut bad = record(b"small");
+            change(&mut bad);
+            let read = parse(&bytes("n", bad.file().as_bytes(), blob, None), bad.key());
+            read.is_ok()
+        };
+        let blob = Some(b"small".as_slice());
+        assert!(object(&|_| (), blob) && object(&|_| (), None));
+        assert!(!object(&|r| r.bytes = u64::MAX, blob));
+        assert!(!object(&|r| r.bytes = u64::MAX, None));
+        for seconds in [1e308, -1.0] {
+            assert!(!object(&|r| r.seconds = seconds, blob), "{seconds}");
+        }
     }
 
     #[test]

@@ -25,7 +25,7 @@ pub enum Honest {
 }
 
 /// A hash that nobody else has.
-pub(super) fn fresh() -> Hash {
+pub(in crate::store) fn fresh() -> Hash {
     use std::sync::atomic::{AtomicU64, Ordering};
     static COUNT: AtomicU64 = AtomicU64::new(0);
     let count = COUNT.fetch_add(1, Ordering::Relaxed);

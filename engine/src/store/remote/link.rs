@@ -3,16 +3,15 @@
 //! A place that does not answer is left alone for a while, longer each time, and said once: whoever runs
 //! goes on without it.
 
-use super::framed::Framed;
 use super::handshake::{self, Honest, Identity};
 use super::inventory::Inventory;
 use super::known::Known;
 use super::objects::{Objects, Trouble};
-use super::seal::{Seal, former_message, message};
-use stage::Hash;
+use super::patience::{Patience, is_beside};
+use super::seal::Seal;
 use std::collections::{BTreeSet, VecDeque};
 use std::path::{Path, PathBuf};
-use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::atomic::AtomicBool;
 use std::sync::{Condvar, Mutex, MutexGuard};
 use std::time::{Duration, Instant};
 
@@ -28,9 +27,11 @@ pub struct Link {
     /// Nothing is written there.
     pub(super) read_only: bool,
     /// Who signs what is written, and who is believed.
-    seal: Option<Box<dyn Seal>>,
+    pub(super) seal: Option<Box<dyn Seal>>,
     /// Whether it was said that somebody is not believed.
-    strangers: AtomicBool,
+    pub(super) strangers: AtomicBool,
+    /// Whether it was said that something here is not signed.
+    pub(super) unsigned: AtomicBool,
     say: Say,
     met: Mutex<Met>,
     pub(super) known: Mutex<Known>,
@@ -38,6 +39,7 @@ pub struct Link {
     pub(super) queue: Mutex<Queue>,
     pub(super) bell: Condvar,
     weather: Mutex<Weather>,
+    patience: Patience,
 }
 
 /// How far the two have come to know each other.
@@ -78,6 +80,8 @@ struct Weather {
     wait: Duration,
     why: String,
     said: bool,
+    /// How long it held up who waits for it, since it last answered.
+    stalled: Duration,
 }
 
 const FIRST_WAIT: Duration = Duration::from_millis(250);
@@ -103,6 +107,7 @@ impl Link {
         objects: Box<dyn Objects>,
         read_only: bool,
         seal: Option<Box<dyn Seal>>,
+        patience: Patience,
         say: Say,
     ) -> Result<Link, Trouble> {
         let link = Link {
@@ -112,6 +117,7 @@ impl Link {
             read_only,
             seal,
             strangers: AtomicBool::new(false),
+            unsigned: AtomicBool::new(false),
             say,
             met: Mutex::default(),
             known: Mutex::default(),
@@ -119,8 +125,9 @@ impl Link {
             queue: Mutex::default(),
             bell: Condvar::new(),
             weather: Mutex::default(),
+            patience,
         };
-        match link.meet() {
+        match link.waited(&|| link.meet()) {
             Err(Trouble::Refused(why)) => Err(Trouble::Refused(why)),
             // Said already.
             Err(Trouble::Down(_)) | Ok(()) => Ok(link),
@@ -135,40 +142,6 @@ impl Link {
     /// Whether nothing is written there.
     pub fn is_read_only(&self) -> bool {
         self.read_only
-    }
-
-    /// A signature of a record, if somebody signs.
-    pub(super) fn sign(&self, key: Hash, file: &[u8]) -> Option<String> {
-        self.seal.as_ref()?.sign(&message(key, file))
-    }
-
-    /// Whether what is written is signed.
-    pub(super) fn signs(&self) -> bool {
-        self.seal.as_ref().is_some_and(|s| s.signer().is_some())
-    }
-
-    /// Whether nothing is believed but what somebody who is trusted signed.
-    pub(super) fn is_strict(&self) -> bool {
-        self.seal.as_ref().is_some_and(|seal| seal.is_strict())
-    }
-
-    /// Whether a record is by somebody who is believed.
-    pub(super) fn believes(&self, key: Hash, theirs: &Framed) -> bool {
-        let Some(seal) = self.seal.as_ref().filter(|seal| seal.is_strict()) else {
-            return true;
-        };
-        let messages = [message, former_message].map(|of| of(key, &theirs.file));
-        let signature = theirs.signature.as_ref();
-        signature.is_some_and(|word| messages.iter().any(|m| seal.believes(m, word)))
-    }
-
-    /// Says once that somebody is not believed.
-    pub(super) fn say_stranger(&self, name: &str) {
-        if !self.strangers.swap(true, Ordering::Relaxed) {
-            self.say(&format!(
-                "{name} is not signed by anybody in the list of --trust: neither it nor others like it are used"
-            ));
-        }
     }
 
     pub(super) fn say(&self, line: &str) {
@@ -219,8 +192,33 @@ impl Link {
 
     /// Asks something that may be asked again, after the two have met.
     pub(super) fn ask<T>(&self, ask: &dyn Fn() -> Result<T, Trouble>) -> Result<T, Trouble> {
-        self.meet()?;
-        self.steadily(ask)
+        self.waited(&|| {
+            self.meet()?;
+            self.steadily(ask)
+        })
+    }
+
+    /// Asks, and notes how long that held up who waits for it, if nothing came of it.
+    fn waited<T>(&self, ask: &dyn Fn() -> Result<T, Trouble>) -> Result<T, Trouble> {
+        if let Some(why) = self.rests() {
+            return Err(Trouble::Down(why));
+        }
+        let begun = Instant::now();
+        let answer = ask();
+        if matches!(answer, Err(Trouble::Down(_))) && !is_beside() {
+            self.weather.lock().expect("bug: poisoned").stalled += begun.elapsed();
+        }
+        answer
+    }
+
+    /// How long the place held up who waited for it, since it last answered.
+    pub(super) fn stalled(&self) -> Duration {
+        self.weather.lock().expect("bug: poisoned").stalled
+    }
+
+    /// How long who waits for it goes on.
+    pub(super) fn patience(&self) -> Patience {
+        self.patience
     }
 
     /// Asks some times; notes whether the place answers.
@@ -228,7 +226,7 @@ impl Link {
         if let Some(why) = self.rests() {
             return Err(Trouble::Down(why));
         }
-        let mut last = String::new();
+        let (mut last, begun) = (String::new(), Instant::now());
         for tried in 0..TRIES {
             match ask() {
                 Err(Trouble::Down(why)) => last = why,
@@ -236,6 +234,9 @@ impl Link {
                     self.answered();
                     return answer;
                 }
+            }
+            if begun.elapsed() >= self.patience.of_a_question() || self.queue().closing {
+                break;
             }
             if tried + 1 < TRIES {
                 std::thread::sleep(Duration::from_millis(20 << tried));
@@ -249,6 +250,7 @@ impl Link {
     fn rests(&self) -> Option<String> {
         let weather = self.weather.lock().expect("bug: poisoned");
         let rests = weather.until.is_some_and(|until| Instant::now() < until);
+        let rests = rests || (!is_beside() && self.patience.is_over(weather.stalled));
         rests.then(|| weather.why.clone())
     }
 
@@ -281,6 +283,7 @@ impl Link {
         let mut weather = self.weather.lock().expect("bug: poisoned");
         weather.wait = Duration::ZERO;
         weather.until = None;
+        weather.stalled = Duration::ZERO;
         if std::mem::replace(&mut weather.said, false) {
             drop(weather);
             self.say("it answers again");

@@ -14,16 +14,25 @@
 
 #[cfg(feature = "remote")]
 mod answer;
+mod believed;
 #[cfg(feature = "remote")]
 mod bucket;
+#[cfg(feature = "remote")]
+mod clients;
+#[cfg(feature = "remote")]
+mod day;
+mod forget;
 mod framed;
 mod handshake;
 mod inventory;
 mod joined;
+#[cfg(feature = "remote")]
+mod key_file;
 mod known;
 mod link;
 mod listing;
 mod objects;
+mod patience;
 mod plans;
 #[cfg(feature = "remote")]
 mod profile;
@@ -32,6 +41,8 @@ mod seal;
 #[cfg(feature = "remote")]
 mod signature;
 mod sweep;
+#[cfg(feature = "remote")]
+mod trusted;
 mod upload;
 mod uploads;
 mod waiting;
@@ -39,11 +50,15 @@ mod waiting;
 #[cfg(feature = "remote")]
 pub use bucket::open;
 pub use handshake::Honest;
+pub(super) use handshake::fresh;
 pub(super) use joined::of;
+#[cfg(feature = "remote")]
+pub use key_file::NoKey;
 pub use link::{Link, Say};
 pub use objects::{Created, Got, Object, Objects, Trouble};
+pub use patience::Patience;
 pub use seal::Seal;
 #[cfg(feature = "remote")]
-pub use signature::{Keys, NoKey, keygen};
+pub use signature::{Keys, keygen};
 pub use sweep::{Looked, SweptThere};
 pub use uploads::{Left, Manner, NoSharing, Sharing};

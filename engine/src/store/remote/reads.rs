@@ -1,25 +1,22 @@
 //! Reading from a shared store: what is not here is brought here, verified as data from strangers.
 
 use super::super::files::{self, Care};
-use super::super::record::Unread;
-use super::framed::{self, Framed};
+use super::super::record::{Origin, Unread};
+use super::framed::{self, Framed, MOST_BLOB};
 use super::link::Link;
 use super::objects::{Got, Trouble, at_most};
+use crate::own;
 use crate::store::Store;
 use stage::Hash;
 use std::path::Path;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-/// No blob is larger. \[bytes\]
-const MOST_BLOB: u64 = 16 << 30;
-
 /// Requests under way at a time, where many records are wanted.
-const AT_A_TIME: usize = 16;
+pub(super) const AT_A_TIME: usize = 16;
 
 /// The name of what lies on a shelf under a hash.
 pub(super) fn object(shelf: &str, hash: Hash) -> String {
-    let hex = hash.to_hex();
-    format!("{shelf}/{}/{hex}", &hex[..2])
+    own::name(shelf, hash)
 }
 
 /// What came of reading a record there.
@@ -104,7 +101,15 @@ impl Store {
         };
         let blob = framed.blob.as_ref();
         let kept = blob.is_none_or(|blob| write(&self.place("cas", framed.record.content), blob));
-        let taken = kept && write(&self.place("ac", key), &framed.file);
+        let file = framed.record.file();
+        // A signature is of the bytes that came; where these cannot be written again, it says nothing any more.
+        let signature = framed.signature.clone();
+        let origin = Origin::Brought {
+            from: link.name().to_owned(),
+            signature: signature.filter(|_| file.as_bytes() == framed.file),
+        };
+        let file = framed.record.file_of(Some(origin));
+        let taken = kept && write(&self.place("ac", key), file.as_bytes());
         if taken {
             link.known().add(*key.as_bytes());
         }
@@ -153,7 +158,8 @@ impl Store {
         let (name, tmp) = (object("cas", content), self.fresh());
         let came = link.ask(&|| self.stream(link, &name, &tmp));
         let right = match came {
-            Ok(Some(hash)) if hash == content => {
+            // Still open, and so locked.
+            Ok(Some((hash, _file))) if hash == content => {
                 files::rename(&*self.disk, &tmp, &self.place("cas", content)).is_ok()
             }
             Ok(Some(_)) => {
@@ -180,7 +186,12 @@ impl Store {
     }
 
     /// Writes an object into a file; the hash of its bytes, if there is one.
-    fn stream(&self, link: &Link, name: &str, tmp: &Path) -> Result<Option<Hash>, Trouble> {
+    fn stream(
+        &self,
+        link: &Link,
+        name: &str,
+        tmp: &Path,
+    ) -> Result<Option<(Hash, std::fs::File)>, Trouble> {
         let _ = self.disk.remove(tmp);
         let disk = |why: std::io::Error| Trouble::Refused(format!("{}: {why}", tmp.display()));
         let mut file = files::create(&*self.disk, tmp).map_err(disk)?;
@@ -192,7 +203,7 @@ impl Store {
             failed.is_none() && size <= MOST_BLOB
         })?;
         match (got, failed) {
-            (Got::Whole, None) => Ok(Some(hasher.finalize())),
+            (Got::Whole, None) => Ok(Some((hasher.finalize(), file))),
             (Got::Absent, _) => Ok(None),
             (_, Some(why)) => Err(disk(why)),
             (Got::Stopped, None) => Err(Trouble::Refused(format!(

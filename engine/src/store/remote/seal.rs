@@ -23,6 +23,11 @@ pub(super) fn message(key: Hash, file: &[u8]) -> Vec<u8> {
     [head, key.as_bytes().as_slice(), file].concat()
 }
 
+/// What is signed of a plan: its name, which is its hash.
+pub(super) fn plan_message(name: &str) -> Vec<u8> {
+    [b"stage shared plan 1\n", name.as_bytes()].concat()
+}
+
 /// What was signed while the engine bore the name of its first product.
 pub(super) fn former_message(key: Hash, file: &[u8]) -> Vec<u8> {
     let head = b"tailor shared record 1\n";

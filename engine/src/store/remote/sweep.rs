@@ -1,12 +1,8 @@
 //! What a shared store holds, how it answers, and what is old enough to go. Ages are by its own clock.
 
 use super::handshake::{self, Honest, fresh};
-use super::link::Link;
 use super::objects::{Object, Objects, Trouble};
-use super::reads::object;
 use super::uploads::Sharing;
-use crate::store::{Store, StoreError};
-use stage::Hash;
 use std::time::{Duration, Instant, SystemTime};
 
 /// A shared store, looked at.
@@ -108,8 +104,8 @@ impl Sharing {
             swept.bytes += old.iter().map(|object| object.bytes).sum::<u64>();
             going.push(old);
         }
-        (swept.records, swept.blobs, swept.plans) =
-            (going[0].len(), going[1].len(), going[2].len());
+        let plans = going[2].iter().filter(|o| !o.name.ends_with(".seal"));
+        (swept.records, swept.blobs, swept.plans) = (going[0].len(), going[1].len(), plans.count());
         if dry_run || going.iter().all(Vec::is_empty) {
             return Ok(swept);
         }
@@ -137,43 +133,4 @@ fn now_there(objects: &dyn Objects) -> Result<SystemTime, Trouble> {
     let _ = objects.remove(&name);
     listed?;
     now.ok_or_else(|| Trouble::Refused("what was written a moment ago is not listed".into()))
-}
-
-impl Store {
-    /// Removes the results of some keys, each with its content, from the shared store, if there is one.
-    ///
-    /// # Errors
-    ///
-    /// It does not answer, refuses, or nothing is to be written there.
-    pub(in crate::store) fn forget_elsewhere(
-        &self,
-        results: &[(Hash, Hash)],
-    ) -> Result<(), StoreError> {
-        let Some(link) = &self.link else {
-            return Ok(());
-        };
-        let shared = |why: String| StoreError::Shared {
-            name: link.name().to_owned(),
-            why: format!("nothing was removed here: {why}"),
-        };
-        if link.is_read_only() {
-            return Err(shared(
-                "leave --store-read-only out to remove there, too".into(),
-            ));
-        }
-        link.remove(results).map_err(|why| shared(why.to_string()))
-    }
-}
-
-impl Link {
-    /// Removes the results of some keys from the place.
-    fn remove(&self, results: &[(Hash, Hash)]) -> Result<(), Trouble> {
-        for (key, content) in results {
-            for name in [object("ac", *key), object("cas", *content)] {
-                self.ask(&|| self.objects.remove(&name))?;
-            }
-            self.known().lose(key.as_bytes());
-        }
-        Ok(())
-    }
 }

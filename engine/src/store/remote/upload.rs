@@ -1,5 +1,6 @@
 //! Uploading one result: its blob before its record, and the record only if there is none.
 
+use super::super::record::Origin;
 use super::framed::{self, SMALL};
 use super::handshake::{Honest, fresh};
 use super::link::Link;
@@ -30,7 +31,7 @@ const CREATES: usize = 8;
 /// Uploads the result of a key.
 pub(super) fn upload(store: &Store, link: &Link, key: Hash) -> Result<Came, Trouble> {
     let honest = link.honest()?;
-    let Some(record) = store.record(key) else {
+    let Ok((record, origin)) = store.read_with_origin(key) else {
         return Ok(Came::Nothing);
     };
     let Some(blob) = store.blob_here(record.content) else {
@@ -42,14 +43,24 @@ pub(super) fn upload(store: &Store, link: &Link, key: Hash) -> Result<Came, Trou
     }
     let file = record.file();
     let nonce = fresh().to_hex().to_string();
-    let signature = link.sign(key, file.as_bytes());
+    let may_sign = match origin {
+        Some(Origin::Here(mark)) => store.mark() == Some(mark.as_str()),
+        Some(Origin::Brought { signature, .. }) => {
+            signature.is_some_and(|word| link.vouched(key, file.as_bytes(), &word))
+        }
+        None => false,
+    };
+    let signature = link.sign(key, file.as_bytes()).filter(|_| may_sign);
+    if link.signs() && !may_sign {
+        link.say_unsigned();
+    }
     let object = framed::bytes(
         &nonce,
         file.as_bytes(),
         small.then_some(&blob),
         signature.as_deref(),
     );
-    publish(link, key, &record, &object, honest)
+    publish(link, key, &record, (&object, signature.is_some()), honest)
 }
 
 /// Writes a blob that is not there yet, or not what its name says.
@@ -76,12 +87,12 @@ fn keep(link: &Link, content: Hash, blob: &Blob) -> Result<(), Trouble> {
     }
 }
 
-/// Creates the record; whoever was first counts.
+/// Creates the record, signed or not; whoever was first counts.
 fn publish(
     link: &Link,
     key: Hash,
     record: &Record,
-    bytes: &[u8],
+    (bytes, signed): (&[u8], bool),
     honest: Honest,
 ) -> Result<Came, Trouble> {
     let name = object("ac", key);
@@ -103,7 +114,7 @@ fn publish(
             // A create of ours that was cut off comes back as "there", too; the same result is the same.
             Theirs::Whole(theirs) if theirs.record.content == record.content => {
                 // What nobody signed is signed by us.
-                if theirs.signature.is_some() || !link.signs() {
+                if theirs.signature.is_some() || !signed {
                     return Ok(Came::There);
                 }
                 link.ask(&|| link.objects.put(&name, bytes))?;
@@ -116,7 +127,7 @@ fn publish(
             Theirs::Other => return Ok(Came::There),
             Theirs::Stranger => {
                 link.say_stranger(&name);
-                if !link.signs() {
+                if !signed {
                     return Ok(Came::There);
                 }
                 link.ask(&|| link.objects.put(&name, bytes))?;

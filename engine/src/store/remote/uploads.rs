@@ -3,6 +3,7 @@
 use super::joined;
 use super::link::{Link, MOST_HELD, Say};
 use super::objects::{Objects, Trouble};
+use super::patience::{Patience, beside};
 use super::seal::Seal;
 use super::upload::{Came, upload};
 use super::waiting;
@@ -31,6 +32,8 @@ pub struct Manner {
     pub read_only: bool,
     /// Who signs what is written, and who is believed; without it nothing is signed, and everybody is believed.
     pub seal: Option<Box<dyn Seal>>,
+    /// How long the place may hold up who waits for it.
+    pub patience: Patience,
 }
 
 /// What was not uploaded.
@@ -69,10 +72,14 @@ impl Sharing {
         manner: Manner,
         say: Say,
     ) -> Result<Sharing, NoSharing> {
-        let Manner { read_only, seal } = manner;
+        let Manner {
+            read_only,
+            seal,
+            patience,
+        } = manner;
         let name = objects.name().to_owned();
         Store::open(root)?;
-        let link = Link::new(root, objects, read_only, seal, say)
+        let link = Link::new(root, objects, read_only, seal, patience, say)
             .map_err(|trouble| NoSharing::There(name, trouble))?;
         let link = Arc::new(link);
         joined::join(root, &link);
@@ -99,9 +106,14 @@ impl Sharing {
         self.link.name()
     }
 
-    /// Waits until all is uploaded, for as long as something is within `patience`; then lets go.
+    /// Waits until all is uploaded, for as long as something is within `patience`, what the place held up before counted
+    /// in; then lets go.
     pub fn finish(mut self, patience: Duration) -> Left {
         let begun = Instant::now();
+        let patience = match self.link.stalled() {
+            none if none.is_zero() => patience,
+            stalled => patience.saturating_sub(stalled + self.link.patience().of_an_answer()),
+        };
         let mut queue = self.link.queue();
         let busy = |queue: &super::link::Queue| {
             queue.stopped.is_none() && (queue.more || queue.running > 0 || !queue.held.is_empty())
@@ -140,7 +152,16 @@ impl Sharing {
     fn end(&mut self) {
         self.link.queue().closing = true;
         self.link.bell.notify_all();
-        self.threads.drain(..).for_each(|thread| _ = thread.join());
+        // A thread that waits for an answer is let go: what it uploads stays noted until it is there.
+        let (begun, answer) = (Instant::now(), self.link.patience().of_an_answer());
+        for thread in self.threads.drain(..) {
+            while !thread.is_finished() && begun.elapsed() < answer {
+                std::thread::sleep(Duration::from_millis(2));
+            }
+            if thread.is_finished() {
+                let _ = thread.join();
+            }
+        }
         joined::part(&self.root);
     }
 }
@@ -153,6 +174,7 @@ impl Drop for Sharing {
 
 /// One thread: takes what waits, uploads it.
 fn work(store: &Store, link: &Link) {
+    beside();
     while let Some(key) = next(store, link) {
         let came = upload(store, link, key);
         noted(store, link, key, came);

@@ -3,7 +3,7 @@
 
 use super::link::{Link, MOST_HELD};
 use crate::own;
-use crate::store::Store;
+use crate::store::{Store, StoreError};
 use stage::Hash;
 use std::collections::BTreeSet;
 
@@ -53,6 +53,14 @@ impl Store {
         self.share(key);
     }
 
+    /// As [`Store::will_share`], of what is made here now: whoever signs signs it, whatever was there before.
+    pub(in crate::store) fn will_share_made(&self, key: Hash) -> bool {
+        if let Some(link) = self.link.as_ref().filter(|link| link.signs()) {
+            link.known().lose(key.as_bytes());
+        }
+        self.will_share(key)
+    }
+
     /// Notes on disk that the result of a key is to be uploaded; whether there is anything to upload.
     pub(in crate::store) fn will_share(&self, key: Hash) -> bool {
         let Some(link) = self.link.as_ref().filter(|link| !link.read_only) else {
@@ -89,12 +97,10 @@ impl Store {
             .collect()
     }
 
-    /// Lets go of what waits of a key, whatever for.
-    pub(in crate::store) fn forget_waiting(&self, key: Hash) {
-        let own = key.to_hex();
-        let mine = |name: &str| own::is_waiting(name) && name.starts_with(own.as_str());
-        for name in own::files(self.root(), FOLDER, mine) {
-            own::remove(self.root(), &[FOLDER], &name);
-        }
+    /// Lets go of what waits of some keys, whatever for.
+    pub(in crate::store) fn forget_waiting(&self, keys: &[Hash]) -> Result<(), StoreError> {
+        let keys: BTreeSet<String> = keys.iter().map(|k| k.to_hex().to_string()).collect();
+        let mine = |name: &str| own::is_waiting(name) && keys.contains(&name[..64]);
+        self.all_gone(FOLDER, mine).map(|_| ())
     }
 }

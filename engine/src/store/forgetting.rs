@@ -1,0 +1,138 @@
+//! Forgetting, held against random captures, random faults, and a disk that ends at any of its steps: afterwards the
+//! bytes of the store are searched for what only the captures had. `ENGINE_FORGETS=1000` takes so many stories,
+//! `ENGINE_FORGETS_SEED` others.
+
+mod story;
+
+use super::forget::forget;
+use super::simulated::Simulated;
+use super::{StoreError, keeper};
+use crate::own;
+use proof::Dice;
+use std::path::PathBuf;
+use story::{Story, below};
+
+fn rounds(usual: u64) -> std::ops::Range<u64> {
+    let number = |name: &str, usual| std::env::var(name).map_or(usual, |n| n.parse().unwrap());
+    let seed = number("ENGINE_FORGETS_SEED", 1) << 32;
+    seed..seed + number("ENGINE_FORGETS", usual)
+}
+
+/// So many steps of a disk, all told, where no story takes more.
+const MOST_STEPS: usize = 400;
+
+#[test]
+fn nothing_of_a_capture_is_left_whatever_happened_before() {
+    for seed in rounds(80) {
+        let mut dice = Dice(seed);
+        let story = Story::new(&mut dice);
+        let sound = dice.unit() < 0.3;
+        // Some runs are killed at a step of theirs.
+        let ends = (!sound && dice.unit() < 0.5).then(|| dice.bits() as usize % MOST_STEPS);
+        let disk = Simulated {
+            ends,
+            ..Simulated::default()
+        };
+        if let Ok(store) = story.store(&disk) {
+            for capture in &story.captures {
+                let _ = story.run(&store, capture, &mut dice);
+            }
+        }
+        for _ in 0..if sound { 0 } else { dice.bits() % 4 } {
+            story.spoil(&mut dice);
+        }
+        let mut folder = story.captures[0].folder.clone();
+        // A capture may have been moved; without its note only its files tell.
+        if sound && dice.unit() < 0.5 {
+            let moved = story.place.path().join("moved");
+            std::fs::rename(&folder, &moved).unwrap();
+            folder = moved;
+        }
+        let store = story.store(&Simulated::default()).unwrap();
+        let forgotten = forget(&store, &folder).unwrap();
+        let round = format!("seed {seed}: {forgotten:?}");
+        assert_eq!(forgotten.unread, Vec::<String>::new(), "{round}");
+        story.clean(&round);
+        // What is broken of the others is put aside, and nothing of it is this one's.
+        keeper::verify(&store);
+        assert_eq!(keeper::verify(&store), 0, "{round}");
+        story.clean(&round);
+        assert_eq!(own::stranger(store.root()), None, "{round}");
+        if sound {
+            assert!(
+                forgotten.known && forgotten.broken + forgotten.untraced == 0,
+                "{round}"
+            );
+            // The others keep all that they had, shared blobs too.
+            for capture in &story.captures[1..] {
+                let left = below(&story.root());
+                let has = |path: &PathBuf| {
+                    let bytes = std::fs::read(path).unwrap();
+                    String::from_utf8_lossy(&bytes).contains(&capture.name)
+                };
+                assert!(left.iter().any(has), "{round}");
+            }
+            for key in own::shelf(store.root(), "ac") {
+                let record = store.record(key).unwrap();
+                assert!(store.holds(record.content), "{round}");
+            }
+        }
+    }
+}
+
+#[test]
+fn forgetting_that_is_killed_at_any_step_is_done_by_the_next_one() {
+    for seed in rounds(1) {
+        for ends in 0.. {
+            let mut dice = Dice(seed);
+            let story = Story::new(&mut dice);
+            let store = story.store(&Simulated::default()).unwrap();
+            for capture in &story.captures {
+                story.run(&store, capture, &mut dice).unwrap();
+            }
+            let folder = &story.captures[0].folder;
+            let disk = Simulated {
+                ends: Some(ends),
+                ..Simulated::default()
+            };
+            let round = format!("seed {seed}, ended at step {ends}");
+            let first = story.store(&disk).and_then(|store| forget(&store, folder));
+            let next = forget(&story.store(&Simulated::default()).unwrap(), folder).unwrap();
+            story.clean(&round);
+            assert_eq!(keeper::verify(&store), 0, "{round}");
+            assert!(
+                first.is_ok() || next.known,
+                "{round}: nothing tells of it any more"
+            );
+            if disk.tried() <= ends {
+                assert!(ends > 20, "only {ends} steps");
+                assert!(first.is_ok(), "{round}: {first:?}");
+                break;
+            }
+        }
+    }
+}
+
+#[test]
+fn a_step_of_forgetting_that_fails_is_told_and_what_leads_to_the_rest_stays() {
+    let mut dice = Dice(7);
+    for fails in 0..60 {
+        let story = Story::new(&mut dice);
+        let store = story.store(&Simulated::default()).unwrap();
+        for capture in &story.captures {
+            story.run(&store, capture, &mut dice).unwrap();
+        }
+        let disk = Simulated {
+            fails: Some(fails),
+            ..Simulated::default()
+        };
+        let folder = &story.captures[0].folder;
+        let first = story.store(&disk).and_then(|store| forget(&store, folder));
+        if disk.tried() > fails {
+            let told = matches!(first, Err(StoreError::Left(_) | StoreError::Disk { .. }));
+            assert!(told, "step {fails}: {first:?}");
+        }
+        forget(&store, folder).unwrap();
+        story.clean(&format!("step {fails} fails"));
+    }
+}

@@ -1,0 +1,116 @@
+//! Keys as files: who is believed, until when, and what is told of files that are none.
+
+use super::*;
+
+#[test]
+fn what_is_signed_is_believed_of_those_who_are_trusted_and_of_nobody_else() {
+    let place = tempfile::tempdir().unwrap();
+    let file = |name: &str| place.path().join(name);
+    let line = keygen(&file("a"), 365).unwrap();
+    keygen(&file("b"), 365).unwrap();
+    std::fs::write(file("trust"), format!("# ours\n\n{line}  # lab\n")).unwrap();
+    let keys = |sign: &str| Keys::read(Some(&file(sign)), None).unwrap();
+    let reader = Keys::read(None, Some(&file("trust"))).unwrap();
+    let signed = keys("a").sign(b"message").unwrap();
+    assert!(reader.believes(b"message", &signed));
+    assert!(!reader.believes(b"massage", &signed));
+    assert!(!reader.believes(b"message", &keys("b").sign(b"message").unwrap()));
+    let last = if signed.ends_with('0') { "1" } else { "0" };
+    for wrong in [
+        "",
+        "ed25519",
+        "ed25519::",
+        &format!("{}{last}", &signed[..signed.len() - 1]),
+    ] {
+        assert!(!reader.believes(b"message", wrong), "{wrong}");
+    }
+    assert!(reader.is_strict() && reader.sign(b"message").is_none());
+    // Who signs trusts itself.
+    let both = Keys::read(Some(&file("b")), Some(&file("trust"))).unwrap();
+    assert!(both.believes(b"message", &both.sign(b"message").unwrap()));
+}
+
+#[test]
+fn files_that_are_no_keys_are_told_and_none_is_written_over() {
+    let place = tempfile::tempdir().unwrap();
+    let file = |name: &str| place.path().join(name);
+    keygen(&file("a"), 365).unwrap();
+    assert!(keygen(&file("a"), 365).is_err(), "it is there already");
+    std::fs::write(file("c.pub"), "").unwrap();
+    assert!(keygen(&file("c"), 365).is_err() && !file("c").exists());
+    let told = |sign: Option<&str>, trust: Option<&str>| {
+        let of = |name: Option<&str>| name.map(file);
+        let read = Keys::read(of(sign).as_deref(), of(trust).as_deref());
+        read.err().map(|why| why.to_string()).unwrap_or_default()
+    };
+    std::fs::write(file("none"), "# nobody\n").unwrap();
+    std::fs::write(file("odd"), "ed25519 xyz\n").unwrap();
+    assert!(told(Some("missing"), None).contains("missing"));
+    assert!(told(Some("a.pub"), None).contains("is no signing key"));
+    assert!(told(None, Some("none")).contains("has no public key"));
+    assert!(told(None, Some("odd")).contains("line 1 is no public key"));
+    std::fs::write(
+        file("day"),
+        format!("ed25519 {} until 2026-02-30\n", "0".repeat(64)),
+    )
+    .unwrap();
+    assert!(told(None, Some("day")).contains("line 1 is no public key"));
+    assert_eq!(told(Some("a"), Some("a.pub")), "");
+    let secret = std::fs::read_to_string(file("a")).unwrap();
+    std::fs::write(file("a"), secret.replace(HEAD, FORMER)).unwrap();
+    assert_eq!(told(Some("a"), Some("a.pub")), "");
+    #[cfg(unix)]
+    {
+        use std::os::unix::fs::PermissionsExt;
+        let open = std::fs::Permissions::from_mode(0o644);
+        std::fs::set_permissions(file("a"), open).unwrap();
+        assert!(told(Some("a"), None).contains("others may read"));
+    }
+}
+
+#[test]
+fn keys_expire_and_can_be_revoked() {
+    let place = tempfile::tempdir().unwrap();
+    let file = |name: &str| place.path().join(name);
+    let [a, b] = ["a", "b"].map(|name| keygen(&file(name), 10).unwrap());
+    std::fs::write(file("trust"), format!("{a}\n{b}\n")).unwrap();
+    let (today, trust) = (day::today(), file("trust"));
+    let sign = |name: &str, day| Keys::read_on(day, Some(&file(name)), None);
+    let reader = |day| Keys::read_on(day, None, Some(&trust));
+    let told = |keys: Result<Keys, NoKey>| keys.err().map(|why| why.to_string());
+    let signed = sign("a", today).ok().unwrap().sign(b"message").unwrap();
+    assert!(
+        reader(today + 10)
+            .ok()
+            .unwrap()
+            .believes(b"message", &signed)
+    );
+    // A day later nobody is believed, and nobody signs.
+    assert!(
+        told(reader(today + 11))
+            .unwrap()
+            .contains("expired or revoked")
+    );
+    assert!(
+        told(sign("a", today + 11))
+            .unwrap()
+            .contains("was good until")
+    );
+    std::fs::write(file("trust"), a.replace("until", "# until")).unwrap();
+    assert!(
+        reader(today + 11)
+            .ok()
+            .unwrap()
+            .believes(b"message", &signed)
+    );
+    std::fs::write(file("trust"), format!("{a}\n{b}\n")).unwrap();
+    std::fs::write(file("revoked"), format!("# lost\n{a}\n")).unwrap();
+    let strict = reader(today).ok().unwrap();
+    assert!(!strict.believes(b"message", &signed));
+    let other = sign("b", today).ok().unwrap().sign(b"message").unwrap();
+    assert!(strict.believes(b"message", &other));
+    let both = Keys::read_on(today, Some(&file("a")), Some(&trust));
+    assert!(told(both).unwrap().contains("revoked"));
+    std::fs::write(file("revoked"), "nobody\n").unwrap();
+    assert!(told(reader(today)).unwrap().contains("revoked: line 1"));
+}

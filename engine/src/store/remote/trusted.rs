@@ -1,0 +1,115 @@
+//! Lists of public keys: who is trusted, until when, and who is not any more.
+//!
+//! A line is `ed25519 HEX`, or `ed25519 HEX until 2027-11-25`; `#` begins a comment. A file `revoked` beside the list of
+//! those who are trusted has lines of the same form: what they signed counts no longer, whenever they did.
+
+use super::day;
+use super::key_file::{METHOD, NoKey, text, unhex};
+use std::path::Path;
+
+/// A public key, and the last day that it counts.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub(super) struct Public {
+    pub(super) key: String,
+    pub(super) until: Option<i64>,
+}
+
+impl Public {
+    /// Whether it counts on a day.
+    pub(super) fn counts(&self, today: i64) -> bool {
+        self.until.is_none_or(|until| today <= until)
+    }
+}
+
+/// Those who are trusted.
+pub(super) struct Trusted {
+    keys: Vec<Public>,
+    revoked: Vec<String>,
+    today: i64,
+}
+
+impl Trusted {
+    /// From a list, and the file `revoked` beside it, if there is one.
+    ///
+    /// # Errors
+    ///
+    /// One of them cannot be read or is no such list; or no key of the first counts today.
+    pub(super) fn read(path: &Path, today: i64) -> Result<Trusted, NoKey> {
+        let keys = listed(path)?;
+        let beside = path.with_file_name("revoked");
+        let revoked = match beside.exists() {
+            true => listed(&beside)?
+                .into_iter()
+                .map(|public| public.key)
+                .collect(),
+            false => vec![],
+        };
+        let trusted = Trusted {
+            keys,
+            revoked,
+            today,
+        };
+        let wrong = |what: &str| NoKey::Wrong {
+            path: path.into(),
+            what: what.into(),
+        };
+        match &trusted.keys[..] {
+            [] => Err(wrong("has no public key: nothing could be believed")),
+            keys if keys.iter().all(|public| !trusted.has(&public.key)) => Err(wrong(
+                "has no key that counts today: all are expired or revoked",
+            )),
+            _ => Ok(trusted),
+        }
+    }
+
+    /// Whether somebody is trusted today.
+    pub(super) fn has(&self, key: &str) -> bool {
+        let known = self
+            .keys
+            .iter()
+            .any(|p| p.key == key && p.counts(self.today));
+        known && !self.is_revoked(key)
+    }
+
+    /// Whether somebody is trusted no longer.
+    pub(super) fn is_revoked(&self, key: &str) -> bool {
+        self.revoked.iter().any(|revoked| revoked == key)
+    }
+
+    /// Trusts one more.
+    pub(super) fn add(&mut self, public: Public) {
+        self.keys.push(public);
+    }
+}
+
+/// A public key out of the words of a line; none if it is no such line.
+pub(super) fn public(line: &str) -> Option<Public> {
+    let words: Vec<&str> = line.split_whitespace().collect();
+    let (key, until) = match words[..] {
+        [METHOD, key] => (key, None),
+        [METHOD, key, "until", until] => (key, Some(day::parse(until)?)),
+        _ => return None,
+    };
+    unhex::<32>(key)?;
+    let key = key.to_lowercase();
+    Some(Public { key, until })
+}
+
+/// The keys of a list.
+fn listed(path: &Path) -> Result<Vec<Public>, NoKey> {
+    let mut keys = Vec::new();
+    for (at, line) in text(path)?.lines().enumerate() {
+        let line = line.split('#').next().unwrap_or_default();
+        if line.trim().is_empty() {
+            continue;
+        }
+        keys.push(public(line).ok_or_else(|| NoKey::Wrong {
+            path: path.into(),
+            what: format!(
+                "line {} is no public key: say `{METHOD} HEX` or `{METHOD} HEX until 2027-11-25`, as in the file `.pub` beside a signing key",
+                at + 1
+            ),
+        })?);
+    }
+    Ok(keys)
+}

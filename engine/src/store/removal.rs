@@ -1,0 +1,75 @@
+//! Files of a store that are to be gone: removed by single steps of its disk, never through a link, and looked at again.
+
+use super::error::StoreError;
+use super::folder::Store;
+use crate::own;
+use crate::system::is_alive;
+use stage::Hash;
+use std::fs::{File, TryLockError};
+use std::path::Path;
+
+impl Store {
+    /// Removes a plain file; whether it was there.
+    ///
+    /// # Errors
+    ///
+    /// It is still there.
+    pub(super) fn gone(&self, folders: &[&str], name: &str) -> Result<bool, StoreError> {
+        if self.disk.unlink(self.root(), folders, name) {
+            return Ok(true);
+        }
+        let path = folders
+            .iter()
+            .fold(self.root().to_owned(), |at, f| at.join(f));
+        let path = path.join(name);
+        match std::fs::symlink_metadata(&path).is_ok_and(|meta| meta.is_file()) {
+            true => Err(StoreError::Left(path)),
+            false => Ok(false),
+        }
+    }
+
+    /// As [`Store::gone`], what lies on a shelf under a hash.
+    ///
+    /// # Errors
+    ///
+    /// As [`Store::gone`].
+    pub(super) fn gone_from(&self, shelf: &str, hash: Hash) -> Result<bool, StoreError> {
+        let hex = hash.to_hex();
+        self.gone(&[shelf, &hex[..2]], &hex)
+    }
+}
+
+/// Whether nobody is writing a file of `tmp` now: who does holds a lock on it, so that the number of a killed process
+/// that another has since says nothing. Where the disk knows no locks, the number has to do.
+pub(super) fn is_litter(root: &Path, name: &str) -> bool {
+    let number = || name.split('-').next().is_none_or(is_alive);
+    let Ok(file) = File::open(root.join("tmp").join(name)) else {
+        return true;
+    };
+    match file.try_lock() {
+        // Made a moment ago, and locked in the next.
+        Ok(()) if file.metadata().is_ok_and(|meta| meta.len() == 0) => !number(),
+        Ok(()) => true,
+        Err(TryLockError::WouldBlock) => false,
+        Err(TryLockError::Error(_)) => !number(),
+    }
+}
+
+impl Store {
+    /// All plain files in a folder of the store whose names fit, removed.
+    ///
+    /// # Errors
+    ///
+    /// One is still there.
+    pub(super) fn all_gone(
+        &self,
+        folder: &str,
+        fits: impl Fn(&str) -> bool,
+    ) -> Result<usize, StoreError> {
+        let names = own::files(self.root(), folder, fits);
+        for name in &names {
+            self.gone(&[folder], name)?;
+        }
+        Ok(names.len())
+    }
+}
