@@ -3,6 +3,7 @@
 use super::mistake::{Mistake, Text};
 use super::written::Said;
 use crate::kind::Catalog;
+use crate::system::{bounded, plain_file};
 use std::path::{Path, PathBuf};
 
 /// Where a text comes from.
@@ -21,22 +22,33 @@ impl Place {
     }
 }
 
+/// What a text may be at most: a million nodes of 256 bytes. \[bytes\]
+const LARGEST_PIPELINE_BYTES: u64 = 256 << 20;
+
 /// Where texts are looked for.
 pub(super) struct Origins {
     pub(super) catalog: &'static Catalog,
 }
 
 impl Origins {
-    /// The file at a path, else the built-in pipeline that is called like it. Else why not.
+    /// The file at a path, else the built-in pipeline that is called like it. Else why not. A pipe is read,
+    /// since the user names it.
     pub(super) fn at(&self, path: &Path) -> Result<(Place, String), String> {
         let built_in = path.to_str().and_then(|name| self.built_in(name));
         match built_in.filter(|_| !path.is_file()) {
             Some(found) => Ok(found),
             None => {
-                let text = std::fs::read_to_string(path).map_err(|e| self.unreadable(&e))?;
-                Ok((Place::File(path.to_owned()), text))
+                let file = std::fs::File::open(path);
+                self.text(path, file.and_then(|f| bounded(f, LARGEST_PIPELINE_BYTES)))
             }
         }
+    }
+
+    fn text(&self, path: &Path, read: std::io::Result<Vec<u8>>) -> Result<(Place, String), String> {
+        let bytes = read.map_err(|why| self.unreadable(&why))?;
+        let text = String::from_utf8(bytes);
+        let text = text.map_err(|_| self.unreadable(&std::io::Error::other("it is no UTF-8")))?;
+        Ok((Place::File(path.to_owned()), text))
     }
 
     pub(super) fn built_in(&self, name: &str) -> Option<(Place, String)> {
@@ -60,7 +72,7 @@ impl Origins {
         }
     }
 
-    /// What a text extends: a file beside it, else a built-in pipeline.
+    /// What a text extends: a plain file beside it, else a built-in pipeline.
     pub(super) fn extended(
         &self,
         said: &Said<String>,
@@ -71,9 +83,8 @@ impl Origins {
             Place::File(path) => {
                 let beside = path.parent().unwrap_or(Path::new("")).join(&said.value);
                 let built_in = self.built_in(&said.value);
-                built_in
-                    .filter(|_| !beside.is_file())
-                    .map_or_else(|| self.at(&beside), Ok)
+                let read = || self.text(&beside, plain_file(&beside, LARGEST_PIPELINE_BYTES));
+                built_in.filter(|_| !beside.is_file()).map_or_else(read, Ok)
             }
             Place::BuiltIn(_) => self
                 .built_in(&said.value)

@@ -9,6 +9,7 @@ pub(crate) mod nofollow;
 #[cfg(not(unix))]
 #[path = "nofollow_portable.rs"]
 pub(crate) mod nofollow;
+mod plain;
 
 pub(crate) use entries::FileKind;
 use entries::WRITING;
@@ -18,6 +19,7 @@ pub(crate) use files::{
 #[cfg(feature = "remote")]
 pub(crate) use files::{is_private, shared_file, shared_folders};
 pub(crate) use nofollow::Folder;
+pub(crate) use plain::{bounded, plain_file};
 
 /// Removes what killed processes were writing into a folder.
 pub(crate) fn tidy(at: &Folder) {

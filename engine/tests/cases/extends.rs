@@ -165,3 +165,34 @@ fn an_inherited_sweep_goes_over_shared_params_and_one_that_lost_a_node_is_left_o
     let other = "[node.other]\nstage = \"toy.mid\"\nfrom = { text = \"clean\" }\n";
     assert_eq!(sweeps(&format!("extends = \"base.toml\"\n{other}")), 0);
 }
+
+#[cfg(unix)]
+#[test]
+fn what_has_no_end_or_is_no_plain_file_is_not_extended() {
+    let folder = TempDir::new().unwrap();
+    let (pipe, large) = (folder.path().join("pipe"), folder.path().join("large.toml"));
+    let made = std::process::Command::new("mkfifo").arg(&pipe).status();
+    assert!(made.unwrap().success());
+    let file = std::fs::File::create(&large).unwrap();
+    file.set_len(300 << 20).unwrap();
+    for (name, why) in [
+        ("pipe", "is a device, a pipe or a socket"),
+        ("/dev/zero", "is a device, a pipe or a socket"),
+        ("large.toml", "is larger than 268 MB"),
+        (".", "is a folder"),
+    ] {
+        let path = folder.path().join("own.toml");
+        std::fs::write(&path, format!("extends = \"{name}\"\n")).unwrap();
+        let (told, hears) = std::sync::mpsc::channel();
+        std::thread::spawn(move || {
+            let read = Pipeline::read(&path, &CATALOG);
+            told.send(read.err().map(|mistakes| mistakes.to_string()))
+        });
+        let told = hears.recv_timeout(std::time::Duration::from_secs(10));
+        let told = told.expect("it is refused at once").unwrap_or_default();
+        assert!(
+            told.contains(&format!("`{name}` ")) && told.contains(why),
+            "{told}"
+        );
+    }
+}
