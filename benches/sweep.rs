@@ -25,6 +25,7 @@ fn swept(words: &[&str], cache: &Path) -> (f64, u64) {
     let mut command = Command::new(env!("CARGO_BIN_EXE_tailor"));
     command
         .current_dir(env!("CARGO_MANIFEST_DIR"))
+        .env("XDG_STATE_HOME", cache)
         .arg("sweep")
         .args(words);
     command

@@ -1,4 +1,5 @@
-//! The engine and the contract serve any trade: no file of theirs names the product.
+//! Names: no file of the engine or the contract, which serve any trade, names the product; tests that a page
+//! names are there.
 
 use std::path::Path;
 
@@ -42,4 +43,35 @@ fn no_file_of_the_engine_names_the_product() {
         naming("a `tailor` run\nTAILORAF\nmagic \"TAILORAF\", tailored\n"),
         2
     );
+}
+
+/// Promises of a page, each with its tests in a paragraph that begins so.
+const TESTS: &str = "Tests: ";
+
+#[test]
+fn tests_that_the_page_on_security_names_are_there() {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let page = std::fs::read_to_string(root.join("docs/security.md")).unwrap();
+    let told = page.lines().filter(|line| line.starts_with(TESTS));
+    let words = told.flat_map(|line| line.split('`').skip(1).step_by(2));
+    let is_name = |name: &&str| name.bytes().all(|b| b.is_ascii_lowercase() || b == b'_');
+    let mut names: Vec<&str> = words.filter(is_name).collect();
+    assert!(names.len() > 20, "{names:?}");
+    let mut open = ["src", "engine", "stages", "tests"]
+        .map(|f| root.join(f))
+        .to_vec();
+    while let Some(folder) = open.pop() {
+        for entry in std::fs::read_dir(&folder).unwrap() {
+            let path = entry.unwrap().path();
+            if path.is_dir() {
+                open.push(path);
+            } else if path.extension().is_some_and(|e| e == "rs") {
+                let text = std::fs::read_to_string(&path)
+                    .unwrap()
+                    .replace("\n    ", "\n");
+                names.retain(|name| !text.contains(&format!("#[test]\nfn {name}() {{")));
+            }
+        }
+    }
+    assert_eq!(names, Vec::<&str>::new());
 }

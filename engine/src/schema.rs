@@ -97,6 +97,7 @@ fn node_keys(stage: &Value, from: &Value) -> Value {
         "files": list("exec: files beside the pipeline, laid out in {here}; their content is in the key"),
         "identity": list("exec: a command that prints what the program is; what it prints is in the key"),
         "env": list("exec: variables of the environment that it gets"),
+        "reads": list("exec: files and folders that it reads beside what it is given, by whole paths; their content is in the key"),
         "timeout_s": number("exec: how long it may take; an hour if not said [s]"),
         "memory_mb": number("exec: what it may hold with its children [MB]"),
         "keep": { "description": "exec: whether it stays, and is told of further jobs on its standard input", "type": "boolean", "default": false },

@@ -72,10 +72,10 @@ mod _native {
         graph::kinds()
     }
 
-    /// Takes a program of pipelines from here, whatever PATH says.
+    /// Takes a program of pipelines from here, whatever PATH says, and lets it read some folders.
     #[pyfunction]
-    fn bring(name: String, path: std::path::PathBuf) {
-        engine::foreign::bring(name, path);
+    fn bring(name: String, path: std::path::PathBuf, reads: Vec<std::path::PathBuf>) {
+        engine::foreign::bring(name, path, reads);
     }
 
     /// A picture of one or three channels as PNG.

@@ -123,7 +123,7 @@ class Pipeline:
         return other
 
     def allow_exec(self) -> "Pipeline":
-        """Lets the programs of the pipeline run; remembered in the cache until one changes."""
+        """Lets the programs of the pipeline run; remembered for you until one changes."""
         other = self._changed()
         other._allow = True
         return other
@@ -257,8 +257,11 @@ class Pipeline:
 
     def _graph(self) -> "_native.Graph":
         if self._opened is None:
-            # Beside this Python, whether PATH names its folder or not.
-            _native.bring("tailor-stage", os.path.join(os.path.dirname(sys.executable), "tailor-stage"))
+            # Beside this Python, whether PATH names its folder or not; with what it imports.
+            imported = [os.path.dirname(os.path.dirname(os.path.abspath(__file__)))]
+            imported += filter(os.path.isabs, os.environ.get("PYTHONPATH", "").split(os.pathsep))
+            script = os.path.join(os.path.dirname(sys.executable), "tailor-stage")
+            _native.bring("tailor-stage", script, [folder for folder in imported if os.path.exists(folder)])
             self._opened = _native.Graph(
                 self._file(), self._variant, self._sets, self._cache, self._threads, self._allow
             )

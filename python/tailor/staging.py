@@ -41,12 +41,13 @@ class Stage:
         timeout_s: Optional[float] = None,
         memory_mb: Optional[float] = None,
         network: bool = False,
+        reads: Sequence[str] = (),
     ) -> None:
         if out not in MADE:
             raise Error(f"a stage in Python makes {', '.join(MADE)}; not `{out}`")
         self.function = function
         self.out = out
-        self.limits = {"timeout_s": timeout_s, "memory_mb": memory_mb, "network": network or None}
+        self.limits = {"timeout_s": timeout_s, "memory_mb": memory_mb, "network": network or None, "reads": list(reads) or None}
         self.__doc__ = function.__doc__
         self.__name__ = function.__name__
         self.__wrapped__ = function
@@ -134,6 +135,7 @@ def stage(
     timeout_s: Optional[float] = None,
     memory_mb: Optional[float] = None,
     network: bool = False,
+    reads: Sequence[str] = (),
 ) -> Callable[[Callable[..., Any]], Stage]:
     """Makes a function a stage: hashed, cached, swept and resumed as all others are.
 
@@ -152,6 +154,9 @@ def stage(
         What it may hold with its children.
     network : bool
         Whether it may reach the network (kept from it by bubblewrap, where that is installed).
+    reads : list of str
+        Files and folders that it reads besides, by whole paths: in the key by content. In bubblewrap it sees nothing
+        else of this machine but what is installed.
 
     Examples
     --------
@@ -162,7 +167,7 @@ def stage(
     """
     if not isinstance(out, str):
         raise Error('say what it makes: @tailor.stage(out="masks")')
-    return lambda function: Stage(function, out, timeout_s, memory_mb, network)
+    return lambda function: Stage(function, out, timeout_s, memory_mb, network, reads)
 
 
 def _text(function: Any, name: str) -> str:

@@ -15,6 +15,12 @@ SAMPLE = ROOT / "samples/mannequin"
 COMMAND = os.path.join(sysconfig.get_path("scripts"), "tailor")
 
 
+@pytest.fixture(scope="session", autouse=True)
+def permissions(tmp_path_factory):
+    """Programs are allowed for these tests, and not for whoever runs them."""
+    os.environ["XDG_STATE_HOME"] = str(tmp_path_factory.mktemp("state"))
+
+
 @pytest.fixture(scope="session")
 def cache(tmp_path_factory):
     return tmp_path_factory.mktemp("cache")

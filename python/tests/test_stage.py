@@ -38,7 +38,9 @@ def moved(mesh, by=10.0, axis="z"):
 @tailor.stage(out="document")
 def table(cameras, girths, decimals=2):
     rows = [f"{g['name']},{g['cm']:.{decimals}f}" for g in girths["girths"]]
-    return "girths.csv", "\n".join(["name,cm", *rows, f"cameras,{len(cameras)}", f"pid,{os.getpid()}"])
+    # Numbers of processes are equal in all sandboxes; when one started is not (proc(5), stat, field 22).
+    started = open("/proc/self/stat").read().split()[21]
+    return "girths.csv", "\n".join(["name,cm", *rows, f"cameras,{len(cameras)}", f"started,{started}"])
 
 
 @tailor.stage(out="mesh")

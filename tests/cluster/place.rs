@@ -22,6 +22,7 @@ impl Place {
         let mut command = Command::new(env!("CARGO_BIN_EXE_tailor"));
         command.current_dir(env!("CARGO_MANIFEST_DIR"));
         command.args(arguments).arg("--cache").arg(self.cache());
+        command.env("XDG_STATE_HOME", self.path("state"));
         command
     }
     pub(crate) fn run(&self, arguments: &[&str]) -> Output {

@@ -77,3 +77,50 @@ fn tags_and_tracks_of_a_program_are_taken_and_what_cannot_be_is_told() {
         );
     }
 }
+
+const ONE: &str = "goal = \"x\"\n[node.x]\nstage = \"exec\"\nout = \"document\"\n\
+    command = [\"sh\", \"-c\", \"echo ran > $0/x.txt\", \"{out}\"]\n";
+
+#[test]
+fn a_cache_that_came_with_a_pipeline_permits_nothing() {
+    let (theirs, ours) = (Place::new(), Place::new());
+    theirs.write("p.toml", ONE);
+    theirs.run("run p.toml --allow-exec").code(0);
+    theirs.run("run p.toml").code(0);
+    // All that they have: their results, what earlier versions wrote as permission, their folder of state.
+    std::fs::create_dir(theirs.path("cache/allowed")).unwrap();
+    let copy = format!(
+        "cp -a {0}/p.toml {0}/cache .; mkdir -p cache/state; cp -a {0}/state/. cache/state",
+        theirs.path("").display()
+    );
+    ours.bash(&copy).code(0);
+    let told = ours.run("run p.toml").code(2).err;
+    assert!(
+        told.contains("that you have not allowed") && told.contains("--allow-exec"),
+        "{told}"
+    );
+    assert!(told.contains("cache/allowed is no longer read"), "{told}");
+    ours.run("run p.toml --allow-exec").code(0);
+    ours.run("run p.toml").code(0);
+}
+
+#[test]
+fn no_program_runs_without_a_sandbox_where_one_is_required() {
+    let place = Place::new();
+    place.write("p.toml", ONE);
+    let run = |words: &str| {
+        let exe = env!("CARGO_BIN_EXE_tailor");
+        place.bash(&format!(
+            "PATH=/no/such/folder exec {exe} run p.toml --allow-exec {words}"
+        ))
+    };
+    let told = run("--sandbox required").code(2).err;
+    assert!(
+        told.contains("`bwrap`) is not installed") && told.contains("--sandbox required"),
+        "{told}"
+    );
+    assert!(
+        !place.path("cache/exec").exists()
+            || std::fs::read_dir(place.path("cache/exec")).unwrap().count() == 0
+    );
+}

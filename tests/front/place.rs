@@ -71,6 +71,7 @@ impl Place {
         command.args(args.split_whitespace());
         command
             .current_dir(self.0.path())
+            .env("XDG_STATE_HOME", self.path("state"))
             .env_remove("TAILOR_CACHE");
         command
     }
@@ -93,6 +94,7 @@ impl Place {
 
     pub(crate) fn bash(&self, line: &str) -> Said {
         let mut bash = Command::new("bash");
+        bash.env("XDG_STATE_HOME", self.path("state"));
         let out = bash.args(["-c", line]).current_dir(self.0.path());
         let out = out.output().unwrap();
         Said {

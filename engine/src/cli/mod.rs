@@ -53,7 +53,7 @@ pub use deliver::{check as check_out, finish, inside, lies_in, whose};
 pub use fault::Fault;
 pub use host::Host;
 pub use open::{folders, node, open_pipeline};
-pub use program::{GlobalArgs, Job, JobOf, Program, Verb};
+pub use program::{GlobalArgs, Job, JobOf, Program, Verb, Walls};
 pub use progress::above;
 pub use ran::Ran;
 pub use result::there;

@@ -107,6 +107,16 @@ impl Program {
     }
 }
 
+/// When programs run in a sandbox.
+#[derive(clap::ValueEnum, Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Walls {
+    /// Where there is one; what is missing is told
+    #[default]
+    Auto,
+    /// Always: else no program runs
+    Required,
+}
+
 /// What every verb takes.
 #[derive(Args, Clone)]
 pub struct GlobalArgs {
@@ -137,9 +147,12 @@ pub struct GlobalArgs {
     /// Give up on uploads after SECONDS without progress; what is left stays in the cache for the next run
     #[arg(long, global = true, default_value_t = 60.0, value_name = "SECONDS")]
     pub store_wait: f64,
-    /// Let the programs of the pipeline run (`stage = "exec"`); remembered in the cache until one changes
+    /// Let the programs of the pipeline run (`stage = "exec"`); remembered for you until one changes
     #[arg(long, global = true)]
     pub allow_exec: bool,
+    /// Whether the pipeline's programs may run where there is no full sandbox
+    #[arg(long, global = true, value_name = "WHEN", value_enum, default_value_t)]
+    pub sandbox: Walls,
     /// Say nothing but results and errors
     #[arg(long, global = true)]
     pub quiet: bool,
@@ -168,6 +181,7 @@ impl GlobalArgs {
             trust: None,
             store_wait: 60.0,
             allow_exec: false,
+            sandbox: Walls::default(),
             quiet: true,
             profile: None,
             program: Some(program),

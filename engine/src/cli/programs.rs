@@ -1,7 +1,7 @@
 //! The programs of a pipeline on the command line: which may run, what keeps them apart.
 
 use super::fault::Fault;
-use super::program::GlobalArgs;
+use super::program::{GlobalArgs, Walls};
 use crate::foreign::{self, Sandbox};
 use crate::graph::Graph;
 use crate::store::Store;
@@ -18,13 +18,35 @@ pub(crate) fn permitted(graph: &Graph, global: &GlobalArgs) -> Result<(), Fault>
     if foreign::programs(graph, &all).next().is_none() {
         return Ok(());
     }
+    if global.sandbox == Walls::Required {
+        foreign::require_sandbox();
+        if let Sandbox::None(why) = foreign::sandbox() {
+            let what = "`--sandbox required` lets no program run without a full sandbox";
+            return Err(Fault::input(format!("{why}, and {what}")));
+        }
+    }
     let store = Store::open(&global.cache).map_err(Fault::input)?;
     if global.allow_exec {
-        foreign::allow(graph, &all, &store).map_err(Fault::input)?;
+        foreign::allow(graph, &all).map_err(Fault::input)?;
     }
     let stop = || global.host.cancel().load(Ordering::Relaxed);
-    foreign::settle(graph, &all, &store, &stop);
+    let settled = foreign::settle(graph, &all, &store, &stop);
+    if !settled.refused.is_empty() {
+        unread(&store, global);
+    }
     Ok(())
+}
+
+/// Says once that permissions in a cache count no more, where there are some.
+fn unread(store: &Store, global: &GlobalArgs) {
+    static SAID: Once = Once::new();
+    let old = store.root().join("allowed");
+    if !global.quiet && !global.json && old.is_dir() {
+        SAID.call_once(|| {
+            let old = old.display();
+            crate::errln!("{old} is no longer read: permissions are yours, and come with no cache");
+        });
+    }
 }
 
 /// Says once what keeps programs apart from the rest of this machine, if that is nothing.
@@ -37,7 +59,8 @@ pub(crate) fn unguarded(graph: &Graph, nodes: &[usize], global: &GlobalArgs) {
     {
         SAID.call_once(|| {
             crate::errln!(
-                "{why}: the pipeline's programs can reach the network and write wherever you can"
+                "{why}: the pipeline's programs can reach the network, and read and write wherever you can \
+                 (--sandbox required lets none run so)"
             );
         });
     }
@@ -53,10 +76,8 @@ pub(crate) fn listed(graph: &Graph, global: &GlobalArgs) -> Result<(), Fault> {
     if global.quiet || global.json || foreign::programs(graph, &all).next().is_none() {
         return Ok(());
     }
-    let store = Store::open(&global.cache).map_err(Fault::input)?;
     let of = |(i, program): (usize, &std::sync::Arc<foreign::Program>)| {
-        let allowed = foreign::is_allowed(&store, program.permission());
-        (!allowed).then_some(i)
+        (!foreign::is_allowed(program)).then_some(i)
     };
     let refused: Vec<usize> = foreign::programs(graph, &all).filter_map(of).collect();
     if !refused.is_empty() {

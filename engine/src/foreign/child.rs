@@ -3,7 +3,9 @@
 
 use super::error::ForeignError;
 use super::family::{self, MARK, Running};
-use super::sandbox::{self, Sandbox};
+use super::installed::{in_path, needed, on_path};
+use super::places::{INSIDE, WORK};
+use super::sandbox::{self, Sandbox, View};
 use super::tail::Tail;
 use super::weight::weigh;
 use stage::process;
@@ -11,7 +13,7 @@ use std::ffi::OsString;
 use std::io::{BufRead, BufReader, Read};
 use std::path::{Path, PathBuf};
 use std::process::{Child, Command, ExitStatus, Stdio};
-use std::sync::mpsc::{Receiver, RecvTimeoutError, Sender, channel};
+use std::sync::mpsc::{Receiver, RecvTimeoutError, SyncSender, sync_channel};
 use std::time::{Duration, Instant};
 
 /// What to run, and within which limits.
@@ -24,6 +26,8 @@ pub(super) struct Task<'a> {
     pub(super) root: &'a Path,
     /// Variables of the environment that it gets.
     pub(super) env: &'a [String],
+    /// Files and folders that it reads beside what it is given.
+    pub(super) reads: &'a [String],
     /// Whether it may reach the network.
     pub(super) network: bool,
     /// How long it may take.
@@ -48,6 +52,10 @@ const LONGEST_LINE: u64 = 16 * 1024;
 pub(super) const LOOK: Duration = Duration::from_millis(10);
 /// How often memory and disk are looked at.
 pub(super) const WEIGH: Duration = Duration::from_millis(50);
+/// How many lines of a program wait to be heard; who says more waits, too. \[lines\]
+const WAITING_LINES: usize = 64;
+/// How long a program that has ended is listened to.
+const LISTEN: Duration = Duration::from_secs(2);
 /// How long children have to end after their program.
 pub(super) const GRACE: Duration = Duration::from_millis(200);
 
@@ -78,10 +86,14 @@ pub(super) fn run(
     }
     let status = child.wait();
     drop(running);
-    // All of the family has ended, so nothing holds the pipes any more.
-    while let Ok(line) = lines.recv_timeout(GRACE) {
+    // All of the family has ended; without a sandbox somebody who left it may hold the pipes, and say more.
+    let since = Instant::now();
+    while since.elapsed() < LISTEN
+        && let Ok(line) = lines.recv_timeout(GRACE)
+    {
         hear(line);
     }
+    drop(lines);
     let program = task.name.to_owned();
     if let Err(mut error) = ended {
         error.said(&tail.text());
@@ -120,30 +132,50 @@ fn started(task: &Task<'_>) -> Result<Child, ForeignError> {
 
 /// The command that starts it. In the sandbox it ends with the thread that starts it.
 pub(super) fn command(task: &Task<'_>, stdin: Stdio) -> Result<Command, ForeignError> {
+    sandbox::suffices().map_err(ForeignError::NoSandbox)?;
     let first = &task.words[0];
     let missing = || ForeignError::Missing(first.clone());
+    let there = |p: &PathBuf| sandbox::hosted(task.root, p).exists();
     let program: PathBuf = match first.contains('/') {
-        true => Some(PathBuf::from(first)).filter(|p| p.exists()),
-        false => sandbox::in_path(first),
+        true => Some(PathBuf::from(first)).filter(there),
+        false => in_path(first),
     }
     .ok_or_else(missing)?;
-    let mut words: Vec<OsString> = match sandbox::sandbox() {
-        Sandbox::Bubblewrap(path) => sandbox::words(path, task.root, task.network),
-        Sandbox::None(_) => vec![],
-    };
+    let mut path = std::env::var_os("PATH").unwrap_or_default();
+    let mut words: Vec<OsString> = vec![];
+    if let Sandbox::Bubblewrap(bubblewrap) = sandbox::sandbox() {
+        // The store is two folders above a program's.
+        let hidden = task.root.ancestors().nth(2).unwrap_or(task.root);
+        let inside = program.starts_with(INSIDE);
+        let mut installed = match inside {
+            true => needed(&sandbox::hosted(task.root, &program), hidden).without(task.root),
+            false => needed(&program, hidden),
+        };
+        installed.paths.extend(on_path(&path, hidden));
+        let view = View {
+            installed: &installed,
+            reads: task.reads,
+            hidden,
+            network: task.network,
+        };
+        path = view.path(&path);
+        words = sandbox::words(bubblewrap, task.root, &view);
+        // How the family is known from outside; the program is to know no folder of the user's.
+        let last = words.len() - 1;
+        words.splice(last..last, ["--unsetenv".into(), MARK.into()]);
+    }
     words.push(program.into_os_string());
     words.extend(task.words[1..].iter().map(OsString::from));
-    let work = task.root.join("work");
+    let work = task.root.join(WORK);
     let mut command = Command::new(&words[0]);
     command.args(&words[1..]).current_dir(&work).env_clear();
-    let inherited = ["PATH"]
-        .into_iter()
-        .chain(task.env.iter().map(String::as_str));
-    for name in inherited {
+    command.env("PATH", path);
+    for name in task.env {
         if let Some(value) = std::env::var_os(name) {
             command.env(name, value);
         }
     }
+    let work = sandbox::shown(task.root, &work);
     if !task.env.iter().any(|name| name == "HOME") {
         command.env("HOME", &work);
     }
@@ -159,7 +191,7 @@ pub(super) fn command(task: &Task<'_>, stdin: Stdio) -> Result<Command, ForeignE
 
 /// Both outputs, line by line.
 pub(super) fn listened(child: &mut Child) -> Receiver<Line> {
-    let (to, from) = channel();
+    let (to, from) = sync_channel(WAITING_LINES);
     let (out, err) = (child.stdout.take(), child.stderr.take());
     if let Some(out) = out {
         let to = to.clone();
@@ -171,7 +203,7 @@ pub(super) fn listened(child: &mut Child) -> Receiver<Line> {
     from
 }
 
-fn listen(pipe: impl Read, out: bool, to: &Sender<Line>) {
+fn listen(pipe: impl Read, out: bool, to: &SyncSender<Line>) {
     let mut pipe = BufReader::new(pipe);
     let mut line = Vec::new();
     // A line that is too long comes in pieces.
@@ -241,5 +273,24 @@ fn left_behind(task: &Task<'_>, leader: u32) -> String {
             return who.join(", ");
         }
         std::thread::sleep(LOOK / 5);
+    }
+}
+
+#[cfg(all(test, unix))]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_program_that_says_more_than_is_heard_waits() {
+        let mut command = Command::new("sh");
+        process::lead_group(command.args(["-c", "yes hello | head -c 5000000"]));
+        command.stdout(Stdio::piped()).stderr(Stdio::piped());
+        let mut child = command.spawn().unwrap();
+        let lines = listened(&mut child);
+        std::thread::sleep(Duration::from_secs(1));
+        assert!(!process::has_ended(&mut child), "all of it lies in memory");
+        let heard = std::iter::from_fn(|| lines.recv().ok()).count();
+        assert_eq!(heard, 5_000_000_usize.div_ceil(6));
+        child.wait().unwrap();
     }
 }

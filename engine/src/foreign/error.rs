@@ -7,8 +7,11 @@ use std::time::Duration;
 #[derive(Debug, thiserror::Error)]
 pub enum ForeignError {
     /// Nobody allowed it.
-    #[error("this program was not allowed here: look at it with `check`, then say --allow-exec")]
+    #[error("this program was not allowed: look at it with `check`, then say --allow-exec")]
     NotAllowed,
+    /// There is no sandbox, and it must run in one.
+    #[error("{0}, and --sandbox required lets no program run without a sandbox")]
+    NoSandbox(String),
     /// There is no such program.
     #[error(
         "there is no program `{0}`: install it, put its folder into PATH, or give its whole path"
@@ -132,6 +135,9 @@ pub enum ForeignError {
         /// What the program said last.
         tail: String,
     },
+    /// What it reads beside what it is given cannot be read, or is not what it was when the run began.
+    #[error("`reads`: {0}")]
+    Reads(String),
     /// Its identity is not what it was when the run began.
     #[error(
         "the identity of `{program}` changed while it ran, from {before:?} to {after:?}; nothing was kept, run again"

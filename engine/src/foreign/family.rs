@@ -1,5 +1,5 @@
-//! A program with all that it started: found by a variable of the environment that they inherit,
-//! ended together.
+//! A program with all that it started: found by a variable of the environment that they inherit and by the
+//! sandbox that they are in, ended together.
 
 use crate::system::resident_bytes;
 use stage::process;
@@ -53,27 +53,56 @@ pub(super) struct Member {
     pub(super) name: String,
 }
 
-/// All that inherited the folder of a program, without its leader and those that have ended. Children of
+/// All that inherited the folder of a program, and all that run in the same sandbox as one of them, whatever
+/// became of their environment; without the leader and those that have ended. Children of
 /// a leader have numbers after its own, unless the system has come round to small ones again.
 pub(super) fn members(folder: &Path, leader: Option<u32>) -> Vec<Member> {
+    met(folder, leader, &mut vec![])
+}
+
+/// The same, with all that run in one of these sandboxes; those that are met are added. Once the first process
+/// of a sandbox is killed, nothing tells any more whose the others are, which end a moment later.
+fn met(folder: &Path, leader: Option<u32>, sandboxes: &mut Vec<PathBuf>) -> Vec<Member> {
     let mark = [MARK.as_bytes(), b"=", folder.as_os_str().as_encoded_bytes()].concat();
     let least = leader.filter(|leader| last_number().is_some_and(|last| last >= *leader));
     let entries = std::fs::read_dir("/proc").into_iter().flatten().flatten();
     let mut buffer = vec![0; LARGEST_ENVIRONMENT];
-    let of_family = |entry: std::fs::DirEntry| {
+    let mut look = |entry: std::fs::DirEntry| {
         let id: u32 = entry.file_name().to_str()?.parse().ok()?;
         if leader == Some(id) || least.is_some_and(|least| id < least) {
             return None;
         }
-        let environment = environment(&entry.path(), &mut buffer)?;
-        if !environment.split(|byte| *byte == 0).any(|v| v == mark) {
-            return None;
-        }
-        let name = std::fs::read_to_string(entry.path().join("comm")).unwrap_or_default();
-        let name = name.trim().escape_default().to_string();
-        Some(Member { id, name })
+        let environment = environment(&entry.path(), &mut buffer);
+        let marked = |environment: &[u8]| environment.split(|byte| *byte == 0).any(|v| v == mark);
+        let marked = environment.is_some_and(marked);
+        Some((id, marked, space(&entry.path())))
     };
-    entries.filter_map(of_family).collect()
+    let all: Vec<(u32, bool, Option<PathBuf>)> = entries.filter_map(&mut look).collect();
+    let ours = space(Path::new("/proc/self"));
+    let marked = all
+        .iter()
+        .filter(|(_, marked, space)| *marked && *space != ours);
+    for space in marked.filter_map(|(.., space)| space.as_ref()) {
+        if !sandboxes.contains(space) {
+            sandboxes.push(space.clone());
+        }
+    }
+    let of_family = |(id, marked, space): &(u32, bool, Option<PathBuf>)| {
+        let comm = || std::fs::read_to_string(format!("/proc/{id}/comm")).unwrap_or_default();
+        let boxed = space
+            .as_ref()
+            .is_some_and(|space| sandboxes.contains(space));
+        (*marked || boxed).then(|| Member {
+            id: *id,
+            name: comm().trim().escape_default().to_string(),
+        })
+    };
+    all.iter().filter_map(of_family).collect()
+}
+
+/// The processes among which one counts: those of a sandbox are a space of their own.
+fn space(process: &Path) -> Option<PathBuf> {
+    std::fs::read_link(process.join("ns/pid")).ok()
 }
 
 /// More than any environment that we give. \[bytes\]
@@ -140,11 +169,13 @@ const ROUNDS: usize = 200;
 
 /// Ends a program (`leader`, whose end nobody has fetched yet) with all that it started.
 pub(super) fn end(folder: &Path, leader: Option<u32>) {
+    let mut sandboxes = Vec::new();
+    met(folder, leader, &mut sandboxes);
     for round in 0..ROUNDS {
         if let Some(leader) = leader {
             process::end_group(leader);
         }
-        let left = members(folder, leader);
+        let left = met(folder, leader, &mut sandboxes);
         for member in &left {
             process::end(member.id);
         }

@@ -12,7 +12,6 @@ use super::resident::{AtWork, Limits, answer};
 use super::tail::Tail;
 use stage::process;
 use std::collections::BTreeMap;
-use std::io::Write;
 use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex};
 use std::time::Instant;
@@ -23,6 +22,7 @@ struct Like {
     program: String,
     env: Vec<String>,
     network: bool,
+    reads: Vec<String>,
     store: PathBuf,
 }
 
@@ -87,12 +87,13 @@ impl Drop for Keeping {
 }
 
 impl Kept {
-    /// An idle one for a node's program, its folder emptied; else one that is yet to be started.
+    /// An idle one for a node's program; else one that is yet to be started.
     pub(super) fn of(program: &Program, store: &Path) -> Result<Kept, ForeignError> {
         let like = Like {
             program: program.command[0].written.clone(),
             env: program.env.clone(),
             network: program.network,
+            reads: program.reads.clone(),
             store: store.into(),
         };
         let mut idle = IDLE.lock().expect("bug: poisoned");
@@ -101,7 +102,7 @@ impl Kept {
         let found = found.map(|at| idle.kept.remove(at));
         drop(idle);
         match found {
-            Some(kept) => kept.layout.emptied().map(|()| kept),
+            Some(kept) => Ok(kept),
             None => Ok(Kept {
                 like,
                 layout: Arc::new(Layout::new(store)?),
@@ -163,7 +164,7 @@ impl Kept {
         let mut line = serde_json::to_string(&task.words[1..]).expect("bug: JSON");
         line.push('\n');
         // Who has ended is told by how he ended.
-        let _ = at_work.words.write_all(line.as_bytes());
+        let _ = at_work.words.send(line);
         let answer = at_work.heard(&limits, &mut |line| {
             let answer = answer(line);
             if answer.is_none() && !heard(line) {

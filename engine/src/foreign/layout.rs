@@ -1,25 +1,38 @@
-//! The folder of a program that runs: its files, what it reads, what it writes, and room to work.
-//! For the owner only; gone when the program has ended.
+//! The folder of a program that runs, and in it a new one for each job: the program's files, what it reads,
+//! what it writes. For the owner only; gone when the program has ended.
+//!
+//! What the program may write to is entered once and kept open: whatever it puts in its place is not gone to.
 
 use super::error::ForeignError;
 use super::leftover::{FOLDER, LOCK, remove};
+use super::places::{ETC, READ, SHM, TAKEN, TMP, WORK, WRITE};
 use super::program::Script;
+use super::sandbox;
 use crate::pattern::stays_inside;
-use crate::system::{Use, can_start, permit, private_folder};
+use crate::system::{Folder, Use, can_start, nofollow, permit, private_folder};
 use stage::Files;
 use std::fs::File;
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 use std::sync::atomic::{AtomicU64, Ordering};
 
 /// The folder. Its path is in nothing that lasts.
 pub(super) struct Layout {
     root: PathBuf,
+    jobs: AtomicU64,
     /// Held while the program may run: other machines share the store, and know none of its processes.
     _lock: File,
 }
 
-/// Its folders.
-const INNER: [&str; 4] = ["here", "in", "out", "work"];
+/// A job's folders in it.
+pub(super) struct Job {
+    layout: Arc<Layout>,
+    number: String,
+    /// Where results lie, whatever is called so by now.
+    results: Folder,
+}
+
+const OUT: &str = "out";
 
 fn at(path: &Path) -> impl FnOnce(std::io::Error) -> ForeignError + '_ {
     move |why| ForeignError::Folder {
@@ -51,47 +64,100 @@ impl Layout {
         folder(&root)?;
         let path = root.join(LOCK);
         let lock = File::create(&path).and_then(|file| file.lock().map(|()| file));
-        let _lock = lock.map_err(at(&path))?;
-        let layout = Layout { root, _lock };
-        for inner in INNER {
+        let layout = Layout {
+            _lock: lock.map_err(at(&path))?,
+            jobs: AtomicU64::new(0),
+            root,
+        };
+        for inner in [READ, WRITE, WORK, TMP, SHM] {
             folder(&layout.root.join(inner))?;
         }
+        // Whoever runs is called alike, and has no home.
+        let (user, group) = crate::system::user();
+        let work = sandbox::shown(&layout.root, &layout.root.join(WORK));
+        let account = format!("program:x:{user}:{group}::{}:/bin/sh\n", work.display());
+        put(
+            &layout.root.join(ETC).join("passwd"),
+            account.as_bytes(),
+            Use::Read,
+        )?;
+        let group = format!("program:x:{group}:\n");
+        put(
+            &layout.root.join(ETC).join("group"),
+            group.as_bytes(),
+            Use::Read,
+        )?;
         Ok(layout)
     }
+}
 
-    /// Empties its folders for the next job.
-    pub(super) fn emptied(&self) -> Result<(), ForeignError> {
-        for inner in INNER {
-            let inner = self.root.join(inner);
-            for entry in std::fs::read_dir(&inner).map_err(at(&inner))? {
-                let path = entry.map_err(at(&inner))?.path();
-                match std::fs::symlink_metadata(&path).is_ok_and(|m| m.is_dir()) {
-                    true => remove(&path),
-                    false => std::fs::remove_file(&path).map_err(at(&path))?,
-                }
-            }
+impl Job {
+    /// New folders for a job.
+    pub(super) fn new(layout: &Arc<Layout>) -> Result<Job, ForeignError> {
+        let number = (layout.jobs.fetch_add(1, Ordering::Relaxed) + 1).to_string();
+        let read = layout.root.join(READ).join(&number);
+        for inner in ["here", "in"] {
+            folder(&read.join(inner))?;
         }
-        Ok(())
+        let write = layout.root.join(WRITE);
+        let fresh = || {
+            // What the job before left where the program works.
+            nofollow::empty(&nofollow::folder(&layout.root, &[WORK])?)?;
+            let write = nofollow::folder(&layout.root, &[WRITE])?;
+            nofollow::fresh(&nofollow::fresh(&write, &number)?, OUT)
+        };
+        let results = fresh().map_err(at(&write))?;
+        Ok(Job {
+            layout: layout.clone(),
+            number,
+            results,
+        })
     }
 
-    /// All of it.
+    /// The program's whole folder.
     pub(super) fn root(&self) -> &Path {
-        &self.root
+        &self.layout.root
+    }
+
+    /// Where the program sees what lies in its folder.
+    pub(super) fn shown(&self, path: &Path) -> PathBuf {
+        sandbox::shown(&self.layout.root, path)
+    }
+
+    fn read(&self) -> PathBuf {
+        self.layout.root.join(READ).join(&self.number)
     }
 
     /// Copies of the program's files.
     pub(super) fn here(&self) -> PathBuf {
-        self.root.join("here")
+        self.read().join("here")
     }
 
     /// What it reads.
     pub(super) fn inputs(&self) -> PathBuf {
-        self.root.join("in")
+        self.read().join("in")
     }
 
     /// Where results lie.
     pub(super) fn results(&self) -> PathBuf {
-        self.root.join("out")
+        self.layout.root.join(WRITE).join(&self.number).join(OUT)
+    }
+
+    /// The same, as it was made.
+    pub(super) fn made(&self) -> &Folder {
+        &self.results
+    }
+
+    /// Whether results still lie where they should.
+    pub(super) fn in_place(&self) -> bool {
+        let there = nofollow::folder(&self.layout.root, &[WRITE, &self.number, OUT]);
+        there.is_ok_and(|there| nofollow::same(&there, &self.results))
+    }
+
+    /// A folder for results out of the program's reach.
+    pub(super) fn taken(&self) -> Result<PathBuf, ForeignError> {
+        let path = self.layout.root.join(TAKEN).join(&self.number);
+        folder(&path).map(|()| path)
     }
 
     /// Copies the program's files, as they were when the pipeline was read.
@@ -153,8 +219,18 @@ impl Layout {
     }
 }
 
+impl Drop for Job {
+    fn drop(&mut self) {
+        for above in [READ, WRITE, TAKEN] {
+            remove(&self.layout.root.join(above), &self.number);
+        }
+    }
+}
+
 impl Drop for Layout {
     fn drop(&mut self) {
-        remove(&self.root);
+        if let (Some(above), Some(name)) = (self.root.parent(), self.root.file_name()) {
+            remove(above, &name.to_string_lossy());
+        }
     }
 }

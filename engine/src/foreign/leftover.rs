@@ -2,9 +2,11 @@
 
 use super::family;
 use crate::own;
-use crate::system::{Use, is_alive, permit};
+use crate::system::{Use, is_alive, nofollow, permit};
 use std::fs::{File, TryLockError};
+use std::io::ErrorKind;
 use std::path::Path;
+use std::time::Duration;
 
 /// Where a store keeps the folders of programs that run.
 pub(super) const FOLDER: &str = "exec";
@@ -12,21 +14,21 @@ pub(super) const FOLDER: &str = "exec";
 /// The file in each that is locked while its program may run.
 pub(super) const LOCK: &str = "lock";
 
-/// Removes a folder of ours, whatever modes a program gave to what it left in it.
-pub(super) fn remove(root: &Path) {
-    if std::fs::remove_dir_all(root).is_ok() {
-        return;
-    }
-    let mut open = vec![root.to_owned()];
-    while let Some(folder) = open.pop() {
-        let _ = permit(&folder, Use::All);
-        for entry in std::fs::read_dir(&folder).into_iter().flatten().flatten() {
-            if entry.file_type().is_ok_and(|kind| kind.is_dir()) {
-                open.push(entry.path());
+/// How often it is tried to remove what a program that is just ending still writes to.
+const TRIES: usize = 20;
+
+/// Removes a folder of ours in another one, whatever modes a program gave to what it left in it, and never
+/// through a link.
+pub(super) fn remove(above: &Path, name: &str) {
+    for _ in 0..TRIES {
+        let removed = nofollow::folder(above, &[]).and_then(|at| nofollow::remove_all(&at, name));
+        match removed {
+            Err(why) if why.kind() != ErrorKind::NotFound => {
+                std::thread::sleep(Duration::from_millis(10));
             }
+            _ => return,
         }
     }
-    let _ = std::fs::remove_dir_all(root);
 }
 
 /// Ends programs that outlived the process that started them, and removes their folders. Never
@@ -53,7 +55,7 @@ pub fn clear(store: &Path) {
         if folder && !held {
             let path = entry.path().canonicalize().unwrap_or(entry.path());
             family::end(&path, None);
-            remove(&path);
+            remove(&root, name);
         }
     }
 }

@@ -41,6 +41,12 @@ pub fn lines(node: &str, program: &Program) -> Vec<String> {
             program.env.join(", ")
         ));
     }
+    for path in &program.reads {
+        lines.push(format!("  may read {path:?}"));
+    }
+    if program.keep {
+        lines.push("  stays for further jobs, told of them on its standard input".into());
+    }
     if program.network {
         lines.push("  may reach the network".into());
     }
@@ -65,7 +71,7 @@ pub fn reference(catalog: &Catalog) -> String {
 }
 
 /// The keys of a program's node.
-const KEYS: [(&str, &str); 11] = [
+const KEYS: [(&str, &str); 12] = [
     (
         "command",
         "= [\"python3\", \"{here}/a.py\", \"{from.PORT}\", \"{out}\", \"{with.NAME}\"]; {from.PORT:FORMAT} for a format of `show --as`",
@@ -91,6 +97,10 @@ const KEYS: [(&str, &str); 11] = [
         "env",
         "= [\"NAME\"]: variables of the environment that it gets; the rest is cleared",
     ),
+    (
+        "reads",
+        "= [\"/usr/local/share/model\"]: files and folders that it reads besides, by whole paths; content in the key",
+    ),
     ("timeout_s", "= 3600.0: how long it may take"),
     ("memory_mb", "= what it may hold with its children"),
     (
@@ -108,7 +118,7 @@ pub fn refusal(graph: &Graph, nodes: &[usize]) -> String {
     let all = programs(graph, nodes).flat_map(|(i, p)| lines(&graph.nodes[i].name, p));
     let all: Vec<String> = all.map(|line| format!("  {line}\n")).collect();
     format!(
-        "this pipeline runs programs that were not allowed in this cache:\n{}look at them and at their files; \
+        "this pipeline runs programs that you have not allowed:\n{}look at them and at their files; \
          then say --allow-exec, which is remembered until a command or a file changes",
         all.concat()
     )

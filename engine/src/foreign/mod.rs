@@ -3,19 +3,22 @@
 //! taken in by its kind's importer, as any input.
 //!
 //! `template` (a command with its placeholders) → `program` (a node's program, what its key holds, what
-//! the user allows) → `permit` (what was allowed here; identities) → `stage` (the run: `layout`, `run`,
-//! `child` in a `sandbox` with its `family`, or one that is `kept` (`resident`); `results`).
+//! the user allows) → `permit` (what this user allowed; identities, `reads`) → `stage` (the run: `layout`, `run`,
+//! `child` in a `sandbox`, where it sees what is `installed`, with its `family`, or one that is `kept` (`resident`); `results`).
 
 mod child;
 mod error;
 mod family;
 mod identity;
+mod installed;
 mod kept;
 mod layout;
 pub(crate) mod leftover;
 pub mod listing;
 mod permit;
+mod places;
 mod program;
+mod reads;
 mod resident;
 mod results;
 mod run;
@@ -28,11 +31,14 @@ mod weight;
 pub use error::ForeignError;
 pub use family::end_all;
 pub use identity::Identities;
+pub use installed::bring;
 pub(crate) use kept::Keeping;
 pub use leftover::clear;
 pub use listing::programs;
-pub use permit::{Settled, allow, is_allowed, settle};
+pub use permit::{
+    PermitError, Settled, allow, is_allowed, keep_permissions_in, permissions, settle,
+};
 pub use program::{Granted, Program, Script};
-pub use sandbox::{Sandbox, bring, sandbox};
+pub use sandbox::{Sandbox, require_sandbox, sandbox};
 pub use stage::{EXEC, VERSION, laid_out};
 pub use template::{Piece, Template};

@@ -1,36 +1,97 @@
-//! What the user allowed: remembered by content in the store, for the owner only. A program that was not
-//! allowed does not run, nor does its identity.
+//! What the user allowed: remembered by content in a folder of the user's own, outside of every cache and of all
+//! that is downloaded. A program that was not allowed does not run, nor does its identity.
 
 use super::leftover;
 use super::listing::{self, programs};
-use super::program::Grant;
-use super::run;
+use super::program::{Grant, Program};
+use super::{reads, run};
 use crate::graph::Graph;
-use crate::store::{Store, StoreError};
-use crate::system::is_mine;
-use stage::Hash;
+use crate::store::Store;
+use crate::system::{is_mine, nofollow, private_folder, user_state};
+use std::path::{Path, PathBuf};
+use std::sync::Mutex;
 
-/// Where a store keeps what was allowed.
+/// Where permissions are kept, below the folder of the program whose stages run.
 const FOLDER: &str = "allowed";
 
-/// Whether a program was allowed in this store by its owner, and by nobody else who may write there.
-pub fn is_allowed(store: &Store, permission: Hash) -> bool {
-    let folder = store.root().join(FOLDER);
-    is_mine(&folder) && is_mine(&folder.join(permission.to_hex().as_str()))
+/// Where else a host keeps them.
+static ELSEWHERE: Mutex<Option<PathBuf>> = Mutex::new(None);
+
+/// A permission that cannot be kept.
+#[derive(Debug, thiserror::Error)]
+pub enum PermitError {
+    /// Nobody knows where the user's folder is.
+    #[error("there is no folder to remember permissions in: set XDG_STATE_HOME or HOME")]
+    Nowhere,
+    /// The disk refuses, or others may write there.
+    #[error("permissions cannot be kept in {}: {why}", path.display())]
+    Folder {
+        /// The folder.
+        path: PathBuf,
+        /// What the system says.
+        why: std::io::Error,
+    },
+}
+
+/// Has this process keep permissions below a folder, and not below the user's.
+pub fn keep_permissions_in(folder: PathBuf) {
+    *ELSEWHERE.lock().expect("bug: poisoned") = Some(folder);
+}
+
+/// The folder of a user's state, and the name of the folder in it.
+fn place(program: &Program) -> Option<(PathBuf, String)> {
+    let own = ELSEWHERE.lock().expect("bug: poisoned").clone();
+    let name = program.catalog.program.split(' ').next()?.to_owned();
+    Some((own.or_else(user_state)?, name))
+}
+
+/// Where the permissions for a program are kept, if there is such a place.
+pub fn permissions(program: &Program) -> Option<PathBuf> {
+    let (state, name) = place(program)?;
+    Some(state.join(name).join(FOLDER))
+}
+
+/// Whether a program was allowed by this user, where nobody else may write.
+pub fn is_allowed(program: &Program) -> bool {
+    let Some(folder) = permissions(program) else {
+        return false;
+    };
+    counts(&folder, program.permission().to_hex().as_str())
+}
+
+/// Whether a permission is there, and it and the two folders above it are this user's, whom nobody else may
+/// write for.
+fn counts(folder: &Path, name: &str) -> bool {
+    let above = folder.parent().unwrap_or(folder);
+    [above, folder, &folder.join(name)].into_iter().all(is_mine)
 }
 
 /// Remembers that the programs of these nodes may run.
 ///
 /// # Errors
 ///
-/// The disk refuses.
-pub fn allow(graph: &Graph, nodes: &[usize], store: &Store) -> Result<(), StoreError> {
+/// There is no such folder, the disk refuses, or others may write there.
+pub fn allow(graph: &Graph, nodes: &[usize]) -> Result<(), PermitError> {
     for (i, program) in programs(graph, nodes) {
-        let permission = program.permission();
-        if !is_allowed(store, permission) {
-            let name = format!("{FOLDER}/{}", permission.to_hex());
-            let text = listing::lines(&graph.nodes[i].name, program).join("\n");
-            store.write(&name, format!("{text}\n").as_bytes())?;
+        if is_allowed(program) {
+            continue;
+        }
+        let (state, name) = place(program).ok_or(PermitError::Nowhere)?;
+        let told = |why| PermitError::Folder {
+            path: state.join(&name).join(FOLDER),
+            why,
+        };
+        let text = listing::lines(&graph.nodes[i].name, program).join("\n") + "\n";
+        let kept = || {
+            private_folder(&state, true)?;
+            let folder = nofollow::made(&state, &[&name, FOLDER])?;
+            let file = program.permission().to_hex();
+            nofollow::replace(&folder, file.as_str(), text.as_bytes())
+        };
+        kept().map_err(told)?;
+        if !is_allowed(program) {
+            let why = "it is not yours alone: let nobody else write there (chmod 700)";
+            return Err(told(std::io::Error::other(why)));
         }
     }
     Ok(())
@@ -41,7 +102,7 @@ pub fn allow(graph: &Graph, nodes: &[usize], store: &Store) -> Result<(), StoreE
 pub struct Settled {
     /// The places of the nodes whose programs nobody allowed.
     pub refused: Vec<usize>,
-    /// The first node whose identity cannot be told, and why.
+    /// The first node whose identity, or what it reads, cannot be told, and why.
     pub unknown: Option<(usize, String)>,
 }
 
@@ -55,8 +116,7 @@ pub fn settle(graph: &Graph, nodes: &[usize], store: &Store, stop: &dyn Fn() -> 
             settled.note(i, grant);
             continue;
         }
-        let permission = program.permission();
-        if !is_allowed(store, permission) {
+        if !is_allowed(program) {
             settled.refused.push(i);
             continue;
         }
@@ -65,24 +125,96 @@ pub fn settle(graph: &Graph, nodes: &[usize], store: &Store, stop: &dyn Fn() -> 
         }
         let folder = store.root().canonicalize();
         let folder = folder.unwrap_or_else(|_| store.root().to_owned());
-        let identity = (!program.identity.is_empty()).then(|| {
-            program.identities.get(permission, || {
-                let printed = run::identity(program, &folder, stop);
-                let printed = printed.map_err(|why| why.to_string())?;
-                Ok(printed.unwrap_or_default())
-            })
-        });
-        let grant = Grant { folder, identity };
+        let grant = granted(program, folder, stop);
         settled.note(i, &grant);
         let _ = program.granted.0.set(grant);
     }
     settled
 }
 
+/// What is to be known of a program before it runs.
+fn granted(program: &Program, folder: PathBuf, stop: &dyn Fn() -> bool) -> Grant {
+    let permission = program.permission();
+    let identity = (!program.identity.is_empty()).then(|| {
+        program.identities.get(permission, || {
+            let printed = run::identity(program, &folder, stop);
+            let printed = printed.map_err(|why| why.to_string())?;
+            Ok(printed.unwrap_or_default())
+        })
+    });
+    let content = |path: &String| {
+        program.identities.get(stage::hash(path.as_bytes()), || {
+            let told = |why| format!("`reads`: {path}: {why}");
+            // The cache is in nobody's key, and nobody's to see.
+            match folder.starts_with(
+                Path::new(path)
+                    .canonicalize()
+                    .map_err(|why| told(why.to_string()))?,
+            ) {
+                true => Err(told("holds the cache: name what is read of it".into())),
+                false => Ok(reads::content(path)
+                    .map_err(|why| told(why.to_string()))?
+                    .to_hex()
+                    .to_string()),
+            }
+        })
+    };
+    Grant {
+        reads: program.reads.iter().map(content).collect(),
+        stamps: program
+            .reads
+            .iter()
+            .map(|path| reads::stamps(path).ok())
+            .collect(),
+        folder,
+        identity,
+    }
+}
+
 impl Settled {
     fn note(&mut self, node: usize, grant: &Grant) {
-        if let (None, Some(Err(why))) = (&self.unknown, &grant.identity) {
+        let wrong = grant
+            .identity
+            .iter()
+            .chain(&grant.reads)
+            .find_map(|known| known.as_ref().err());
+        if let (None, Some(why)) = (&self.unknown, wrong) {
             self.unknown = Some((node, why.clone()));
         }
+    }
+}
+
+#[cfg(all(test, unix))]
+mod tests {
+    use super::*;
+    use std::os::unix::fs::{PermissionsExt, symlink};
+
+    #[test]
+    fn a_permission_counts_only_where_nobody_else_may_write() {
+        let place = tempfile::tempdir().unwrap();
+        let folder = place.path().join("texts/allowed");
+        let file = folder.join("aa");
+        private_folder(&folder, true).unwrap();
+        std::fs::write(&file, "").unwrap();
+        let set = |path: &Path, mode| {
+            std::fs::set_permissions(path, PermissionsExt::from_mode(mode)).unwrap();
+        };
+        set(&file, 0o600);
+        assert!(counts(&folder, "aa") && !counts(&folder, "ab"));
+        let above = folder.parent().unwrap();
+        for (path, open, closed) in [
+            (&*file, 0o666, 0o600),
+            (&folder, 0o777, 0o700),
+            (above, 0o770, 0o700),
+        ] {
+            set(path, open);
+            assert!(!counts(&folder, "aa"), "{}", path.display());
+            set(path, closed);
+            assert!(counts(&folder, "aa"));
+        }
+        let elsewhere = place.path().join("elsewhere");
+        std::fs::rename(&file, &elsewhere).unwrap();
+        symlink(&elsewhere, &file).unwrap();
+        assert!(!counts(&folder, "aa"), "through a link");
     }
 }

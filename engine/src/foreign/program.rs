@@ -1,10 +1,14 @@
 //! A node's program: what its key holds, and what the user allows.
 
+use super::error::ForeignError;
 use super::identity::Identities;
+use super::installed::is_system;
+use super::reads;
 use super::template::{Piece, Template};
 use crate::kind::{Catalog, Importer};
+use crate::system::plain_file;
 use stage::{Hash, Value};
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::sync::{Arc, OnceLock};
 use std::time::Duration;
 
@@ -26,6 +30,25 @@ pub(super) struct Grant {
     pub(super) folder: PathBuf,
     /// What its identity prints, or why that is not known; none where it has none.
     pub(super) identity: Option<Result<String, String>>,
+    /// The content of what it reads beside, in the order of `reads`, or why that is not known.
+    pub(super) reads: Vec<Result<String, String>>,
+    /// What tells that some of it was changed.
+    pub(super) stamps: Vec<Option<Hash>>,
+}
+
+impl Grant {
+    /// Whether what it reads beside is what it was when the run began.
+    pub(super) fn same_reads(&self, paths: &[String]) -> Result<(), ForeignError> {
+        for (path, before) in paths.iter().zip(&self.stamps) {
+            let now =
+                reads::stamps(path).map_err(|why| ForeignError::Reads(format!("{path}: {why}")))?;
+            if *before != Some(now) {
+                let why = format!("{path} changed while the run was using it; run again");
+                return Err(ForeignError::Reads(why));
+            }
+        }
+        Ok(())
+    }
 }
 
 /// Whether a program may run: not, until it is settled.
@@ -50,6 +73,8 @@ pub struct Program {
     pub identity: Vec<Template>,
     /// Variables of the environment that it gets.
     pub env: Vec<String>,
+    /// Files and folders that it reads beside what it is given: whole paths.
+    pub reads: Vec<String>,
     /// How long it may take.
     pub timeout: Duration,
     /// What it may hold with its children. \[MB\]
@@ -89,6 +114,14 @@ impl Program {
         if !self.env.is_empty() {
             lines.push(("environment".to_owned(), self.env.join(" ")));
         }
+        for (i, path) in self.reads.iter().enumerate() {
+            let content = match self.granted.0.get().and_then(|grant| grant.reads.get(i)) {
+                Some(Ok(content)) => content.clone(),
+                Some(Err(why)) => format!("unknown: {why}"),
+                None => UNKNOWN.to_owned(),
+            };
+            lines.push((format!("reads {path}"), content));
+        }
         if self.network {
             lines.push(("network".to_owned(), "may be reached".to_owned()));
         }
@@ -103,15 +136,16 @@ impl Program {
         lines
     }
 
-    /// What the user allows: command, identity, files, variables of the environment, network, and
-    /// params that are more than a number where they stand in the command.
+    /// What the user allows: command, identity, files, variables of the environment, what it reads, network,
+    /// whether it stays, params that are more than a number where they stand in the command, and the content
+    /// of a program that is named by its place and is none of the system's.
     pub fn permission(&self) -> Hash {
         let mut hasher = blake3::Hasher::new();
         let mut put = |text: &str| {
             hasher.update(&(text.len() as u64).to_le_bytes());
             hasher.update(text.as_bytes());
         };
-        put("a program that may run 1");
+        put("a program that may run 2");
         for words in [&self.command, &self.identity] {
             put(&words.len().to_string());
             words.iter().for_each(|word| put(&word.written));
@@ -122,7 +156,12 @@ impl Program {
             put(&file.content.to_hex());
         }
         put(&self.env.join("\n"));
+        put(&self.reads.join("\n"));
         put(if self.network { "network" } else { "" });
+        put(if self.keep { "keep" } else { "" });
+        for words in [&self.command, &self.identity] {
+            put(&words.first().map_or(String::new(), own));
+        }
         for (name, value) in self.texts() {
             put(name);
             put(&value.to_string());
@@ -159,6 +198,21 @@ impl Program {
         let script = script.and_then(|w| w.written.strip_prefix("{here}/"));
         script.unwrap_or(first).to_owned()
     }
+}
+
+/// What a program may be at most whose content is in a permission: as much as a result. \[bytes\]
+const LARGEST_PROGRAM_BYTES: u64 = 4 << 30;
+
+/// The content of a program that is named by its place, if it is none of the system's.
+fn own(word: &Template) -> String {
+    let path = Path::new(&word.written);
+    let bytes = match path.is_absolute() && !is_system(path) {
+        true => plain_file(path, LARGEST_PROGRAM_BYTES).ok(),
+        false => None,
+    };
+    bytes.map_or(String::new(), |bytes| {
+        stage::hash(&bytes).to_hex().to_string()
+    })
 }
 
 fn json(value: &Value) -> serde_json::Value {

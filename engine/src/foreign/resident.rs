@@ -7,14 +7,16 @@ use super::tail::Tail;
 use super::weight::weigh;
 use serde_json::Value;
 use stage::process;
+use std::io::Write;
 use std::process::{Child, ChildStdin, Command, Stdio};
-use std::sync::mpsc::{Receiver, RecvTimeoutError, Sender, channel};
+use std::sync::mpsc::{Receiver, RecvTimeoutError, Sender, SyncSender, channel, sync_channel};
 use std::time::Instant;
 
 /// The process.
 pub(super) struct AtWork {
     pub(super) child: Child,
-    pub(super) words: ChildStdin,
+    /// Lines that it is told, by a thread of their own: it may not listen.
+    pub(super) words: SyncSender<String>,
     lines: Receiver<Line>,
     /// Processes of the family when it was ready.
     own: Vec<u32>,
@@ -66,6 +68,19 @@ fn spawned(mut command: Command) -> std::io::Result<(Sender<()>, Child)> {
     Ok((starter, child))
 }
 
+/// Tells a program lines; who has ended is told nothing.
+fn told(mut to: ChildStdin) -> SyncSender<String> {
+    let (words, lines) = sync_channel::<String>(1);
+    std::thread::spawn(move || {
+        while let Ok(line) = lines.recv() {
+            if to.write_all(line.as_bytes()).is_err() {
+                return;
+            }
+        }
+    });
+    words
+}
+
 impl AtWork {
     /// Starts it, and waits until it is ready.
     pub(super) fn started(limits: &Limits<'_>, tail: &mut Tail) -> Result<AtWork, ForeignError> {
@@ -81,7 +96,7 @@ impl AtWork {
         })?;
         let _running = Running::new(child.id(), task.root);
         let lines = child::listened(&mut child);
-        let words = child.stdin.take().expect("bug: no standard input");
+        let words = told(child.stdin.take().expect("bug: no standard input"));
         let mut at_work = AtWork {
             child,
             words,

@@ -3,11 +3,12 @@
 use super::child::{self, Line, Task};
 use super::error::ForeignError;
 use super::kept::Kept;
-use super::layout::Layout;
+use super::layout::{Job, Layout};
 use super::program::Program;
 use super::tail::Tail;
 use super::template::{Piece, Template};
 use std::path::Path;
+use std::sync::Arc;
 use std::time::Duration;
 
 /// What a result may be at most: bytes and files.
@@ -26,18 +27,19 @@ pub(super) fn word(path: &Path) -> String {
 /// Runs the node's command, by a program that is kept if there is one; `place` says what ports and `{out}` stand for.
 pub(super) fn command(
     program: &Program,
-    layout: &Layout,
+    job: &Job,
     place: &dyn Fn(&Piece) -> String,
     kept: Option<&mut Kept>,
     stop: &dyn Fn() -> bool,
     heard: &mut dyn FnMut(&Line) -> bool,
 ) -> Result<Tail, ForeignError> {
-    let words = filled(program, &program.command, layout, place);
+    let words = filled(program, &program.command, job, place);
     let task = Task {
         name: &program.name(),
         words: &words,
-        root: layout.root(),
+        root: job.root(),
         env: &program.env,
+        reads: &program.reads,
         network: program.network,
         timeout: program.timeout,
         memory_mb: program.memory_mb,
@@ -58,14 +60,15 @@ pub(super) fn identity(
     if program.identity.is_empty() {
         return Ok(None);
     }
-    let layout = Layout::new(store)?;
-    layout.files(&program.files)?;
-    let words = filled(program, &program.identity, &layout, &|_| String::new());
+    let job = Job::new(&Arc::new(Layout::new(store)?))?;
+    job.files(&program.files)?;
+    let words = filled(program, &program.identity, &job, &|_| String::new());
     let task = Task {
         name: &words[0],
         words: &words,
-        root: layout.root(),
+        root: job.root(),
         env: &program.env,
+        reads: &program.reads,
         network: program.network,
         timeout: IDENTITY,
         memory_mb: program.memory_mb,
@@ -89,11 +92,11 @@ pub(super) fn identity(
 fn filled(
     program: &Program,
     words: &[Template],
-    layout: &Layout,
+    job: &Job,
     place: &dyn Fn(&Piece) -> String,
 ) -> Vec<String> {
     let of = |piece: &Piece| match piece {
-        Piece::Here => word(&layout.here()),
+        Piece::Here => word(&job.shown(&job.here())),
         Piece::With(name) => program.said(name),
         other => place(other),
     };

@@ -4,7 +4,7 @@
 use super::child::Line;
 use super::error::ForeignError;
 use super::kept::Kept;
-use super::layout::Layout;
+use super::layout::{Job, Layout};
 use super::program::Program;
 use super::results;
 use super::run::{self, MOST, word};
@@ -23,7 +23,7 @@ use std::sync::Arc;
 pub const EXEC: &str = "exec";
 
 /// Raise it whenever a program gets or gives something else.
-pub const VERSION: u32 = 1;
+pub const VERSION: u32 = 2;
 
 /// Whether a kind can be laid out as files for a program, in a format if one is said.
 ///
@@ -57,11 +57,7 @@ type Places = Vec<(Piece, String)>;
 
 impl Program {
     /// Lays out what the command reads.
-    fn inputs(
-        &self,
-        layout: &Layout,
-        inputs: &[Option<AnyArtifact>],
-    ) -> Result<Places, ForeignError> {
+    fn inputs(&self, job: &Job, inputs: &[Option<AnyArtifact>]) -> Result<Places, ForeignError> {
         let mut places = Places::new();
         let pieces = self
             .command
@@ -82,7 +78,7 @@ impl Program {
             };
             let artifact = artifact.ok_or_else(|| wrong("nothing is there".into()))?;
             let path = match artifact.clone().downcast::<Files>() {
-                Some(files) => layout.user_files(port, &files)?,
+                Some(files) => job.user_files(port, &files)?,
                 None => {
                     let kind = self.catalog.kind(artifact.kind());
                     let beside = kind.and_then(|kind| of_kind(inputs, kind.beside?));
@@ -98,10 +94,10 @@ impl Program {
                         Some(format) => format!("{port}-{format}"),
                         None => port.clone(),
                     };
-                    layout.written(&name, extension, &files)?
+                    job.written(&name, extension, &files)?
                 }
             };
-            places.push((piece.clone(), word(&path)));
+            places.push((piece.clone(), word(&job.shown(&path))));
         }
         Ok(places)
     }
@@ -110,31 +106,31 @@ impl Program {
     fn made(&self, inputs: &[Option<AnyArtifact>], ctx: &Ctx<'_>) -> Result<Made, ForeignError> {
         let grant = self.granted.0.get().ok_or(ForeignError::NotAllowed)?;
         if !self.keep {
-            let layout = Layout::new(&grant.folder)?;
-            return self.made_in(&layout, None, inputs, ctx);
+            let job = Job::new(&Arc::new(Layout::new(&grant.folder)?))?;
+            return self.made_in(&job, None, inputs, ctx);
         }
         let mut kept = Kept::of(self, &grant.folder)?;
-        let layout = kept.layout.clone();
-        let made = self.made_in(&layout, Some(&mut kept), inputs, ctx);
+        let job = Job::new(&kept.layout)?;
+        let made = self.made_in(&job, Some(&mut kept), inputs, ctx);
         // Imported artifacts hold no files of it any more.
         kept.rest();
         made
     }
 
-    /// As `made`, in a folder that is empty.
+    /// As `made`, in new folders.
     fn made_in(
         &self,
-        layout: &Layout,
+        job: &Job,
         kept: Option<&mut Kept>,
         inputs: &[Option<AnyArtifact>],
         ctx: &Ctx<'_>,
     ) -> Result<Made, ForeignError> {
         let grant = self.granted.0.get().ok_or(ForeignError::NotAllowed)?;
         let stop = || ctx.check().is_err();
-        layout.files(&self.files)?;
-        let mut places = self.inputs(layout, inputs)?;
-        let out: PathBuf = results::place(&layout.results(), self.importer);
-        places.push((Piece::Out, word(&out)));
+        job.files(&self.files)?;
+        let mut places = self.inputs(job, inputs)?;
+        let out: PathBuf = results::place(&job.results(), self.importer);
+        places.push((Piece::Out, word(&job.shown(&out))));
         let place = |piece: &Piece| {
             let place = places.iter().find(|(known, _)| known == piece);
             place.map_or(String::new(), |(_, path)| path.clone())
@@ -151,16 +147,16 @@ impl Program {
             }
             None => false,
         };
-        let tail = run::command(self, layout, &place, kept, &stop, &mut heard)?;
+        let tail = run::command(self, job, &place, kept, &stop, &mut heard)?;
         let told = |mut error: ForeignError| {
             error.said(&tail.text());
             error
         };
         let name = self.name();
-        let files =
-            results::collected(&name, &layout.results(), self.importer, MOST).map_err(told)?;
+        let files = results::collected(&name, job, self.importer, MOST, self.keep).map_err(told)?;
         let made = self.imported(files, inputs, ctx).map_err(told)?;
         self.same_identity(&grant.folder, &stop)?;
+        grant.same_reads(&self.reads)?;
         Ok(made)
     }
 

@@ -2,9 +2,11 @@
 
 use super::error::ForeignError;
 use super::family;
+use super::places::WRITTEN;
+use crate::system::{FileKind, nofollow};
 use std::path::Path;
 
-/// Whether it holds or has written too much.
+/// Whether it holds or has written too much, anywhere that it may write to.
 pub(super) fn weigh(
     name: &str,
     root: &Path,
@@ -21,19 +23,24 @@ pub(super) fn weigh(
         });
     }
     let (mut bytes, mut files) = (0u64, 0usize);
-    let mut open = vec![root.join("out"), root.join("work")];
-    while let Some(folder) = open.pop() {
-        for entry in std::fs::read_dir(&folder).into_iter().flatten().flatten() {
-            files += 1;
-            match entry.metadata() {
-                Ok(meta) if meta.is_dir() => open.push(entry.path()),
-                Ok(meta) => bytes = bytes.saturating_add(meta.len()),
-                Err(_) => {}
-            }
-            if files > most.1 || bytes > most.0 {
-                return Err(too_much(name, bytes, files, most));
-            }
+    for inner in WRITTEN {
+        let at = nofollow::folder(root, &[inner]);
+        let looked = at.and_then(|at| {
+            nofollow::walk(&at, &mut |met| {
+                files += 1;
+                if met.kind == Some(FileKind::File) {
+                    bytes = bytes.saturating_add(met.stamp.size);
+                }
+                files <= most.1 && bytes <= most.0
+            })
+        });
+        if files > most.1 || bytes > most.0 {
+            return Err(too_much(name, bytes, files, most));
         }
+        looked.map_err(|why| ForeignError::Folder {
+            path: root.join(inner),
+            why,
+        })?;
     }
     Ok(())
 }

@@ -6,10 +6,31 @@ use super::written::{From, Node, Said};
 use crate::foreign::{Granted, Piece, Program, Script, Template};
 use crate::graph::{Bound, Source};
 use crate::pattern::stays_inside;
+use crate::system::plain_file;
 use stage::{Checked, PortSpec, Value, unknown};
 use std::collections::BTreeSet;
+use std::path::{Component, Path};
 use std::sync::{Arc, Mutex};
 use std::time::Duration;
+
+/// What a file of a node's may be at most: as much as a result. \[bytes\]
+const LARGEST_SCRIPT_BYTES: u64 = 4 << 30;
+
+/// A file that lies beside a pipeline; what a link brings there from elsewhere nobody would see who looks at it.
+fn script(beside: &Path, path: &Path) -> std::io::Result<Vec<u8>> {
+    let outside = || {
+        let above = match beside.as_os_str().is_empty() {
+            true => Path::new("."),
+            false => beside,
+        };
+        Ok::<bool, std::io::Error>(!path.canonicalize()?.starts_with(above.canonicalize()?))
+    };
+    if outside()? {
+        let why = "is a link out of the pipeline's folder: copy the file there";
+        return Err(std::io::Error::other(why));
+    }
+    plain_file(path, LARGEST_SCRIPT_BYTES)
+}
 
 /// How long a program may take that says nothing of it. \[s\]
 const TIMEOUT_S: f64 = 3600.0;
@@ -96,6 +117,7 @@ impl<'a> Binder<'a> {
         self.unread(node, importer, &command, &ports);
         let files = self.files(node);
         let env = self.variables(node);
+        let reads = self.reads(node);
         if self.mistakes.len() > before || from.iter().any(Option::is_none) {
             return None;
         }
@@ -113,6 +135,7 @@ impl<'a> Binder<'a> {
             files,
             identity,
             env,
+            reads,
             timeout: Duration::from_secs_f64(seconds),
             memory_mb: node.exec.memory_mb.as_ref().map(|m| m.value.ceil() as u64),
             network: node.exec.network.unwrap_or(false),
@@ -195,7 +218,7 @@ impl<'a> Binder<'a> {
                 continue;
             }
             let path = (self.beside.folder)(said).join(&said.value);
-            match std::fs::read(&path) {
+            match script(&(self.beside.folder)(said), &path) {
                 Ok(bytes) => files.push(Script {
                     name: said.value.clone(),
                     path,
@@ -207,6 +230,26 @@ impl<'a> Binder<'a> {
         files.sort_by(|a, b| a.name.cmp(&b.name));
         files.dedup_by(|a, b| a.name == b.name);
         files
+    }
+
+    /// Files and folders by their whole paths.
+    fn reads(&mut self, node: &Node) -> Vec<String> {
+        let mut paths = Vec::new();
+        for said in node.exec.reads.iter().flatten() {
+            let path = Path::new(&said.value);
+            let up = path.components().any(|part| part == Component::ParentDir);
+            let odd = said.value.contains(char::is_control);
+            match path.is_absolute() && !up && !odd && path.parent().is_some() {
+                true => paths.push(said.value.clone()),
+                false => self.wrong_at(
+                    said,
+                    "what is read besides is named by its whole path, without `..`",
+                ),
+            }
+        }
+        paths.sort_unstable();
+        paths.dedup();
+        paths
     }
 
     fn variables(&mut self, node: &Node) -> Vec<String> {

@@ -13,6 +13,7 @@ impl Reader {
             "files" => exec.files = Some(self.texts(value, "a file")),
             "identity" => exec.identity = Some(self.texts(value, "a word of a command")),
             "env" => exec.env = Some(self.texts(value, "a name")),
+            "reads" => exec.reads = Some(self.texts(value, "a path")),
             "timeout_s" => exec.timeout_s = self.limit(value, "`timeout_s`"),
             "memory_mb" => exec.memory_mb = self.limit(value, "`memory_mb`"),
             "network" => exec.network = self.switch(value, "`network`").or(exec.network),
@@ -60,6 +61,7 @@ impl Exec {
         self.files = over.files.or(self.files.take());
         self.identity = over.identity.or(self.identity.take());
         self.env = over.env.or(self.env.take());
+        self.reads = over.reads.or(self.reads.take());
         self.timeout_s = over.timeout_s.or(self.timeout_s.take());
         self.memory_mb = over.memory_mb.or(self.memory_mb.take());
         self.network = over.network.or(self.network);

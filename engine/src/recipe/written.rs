@@ -75,6 +75,8 @@ pub struct Exec {
     pub identity: Option<Vec<Said<String>>>,
     /// `env`: variables of the environment that it gets.
     pub env: Option<Vec<Said<String>>>,
+    /// `reads`: files and folders that it reads beside what it is given.
+    pub reads: Option<Vec<Said<String>>>,
     /// `timeout_s`: how long it may take.
     pub timeout_s: Option<Said<f64>>,
     /// `memory_mb`: what it may hold.

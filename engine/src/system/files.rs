@@ -26,8 +26,6 @@ pub(crate) enum Use {
     Read,
     /// Its owner reads and starts it.
     Start,
-    /// Its owner does all with it.
-    All,
 }
 
 /// Has the owner, and nobody else, use a file.
@@ -43,6 +41,11 @@ pub(crate) fn can_start(meta: &Metadata) -> bool {
 /// Whether it is the user's own, no link, and nobody else may write to it.
 pub(crate) fn is_mine(path: &Path) -> bool {
     std::fs::symlink_metadata(path).is_ok_and(|m| !m.is_symlink() && system::is_mine(&m))
+}
+
+/// The numbers of the user and the group of this process; 0 where there are none.
+pub(crate) fn user() -> (u32, u32) {
+    system::user()
 }
 
 /// Whether nobody but its owner may read a file, as far as the system has modes.
@@ -121,13 +124,17 @@ mod system {
         let mode = match what {
             Use::Read => 0o400,
             Use::Start => 0o500,
-            Use::All => 0o700,
         };
         std::fs::set_permissions(path, Permissions::from_mode(mode))
     }
 
     pub(super) fn can_start(meta: &Metadata) -> bool {
         meta.mode() & 0o111 != 0
+    }
+
+    pub(super) fn user() -> (u32, u32) {
+        let (user, group) = (rustix::process::geteuid(), rustix::process::getegid());
+        (user.as_raw(), group.as_raw())
     }
 
     pub(super) fn is_mine(meta: &Metadata) -> bool {
@@ -183,14 +190,18 @@ mod system {
         open
     }
 
-    pub(super) fn permit(path: &Path, what: Use) -> Result<()> {
+    pub(super) fn permit(path: &Path, _what: Use) -> Result<()> {
         let mut permissions = std::fs::metadata(path)?.permissions();
-        permissions.set_readonly(what != Use::All);
+        permissions.set_readonly(true);
         std::fs::set_permissions(path, permissions)
     }
 
     pub(super) fn can_start(_meta: &Metadata) -> bool {
         true
+    }
+
+    pub(super) fn user() -> (u32, u32) {
+        (0, 0)
     }
 
     pub(super) fn is_mine(_meta: &Metadata) -> bool {

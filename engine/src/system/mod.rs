@@ -10,16 +10,19 @@ pub(crate) mod nofollow;
 #[path = "nofollow_portable.rs"]
 pub(crate) mod nofollow;
 mod plain;
+mod state;
 
-pub(crate) use entries::FileKind;
 use entries::WRITING;
+pub(crate) use entries::{FileKind, Met};
 pub(crate) use files::{
     Stamp, Use, can_start, is_mine, may_write, permit, private_file, private_folder, read_exact_at,
+    user,
 };
 #[cfg(feature = "remote")]
 pub(crate) use files::{is_private, shared_file, shared_folders};
 pub(crate) use nofollow::Folder;
 pub(crate) use plain::{bounded, plain_file};
+pub(crate) use state::user_state;
 
 /// Removes what killed processes were writing into a folder.
 pub(crate) fn tidy(at: &Folder) {

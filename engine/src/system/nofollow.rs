@@ -10,12 +10,11 @@ use std::io::{Read, Result, Write};
 use std::path::Path;
 use std::sync::atomic::{AtomicU64, Ordering};
 
-/// A folder that was entered.
-pub(crate) type Folder = std::os::fd::OwnedFd;
+use below::FOLDER;
+pub(crate) use below::{Folder, empty, fresh, has_hole, open_file, remove_all, same, walk};
 
-const FOLDER: OFlags = OFlags::RDONLY
-    .union(OFlags::DIRECTORY)
-    .union(OFlags::CLOEXEC);
+#[path = "nofollow_below.rs"]
+mod below;
 
 /// A folder below another, one name after the next, none of them a link. Where the first one lies is
 /// the user's to say, by a link too.

@@ -2,8 +2,9 @@
 //! by its parent: each name on the way is looked at first. A link that somebody puts there between the look
 //! and the use is not seen; a folder that only its owner writes into has no such somebody.
 
-use super::entries::{FileKind, writing};
-use std::fs::{self, OpenOptions};
+use super::Stamp;
+use super::entries::{DEEPEST_FOLDERS, FileKind, Met, too_deep, writing};
+use std::fs::{self, File, OpenOptions};
 use std::io::{Error, ErrorKind, Result, Write};
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicU64, Ordering};
@@ -104,4 +105,102 @@ pub(crate) fn replace(at: &Folder, name: &str, bytes: &[u8]) -> Result<()> {
 /// that themselves.
 pub(crate) fn sync(_folder: &Path) -> Result<()> {
     Ok(())
+}
+
+/// A folder that is made in another one, where nothing of the name is yet.
+pub(crate) fn fresh(at: &Folder, name: &str) -> Result<Folder> {
+    let path = at.0.join(name);
+    fs::create_dir(&path)?;
+    Ok(Folder(path))
+}
+
+/// Whether two are the same folder.
+pub(crate) fn same(a: &Folder, b: &Folder) -> bool {
+    a.0 == b.0
+}
+
+/// Meets all that lies below a folder, as long as `meet` goes on; what goes away meanwhile is passed over.
+///
+/// # Errors
+///
+/// A folder cannot be looked into, or is too deep.
+pub(crate) fn walk(at: &Folder, meet: &mut dyn FnMut(&Met) -> bool) -> Result<()> {
+    let mut open = vec![(String::new(), at.0.clone(), 1)];
+    while let Some((above, folder, deep)) = open.pop() {
+        for entry in fs::read_dir(&folder)? {
+            let entry = entry?;
+            let Ok(meta) = fs::symlink_metadata(entry.path()) else {
+                continue;
+            };
+            let raw = entry.file_name();
+            let met = Met {
+                path: format!("{above}{}", raw.to_string_lossy()),
+                named: raw.to_str().is_some(),
+                kind: kind(&entry.path()),
+                link: meta.is_symlink(),
+                stamp: Stamp::of(&meta),
+            };
+            if !meet(&met) {
+                return Ok(());
+            }
+            if met.kind == Some(FileKind::Folder) {
+                if deep > DEEPEST_FOLDERS {
+                    return Err(too_deep());
+                }
+                open.push((format!("{}/", met.path), entry.path(), deep + 1));
+            }
+        }
+    }
+    Ok(())
+}
+
+/// A plain file below a folder.
+pub(crate) fn open_file(at: &Folder, path: &str) -> Result<File> {
+    let path = at.0.join(path);
+    match kind(&path) {
+        Some(FileKind::File) => File::open(path),
+        _ => Err(Error::new(ErrorKind::InvalidInput, "is no plain file")),
+    }
+}
+
+/// Whether less of a file lies on the disk than its size says; the system is not asked.
+pub(crate) fn has_hole(_file: &File, _size: u64) -> bool {
+    false
+}
+
+fn writable(path: &Path) -> Result<()> {
+    let mut permissions = fs::symlink_metadata(path)?.permissions();
+    permissions.set_readonly(false);
+    fs::set_permissions(path, permissions)
+}
+
+/// Removes all that lies in a folder; what may not be written to is first made so.
+pub(crate) fn empty(top: &Folder) -> Result<()> {
+    let mut below = Vec::new();
+    walk(top, &mut |met| {
+        below.push((met.path.clone(), met.kind));
+        true
+    })?;
+    for (path, kind) in below.iter().rev() {
+        let path = top.0.join(path);
+        let _ = writable(&path);
+        match kind {
+            Some(FileKind::Folder) => fs::remove_dir(&path)?,
+            _ => fs::remove_file(&path).or_else(|_| fs::remove_dir(&path))?,
+        }
+    }
+    Ok(())
+}
+
+/// Removes a folder with all that is in it; one that is not there is as good.
+pub(crate) fn remove_all(at: &Folder, name: &str) -> Result<()> {
+    let path = at.0.join(name);
+    match kind(&path) {
+        None => Ok(()),
+        Some(FileKind::File) => fs::remove_file(path),
+        Some(FileKind::Folder) => {
+            empty(&Folder(path.clone()))?;
+            fs::remove_dir(path)
+        }
+    }
 }

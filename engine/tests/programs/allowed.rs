@@ -1,7 +1,6 @@
 //! Nothing runs that the user has not allowed, and what was allowed is that and nothing else.
 
 use crate::trade::{Nobody, Place, shell};
-use engine::foreign;
 use engine::plan::{State, plan};
 use std::os::unix::fs::PermissionsExt;
 
@@ -69,28 +68,66 @@ fn a_plan_runs_no_identity_that_was_not_allowed() {
 }
 
 #[test]
-fn a_permission_counts_only_where_nobody_else_may_write() {
+fn a_permission_that_came_with_a_cache_is_none() {
     let place = Place::new();
-    let graph = place.graph(&shell("echo a > $1", ""));
-    place.allow(&graph);
+    let graph = place.graph(&shell("echo downloaded > $1", ""));
     let permission = graph.nodes[0].program.as_ref().unwrap().permission();
-    let store = place.store();
-    assert!(foreign::is_allowed(&store, permission));
-    let folder = store.root().join("allowed");
+    // As it lay in a cache that somebody hands out with a pipeline.
+    let folder = place.store().root().join("allowed");
+    std::fs::create_dir_all(&folder).unwrap();
+    std::fs::set_permissions(&folder, PermissionsExt::from_mode(0o700)).unwrap();
     let file = folder.join(permission.to_hex().as_str());
-    for (path, open, closed) in [(&file, 0o666, 0o600), (&folder, 0o777, 0o700)] {
-        let set = |mode| std::fs::set_permissions(path, PermissionsExt::from_mode(mode)).unwrap();
-        set(open);
-        assert!(
-            !foreign::is_allowed(&store, permission),
-            "{}",
-            path.display()
-        );
-        set(closed);
-        assert!(foreign::is_allowed(&store, permission));
-    }
-    let elsewhere = place.path("elsewhere");
-    std::fs::rename(&file, &elsewhere).unwrap();
-    std::os::unix::fs::symlink(&elsewhere, &file).unwrap();
-    assert!(!foreign::is_allowed(&store, permission), "through a link");
+    std::fs::write(&file, "x: sh\n").unwrap();
+    std::fs::set_permissions(&file, PermissionsExt::from_mode(0o600)).unwrap();
+    let told = place.run(&graph, &Nobody, &false.into()).err();
+    assert!(told.expect("it is refused").contains("--allow-exec"));
+}
+
+#[test]
+fn to_stay_is_a_permission_of_its_own() {
+    let place = Place::new();
+    let node = "[node.x]\nstage = \"exec\"\nout = \"text\"\ncommand = [\"sh\", \"-c\", \"echo stay > $0\", \"{out}\"]\n";
+    place.allow(&place.graph(node));
+    runs(&place, node, &[]).unwrap();
+    let told = runs(&place, &format!("{node}keep = true\n"), &[]).unwrap_err();
+    assert!(told.contains("stays for further jobs"), "{told}");
+}
+
+#[test]
+fn what_it_may_read_and_what_lies_at_its_place_are_parts_of_a_permission() {
+    let place = Place::new();
+    place.write("tool", "#!/bin/sh\necho one > $1\n");
+    let tool = place.path("tool");
+    std::fs::set_permissions(&tool, PermissionsExt::from_mode(0o700)).unwrap();
+    let node =
+        format!("[node.x]\nstage = \"exec\"\nout = \"text\"\ncommand = [{tool:?}, \"{{out}}\"]\n");
+    place.allow(&place.graph(&node));
+    runs(&place, &node, &[]).unwrap();
+    let told = runs(&place, &format!("{node}reads = [\"/usr/share\"]\n"), &[]).unwrap_err();
+    assert!(told.contains("may read \"/usr/share\""), "{told}");
+    place.write("tool", "#!/bin/sh\necho two > $1\n");
+    runs(&place, &node, &[]).unwrap_err();
+}
+
+#[test]
+fn a_file_of_a_nodes_is_no_link_to_what_lies_elsewhere() {
+    let place = Place::new();
+    let elsewhere = tempfile::NamedTempFile::new().unwrap();
+    std::os::unix::fs::symlink(elsewhere.path(), place.path("model.bin")).unwrap();
+    place.write("own.bin", "");
+    std::os::unix::fs::symlink("own.bin", place.path("same.bin")).unwrap();
+    let node = |file: &str| {
+        format!(
+            "[node.x]\nstage = \"exec\"\nout = \"text\"\ncommand = [\"sh\", \"{{out}}\"]\nfiles = [\"{file}\"]\n"
+        )
+    };
+    let told = place
+        .open(&node("model.bin"), &[])
+        .err()
+        .unwrap_or_default();
+    assert!(
+        told.contains("is a link out of the pipeline's folder"),
+        "{told}"
+    );
+    place.graph(&node("same.bin"));
 }

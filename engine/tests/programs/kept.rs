@@ -7,8 +7,9 @@ use engine::sweep::{self, End, Points, Sweeping, axes};
 use std::path::PathBuf;
 use std::time::Instant;
 
-/// Answers each job by the number of its process, and the job's last word; some words are odd jobs.
+/// Answers each job by a number of its process's own, and the job's last word; some words are odd jobs.
 const PROGRAM: &str = r#"#!/bin/sh
+own=$(od -An -N8 -tx8 /dev/urandom | tr -d ' ')
 echo '{"ready": true}'
 while read -r line; do
   out=$(echo "$line" | sed 's/.*"\(\/[^"]*text.txt\)".*/\1/')
@@ -19,7 +20,7 @@ while read -r line; do
     3) sleep 100 & echo x > "$out" ;;
     4) sleep 100 ;;
     5) echo "by the way" >&2; sleep 0.3 ;;
-    *) echo "$$ $job" > "$out" ;;
+    *) echo "$own $job" > "$out" ;;
   esac
   echo '{"done": true}'
 done

@@ -4,4 +4,6 @@ mod allowed;
 mod bad;
 mod kept;
 mod node;
+mod sandboxed;
+mod swapped;
 mod trade;
