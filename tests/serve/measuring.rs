@@ -98,7 +98,9 @@ fn done(server: &Server, id: &str) {
         .unwrap()
         .iter()
         .find(|g| g["name"] == "WC");
-    let waist = waist.unwrap()["tape_cm"].as_f64().unwrap();
+    let waist = waist.unwrap_or_else(|| panic!("{}", told["girths"]["missing"]))["tape_cm"]
+        .as_f64()
+        .unwrap();
     assert!((40.0..50.0).contains(&waist), "{waist}");
     for node in ["placed", "masks", "hull", "body"] {
         let picture = get(format!("/api/captures/{id}/pictures/{node}")).is(200);

@@ -2,7 +2,7 @@
 
 use super::family;
 use crate::own;
-use crate::system::{Use, is_alive, nofollow, permit};
+use crate::system::{is_alive, nofollow};
 use std::fs::{File, TryLockError};
 use std::io::ErrorKind;
 use std::path::Path;

@@ -186,6 +186,7 @@ fn what_has_no_end_or_is_no_plain_file_is_not_extended() {
         let (told, hears) = std::sync::mpsc::channel();
         std::thread::spawn(move || {
             let read = Pipeline::read(&path, &CATALOG);
+            let read = read.and_then(|read| read.graph(&Overrides::default()));
             told.send(read.err().map(|mistakes| mistakes.to_string()))
         });
         let told = hears.recv_timeout(std::time::Duration::from_secs(10));

@@ -228,10 +228,10 @@ fn stood(mesh: &mut Mesh, p: &SurfaceParams, name: &str, ctx: &Ctx<'_>) -> (&'st
         *at = at.map(|v| v * mm as f32);
     }
     if p.up == Up::Auto || p.unit == Unit::Auto {
-        let axis = ["x", "y", "z"][way.0];
-        let sign = if way.1 { "-" } else { "" };
+        let axes = [["x", "y", "z"], ["-x", "-y", "-z"]];
+        let axis = axes[usize::from(way.1)][way.0];
         ctx.warn(format!(
-            "{name} is taken as {word} with {sign}{axis} up, {:.0} cm tall: if that is wrong, say --unit-of-file and --up",
+            "{name} is taken as {word} with {axis} up, {:.0} cm tall: if that is wrong, say --unit-of-file and --up",
             tall(mesh) / 10.0
         ));
     }
