@@ -71,31 +71,19 @@ impl Stage for Measure {
     fn run(p: &GirthParams, input: GirthInput, ctx: &Ctx<'_>) -> Result<Girths, Stop> {
         let (mesh, landmarks) = (&input.mesh, &input.landmarks);
         // Where the landmarks have it: of a body that stands nowhere, nothing was found.
-        let mut body = landmarks.ground_mm.and_then(|ground| body(mesh, ground));
-        let hip = landmarks.points.iter().find(|p| p.0 == "hip");
-        if let Some((body, (_, [.., z]))) = body.as_mut().zip(hip) {
-            body.hip = Some(HipAt::Hidden(*z, 0.0));
-        }
+        let body = standing(mesh, landmarks);
         let mut girths = Girths {
             unit: input.cameras.as_ref().map_or(mesh.unit, |c| c.scale.unit()),
             missing: landmarks.missing.clone(),
             ..Girths::default()
         };
-        let pictures = input.cameras.as_deref().zip(input.masks.as_deref());
-        let outlines = pictures
-            .zip(body.as_ref())
-            .and_then(|((cameras, masks), body)| Outlines::of(cameras, masks, body.stature));
+        let outlines = outlines(&input, body.as_ref());
         let steps = ctx.steps("girths", 2 * landmarks.found.len());
         let mut all: Vec<(&Landmark, SectionMeasurement, Seen)> = Vec::new();
         for landmark in &landmarks.found {
             match taken(mesh, body.as_ref(), landmark) {
                 Ok(here) => {
-                    let seen = Seen {
-                        left_out_mm: outlines
-                            .as_ref()
-                            .map_or(0.0, |all| all.left_out_mm(&here.contour, &landmark.plane)),
-                        ..seen(body.as_ref(), landmark, &here, &input)
-                    };
+                    let seen = seen(body.as_ref(), landmark, &here, &input, outlines.as_ref());
                     all.push((landmark, here, seen));
                 }
                 Err(reason) => refuse(landmark, reason, &mut girths),
@@ -173,6 +161,22 @@ fn grown(girths: &mut Girths, person: Option<&Person>, ctx: &Ctx<'_>) {
     }
 }
 
+/// The body on its ground, with its hip where the landmarks have it.
+fn standing(mesh: &Mesh, landmarks: &Landmarks) -> Option<Body> {
+    let mut body = body(mesh, landmarks.ground_mm?)?;
+    let hip = landmarks.points.iter().find(|p| p.0 == "hip");
+    if let Some((_, [.., z])) = hip {
+        body.hip = Some(HipAt::Hidden(*z, 0.0));
+    }
+    Some(body)
+}
+
+/// All outlines, where a body was found.
+fn outlines(input: &GirthInput, body: Option<&Body>) -> Option<Outlines> {
+    let (cameras, masks) = input.cameras.as_deref().zip(input.masks.as_deref())?;
+    Outlines::of(cameras, masks, body?.stature)
+}
+
 /// Takes down why a girth is not given.
 fn refuse(landmark: &Landmark, reason: Refusal, girths: &mut Girths) {
     girths.missing.push(Missing {
@@ -187,6 +191,7 @@ fn seen(
     landmark: &Landmark,
     here: &SectionMeasurement,
     input: &GirthInput,
+    outlines: Option<&Outlines>,
 ) -> Seen {
     let (cameras, masks) = (input.cameras.as_deref(), input.masks.as_deref());
     let (Some(body), Some((cameras, masks))) = (body, cameras.zip(masks)) else {
@@ -200,7 +205,7 @@ fn seen(
     Seen {
         support: by_silhouettes(body, landmark, here, cameras, masks),
         open_mm: Some(open_mm(body, landmark, here, cameras)),
-        left_out_mm: 0.0,
+        left_out_mm: outlines.map_or(0.0, |all| all.left_out_mm(&here.contour, &landmark.plane)),
     }
 }
 
