@@ -145,6 +145,7 @@ mod tests {
             background: vec![4.5, 28.5],
             background_in_any_light: vec![4.5, 28.5],
             against_disk: vec![],
+            person: vec![],
             known: vec![Known::Unknown; 2],
             noise_levels: 1.0,
         };

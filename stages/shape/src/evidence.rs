@@ -47,6 +47,8 @@ pub struct PhotoEvidence {
     pub background_in_any_light: Vec<f32>,
     /// By how much the disk's grain speaks against the bare disk; empty where nobody asked. \[nats\]
     pub against_disk: Vec<f32>,
+    /// Log-odds of the body by a learned sense of a person; empty where the photos show none, or nobody asked. \[nats\]
+    pub person: Vec<f32>,
     /// What is certain.
     pub known: Vec<Known>,
     /// How far the photo and what was expected of it differ without a reason. \[levels\]
@@ -61,6 +63,7 @@ impl PhotoEvidence {
             &self.background,
             &self.background_in_any_light,
             &self.against_disk,
+            &self.person,
         ];
         let mut bytes = format!("{} {}", self.factor, self.noise_levels).into_bytes();
         let mut add = |part: &[u8]| bytes.extend_from_slice(stage::hash(part).as_bytes());
@@ -95,7 +98,7 @@ pub struct Evidence {
 type Row = (u32, [u32; 2], u32, f32);
 
 /// The sections of a photo's costs.
-const COSTS: [&str; 3] = ["background", "in any light", "against disk"];
+const COSTS: [&str; 4] = ["background", "in any light", "against disk", "person"];
 
 /// Bits of one that differ from those of the other: mostly none.
 fn differing(a: &[f32], b: &[f32]) -> Vec<f32> {
@@ -117,7 +120,7 @@ impl Artifact for Evidence {
             to.section(format!("photo {id}"), &e.photo.data);
             to.section(format!("known {id}"), &Known::bytes(&e.known));
             let light = differing(&e.background_in_any_light, &e.background);
-            let costs = [&e.background, &light, &e.against_disk];
+            let costs = [&e.background, &light, &e.against_disk, &e.person];
             for (name, cost) in COSTS.iter().zip(costs) {
                 let (lengths, kept) = repeats(cost);
                 to.section(format!("{name} {id} lengths"), &lengths);
@@ -137,8 +140,12 @@ impl Artifact for Evidence {
             };
             let background = cost(COSTS[0], count)?;
             let light = cost(COSTS[1], count)?;
-            let asked: Vec<u32> = from.section(&format!("{} {id} lengths", COSTS[2]))?;
-            let asked = asked.iter().any(|length| *length > 0);
+            // Where nobody asked there is none.
+            let if_asked = |name: &str| -> Result<Vec<f32>, Corrupt> {
+                let asked: Vec<u32> = from.section(&format!("{name} {id} lengths"))?;
+                let asked = asked.iter().any(|length| *length > 0);
+                cost(name, if asked { count } else { 0 })
+            };
             if factor == 0 {
                 return Err(Corrupt("a photo reduced by 0".into()));
             }
@@ -146,7 +153,8 @@ impl Artifact for Evidence {
                 factor,
                 background_in_any_light: differing(&light, &background),
                 background,
-                against_disk: cost(COSTS[2], if asked { count } else { 0 })?,
+                against_disk: if_asked(COSTS[2])?,
+                person: if_asked(COSTS[3])?,
                 known: Known::from_bytes(&from.section(&format!("known {id}"))?, count)?,
                 photo,
                 noise_levels,
@@ -170,6 +178,7 @@ mod tests {
             background: vec![4.5, 4.5, 4.5, 4.5, 4.5, 28.5],
             background_in_any_light: vec![4.5, 4.5, 4.25, 4.5, 4.5, 9.0],
             against_disk,
+            person: vec![],
             known: vec![
                 Known::Unknown,
                 Known::Unknown,

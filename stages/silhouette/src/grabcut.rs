@@ -7,7 +7,7 @@ use crate::likelihood::stage::{Likelihood, LikelihoodInput, LikelihoodParams};
 use crate::params::GrabCutParams;
 use crate::plate::stage::{Plate, PlateInput};
 use crate::room::stage::{Room, RoomInput, RoomParams};
-use shape::{Cameras, Masks, Photos};
+use shape::{Cameras, Masks, People, Photos};
 use stage::{Ctx, Stage, Stop};
 use std::sync::Arc;
 
@@ -18,6 +18,8 @@ stage::inputs! {
         photos: Arc<Photos>,
         /// Their cameras: where the disk is, and where the body cannot be. Without a plate they are needed.
         cameras: Option<Arc<Cameras>>,
+        /// Where a person is, by a learned sense of one.
+        people: Option<Arc<People>>,
     }
 }
 
@@ -34,7 +36,11 @@ impl Stage for GrabCut {
     const METRICS: &'static [&'static str] = Room::METRICS;
 
     fn run(p: &GrabCutParams, input: GrabCutInput, ctx: &Ctx<'_>) -> Result<Masks, Stop> {
-        let GrabCutInput { photos, cameras } = input;
+        let GrabCutInput {
+            photos,
+            cameras,
+            people,
+        } = input;
         let params = AlignParams {
             coarse_px: p.coarse_px,
             box_px: p.box_px.clone(),
@@ -57,6 +63,7 @@ impl Stage for GrabCut {
             photos: Arc::clone(&photos),
             aligned: Arc::clone(&aligned),
             known,
+            people: people.clone(),
         };
         let scene = Arc::new(Room::run(&params, sources, ctx)?);
         let params = LikelihoodParams {
@@ -66,6 +73,7 @@ impl Stage for GrabCut {
             photos: Arc::clone(&photos),
             aligned: Arc::clone(&aligned),
             scene: Arc::clone(&scene),
+            people,
         };
         let evidence = Arc::new(Likelihood::run(&params, sources, ctx)?);
         let params = LabelParams {

@@ -8,8 +8,8 @@
 //! |---|---|---|---|
 //! | [`Align`] (`align/`) | photos, cameras | `aligned` | how each photo lies on the plate or on the others, and its levels at one exposure |
 //! | [`Plate`] (`plate/`) | photos, aligned | `scene` | the empty scene by a photo of it; without one *unknown* |
-//! | [`Room`] (`room/`) | photos, aligned, scene | `scene` | the empty scene out of all photos, where it is unknown; with it the bodies on which photos agree |
-//! | [`Likelihood`] (`likelihood/`) | photos, aligned, scene | `evidence` | what each reduced pixel costs as background, and what is certain |
+//! | [`Room`] (`room/`) | photos, aligned, scene, people | `scene` | the empty scene out of all photos, where it is unknown; with it the bodies on which photos agree |
+//! | [`Likelihood`] (`likelihood/`) | photos, aligned, scene, people | `evidence` | what each reduced pixel costs as background, and what is certain |
 //! | [`Label`] (`label/`) | aligned, scene, evidence | `labels` | body or background of each reduced pixel, all photos together |
 //! | [`Border`] (`border/`) | all of these | `masks` | the border again at full size |
 //!
@@ -41,6 +41,7 @@
 //! | | … where nobody saw the scene: colours of the scene beside, of the disk elsewhere, or a little more than any body costs | `likelihood/colors_beside.rs`, `disk_colors.rs`, `prepared.rs` (`UNSEEN`) |
 //! | U(body) | -ln of the mixture of the body's colours or, one time in three, of any colour | `likelihood/body.rs`, `gmm.rs` |
 //! | | ∞ below the disk's top, beside it, and beyond the user's rectangle | `likelihood/prepared.rs`, `align/rectangle.rs` |
+//! | both | … and the log-odds of a learned sense of a person, on the side that they speak against; next to what evidently is body they say nothing of a gap that the network cannot see | `likelihood/person.rs` |
 //! | γ C | (0.15 + 0.85 exp(-β d²)) / 8, d by colours, β of the photo; an edge that the scene has by itself is not one | `cut/least_cut.rs` |
 //! | λ | ∞: what the hull of all photos makes certain, two photos may dissent. 0 where this photo shows the scene to the level, or something like it over a patch of the size of a gap | `label/consensus.rs`, `consensus_in_photo.rs` |
 //! | parts | the body is the largest part; of its holes stay those that the scene explains | `label/parts.rs` |
@@ -85,6 +86,7 @@ pub use import::{Body, Import, ImportError, ImportInput, ImportParams};
 pub use label::color_cut::{Settings, coarse};
 pub use label::stage::{Label, LabelInput, LabelParams};
 pub use likelihood::background::Noise;
+pub use likelihood::person::Sense;
 pub use likelihood::prepared::{Prepared, prepare};
 pub use likelihood::stage::{Likelihood, LikelihoodInput, LikelihoodParams};
 pub use params::{CutError, CutParams, GrabCutParams};

@@ -52,6 +52,7 @@ fn masked(photo: &Rgb, box_px: Vec<f64>) -> Result<Mask, String> {
     let input = GrabCutInput {
         photos: Arc::new(photos),
         cameras: None,
+        people: None,
     };
     let params = GrabCutParams {
         box_px,

@@ -84,7 +84,7 @@ fn through(shots: &[Shot]) -> BTreeMap<usize, (u32, u32)> {
         clusters: 6,
         thinner: 0.0,
     };
-    let Cuts { cuts, .. } = without_plate(shots, &cameras, &settings, 0.0, None);
+    let Cuts { cuts, .. } = without_plate(shots, &cameras, &settings, 0.0, None, &[]);
     let mut seen = BTreeMap::new();
     for (k, (shot, cut)) in shots.iter().zip(&cuts).enumerate() {
         let cut: &Image<bool> = cut.as_ref().expect("a body");
@@ -157,6 +157,7 @@ fn colours_beside_yield_to_all_other_photos_and_the_room_itself_does_not() {
             cost: all([4.5, 8.0, 18.5]),
             explained: all([4.5, 4.5, 18.5]),
             strange: Vec::new(),
+            person: Vec::new(),
             known: vec![Known::Unknown; 30 * 9],
             noise: Noise::even(1.0),
             disk: None,

@@ -1,7 +1,7 @@
 //! The border at full size where colours are all that is known.
 
-use crate::border::full_size::band;
 use crate::border::soft_border::coverage;
+use crate::border::tiles::band;
 use crate::cut::least_cut::Known;
 use crate::label::by_colors::{ByColors, costs, window};
 use crate::label::color_cut::{Settings, cut};
@@ -31,7 +31,14 @@ pub(crate) fn fine_by_colors(
         }
     };
     let background = costs(photo, ground);
-    let fine = cut(photo, &background, &window(photo), own, settings, &settled);
+    let fine = cut(
+        photo,
+        [&background, &[]],
+        &window(photo),
+        own,
+        settings,
+        &settled,
+    );
     let fine = Image {
         width: photo.width,
         height: photo.height,

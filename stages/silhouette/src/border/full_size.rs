@@ -2,8 +2,8 @@
 
 use crate::border::narrow_gaps::follow;
 use crate::border::soft_border::soft_border;
-use crate::border::tiles::tiles;
-use crate::cut::least_cut::Known;
+use crate::border::tiles::{band, tiles};
+use crate::cut::least_cut::{Known, Window};
 use crate::label::color_cut::{Settings, cut};
 use crate::label::parts::largest;
 use crate::label::see_through_holes::Depths;
@@ -63,7 +63,15 @@ pub fn fine(
             .copied()
             .collect();
         let known = |i: usize| settled.at(i % width, i / width);
-        let body = cut(pixels, &of_window, &window, gmm, settings, &known);
+        let person = settled.within(&ready.person, &window);
+        let body = cut(
+            pixels,
+            [&of_window, &person],
+            &window,
+            gmm,
+            settings,
+            &known,
+        );
         let (left, right) = (tile.x.start * factor, tile.x.end * factor);
         for y in tile.y.start * factor..tile.y.end * factor {
             let from = (y - window.y) * window.width + left - window.x;
@@ -186,6 +194,20 @@ impl Settled {
         cost
     }
 
+    /// The same of every pixel of a window, row by row; nothing where they say nothing.
+    fn within(&self, coarse: &[f32], window: &Window) -> Vec<f32> {
+        let count = if coarse.is_empty() {
+            0
+        } else {
+            window.width * window.height
+        };
+        let at = |i: usize| (window.x + i % window.width, window.y + i / window.width);
+        (0..count)
+            .map(at)
+            .map(|(x, y)| self.between(coarse, x, y))
+            .collect()
+    }
+
     /// What coarse pixels say at a pixel between their middles, bilinear; 0 where they say nothing.
     fn between(&self, coarse: &[f32], x: usize, y: usize) -> f32 {
         let (width, height) = (self.known.width, self.known.height);
@@ -205,28 +227,6 @@ impl Settled {
         };
         along(top) + v * (along(bottom) - along(top))
     }
-}
-
-/// Coarse pixels within two of the border.
-pub(crate) fn band(sides: &Image<bool>) -> Image<bool> {
-    let (w, h) = (sides.width as i32, sides.height as i32);
-    let mut band = Image {
-        width: sides.width,
-        height: sides.height,
-        data: vec![false; sides.data.len()],
-    };
-    for y in 0..h {
-        for x in 0..w {
-            let here = sides.at(x as usize, y as usize);
-            let differs = |dx: i32, dy: i32| {
-                let (nx, ny) = (x + dx, y + dy);
-                nx >= 0 && ny >= 0 && nx < w && ny < h && sides.at(nx as usize, ny as usize) != here
-            };
-            let near = (-2..=2).any(|dy| (-2..=2).any(|dx| differs(dx, dy)));
-            *band.at_mut(x as usize, y as usize) = near;
-        }
-    }
-    band
 }
 
 #[cfg(test)]

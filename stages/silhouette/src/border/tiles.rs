@@ -43,3 +43,25 @@ pub(crate) fn tiles(band: &Image<bool>) -> Vec<Tile> {
     };
     all.map(|(x, y)| Tile { x, y }).filter(on_band).collect()
 }
+
+/// Coarse pixels within two of the border.
+pub(crate) fn band(sides: &Image<bool>) -> Image<bool> {
+    let (w, h) = (sides.width as i32, sides.height as i32);
+    let mut band = Image {
+        width: sides.width,
+        height: sides.height,
+        data: vec![false; sides.data.len()],
+    };
+    for y in 0..h {
+        for x in 0..w {
+            let here = sides.at(x as usize, y as usize);
+            let differs = |dx: i32, dy: i32| {
+                let (nx, ny) = (x + dx, y + dy);
+                nx >= 0 && ny >= 0 && nx < w && ny < h && sides.at(nx as usize, ny as usize) != here
+            };
+            let near = (-2..=2).any(|dy| (-2..=2).any(|dx| differs(dx, dy)));
+            *band.at_mut(x as usize, y as usize) = near;
+        }
+    }
+    band
+}

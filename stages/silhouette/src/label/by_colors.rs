@@ -49,7 +49,9 @@ pub(crate) fn by_colors(small: &Rgb, known: &[Known], settings: &Settings) -> Op
         let ground = Gmm::fit(&colors(&body, false), settings.clusters)?;
         let own = Gmm::fit(&colors(&body, true), settings.clusters)?;
         let costs = costs(small, &ground);
-        body = cut(small, &costs, &window(small), &own, settings, &|i| known[i]);
+        body = cut(small, [&costs, &[]], &window(small), &own, settings, &|i| {
+            known[i]
+        });
         learnt = Some((ground, own));
     }
     let (ground, own) = learnt?;

@@ -5,6 +5,7 @@ use crate::label::parts::largest;
 use crate::likelihood::background::{FLAT, Noise};
 use crate::likelihood::body::{EVIDENT, body_cost};
 use crate::likelihood::gmm::Gmm;
+use crate::likelihood::person::{SURE, with_person};
 use crate::likelihood::prepared::Prepared;
 use crate::params::CutParams;
 use shape::{Image, Rgb};
@@ -61,11 +62,12 @@ pub(crate) fn cut_whole(
     photo: &Rgb,
     background: &[f32],
     explained: &[f32],
+    person: &[f32],
     known: &[Known],
     settings: &Settings,
 ) -> Option<(Image<bool>, Gmm)> {
     let certain = |i: usize| match known[i] {
-        Known::Unknown => background[i] > EVIDENT,
+        Known::Unknown => background[i] > EVIDENT || person.get(i).is_some_and(|p| *p > SURE),
         other => other == Known::Body,
     };
     let mut body: Vec<bool> = (0..known.len()).map(certain).collect();
@@ -85,7 +87,8 @@ pub(crate) fn cut_whole(
             width: photo.width,
             height: photo.height,
         };
-        body = cut(photo, background, &window, &fitted, settings, &|i| known[i]);
+        let costs = [background, person];
+        body = cut(photo, costs, &window, &fitted, settings, &|i| known[i]);
         gmm = Some(fitted);
     }
     let sides = Image {
@@ -93,7 +96,8 @@ pub(crate) fn cut_whole(
         height: photo.height,
         data: body,
     };
-    let costs = |i: usize| [background[i], explained[i]];
+    let more = |i: usize| person.get(i).map_or(0.0, |p| p.max(0.0));
+    let costs = |i: usize| [background[i] + more(i), explained[i] + more(i)];
     Some((largest(&sides, &costs), gmm?))
 }
 
@@ -101,14 +105,15 @@ pub(crate) fn cut_whole(
 pub fn coarse(ready: &Prepared, settings: &Settings) -> Option<(Image<bool>, Gmm)> {
     let (cost, explained) = (&ready.cost, &ready.explained);
     let settings = settings.with(ready.noise);
-    cut_whole(&ready.small, cost, explained, &ready.known, &settings)
+    let (person, known) = (&ready.person, &ready.known);
+    cut_whole(&ready.small, cost, explained, person, known, &settings)
 }
 
-/// Cuts a window: true is body. `background` and the result are row-major over the window, `known`
-/// goes by the photo's pixels.
+/// Cuts a window: true is body. What pixels cost as background, the log-odds of the body by a person's sense (empty where
+/// there are none) and the result are row-major over the window, `known` goes by the photo's pixels.
 pub(crate) fn cut(
     photo: &Rgb,
-    background: &[f32],
+    [background, person]: [&[f32]; 2],
     window: &Window,
     body: &Gmm,
     settings: &Settings,
@@ -116,12 +121,18 @@ pub(crate) fn cut(
 ) -> Vec<bool> {
     let colours = |i: usize, here: usize| {
         // The grid is small where it matters: -ln of body = -ln(0.7 GMM + 0.3 anything).
-        let keep = (f64::from(background[here]) * UNIT) as i32;
+        let keep = f64::from(background[here]);
         let of_body = body_cost(body, photo.data[i]) - settings.thinner;
-        (keep, (of_body * UNIT) as i32)
+        let (keep, of_body) = match person.get(here) {
+            Some(odds) => with_person(keep, of_body, *odds),
+            None => (keep, of_body),
+        };
+        ((keep * UNIT) as i32, (of_body * UNIT) as i32)
     };
     // An edge that the background has by itself is no reason to cut here.
-    let own = |here: usize, there: usize| background[here].min(background[there]) < OWN;
+    let more = |here: usize| person.get(here).map_or(0.0, |p| p.max(0.0));
+    let cost = |here: usize| background[here] + more(here);
+    let own = |here: usize, there: usize| cost(here).min(cost(there)) < OWN;
     least_cut(
         photo,
         window,

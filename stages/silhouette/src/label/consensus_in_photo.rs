@@ -91,6 +91,7 @@ mod tests {
             cost: costs(8.0).collect(),
             explained: costs(4.5).collect(),
             strange: Vec::new(),
+            person: Vec::new(),
             known: vec![Known::Unknown; SIDE * SIDE],
             noise: Noise::even(1.0),
             disk: None,

@@ -1,6 +1,8 @@
 //! How well a colour is explained by the body: negative log likelihoods. \[nats\]
 
+use crate::cut::least_cut::Known;
 use crate::likelihood::gmm::Gmm;
+use shape::Image;
 
 /// -ln of an even density over all colours: anything can be body.
 const ANY_COLOR: f64 = 16.6;
@@ -16,4 +18,15 @@ pub(crate) const OWN_COLOR: f64 = ANY_COLOR - 3.0;
 /// -ln p(colour | body): of its mixture or, one time in three, of any colour.
 pub(crate) fn body_cost(body: &Gmm, color: [u8; 3]) -> f64 {
     (body.cost(color) + 0.36).min(STRANGE)
+}
+
+/// The pixels of a photo that evidently are no background, by what they cost as such.
+pub(crate) fn evident(cost: &[f32], known: &[Known], [width, height]: [usize; 2]) -> Image<bool> {
+    let both = cost.iter().zip(known);
+    let data = both.map(|(cost, known)| *cost > EVIDENT && *known == Known::Unknown);
+    Image {
+        width,
+        height,
+        data: data.collect(),
+    }
 }

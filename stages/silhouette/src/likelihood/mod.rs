@@ -10,5 +10,6 @@ pub(crate) mod grain;
 pub(crate) mod grounds;
 pub(crate) mod neighbourhoods;
 pub(crate) mod noise;
+pub(crate) mod person;
 pub(crate) mod prepared;
 pub(crate) mod stage;

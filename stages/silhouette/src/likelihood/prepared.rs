@@ -22,6 +22,8 @@ pub struct Prepared {
     pub explained: Vec<f32>,
     /// What it costs more to call each pixel the bare disk, by its grain; empty where nobody asked.
     pub strange: Vec<f32>,
+    /// Log-odds of the body by a person's sense; empty where there is none.
+    pub person: Vec<f32>,
     /// What is certain before any cut.
     pub known: Vec<Known>,
     /// How far the reduced photo and what was expected of it differ without a reason. \[levels\]
@@ -39,6 +41,7 @@ impl Prepared {
             cost: evidence.background.clone(),
             explained: evidence.background_in_any_light.clone(),
             strange: evidence.against_disk.clone(),
+            person: evidence.person.clone(),
             known: evidence.known.clone(),
             noise: Noise::even(evidence.noise_levels),
             disk,
@@ -53,6 +56,7 @@ impl Prepared {
             background: self.cost,
             background_in_any_light: self.explained,
             against_disk: self.strange,
+            person: self.person,
             known: self.known,
             noise_levels: self.noise.room,
         }
@@ -119,6 +123,7 @@ pub fn prepare(
         small,
         explained,
         strange: Vec::new(),
+        person: Vec::new(),
         cost,
         known,
         noise,

@@ -4,11 +4,13 @@ use crate::align::rectangle::Rectangle;
 use crate::align::reduced::{factor, reduced};
 use crate::cut::least_cut::Known;
 use crate::likelihood::behind::Behind;
+use crate::likelihood::body::evident;
 use crate::likelihood::grain::missed_in_photo;
+use crate::likelihood::person::Sense;
 use crate::likelihood::prepared::{UNSEEN, prepare};
 use crate::params::CutError;
 use rayon::prelude::*;
-use shape::{Aligned, Evidence, Photo, PhotoEvidence, PhotoId, Photos, Scene};
+use shape::{Aligned, Evidence, People, Photo, PhotoEvidence, PhotoId, Photos, Scene};
 use stage::{Ctx, Stage, Stop};
 use std::sync::Arc;
 
@@ -30,6 +32,8 @@ stage::inputs! {
         aligned: Arc<Aligned>,
         /// The scene without the body.
         scene: Arc<Scene>,
+        /// Where a person is, by a learned sense of one.
+        people: Option<Arc<People>>,
     }
 }
 
@@ -63,6 +67,14 @@ impl Stage for Likelihood {
             let evidence = match scene.is_unknown() {
                 true => of_nothing(photo, aligned)?,
                 false => weighed(*id, photo, aligned, &behind, p.disk_side_mm)?,
+            };
+            let size = [evidence.photo.width, evidence.photo.height];
+            let people = input.people.as_deref().filter(|_| !scene.is_unknown());
+            let sense = Sense::of(people, *id, size, evidence.factor as usize);
+            let shown = evident(&evidence.background, &evidence.known, size);
+            let evidence = PhotoEvidence {
+                person: sense.beyond(&shown),
+                ..evidence
             };
             steps.tick()?;
             Ok((*id, evidence))
@@ -106,6 +118,7 @@ fn of_nothing(photo: &Photo, aligned: &Aligned) -> Result<PhotoEvidence, Stop> {
         background: vec![UNSEEN; known.len()],
         background_in_any_light: vec![UNSEEN; known.len()],
         against_disk: vec![],
+        person: vec![],
         known,
         photo: small,
         noise_levels: 0.0,

@@ -7,11 +7,12 @@ use crate::label::color_cut::coarse;
 use crate::label::consensus::{DISSENT, Together};
 use crate::label::parts::parts;
 use crate::label::see_through_holes::{Depths, depths};
-use crate::likelihood::body::{EVIDENT, STRANGE, body_cost};
+use crate::likelihood::body::{EVIDENT, STRANGE, body_cost, evident as shown};
 use crate::likelihood::colors_beside::{Nearby, beside};
 use crate::likelihood::disk_colors::{body_colors, disk_colors, disk_cost, mixture, on_the_disk};
 use crate::likelihood::gmm::Gmm;
 use crate::likelihood::grain::missed;
+use crate::likelihood::person::Sense;
 use crate::likelihood::prepared::{Prepared, UNSEEN, prepare};
 use crate::room::background_patches::background_patches;
 use crate::room::recurring::recurring;
@@ -50,17 +51,18 @@ pub(crate) fn standing(shots: &[Shot]) -> f64 {
 }
 
 /// Masks of reduced photos without a plate. `within` is a rectangle that holds the body, and how many of
-/// its pixels became one.
+/// its pixels became one; `people` the log-odds of the body by a person's sense, photo by photo, or nothing. \[nats\]
 pub fn without_plate(
     shots: &[Shot],
     cameras: &Cameras,
     settings: &Settings,
     disk_side_mm: f64,
     within: Option<(Rectangle, usize)>,
+    people: &[Sense],
 ) -> Cuts {
     let radius = cameras.disk_radius_mm.unwrap_or(0.0);
     let smalls: Vec<Rgb> = shots.iter().map(|s| s.small.clone()).collect();
-    let mut room = followed(&smalls);
+    let mut room = followed(&smalls, people, settings.gamma as f32);
     let turn = Turn {
         shots,
         cameras,
@@ -68,6 +70,7 @@ pub fn without_plate(
         radius,
         disk_side_mm,
         within,
+        people,
         stands: always(&smalls, &room),
     };
     let body = body_colors(shots, &room, radius);
@@ -114,9 +117,9 @@ pub fn without_plate(
 }
 
 /// The room, followed from where it always stands to where few photos show it.
-fn followed(smalls: &[Rgb]) -> Backdrop {
+fn followed(smalls: &[Rgb], people: &[Sense], gamma: f32) -> Backdrop {
     let modes = Modes::of(smalls);
-    let mut room = modes.room(&chosen(&modes, smalls));
+    let mut room = modes.room(&chosen(&modes, smalls, people, gamma));
     without_islands(&mut room.seen);
     room
 }
@@ -137,6 +140,8 @@ struct Turn<'a> {
     radius: f64,
     disk_side_mm: f64,
     within: Option<(Rectangle, usize)>,
+    /// Log-odds of the body by a person's sense, photo by photo; empty where nobody is seen.
+    people: &'a [Sense],
     /// Pixels that are the room on all photos.
     stands: Vec<bool>,
 }
@@ -149,6 +154,10 @@ impl Turn<'_> {
         let of_disk = disk_colors(&around.disk, 0.0);
         let nearby = Nearby::of(&around.room);
         let mut ready: Vec<Prepared> = shots.par_iter().map(|s| self.one(s, &around)).collect();
+        for (ready, person) in ready.iter_mut().zip(self.people) {
+            let size = [ready.small.width, ready.small.height];
+            ready.person = person.beyond(&shown(&ready.cost, &ready.known, size));
+        }
         let evident = evident(shots, &ready, radius);
         missed(&mut ready, shots, &around, covered, evident.as_ref());
         shots.par_iter().zip(&mut ready).for_each(|(shot, ready)| {

@@ -5,6 +5,7 @@
 //! neighbours say otherwise of a photo, the body's outline runs between them there, and that costs, less
 //! where the photo has an edge. A plain shirt taken for room breaks off all around in every photo at once.
 
+use crate::likelihood::person::Sense;
 use crate::room::message_passing::{CHOICES, Costs, Field, Pairs};
 use crate::room::recurring_levels::{MODES, Modes};
 use rayon::prelude::*;
@@ -35,7 +36,15 @@ const MARGIN: f64 = 0.01;
 const MOST: f64 = 0.85;
 
 /// Of each pixel the mode that is the room, if any is.
-pub(crate) fn chosen(modes: &Modes, photos: &[Rgb]) -> Vec<Option<usize>> {
+///
+/// `people` are log-odds of the body by a person's sense, photo by photo, or nothing \[nats\]; an outline, which costs 1
+/// here, costs `gamma` there.
+pub(crate) fn chosen(
+    modes: &Modes,
+    photos: &[Rgb],
+    people: &[Sense],
+    gamma: f32,
+) -> Vec<Option<usize>> {
     let (width, count) = (modes.width, modes.width * modes.height);
     let weight =
         |far: usize| EDGE + (1.0 - EDGE) * libm::expf(-(far as f32) * STEP as f32 / CONTRAST);
@@ -55,7 +64,11 @@ pub(crate) fn chosen(modes: &Modes, photos: &[Rgb]) -> Vec<Option<usize>> {
         height: modes.height,
         single: (0..count)
             .into_par_iter()
-            .map(|i| alone(modes, i))
+            .map(|i| {
+                let mut costs = alone(modes, i);
+                with_people(modes, i, people, gamma, &mut costs);
+                costs
+            })
             .collect(),
         right: beside(1, &|i| i % width + 1 < width),
         down: beside(width, &|i| i + width < count),
@@ -87,6 +100,32 @@ fn alone(modes: &Modes, i: usize) -> Costs {
         costs[1..].fill(NEVER);
     }
     costs
+}
+
+/// Adds to each choice what speaks against it: people on photos that are said to show the room, none on those that are
+/// said to show the body.
+fn with_people(modes: &Modes, i: usize, people: &[Sense], gamma: f32, costs: &mut Costs) {
+    let odds = |k: usize| {
+        people
+            .get(k)
+            .and_then(|p| p.log_odds.get(i))
+            .map_or(0.0, |o| *o)
+    };
+    let nobody: f32 = (0..people.len()).map(|k| (-odds(k)).max(0.0)).sum();
+    for (choice, cost) in costs.iter_mut().enumerate() {
+        // As if all showed the body, then photo by photo those that show the room.
+        let mut against = nobody;
+        if choice != NONE {
+            for (word, shows) in modes.sets(i, choice).0.iter().enumerate() {
+                let mut shows = *shows;
+                while shows != 0 {
+                    against += odds(word * 64 + shows.trailing_zeros() as usize);
+                    shows &= shows - 1;
+                }
+            }
+        }
+        *cost += against / gamma.max(1.0);
+    }
 }
 
 /// Squared differences that share a weight. \[levels²\]
@@ -211,7 +250,7 @@ mod tests {
     fn a_plain_body_that_most_photos_show_alike_is_no_room_and_the_wall_that_few_show_is() {
         let (wall, photos, free) = turn();
         let modes = Modes::of(&photos);
-        let room = modes.room(&chosen(&modes, &photos));
+        let room = modes.room(&chosen(&modes, &photos, &[], 40.0));
         let shows_wall = |room: &crate::Backdrop, x: usize| {
             let off = |c: usize| room.image.at(x, 97)[c].abs_diff(wall.at(x, 97)[c]);
             room.seen.at(x, 97) && (0..3).all(|c| off(c) <= 3)

@@ -3,12 +3,13 @@
 use crate::align::rectangle::Rectangle;
 use crate::label::color_cut::Settings;
 use crate::label::see_through_holes::cells;
+use crate::likelihood::person::Sense;
 use crate::params::{CutError, CutParams};
 use crate::room::doubtful_patches::doubtful;
 use crate::room::full_size::{Views, at_full_size, shots};
 use crate::room::rounds::{Cuts, standing, without_plate};
 use crate::scene::still_and_disk::Shot;
-use shape::{Aligned, Cameras, FoundBody, Image, InPhoto, Photo, PhotoId, Photos, Scene};
+use shape::{Aligned, Cameras, FoundBody, Image, InPhoto, People, Photo, PhotoId, Photos, Scene};
 use stage::{Ctx, Stage, Stop};
 use std::sync::Arc;
 
@@ -33,6 +34,8 @@ stage::inputs! {
         aligned: Arc<Aligned>,
         /// The scene as far as it is known already, such as by a plate: what is known is left as it is.
         known: Option<Arc<Scene>>,
+        /// Where a person is, by a learned sense of one.
+        people: Option<Arc<People>>,
     }
 }
 
@@ -79,7 +82,8 @@ impl Stage for Room {
             ctx.warn(format!("{why}; so photos are cut by colours alone"));
             return Ok(Scene::unknown());
         }
-        let (scene, doubted) = found(p, photos, aligned, cameras, &shots, ctx)?;
+        let people = input.people.as_deref();
+        let (scene, doubted) = found(p, photos, aligned, cameras, (&shots, people), ctx)?;
         ctx.metric("stands still", stands, "%");
         warnings(&doubted, photos)
             .into_iter()
@@ -101,7 +105,7 @@ fn found(
     photos: &Photos,
     aligned: &Aligned,
     cameras: &Cameras,
-    shots: &[Shot],
+    (shots, people): (&[Shot], Option<&People>),
     ctx: &Ctx<'_>,
 ) -> Result<(Scene, Vec<PhotoId>), Stop> {
     let known = seen(photos, cameras);
@@ -116,7 +120,14 @@ fn found(
         cuts,
         depths,
         background_patches,
-    } = without_plate(shots, cameras, &settings, p.disk_side_mm, within);
+    } = without_plate(
+        shots,
+        cameras,
+        &settings,
+        p.disk_side_mm,
+        within,
+        &people_on(shots, people, factor),
+    );
     let radius = cameras.disk_radius_mm.unwrap_or(0.0);
     let shares = doubtful(shots, &cuts, radius);
     let doubted = shots
@@ -153,6 +164,16 @@ fn found(
         hull: cells(&depths),
     };
     Ok((scene, doubted))
+}
+
+/// Log-odds of the body by a person's sense on each photo; nothing where the turn shows no person. \[nats\]
+fn people_on(shots: &[Shot], people: Option<&People>, factor: usize) -> Vec<Sense> {
+    let on = |s: &Shot| Sense::of(people, s.id, [s.small.width, s.small.height], factor);
+    let all: Vec<Sense> = shots.iter().map(on).collect();
+    match all.iter().all(|s| s.log_odds.is_empty()) {
+        true => vec![],
+        false => all,
+    }
 }
 
 /// What to look at, photos by name.

@@ -1,7 +1,7 @@
 //! The outline of a reduced photo again at full size, window by window so that memory stays small.
 
-use crate::border::full_size::band;
 use crate::border::soft_border::{coverage, soft_border};
+use crate::border::tiles::band;
 use crate::cut::least_cut::{Known, Window, cut_by_odds};
 use crate::likelihood::background::Noise;
 use crate::walk::colors::Colors;

@@ -1,0 +1,204 @@
+//! A learned sense of a person as evidence: how likely each pixel is body, by a network that saw other people.
+
+use nalgebra::Point2;
+use shape::{Found, Image, People, PhotoId};
+
+/// Log-odds of the body by those of the network: they are too sure, and the outline is wide. Fitted by
+/// `models/person/calibrate.py` (logistic; Platt 1999). \[nats, and nats a nat\]
+const CALIBRATED: [f32; 2] = [-1.31, 0.76];
+
+/// From these log-odds on a pixel counts as body while the body's colours are not known yet: 19 to 1.
+pub(crate) const SURE: f32 = 2.94;
+
+/// A person's sense of one reduced photo.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Sense {
+    /// Log-odds that each pixel is body, row by row; empty where the turn shows no person. \[nats\]
+    pub log_odds: Vec<f32>,
+    /// Within so many pixels the network tells nothing apart: two of its own. \[px\]
+    pub reach: usize,
+}
+
+impl Sense {
+    /// Of a photo of this size, of which so many pixels along a side became one.
+    pub(crate) fn of(
+        people: Option<&People>,
+        id: PhotoId,
+        [width, height]: [usize; 2],
+        factor: usize,
+    ) -> Sense {
+        let Some(found) = people.and_then(|people| people.subject(id)) else {
+            return Sense::default();
+        };
+        let middle = |i: usize| (i * factor) as f64 + (factor as f64 - 1.0) / 2.0;
+        let at = |i: usize| Point2::new(middle(i % width), middle(i / width));
+        let all = (0..width * height).map(|i| calibrated(found, at(i)));
+        Sense {
+            log_odds: all.collect(),
+            reach: (2.0 * found.pixel_px() / factor as f32).ceil() as usize,
+        }
+    }
+
+    /// What is left of it before what evidently is body: a network that sees a gap between two legs as one with them is
+    /// right as far as it can see. What speaks for the body counts the less, the more of the pixels within reach
+    /// evidently show it, and nothing where half of them do.
+    pub(crate) fn beyond(&self, evident: &Image<bool>) -> Vec<f32> {
+        let (width, height) = (evident.width, evident.height);
+        let mut sums = vec![0u32; (width + 1) * (height + 1)];
+        for y in 0..height {
+            for x in 0..width {
+                let here = u32::from(evident.at(x, y));
+                let [up, left, corner] = [
+                    y * (width + 1) + x + 1,
+                    (y + 1) * (width + 1) + x,
+                    y * (width + 1) + x,
+                ];
+                sums[(y + 1) * (width + 1) + x + 1] = here + sums[up] + sums[left] - sums[corner];
+            }
+        }
+        let left_of = |(i, odds): (usize, &f32)| {
+            let ends = |at: usize, most: usize| {
+                (
+                    at.saturating_sub(self.reach),
+                    (at + self.reach + 1).min(most),
+                )
+            };
+            let ((x0, x1), (y0, y1)) = (ends(i % width, width), ends(i / width, height));
+            let at = |x: usize, y: usize| sums[y * (width + 1) + x];
+            let shown = at(x1, y1) + at(x0, y0) - at(x0, y1) - at(x1, y0);
+            let share = shown as f32 / ((x1 - x0) * (y1 - y0)) as f32;
+            odds.min(odds.max(0.0) * (2.0 * (1.0 - share) - 1.0).max(0.0))
+        };
+        self.log_odds.iter().enumerate().map(left_of).collect()
+    }
+}
+
+/// Where the network did not look nothing is known.
+fn calibrated(found: &Found, at: Point2<f64>) -> f32 {
+    let [base, slope] = CALIBRATED;
+    found.log_odds(at).map_or(0.0, |odds| base + slope * odds)
+}
+
+/// What a pixel costs as background and as body, with what a person's sense says of it: [log-odds](Sense)
+/// are added to the side that they speak against. \[nats\]
+pub(crate) fn with_person(background: f64, body: f64, log_odds: f32) -> (f64, f64) {
+    let odds = f64::from(log_odds);
+    (background + odds.max(0.0), body + (-odds).max(0.0))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::cut::least_cut::Known;
+    use crate::label::color_cut::{Settings, coarse};
+    use crate::likelihood::background::Noise;
+    use crate::likelihood::prepared::Prepared;
+    use shape::{Crop, Image, Rgb};
+
+    const SIDE: usize = 60;
+
+    /// A body 20 pixels wide before a grey wall; between rows 25 and 40 it wears the wall's very colour.
+    fn dressed(person: Vec<f32>) -> Prepared {
+        let body = |i: usize| (20..40).contains(&(i % SIDE)) && (8..54).contains(&(i / SIDE));
+        let garment = |i: usize| (25..40).contains(&(i / SIDE));
+        let skin = |i: usize| body(i) && !garment(i);
+        let all = 0..SIDE * SIDE;
+        let color = |i| match skin(i) {
+            true => [190, 130, 100],
+            false => [128; 3],
+        };
+        let cost: Vec<f32> = all
+            .clone()
+            .map(|i| if skin(i) { 60.0 } else { 4.5 })
+            .collect();
+        Prepared {
+            factor: 1,
+            small: Rgb {
+                width: SIDE,
+                height: SIDE,
+                data: all.map(color).collect(),
+            },
+            explained: cost.clone(),
+            cost,
+            strange: Vec::new(),
+            person,
+            known: vec![Known::Unknown; SIDE * SIDE],
+            noise: Noise::even(1.8),
+            disk: None,
+        }
+    }
+
+    fn garment_kept(person: Vec<f32>) -> usize {
+        let settings = Settings {
+            gamma: 40.0,
+            rounds: 2,
+            clusters: 2,
+            thinner: 0.0,
+        };
+        let (sides, _) = coarse(&dressed(person), &settings).unwrap();
+        let garment = (25..40).flat_map(|y| (20..40).map(move |x| y * SIDE + x));
+        garment.filter(|i| sides.data[*i]).count()
+    }
+
+    #[test]
+    fn a_garment_of_the_walls_colour_is_body_where_a_person_is_seen() {
+        assert_eq!(garment_kept(vec![]), 0);
+        let seen = |i: usize| (19..41).contains(&(i % SIDE)) && (7..55).contains(&(i / SIDE));
+        let odds = (0..SIDE * SIDE).map(|i| if seen(i) { 4.7 } else { -7.3 });
+        assert!(garment_kept(odds.collect()) > 290, "of 300");
+        // What the network is not sure of stays with the wall that it looks like.
+        let unsure = (0..SIDE * SIDE).map(|i| if seen(i) { 1.0 } else { -1.0 });
+        assert_eq!(garment_kept(unsure.collect()), 0);
+    }
+
+    #[test]
+    fn log_odds_are_calibrated_within_the_square_and_nothing_beyond() {
+        let found = |odds: f32| Found {
+            score: 0.9,
+            presence: 1.0,
+            head_px: [0.0; 4],
+            crop: Crop {
+                centre_px: [50.0, 50.0],
+                side_px: 40.0,
+                angle: 0.0,
+            },
+            body: Image::filled(8, 8, Found::kept(odds)),
+            joints: vec![],
+        };
+        let people = |person: bool| People {
+            views: [(PhotoId(0), vec![found(2.0)])].into_iter().collect(),
+            person,
+        };
+        let on = |people: &People| Sense::of(Some(people), PhotoId(0), [25, 25], 4);
+        assert_eq!(on(&people(false)), Sense::default());
+        assert_eq!(Sense::of(None, PhotoId(0), [25, 25], 4), Sense::default());
+        let Sense {
+            log_odds: odds,
+            reach,
+        } = on(&people(true));
+        assert_eq!(reach, 3, "two pixels of 5, four to one");
+        let inside = CALIBRATED[0] + CALIBRATED[1] * 2.0;
+        assert!((odds[12 * 25 + 12] - inside).abs() < 1e-6);
+        assert_eq!(odds[0], 0.0);
+    }
+
+    #[test]
+    fn a_gap_that_the_network_cannot_see_is_left_to_the_background() {
+        let sense = Sense {
+            log_odds: (0..SIDE * SIDE)
+                .map(|i| if i % SIDE < 50 { 4.0 } else { -5.0 })
+                .collect(),
+            reach: 5,
+        };
+        // Two legs, three pixels apart, and a garment to the right of them.
+        let leg = |x: usize| (5..15).contains(&x) || (18..28).contains(&x);
+        let evident = Image {
+            width: SIDE,
+            height: SIDE,
+            data: (0..SIDE * SIDE).map(|i| leg(i % SIDE)).collect(),
+        };
+        let left = sense.beyond(&evident);
+        let at = |x: usize| left[30 * SIDE + x];
+        assert_eq!((at(16), at(40), at(55)), (0.0, 4.0, -5.0));
+    }
+}
