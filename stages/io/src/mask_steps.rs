@@ -6,7 +6,7 @@ use shape::{
 };
 use std::path::Path;
 
-/// Where nothing is known of the scene. [sRGB]
+/// Where nothing is known of the scene. \[sRGB\]
 const UNKNOWN: [u8; 3] = [255, 0, 255];
 /// -ln p(pixel | some body): the evidence of a colour that the body has not. \[nats\]
 const ANY_BODY: f32 = 17.8;

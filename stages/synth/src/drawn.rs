@@ -152,7 +152,7 @@ impl Palette {
 /// A colour of a brightness from `low` to `high`, tinted as paint and cloth are.
 fn muted(dice: &mut Dice, low: f64, high: f64) -> Color {
     // Even in brightness as it is seen, not as it is measured.
-    let [low, high] = [low, high].map(|b| libm::cbrt(b));
+    let [low, high] = [low, high].map(libm::cbrt);
     let bright = (low + (high - low) * dice.unit()).powi(3);
     let strong = 0.25 * dice.unit();
     [(); 3].map(|()| (bright * (1.0 + strong * dice.normal()).clamp(0.3, 2.0)).min(0.9) as f32)
