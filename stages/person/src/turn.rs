@@ -6,9 +6,9 @@ use shape::{ByPhoto, Crop, Found};
 const PRESENT: f32 = 0.5;
 /// Squares of one person share at least so much of their union: one may lie a third of its side beside the other.
 const ONE_PERSON: f32 = 0.5;
-/// So many of the photos must show the same person. By hand, in the middle of what was looked at: on the live man and
-/// woman, three made bodies, the mannequin and a marble David all photos do (210 of 210), on a draped statue on a
-/// pedestal 9 of 25, on a temple, a squirrel and a teddy bear at most 6 of 36.
+/// So many of the photos must show the same person. By hand, between what was looked at: on the live man and woman, three
+/// made bodies, the mannequin and a marble David all photos do, on a draped statue on a pedestal 15 of 25, on a squirrel
+/// 21 of 36, on a temple 1 of 16.
 const LEAST_SHARE: f64 = 0.75;
 
 /// Puts the one who is followed first on each photo, whoever else is there behind; whether it is a person.
