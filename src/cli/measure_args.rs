@@ -46,7 +46,7 @@ fn word(said: Option<&impl clap::ValueEnum>) -> String {
 /// Arguments of `tailor measure`.
 #[derive(Args)]
 pub(crate) struct Measure {
-    /// Folders with the photos or the video of one turn each, videos, or scans (PLY, OBJ, STL, OFF); masks in a folder's `masks` are taken instead of own ones
+    /// Folders with the photos or the video of one turn each, videos, or scans (PLY, OBJ, STL, OFF, GLB, 3MF); masks in a folder's `masks` are taken instead of own ones
     #[arg(required = true)]
     pub(super) folders: Vec<PathBuf>,
     /// Where to write; here, the folder's name with `-out`, if not said. Of several folders each gets its own in it

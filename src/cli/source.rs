@@ -27,7 +27,7 @@ impl Source {
         let name = capture.file_name().and_then(|n| n.to_str());
         let Some(name) = name.filter(|n| is_video(n) || is_scan(n)) else {
             return Err(Fault::input(format!(
-                "{} is a file: hand over the folder with all photos of the turn, a video (mp4, mov, mkv, …), or a scan (ply, obj, stl, off)",
+                "{} is a file: hand over the folder with all photos of the turn, a video (mp4, mov, mkv, …), or a scan (ply, obj, stl, off, glb, 3mf)",
                 capture.display()
             )));
         };

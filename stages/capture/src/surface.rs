@@ -1,27 +1,10 @@
-//! The stage that takes a surface from elsewhere: a scan, or any mesh as PLY, OBJ, STL or OFF.
+//! The stage that takes a surface from elsewhere: a scan, or any mesh as PLY, OBJ, STL, OFF, GLB or 3MF.
 
-use crate::scan_file::read;
-use crate::scan_holes::closed;
-use crate::scan_stand::{pieces, turned, unit, up};
+pub use crate::scan::Unit;
+use crate::scan::{MOST_FACES, Read, closed, pieces, read, turned, unit, up};
 use shape::Mesh;
 use stage::{Ctx, Files, FilesError, Stage, Stop};
 use std::sync::Arc;
-
-stage::choice! {
-    /// The unit that a file's numbers are in.
-    pub enum Unit {
-        /// Millimetres.
-        Mm = "mm",
-        /// Centimetres.
-        Cm = "cm",
-        /// Metres.
-        M = "m",
-        /// Inches.
-        Inch = "in",
-        /// That in which the surface is nearest to a grown person's height.
-        Auto = "auto",
-    }
-}
 
 /// Units that are recognised, their millimetres and what they are called.
 const UNITS: [(Unit, f64, &str); 4] = [
@@ -61,7 +44,7 @@ stage::params! {
 stage::inputs! {
     /// A surface from elsewhere.
     pub struct SurfaceInput {
-        /// One file: PLY, OBJ, STL or OFF.
+        /// One file: PLY, OBJ, STL, OFF, GLB or 3MF.
         files: Arc<Files>,
     }
 }
@@ -108,8 +91,6 @@ pub enum SurfaceError {
     Files(#[from] FilesError),
 }
 
-/// More faces need gigabytes for what a tenth of them shows as well.
-const MOST_FACES: usize = 4_000_000;
 /// Heights of bodies, from an infant to more than the tallest person. \[mm\]
 const HEIGHTS: std::ops::RangeInclusive<f64> = 200.0..=3000.0;
 
@@ -118,9 +99,9 @@ pub struct Surface;
 
 impl Stage for Surface {
     const NAME: &'static str = "capture.surface";
-    const VERSION: u32 = 2;
+    const VERSION: u32 = 3;
     const ABOUT: &'static str =
-        "Takes a closed surface from elsewhere, such as a scan: PLY, OBJ, STL or OFF.";
+        "Takes a closed surface from elsewhere, such as a scan: PLY, OBJ, STL, OFF, GLB or 3MF.";
     type Params = SurfaceParams;
     type Input = SurfaceInput;
     type Output = Mesh;
@@ -131,19 +112,15 @@ impl Stage for Surface {
             return Err(SurfaceError::Count(entries.len()).into());
         };
         let bytes = input.files.read(entry).map_err(SurfaceError::from)?;
-        let mesh =
+        let read =
             read(&entry.name, &bytes).map_err(|why| SurfaceError::Read(entry.name.clone(), why))?;
-        Ok(upright(mesh, p, &entry.name, ctx)?)
+        Ok(upright(read, p, &entry.name, ctx)?)
     }
 }
 
 /// Brings a mesh to millimetres with z up, and checks it.
-fn upright(
-    mut mesh: Mesh,
-    p: &SurfaceParams,
-    name: &str,
-    ctx: &Ctx<'_>,
-) -> Result<Mesh, SurfaceError> {
+fn upright(read: Read, p: &SurfaceParams, name: &str, ctx: &Ctx<'_>) -> Result<Mesh, SurfaceError> {
+    let Read { mut mesh, unit } = read;
     if mesh.faces.is_empty() {
         return Err(SurfaceError::Empty(name.into()));
     }
@@ -154,7 +131,7 @@ fn upright(
         mesh = body(mesh, name, ctx)?;
     }
     let (holes, longest) = if p.scan { closed(&mut mesh) } else { (0, 0.0) };
-    let (unit, mm) = stood(&mut mesh, p, name, ctx);
+    let (unit, mm) = stood(&mut mesh, p, (name, unit), ctx);
     if holes > 0 {
         ctx.warn(format!(
             "{name}: small holes closed by flat covers: {holes}, up to {:.0} mm around",
@@ -204,7 +181,12 @@ fn body(mesh: Mesh, name: &str, ctx: &Ctx<'_>) -> Result<Mesh, SurfaceError> {
 }
 
 /// Turns and scales a mesh as it is said or recognised; the unit of its numbers, and its millimetres.
-fn stood(mesh: &mut Mesh, p: &SurfaceParams, name: &str, ctx: &Ctx<'_>) -> (&'static str, f64) {
+fn stood(
+    mesh: &mut Mesh,
+    p: &SurfaceParams,
+    (name, named): (&str, Option<Unit>),
+    ctx: &Ctx<'_>,
+) -> (&'static str, f64) {
     let way = match p.up {
         Up::X => (0, false),
         Up::Y => (1, false),
@@ -216,7 +198,13 @@ fn stood(mesh: &mut Mesh, p: &SurfaceParams, name: &str, ctx: &Ctx<'_>) -> (&'st
     let own = match p.unit {
         // What calls its lengths relative has none.
         Unit::Auto if mesh.unit == shape::Unit::Relative => Unit::Mm,
-        Unit::Auto => unit(tall(mesh), &known).unwrap_or(Unit::Mm),
+        Unit::Auto => {
+            // What the file names holds where a body can be so high.
+            let high = |n: &Unit| known.iter().find(|k| k.0 == *n).map(|k| k.1 * tall(mesh));
+            let fits = |n: &Unit| high(n).is_some_and(|mm| HEIGHTS.contains(&mm));
+            let seen = || unit(tall(mesh), &known).unwrap_or(Unit::Mm);
+            named.filter(fits).unwrap_or_else(seen)
+        }
         said => said,
     };
     if own != Unit::Mm {

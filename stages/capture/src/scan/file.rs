@@ -1,10 +1,12 @@
-//! Surfaces as scanners and programs write them: PLY, OBJ, STL, OFF; triangles and their corners alone.
+//! Surfaces as scanners and programs write them: PLY, OBJ, STL, OFF, GLB, 3MF; triangles and their corners alone.
 
+use super::given::{Read, Unit};
+use super::{glb, three_mf};
 use shape::{Mesh, mesh_from_ply};
 use std::collections::BTreeMap;
 
 /// Endings of files that are read as a surface.
-pub const SCANS: [&str; 4] = ["ply", "obj", "stl", "off"];
+pub const SCANS: [&str; 6] = ["ply", "obj", "stl", "off", "glb", "3mf"];
 
 /// Whether a file of this name is read as a surface.
 pub fn is_scan(name: &str) -> bool {
@@ -21,16 +23,23 @@ fn ending(name: &str) -> Option<&'static str> {
 /// # Errors
 ///
 /// What is wrong with the file, in words.
-pub(crate) fn read(name: &str, bytes: &[u8]) -> Result<Mesh, String> {
-    let mesh = match ending(name) {
-        Some("obj") => obj(&text(bytes)?)?,
-        Some("off") => off(&text(bytes)?)?,
-        Some("stl") => stl(bytes)?,
-        _ => return mesh_from_ply(bytes).map_err(|e| e.to_string()),
+pub(crate) fn read(name: &str, bytes: &[u8]) -> Result<Read, String> {
+    let plain = |mesh| Read { mesh, unit: None };
+    let read = match ending(name) {
+        Some("obj") => plain(obj(&text(bytes)?)?),
+        Some("off") => plain(off(&text(bytes)?)?),
+        Some("stl") => plain(stl(bytes)?),
+        // The format knows metres alone.
+        Some("glb") => Read {
+            mesh: glb::read(bytes)?,
+            unit: Some(Unit::M),
+        },
+        Some("3mf") => three_mf::read(bytes)?,
+        _ => return mesh_from_ply(bytes).map(plain).map_err(|e| e.to_string()),
     };
-    let mesh = welded(&mesh);
+    let mesh = welded(&read.mesh);
     mesh.validate().map_err(|fault| fault.to_string())?;
-    Ok(mesh)
+    Ok(Read { mesh, ..read })
 }
 
 fn text(bytes: &[u8]) -> Result<String, String> {
@@ -184,47 +193,5 @@ fn welded(mesh: &Mesh) -> Mesh {
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-
-    const POINTS: [&str; 4] = ["0 0 0", "1 0 0", "0 1 0", "0 0 1"];
-    const FACES: [[usize; 3]; 4] = [[0, 2, 1], [0, 1, 3], [1, 2, 3], [2, 0, 3]];
-
-    fn sound(name: &str, bytes: &[u8]) {
-        let mesh = read(name, bytes).unwrap_or_else(|why| panic!("{name}: {why}"));
-        assert_eq!((mesh.positions.len(), mesh.faces.len()), (4, 4), "{name}");
-        proof::near(mesh.volume(), 1.0 / 6.0, 1e-6);
-    }
-
-    #[test]
-    fn a_tetrahedron_is_the_same_in_every_format() {
-        let (mut obj, mut off) = (String::new(), "OFF # a tetrahedron\n4 4 6\n".to_owned());
-        let (mut ascii, mut binary) = ("solid x\n".to_owned(), vec![0u8; 80]);
-        binary.extend(4u32.to_le_bytes());
-        POINTS.iter().for_each(|p| obj += &format!("v {p} 1 1 1\n"));
-        POINTS.iter().for_each(|p| off += &format!("{p}\n"));
-        for f in FACES {
-            let [a, b, c] = f.map(|v| v + 1);
-            obj += &format!("f {a}/1/1 {b}//2 {}\n", c as i64 - 5);
-            off += &format!("3 {} {} {}\n", f[0], f[1], f[2]);
-            binary.extend([0u8; 12]);
-            for v in f {
-                ascii += &format!("  vertex {}\n", POINTS[v]);
-                for word in POINTS[v].split(' ') {
-                    binary.extend(word.parse::<f32>().unwrap().to_le_bytes());
-                }
-            }
-            binary.extend([0u8; 2]);
-        }
-        sound("A.OBJ", obj.as_bytes());
-        sound("a.off", off.as_bytes());
-        sound("a.stl", ascii.as_bytes());
-        sound("a.stl", &binary);
-        let short = read("a.stl", &binary[..binary.len() - 7]);
-        assert!(short.is_err_and(|why| why.contains("cut short")));
-        for wrong in ["v 0 0\n", "v 0 0 0\nf 1 2 3\n", "f 0 1 2\n"] {
-            assert!(read("a.obj", wrong.as_bytes()).is_err(), "{wrong}");
-        }
-        assert!(read("a.off", b"OFF\n3 1 0\n0 0 0\n").is_err());
-    }
-}
+#[path = "file_tests.rs"]
+mod tests;
