@@ -45,6 +45,7 @@ fn pipeline(
         let sets: Vec<String> = measure
             .scan()
             .into_iter()
+            .chain(measure.inches().then(|| "report.unit=in".to_owned()))
             .chain(measure.set.iter().cloned())
             .collect();
         let graph = opened("surface", None, measure.variant.clone(), said, &sets)?;

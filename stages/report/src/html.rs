@@ -44,12 +44,12 @@ stage::params! {
 stage::inputs! {
     /// All that was found out.
     pub struct HtmlInput {
-        /// The photos.
-        photos: Arc<Photos>,
+        /// The photos; with their masks and cameras, or none of the three: a scan has none.
+        photos: Option<Arc<Photos>>,
         /// Their silhouettes.
-        masks: Arc<Masks>,
+        masks: Option<Arc<Masks>>,
         /// Their cameras.
-        cameras: Arc<Cameras>,
+        cameras: Option<Arc<Cameras>>,
         /// The surface that was measured.
         body: Arc<Mesh>,
         /// That surface with its colours.
@@ -69,12 +69,28 @@ stage::inputs! {
     }
 }
 
+/// Photos without their masks or cameras, or the other way round.
+#[derive(Debug, thiserror::Error)]
+#[error("report.html takes photos, masks and cameras together, or none of them: give it all three")]
+pub struct TurnError;
+
+/// Photos, masks and cameras.
+type Turn = (Arc<Photos>, Arc<Masks>, Arc<Cameras>);
+
+fn turn(input: &HtmlInput) -> Result<Option<Turn>, TurnError> {
+    match (&input.photos, &input.masks, &input.cameras) {
+        (Some(p), Some(m), Some(c)) => Ok(Some((p.clone(), m.clone(), c.clone()))),
+        (None, None, None) => Ok(None),
+        _ => Err(TurnError),
+    }
+}
+
 /// `report.html`: everything → document (HTML).
 pub struct Html;
 
 impl Stage for Html {
     const NAME: &'static str = "report.html";
-    const VERSION: u32 = 14;
+    const VERSION: u32 = 15;
     const ABOUT: &'static str = "Makes one self-contained page: 3D view, girths, photos, cameras.";
     type Params = HtmlParams;
     type Input = HtmlInput;
@@ -82,11 +98,16 @@ impl Stage for Html {
     const METRICS: &'static [&'static str] = &["size"];
 
     fn run(p: &HtmlParams, input: HtmlInput, ctx: &Ctx<'_>) -> Result<Document, Stop> {
+        let turn = turn(&input)?;
         let head = face::head(&input.body, input.landmarks.as_deref());
         let small = shape::thinned(&input.body, p.most_faces as usize);
         let plain = input.textured.is_none() && small.colors.is_empty();
-        let mut paint = (p.photos && p.paint && plain).then(|| Paint::new(&small));
-        let figures = figures(p, &input, &head, &mut paint, ctx)?;
+        let mut paint =
+            (p.photos && p.paint && plain && turn.is_some()).then(|| Paint::new(&small));
+        let figures = match &turn {
+            Some(turn) => figures(p, turn, &input.girths, (&head, &mut paint), ctx)?,
+            None => String::new(),
+        };
         let hidden = p.blur_face.then(|| HeadBox::new(&head));
         let colors = paint.map(Paint::colors);
         let painted = colors.map(|colors| Mesh {
@@ -95,8 +116,9 @@ impl Stage for Html {
         });
         let surfaces = surfaces(p, &input, painted, hidden.as_ref());
         let page = page::page(&Content {
-            photos: &input.photos,
-            cameras: &input.cameras,
+            turn: turn
+                .as_ref()
+                .map(|(photos, _, cameras)| (&**photos, &**cameras)),
             girths: &input.girths,
             landmarks: input.landmarks.as_deref(),
             body: &input.body,
@@ -123,20 +145,20 @@ impl Stage for Html {
 /// The figures of all photos, as HTML; each photo paints the body on its way.
 fn figures(
     p: &HtmlParams,
-    input: &HtmlInput,
-    head: &[nalgebra::Point3<f64>],
-    paint: &mut Option<Paint<'_>>,
+    (photos, masks, cameras): &Turn,
+    girths: &Girths,
+    (head, paint): (&[nalgebra::Point3<f64>], &mut Option<Paint<'_>>),
     ctx: &Ctx<'_>,
 ) -> Result<String, Stop> {
-    let count = input.photos.photos.len();
+    let count = photos.photos.len();
     let crowd = (PHOTOS_AT_FULL_HEIGHT / count.max(1) as f64)
         .sqrt()
         .min(1.0);
     let most_px = (f64::from(p.photo_px) * crowd) as usize;
     let steps = ctx.steps("photos", count);
     let mut figures = String::new();
-    for (id, photo) in input.photos.iter() {
-        let camera = input.cameras.views.get(id).map(|view| &view.camera);
+    for (id, photo) in photos.iter() {
+        let camera = cameras.views.get(id).map(|view| &view.camera);
         let size = [photo.width as usize, photo.height as usize];
         let factor = overlay::factor(size[1], most_px);
         let mut shown = Shown {
@@ -145,7 +167,7 @@ fn figures(
             size,
             factor,
             photo: None,
-            mask: input.masks.views.get(id),
+            mask: masks.views.get(id),
             camera,
         };
         if p.photos {
@@ -168,7 +190,7 @@ fn figures(
                 shown.photo = Some(overlay::reduced(&pixels, factor));
             }
         }
-        figures += &overlay::figure(&shown, &input.girths);
+        figures += &overlay::figure(&shown, girths);
         steps.tick()?;
     }
     Ok(figures)

@@ -1,7 +1,7 @@
 //! From results to documents for people.
 //!
 //! ```text
-//! photos, masks, cameras, surfaces, landmarks, girths → [`Html`] → document
+//! photos, masks, cameras (a scan has none of them), surfaces, landmarks, girths → [`Html`] → document
 //! cameras → [`RingPicture`] → document
 //! files → [`Take`] → document
 //! ```
@@ -29,7 +29,7 @@ mod tape;
 mod ticks;
 
 pub use answer::Answer;
-pub use html::{Html, HtmlInput, HtmlParams};
+pub use html::{Html, HtmlInput, HtmlParams, TurnError};
 pub use lengths::ShownIn;
 pub use ring_picture::{RingInput, RingPicture};
 pub use take::{Take, TakeError, TakeInput};

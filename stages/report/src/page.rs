@@ -3,7 +3,7 @@
 use crate::answer::Answer;
 use crate::lengths::Lengths;
 use crate::{derived, profile, ring, scene, sides, tables};
-use shape::{Cameras, Girths, Landmarks, Length, Mesh, Photos, Scale, Textured};
+use shape::{Cameras, Girths, Landmarks, Length, Mesh, Photos, Scale, Textured, Unit};
 
 /// A surface that the viewer can show.
 pub(crate) enum Surface {
@@ -15,10 +15,8 @@ pub(crate) enum Surface {
 
 /// What the page is made of.
 pub(crate) struct Content<'a> {
-    /// For names and what the user knew.
-    pub(crate) photos: &'a Photos,
-    /// The ring.
-    pub(crate) cameras: &'a Cameras,
+    /// Photos, for names and what the user knew, and their cameras; a scan has none.
+    pub(crate) turn: Option<(&'a Photos, &'a Cameras)>,
     /// The tables.
     pub(crate) girths: &'a Girths,
     /// Which way the subject faces.
@@ -50,12 +48,7 @@ const SCRIPT: [&str; 8] = [
 
 /// The page.
 pub(crate) fn page(content: &Content<'_>) -> String {
-    let Content {
-        photos,
-        cameras,
-        girths,
-        ..
-    } = content;
+    let (girths, turn) = (content.girths, content.turn);
     let lengths = content.lengths;
     let (at, faces) = measured(content);
     let whole = faces == content.body.faces.len();
@@ -69,46 +62,47 @@ pub(crate) fn page(content: &Content<'_>) -> String {
         }
     };
     let meshes: Vec<_> = content.surfaces.iter().enumerate().map(packed).collect();
-    let of_photos = photos
-        .iter()
-        .map(|(id, _)| cameras.views.get(id).map(|v| &v.camera));
+    let of_photos = turn.into_iter().flat_map(|(photos, cameras)| {
+        let camera = |(id, _)| cameras.views.get(id).map(|v| &v.camera);
+        photos.iter().map(camera)
+    });
     let front = content
         .landmarks
         .and_then(|l| l.points.iter().find(|(name, _)| name == "front"))
         .map_or([0.0, -1.0, 0.0], |(_, front)| *front);
     // The soles', where landmarks have found them.
     let ground = content.landmarks.and_then(|l| l.ground_mm);
-    let ground = ground.unwrap_or(cameras.ground_mm);
+    let lowest = || content.body.bounds().map_or(0.0, |(low, _)| low.z);
+    let ground = ground.unwrap_or_else(|| turn.map_or_else(lowest, |(_, c)| c.ground_mm));
     let scene = serde_json::json!({
         "meshes": meshes, "tapes": scene::tapes(girths, lengths), "front": front,
         "views": scene::views(of_photos), "measured": whole.then_some(at), "lengths": scene::written(girths, lengths),
     });
-    let name = photos.rig.name.as_deref().unwrap_or("one turn");
-    let note = match content.without_photos {
-        true => "<p class=\"note\">The photos were left out.</p>",
-        false => "",
-    };
+    let name = turn.map_or("a scan", |(photos, _)| {
+        photos.rig.name.as_deref().unwrap_or("one turn")
+    });
+    let relative = turn.is_none() && girths.unit == Unit::Relative;
     filled(
         include_str!("page.html"),
         &[
             ("title", tables::escaped(name)),
-            ("about", about(photos, cameras)),
+            ("about", about(turn)),
             ("style", include_str!("page.css").into()),
             (
                 "warnings",
-                content.answer.first() + &warnings(photos, cameras),
+                content.answer.first()
+                    + &turn.map_or_else(String::new, warnings)
+                    + if relative { RELATIVE } else { "" },
             ),
             ("girths", tables::girths(girths, lengths)),
             ("unit", tables::unit(girths, lengths)),
             ("derived", derived::derived(girths, lengths)),
-            ("scale", tables::scale(cameras, &photos.rig, lengths)),
             ("sides", sides::figure(content.body, girths, front, lengths)),
             ("coarse", coarser(faces, content.body.faces.len())),
             ("profile", profile::svg(girths, ground, lengths)),
-            ("ring", ring::svg(cameras)),
             (
-                "photos",
-                format!("{note}<div class=\"photos\">{}</div>", content.figures),
+                "turn",
+                turn.map_or_else(String::new, |turn| sections(turn, content)),
             ),
             ("scene", scene.to_string().replace('<', "\\u003c")),
             ("viewer", format!("(() => {{\n{}}})();", SCRIPT.concat())),
@@ -162,7 +156,36 @@ fn filled(template: &str, slots: &[(&str, String)]) -> String {
     page + rest
 }
 
-fn about(photos: &Photos, cameras: &Cameras) -> String {
+/// What a scan's page says where its file names no unit.
+const RELATIVE: &str = "<p class=\"warn\"><b>Lengths are relative.</b> The file says so; ratios hold. If its unit is known: \
+     --unit-of-file.</p>";
+
+/// The parts of the page that tell of cameras and photos.
+fn sections((photos, cameras): (&Photos, &Cameras), content: &Content<'_>) -> String {
+    let note = match content.without_photos {
+        true => "<p class=\"note\">The photos were left out.</p>",
+        false => "",
+    };
+    filled(
+        include_str!("turn.html"),
+        &[
+            (
+                "scale",
+                tables::scale(cameras, &photos.rig, content.lengths),
+            ),
+            ("ring", ring::svg(cameras)),
+            (
+                "photos",
+                format!("{note}<div class=\"photos\">{}</div>", content.figures),
+            ),
+        ],
+    )
+}
+
+fn about(turn: Option<(&Photos, &Cameras)>) -> String {
+    let Some((photos, cameras)) = turn else {
+        return "Girths of a surface from elsewhere, taken by tailor.".into();
+    };
     let (all, found) = (photos.photos.len(), cameras.views.len());
     let of = match found == all {
         true => format!("{all} photos of one turn"),
@@ -175,7 +198,7 @@ fn about(photos: &Photos, cameras: &Cameras) -> String {
 }
 
 /// What a reader must know first.
-fn warnings(photos: &Photos, cameras: &Cameras) -> String {
+fn warnings((photos, cameras): (&Photos, &Cameras)) -> String {
     let mut html = String::new();
     if cameras.scale == Scale::Nothing {
         html += "<p class=\"warn\"><b>Lengths are relative.</b> Nothing of known length was given, so lengths \

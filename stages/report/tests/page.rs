@@ -105,7 +105,7 @@ fn without_photos_no_pixel_of_them_is_in_it_but_the_outlines_are() {
 #[test]
 fn no_metadata_of_a_photo_is_in_it() {
     let mut input = input();
-    let mut photos = (*input.photos).clone();
+    let mut photos = (**input.photos.as_ref().unwrap()).clone();
     for photo in &mut photos.photos {
         // An APP1 segment after the start of the image, as cameras write it.
         let secret = b"Exif\0\0GPS 52.5163N 13.3777E";
@@ -116,7 +116,7 @@ fn no_metadata_of_a_photo_is_in_it() {
         photo.file = file.into();
     }
     photos.photos[0].decode().unwrap();
-    input.photos = Arc::new(photos);
+    input.photos = Some(Arc::new(photos));
     let pictures = pictures(&page_of(&HtmlParams::default(), input));
     assert_eq!(pictures.len(), 3);
     for file in pictures {
@@ -133,17 +133,24 @@ fn a_face_is_blurred_where_the_head_is_and_nowhere_else() {
     for (y, x) in (0..180).flat_map(|y| (0..120).map(move |x| (y, x))) {
         *stripes.at_mut(x, y) = [if x / 4 % 2 == 0 { 0 } else { 255 }; 3];
     }
-    let mut photos = (*input.photos).clone();
+    let mut photos = (**input.photos.as_ref().unwrap()).clone();
     for photo in &mut photos.photos {
         photo.file = rgb_to_jpeg(&stripes, 95).into();
     }
-    input.photos = Arc::new(photos);
+    input.photos = Some(Arc::new(photos));
     let part = |p: &[f32; 3]| if p[2] > 320.0 { Part::Head } else { Part::Trunk } as u8;
     input.landmarks = Some(Arc::new(Landmarks {
         parts: input.body.positions.iter().map(part).collect(),
         ..Landmarks::default()
     }));
-    let camera = input.cameras.views.get(PhotoId(0)).unwrap().camera;
+    let camera = input
+        .cameras
+        .as_ref()
+        .unwrap()
+        .views
+        .get(PhotoId(0))
+        .unwrap()
+        .camera;
     let at = |z: f64| camera.project(&nalgebra::Point3::new(0.0, 0.0, z)).unwrap();
     let (head, waist) = (at(360.0), at(150.0));
     let contrast = |gray: &Mask, at: nalgebra::Point2<f64>| {
@@ -160,10 +167,10 @@ fn a_face_is_blurred_where_the_head_is_and_nowhere_else() {
 #[test]
 fn a_photo_whose_face_cannot_be_found_is_left_out_when_faces_are_blurred() {
     let mut input = input();
-    let mut cameras = (*input.cameras).clone();
+    let mut cameras = (**input.cameras.as_ref().unwrap()).clone();
     let kept = cameras.views.iter().filter(|(id, _)| id.0 != 1);
     cameras.views = kept.map(|(id, v)| (id, v.clone())).collect();
-    input.cameras = Arc::new(cameras);
+    input.cameras = Some(Arc::new(cameras));
     let page = page_of(&blurred(), input);
     assert_eq!(pictures(&page).len(), 2);
     assert!(page.contains("Photos without a camera, not used: 0001.jpg"));
@@ -251,7 +258,7 @@ fn what_is_missing_for_one_reason_is_said_once() {
 fn a_fine_surface_and_many_photos_stay_light() {
     let mut input = input();
     input.body = Arc::new(tube::tube(80.0, 400.0, 800, 400));
-    let mut photos = (*input.photos).clone();
+    let mut photos = (**input.photos.as_ref().unwrap()).clone();
     photos.photos = (0..90).map(|i| photos.photos[i % 3].clone()).collect();
     let noise = |i: usize| ((i * 2_654_435_761) >> 7) as u8;
     let pixels = Rgb {
@@ -263,7 +270,7 @@ fn a_fine_surface_and_many_photos_stay_light() {
         (photo.width, photo.height) = (600, 900);
         photo.file = rgb_to_jpeg(&pixels, 80).into();
     }
-    input.photos = Arc::new(photos);
+    input.photos = Some(Arc::new(photos));
     let page = page_of(&HtmlParams::default(), input);
     assert!(page.len() < 15_000_000, "{}", page.len());
     assert_eq!(pictures(&page).len(), 90);

@@ -137,3 +137,33 @@ fn names_lie_beside_curve_and_body_and_not_on_one_another() {
         assert_eq!(wrong, json!([8]), "{drawing}");
     }
 }
+
+#[test]
+#[cfg_attr(not(chromium), ignore = "no Chromium is installed")]
+fn a_scan_has_a_page_without_photos_and_cameras() {
+    let scan = || HtmlInput {
+        photos: None,
+        masks: None,
+        cameras: None,
+        ..tube::input()
+    };
+    let mut tab = Tab::open(&page(scan()), DESK, false, true);
+    let heads = tab.value("[...document.querySelectorAll('h2')].map((h) => h.textContent)");
+    let heads = heads.to_string();
+    assert!(
+        heads.contains("Girths") && heads.contains("Girth over height"),
+        "{heads}"
+    );
+    assert!(
+        !heads.contains("Cameras") && !heads.contains("photos"),
+        "{heads}"
+    );
+    // The viewer came to its end: its surfaces can be chosen.
+    let count = tab.value("document.querySelectorAll('#meshes button').length");
+    assert!(count.as_u64().unwrap() > 0);
+    let half = HtmlInput {
+        masks: None,
+        ..tube::input()
+    };
+    assert!(Html::run(&HtmlParams::default(), half, &Ctx::alone()).is_err());
+}

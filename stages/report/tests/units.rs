@@ -20,9 +20,9 @@ fn page(params: &HtmlParams) -> String {
 #[test]
 fn lengths_of_unknown_scale_are_called_relative() {
     let mut input = input();
-    let mut cameras = (*input.cameras).clone();
+    let mut cameras = (**input.cameras.as_ref().unwrap()).clone();
     (cameras.scale, cameras.scale_sigma) = (Scale::Nothing, None);
-    input.cameras = Arc::new(cameras);
+    input.cameras = Some(Arc::new(cameras));
     Arc::make_mut(&mut input.girths).unit = shape::Unit::Relative;
     let wanted = ["Lengths are relative", "tape [relative]", "0.5025"];
     let (told, plain) = (
@@ -40,7 +40,8 @@ fn lengths_of_unknown_scale_are_called_relative() {
 #[test]
 fn lengths_that_contradict_each_other_are_relative_and_named() {
     let mut input = input();
-    Arc::make_mut(&mut input.cameras).scale = Scale::Disputed([Length::Mat, Length::Stature]);
+    Arc::make_mut(input.cameras.as_mut().unwrap()).scale =
+        Scale::Disputed([Length::Mat, Length::Stature]);
     Arc::make_mut(&mut input.girths).unit = shape::Unit::Relative;
     let page = page_of(&HtmlParams::default(), input);
     for text in [
@@ -67,7 +68,7 @@ fn what_an_interval_is_made_of_is_told_and_what_is_unknown_is_not_called_zero() 
     girths.girths[0].interval_mm = None;
     girths.girths[0].sigmas.level_mm = None;
     girths.compression_pct = 1.5;
-    let cameras = Arc::make_mut(&mut input.cameras);
+    let cameras = Arc::make_mut(input.cameras.as_mut().unwrap());
     (cameras.scale, cameras.scale_sigma) = (Scale::Given, None);
     let told = page_of(&HtmlParams::default(), input);
     for text in [

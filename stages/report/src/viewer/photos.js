@@ -21,8 +21,9 @@ element("after").addEventListener("click", () => enlarge(open + 1));
 element("close").addEventListener("click", () => big.close());
 big.addEventListener("click", (e) => { if (e.target === big) big.close(); });
 big.addEventListener("keydown", (e) => { const by = { ArrowLeft: -1, ArrowRight: 1 }[e.key]; if (by) enlarge(open + by); });
+// A scan has no photos, and no boxes for them.
 for (const [box, kind] of [["outlines", "no-outlines"], ["sections", "no-sections"]]) {
-  element(box).addEventListener("change", () => document.body.classList.toggle(kind, !element(box).checked));
+  element(box)?.addEventListener("change", () => document.body.classList.toggle(kind, !element(box).checked));
 }
 addEventListener("resize", changed);
 matchMedia("(prefers-color-scheme: dark)").addEventListener("change", changed);

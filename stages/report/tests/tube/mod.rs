@@ -123,18 +123,18 @@ pub(crate) fn input() -> HtmlInput {
         "there is no neck",
     )];
     HtmlInput {
-        photos: Arc::new(photos()),
-        masks: Arc::new(Masks {
+        photos: Some(Arc::new(photos())),
+        masks: Some(Arc::new(Masks {
             views: ids().map(|id| (id, mask.clone())).collect(),
-        }),
-        cameras: Arc::new(Cameras {
+        })),
+        cameras: Some(Arc::new(Cameras {
             views: ids().map(|id| (id, view(id))).collect(),
             scale: Scale::Mat,
             scale_sigma: Some(0.001),
             disk_radius_mm: Some(225.0),
             ground_mm: 0.0,
             points: vec![],
-        }),
+        })),
         body: Arc::new(tube(80.0, 400.0, 48, 20)),
         textured: None,
         hull: Some(Arc::new(tube(84.0, 400.0, 48, 20))),
