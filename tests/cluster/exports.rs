@@ -1,6 +1,7 @@
 //! Plans as rules of other engines.
 
 use crate::place::Place;
+use std::os::unix::fs::PermissionsExt;
 use std::process::Command;
 
 #[test]
@@ -61,4 +62,56 @@ fn a_snakefile_has_a_rule_a_strand_with_what_it_reads() {
     );
     assert!(text.contains(&second), "{text}");
     assert_eq!(text.matches(" work --plan ").count(), 3);
+}
+
+/// Commands of a cluster that take what they are given, and keep it in a file.
+const TAKES: [(&str, &str); 4] = [
+    (
+        "scontrol",
+        "echo MaxArraySize = 1001; echo MaxJobCount = 10000",
+    ),
+    ("squeue", ":"),
+    ("sbatch", "cat > taken; echo 7"),
+    ("tailor-dask", "cat > taken; echo '{\"sent\": 1}'"),
+];
+
+#[test]
+fn what_is_said_of_programs_reaches_those_who_work() {
+    let place = Place::new();
+    let (plan, _) = place.plan("50,45");
+    let folder = place.path("site");
+    std::fs::create_dir(&folder).unwrap();
+    for (name, line) in TAKES {
+        let file = folder.join(name);
+        std::fs::write(&file, format!("#!/bin/sh\n{line}\n")).unwrap();
+        std::fs::set_permissions(&file, PermissionsExt::from_mode(0o755)).unwrap();
+    }
+    let path = std::env::var("PATH").unwrap();
+    let path = format!("{}:{path}", folder.display());
+    let taken = |words: &[&str]| {
+        let mut command = place.tailor(words);
+        let ran = command.env("PATH", &path).current_dir(&folder).output();
+        let ran = ran.unwrap();
+        let said = String::from_utf8_lossy(&ran.stderr);
+        assert!(ran.status.success(), "{words:?}: {said}");
+        let kept = std::fs::read_to_string(folder.join("taken"));
+        let _ = std::fs::remove_file(folder.join("taken"));
+        kept.unwrap_or_default() + &String::from_utf8_lossy(&ran.stdout)
+    };
+    let says = ["--sandbox", "required", "--allow-exec"];
+    for verb in [
+        ["submit", &plan, "--engine", "slurm"],
+        ["submit", &plan, "--engine", "dask=tcp://127.0.0.1:1"],
+        ["export", &plan, "--as", "makefile"],
+        ["export", &plan, "--as", "snakemake"],
+    ] {
+        let plain = taken(&verb);
+        assert!(
+            plain.contains("--cache") && !plain.contains("--sandbox"),
+            "{plain}"
+        );
+        let all = taken(&[&verb[..], &says].concat());
+        let words: String = all.replace(['"', '\''], "").replace(',', " ");
+        assert!(words.contains("--sandbox required --allow-exec"), "{all}");
+    }
 }

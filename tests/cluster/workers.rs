@@ -149,3 +149,39 @@ fn a_cohort_is_a_strand_a_folder_and_one_that_fails_fails_alone() {
     assert_eq!(ran.status.code(), Some(2));
     assert!(said.contains("p3 has no file that fits"), "{said}");
 }
+
+#[test]
+fn work_lets_programs_run_that_it_is_told_to_and_none_without_the_sandbox_that_it_is_told_of() {
+    let place = Place::new();
+    std::fs::write(place.path("x.toml"), READER).unwrap();
+    std::fs::create_dir_all(place.path("src")).unwrap();
+    std::fs::write(place.path("src/a.txt"), "one").unwrap();
+    let (file, src) = (place.path("x.toml"), place.path("src"));
+    let (file, src) = (file.display().to_string(), format!("src={}", src.display()));
+    let words = ["plan", &file, "--strands", "--input", &src, "--allow-exec"];
+    let told = place.json(&words);
+    let plan = told["plan"].as_str().unwrap();
+    let work = |more: &[&str], variable: &str, value: &std::path::Path| {
+        let words = [&["work", "--plan", plan, "--strand", "0"][..], more].concat();
+        let ran = place.tailor(&words).env(variable, value).output().unwrap();
+        let said = String::from_utf8_lossy(&ran.stderr).into_owned();
+        (ran.status.code(), said)
+    };
+    // Nobody else's programs, as of a folder of links: `bwrap` is not among them.
+    let bare = place.path("bare");
+    std::fs::create_dir(&bare).unwrap();
+    for name in ["sh", "cat", "grep"] {
+        let programs = ["/usr/bin", "/bin"].map(|folder| std::path::Path::new(folder).join(name));
+        let found = programs.iter().find(|program| program.exists()).unwrap();
+        std::os::unix::fs::symlink(found, bare.join(name)).unwrap();
+    }
+    let (code, said) = work(&["--sandbox", "required"], "PATH", &bare);
+    assert!(code == Some(1) && said.contains("not installed"), "{said}");
+    assert_eq!(place.made(), 0);
+    // Another home, of which nobody knows what may run.
+    let home = place.path("home");
+    let (code, said) = work(&[], "XDG_STATE_HOME", &home);
+    assert!(code == Some(1) && said.contains("--allow-exec"), "{said}");
+    let (code, said) = work(&["--allow-exec"], "XDG_STATE_HOME", &home);
+    assert_eq!((code, place.made()), (Some(0), 1), "{said}");
+}

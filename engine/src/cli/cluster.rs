@@ -185,7 +185,7 @@ fn wish(args: &Submit, global: &GlobalArgs) -> Result<Wish, Fault> {
         logs,
         program: itself::program(global)?,
         cache: whole(&global.cache)?,
-        store: super::shared::words(global)?,
+        flags: super::shared::words(global)?,
     })
 }
 

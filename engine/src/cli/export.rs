@@ -44,7 +44,7 @@ pub(crate) fn export(args: &Export, global: &GlobalArgs) -> Result<(), Fault> {
         name: &name,
         program: &itself::program(global)?,
         cache: &std::path::absolute(&global.cache).map_err(Fault::input)?,
-        store: &super::shared::words(global)?,
+        flags: &super::shared::words(global)?,
         threads: args.cpus.max(1),
     };
     let text = match args.form {

@@ -37,6 +37,14 @@ pub(crate) fn permitted(graph: &Graph, global: &GlobalArgs) -> Result<(), Fault>
     Ok(())
 }
 
+/// The words that tell another process of this program what programs of a pipeline may.
+pub(super) fn words(global: &GlobalArgs) -> Vec<String> {
+    let sandbox = (global.sandbox == Walls::Required).then_some(["--sandbox", "required"]);
+    let allow = global.allow_exec.then_some("--allow-exec");
+    let words = sandbox.into_iter().flatten().chain(allow);
+    words.map(str::to_owned).collect()
+}
+
 /// Says once that permissions in a cache count no more, where there are some.
 fn unread(store: &Store, global: &GlobalArgs) {
     static SAID: Once = Once::new();

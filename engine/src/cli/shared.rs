@@ -57,12 +57,14 @@ fn seal(_global: &GlobalArgs) -> Result<Option<Box<dyn Seal>>, Fault> {
     Ok(None)
 }
 
-/// The words that tell another process of this program which store machines share; files by whole paths.
+/// The words that tell another process of this program which store machines share (files by whole paths), and what
+/// programs of a pipeline may.
 pub(super) fn words(global: &GlobalArgs) -> Result<Vec<String>, Fault> {
+    let mut words = super::programs::words(global);
     let Some(address) = &global.store else {
-        return Ok(vec![]);
+        return Ok(words);
     };
-    let mut words = vec!["--store".to_owned(), address.clone()];
+    words.extend(["--store".to_owned(), address.clone()]);
     for (word, file) in [("--sign-key", &global.sign_key), ("--trust", &global.trust)] {
         if let Some(file) = file {
             let file = std::path::absolute(file).map_err(Fault::input)?;

@@ -187,10 +187,15 @@ pub(crate) fn work(work: &Work, global: &GlobalArgs) -> Result<(), Fault> {
         if CANCEL.load(Ordering::Relaxed) {
             return Err(Fault::stopped());
         }
-        let worked = strands::work(&plan, strand, &pipeline, &options, &ear, &CANCEL);
+        let may = strands::graph(&plan, strand, &pipeline)
+            .map_err(Fault::input)
+            .and_then(|graph| permitted(&graph, global));
+        let worked = may.and_then(|()| {
+            strands::work(&plan, strand, &pipeline, &options, &ear, &CANCEL).map_err(Fault::input)
+        });
         let answer = match worked {
             Ok(worked) => answer(strand, &worked),
-            Err(why) => json!({ "strand": strand, "why": why.to_string() }),
+            Err(why) => json!({ "strand": strand, "why": why.text() }),
         };
         if let Some(why) = answer["why"].as_str() {
             failed.push(strand.to_string());

@@ -15,8 +15,8 @@ pub struct Rules<'a> {
     pub program: &'a Path,
     /// The store.
     pub cache: &'a Path,
-    /// The words that say which store machines share; none without one.
-    pub store: &'a [String],
+    /// The flags that hold for the work, too: the store that machines share, what programs may.
+    pub flags: &'a [String],
     /// Threads of a rule.
     pub threads: usize,
 }
@@ -30,7 +30,7 @@ impl Rules<'_> {
             quoted(self.program),
             self.name,
             quoted(self.cache),
-            super::slurm::shared(self.store),
+            super::slurm::flags(self.flags),
             self.threads
         )
     }

@@ -26,8 +26,8 @@ pub struct Wish {
     pub program: PathBuf,
     /// The store.
     pub cache: PathBuf,
-    /// The words that say which store machines share; none without one.
-    pub store: Vec<String>,
+    /// The flags that hold for the work, too: the store that machines share, what programs may.
+    pub flags: Vec<String>,
 }
 
 /// A plan's jobs.
@@ -133,12 +133,12 @@ impl Slurm<'_> {
              first=$(({first} + SLURM_ARRAY_TASK_ID * {pack}))\n\
              last=$((first + {pack} - 1))\n\
              if [ \"$last\" -gt {last} ]; then last={last}; fi\n\
-             exec {program} work --plan {name} --strand \"$first-$last\" --cache {cache}{store} \\\n  \
+             exec {program} work --plan {name} --strand \"$first-$last\" --cache {cache}{flags} \\\n  \
              --threads \"${{SLURM_CPUS_PER_TASK:-1}}\" --quiet\n",
             name = self.name,
             program = quoted(&wish.program.to_string_lossy()),
             cache = quoted(&wish.cache.to_string_lossy()),
-            store = shared(&wish.store),
+            flags = flags(&wish.flags),
         )
     }
 
@@ -179,8 +179,8 @@ impl Slurm<'_> {
     }
 }
 
-/// The words for a shell that say which store machines share.
-pub(super) fn shared(words: &[String]) -> String {
+/// Flags, for a shell.
+pub(super) fn flags(words: &[String]) -> String {
     let one = |word: &String| match word.starts_with("--") {
         true => format!(" {word}"),
         false => format!(" {}", quoted(word)),

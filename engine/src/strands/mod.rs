@@ -19,4 +19,4 @@ pub use cut::{Strand, cut};
 pub use file::{InputLine, Plan, PlanError, PointLine, StrandLine};
 pub(crate) use planned::wanted;
 pub use planned::{Asked, Folders, Unplanned, planned};
-pub use work::{WorkError, Worked, pipeline, work};
+pub use work::{WorkError, Worked, graph, pipeline, work};

@@ -70,6 +70,15 @@ pub(super) fn recipe(graph: &Graph, nodes: &[usize]) -> String {
     steady.0.finish().to_hex().to_string()
 }
 
+/// The graph of a strand.
+///
+/// # Errors
+///
+/// There is no such strand, or it would make something else than was planned.
+pub fn graph(plan: &Plan, strand: usize, pipeline: &Pipeline) -> Result<Graph, WorkError> {
+    bound(plan, strand, pipeline).map(|(graph, ..)| graph)
+}
+
 /// The graph of a strand with the files of its inputs, and its nodes.
 ///
 /// # Errors
