@@ -192,6 +192,30 @@ fn forget_names_the_folders_of_results_that_stay_and_removes_what_is_theirs() {
 }
 
 #[test]
+fn the_folder_of_a_sweep_is_named_and_removed_as_that_of_a_run() {
+    let place = Place::new();
+    place.write("turn.toml", TURN);
+    place.photos("anna", 3);
+    let sweep = "sweep turn.toml --input photos=anna --sweep tags.most=1,2 --out far/tables";
+    place.run(sweep).code(0);
+    let table = place.path("far/tables/sweep.csv");
+    assert!(table.exists());
+    let said = place.run("cache forget anna").code(0).out;
+    assert!(said.contains("far/tables") && table.exists(), "{said}");
+    let said = place.run("cache forget anna --out far/tables").code(0).out;
+    assert!(!place.path("far/tables").exists(), "{said}");
+    // A later sweep says what an earlier one left.
+    place
+        .run("run turn.toml --input photos=anna --out far/tables")
+        .code(0);
+    let said = place.run(sweep).code(0).err;
+    assert!(
+        said.contains("left from an earlier run") && said.contains("tags.json"),
+        "{said}"
+    );
+}
+
+#[test]
 fn forget_removes_no_results_of_another_capture() {
     let place = run_into("results");
     place.photos("bert", 4);

@@ -8,6 +8,7 @@ use crate::delivery::{self, Delivery, Left};
 use crate::graph::Graph;
 use crate::outcome::Outcome;
 use crate::{out, pattern};
+use serde_json::Value;
 use std::path::{Path, PathBuf};
 
 /// A path as it is, as far as it is there yet.
@@ -83,9 +84,21 @@ pub fn finish(
     clean: bool,
     global: &GlobalArgs,
 ) -> Result<(), Fault> {
-    let Left { left, removed } = delivery
-        .finish(outcome.json(graph), clean)
-        .map_err(Fault::stage)?;
+    written(delivery, outcome.json(graph), clean, global)
+}
+
+/// Ends a delivery with what its `run.json` says, and tells what earlier runs left.
+///
+/// # Errors
+///
+/// The folder cannot be written.
+pub(super) fn written(
+    delivery: Delivery,
+    run: Value,
+    clean: bool,
+    global: &GlobalArgs,
+) -> Result<(), Fault> {
+    let Left { left, removed } = delivery.finish(run, clean).map_err(Fault::stage)?;
     if global.json || global.quiet {
         return Ok(());
     }

@@ -1,20 +1,24 @@
 //! `sweep`: every point of a sweep, one table.
 
+use super::deliver;
 use super::fault::Fault;
 use super::open::{folders, options};
 use super::program::GlobalArgs;
 use super::programs::{permitted, unguarded};
 use super::strands::written;
 use super::sweep_asked::{Asked, SweepArgs, asked, checked};
+use crate::delivery::{self, Delivery};
 use crate::graph::Graph;
 use crate::lasttime::History;
 use crate::outcome::Outcome;
 use crate::past::Of;
 use crate::recipe::{Overrides, Pipeline};
+use crate::store::Store;
 use crate::strands;
-use crate::sweep::{self, End, Errors, Outlook, Point, Row, Sweeping};
+use crate::sweep::{self, End, Errors, Outlook, Point, Row, Sweeping, outlook};
 use crate::walk::Watch;
-use crate::{delivery, sweep::outlook};
+use serde_json::json;
+use std::path::Path;
 use std::sync::atomic::Ordering;
 
 /// More points than this ask for `--yes`.
@@ -177,6 +181,27 @@ pub fn swept(
     Ok(Swept { asked, rows })
 }
 
+/// Writes the tables as a delivery: who forgets a folder that they came of hears of it.
+fn delivered(
+    out: &Path,
+    files: [(&str, String); 3],
+    args: &SweepArgs,
+    global: &GlobalArgs,
+) -> Result<(), Fault> {
+    let folders = folders(&args.change)?;
+    let of = deliver::whose(&folders);
+    let store = Store::open(&global.cache).map_err(Fault::input)?;
+    store.note_delivery(out, &of, &folders);
+    let mut delivery = Delivery::open(out, &of).map_err(Fault::stage)?;
+    delivery.begin().map_err(Fault::stage)?;
+    for (name, text) in files {
+        let file = [(String::new(), text.into_bytes())];
+        delivery.put(name, &file).map_err(Fault::stage)?;
+    }
+    let run = json!({ "program": global.catalog().program });
+    deliver::written(delivery, run, args.clean, global)
+}
+
 /// Prints and writes what came out; a point without a result is a failure, a stop is a stop.
 fn finish(args: &SweepArgs, global: &GlobalArgs, swept: &Swept) -> Result<(), Fault> {
     let Swept { asked, rows } = swept;
@@ -184,14 +209,12 @@ fn finish(args: &SweepArgs, global: &GlobalArgs, swept: &Swept) -> Result<(), Fa
     let json = swept.json(global.catalog().program);
     if let Some(folder) = &args.out {
         let pretty = serde_json::to_string_pretty(&json).expect("bug: JSON");
-        for (file, text) in [
+        let files = [
             ("sweep.csv", sweep::csv(rows)),
             ("sweep.json", pretty),
             ("sweep.html", sweep::page(name, about, rows)),
-        ] {
-            let file = folder.join(file);
-            delivery::write(&file, &[(String::new(), text.into_bytes())]).map_err(Fault::stage)?;
-        }
+        ];
+        delivered(folder, files, args, global)?;
     }
     match global.json {
         true => crate::outln!(

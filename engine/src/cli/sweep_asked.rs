@@ -33,6 +33,9 @@ pub struct SweepArgs {
     /// Write sweep.csv, sweep.json and sweep.html into this folder
     #[arg(long)]
     pub(super) out: Option<PathBuf>,
+    /// Remove from that folder what an earlier run wrote there and this one does not
+    #[arg(long, requires = "out")]
+    pub(super) clean: bool,
     /// Cut it into strands for a cluster instead of running it; the plan lies in the cache, its name is told
     #[arg(long, conflicts_with_all = ["out", "truth"])]
     pub(super) strands: bool,
