@@ -20,6 +20,8 @@ pub(super) struct Gone {
     pub(super) results_bytes: u64,
     /// Folders from which some of that came as well: it is made again for them.
     pub(super) shared: Vec<String>,
+    /// What may have come of it, could not be read, and stays in the cache.
+    pub(super) unread: Vec<String>,
 }
 
 /// Removes a capture. Nothing goes while something is measured in the same cache.
@@ -46,5 +48,6 @@ pub(super) fn delete(app: &App, place: &Place) -> Result<Gone, Wrong> {
         results: forgotten.results,
         results_bytes: forgotten.bytes,
         shared: forgotten.shared,
+        unread: forgotten.unread,
     })
 }

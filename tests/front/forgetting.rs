@@ -48,8 +48,8 @@ fn a_broken_record_hides_nothing_from_forgetting() {
         fs::write(record, bytes).unwrap();
     }
     assert_eq!(records.len(), 1);
-    let said = place.run("cache forget anna").code(0);
-    assert!(said.out.contains("could not be read"), "{}", said.out);
+    let said = place.run("cache forget anna").code(1);
+    assert!(said.err.contains("could not be read"), "{}", said.err);
     gone(&place, &inner);
     assert_eq!(
         files_with(&place, "cache/ac", "pose.tags"),

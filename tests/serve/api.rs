@@ -222,3 +222,24 @@ fn with_lan_the_machine_answers_under_its_address_in_the_network_or_says_that_th
     );
     ask("evil.example").is(403);
 }
+
+#[test]
+fn what_cannot_be_read_when_a_capture_is_deleted_is_named() {
+    let server = Server::new();
+    // A record as a newer version of the program writes it.
+    let body = "{ \"version\": 99 }\n";
+    let record = format!("{}\n{body}", blake3::hash(body.as_bytes()).to_hex());
+    let name = format!("ab{}", "0".repeat(62));
+    std::fs::create_dir_all(server.path("cache/ac/ab")).unwrap();
+    let newer = server.path("cache/ac/ab").join(&name);
+    std::fs::write(&newer, record).unwrap();
+    let id = server.capture("Anna");
+    let gone = server.ask("DELETE", &format!("/api/captures/{id}"), &Value::Null);
+    let gone = gone.is(200).json();
+    assert!(
+        gone["unread"][0].as_str().unwrap().contains(&name),
+        "{gone}"
+    );
+    assert!(newer.exists() && !server.path(&format!("captures/captures/{id}")).exists());
+    fits(&document(), "Gone", &gone);
+}

@@ -100,7 +100,7 @@ pub(super) fn forget_folder(
         .into_keys()
         .filter(|out| gone.iter().all(|(g, _)| g != out));
     let stay: Vec<String> = stay.map(|out| out.display().to_string()).collect();
-    if !forgotten.known && gone.is_empty() && forgotten.unread.is_empty() {
+    if !forgotten.known && gone.is_empty() && forgotten.unread.is_empty() && forgotten.broken == 0 {
         let mut why = format!(
             "nothing in {} came of {}: was it made with another cache (--cache), or has the folder another path and other files since?",
             global.cache.display(),

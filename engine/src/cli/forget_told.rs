@@ -18,7 +18,7 @@ pub(super) fn remains(out: &str) -> String {
 ///
 /// # Errors
 ///
-/// Something that may have come of the folder could not be read, and stays.
+/// Something that may have come of the folder could not be read, whether it stays or went.
 pub(super) fn told(
     f: &Forgotten,
     stay: &[String],
@@ -36,7 +36,7 @@ pub(super) fn told(
                 "unnamed": f.unnamed, "unread": f.unread,
             })
         );
-        return match f.unread.is_empty() {
+        return match f.unread.is_empty() && f.broken == 0 {
             true => Ok(()),
             false => Err(Fault::stage("")),
         };
@@ -52,13 +52,29 @@ pub(super) fn told(
     }
     stay.iter()
         .for_each(|out| crate::outln!("{}", remains(out)));
-    match f.unread.is_empty() {
+    let wrong = unread(f);
+    match wrong.is_empty() {
         true => Ok(()),
-        false => Err(Fault::stage(format!(
+        false => Err(Fault::stage(wrong.join("\n"))),
+    }
+}
+
+/// What could not be read: what went without anybody knowing whose it was, and what stays.
+fn unread(f: &Forgotten) -> Vec<String> {
+    let mut lines = Vec::new();
+    if f.broken > 0 {
+        lines.push(format!(
+            "{} could not be read, as of a broken disk: removed with all that may have come of them, of other captures, too; that is made again when needed",
+            count(f.broken, "record")
+        ));
+    }
+    if !f.unread.is_empty() {
+        lines.push(format!(
             "not all of it may be gone, since these could not be read: {}; a newer program wrote them, or they are not yours: run this again with the program that wrote them, or remove them",
             f.unread.join(", ")
-        ))),
+        ));
     }
+    lines
 }
 
 /// What went of the store, and why some of it did.
@@ -68,12 +84,6 @@ fn lines(f: &Forgotten) -> Vec<String> {
     if f.known {
         lines.push(format!(
             "forgotten: results {results} ({freed:.1} MiB), records of runs {runs}, all unfinished parts"
-        ));
-    }
-    if f.broken > 0 {
-        lines.push(format!(
-            "{} could not be read: removed with all that may have come of them",
-            count(f.broken, "record")
         ));
     }
     if f.untraced > 0 {

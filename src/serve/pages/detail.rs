@@ -137,6 +137,9 @@ pub(crate) fn gone(words: Words, name: &str, gone: &Gone) -> Markup {
             li { (words.with("gone-results", &[("count", gone.results.into()), ("size", results.into())])) }
         } }
         @if !gone.shared.is_empty() { p { (words.say("gone-shared")) } }
+        @if !gone.unread.is_empty() {
+            div role="alert" { p { (words.say("gone-unread")) } ul { @for file in &gone.unread { li { code { (file) } } } } }
+        }
         p { a href="/" { (words.say("to-start")) } }
     };
     page(words, &title, "/", &[], main)

@@ -199,6 +199,7 @@ gone-results = { $count ->
     [one] ein Ergebnis im Zwischenspeicher ({ $size } MB)
    *[other] { $count } Ergebnisse im Zwischenspeicher ({ $size } MB)
 }
+gone-unread = Vielleicht ist nicht alles gelöscht: Diese Dateien im Zwischenspeicher hat eine neuere Version des Programms geschrieben, oder sie sind nicht lesbar. Löschen Sie sie, oder lassen Sie das Programm, das sie geschrieben hat, die Aufnahme vergessen.
 gone-shared = Eine andere Aufnahme hatte dieselben Fotos: Was von ihren Ergebnissen verschwand, wird beim Messen neu gemacht.
 
 # Was schiefgehen kann

@@ -199,6 +199,7 @@ gone-results = { $count ->
     [one] one result in the cache ({ $size } MB)
    *[other] { $count } results in the cache ({ $size } MB)
 }
+gone-unread = Not all of it may be gone: a newer version of the program wrote these files in the cache, or they cannot be read. Remove them, or let the program that wrote them forget the capture.
 gone-shared = Another capture had the same photos: what went of its results is made again when it is measured.
 
 # What can be wrong
