@@ -9,6 +9,8 @@ pub struct Fault {
     pub(super) text: String,
     /// What `--json` tells beside the text.
     pub(super) more: Map<String, Value>,
+    /// What is wrong with a pipeline, place by place.
+    pub(super) mistakes: Option<Box<Mistakes>>,
 }
 
 impl Fault {
@@ -18,18 +20,16 @@ impl Fault {
             code: 2,
             text: text.to_string(),
             more: Map::new(),
+            mistakes: None,
         }
     }
 
     /// The pipeline is wrong: every mistake with its place.
     pub fn mistakes(mistakes: Mistakes) -> Fault {
-        let more = match mistakes.json() {
-            Value::Object(more) => more,
-            _ => Map::new(),
-        };
+        let text = mistakes.to_string();
         Fault {
-            more,
-            ..Fault::input(mistakes)
+            mistakes: Some(Box::new(mistakes)),
+            ..Fault::input(text)
         }
     }
 
@@ -79,6 +79,9 @@ impl Fault {
     /// What `--json` tells.
     pub fn json(self) -> Value {
         let mut answer = self.more;
+        if let Some(Value::Object(mistakes)) = self.mistakes.map(|mistakes| mistakes.json()) {
+            answer.extend(mistakes);
+        }
         answer.insert("error".into(), self.text.into());
         answer.insert("code".into(), self.code.into());
         Value::Object(answer)
