@@ -3,8 +3,8 @@
 use engine::Kind;
 use io::{document_extension, files};
 use shape::{
-    Aligned, Cameras, Document, Evidence, GirthId, Girths, Keypoints, Labels, Landmarks, Masks,
-    Mesh, People, Photos, Scene, Side, Tags, Textured, Tracks, Unit, Warps,
+    Aligned, Cameras, Document, Evidence, GirthId, Girths, Keypoints, Labels, Landmarks, LostParts,
+    Masks, Mesh, People, Photos, Scene, Side, Tags, Textured, Tracks, Unit, Warps,
 };
 use stage::{Artifact, Metric};
 
@@ -54,6 +54,7 @@ pub const KINDS: &[Kind] = &[
     written(Warps::KIND, &["json"]),
     on_photos(Keypoints::KIND, &["png"]),
     on_photos(People::KIND, &["png", "json"]),
+    on_photos(LostParts::KIND, &["json"]),
     on_photos(Tracks::KIND, &["png", "json"]),
 ];
 

@@ -440,6 +440,10 @@ class Sway(Artifact):
     """How the body moved against the disk: ``document`` has ``photo``, ``R``, ``t`` of each photo."""
 
 
+class LostParts(Artifact):
+    """Parts of a person that masks leave out; ``document`` as ``show --as json`` writes it."""
+
+
 class Person(Artifact):
     """Who is measured: ``document`` has ``sex``, ``born`` and ``age_months``, each None where nobody said it."""
 
@@ -463,6 +467,7 @@ READERS: Dict[str, Callable[..., Artifact]] = {
     "keypoints": Keypoints,
     "labels": Labels,
     "landmarks": Landmarks,
+    "lost_parts": LostParts,
     "masks": Masks,
     "mesh": Mesh,
     "people": People,

@@ -2,7 +2,7 @@
 //! `words/` that say the same in the reader's language.
 
 #[rustfmt::skip]
-pub(super) const WARNINGS: [(&str, &str); 135] = [
+pub(super) const WARNINGS: [(&str, &str); 136] = [
     ("frames of a video are not at even steps: `step_deg` was passed over (how many are taken: --set frames.step_deg=)", "warn-video-steps"),
     ("* is the same file as * and was left out: if another photo should be in its place, put it there", "warn-same-file"),
     ("* is the same file as * and was left out", "warn-same-raw"),
@@ -136,6 +136,7 @@ pub(super) const WARNINGS: [(&str, &str); 135] = [
     ("masks leave out an arm or a part of it on *, where a learned sense of a person sees it: look at these masks", "warn-lost-arm"),
     ("masks leave out a leg or a part of it on *, where a learned sense of a person sees it: look at these masks", "warn-lost-leg"),
     ("masks leave out a foot or a part of it on *, where a learned sense of a person sees it: look at these masks", "warn-lost-foot"),
+    ("* of * masks leave out a part of the body that this needs: correct these masks, or take a photo of the empty scene as the plate", "warn-mostly-lost"),
     ("masks have body on * where a learned sense of a person sees none: look at these masks", "warn-kept-body"),
     ("known lengths contradict each other: correct one of them, or leave one out", "warn-lengths"),
 ];

@@ -23,7 +23,16 @@ const PARTS: [(&str, &[&str]); 7] = [
     ),
     (
         "masks",
-        &["aligned", "plate", "scene", "evidence", "labels", "masks"],
+        &[
+            "people",
+            "aligned",
+            "plate",
+            "scene",
+            "evidence",
+            "labels",
+            "masks",
+            "lost_parts",
+        ],
     ),
     ("hull", &["rough", "compensated_coarse", "hull"]),
     (

@@ -328,6 +328,7 @@ warn-lost-trunk = Umrisse lassen einen Teil des Rumpfs auf { $a } weg, wo ein ge
 warn-lost-arm = Umrisse lassen einen Arm oder einen Teil davon auf { $a } weg, wo ein gelernter Blick auf Menschen ihn sieht: diese Umrisse ansehen
 warn-lost-leg = Umrisse lassen ein Bein oder einen Teil davon auf { $a } weg, wo ein gelernter Blick auf Menschen es sieht: diese Umrisse ansehen
 warn-lost-foot = Umrisse lassen einen Fuß oder einen Teil davon auf { $a } weg, wo ein gelernter Blick auf Menschen ihn sieht: diese Umrisse ansehen
+warn-mostly-lost = { $a } von { $b } Umrissen lassen einen Teil des Körpers weg, der dafür gebraucht wird: diese Umrisse berichtigen oder ein Foto der leeren Szene aufnehmen (plate.jpg)
 warn-kept-body = Umrisse zeigen auf { $a } Körper, wo ein gelernter Blick auf Menschen keinen sieht: diese Umrisse ansehen
 warn-nobody = auf { $a } ist niemand zu sehen, obwohl die anderen Fotos einen Menschen zeigen: ist es die leere Szene, oder verdeckt etwas den Menschen? Noch einmal aufnehmen oder weglassen
 warn-several = auf { $a } ist mehr als ein Mensch zu sehen: gemessen wird nur, wer sich dreht; solche Fotos ohne andere Menschen, Spiegel oder Bilder von Menschen noch einmal aufnehmen

@@ -328,6 +328,7 @@ warn-lost-trunk = outlines leave out a part of the trunk on { $a }, where a lear
 warn-lost-arm = outlines leave out an arm or a part of it on { $a }, where a learned sense of a person sees it: look at these outlines
 warn-lost-leg = outlines leave out a leg or a part of it on { $a }, where a learned sense of a person sees it: look at these outlines
 warn-lost-foot = outlines leave out a foot or a part of it on { $a }, where a learned sense of a person sees it: look at these outlines
+warn-mostly-lost = { $a } of { $b } outlines leave out a part of the body that this needs: correct these outlines, or take a photo of the empty scene as the plate
 warn-kept-body = outlines have body on { $a } where a learned sense of a person sees none: look at these outlines
 warn-nobody = nobody is seen on { $a }, though the other photos show a person: is it the empty scene, or does something hide the person? Take it again, or leave it out
 warn-several = more than one person is seen on { $a }: only the one who turns is measured; take such photos again without anybody else, mirrors, or pictures of people

@@ -13,7 +13,7 @@ use crate::marks::{keypoints_to_png, tracks_to_png};
 use crate::mask_steps::{aligned_to_jpeg, evidence_to_png, labels_to_png, scene_to_png};
 use crate::middlebury::cameras_to_middlebury;
 use crate::obj::{mesh_to_obj, textured_to_obj};
-use crate::people::{people_to_json, people_to_png};
+use crate::people::{lost_parts_to_json, people_to_json, people_to_png};
 use crate::ring::cameras_to_svg;
 use crate::sheet::masks_to_sheet;
 use crate::stl::mesh_to_stl;
@@ -21,8 +21,9 @@ use crate::three_mf::mesh_to_3mf;
 use crate::views::mesh_to_views;
 use crate::write_error::WriteError;
 use shape::{
-    Aligned, Cameras, Document, Evidence, Girths, Keypoints, Labels, Landmarks, Masks, Mesh,
-    People, Photos, Scene, Tags, Textured, Tracks, Warps, gray_to_png, mesh_to_ply, rgb_to_jpeg,
+    Aligned, Cameras, Document, Evidence, Girths, Keypoints, Labels, Landmarks, LostParts, Masks,
+    Mesh, People, Photos, Scene, Tags, Textured, Tracks, Warps, gray_to_png, mesh_to_ply,
+    rgb_to_jpeg,
 };
 use stage::AnyArtifact;
 use std::path::Path;
@@ -108,6 +109,7 @@ pub fn files(
         ("tags", _) => one(tags_to_json(&*take!(Tags)).into_bytes()),
         ("people", "json") => one(people_to_json(&*take!(People), names).into_bytes()),
         ("people", _) => Ok(people_to_png(&*take!(People), names)?),
+        ("lost_parts", _) => one(lost_parts_to_json(&*take!(LostParts), names).into_bytes()),
         ("photos", _) => Ok(photos_to_capture(&*take!(Photos))),
         ("aligned", _) => Ok(aligned_to_jpeg(&*take!(Aligned), names)?),
         ("scene", _) => Ok(scene_to_png(&*take!(Scene))),

@@ -1,9 +1,9 @@
-//! People on photos: as JSON, and drawn on the photos.
+//! People on photos, and what masks lose of them: as JSON, and drawn on the photos.
 
 use crate::marks::{drawn, line};
 use nalgebra::Point2;
 use serde_json::{Value, json};
-use shape::{Found, Joint, People, PhotoError, Photos, Rgb};
+use shape::{BodyPart, Found, Joint, LostParts, People, PhotoError, PhotoId, Photos, Rgb};
 
 /// Which joints are drawn as one line, by their places in [`Found::JOINTS`].
 const BONES: [[usize; 2]; 21] = [
@@ -50,13 +50,26 @@ pub fn people_to_json(people: &People, photos: &Photos) -> String {
             "joints": joints.collect::<Vec<Value>>(),
         })
     };
-    let view = |(id, found): (shape::PhotoId, &Vec<Found>)| {
+    let view = |(id, found): (PhotoId, &Vec<Found>)| {
         let all: Vec<Value> = found.iter().map(one).collect();
         json!({ "photo": id.0, "name": photos.get(id).map(|p| &p.name), "people": all })
     };
     let views: Vec<Value> = people.views.iter().map(view).collect();
     let all = json!({ "person": people.person, "views": views });
     serde_json::to_string_pretty(&all).expect("bug: people JSON cannot hold")
+}
+
+/// By part of the body the photos whose masks leave out some of it, and those with body where no person is seen, by name.
+pub fn lost_parts_to_json(parts: &LostParts, photos: &Photos) -> String {
+    let names = |ids: &[PhotoId]| -> Vec<Value> {
+        let name =
+            |id: &PhotoId| json!({ "photo": id.0, "name": photos.get(*id).map(|p| &p.name) });
+        ids.iter().map(name).collect()
+    };
+    let part = |part: BodyPart| (part.word().to_owned(), names(parts.of(part)).into());
+    let lost: serde_json::Map<String, Value> = BodyPart::ALL.into_iter().map(part).collect();
+    let all = json!({ "photos": parts.photos, "lost": lost, "added": names(&parts.added) });
+    serde_json::to_string_pretty(&all).expect("bug: lost parts JSON cannot hold")
 }
 
 /// Each photo with everybody drawn on it, named as the photo: the border of the coarse mask (green for who is followed),
@@ -155,5 +168,10 @@ mod tests {
         assert_eq!(drawn[0].0, "a.png");
         let plain = people_to_png(&People::default(), &photos).unwrap();
         assert_ne!(drawn[0].1, plain[0].1);
+        let mut parts = LostParts::default();
+        parts.lost[BodyPart::Legs as usize].push(PhotoId(0));
+        let told: Value = serde_json::from_str(&lost_parts_to_json(&parts, &photos)).unwrap();
+        assert_eq!(told["lost"]["legs"][0]["name"], "a.png");
+        assert_eq!(told["lost"]["head"], json!([]));
     }
 }

@@ -67,6 +67,7 @@ fn body(path: &Path) -> Result<Vec<Vec<String>>, Fault> {
         photos: None,
         masks: None,
         person: None,
+        lost_parts: None,
     };
     let girths = Measure::run(&Default::default(), input, &Ctx::alone()).map_err(stopped)?;
     let number = |v: Option<f64>| v.map_or(String::new(), |v| format!("{v:.1}"));

@@ -1,8 +1,8 @@
 //! Why a body was refused: what photos and facts tell of the cause, where the surface alone shows only that legs or feet are missing.
 
 use shape::{
-    CONTRADICTION, Cameras, GIVEN_STATURE, Girths, Length, Masks, Mesh, PhotoId, Refusal, Rig,
-    Scale, Unit, coherence,
+    BodyPart, CONTRADICTION, Cameras, GIVEN_STATURE, Girths, Length, LostParts, Masks, Mesh,
+    PhotoId, Refusal, Rig, Scale, Unit, coherence,
 };
 
 /// A photo whose outline has less than this share of the usual area shows no subject (by hand).
@@ -24,6 +24,8 @@ pub(crate) struct Evidence<'a> {
     pub(crate) cameras: Option<&'a Cameras>,
     /// The silhouettes.
     pub(crate) masks: Option<&'a Masks>,
+    /// Parts of the body that masks leave out.
+    pub(crate) lost_parts: Option<&'a LostParts>,
     /// What is known of the capture.
     pub(crate) rig: &'a Rig,
 }
@@ -57,7 +59,9 @@ pub(crate) fn explain(girths: &mut Girths, input: &Evidence<'_>) {
 fn cause(unit: Unit, input: &Evidence<'_>) -> Option<(Refusal, String)> {
     let photos = input.cameras.zip(input.masks);
     let by_photos = photos.and_then(|(cameras, masks)| {
-        empty(cameras, masks).or_else(|| outlines(input, cameras, masks))
+        empty(cameras, masks)
+            .or_else(|| input.lost_parts.and_then(lost))
+            .or_else(|| outlines(input, cameras, masks))
     });
     let known = || short(input).or_else(|| light(input));
     by_photos.or_else(|| known().filter(|_| unit == Unit::Metric))
@@ -92,6 +96,25 @@ fn empty(cameras: &Cameras, masks: &Masks) -> Option<(Refusal, String)> {
             "next to no subject is seen on {named}: leave such photos out, or correct their masks"
         );
         (Refusal::EmptyPhoto, why)
+    })
+}
+
+/// A part of the body that most masks leave out.
+fn lost(parts: &LostParts) -> Option<(Refusal, String)> {
+    let first = BodyPart::ALL
+        .into_iter()
+        .find_map(|part| left_out(parts, part));
+    first.map(|why| (Refusal::Incomplete, why))
+}
+
+/// Why nothing around a part can be measured, where most masks leave it out.
+pub(crate) fn left_out(parts: &LostParts, part: BodyPart) -> Option<String> {
+    parts.mostly(part).then(|| {
+        format!(
+            "{} of {} masks leave out a part of the body that this needs: correct these masks, or take a photo of the empty scene as the plate",
+            parts.of(part).len(),
+            parts.photos
+        )
     })
 }
 

@@ -1,6 +1,6 @@
 //! The stage that measures: contour, tape and the paper's spline at each landmark.
 
-use crate::causes::{Evidence, Tall, disputed, explain};
+use crate::causes::{Evidence, Tall, disputed, explain, left_out};
 use crate::derive::{Known, compress, derive, profile, withhold};
 use crate::features::body::{Body, HipAt, body};
 use crate::growth::growth;
@@ -13,7 +13,8 @@ use crate::uncertainty::interval::{Level, level_spread};
 use crate::uncertainty::outlines::{by_silhouettes, open_mm};
 use crate::uncertainty::told::{Seen, Sure};
 use shape::{
-    Cameras, GirthId, Girths, Landmark, Landmarks, Masks, Mesh, Missing, Person, Photos, Refusal,
+    BodyPart, Cameras, GirthId, Girths, Landmark, Landmarks, LostParts, Masks, Mesh, Missing,
+    Person, Photos, Refusal,
 };
 use stage::{Ctx, Stage, Stop};
 use std::f64::consts::TAU;
@@ -51,6 +52,8 @@ stage::inputs! {
         masks: Option<Arc<Masks>>,
         /// Who is measured: growth references for a child, thresholds for adults.
         person: Option<Arc<Person>>,
+        /// Parts of the body that masks leave out: where most do, girths around them are refused.
+        lost_parts: Option<Arc<LostParts>>,
     }
 }
 
@@ -81,6 +84,14 @@ impl Stage for Measure {
         let steps = ctx.steps("girths", 2 * landmarks.found.len());
         let mut all: Vec<(&Landmark, SectionMeasurement, Seen)> = Vec::new();
         for landmark in &landmarks.found {
+            if let Some(why) = lost(&input, landmark) {
+                girths.missing.push(Missing {
+                    name: landmark.name.clone(),
+                    ..Missing::because(landmark.id, Refusal::Incomplete, &why)
+                });
+                steps.tick()?;
+                continue;
+            }
             match taken(mesh, body.as_ref(), landmark) {
                 Ok(here) => {
                     let seen = seen(body.as_ref(), landmark, &here, &input, outlines.as_ref());
@@ -118,6 +129,7 @@ impl Stage for Measure {
             mesh,
             cameras: input.cameras.as_deref(),
             masks: input.masks.as_deref(),
+            lost_parts: input.lost_parts.as_deref(),
             rig: &rig,
         };
         let tall = Tall {
@@ -183,6 +195,12 @@ fn refuse(landmark: &Landmark, reason: Refusal, girths: &mut Girths) {
         name: landmark.name.clone(),
         ..Missing::new(landmark.id, reason)
     });
+}
+
+/// Why a girth around a part that most masks leave out is not given.
+fn lost(input: &GirthInput, landmark: &Landmark) -> Option<String> {
+    let part = BodyPart::of(landmark.region)?;
+    left_out(input.lost_parts.as_deref()?, part)
 }
 
 /// What outlines tell of a section.

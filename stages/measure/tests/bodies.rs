@@ -94,6 +94,7 @@ fn every_girth_of_a_standing_body_is_found_and_is_its_formulas_at_that_plane() {
         photos: None,
         masks: None,
         person: None,
+        lost_parts: None,
     };
     let girths = Measure::run(&params, input, &Ctx::alone()).unwrap();
     let picked = girths.get("PICKED").unwrap();

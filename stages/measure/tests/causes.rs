@@ -6,8 +6,8 @@ mod made;
 use measure::{FindLandmarks, GirthInput, LandmarkInput, Measure};
 use nalgebra::{Matrix3, Rotation3, Vector3};
 use shape::{
-    Camera, Cameras, Girths, Intrinsics, Mask, Masks, Mesh, Missing, PhotoId, Photos, Pose,
-    Refusal, Rig, Scale, View,
+    BodyPart, Camera, Cameras, Girths, Intrinsics, LostParts, Mask, Masks, Mesh, Missing, PhotoId,
+    Photos, Pose, Refusal, Rig, Scale, View,
 };
 use stage::{Ctx, Host, Stage};
 use std::sync::{Arc, Mutex};
@@ -85,6 +85,16 @@ impl Host for Heard {
 
 /// Girths of a surface with photos and facts; what was warned of.
 fn measured(mesh: &Mesh, masks: Masks, rig: Rig) -> (Girths, Vec<String>) {
+    with_lost(mesh, masks, rig, None)
+}
+
+/// The same where masks are known to leave out parts of the body.
+fn with_lost(
+    mesh: &Mesh,
+    masks: Masks,
+    rig: Rig,
+    lost_parts: Option<LostParts>,
+) -> (Girths, Vec<String>) {
     let mesh = Arc::new(mesh.clone());
     let cameras = Some(Arc::new(cameras()));
     let input = LandmarkInput {
@@ -107,6 +117,7 @@ fn measured(mesh: &Mesh, masks: Masks, rig: Rig) -> (Girths, Vec<String>) {
         photos: Some(Arc::new(photos)),
         masks: Some(Arc::new(masks)),
         person: None,
+        lost_parts: lost_parts.map(Arc::new),
     };
     let girths = Measure::run(&Default::default(), input, &ctx).unwrap();
     (girths, heard.0.into_inner().unwrap())
@@ -200,4 +211,35 @@ fn a_refused_body_names_its_cause_once() {
         [Refusal::NoLegs, Refusal::NotUpright].contains(&unknown.reason),
         "{unknown:?}"
     );
+}
+
+#[test]
+fn legs_that_most_masks_leave_out_have_no_girths_and_those_of_one_mask_have() {
+    let body = made::meshed(&made::built(1700.0, 1.0, 12.0), 12.0);
+    let whole = masks(&body, &cameras());
+    let told = |photos: u32| {
+        let mut parts = LostParts {
+            photos: PHOTOS,
+            ..LostParts::default()
+        };
+        parts.lost[BodyPart::Legs as usize] = (0..photos).map(PhotoId).collect();
+        with_lost(&body, whole.clone(), Rig::default(), Some(parts))
+    };
+    let names =
+        |girths: &Girths| -> Vec<String> { girths.girths.iter().map(|g| g.name.clone()).collect() };
+    let (one, _) = told(1);
+    assert_eq!(
+        names(&one),
+        names(&measured(&body, whole.clone(), Rig::default()).0)
+    );
+    let (most, warned) = told(7);
+    let left: Vec<String> = names(&one)
+        .into_iter()
+        .filter(|name| !name.starts_with("TC") && !name.starts_with("CFC"))
+        .collect();
+    assert!(left.len() < one.girths.len(), "{:?}", names(&one));
+    assert_eq!(names(&most), left);
+    let why = "7 of 12 masks leave out a part of the body that this needs";
+    let told = warned.iter().filter(|w| w.contains(why)).count();
+    assert_eq!(told, 1, "{warned:#?}");
 }

@@ -41,6 +41,7 @@ fn girths_by(
         photos: None,
         masks: None,
         person: None,
+        lost_parts: None,
     };
     Measure::run(params, input, &Ctx::alone()).unwrap()
 }
@@ -260,6 +261,7 @@ fn a_child_is_told_beside_the_growth_reference_and_what_lacks_is_warned_of() {
             photos: Some(Arc::new(photos)),
             masks: None,
             person: Some(Arc::new(person)),
+            lost_parts: None,
         };
         let heard = Heard::default();
         let nothing = stage::hash(b"");

@@ -42,6 +42,7 @@ fn a_stature_that_contradicts_the_surface_takes_all_that_depends_on_either_with_
             photos: Some(Arc::new(photos)),
             masks: None,
             person: None,
+            lost_parts: None,
         };
         Measure::run(&GirthParams::default(), input, &Ctx::alone()).unwrap()
     };

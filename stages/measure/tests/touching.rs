@@ -75,6 +75,7 @@ fn measured(mesh: Mesh, firm: bool) -> Girths {
         photos: None,
         masks: None,
         person: None,
+        lost_parts: None,
     };
     Measure::run(&Default::default(), input, &Ctx::alone()).unwrap()
 }

@@ -1,7 +1,7 @@
 //! Where a person is on each photo, by networks that were trained elsewhere.
 //!
 //! `photos` → [`FindPeople`] → `people`
-//! `masks`, `people`, `photos` → [`Alarm`] → `masks`
+//! `masks`, `people`, `photos` → [`Alarm`] → `lost_parts`
 //!
 //! `net/` runs a network of `models/person/`; `body/` finds people on a photo with two of them, and
 //! `turn.rs` says what all photos say together, `odd.rs` what
@@ -19,7 +19,7 @@ pub use alarm::{Alarm, AlarmInput, AlarmParams};
 pub use body::Networks;
 pub use find::{FindPeople, FindPeopleInput, FindPeopleParams};
 pub use net::{Network, Tensor, Unreadable};
-pub use regions::{Disagreement, Region, disagreement};
+pub use regions::{Disagreement, disagreement};
 
 /// Every stage of this crate.
 pub const STAGES: &[&dyn stage::AnyStage] =

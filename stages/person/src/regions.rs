@@ -1,40 +1,14 @@
 //! Where a mask and the learned one disagree by more than the learned one's own width, by region of the body.
 
 use nalgebra::Point2;
-use shape::{Found, Mask};
+use shape::{BodyPart, Found, Mask};
 
-/// A part of the body, by its joints.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
-pub enum Region {
-    /// Face and crown.
-    Head,
-    /// Shoulders to hips.
-    Trunk,
-    /// Both arms.
-    Arms,
-    /// Both legs, to the ankles.
-    Legs,
-    /// Both feet.
-    Feet,
-}
-
-impl Region {
-    /// All of them.
-    pub const ALL: [Region; 5] = [
-        Region::Head,
-        Region::Trunk,
-        Region::Arms,
-        Region::Legs,
-        Region::Feet,
-    ];
-}
-
-/// What two masks disagree in, as shares of the region's area on the learned mask.
+/// What two masks disagree in, as shares of the region.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Disagreement {
-    /// Deep inside of the learned body, but not in the mask.
+    /// Not in the mask, of what lies deep inside of the learned body.
     pub lost: f64,
-    /// In the mask, but far outside of the learned body.
+    /// In the mask, but far outside of the learned body; as a share of the learned region.
     pub kept: f64,
 }
 
@@ -43,35 +17,35 @@ pub struct Disagreement {
 const WIDTH_PX: usize = 2;
 
 /// Lines between joints, by their places in [`Found::JOINTS`]: what lies nearest to one is of its region.
-const BONES: [(Region, usize, usize); 25] = [
-    (Region::Head, 0, 7),
-    (Region::Head, 0, 8),
-    (Region::Head, 7, 8),
-    (Region::Trunk, 11, 12),
-    (Region::Trunk, 11, 23),
-    (Region::Trunk, 12, 24),
-    (Region::Trunk, 23, 24),
-    (Region::Trunk, 11, 24),
-    (Region::Trunk, 12, 23),
-    (Region::Arms, 11, 13),
-    (Region::Arms, 13, 15),
-    (Region::Arms, 15, 19),
-    (Region::Arms, 12, 14),
-    (Region::Arms, 14, 16),
-    (Region::Arms, 16, 20),
-    (Region::Legs, 23, 25),
-    (Region::Legs, 25, 27),
-    (Region::Legs, 24, 26),
-    (Region::Legs, 26, 28),
-    (Region::Feet, 27, 29),
-    (Region::Feet, 29, 31),
-    (Region::Feet, 27, 31),
-    (Region::Feet, 28, 30),
-    (Region::Feet, 30, 32),
-    (Region::Feet, 28, 32),
+const BONES: [(BodyPart, usize, usize); 25] = [
+    (BodyPart::Head, 0, 7),
+    (BodyPart::Head, 0, 8),
+    (BodyPart::Head, 7, 8),
+    (BodyPart::Trunk, 11, 12),
+    (BodyPart::Trunk, 11, 23),
+    (BodyPart::Trunk, 12, 24),
+    (BodyPart::Trunk, 23, 24),
+    (BodyPart::Trunk, 11, 24),
+    (BodyPart::Trunk, 12, 23),
+    (BodyPart::Arms, 11, 13),
+    (BodyPart::Arms, 13, 15),
+    (BodyPart::Arms, 15, 19),
+    (BodyPart::Arms, 12, 14),
+    (BodyPart::Arms, 14, 16),
+    (BodyPart::Arms, 16, 20),
+    (BodyPart::Legs, 23, 25),
+    (BodyPart::Legs, 25, 27),
+    (BodyPart::Legs, 24, 26),
+    (BodyPart::Legs, 26, 28),
+    (BodyPart::Feet, 27, 29),
+    (BodyPart::Feet, 29, 31),
+    (BodyPart::Feet, 27, 31),
+    (BodyPart::Feet, 28, 30),
+    (BodyPart::Feet, 30, 32),
+    (BodyPart::Feet, 28, 32),
 ];
 
-/// By region, in the order of [`Region::ALL`].
+/// By region, in the order of [`BodyPart::ALL`].
 pub fn disagreement(found: &Found, mask: &Mask) -> [Disagreement; 5] {
     let (width, height) = (found.body.width, found.body.height);
     // Both masks on the network's pixels; what lies outside of the photo is neither.
@@ -91,7 +65,7 @@ pub fn disagreement(found: &Found, mask: &Mask) -> [Disagreement; 5] {
         .collect();
     let deep = spread(&learned, width, false);
     let near = spread(&learned, width, true);
-    let mut area = [0usize; 5];
+    let (mut area, mut inner) = ([0usize; 5], [0usize; 5]);
     let (mut lost, mut kept) = (area, area);
     for (i, at) in places.iter().enumerate().filter(|(i, _)| inside[*i]) {
         let shown = mask.shows(Point2::new(f64::from(at[0]), f64::from(at[1])));
@@ -101,21 +75,22 @@ pub fn disagreement(found: &Found, mask: &Mask) -> [Disagreement; 5] {
         }
         let region = region(found, *at) as usize;
         area[region] += usize::from(learned[i]);
+        inner[region] += usize::from(deep[i]);
         lost[region] += usize::from(is_lost);
         kept[region] += usize::from(is_kept);
     }
     std::array::from_fn(|k| {
-        let share = |count: usize| count as f64 / area[k].max(1) as f64;
+        let share = |count: usize, of: usize| count as f64 / of.max(1) as f64;
         Disagreement {
-            lost: share(lost[k]),
-            kept: share(kept[k]),
+            lost: share(lost[k], inner[k]),
+            kept: share(kept[k], area[k]),
         }
     })
 }
 
 /// The region of the line that a point is nearest to.
-fn region(found: &Found, at: [f32; 2]) -> Region {
-    let apart = |(_, a, b): &(Region, usize, usize)| {
+fn region(found: &Found, at: [f32; 2]) -> BodyPart {
+    let apart = |(_, a, b): &(BodyPart, usize, usize)| {
         let (a, b) = (found.joints[*a].at_px, found.joints[*b].at_px);
         let (along, to) = ([b[0] - a[0], b[1] - a[1]], [at[0] - a[0], at[1] - a[1]]);
         let length = along[0] * along[0] + along[1] * along[1];
@@ -125,7 +100,7 @@ fn region(found: &Found, at: [f32; 2]) -> Region {
         x * x + y * y
     };
     let nearest = BONES.iter().min_by(|a, b| apart(a).total_cmp(&apart(b)));
-    nearest.map_or(Region::Trunk, |b| b.0)
+    nearest.map_or(BodyPart::Trunk, |b| b.0)
 }
 
 /// Widened by the learned outline's width where `wider`, else narrowed; beyond the border lies what lies at it.

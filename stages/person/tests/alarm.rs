@@ -1,7 +1,7 @@
 //! Masks that lose a part of the body are named by photo and region; those that agree are passed over in silence.
 
 use person::{Alarm, AlarmInput, AlarmParams, FindPeople, FindPeopleInput, FindPeopleParams};
-use shape::{Masks, Photo, PhotoId, Photos};
+use shape::{BodyPart, LostParts, Masks, Photo, PhotoId, Photos};
 use stage::{Ctx, Host, Stage};
 use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex};
@@ -61,18 +61,23 @@ fn masks_without_legs_or_head_are_named_by_photo() {
             photos: photos.clone(),
         };
         let ctx = Ctx::new(&heard, nothing, nothing);
-        let out = Alarm::run(&AlarmParams::default(), input, &ctx).unwrap();
-        assert_eq!(out, *masks, "handed on as they came");
-        heard.0.into_inner().unwrap()
+        let parts = Alarm::run(&AlarmParams::default(), input, &ctx).unwrap();
+        (parts, heard.0.into_inner().unwrap())
     };
-    assert_eq!(told(&masks), Vec::<String>::new());
+    let nothing = LostParts {
+        photos: 4,
+        ..LostParts::default()
+    };
+    assert_eq!(told(&masks), (nothing, vec![]));
     // Nothing below the hips on one; the upper half on another.
     let mut broken = masks.clone();
     let legs = broken.views.get_mut(PhotoId(1)).unwrap();
     legs.data[700 * 800..].fill(0);
     let upper = broken.views.get_mut(PhotoId(3)).unwrap();
     upper.data[..330 * 800].fill(0);
-    let told = told(&broken);
+    let (parts, told) = told(&broken);
+    assert_eq!(parts.of(BodyPart::Legs), [PhotoId(1)]);
+    assert_eq!(parts.of(BodyPart::Head), [PhotoId(3)]);
     let says = |what: &str| told.iter().any(|t| t.contains(what));
     assert!(says("a leg or a part of it on 0004.jpg,"), "{told:?}");
     assert!(says("a foot or a part of it on 0004.jpg,"), "{told:?}");

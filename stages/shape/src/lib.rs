@@ -8,7 +8,7 @@
 //! Photos ─ Keypoints ─ Tracks ─ Cameras ─┐
 //!    ├──────────────── Masks ────────────┴─ Mesh ─ Landmarks ─ Girths ─ Document
 //!    └─ Aligned ─ Scene ─ Evidence ─ Labels ─┘ (to Masks)
-//!    └─ People
+//!    └─ People ─ LostParts (with Masks)
 //! ```
 
 mod aligned;
@@ -34,6 +34,7 @@ mod image;
 mod keypoints;
 mod labels;
 mod landmarks;
+mod lost_parts;
 mod masks;
 mod mesh;
 mod mesh_bytes;
@@ -85,6 +86,7 @@ pub use image::{Gray, Image, Rgb};
 pub use keypoints::{Features, Keypoint, Keypoints};
 pub use labels::{Label, Labels, MixtureRow};
 pub use landmarks::{Landmark, Landmarks, Part, Plane, PlaneSigma};
+pub use lost_parts::{BodyPart, LostParts};
 pub use masks::{Mask, Masks};
 pub use mesh::{Adjacency, Mesh, MeshFault, rows};
 pub use missing::{Missing, NamedGirth, by_reason, listed};

@@ -39,6 +39,7 @@ pub(crate) fn measured(mesh: Mesh) -> (Landmarks, Girths) {
         photos: None,
         masks: None,
         person: None,
+        lost_parts: None,
     };
     let girths = Measure::run(&Default::default(), input, &Ctx::alone()).unwrap();
     (landmarks, girths)
