@@ -13,6 +13,9 @@ pub mod repeat;
 pub mod score;
 #[cfg(feature = "serve")]
 pub mod serve;
+// Without pages some texts are nobody's.
+#[cfg_attr(not(feature = "serve"), allow(dead_code))]
+mod words;
 
 pub use cli::{Measured, check_arguments, main, measured, program, program_over};
 pub use engine;

@@ -69,6 +69,7 @@ pub(crate) fn run<T: Send + 'static>(
     let listener = Arc::new(Listener { to, last });
     let host = Host {
         beside: None,
+        telling: None,
         watch: Some(listener.clone()),
         stop: Some(stop.clone()),
     };

@@ -2,10 +2,17 @@
 
 use super::delivered::{called, folder};
 use super::provenance::warnings;
-use super::screen::{screen, warned};
+use super::screen::{Of, screen, warned};
+use crate::words::language::{Language, Words};
 use engine::cli::Ran;
 use shape::{Cameras, Girths, Photos};
 use std::path::Path;
+
+/// A run is told by its nodes, whose names are English.
+const ENGLISH: Words = Words {
+    language: Language::En,
+    inches: false,
+};
 
 /// The girths of a run with its warnings; nothing where it made none.
 pub(super) fn ending(ran: &Ran<'_>) -> Option<String> {
@@ -17,6 +24,12 @@ pub(super) fn ending(ran: &Ran<'_>) -> Option<String> {
     let cameras = cameras.filter(|_| photos > 0);
     let pipeline = Path::new(&ran.graph.origin.pipeline);
     let name = called(folder(ran).unwrap_or(pipeline));
-    let told = screen(&name, photos, cameras.as_deref(), &girths, false);
-    Some(told + &warned(&warnings(ran, Some(&girths))))
+    let of = Of {
+        name: &name,
+        photos,
+        cameras: cameras.as_deref(),
+        girths: &girths,
+    };
+    let told = screen(ENGLISH, &of);
+    Some(told + &warned(ENGLISH, &warnings(ran, Some(&girths))))
 }

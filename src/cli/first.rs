@@ -4,9 +4,10 @@
 use super::measure_args::Measure;
 use super::prepared::Prepared;
 use super::provenance::{completed, get};
-use super::screen::screen;
+use super::screen::{broken, in_short};
 use crate::delivery::Delivery;
 use crate::graph::Graph;
+use crate::words::language::Words;
 use engine::cli::{GlobalArgs, Ran, above, whose};
 use engine::walk::{Done, Status, Watch};
 use engine::{Options, Outcome, run_unrecorded};
@@ -19,9 +20,6 @@ use std::thread::JoinHandle;
 
 /// The node whose result a first answer is taken from.
 const COARSE: &str = "coarse";
-
-/// What is said before the girths.
-const SAID: &str = "first answer from the coarse surface; the full one follows";
 
 /// Hears when the coarse surface is there, and makes a first answer of it beside the run.
 pub(super) struct First {
@@ -40,8 +38,7 @@ struct Answer {
     options: Options,
     capture: PathBuf,
     out: PathBuf,
-    shown: String,
-    inches: bool,
+    words: Words,
     quiet: bool,
     stop: AtomicBool,
 }
@@ -77,8 +74,7 @@ impl First {
             options,
             capture: ready.capture.clone(),
             out: ready.out.clone(),
-            shown: ready.shown.clone(),
-            inches: measure.inches(),
+            words: measure.words(),
             quiet: global.quiet || global.json,
             stop: AtomicBool::new(false),
         };
@@ -130,15 +126,18 @@ impl Answer {
             return;
         };
         if let Some(girths) = get::<Girths>(graph, &outcome, "girths").filter(|_| !self.quiet) {
-            let told = screen(&self.shown, 0, None, &girths, self.inches);
-            above(|| engine::errln!("\n{SAID}:\n{told}"));
+            let put = [("girths", in_short(self.words, &girths).into())];
+            let told = broken(&self.words.with("screen-first", &put), 2);
+            above(|| engine::errln!("{}", told.trim_end()));
         }
         let page = self.run(graph, "report");
         let written = page.and_then(|outcome| self.write(graph, &outcome));
         self.written.store(written.is_some(), Ordering::Relaxed);
         if written.is_some() && !self.quiet {
-            let page = self.out.join("report.html");
-            above(|| engine::errln!("first report: {}", page.display()));
+            let page = self.out.join("report.html").display().to_string();
+            let put = [("path", page.into())];
+            let told = self.words.with("screen-first-report", &put);
+            above(|| engine::errln!("{told}"));
         }
     }
 

@@ -4,7 +4,7 @@
 use super::facts::Facts;
 use super::said::Said;
 use super::source::Source;
-use crate::catalog::{READ, foreign, is_photo};
+use crate::catalog::{READ, foreign, is_photo, is_plate};
 use crate::graph::Graph;
 use crate::pattern::{natural, stays_inside};
 use engine::cli::Fault;
@@ -20,6 +20,10 @@ pub(super) struct Looked {
     pub(super) photos: Vec<String>,
     /// A plate that is named and may lie in any folder below.
     plate: Option<String>,
+    /// Whether there is a photo or video of the empty scene.
+    pub(super) plate_there: bool,
+    /// How many tags the mat has that is known of, as it was given; empty where that was not.
+    pub(super) mat: Option<String>,
     /// What follows from the folder, as if it were said.
     pub(super) more: Vec<Said>,
     /// What the user should know.
@@ -46,6 +50,8 @@ pub(super) fn look(
             patterns: vec![],
             photos: vec![],
             plate: None,
+            plate_there: false,
+            mat: mat(facts, &toml::Table::new())?,
             more: vec![],
             warnings: vec![],
             few: None,
@@ -67,6 +73,8 @@ pub(super) fn look(
         patterns: wanted(facts.images(), &file),
         photos: names.iter().filter(|n| is_photo(n)).cloned().collect(),
         plate: plate(facts, &file)?,
+        plate_there: names.iter().any(|n| is_plate(n)) || named_plate(facts, &file)?.is_some(),
+        mat: mat(facts, &file)?,
         more: vec![],
         warnings: vec![],
         few: None,
@@ -101,8 +109,12 @@ pub(super) fn look(
         .step_deg()
         .or(step)
         .is_some_and(|s| s.abs() <= WIDEST_DEG);
-    let few = (3..FEWEST).contains(&photos.len());
-    if few && looked.patterns.is_empty() && !facts.tagged() && !has("mat") && !near {
+    if (3..FEWEST).contains(&photos.len())
+        && looked.patterns.is_empty()
+        && !facts.tagged()
+        && !has("mat")
+        && !near
+    {
         looked.few = Some(format!(
             "{shown} holds {} photos: without a marker mat features are followed from photo to photo, which needs a full turn at steps of 30° or less; \
              take 18 to 36 photos, or lay a mat on the disk (`tailor mat`; then say --mat), or say the step between them, such as --step 20",
@@ -178,12 +190,25 @@ fn wanted(said: &[String], file: &toml::Table) -> Vec<String> {
     }
 }
 
-/// The plate that is named, the flag before the file, where it lies in a folder below and is no pattern itself.
-fn plate(facts: &Facts, file: &toml::Table) -> Result<Option<String>, Fault> {
+/// The plate that is named, the flag before the file.
+fn named_plate(facts: &Facts, file: &toml::Table) -> Result<Option<String>, Fault> {
     let said = facts.given("plate")?;
     let said = said.map(|text| text.trim_matches('"').to_owned());
     let file = file.get("plate").and_then(toml::Value::as_str);
-    let named = said.or(file.map(str::to_owned));
+    Ok(said.or(file.map(str::to_owned)))
+}
+
+/// How many tags the mat has, the flag before the file; empty where that is not said.
+fn mat(facts: &Facts, file: &toml::Table) -> Result<Option<String>, Fault> {
+    let mat = file.get("mat");
+    let count = mat.and_then(|mat| mat.get("count"));
+    let count = facts.given("mat.count")?.or(count.map(ToString::to_string));
+    Ok((facts.tagged() || mat.is_some()).then(|| count.unwrap_or_default()))
+}
+
+/// The same where it lies in a folder below and is no pattern itself.
+fn plate(facts: &Facts, file: &toml::Table) -> Result<Option<String>, Fault> {
+    let named = named_plate(facts, file)?;
     let below =
         |name: &String| name.contains('/') && !name.contains(['*', '?', '{', '}', '[', ']']);
     Ok(named.filter(below).filter(|name| stays_inside(name)))

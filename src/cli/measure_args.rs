@@ -1,6 +1,7 @@
 //! Arguments of `tailor measure`.
 
 use super::facts::Facts;
+use crate::words::language::{Language, Words};
 use clap::Args;
 use std::path::PathBuf;
 
@@ -76,6 +77,12 @@ pub(crate) struct Measure {
     /// What the screen and the report show lengths in; files stay in centimetres
     #[arg(long, value_enum, default_value = "cm")]
     pub(super) unit: Shown,
+    /// The language of the screen: en or de; that of the environment (LC_ALL, LC_MESSAGES, LANG) if not said
+    #[arg(long, value_name = "LANGUAGE", value_parser = ["en", "de"])]
+    pub(super) lang: Option<String>,
+    /// A line for each node of the pipeline while it runs
+    #[arg(long)]
+    pub(super) verbose: bool,
     /// The camera was walked around somebody who stood still; masks in the folder's `masks` are taken instead of own ones
     #[arg(long)]
     pub(super) walk: bool,
@@ -106,6 +113,15 @@ impl Measure {
             format!("body.up={}", word(self.up.as_ref())),
             "body.scan=true".to_owned(),
         ]
+    }
+
+    /// What the reader wants to read.
+    pub(super) fn words(&self) -> Words {
+        let said = self.lang.as_deref().and_then(Language::of);
+        Words {
+            language: said.unwrap_or_else(Language::of_environment),
+            inches: self.inches(),
+        }
     }
 
     /// Whether lengths are shown in inches.

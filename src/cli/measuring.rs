@@ -3,11 +3,12 @@
 use super::delivered::{place_of_results, written};
 use super::first::First;
 use super::folder::{self, Looked};
+use super::live::Live;
 use super::measure_args::Measure;
 use super::prepared::Prepared;
-use super::provenance::{get, warnings};
+use super::provenance::{get, sentences};
 use super::said::{Said, opened};
-use super::screen::{screen, warned};
+use super::screen::{Of, screen, warned};
 use super::source::Source;
 use super::words;
 use crate::graph::Graph;
@@ -212,6 +213,19 @@ pub(super) fn ahead(measure: &Measure) -> Result<Job, Fault> {
     })
 }
 
+/// What was warned of before a run came to nothing: it may be why.
+fn unended(measure: &Measure, ready: &Prepared, live: &Live, global: &GlobalArgs) {
+    if global.json || global.quiet {
+        return;
+    }
+    let mut told = ready.warnings.clone();
+    told.extend(live.warnings());
+    let text = warned(measure.words(), &told);
+    if !text.is_empty() {
+        engine::errln!("{}", text.trim_end());
+    }
+}
+
 /// Measures one capture.
 pub(super) fn one(
     measure: &Measure,
@@ -222,9 +236,6 @@ pub(super) fn one(
 ) -> Result<Measured, Fault> {
     let (ready, looked) = prepared(measure, capture, out, said)?;
     let graph = &ready.graph;
-    if !global.json && !global.quiet {
-        ready.warnings.iter().for_each(|w| engine::errln!("{w}"));
-    }
     // Who is no command line cannot be repeated by one.
     let again: Vec<String> = match global.host.watch {
         Some(_) => vec![],
@@ -238,25 +249,36 @@ pub(super) fn one(
     if let Some(first) = &first {
         global.host.beside = Some(first.clone());
     }
+    let live = Arc::new(Live::new(measure.words(), &ready.shown, &looked));
+    if !measure.verbose {
+        global.host.telling = Some(live.clone());
+    }
     let global = &global;
     let outcome = execute(store, graph, &ready.folders, &ready.wanted, global, &again);
     first.inspect(|first| first.end(outcome.is_ok()));
-    let outcome = outcome?;
+    let outcome = outcome.inspect_err(|_| unended(measure, &ready, &live, global))?;
     ready.deliver(&outcome, measure.clean, global)?;
     if !global.json
         && let Some(girths) = get::<Girths>(graph, &outcome, "girths")
     {
         let cameras = get::<Cameras>(graph, &outcome, "cameras");
-        let count = photos(graph, &outcome).photos.len();
-        let inches = measure.inches();
-        let screen = screen(&ready.shown, count, cameras.as_deref(), &girths, inches);
+        let of = Of {
+            name: &ready.shown,
+            photos: photos(graph, &outcome).photos.len(),
+            cameras: cameras.as_deref(),
+            girths: &girths,
+        };
         let mut told = ready.warnings.clone();
-        told.extend(warnings(&Ran::of(graph, &outcome, &[]), Some(&girths)));
-        engine::out!("{screen}{}", warned(&told));
-        engine::outln!("\nall files: {}", ready.out.display());
+        told.extend(sentences(&Ran::of(graph, &outcome, &[]), &girths));
+        let words = measure.words();
+        engine::out!("{}{}", screen(words, &of), warned(words, &told));
+        let place = |key: &str, path: &Path| {
+            words.with(key, &[("path", path.display().to_string().into())])
+        };
+        engine::outln!("\n{}", place("screen-files", &ready.out));
         let page = ready.out.join("report.html");
         if page.exists() {
-            engine::outln!("report:    {}", page.display());
+            engine::outln!("{}", place("screen-report", &page));
         }
     }
     Ok(Measured {

@@ -11,6 +11,7 @@ mod folder;
 mod follow;
 mod init;
 mod length;
+mod live;
 mod mat;
 mod mat_file;
 pub(crate) mod measure_args;

@@ -27,12 +27,23 @@ fn escaped(text: &str) -> String {
 
 /// What the stages warned of, without what the table says anyway.
 pub(super) fn warnings(ran: &Ran<'_>, girths: Option<&Girths>) -> Vec<String> {
+    let all = by_node(ran, girths).into_iter();
+    all.map(|(node, warning)| format!("{node}: {warning}"))
+        .collect()
+}
+
+/// The same without the nodes, which say nothing to people who know none of them.
+pub(super) fn sentences(ran: &Ran<'_>, girths: &Girths) -> Vec<String> {
+    let all = by_node(ran, Some(girths)).into_iter();
+    all.map(|(_, warning)| warning).collect()
+}
+
+fn by_node(ran: &Ran<'_>, girths: Option<&Girths>) -> Vec<(String, String)> {
     let missing = girths.iter().flat_map(|g| &g.missing);
     let whys: Vec<String> = missing.map(|m| format!(": {}", m.why)).collect();
     let warnings = ran.warnings().into_iter();
     let new = warnings.filter(|(_, warning)| !whys.iter().any(|why| warning.ends_with(why)));
-    new.map(|(node, warning)| format!("{node}: {warning}"))
-        .collect()
+    new.collect()
 }
 
 /// The report with what only the run knows: its warnings on top, how it was made at the end.

@@ -1,122 +1,212 @@
 //! The last screen of `tailor measure`: what was measured, what was not, and where it lies.
 
+use crate::words::findings::{listed as listed_in, translated};
+use crate::words::language::{Language, Words};
 use shape::{Cameras, Girth, Girths, Scale, Score, Unit, by_reason, listed};
 
-/// Lines are broken before this column.
-const WIDTH: usize = 100;
+/// Lines are broken before this column: a terminal's as it comes, and what a page of text takes.
+const WIDTH: usize = 80;
+
+/// Of what the screen is.
+pub(crate) struct Of<'a> {
+    /// What the capture is called.
+    pub(crate) name: &'a str,
+    /// So many photos were looked at.
+    pub(crate) photos: usize,
+    /// Where they were taken from, if photos there are.
+    pub(crate) cameras: Option<&'a Cameras>,
+    /// What was measured.
+    pub(crate) girths: &'a Girths,
+}
+
+/// A length in the reader's unit, without it.
+fn length(words: Words, girths: &Girths) -> impl Fn(f64) -> String {
+    move |mm| match girths.unit {
+        Unit::Metric if words.inches => words.number(mm / 25.4, 1),
+        Unit::Metric => words.number(mm / 10.0, 1),
+        Unit::Relative => words.number(mm / 1000.0, 4),
+    }
+}
 
 /// The screen.
-pub(crate) fn screen(
-    name: &str,
-    photos: usize,
-    cameras: Option<&Cameras>,
-    girths: &Girths,
-    inches: bool,
-) -> String {
-    let mut text = String::new();
-    if let Some(cameras) = cameras {
-        text += &format!(
-            "{name}: {} of {photos} photos have a camera; {}\n\n",
-            cameras.views.len(),
-            origin(cameras)
-        );
-    }
-    let wide = girths.girths.iter().map(|g| called(g).chars().count());
-    let wide = wide.fold(24, usize::max);
-    let (head, length): (_, fn(f64) -> String) = match girths.unit {
-        Unit::Metric if inches => ("tape in", |mm| format!("{:.1}", mm / 25.4)),
-        Unit::Metric => ("tape cm", |mm| format!("{:.1}", mm / 10.0)),
-        Unit::Relative => ("relative", |mm| format!("{:.4}", mm / 1000.0)),
-    };
-    if !girths.girths.is_empty() {
-        text += &format!(
-            "{:<wide$} {:>8}  {:<16} {:>8}\n",
-            "girth", head, "interval (90 %)", "contour"
-        );
-    }
-    for g in &girths.girths {
-        let interval = match g.interval_mm {
-            Some([lo, hi]) => format!("{} to {}", length(lo), length(hi)),
-            None => format!("unknown: {}", g.sigmas.unknown().join(", ")),
-        };
-        let label = called(g);
-        let (tape, contour) = (length(g.tape_mm), length(g.contour_mm));
-        text += &format!("{label:<wide$} {tape:>8}  {interval:<16} {contour:>8}\n");
-    }
+pub(crate) fn screen(words: Words, of: &Of<'_>) -> String {
+    let girths = of.girths;
+    let mut text = of.cameras.map_or(String::new(), |c| first(words, of, c));
+    let wide = girths.girths.iter().map(|g| called(words, g));
+    let wide = wide.chain(girths.ratios.iter().map(|(name, ..)| ratio(words, name)));
+    let wide = wide.map(|name| name.chars().count()).fold(24, usize::max);
+    text += &table(words, girths, wide);
     if let Some(mm) = girths.stature_mm {
-        text += &format!("{:<wide$} {:>8}\n", "stature", length(mm));
+        let name = lower(words, words.say("girth-stature"));
+        text += &format!("{name:<wide$} {:>8}\n", length(words, girths)(mm));
     }
     if girths.compression_pct > 0.0 {
-        let percent = girths.compression_pct;
-        text += &format!("tapes are shortened by {percent} %, as compression_pct declares\n");
+        let percent = words.written(&girths.compression_pct.to_string());
+        let put = [("percent", percent.into())];
+        text += &broken(&words.with("screen-shortened", &put), 2);
     }
     for (name, value, note) in &girths.ratios {
-        text += format!("{name:<wide$} {value:>8.3}  {note}").trim_end();
-        text.push('\n');
+        let name = ratio(words, name);
+        let value = words.number(*value, 3);
+        let note = told(words, note);
+        let line = format!("{name:<wide$} {value:>8}  {note}");
+        text += &broken(line.trim_end(), wide + 11);
     }
     if let Some(bmi) = girths.bmi {
-        text += &format!("{:<wide$} {bmi:>8.1}  kg/m²\n", "body mass index");
+        let name = lower(words, words.say("result-bmi"));
+        text += &format!("{name:<wide$} {:>8}  kg/m²\n", words.number(bmi, 1));
     }
-    text += &grown(girths, wide);
+    text += &grown(words, girths, wide);
     if !girths.missing.is_empty() {
-        text += "\nnot measured\n";
+        text += &format!("\n{}\n", words.say("screen-missing"));
     }
     // One reason is shown once, for all that it is the reason of.
     for (why, all) in by_reason(&girths.missing) {
-        text += &broken(&format!("  {}: {why}", listed(&all)), 4);
+        let why = told(words, why);
+        let all = listed_in(words, &listed(&all));
+        text += &broken(&format!("  {all}: {why}"), 4);
     }
     text
+}
+
+/// How many photos have a camera, and where lengths come from.
+fn first(words: Words, of: &Of<'_>, cameras: &Cameras) -> String {
+    let put = [
+        ("name", of.name.into()),
+        ("with", cameras.views.len().into()),
+        ("of", of.photos.into()),
+    ];
+    let seen = broken(&words.with("screen-cameras", &put), 2);
+    seen + &broken(&origin(words, cameras), 2) + "\n"
+}
+
+/// The girths, a row each.
+fn table(words: Words, girths: &Girths, wide: usize) -> String {
+    if girths.girths.is_empty() {
+        return String::new();
+    }
+    let tape = match girths.unit {
+        Unit::Metric => words.with("screen-tape", &[("unit", words.unit().into())]),
+        Unit::Relative => words.say("screen-tape-relative"),
+    };
+    let [girth, interval, contour] =
+        ["girth", "interval", "contour"].map(|key| words.say(&format!("screen-{key}")));
+    let mut text = format!("{girth:<wide$} {tape:>8}  {interval:<16} {contour:>8}\n");
+    let length = length(words, girths);
+    for g in &girths.girths {
+        let interval = match g.interval_mm {
+            Some([low, high]) => {
+                let put = [("low", length(low).into()), ("high", length(high).into())];
+                words.with("screen-range", &put)
+            }
+            None => {
+                let parts = g.sigmas.unknown().join(", ");
+                words.with("screen-unknown", &[("parts", parts.into())])
+            }
+        };
+        let name = called(words, g);
+        let (tape, contour) = (length(g.tape_mm), length(g.contour_mm));
+        text += &format!("{name:<wide$} {tape:>8}  {interval:<16} {contour:>8}\n");
+    }
+    text
+}
+
+/// The waist and the hip in a sentence, as far as they were measured: `hip 98.2 cm, waist 81.5 cm`.
+pub(crate) fn in_short(words: Words, girths: &Girths) -> String {
+    let unit = match girths.unit {
+        Unit::Metric => format!(" {}", words.unit()),
+        Unit::Relative => String::new(),
+    };
+    let main = girths
+        .girths
+        .iter()
+        .filter(|g| ["HC", "WC"].contains(&g.name.as_str()));
+    let length = length(words, girths);
+    let one = |g: &Girth| {
+        let name = lower(words, words.girth(&g.name, &g.label));
+        format!("{name} {}{unit}", length(g.tape_mm))
+    };
+    let all: Vec<String> = main.map(one).collect();
+    match all.is_empty() {
+        true => words.say("screen-none"),
+        false => all.join(", "),
+    }
 }
 
 /// What was warned of on the way, once more and counted.
-pub(crate) fn warned(warnings: &[String]) -> String {
-    let mut text = match warnings.len() {
-        0 => return String::new(),
-        1 => "\n1 warning\n".to_owned(),
-        n => format!("\n{n} warnings\n"),
-    };
+pub(crate) fn warned(words: Words, warnings: &[String]) -> String {
+    if warnings.is_empty() {
+        return String::new();
+    }
+    let count = words.with("screen-warnings", &[("count", warnings.len().into())]);
+    let mut text = format!("\n{count}\n");
     for warning in warnings {
-        text += &broken(&format!("  {warning}"), 4);
+        text += &broken(&format!("  {}", told(words, warning)), 4);
     }
     text
 }
 
-/// A girth as people call it, with its name in files.
-fn called(girth: &Girth) -> String {
-    match girth.label.is_empty() {
-        true => girth.name.clone(),
-        false => format!("{} ({})", girth.label, girth.name),
+/// A ratio as people call it, with its name in files.
+fn ratio(words: Words, name: &str) -> String {
+    match words.girth(name, name) {
+        text if text == *name => text,
+        text => format!("{} ({name})", lower(words, text)),
     }
 }
 
-fn origin(cameras: &Cameras) -> String {
+/// A sentence of a stage. The English texts of pages speak of their fields where stages speak of flags.
+fn told(words: Words, text: &str) -> String {
+    match words.language {
+        Language::En => text.to_owned(),
+        Language::De => translated(words, text).unwrap_or_else(|| text.to_owned()),
+    }
+}
+
+/// A girth as people call it, with its name in files.
+fn called(words: Words, girth: &Girth) -> String {
+    let label = match words.language {
+        Language::En => girth.label.clone(),
+        Language::De => words.girth(&girth.name, &girth.label),
+    };
+    match label.is_empty() {
+        true => girth.name.clone(),
+        false => format!("{label} ({})", girth.name),
+    }
+}
+
+/// A name as it stands within a line: only German begins nouns with a capital.
+fn lower(words: Words, name: String) -> String {
+    let mut letters = name.chars();
+    match (words.language, letters.next()) {
+        (Language::En, Some(one)) => one.to_lowercase().chain(letters).collect(),
+        _ => name,
+    }
+}
+
+fn origin(words: Words, cameras: &Cameras) -> String {
     let from = match cameras.scale {
-        Scale::Mat => "the marker mat",
-        Scale::Tags => "the marker tags",
-        Scale::Reference => "the reference length",
-        Scale::Disk => "the disk's diameter",
-        Scale::Stature => "the subject's stature",
-        Scale::Given => "the cameras that were given",
-        Scale::Disputed(_) => {
-            return "LENGTHS ARE RELATIVE, for known lengths contradict each other (see below): \
-                    ratios of girths hold, and 1 is the camera ring's radius"
-                .into();
-        }
-        Scale::Nothing => {
-            return "LENGTHS ARE RELATIVE, for nothing of known length was given: \
-                    ratios hold, and 1 is the camera ring's radius"
-                .into();
-        }
+        Scale::Mat => "find-from-mat",
+        Scale::Tags => "find-from-tags",
+        Scale::Reference => "find-from-reference",
+        Scale::Disk => "find-from-disk-alone",
+        Scale::Stature => "find-from-stature",
+        Scale::Given => "screen-given",
+        Scale::Disputed(_) => return words.say("screen-disputed"),
+        Scale::Nothing => return words.say("screen-relative"),
     };
-    let sure = match cameras.scale_sigma {
-        Some(sigma) => format!("± {:.2} %", 100.0 * sigma),
-        None => "how sure: unknown".into(),
-    };
-    format!("lengths come from {from} ({sure})")
+    let from = words.say(from);
+    match cameras.scale_sigma {
+        Some(sigma) => {
+            let percent = words.number(100.0 * sigma, 2);
+            let put = [("from", from.into()), ("percent", percent.into())];
+            words.with("screen-lengths", &put)
+        }
+        None => words.with("screen-lengths-unsure", &[("from", from.into())]),
+    }
 }
 
 /// The line in pieces, the later ones set in.
-fn broken(line: &str, indent: usize) -> String {
+pub(super) fn broken(line: &str, indent: usize) -> String {
     let (mut text, mut column) = (String::new(), 0);
     let lead = line.len() - line.trim_start().len();
     text += &line[..lead];
@@ -134,87 +224,29 @@ fn broken(line: &str, indent: usize) -> String {
 }
 
 /// A child beside the growth reference: a line a number.
-fn grown(girths: &Girths, wide: usize) -> String {
+fn grown(words: Words, girths: &Girths, wide: usize) -> String {
     let Some(growth) = girths.growth else {
         return String::new();
     };
-    let line = |(name, score): (&str, Option<Score>)| {
+    let line = |(key, score): (&str, Option<Score>)| {
         let Score { z, centile } = score?;
+        let name = lower(words, words.say(key));
+        // The reference is named behind the number.
+        let name = name.split(',').next().unwrap_or_default();
+        let centile = words.number(centile, 1);
+        let child = words.with("screen-child", &[("centile", centile.into())]);
         Some(format!(
-            "{name:<wide$} {z:>8.2}  z, WHO 2007; centile {centile:.1}; no diagnosis\n"
+            "{name:<wide$} {:>8}  {child}\n",
+            words.number(z, 2)
         ))
     };
     let lines = [
-        ("height for age", growth.height),
-        ("BMI for age", growth.bmi),
+        ("result-height-for-age", growth.height),
+        ("result-bmi-for-age", growth.bmi),
     ];
     lines.into_iter().filter_map(line).collect()
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-    use shape::{GirthId, Length, Refusal};
-
-    #[test]
-    fn long_lines_are_broken_between_words_and_lose_none() {
-        let why = "arms and trunk are one on the surface there ".repeat(5);
-        let text = broken(&format!("  CC     {why}"), 9);
-        assert!(text.lines().count() > 2 && text.lines().all(|l| l.chars().count() <= WIDTH));
-        assert!(
-            text.lines()
-                .skip(1)
-                .all(|l| l.starts_with("         a") || !l.starts_with("          "))
-        );
-        let words = |t: &str| t.split_whitespace().map(str::to_owned).collect::<Vec<_>>();
-        assert_eq!(words(&text), words(&format!("CC {why}")));
-    }
-
-    #[test]
-    fn one_reason_is_told_once_for_all_that_it_is_the_reason_of() {
-        let missing = shape::Missing::because;
-        let legs = "the surface shows no two legs";
-        let girths = Girths {
-            missing: vec![
-                missing(GirthId::Hip, Refusal::NoLegs, legs),
-                missing(GirthId::Neck, Refusal::NoNeck, "no neck"),
-                missing(GirthId::Waist, Refusal::NoLegs, legs),
-            ],
-            ..Girths::default()
-        };
-        let text = screen("a", 3, None, &girths, false);
-        assert_eq!(
-            text,
-            format!("\nnot measured\n  hip, waist: {legs}\n  neck: no neck\n")
-        );
-    }
-
-    #[test]
-    fn what_has_no_scale_says_so() {
-        let mut cameras = Cameras {
-            views: [].into_iter().collect(),
-            scale: Scale::Nothing,
-            scale_sigma: None,
-            disk_radius_mm: None,
-            ground_mm: 0.0,
-            points: vec![],
-        };
-        let text = screen("a", 3, Some(&cameras), &Girths::default(), false);
-        assert!(text.contains("LENGTHS ARE RELATIVE"), "{text}");
-        cameras.scale = Scale::Disputed([Length::Mat, Length::Stature]);
-        let text = screen("a", 3, Some(&cameras), &Girths::default(), false);
-        assert!(
-            text.contains("known lengths contradict each other"),
-            "{text}"
-        );
-        cameras.scale = Scale::Mat;
-        let text = screen("a", 3, Some(&cameras), &Girths::default(), false);
-        assert!(
-            text.contains("a: 0 of 3 photos")
-                && text.contains("the marker mat (how sure: unknown)"),
-            "{text}"
-        );
-        cameras.scale_sigma = Some(0.0012);
-        assert!(screen("a", 3, Some(&cameras), &Girths::default(), false).contains("(± 0.12 %)"));
-    }
-}
+#[path = "screen_tests.rs"]
+mod tests;

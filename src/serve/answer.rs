@@ -1,7 +1,7 @@
 //! What is answered when something is wrong: for programs as JSON, for people as a page, in their language.
 
-use super::language::Words;
 use super::pages;
+use crate::words::language::Words;
 use axum::Json;
 use axum::http::StatusCode;
 use axum::response::{Html, IntoResponse, Response};

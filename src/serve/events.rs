@@ -4,11 +4,11 @@
 use super::answer::{Answer, Wrong};
 use super::api::place;
 use super::app::App;
-use super::language::Words;
 use super::pages::progress;
 use super::progress::Progress;
 use super::record::Record;
 use super::spoken;
+use crate::words::language::Words;
 use axum::Extension;
 use axum::extract::{Path, State};
 use axum::response::IntoResponse;

@@ -4,10 +4,10 @@ use super::answer::Wrong;
 use super::app::App;
 use super::facts::{Facts, Plate};
 use super::home::Place;
-use super::language::Words;
 use super::pages::facts::{Slips, shown};
 use super::record::Record;
 use super::typed;
+use crate::words::language::Words;
 use axum::http::StatusCode;
 use std::collections::HashMap;
 

@@ -4,7 +4,7 @@
 //! |---|---|
 //! | `guard.rs` | who may ask |
 //! | `routes.rs` | every call, and what all of them pass |
-//! | `visits.rs`, `pages/`, `handed.rs` | pages and their forms, files handed out; `typed.rs` reads what was typed, `language.rs`, `findings.rs`, `warnings.rs`, `errors.rs` and `words/` say it, `spoken.rs` to programs |
+//! | `visits.rs`, `pages/`, `handed.rs` | pages and their forms, files handed out; `typed.rs` reads what was typed; texts are those of `src/words/`, `spoken.rs` has them for programs |
 //! | `api.rs`, `said.rs`, `events.rs` | calls of programs and scripts, what they say; progress as it happens |
 //! | `upload.rs`, `sniff.rs` | files that come in |
 //! | `home.rs`, `record.rs`, `facts.rs`, `keeping.rs`, `delete.rs` | captures on the disk, what is known of them, and who changes it |
@@ -18,17 +18,14 @@ mod api;
 mod app;
 mod batch;
 mod delete;
-mod errors;
 mod events;
 mod facts;
-mod findings;
 mod guard;
 mod handed;
 mod home;
 mod jobs;
 mod keeping;
 mod lan;
-mod language;
 mod masks;
 mod pages;
 mod progress;
@@ -42,7 +39,6 @@ mod spoken;
 mod typed;
 mod upload;
 mod visits;
-mod warnings;
 mod work;
 
 pub use handed::OPENAPI;

@@ -3,8 +3,8 @@
 use super::answer::Wrong;
 use super::app::App;
 use super::guard::{Asked, Refused};
-use super::language::{Language, Words};
 use super::{api, events, handed, said, visits};
+use crate::words::language::{Language, Words};
 use axum::Router;
 use axum::extract::{DefaultBodyLimit, Request, State};
 use axum::http::{HeaderMap, HeaderValue, Method, StatusCode, header};

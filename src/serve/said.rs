@@ -1,7 +1,7 @@
 //! What calls say: bodies as JSON objects, the version that they mean; and what the router refuses by itself, answered as all else.
 
 use super::answer::Wrong;
-use super::language::Words;
+use crate::words::language::Words;
 use axum::Json;
 use axum::body::to_bytes;
 use axum::extract::{FromRequest, Request};

@@ -1,9 +1,9 @@
 //! What stages say, as calls tell it: in the reader's language, of the files as their owner calls them.
 
-use super::language::Words;
 use super::pages::plain;
 use super::progress::Progress;
 use super::record::Record;
+use crate::words::language::Words;
 use serde_json::Value;
 
 /// What was seen of a capture. Photos keep the names of their files, which `files` has.

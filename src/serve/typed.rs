@@ -1,8 +1,8 @@
 //! What was typed into the form of facts, read as the reader writes numbers.
 
 use super::facts::{Facts, Plate, Sex};
-use super::language::Words;
 use super::pages::facts::Slips;
+use crate::words::language::Words;
 use std::collections::{BTreeMap, HashMap};
 
 /// Facts, or what is wrong with them by field.
@@ -73,8 +73,8 @@ pub(super) fn facts(words: Words, sent: &HashMap<String, String>) -> Result<Fact
 
 #[cfg(test)]
 mod tests {
-    use super::super::language::Language;
     use super::*;
+    use crate::words::language::Language;
 
     #[test]
     fn fields_are_read_in_the_readers_units_and_slips_are_told() {

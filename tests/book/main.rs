@@ -7,6 +7,7 @@ mod figures;
 mod growth;
 mod links;
 mod scans;
+mod screens;
 mod tables;
 
 use std::path::{Path, PathBuf};

@@ -5,7 +5,7 @@ use std::io::{BufRead, BufReader};
 use std::path::Path;
 
 /// The sample, with its plate and what is known of it.
-fn sample() -> Place {
+pub(crate) fn sample() -> Place {
     let place = Place::new();
     place.photos("turn/images", 18);
     let sample = Path::new(env!("CARGO_MANIFEST_DIR")).join("samples/mannequin");
@@ -35,7 +35,8 @@ fn what_reads_the_last_run_agrees_with_what_measure_wrote() {
     let place = sample();
     let said = place.run(&format!("measure turn --out out {COARSE}"));
     let said = said.code(0);
-    assert!(said.err.contains("first answer"), "{}", said.err);
+    let first = "first answer from the coarse surface: hip ";
+    assert!(said.err.contains(first), "{}", said.err);
     let one = records(&place);
     assert!(one.len() == 2 && one[1].ends_with(".jsonl"), "{one:?}");
     let runs = place.run("cache runs --json").code(0).json();

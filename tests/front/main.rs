@@ -20,6 +20,7 @@ mod place;
 mod privacy;
 mod profile;
 mod reports;
+mod screens;
 mod shown;
 mod stops;
 #[cfg(feature = "remote")]

@@ -72,6 +72,7 @@ impl Place {
         command
             .current_dir(self.0.path())
             .env("XDG_STATE_HOME", self.path("state"))
+            .env("LC_ALL", "C")
             .env_remove("TAILOR_CACHE");
         command
     }
@@ -95,6 +96,7 @@ impl Place {
     pub(crate) fn bash(&self, line: &str) -> Said {
         let mut bash = Command::new("bash");
         bash.env("XDG_STATE_HOME", self.path("state"));
+        bash.env("LC_ALL", "C");
         let out = bash.args(["-c", line]).current_dir(self.0.path());
         let out = out.output().unwrap();
         Said {

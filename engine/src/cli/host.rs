@@ -1,6 +1,7 @@
 //! Who starts a verb: who hears how it goes on, and what stops it.
 
 use super::speech::CANCEL;
+pub use super::telling::Telling;
 use crate::walk::Watch;
 use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
@@ -10,6 +11,8 @@ use std::sync::atomic::AtomicBool;
 pub struct Host {
     /// Who hears how it goes on.
     pub watch: Option<Arc<dyn Watch + Send + Sync>>,
+    /// How it is told on standard error, in place of a line a node.
+    pub telling: Option<Arc<dyn Telling>>,
     /// Who hears the same beside it.
     pub beside: Option<Arc<dyn Watch + Send + Sync>>,
     /// Set when it shall stop.

@@ -46,12 +46,13 @@ mod store;
 mod strands;
 mod sweep;
 mod sweep_asked;
+mod telling;
 pub mod text;
 
 pub use arguments::{Change, Wanted};
 pub use deliver::{check as check_out, finish, inside, lies_in, whose};
 pub use fault::Fault;
-pub use host::Host;
+pub use host::{Host, Telling};
 pub use open::{folders, node, open_pipeline};
 pub use program::{GlobalArgs, Job, JobOf, Program, Verb, Walls};
 pub use progress::above;

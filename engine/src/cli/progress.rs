@@ -1,5 +1,7 @@
-//! Plain lines while a run goes on; on a terminal also what runs now, and for how long still.
+//! Plain lines while a run goes on; on a terminal also what runs now, and for how long still. A program may tell of
+//! steps in place of nodes (`telling.rs`).
 
+use super::telling::Steps;
 use super::text::short;
 use crate::walk::{Done, Status, Watch};
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
@@ -25,6 +27,8 @@ struct State {
     running: Vec<Running>,
     /// What each node took the last time. \[s\]
     expected: BTreeMap<String, f64>,
+    /// What is told in place of nodes.
+    steps: Option<Steps>,
 }
 
 struct Running {
@@ -69,6 +73,10 @@ impl State {
 
     /// The last line of the screen: what runs now, and for how long still.
     fn line(&self) -> String {
+        if let Some(steps) = &self.steps {
+            let running = self.running.iter().map(|r| r.node.as_str());
+            return steps.line(running, Some(self.left()).filter(|left| *left >= 1.0));
+        }
         let one = |r: &Running| {
             let spent = r.since.elapsed().as_secs_f64();
             let spent = if spent < 2.0 {
@@ -99,8 +107,8 @@ fn duration(seconds: f64) -> String {
 }
 
 impl Progress {
-    /// For a walk of so many nodes.
-    pub(crate) fn new(quiet: bool, of: usize) -> Self {
+    /// For a walk of so many nodes, told by node or by steps.
+    pub(crate) fn new(quiet: bool, of: usize, steps: Option<Steps>) -> Self {
         let state = State {
             of,
             done: BTreeSet::new(),
@@ -108,6 +116,7 @@ impl Progress {
             skipped: 0,
             running: vec![],
             expected: BTreeMap::new(),
+            steps,
         };
         let terminal = std::io::stderr().is_terminal();
         let state = Arc::new(Mutex::new(state));
@@ -169,7 +178,7 @@ impl Watch for Progress {
     fn waits(&self, node: &str) {
         let mut state = self.state.lock().expect("bug: poisoned");
         if !state.running.iter().any(|r| r.node == node) {
-            if !self.terminal && !self.quiet {
+            if !self.terminal && !self.quiet && state.steps.is_none() {
                 crate::errln!("{node}: another process makes it; waiting for that");
             }
             state.running.push(Running {
@@ -192,6 +201,17 @@ impl Watch for Progress {
         state.running.retain(|r| r.node != node);
         state.done.insert(node.into());
         if self.quiet {
+            return;
+        }
+        if let Some(steps) = &mut state.steps {
+            let [above, plain] = steps.done(node, done);
+            // The line below is drawn from the same state.
+            drop(state);
+            let plain = plain.iter().filter(|_| !self.terminal);
+            let lines: Vec<&String> = above.iter().chain(plain).collect();
+            if !lines.is_empty() {
+                self.say(|| lines.iter().for_each(|line| crate::errln!("{line}")));
+            }
             return;
         }
         let (so_far, of) = (state.done.len(), state.of);

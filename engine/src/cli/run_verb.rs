@@ -8,6 +8,7 @@ use super::profiled::profiled;
 use super::program::GlobalArgs;
 use super::progress::Progress;
 use super::ran::Ran;
+use super::telling::Steps;
 use crate::delivery::Delivery;
 use crate::graph::Graph;
 use crate::lasttime::History;
@@ -115,16 +116,15 @@ fn execute_some(
     wanted.extend(beside);
     let wanted = wanted.as_slice();
     super::programs::unguarded(graph, wanted, global);
-    let speaker = Progress::new(global.quiet || global.json, count);
+    let names = graph.nodes.iter().zip(&needed);
+    let names = names.filter(|(_, needed)| **needed).map(|(n, _)| &n.name);
+    let steps = global.host.telling.as_ref();
+    let steps = steps.map(|telling| Steps::new(telling, names.clone()));
+    let speaker = Progress::new(global.quiet || global.json, count, steps);
     if speaker.asks_for_time() {
         let history = History::of(&global.cache, Of::default());
-        let names = graph
-            .nodes
-            .iter()
-            .zip(&needed)
-            .filter(|(_, needed)| **needed);
         let seconds = |name: &str| Some(history.last(name)?.seconds);
-        let expected = names.filter_map(|(n, _)| Some((n.name.clone(), seconds(&n.name)?)));
+        let expected = names.filter_map(|name| Some((name.clone(), seconds(name)?)));
         speaker.expect(expected.collect());
     }
     let options = options(global, keep_going);

@@ -1,9 +1,9 @@
 //! Outlines, to be corrected with a brush.
 
 use super::super::home::Place;
-use super::super::language::Words;
 use super::super::record::{Kept, Record};
 use super::{detail, page};
+use crate::words::language::Words;
 use maud::{Markup, html};
 
 /// The page.

@@ -2,10 +2,10 @@
 
 use super::super::delete::Gone;
 use super::super::home::Place;
-use super::super::language::Words;
 use super::super::progress::Progress;
 use super::super::record::Record;
 use super::{facts, page, progress, result, seen, sentence};
+use crate::words::language::Words;
 use maud::{Markup, html};
 use serde_json::Value;
 

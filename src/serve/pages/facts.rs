@@ -1,8 +1,8 @@
 //! What is known of a capture, as a form.
 
 use super::super::facts::{Facts, Sex};
-use super::super::language::Words;
 use super::super::record::Record;
+use crate::words::language::Words;
 use maud::{Markup, html};
 use std::collections::{BTreeMap, HashMap};
 

@@ -3,10 +3,10 @@
 use super::super::app::App;
 use super::super::home::Place;
 use super::super::lan;
-use super::super::language::Words;
 use super::super::record::Record;
 use super::super::upload::{MOST_FILES, MOST_PHOTO, MOST_VIDEO};
 use super::{page, result, time};
+use crate::words::language::Words;
 use maud::{Markup, html};
 use serde_json::Value;
 

@@ -9,9 +9,9 @@ pub(super) mod progress;
 pub(super) mod result;
 pub(super) mod seen;
 
-use super::findings::translated;
-use super::language::{Language, Words};
 use super::record::Record;
+use crate::words::findings::translated;
+use crate::words::language::{Language, Words};
 use maud::{DOCTYPE, Markup, html};
 
 /// A page: its title, where it lies (to come back to after a change of language), its scripts, its content.

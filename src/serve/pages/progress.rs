@@ -1,60 +1,10 @@
 //! How far a measuring is, for people.
 
-use super::super::language::Words;
 use super::super::progress::{Progress, Step};
 use super::super::show::SHOWN;
+use crate::words::language::Words;
+use crate::words::parts::{PARTS, part_of};
 use maud::{Markup, html};
-
-/// What a measuring goes through, and the nodes of each.
-const PARTS: [(&str, &[&str]); 7] = [
-    ("photos", &["frames", "developed", "photos"]),
-    (
-        "cameras",
-        &[
-            "tags",
-            "keypoints",
-            "links",
-            "tracks",
-            "calibrated",
-            "walked",
-            "placed",
-            "cameras",
-        ],
-    ),
-    (
-        "masks",
-        &[
-            "people",
-            "aligned",
-            "plate",
-            "scene",
-            "evidence",
-            "labels",
-            "masks",
-            "lost_parts",
-        ],
-    ),
-    ("hull", &["rough", "compensated_coarse", "hull"]),
-    (
-        "surface",
-        &[
-            "coarse",
-            "compensated",
-            "deformation",
-            "middle",
-            "body",
-            "textured",
-        ],
-    ),
-    ("girths", &["person", "landmarks", "girths"]),
-    ("report", &["report"]),
-];
-
-/// The part that a node belongs to; what is not known belongs to the cameras' side, where pipelines differ.
-fn part_of(node: &str) -> &'static str {
-    let part = PARTS.iter().find(|(_, nodes)| nodes.contains(&node));
-    part.map_or("cameras", |(name, _)| name)
-}
 
 /// In a sentence; `nothing` if it was measured to its end and no girth came of it.
 pub(crate) fn sentence(words: Words, progress: &Progress, nothing: bool) -> String {

@@ -1,9 +1,9 @@
 //! What was measured, at a glance: the whole is in the report.
 
 use super::super::home::Place;
-use super::super::language::Words;
 use super::super::record::Record;
 use super::sentence;
+use crate::words::language::Words;
 use maud::{Markup, html};
 use serde_json::Value;
 
@@ -46,11 +46,7 @@ pub(crate) fn is_empty(girths: &Value) -> bool {
 
 /// What a girth is called.
 pub(crate) fn label(words: Words, name: &str, otherwise: &str) -> String {
-    let key = format!("girth-{}", name.replace('_', "-"));
-    match words.knows(&key) {
-        true => words.say(&key),
-        false => otherwise.to_owned(),
-    }
+    words.girth(name, otherwise)
 }
 
 /// A girth by tape; relative where nothing of known length was there.
@@ -184,8 +180,8 @@ pub(crate) fn result(words: Words, place: &Place, record: &Record, girths: &Valu
 
 #[cfg(test)]
 mod tests {
-    use super::super::super::language::Language;
     use super::*;
+    use crate::words::language::Language;
     use serde_json::json;
 
     #[test]

@@ -1,9 +1,9 @@
 //! What `tailor doctor` saw of a capture, photo by photo.
 
-use super::super::findings::is_news;
-use super::super::language::Words;
 use super::super::record::{Kept, Record};
 use super::sentence;
+use crate::words::findings::is_news;
+use crate::words::language::Words;
 use maud::{Markup, html};
 use serde_json::Value;
 

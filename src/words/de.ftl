@@ -1,4 +1,4 @@
-# Was die Seiten von `tailor serve` sagen. words/en.ftl hat dieselben Schlüssel, ein Test hält es.
+# Was das Programm sagt: die Seiten von `tailor serve`, der erste Bildschirm von `tailor measure`. en.ftl hat dieselben Schlüssel, ein Test hält es.
 
 skip = Zum Inhalt
 settings = Sprache und Einheit
@@ -177,6 +177,8 @@ girth-calves = Waden
 girth-stature = Körpergröße
 girth-WHR = Taille zu Hüfte
 girth-WHtR = Taille zu Körpergröße
+girth-WHR-tape = Taille zu Hüfte, Bandmaße
+girth-density-kg-l = Dichte, kg/l
 result-bmi = Body-Mass-Index
 result-bmi-for-age = Body-Mass-Index nach Alter, WHO 2007
 result-height-for-age = Größe nach Alter, WHO 2007
@@ -502,3 +504,46 @@ fail-surface-empty = die Oberfläche ist leer: die Umrisse ansehen
 fail-surface-unseen = kein Teil der Oberfläche ist auf zwei Fotos zu sehen: Kameras und Umrisse ansehen
 fail-no-body = die Oberfläche ist leer oder liegt unter dem Boden, es gibt also keinen Körper zu messen: die Umrisse ansehen
 fail-bug = ein Programmfehler: Es brach ab; was getan ist, bleibt erhalten
+
+# Der erste Bildschirm von `tailor measure`
+screen-found = { $count ->
+    [one] ein Foto mit { $size } Megapixeln
+   *[other] { $count } Fotos mit je { $size } Megapixeln
+}
+screen-video = aus einem Video
+screen-scan = eine Oberfläche aus einer Datei
+screen-mat = eine Matte mit { $count } Marken
+screen-mat-some = eine Matte mit Marken
+screen-over = { $step }: fertig
+screen-cached = { $step }: schon im Zwischenspeicher
+screen-left = noch etwa { $time }
+screen-first = erste Antwort von der groben Oberfläche: { $girths }
+screen-none = weder Taille noch Hüfte
+screen-first-report = erster Bericht: { $path }
+screen-cameras = { $name }: { $with } von { $of } Fotos haben eine Kamera
+screen-lengths = Längen kommen von: { $from } (± { $percent } %)
+screen-lengths-unsure = Längen kommen von: { $from } (wie sicher: unbekannt)
+screen-given = übergebene Kameras
+screen-relative = LÄNGEN SIND RELATIV, denn keine Länge war bekannt: Verhältnisse stimmen, und 1 ist der Abstand der Kamera von der Drehachse
+screen-disputed = LÄNGEN SIND RELATIV, denn bekannte Längen widersprechen einander (siehe unten): Verhältnisse stimmen, und 1 ist der Abstand der Kamera von der Drehachse
+screen-girth = Umfang
+screen-tape = Band { $unit }
+screen-tape-relative = relativ
+screen-interval = Bereich (90 %)
+screen-contour = Kontur
+screen-range = { $low } bis { $high }
+screen-unknown = unbekannt: { $parts }
+screen-shortened = Bandmaße sind um { $percent } % verkürzt, wie compression_pct angibt
+screen-child = z, WHO 2007; Perzentile { $centile }; keine Diagnose
+screen-missing = nicht gemessen
+screen-warnings = { $count ->
+    [one] 1 Warnung
+   *[other] { $count } Warnungen
+}
+screen-files = alle Dateien: { $path }
+screen-report = Bericht:      { $path }
+note-who-men = WHO 2008: erhöhtes Risiko ab 0,90 (Männer); keine Diagnose
+note-who-women = WHO 2008: erhöhtes Risiko ab 0,85 (Frauen); keine Diagnose
+note-who = WHO 2008: erhöhtes Risiko ab 0,90 (Männer), 0,85 (Frauen); keine Diagnose
+note-nice = Taille zu Größe: NICE 2022 nennt 0,5 als Grenze, unter der man bleiben soll; keine Diagnose
+note-density = versuchsweise; mit der Luft in der Lunge; 1 % Fehler des Volumens ist 1 % Fehler der Dichte

@@ -1,4 +1,4 @@
-# What the pages of `tailor serve` say. words/de.ftl has the same keys, by test.
+# What the program says: the pages of `tailor serve`, the first screen of `tailor measure`. de.ftl has the same keys, by test.
 
 skip = Skip to the content
 settings = Language and unit
@@ -177,6 +177,8 @@ girth-calves = Calves
 girth-stature = Stature
 girth-WHR = Waist over hip
 girth-WHtR = Waist over stature
+girth-WHR-tape = Waist over hip, tapes
+girth-density-kg-l = Density, kg/l
 result-bmi = Body mass index
 result-bmi-for-age = Body mass index for age, WHO 2007
 result-height-for-age = Height for age, WHO 2007
@@ -502,3 +504,46 @@ fail-surface-empty = the surface is empty: look at the outlines
 fail-surface-unseen = no part of the surface is seen by two photos: look at cameras and outlines
 fail-no-body = the surface is empty or lies below the ground, so there is no body to measure: look at the outlines
 fail-bug = a bug: the program broke off; what is done is kept
+
+# The first screen of `tailor measure`
+screen-found = { $count ->
+    [one] one photo of { $size } megapixels
+   *[other] { $count } photos of { $size } megapixels
+}
+screen-video = from a video
+screen-scan = a surface from a file
+screen-mat = a mat of { $count } tags
+screen-mat-some = a mat of tags
+screen-over = { $step }: done
+screen-cached = { $step }: in the cache
+screen-left = about { $time } left
+screen-first = first answer from the coarse surface: { $girths }
+screen-none = neither waist nor hip
+screen-first-report = first report: { $path }
+screen-cameras = { $name }: { $with } of { $of } photos have a camera
+screen-lengths = lengths come from { $from } (± { $percent } %)
+screen-lengths-unsure = lengths come from { $from } (how sure: unknown)
+screen-given = the cameras that were given
+screen-relative = LENGTHS ARE RELATIVE, for nothing of known length was given: ratios hold, and 1 is the camera ring’s radius
+screen-disputed = LENGTHS ARE RELATIVE, for known lengths contradict each other (see below): ratios hold, and 1 is the camera ring’s radius
+screen-girth = girth
+screen-tape = tape { $unit }
+screen-tape-relative = relative
+screen-interval = interval (90 %)
+screen-contour = contour
+screen-range = { $low } to { $high }
+screen-unknown = unknown: { $parts }
+screen-shortened = tapes are shortened by { $percent } %, as compression_pct declares
+screen-child = z, WHO 2007; centile { $centile }; no diagnosis
+screen-missing = not measured
+screen-warnings = { $count ->
+    [one] 1 warning
+   *[other] { $count } warnings
+}
+screen-files = all files: { $path }
+screen-report = report:    { $path }
+note-who-men = WHO 2008: raised risk from 0.90 (men); no diagnosis
+note-who-women = WHO 2008: raised risk from 0.85 (women); no diagnosis
+note-who = WHO 2008: raised risk from 0.90 (men), 0.85 (women); no diagnosis
+note-nice = waist to height: NICE 2022 names 0.5 as a boundary to keep below; no diagnosis
+note-density = experimental; includes air in the lungs; 1 % error in volume means 1 % error in density

@@ -48,7 +48,7 @@ fn both_languages_have_the_same_texts_with_the_same_places() {
 
 #[test]
 fn every_text_that_is_asked_for_is_there_and_none_lies_idle() {
-    let root = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("src/serve");
+    let root = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("src");
     let (mut open, mut code) = (vec![root], String::new());
     while let Some(folder) = open.pop() {
         for path in std::fs::read_dir(folder)

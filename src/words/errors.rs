@@ -2,7 +2,7 @@
 //! reader's language and by what a page has: fields and outlines in place of flags and files.
 
 #[rustfmt::skip]
-pub(super) const ERRORS: [(&str, &str); 59] = [
+pub(crate) const ERRORS: [(&str, &str); 59] = [
     ("photos in turning order: *, but a turn needs at least *: put all photos of one turn into one folder, as images/*.jpg or *.jpg", "fail-few-photos"),
     ("only * of * photos differ, but a turn needs at least *; copies of another photo: *; put the photos of one turn into the folder, each once", "fail-copies"),
     ("* holds * photos: without a marker mat features are followed from photo to photo, which needs a full turn at steps of 30° or less; take 18 to 36 photos, or lay a mat on the disk (`tailor mat`; then say --mat), or say the step between them, such as --step 20", "fail-few-no-mat"),

@@ -6,7 +6,7 @@ use std::sync::OnceLock;
 
 /// A language that pages are written in.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Language {
+pub(crate) enum Language {
     /// English.
     En,
     /// German.
@@ -15,10 +15,10 @@ pub(super) enum Language {
 
 impl Language {
     /// All of them.
-    pub(super) const ALL: [Language; 2] = [Language::En, Language::De];
+    pub(crate) const ALL: [Language; 2] = [Language::En, Language::De];
 
     /// Its code.
-    pub(super) fn code(self) -> &'static str {
+    pub(crate) fn code(self) -> &'static str {
         match self {
             Language::En => "en",
             Language::De => "de",
@@ -26,7 +26,7 @@ impl Language {
     }
 
     /// What it calls itself.
-    pub(super) fn name(self) -> &'static str {
+    pub(crate) fn name(self) -> &'static str {
         match self {
             Language::En => "English",
             Language::De => "Deutsch",
@@ -34,23 +34,32 @@ impl Language {
     }
 
     /// Of a code, `de` or `de-AT`.
-    pub(super) fn of(code: &str) -> Option<Language> {
-        let code = code.trim().split(['-', ';']).next()?.trim();
+    pub(crate) fn of(code: &str) -> Option<Language> {
+        let code = code.trim().split(['-', '_', '.', ';']).next()?.trim();
         Self::ALL
             .into_iter()
             .find(|l| l.code().eq_ignore_ascii_case(code))
     }
 
     /// The first that there is of those that a browser asks for (`Accept-Language`).
-    pub(super) fn asked(header: &str) -> Option<Language> {
+    pub(crate) fn asked(header: &str) -> Option<Language> {
         header.split(',').find_map(Language::of)
     }
 
+    /// What the environment asks for, as other programs of the command line read it.
+    pub(crate) fn of_environment() -> Language {
+        let said = |name: &str| std::env::var(name).ok().filter(|value| !value.is_empty());
+        let names = ["LC_ALL", "LC_MESSAGES", "LANG"];
+        let first = names.into_iter().find_map(said);
+        let asked = first.and_then(|value| Language::of(&value));
+        asked.unwrap_or(Language::En)
+    }
+
     /// Its texts as a file.
-    pub(super) fn texts(self) -> &'static str {
+    pub(crate) fn texts(self) -> &'static str {
         match self {
-            Language::En => include_str!("words/en.ftl"),
-            Language::De => include_str!("words/de.ftl"),
+            Language::En => include_str!("en.ftl"),
+            Language::De => include_str!("de.ftl"),
         }
     }
 
@@ -73,11 +82,11 @@ impl Language {
 
 /// What a reader wants to read.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) struct Words {
+pub(crate) struct Words {
     /// In which language.
-    pub(super) language: Language,
+    pub(crate) language: Language,
     /// Whether lengths are in inches.
-    pub(super) inches: bool,
+    pub(crate) inches: bool,
 }
 
 /// \[cm\]
@@ -85,12 +94,12 @@ const INCH: f64 = 2.54;
 
 impl Words {
     /// A text.
-    pub(super) fn say(self, key: &str) -> String {
+    pub(crate) fn say(self, key: &str) -> String {
         self.with(key, &[])
     }
 
     /// A text with what is put in: texts, and whole numbers, which choose the plural.
-    pub(super) fn with(self, key: &str, put: &[(&str, FluentValue<'_>)]) -> String {
+    pub(crate) fn with(self, key: &str, put: &[(&str, FluentValue<'_>)]) -> String {
         let bundle = self.language.bundle();
         let pattern = bundle.get_message(key).and_then(|message| message.value());
         let pattern = pattern.unwrap_or_else(|| panic!("bug: no text is called {key}"));
@@ -105,22 +114,31 @@ impl Words {
     }
 
     /// Whether there is such a text.
-    pub(super) fn knows(self, key: &str) -> bool {
+    pub(crate) fn knows(self, key: &str) -> bool {
         self.language.bundle().has_message(key)
     }
 
+    /// What a girth is called by its name in files; `otherwise` where nobody called it.
+    pub(crate) fn girth(self, name: &str, otherwise: &str) -> String {
+        let key = format!("girth-{}", name.replace('_', "-"));
+        match self.knows(&key) {
+            true => self.say(&key),
+            false => otherwise.to_owned(),
+        }
+    }
+
     /// The unit of lengths, as a form says it.
-    pub(super) fn unit(self) -> &'static str {
+    pub(crate) fn unit(self) -> &'static str {
         if self.inches { "in" } else { "cm" }
     }
 
     /// A number with so many decimals, as it is written in the language.
-    pub(super) fn number(self, value: f64, decimals: usize) -> String {
+    pub(crate) fn number(self, value: f64, decimals: usize) -> String {
         self.written(&format!("{value:.decimals$}"))
     }
 
     /// A number with a decimal point, as it is written in the language.
-    pub(super) fn written(self, number: &str) -> String {
+    pub(crate) fn written(self, number: &str) -> String {
         match self.language {
             Language::En => number.to_owned(),
             Language::De => number.replace('.', ","),
@@ -128,7 +146,7 @@ impl Words {
     }
 
     /// A length in what the reader wants; to a millimetre, or a twentieth of an inch.
-    pub(super) fn length(self, cm: f64) -> String {
+    pub(crate) fn length(self, cm: f64) -> String {
         match self.inches {
             false => format!("{} cm", self.number(cm, 1)),
             true => format!("{} in", self.number(cm / INCH, 2)),
@@ -136,7 +154,7 @@ impl Words {
     }
 
     /// A duration.
-    pub(super) fn duration(self, seconds: f64) -> String {
+    pub(crate) fn duration(self, seconds: f64) -> String {
         let whole = seconds.max(0.0).round() as u64;
         match (whole / 60, whole % 60) {
             (0, s) => format!("{s} s"),
@@ -149,7 +167,7 @@ impl Words {
     /// # Errors
     ///
     /// What was typed is no number.
-    pub(super) fn typed(self, text: &str) -> Result<Option<f64>, String> {
+    pub(crate) fn typed(self, text: &str) -> Result<Option<f64>, String> {
         let text = text.trim();
         let number = text
             .replace(',', ".")
@@ -167,7 +185,7 @@ impl Words {
     /// # Errors
     ///
     /// What was typed is no number.
-    pub(super) fn typed_length(self, text: &str) -> Result<Option<f64>, String> {
+    pub(crate) fn typed_length(self, text: &str) -> Result<Option<f64>, String> {
         let number = self.typed(text)?;
         let cm = |number: f64| {
             if self.inches {
@@ -180,12 +198,12 @@ impl Words {
     }
 
     /// A length for a field that somebody types into.
-    pub(super) fn field_length(self, cm: f64) -> String {
+    pub(crate) fn field_length(self, cm: f64) -> String {
         self.field(if self.inches { round(cm / INCH) } else { cm })
     }
 
     /// A number for a field that somebody types into.
-    pub(super) fn field(self, value: f64) -> String {
+    pub(crate) fn field(self, value: f64) -> String {
         self.written(&value.to_string())
     }
 }

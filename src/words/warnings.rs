@@ -2,7 +2,7 @@
 //! `words/` that say the same in the reader's language.
 
 #[rustfmt::skip]
-pub(super) const WARNINGS: [(&str, &str); 136] = [
+pub(crate) const WARNINGS: [(&str, &str); 136] = [
     ("frames of a video are not at even steps: `step_deg` was passed over (how many are taken: --set frames.step_deg=)", "warn-video-steps"),
     ("* is the same file as * and was left out: if another photo should be in its place, put it there", "warn-same-file"),
     ("* is the same file as * and was left out", "warn-same-raw"),
@@ -143,4 +143,4 @@ pub(super) const WARNINGS: [(&str, &str); 136] = [
 
 #[cfg(test)]
 #[path = "warnings_tests.rs"]
-pub(super) mod tests;
+pub(crate) mod tests;

@@ -39,7 +39,7 @@ fn files() -> Vec<PathBuf> {
 }
 
 /// The literal that a call begins with, `*` for what is put in; none where it is no literal.
-pub(in super::super) fn literal(after: &str) -> Option<String> {
+pub(in crate::words) fn literal(after: &str) -> Option<String> {
     let after = after.trim_start();
     let after = after.strip_prefix('&').unwrap_or(after);
     let inner = after.strip_prefix("format!(").unwrap_or(after).trim_start();

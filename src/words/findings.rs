@@ -7,7 +7,7 @@ use super::warnings::WARNINGS;
 
 /// Sentences, `*` for what is put in, and their texts, in which that is `a` and `b`.
 #[rustfmt::skip]
-const TOLD: [(&str, &str); 51] = [
+const TOLD: [(&str, &str); 56] = [
     ("only * % of the picture stands still: the camera, or all behind the subject, moved between the photos", "find-moved"),
     ("a turn wants one camera on a tripod and the subject on a disk; is this a walk around somebody who stands still? Then say --walk", "find-moved-mend"),
     ("the subject, which all other photos show, is not seen here", "find-empty"),
@@ -59,6 +59,11 @@ const TOLD: [(&str, &str); 51] = [
     ("the reference length", "find-from-reference"),
     ("the disk's diameter, if its edge is seen", "find-from-disk"),
     ("the stature", "find-from-stature"),
+    ("WHO 2008: raised risk from 0.90 (men); no diagnosis", "note-who-men"),
+    ("WHO 2008: raised risk from 0.85 (women); no diagnosis", "note-who-women"),
+    ("WHO 2008: raised risk from 0.90 (men), 0.85 (women); no diagnosis", "note-who"),
+    ("waist to height: NICE 2022 names 0.5 as a boundary to keep below; no diagnosis", "note-nice"),
+    ("experimental; includes air in the lungs; 1 % error in volume means 1 % error in density", "note-density"),
 ];
 
 /// Girths and lengths as they are listed in sentences, and their texts.
@@ -77,7 +82,7 @@ const LISTED: [(&str, &str); 25] = [
 ];
 
 /// A list of girths or lengths in the reader's language; what is not known stays.
-fn listed(words: Words, text: &str) -> String {
+pub(crate) fn listed(words: Words, text: &str) -> String {
     if words.language == Language::En {
         return text.to_owned();
     }
@@ -109,7 +114,7 @@ fn put_in<'a>(pattern: &str, text: &'a str) -> Option<Vec<&'a str>> {
 const NEWS: [&str; 2] = ["warn-mat-known", "warn-shortened"];
 
 /// Whether a warning only tells what was found.
-pub(super) fn is_news(text: &str) -> bool {
+pub(crate) fn is_news(text: &str) -> bool {
     let fits = |(pattern, _): &&(&str, &str)| put_in(pattern, text).is_some();
     let known = WARNINGS.iter().find(fits);
     known.is_some_and(|(_, key)| NEWS.contains(key))
@@ -117,7 +122,7 @@ pub(super) fn is_news(text: &str) -> bool {
 
 /// A sentence of a stage in the reader's language; none if it is not known. What it is about may stand
 /// before it (`NC: `).
-pub(super) fn translated(words: Words, text: &str) -> Option<String> {
+pub(crate) fn translated(words: Words, text: &str) -> Option<String> {
     let all = TOLD.iter().chain(&WARNINGS).chain(&ERRORS);
     let fits = |(pattern, key): &(&str, &'static str)| Some((*key, put_in(pattern, text)?));
     let Some((key, found)) = all.clone().find_map(fits) else {

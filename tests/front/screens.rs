@@ -1,0 +1,146 @@
+//! The first screen of `measure`: what it found, parts in words, the girths, warnings; in a pipe, on a terminal, in German.
+
+use crate::first_answer::sample;
+
+/// Columns of a terminal as it comes.
+const COLUMNS: usize = 80;
+
+/// Names of nodes that say nothing to who measures.
+const NODES: [&str; 4] = ["calibrated", "compensated", "evidence", "keypoints"];
+
+/// The places of these in a text, which must come in this order.
+#[track_caller]
+fn in_order(text: &str, parts: &[&str]) {
+    let mut rest = text;
+    for part in parts {
+        let at = rest.find(part);
+        let at =
+            at.unwrap_or_else(|| panic!("`{part}` is not there, or not in its place:\n{text}"));
+        rest = &rest[at + part.len()..];
+    }
+}
+
+#[test]
+fn a_measuring_tells_what_it_found_then_its_parts_and_ends_with_girths_and_warnings() {
+    let place = sample();
+    let said = place.run("measure turn --out out --fast").code(0);
+    let found = "turn: 18 photos of 1.0 megapixels, with the empty scene, a mat of 12 tags\n";
+    assert!(said.err.starts_with(found), "{}", said.err);
+    in_order(
+        &said.err,
+        &[
+            "Photos: done\n",
+            "Cameras: done\n",
+            "Outlines: done\n",
+            "Hull: done\n",
+            "Surface: done\n",
+            "Girths: done\n",
+            "Report: done\n",
+        ],
+    );
+    in_order(
+        &said.out,
+        &[
+            "turn: 18 of 18 photos",
+            "girth ",
+            "waist (WC)",
+            " warning",
+            "all files: out\n",
+            "report:    out",
+        ],
+    );
+    for text in [&said.out, &said.err] {
+        assert!(!text.contains(['\r', '\u{1b}']), "{text:?}");
+        assert!(!NODES.iter().any(|node| text.contains(node)), "{text}");
+        let wide = text.lines().filter(|l| l.chars().count() > COLUMNS);
+        assert_eq!(wide.collect::<Vec<_>>(), [""; 0]);
+    }
+    // Nothing is made anew in another language, and the numbers are the same.
+    let german = place.run("measure turn --out out --lang de --fast").code(0);
+    in_order(
+        &german.err,
+        &[
+            "turn: 18 Fotos mit je 1,0 Megapixeln",
+            "Umrisse: schon im Zwischenspeicher\n",
+            "Bericht: ",
+        ],
+    );
+    in_order(
+        &german.out,
+        &[
+            "Umfang ",
+            "Bereich (90 %)",
+            "Taille (WC)",
+            " Warnung",
+            "alle Dateien: out\n",
+        ],
+    );
+    let wide = german.out.lines().filter(|l| l.chars().count() > COLUMNS);
+    assert_eq!(wide.collect::<Vec<_>>(), [""; 0]);
+    let numbers = |text: &str| {
+        let row = text.lines().find(|l| l.contains("(HC)")).unwrap();
+        row.replace(',', ".")
+            .split_whitespace()
+            .filter(|w| w.parse::<f64>().is_ok())
+            .map(str::to_owned)
+            .collect::<Vec<_>>()
+    };
+    assert_eq!(numbers(&german.out), numbers(&said.out));
+    let line = format!(
+        "LC_ALL= LANG=de_DE.UTF-8 {} measure turn --out out --fast",
+        env!("CARGO_BIN_EXE_tailor")
+    );
+    assert_eq!(place.bash(&line).code(0).out, german.out);
+    let quiet = place.run("measure turn --out out --quiet --fast").code(0);
+    assert_eq!((quiet.err, quiet.out), (String::new(), said.out.clone()));
+    let nodes = place.run("measure turn --out out --verbose --fast").code(0);
+    assert!(nodes.err.contains("] calibrated   found"), "{}", nodes.err);
+    on_a_terminal(&place);
+}
+
+/// On a terminal one line lives, and is gone at the end.
+fn on_a_terminal(place: &crate::place::Place) {
+    if !cfg!(target_os = "linux") {
+        return;
+    }
+    // Another cell, so that something is made.
+    let line = format!(
+        "{} measure turn --out out --fast --set params.cell_mm=4",
+        env!("CARGO_BIN_EXE_tailor")
+    );
+    let seen = place.bash(&format!("script -qec 'stty cols 80; {line}' /dev/null"));
+    let seen = seen.code(0).out;
+    assert!(seen.contains("/7] ") && seen.contains('\u{1b}'), "{seen:?}");
+    let plain = !seen.contains("Surface: done") && !seen.contains("made in");
+    assert!(plain, "{seen:?}");
+    in_order(
+        &seen,
+        &[
+            "turn: 18 photos",
+            "/7] Surface, ",
+            "turn: 18 of 18 photos",
+            "girth ",
+        ],
+    );
+}
+
+#[test]
+fn what_was_warned_of_is_told_where_nothing_comes_of_it() {
+    let place = crate::place::Place::new();
+    place.photos("turn", 9);
+    place.write("turn/raw.cr2", "x");
+    // A mat that is not there.
+    let wrong = "--mat-tag 60 --mat-ids 100-111 --mat-ring 100";
+    let said = place.run(&format!(
+        "measure turn --out out --set photos.stop=false {wrong}"
+    ));
+    in_order(
+        &said.code(1).err,
+        &[
+            "turn: 9 photos",
+            "\n1 warning\n",
+            "raw.cr2",
+            "calibrated failed: ",
+        ],
+    );
+}
