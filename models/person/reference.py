@@ -11,7 +11,7 @@ from pathlib import Path
 import numpy as np
 from ai_edge_litert.interpreter import Interpreter
 
-# Boxes of a figure on a side of 64: left, top, right, bottom, colour. `tests/networks.rs` paints the same.
+# Boxes of a figure on a side of 64: left, top, right, bottom, colour. `tests/all/networks.rs` paints the same.
 FIGURE = [
     (0, 0, 64, 48, (176, 180, 184)),
     (0, 48, 64, 64, (120, 104, 90)),

@@ -109,19 +109,20 @@ pub(super) fn look(
         .step_deg()
         .or(step)
         .is_some_and(|s| s.abs() <= WIDEST_DEG);
-    if (3..FEWEST).contains(&photos.len())
-        && looked.patterns.is_empty()
-        && !facts.tagged()
-        && !has("mat")
-        && !near
-    {
-        looked.few = Some(format!(
-            "{shown} holds {} photos: without a marker mat features are followed from photo to photo, which needs a full turn at steps of 30° or less; \
-             take 18 to 36 photos, or lay a mat on the disk (`tailor mat`; then say --mat), or say the step between them, such as --step 20",
-            photos.len()
-        ));
+    let few = (3..FEWEST).contains(&photos.len());
+    if few && looked.patterns.is_empty() && !facts.tagged() && !has("mat") && !near {
+        looked.few = Some(too_few(capture, photos.len()));
     }
     Ok(looked)
+}
+
+/// Why so many photos are too few.
+fn too_few(capture: &Path, photos: usize) -> String {
+    format!(
+        "{} holds {photos} photos: without a marker mat features are followed from photo to photo, which needs a full turn at steps of 30° or less; \
+         take 18 to 36 photos, or lay a mat on the disk (`tailor mat`; then say --mat), or say the step between them, such as --step 20",
+        capture.display()
+    )
 }
 
 /// What lies in the folder and is not read; an error where there is nothing else.

@@ -95,7 +95,8 @@ fn every_failure_is_told_in_german_with_what_is_put_in() {
 fn the_sentence_of_few_photos_is_the_one_that_is_said() {
     let root = Path::new(env!("CARGO_MANIFEST_DIR"));
     let code = std::fs::read_to_string(root.join("src/cli/folder.rs")).unwrap();
-    let (_, after) = code.split_once("looked.few = Some(").unwrap();
+    let (_, after) = code.split_once("fn too_few(").unwrap();
+    let after = &after[after.find("format!(").unwrap()..];
     let said = literal(after).unwrap();
     assert!(ERRORS.iter().any(|(pattern, _)| *pattern == said), "{said}");
 }

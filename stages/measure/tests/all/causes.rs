@@ -1,0 +1,244 @@
+//! A body that is refused says what broke it: photos, outlines, a lost half; once, for all girths.
+
+use crate::made;
+
+use measure::{FindLandmarks, GirthInput, LandmarkInput, Measure};
+use nalgebra::{Matrix3, Rotation3, Vector3};
+use shape::{
+    BodyPart, Camera, Cameras, Girths, Intrinsics, LostParts, Mask, Masks, Mesh, Missing, PhotoId,
+    Photos, Pose, Refusal, Rig, Scale, View,
+};
+use stage::{Ctx, Host, Stage};
+use std::sync::{Arc, Mutex};
+
+const PHOTOS: u32 = 12;
+
+/// Cameras all around, 4 m from the axis.
+fn cameras() -> Cameras {
+    let view = |k: u32| {
+        let (s, c) = libm::sincos(f64::from(k) * std::f64::consts::TAU / f64::from(PHOTOS));
+        let (forward, right) = (Vector3::new(-c, -s, 0.0), Vector3::new(-s, c, 0.0));
+        let rows = [right, forward.cross(&right), forward].map(|r| r.transpose());
+        let rotation = Rotation3::from_matrix_unchecked(Matrix3::from_rows(&rows));
+        let centre = Vector3::new(4000.0 * c, 4000.0 * s, 850.0);
+        let camera = Camera {
+            lens: Intrinsics::simple(200, 280, 520.0),
+            pose: Pose {
+                rotation,
+                translation: -(rotation * centre),
+            },
+        };
+        let view = View {
+            name: format!("{k:04}.jpg"),
+            camera,
+            sigma_mm: None,
+            rms_px: None,
+            points: 0,
+        };
+        (PhotoId(k), view)
+    };
+    Cameras {
+        views: (0..PHOTOS).map(view).collect(),
+        scale: Scale::Mat,
+        scale_sigma: Some(0.001),
+        disk_radius_mm: None,
+        ground_mm: 0.0,
+        points: vec![],
+    }
+}
+
+/// What the cameras see of a surface.
+fn masks(mesh: &Mesh, cameras: &Cameras) -> Masks {
+    let seen = |(id, view): (PhotoId, &View)| {
+        let mut mask = Mask::filled(200, 280, 0);
+        let mut near = shape::Image::filled(200, 280, f64::MIN);
+        for f in 0..mesh.faces.len() {
+            let corners = mesh.triangle(f).map(|p| view.camera.project(&p).unwrap());
+            let flat = corners.map(|px| [px.x, px.y, 0.0]);
+            shape::fill_triangle(flat, &mut near, &mut |x, y| *mask.at_mut(x, y) = 255);
+        }
+        (id, mask)
+    };
+    Masks {
+        views: cameras.views.iter().map(seen).collect(),
+    }
+}
+
+/// Without what lies below the hips of every or of one photo.
+fn halved(masks: &mut Masks, one: Option<u32>) {
+    for k in (0..PHOTOS).filter(|k| one.is_none_or(|one| one == *k)) {
+        let mask = masks.views.get_mut(PhotoId(k)).unwrap();
+        mask.data[200 * 140..].fill(0);
+    }
+}
+
+/// What is warned of.
+#[derive(Default)]
+struct Heard(Mutex<Vec<String>>);
+
+impl Host for Heard {
+    fn warn(&self, text: &str) {
+        self.0.lock().unwrap().push(text.to_owned());
+    }
+}
+
+/// Girths of a surface with photos and facts; what was warned of.
+fn measured(mesh: &Mesh, masks: Masks, rig: Rig) -> (Girths, Vec<String>) {
+    with_lost(mesh, masks, rig, None)
+}
+
+/// The same where masks are known to leave out parts of the body.
+fn with_lost(
+    mesh: &Mesh,
+    masks: Masks,
+    rig: Rig,
+    lost_parts: Option<LostParts>,
+) -> (Girths, Vec<String>) {
+    let mesh = Arc::new(mesh.clone());
+    let cameras = Some(Arc::new(cameras()));
+    let input = LandmarkInput {
+        mesh: mesh.clone(),
+        cameras: cameras.clone(),
+        levels: None,
+    };
+    let heard = Heard::default();
+    let nothing = stage::hash(b"");
+    let ctx = Ctx::new(&heard, nothing, nothing);
+    let landmarks = FindLandmarks::run(&Default::default(), input, &ctx).unwrap();
+    let photos = Photos {
+        rig,
+        ..Photos::default()
+    };
+    let input = GirthInput {
+        mesh,
+        landmarks: Arc::new(landmarks),
+        cameras,
+        photos: Some(Arc::new(photos)),
+        masks: Some(Arc::new(masks)),
+        person: None,
+        lost_parts: lost_parts.map(Arc::new),
+    };
+    let girths = Measure::run(&Default::default(), input, &ctx).unwrap();
+    (girths, heard.0.into_inner().unwrap())
+}
+
+/// The one reason of all that is missing, told once.
+#[track_caller]
+fn told((girths, warned): (Girths, Vec<String>)) -> Missing {
+    assert!(girths.girths.is_empty());
+    let first = girths.missing.first().unwrap().clone();
+    for missing in &girths.missing {
+        assert_eq!(
+            (missing.reason, &missing.why),
+            (first.reason, &first.why),
+            "{}",
+            missing.name
+        );
+    }
+    let times = warned.iter().filter(|w| w.contains(&first.why)).count();
+    assert_eq!(times, 1, "{warned:#?}");
+    assert!(
+        !warned.iter().any(|w| w.contains("two legs")) || first.reason == Refusal::NoLegs,
+        "{warned:#?}"
+    );
+    first
+}
+
+#[test]
+fn a_refused_body_names_its_cause_once() {
+    let body = made::meshed(&made::built(1700.0, 1.0, 12.0), 12.0);
+    let whole = masks(&body, &cameras());
+    // What a hull keeps of a body whose legs one photo lacks.
+    let mut upper = body.clone();
+    upper
+        .positions
+        .iter_mut()
+        .for_each(|p| p[2] = p[2].max(850.0));
+    let none = Rig::default;
+
+    let mut one = whole.clone();
+    halved(&mut one, Some(4));
+    let cut = told(measured(&upper, one, none()));
+    assert_eq!(cut.reason, Refusal::Outlines);
+    assert!(
+        cut.why.contains("0004.jpg") && !cut.why.contains("0003.jpg"),
+        "{}",
+        cut.why
+    );
+
+    let mut empty = whole.clone();
+    let mask = empty.views.get_mut(PhotoId(7)).unwrap();
+    mask.data.fill(0);
+    (0..20).for_each(|x| mask.data[200 * 100 + 90 + x] = 255);
+    let cut = told(measured(&upper, empty, none()));
+    assert_eq!(cut.reason, Refusal::EmptyPhoto);
+    assert!(cut.why.contains("0007.jpg"), "{}", cut.why);
+
+    // Every outline is cut through at the hips: two pieces, of which one was kept.
+    let mut through = whole.clone();
+    for k in 0..PHOTOS {
+        through.views.get_mut(PhotoId(k)).unwrap().data[200 * 138..200 * 142].fill(0);
+    }
+    let apart = told(measured(&upper, through, none()));
+    assert_eq!(apart.reason, Refusal::Incomplete);
+    assert!(apart.why.contains("hangs apart"), "{}", apart.why);
+
+    // All lack the lower half: only what is known of the body tells.
+    let mut half = whole.clone();
+    halved(&mut half, None);
+    let known = |stature_mm, weight_kg| Rig {
+        stature_mm,
+        weight_kg,
+        ..Rig::default()
+    };
+    let short = told(measured(
+        &upper,
+        half.clone(),
+        known(Some(1700.0), Some(70.0)),
+    ));
+    assert_eq!(short.reason, Refusal::Incomplete);
+    assert!(
+        short.why.contains("85 cm high") && short.why.contains("50 %"),
+        "{}",
+        short.why
+    );
+    let light = told(measured(&upper, half.clone(), known(None, Some(70.0))));
+    assert_eq!(light.reason, Refusal::Incomplete);
+    assert!(light.why.contains("70.0 kg"), "{}", light.why);
+    let unknown = told(measured(&upper, half, none()));
+    assert!(
+        [Refusal::NoLegs, Refusal::NotUpright].contains(&unknown.reason),
+        "{unknown:?}"
+    );
+}
+
+#[test]
+fn legs_that_most_masks_leave_out_have_no_girths_and_those_of_one_mask_have() {
+    let body = made::meshed(&made::built(1700.0, 1.0, 12.0), 12.0);
+    let whole = masks(&body, &cameras());
+    let told = |photos: u32| {
+        let mut parts = LostParts {
+            photos: PHOTOS,
+            ..LostParts::default()
+        };
+        parts.lost[BodyPart::Legs as usize] = (0..photos).map(PhotoId).collect();
+        with_lost(&body, whole.clone(), Rig::default(), Some(parts))
+    };
+    let names =
+        |girths: &Girths| -> Vec<String> { girths.girths.iter().map(|g| g.name.clone()).collect() };
+    let (one, _) = told(1);
+    assert_eq!(
+        names(&one),
+        names(&measured(&body, whole.clone(), Rig::default()).0)
+    );
+    let (most, warned) = told(7);
+    let left: Vec<String> = names(&one)
+        .into_iter()
+        .filter(|name| !name.starts_with("TC") && !name.starts_with("CFC"))
+        .collect();
+    assert!(left.len() < one.girths.len(), "{:?}", names(&one));
+    assert_eq!(names(&most), left);
+    let why = "7 of 12 masks leave out a part of the body that this needs";
+    let told = warned.iter().filter(|w| w.contains(why)).count();
+    assert_eq!(told, 1, "{warned:#?}");
+}

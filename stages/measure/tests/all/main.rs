@@ -1,0 +1,20 @@
+//! All tests of `measure` in one program: each takes long to link.
+
+mod bad_input;
+mod bodies;
+mod causes;
+mod cut_off;
+mod declared;
+mod disputed;
+mod ground;
+mod level_model;
+mod levels;
+mod limbs;
+#[path = "../made/mod.rs"]
+mod made;
+mod made_girths;
+mod necks;
+mod refit;
+mod sections;
+mod silhouettes;
+mod touching;

@@ -1,0 +1,126 @@
+//! The neck's plane on necks by formula: square to their axis however they lean, on the tube, never on
+//! the head; or refused.
+
+use crate::made;
+
+use made::{built, measured, meshed};
+use nalgebra::Vector3;
+use shape::{Landmark, Mesh, Refusal, Solid, SolidPart};
+
+/// Half-axes of the neck, across and fore and aft. \[mm\]
+const NECK: [f64; 2] = [54.0, 60.0];
+
+/// A standing body with a neck of even width that leans forward, times a scale.
+fn leaning(degrees: f64, scale: f64) -> Solid {
+    let mut solid = built(1750.0 * scale, 1.0, 32.0);
+    let axis = Vector3::new(
+        0.0,
+        -libm::sin(degrees.to_radians()),
+        libm::cos(degrees.to_radians()),
+    );
+    let base = Vector3::new(0.0, 6.0, 1400.0);
+    let at = |along: f64| ((base + axis * along) * scale).into();
+    if let SolidPart::Stack { levels, .. } = &mut solid.parts[0] {
+        levels.pop();
+    }
+    solid.parts[1] = SolidPart::Limb {
+        from: at(0.0),
+        to: at(250.0),
+        half_from: NECK.map(|h| h * scale),
+        half_to: NECK.map(|h| h * scale),
+        round: 10.0 * scale,
+    };
+    solid.parts[2] = SolidPart::Ellipsoid {
+        centre: (base * scale + axis * (265.0 * scale) - Vector3::y() * (25.0 * scale)).into(),
+        half: [78.0, 96.0, 118.0].map(|h| h * scale),
+    };
+    solid
+}
+
+fn neck(mesh: Mesh) -> Result<(Landmark, f64), String> {
+    let (landmarks, girths) = measured(mesh);
+    let found = landmarks.found.iter().find(|l| l.name == "NC");
+    let why = landmarks.missing.iter().find(|m| m.name == "NC");
+    match (found, girths.get("NC")) {
+        (Some(landmark), Some(girth)) => Ok((landmark.clone(), girth.tape_mm)),
+        _ => Err(why.map_or("no reason".into(), |m| m.why.clone())),
+    }
+}
+
+#[test]
+fn a_plane_is_square_to_the_necks_axis_however_it_leans() {
+    // An ellipse's length (Ramanujan 1914).
+    let [a, b] = NECK;
+    let h = ((a - b) / (a + b)).powi(2);
+    let around = std::f64::consts::PI * (a + b) * (1.0 + 3.0 * h / (10.0 + (4.0 - 3.0 * h).sqrt()));
+    for degrees in [0.0, 12.0, 24.0, 35.0] {
+        let (landmark, tape) = neck(meshed(&leaning(degrees, 1.0), 7.0)).unwrap();
+        let [_, y, z] = landmark.plane.normal;
+        let told = libm::atan2(-y, z).to_degrees();
+        assert!((told - degrees).abs() < 2.0, "{told} for {degrees}");
+        assert!(
+            (tape / around - 1.0).abs() < 0.02,
+            "{tape} for {around} at {degrees}"
+        );
+        let sigma = landmark.sigma;
+        assert!(sigma.level_mm.unwrap() > 1.0 && sigma.tilt_rad.unwrap() > 0.01);
+    }
+}
+
+#[test]
+fn a_neck_is_the_same_share_of_a_body_of_any_size_in_any_place() {
+    let (one, tape) = neck(meshed(&leaning(20.0, 1.0), 8.0)).unwrap();
+    let mut small = meshed(&leaning(20.0, 0.5), 4.0);
+    small.positions.iter_mut().for_each(|p| {
+        p[0] += 300.0;
+        p[1] -= 200.0;
+    });
+    let (other, half) = neck(small).unwrap();
+    proof::near(half, 0.5 * tape, 0.005 * tape);
+    let [_, y, z] = one.plane.point_mm;
+    proof::near(other.plane.point_mm[2], 0.5 * z, 2.0);
+    proof::near(other.plane.point_mm[1] + 200.0, 0.5 * y, 2.0);
+}
+
+#[test]
+fn a_lean_that_is_set_adds_to_the_necks_own() {
+    use measure::{FindLandmarks, LandmarkInput, LandmarkParams};
+    use stage::{Ctx, Stage};
+    let mesh = std::sync::Arc::new(meshed(&leaning(15.0, 1.0), 8.0));
+    let lean = |more: f64| {
+        let params = LandmarkParams {
+            neck_lean_deg: more,
+            ..Default::default()
+        };
+        let input = LandmarkInput {
+            mesh: mesh.clone(),
+            cameras: None,
+            levels: None,
+        };
+        let found = FindLandmarks::run(&params, input, &Ctx::alone())
+            .unwrap()
+            .found;
+        let [_, y, z] = found.iter().find(|l| l.name == "NC").unwrap().plane.normal;
+        libm::atan2(-y, z).to_degrees()
+    };
+    proof::near(lean(10.0), lean(0.0) + 10.0, 1e-6);
+}
+
+#[test]
+fn without_a_head_or_under_a_hood_there_is_no_neck() {
+    let mut headless = leaning(15.0, 1.0);
+    headless.parts.remove(2);
+    assert_eq!(
+        neck(meshed(&headless, 8.0)).unwrap_err(),
+        Refusal::NoNeck.why()
+    );
+    let mut hood = leaning(15.0, 1.0);
+    hood.parts[1] = SolidPart::Limb {
+        from: [0.0, 0.0, 1380.0],
+        to: [0.0, -60.0, 1640.0],
+        half_from: [100.0, 110.0],
+        half_to: [90.0, 110.0],
+        round: 10.0,
+    };
+    assert_eq!(neck(meshed(&hood, 8.0)).unwrap_err(), Refusal::NoNeck.why());
+}

@@ -1,0 +1,13 @@
+//! All tests of `pose` in one program: each takes long to link.
+
+mod found;
+mod import;
+mod lengths;
+mod lens;
+mod mat;
+#[path = "../post/mod.rs"]
+mod post;
+mod recognise;
+mod turn;
+mod two_points;
+mod walk;

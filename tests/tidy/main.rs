@@ -1,0 +1,8 @@
+//! The rules of the house: what a file may know, name, hold.
+
+mod circles;
+mod files;
+#[path = "../imports/mod.rs"]
+mod imports;
+mod names;
+mod rules;
