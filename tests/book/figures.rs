@@ -10,7 +10,7 @@ pub(crate) fn json(name: &str) -> Value {
 }
 
 /// As many digits as say something: from ten on none behind the point.
-fn digits(x: f64) -> String {
+pub(crate) fn digits(x: f64) -> String {
     match x.abs() {
         a if a >= 9.95 => format!("{x:.0}"),
         a if a >= 0.995 => format!("{x:.1}"),
@@ -95,7 +95,11 @@ fn a_fleet_on_paper() {
 }
 
 /// What a fit of the shipped model did on a family that it had not seen.
-fn held_out<'a>(model: &'a toml::Value, family: &str, level: &str) -> impl Fn(&str) -> f64 + 'a {
+pub(crate) fn held_out<'a>(
+    model: &'a toml::Value,
+    family: &str,
+    level: &str,
+) -> impl Fn(&str) -> f64 + 'a {
     let all = model["held_out"].as_array().unwrap();
     let is = |row: &&toml::Value| {
         row["family"].as_str() == Some(family) && row["level"].as_str() == Some(level)

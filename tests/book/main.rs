@@ -6,6 +6,7 @@ mod faults;
 mod figures;
 mod growth;
 mod links;
+mod near;
 mod scans;
 mod screens;
 mod tables;

@@ -46,7 +46,7 @@ const BODIES: [(&str, &str); 3] = [
     ("woman", "woman, sways, no mat"),
 ];
 
-const TRUNK: [&str; 7] = [
+pub(crate) const TRUNK: [&str; 7] = [
     "WC",
     "WC_navel",
     "WC_hip_bone",
@@ -63,17 +63,21 @@ pub(crate) fn number(value: &Value) -> f64 {
 }
 
 /// What the surface errs at the measured planes of girths that were measured. \[%\]
-fn at_planes(score: &Value, names: &[&str]) -> Vec<f64> {
+pub(crate) fn at_planes(score: &Value, names: &[&str]) -> Vec<f64> {
     let planes = &score["girths_at_measured_planes"];
     let one = |name: &&str| planes[*name]["tape_pct"].as_f64();
     names.iter().filter_map(one).collect()
 }
 
 fn trunk(score: &Value) -> String {
-    let errors = at_planes(score, &TRUNK);
+    between(at_planes(score, &TRUNK), 2)
+}
+
+/// The least and the most, with a sign. \[%\]
+pub(crate) fn between(errors: Vec<f64>, digits: usize) -> String {
     let least = errors.iter().copied().fold(f64::INFINITY, f64::min);
     let most = errors.iter().copied().fold(f64::NEG_INFINITY, f64::max);
-    signed(&format!("{least:+.2} to {most:+.2} %"))
+    signed(&format!("{least:+.digits$} to {most:+.digits$} %"))
 }
 
 fn limbs(score: &Value) -> String {
@@ -140,6 +144,5 @@ fn errors_and_times_of_three_bodies() {
         )
     });
     table += &made_with(&data, &["program", "date", "machine"]);
-    hold("README.md", "bodies", &table);
     hold("docs/accuracy.md", "bodies", &table);
 }
