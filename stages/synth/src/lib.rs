@@ -18,6 +18,7 @@ mod errors;
 mod field;
 mod frame;
 mod girths;
+mod light;
 mod masks;
 mod noise;
 mod phone;

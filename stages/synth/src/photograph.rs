@@ -103,7 +103,8 @@ pub(crate) fn with_body(
         let bright = scene.ambient + (1.0 - scene.ambient) * normal.dot(&light).max(0.0) * 1.25;
         let pixel = (seen.depth / focal) as f32;
         let at = seen.at_rest.map(|x| x as f32).into();
-        let base = scene.palette.cover(at, &scene.body, pixel);
+        let painted = || scene.palette.cover(at, &scene.body, pixel);
+        let base = seen.color.unwrap_or_else(painted);
         let color = albedo(&scene.look, base, at, pixel);
         let (cover, bright) = (seen.cover as f32, bright as f32);
         let to = behind.at_mut(x, y);
@@ -157,7 +158,8 @@ pub(crate) fn with_reflection(
             let back = motion.rotation.inverse() * (above.coords - motion.translation);
             let at = back.map(|c| c as f32).into();
             let pixel = (seen.depth / focal) as f32;
-            let base = scene.palette.cover(at, &scene.body, pixel);
+            let painted = || scene.palette.cover(at, &scene.body, pixel);
+            let base = seen.color.unwrap_or_else(painted);
             let color = albedo(&scene.look, base, at, pixel);
             let to = behind.at_mut(x, y);
             (0..3).for_each(|c| {

@@ -1,5 +1,6 @@
 //! Which of a mesh's points a camera sees, by rays through each pixel against projected triangles.
 
+use crate::light::light_of;
 use nalgebra::{Point2, Vector3};
 use shape::{Camera, Mesh, Pose};
 
@@ -14,6 +15,29 @@ pub struct Seen {
     pub normal: Vector3<f64>,
     /// Mean distance along the optical axis. \[mm\]
     pub depth: f64,
+    /// Mean of the colours there, red, green, blue, linear; `None` where the mesh has none.
+    pub color: Option<[f32; 3]>,
+}
+
+impl Seen {
+    /// One more ray, which meets a face at such weights of its corners; `light` is what levels stand for.
+    fn add(
+        &mut self,
+        mesh: &Mesh,
+        normals: &[Vector3<f64>],
+        light: &[f32],
+        face: u32,
+        weights: [f64; 3],
+    ) {
+        for (v, w) in mesh.faces[face as usize].iter().zip(weights) {
+            self.at_rest += mesh.point(*v).coords * w;
+            self.normal += normals[*v as usize] * w;
+            if let Some(levels) = mesh.colors.get(*v as usize) {
+                let sum = self.color.get_or_insert_default();
+                (0..3).for_each(|c| sum[c] += w as f32 * light[usize::from(levels[c])]);
+            }
+        }
+    }
 }
 
 /// Rows of pixels that are worked on at a time.
@@ -45,6 +69,7 @@ pub fn cast(
     let (width, height) = (camera.lens.width as usize, camera.lens.height as usize);
     let bands = height.div_ceil(BAND);
     let triangles = ready(mesh, camera, motion);
+    let light: Vec<f32> = (0..=255).map(light_of).collect();
     let mut bins: Vec<Vec<u32>> = vec![vec![]; bands];
     for (i, t) in triangles.iter().enumerate() {
         (t.rows[0] / BAND..=t.rows[1] / BAND).for_each(|b| bins[b].push(i as u32));
@@ -92,17 +117,15 @@ pub fn cast(
                     if face == u32::MAX {
                         continue;
                     }
-                    let weights = [a, b, 1.0 - a - b];
-                    for (v, w) in mesh.faces[face as usize].iter().zip(weights) {
-                        seen.at_rest += mesh.point(*v).coords * w;
-                        seen.normal += normals[*v as usize] * w;
-                    }
+                    seen.add(mesh, normals, &light, face, [a, b, 1.0 - a - b]);
                     seen.depth += depth;
                     seen.cover += 1.0;
                 }
                 if seen.cover > 0.0 {
                     seen.at_rest /= seen.cover;
                     seen.depth /= seen.cover;
+                    let count = seen.cover as f32;
+                    seen.color = seen.color.map(|sum| sum.map(|c| c / count));
                     seen.cover *= step * step;
                     each(x, y, &seen);
                 }

@@ -53,6 +53,7 @@ stage::params! {
         #[range(-0.2..=0.2)]
         exif_error: f64 = 0.004,
         /// Which room, clothes, skin, light and disk, drawn by this number; 0: a furnished room, skin all over, a disk of wood.
+        /// A surface with colours of its own wears these.
         #[range(0..=1000000)]
         scene: u32 = 0,
         /// Seed of textures and noise.
@@ -83,9 +84,8 @@ pub struct TakePhotos;
 
 impl Stage for TakePhotos {
     const NAME: &'static str = "synth.turn";
-    const VERSION: u32 = 6;
-    const ABOUT: &'static str =
-        "Takes the photos of a turn of any mesh: textured, lit, on a disk in a furnished room.";
+    const VERSION: u32 = 7;
+    const ABOUT: &'static str = "Takes the photos of a turn of any mesh: in its own colours or textured, lit, on a disk in a furnished room.";
     type Params = TurnParams;
     type Input = TurnInput;
     type Output = Photos;

@@ -1,21 +1,14 @@
 //! What lens, stabiliser and hand do to light: resampled, blurred, shaken.
 
+use crate::light::light_of;
 use shape::{Image, Rgb, cubic_weights};
 
 /// Red, green, blue in proportion to light, 0 to 1.
 pub(crate) type Linear = Image<[f32; 3]>;
 
-/// Light of an sRGB photo (IEC 61966-2-1).
+/// Light of an sRGB photo.
 pub(crate) fn light(photo: &Rgb) -> Linear {
-    let one = |level: usize| {
-        let v = level as f32 / 255.0;
-        if v <= 0.040_45 {
-            v / 12.92
-        } else {
-            libm::powf((v + 0.055) / 1.055, 2.4)
-        }
-    };
-    let table: Vec<f32> = (0..256).map(one).collect();
+    let table: Vec<f32> = (0..=255).map(light_of).collect();
     photo.map(|p| p.map(|v| table[usize::from(v)]))
 }
 

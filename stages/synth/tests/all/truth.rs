@@ -237,3 +237,47 @@ fn photos_show_the_body_where_the_masks_say_and_the_room_elsewhere() {
     }
     assert!(body > 500 && told * 100 > body * 98, "{told} of {body}");
 }
+
+#[test]
+fn a_surface_with_colours_wears_them() {
+    let values = [
+        ("figure", text("torus")),
+        ("wide_mm", Value::Float(70.0)),
+        ("deep_mm", Value::Float(25.0)),
+    ];
+    let mut mesh = mesh(&solid(&values), 3.0);
+    mesh.colors = vec![[200, 40, 90]; mesh.positions.len()];
+    let cameras = Arc::new(ring(1, 0.0));
+    let look = [
+        ("jpeg_quality", Value::Int(0)),
+        ("noise_levels", Value::Float(0.0)),
+        ("contrast", Value::Float(0.0)),
+        ("ambient", Value::Float(1.0)),
+    ];
+    let take = |mesh: &Arc<shape::Mesh>| {
+        let input = TurnInput {
+            mesh: mesh.clone(),
+            cameras: cameras.clone(),
+            sway: None,
+        };
+        let photos = TakePhotos::run(&said(&look), input, &Ctx::alone()).unwrap();
+        photos.photos[0].decode().unwrap()
+    };
+    let mesh = Arc::new(mesh);
+    let input = MaskInput {
+        mesh: mesh.clone(),
+        cameras: cameras.clone(),
+        sway: None,
+    };
+    let masks = TrueMasks::run(&MaskParams { rays: 3 }, input, &Ctx::alone()).unwrap();
+    let mask = masks.views.get(PhotoId(0)).unwrap();
+    let photo = take(&mesh);
+    let body = photo
+        .data
+        .iter()
+        .zip(&mask.data)
+        .filter(|(_, m)| **m == 255);
+    let like = |p: &[u8; 3]| p.iter().zip([200, 40, 90]).all(|(a, b)| a.abs_diff(b) <= 1);
+    let all: Vec<_> = body.map(|(p, _)| p).collect();
+    assert!(all.len() > 500 && all.iter().all(|p| like(p)));
+}
