@@ -2,7 +2,6 @@
 import numpy as np
 from scipy import ndimage
 from scipy.spatial import cKDTree
-from skimage import measure
 
 
 def subdivided(v, f):
@@ -66,6 +65,8 @@ def columns_inside(v, f, lo, step, shape):
 def remeshed(v, f, step, web, box):
     """One closed outer surface on voxels of `step` mm; within the box (low, high corner) gaps up to `web` mm are filled,
     as visual hulls and smoothing reconstructions fill armpits and the crotch."""
+    from skimage import measure
+
     pad = 4
     # A shift off the grid keeps columns from running through vertices.
     lo = v.min(axis=0) - pad * step + [0.0131, 0.0173, 0.0]

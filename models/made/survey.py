@@ -12,7 +12,7 @@ from anny.shape_distribution import SimpleShapeDistribution
 from scipy.spatial import ConvexHull
 
 import families
-from body import JOINTS
+from template import JOINTS
 from pose import rotations, unit
 from truth import ARM_L, LEG_L, NO_ARMS
 

@@ -8,7 +8,7 @@ from scipy.sparse import coo_matrix
 from scipy.sparse.csgraph import connected_components
 from scipy.spatial import ConvexHull
 
-from body import JOINTS
+from template import JOINTS
 from pose import unit
 
 TRUNK, ARM_L, ARM_R, LEG_L, LEG_R = range(5)
