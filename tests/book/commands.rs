@@ -30,7 +30,10 @@ fn every_command_in_the_book_is_understood() {
     let mut count = 0;
     for page in pages() {
         let text = read(&page);
-        for line in [commands(&text, "sh"), commands(&text, "sh run")].concat() {
+        for line in ["sh", "sh run", "sh screen"]
+            .map(|mark| commands(&text, mark))
+            .concat()
+        {
             count += 1;
             let words: Vec<&str> = line.split_whitespace().collect();
             if let Err(why) = tailor::check_arguments(&words) {

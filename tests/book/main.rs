@@ -1,5 +1,5 @@
 //! The book in `docs/` is true: its links lead somewhere, its commands are understood, those on what
-//! ships run, and its tables are those of the data. `TAILOR_BOOK=write` writes the tables.
+//! ships run, its screens are what the program prints, and its tables are those of the data. `TAILOR_BOOK=write` writes the tables.
 
 mod commands;
 mod faults;
@@ -8,7 +8,6 @@ mod growth;
 mod links;
 mod near;
 mod scans;
-mod screens;
 mod tables;
 
 use std::path::{Path, PathBuf};
