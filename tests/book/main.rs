@@ -7,7 +7,9 @@ mod figures;
 mod growth;
 mod links;
 mod near;
+mod printed;
 mod scans;
+mod screens;
 mod tables;
 
 use std::path::{Path, PathBuf};
