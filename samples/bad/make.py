@@ -3,7 +3,7 @@
 
     samples/bad/make.py TAILOR WORK
 
-WORK is that of `samples/person/make.py`, whose surface is photographed again.
+WORK is that of `samples/person/make.py`, whose surface is photographed again. Writes a picture for docs/first-capture.md, too.
 """
 import pathlib
 import shutil
@@ -13,6 +13,7 @@ import sys
 HERE = pathlib.Path(__file__).resolve().parent
 sys.path[:0] = [str(HERE.parents[1] / "docs/tables")]
 
+from PIL import Image
 from scans import PIPELINE, flags
 
 TAKEN = {"ring.width": 450, "ring.height": 600, "ring.views": 16, "ring.focal_35mm": 55.0, "ring.distance_mm": 3400.0}
@@ -50,6 +51,11 @@ def main(tailor, work):
         shutil.rmtree(work / name)
     # The subject came late: the empty scene lies among the turn's photos, under a number of its own.
     (HERE / "empty-photo/plate.jpg").rename(HERE / "empty-photo/0007.jpg")
+    shown = ["person/images/0001", "bad/moving-light/0000", "bad/moving-light/0009", "bad/feet-cut-off/0001", "bad/empty-photo/0007"]
+    sheet = Image.new("RGB", (5 * 240, 320))
+    for i, name in enumerate(shown):
+        sheet.paste(Image.open(HERE.parent / f"{name}.jpg").resize((240, 320)), (240 * i, 0))
+    sheet.save(HERE.parents[1] / "docs/pictures/good-and-bad.jpg", quality=82)
 
 
 if __name__ == "__main__":
