@@ -10,7 +10,8 @@ fn stays(place: &Place, exchange: &str) -> String {
         "#!/usr/bin/python3\nimport sys, json, os, time\nprint(json.dumps({{'ready': True}}), flush=True)\n\
          for count, line in enumerate(sys.stdin):\n    words = json.loads(line)\n    out = words[0]\n\
          \x20   try: open(out, 'w').write('job ' + words[1])\n    except OSError as e: sys.stderr.write(str(e))\n\
-         \x20   folder = os.path.dirname(out)\n    if count == 0:\n\
+         \x20   folder = os.path.dirname(out)\n    if os.path.exists(folder + '/../left-behind'):\n\
+         \x20       open(out, 'w').write('beside what was left')\n    if count == 0:\n\
          \x20       try:\n            {exchange}\n        except OSError as e: sys.stderr.write(str(e))\n\
          \x20   print(json.dumps({{'done': True}}), flush=True)\n"
     );
@@ -85,8 +86,10 @@ fn a_link_in_place_of_a_folder_empties_nothing() {
 #[test]
 fn a_result_is_taken_from_nowhere_else() {
     let place = Place::new();
-    place.write("text.txt", "not the program's");
-    let elsewhere = place.path("");
+    // Nothing else there, so that it would pass for a result.
+    std::fs::create_dir(place.path("elsewhere")).unwrap();
+    place.write("elsewhere/text.txt", "not the program's");
+    let elsewhere = place.path("elsewhere");
     let exchange =
         format!("import shutil; shutil.rmtree(folder); os.symlink({elsewhere:?}, folder)");
     let program = stays(&place, &exchange);
