@@ -107,6 +107,11 @@ fn folders_of_killed_runs_go_though_their_number_is_used_again() {
     fs::remove_file(place.path("cache/quarantine/notes")).unwrap();
     gone(&place, &inner);
     assert!(!place.path(&format!("cache/exec/{id}-0-1a")).exists());
+    // Of a program of before, which locked none: whose it is nobody can tell.
+    place.write(&format!("cache/exec/{id}-0-1b/in/0000.jpg"), &inner);
+    place.run("run turn.toml --input photos=anna").code(0);
+    let said = place.run("cache forget anna").code(1);
+    assert!(said.err.contains(&format!("{id}-0-1b")), "{}", said.err);
 }
 
 #[test]

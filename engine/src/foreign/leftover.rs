@@ -2,10 +2,10 @@
 
 use super::family;
 use crate::own;
-use crate::system::{is_alive, nofollow};
+use crate::system::{FileKind, is_alive, nofollow};
 use std::fs::{File, TryLockError};
 use std::io::ErrorKind;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::time::Duration;
 
 /// Where a store keeps the folders of programs that run.
@@ -29,6 +29,17 @@ pub(super) fn remove(above: &Path, name: &str) {
             _ => return,
         }
     }
+}
+
+/// The folders of programs in a store, as far as they are ours.
+pub(crate) fn there(store: &Path) -> Vec<PathBuf> {
+    let root = store.join(FOLDER);
+    let at = nofollow::folder(store, &[FOLDER]);
+    let names = at.map_or_else(
+        |_| vec![],
+        |at| nofollow::inside(&at, FileKind::Folder, own::is_writing),
+    );
+    names.into_iter().map(|name| root.join(name)).collect()
 }
 
 /// Ends programs that outlived the process that started them, and removes their folders. Never

@@ -7,6 +7,7 @@ use super::folder::Store;
 use super::keeper;
 use super::links::Links;
 use super::trace::{Trace, accounted};
+use crate::foreign::leftover;
 use crate::own;
 use crate::past;
 use stage::Hash;
@@ -96,8 +97,12 @@ pub fn forget(store: &Store, folder: &Path) -> Result<Forgotten, StoreError> {
     let record = |key: &Hash| format!("{}/{}", root.display(), &own::name("ac", *key));
     forgotten.unread = links.unread.iter().map(record).collect();
     forgotten.unread.extend(there);
+    // Nobody says whose they are, and a process has their number.
+    let stay = leftover::there(root);
     let shown = |path: &PathBuf| path.display().to_string();
-    forgotten.unread.extend(trace.unread.iter().map(shown));
+    forgotten
+        .unread
+        .extend(trace.unread.iter().chain(&stay).map(shown));
     // Last of all; and not while something may be left to which only they lead.
     if forgotten.unread.is_empty() {
         for (name, stays) in &trace.notes {
