@@ -125,7 +125,7 @@ fn xargs(place: &Place, name: &str, before: &dyn Fn(&Path) -> String) -> f64 {
 fn main() {
     match sandbox() {
         Sandbox::Bubblewrap(path) => println!("in bubblewrap ({})", path.display()),
-        Sandbox::None(why) => println!("without a sandbox: {why}"),
+        other => println!("{}", other.lacks().unwrap_or_default()),
     }
     let place = Place::new();
     let (alone, node) = (alone(&place), node(&place));

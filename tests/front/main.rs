@@ -4,6 +4,7 @@ mod ahead;
 mod answers;
 mod bad_input;
 mod causes;
+mod confined;
 mod doctor;
 mod facts;
 mod first_answer;

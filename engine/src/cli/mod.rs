@@ -155,7 +155,8 @@ enum Own {
 /// Does what the arguments say. Exit codes: 0 done, 1 a stage failed, 2 input or pipeline wrong,
 /// 130 cancelled.
 pub fn main(program: &'static Program) -> ExitCode {
-    ExitCode::from(run(program, std::env::args_os()))
+    let launched = crate::foreign::launched(std::env::args_os().skip(1));
+    launched.unwrap_or_else(|| ExitCode::from(run(program, std::env::args_os())))
 }
 
 /// The whole command line: the engine's verbs and the program's own.

@@ -2,7 +2,7 @@
 
 use super::fault::Fault;
 use super::program::{GlobalArgs, Walls};
-use crate::foreign::{self, Sandbox};
+use crate::foreign;
 use crate::graph::Graph;
 use crate::store::Store;
 use std::sync::Once;
@@ -20,9 +20,9 @@ pub(crate) fn permitted(graph: &Graph, global: &GlobalArgs) -> Result<(), Fault>
     }
     if global.sandbox == Walls::Required {
         foreign::require_sandbox();
-        if let Sandbox::None(why) = foreign::sandbox() {
+        if let Some(lacks) = foreign::sandbox().lacks() {
             let what = "`--sandbox required` lets no program run without a full sandbox";
-            return Err(Fault::input(format!("{why}, and {what}")));
+            return Err(Fault::input(format!("{lacks}; {what}")));
         }
     }
     let store = Store::open(&global.cache).map_err(Fault::input)?;
@@ -57,20 +57,15 @@ fn unread(store: &Store, global: &GlobalArgs) {
     }
 }
 
-/// Says once what keeps programs apart from the rest of this machine, if that is nothing.
+/// Says once what keeps programs apart from the rest of this machine, if that is no full sandbox.
 pub(crate) fn unguarded(graph: &Graph, nodes: &[usize], global: &GlobalArgs) {
     static SAID: Once = Once::new();
     let quiet = global.quiet || global.json;
     if !quiet
         && foreign::programs(graph, nodes).next().is_some()
-        && let Sandbox::None(why) = foreign::sandbox()
+        && let Some(lacks) = foreign::sandbox().lacks()
     {
-        SAID.call_once(|| {
-            crate::errln!(
-                "{why}: the pipeline's programs can reach the network, and read and write wherever you can \
-                 (--sandbox required lets none run so)"
-            );
-        });
+        SAID.call_once(|| crate::errln!("{lacks} (--sandbox required lets none run so)"));
     }
 }
 

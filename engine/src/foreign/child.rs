@@ -2,41 +2,16 @@
 //! its children when it takes too long, too much, or the user asks to stop.
 
 use super::error::ForeignError;
-use super::family::{self, MARK, Running};
-use super::installed::{in_path, needed, on_path};
-use super::places::{INSIDE, WORK};
-use super::sandbox::{self, Sandbox, View};
+use super::family::{self, Running};
+use super::start::command;
 use super::tail::Tail;
+use super::task::Task;
 use super::weight::weigh;
 use stage::process;
-use std::ffi::OsString;
 use std::io::{BufRead, BufReader, Read};
-use std::path::{Path, PathBuf};
-use std::process::{Child, Command, ExitStatus, Stdio};
+use std::process::{Child, ExitStatus, Stdio};
 use std::sync::mpsc::{Receiver, RecvTimeoutError, SyncSender, sync_channel};
 use std::time::{Duration, Instant};
-
-/// What to run, and within which limits.
-pub(super) struct Task<'a> {
-    /// What it is called in messages.
-    pub(super) name: &'a str,
-    /// The command.
-    pub(super) words: &'a [String],
-    /// The folder that it may write into; it works in `work` below it.
-    pub(super) root: &'a Path,
-    /// Variables of the environment that it gets.
-    pub(super) env: &'a [String],
-    /// Files and folders that it reads beside what it is given.
-    pub(super) reads: &'a [String],
-    /// Whether it may reach the network.
-    pub(super) network: bool,
-    /// How long it may take.
-    pub(super) timeout: Duration,
-    /// What it may hold with its children. \[MB\]
-    pub(super) memory_mb: Option<u64>,
-    /// What it may write. \[bytes, files\]
-    pub(super) most: (u64, usize),
-}
 
 /// A line that a program said.
 pub(super) struct Line {
@@ -130,65 +105,6 @@ fn started(task: &Task<'_>) -> Result<Child, ForeignError> {
     })
 }
 
-/// The command that starts it. In the sandbox it ends with the thread that starts it.
-pub(super) fn command(task: &Task<'_>, stdin: Stdio) -> Result<Command, ForeignError> {
-    sandbox::suffices().map_err(ForeignError::NoSandbox)?;
-    let first = &task.words[0];
-    let missing = || ForeignError::Missing(first.clone());
-    let there = |p: &PathBuf| sandbox::hosted(task.root, p).exists();
-    let program: PathBuf = match first.contains('/') {
-        true => Some(PathBuf::from(first)).filter(there),
-        false => in_path(first),
-    }
-    .ok_or_else(missing)?;
-    let mut path = std::env::var_os("PATH").unwrap_or_default();
-    let mut words: Vec<OsString> = vec![];
-    if let Sandbox::Bubblewrap(bubblewrap) = sandbox::sandbox() {
-        // The store is two folders above a program's.
-        let hidden = task.root.ancestors().nth(2).unwrap_or(task.root);
-        let inside = program.starts_with(INSIDE);
-        let mut installed = match inside {
-            true => needed(&sandbox::hosted(task.root, &program), hidden).without(task.root),
-            false => needed(&program, hidden),
-        };
-        installed.paths.extend(on_path(&path, hidden));
-        let view = View {
-            installed: &installed,
-            reads: task.reads,
-            hidden,
-            network: task.network,
-        };
-        path = view.path(&path);
-        words = sandbox::words(bubblewrap, task.root, &view);
-        // How the family is known from outside; the program is to know no folder of the user's.
-        let last = words.len() - 1;
-        words.splice(last..last, ["--unsetenv".into(), MARK.into()]);
-    }
-    words.push(program.into_os_string());
-    words.extend(task.words[1..].iter().map(OsString::from));
-    let work = task.root.join(WORK);
-    let mut command = Command::new(&words[0]);
-    command.args(&words[1..]).current_dir(&work).env_clear();
-    command.env("PATH", path);
-    for name in task.env {
-        if let Some(value) = std::env::var_os(name) {
-            command.env(name, value);
-        }
-    }
-    let work = sandbox::shown(task.root, &work);
-    if !task.env.iter().any(|name| name == "HOME") {
-        command.env("HOME", &work);
-    }
-    command.env("TMPDIR", &work).env("LC_ALL", "C.UTF-8");
-    command.env(MARK, task.root);
-    process::lead_group(&mut command);
-    command
-        .stdin(stdin)
-        .stdout(Stdio::piped())
-        .stderr(Stdio::piped());
-    Ok(command)
-}
-
 /// Both outputs, line by line.
 pub(super) fn listened(child: &mut Child) -> Receiver<Line> {
     let (to, from) = sync_channel(WAITING_LINES);
@@ -279,6 +195,7 @@ fn left_behind(task: &Task<'_>, leader: u32) -> String {
 #[cfg(all(test, unix))]
 mod tests {
     use super::*;
+    use std::process::Command;
 
     #[test]
     fn a_program_that_says_more_than_is_heard_waits() {

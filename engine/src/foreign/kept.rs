@@ -4,12 +4,13 @@
 //!
 //! One runs a thread at most: who has a job takes an idle one that is like it, and puts it back.
 
-use super::child::{Line, Task};
+use super::child::Line;
 use super::error::ForeignError;
 use super::layout::Layout;
 use super::program::Program;
 use super::resident::{AtWork, Limits, answer};
 use super::tail::Tail;
+use super::task::Task;
 use stage::process;
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};

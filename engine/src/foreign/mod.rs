@@ -4,7 +4,7 @@
 //!
 //! `template` (a command with its placeholders) → `program` (a node's program, what its key holds, what
 //! the user allows) → `permit` (what this user allowed; identities, `reads`) → `stage` (the run: `layout`, `run`,
-//! `child` in a `sandbox`, where it sees what is `installed`, with its `family`, or one that is `kept` (`resident`); `results`).
+//! `child`, by `start` in a `sandbox` or confined by a `launcher`, where it sees what is `installed`, with its `family`, or one that is `kept` (`resident`); `results`).
 
 mod child;
 mod error;
@@ -12,6 +12,7 @@ mod family;
 mod identity;
 mod installed;
 mod kept;
+mod launcher;
 mod layout;
 pub(crate) mod leftover;
 pub mod listing;
@@ -24,8 +25,11 @@ mod results;
 mod run;
 mod sandbox;
 mod stage;
+mod start;
 mod tail;
+mod task;
 mod template;
+mod view;
 mod weight;
 
 pub use error::ForeignError;
@@ -33,6 +37,7 @@ pub use family::end_all;
 pub use identity::Identities;
 pub use installed::bring;
 pub(crate) use kept::Keeping;
+pub use launcher::launched;
 pub use leftover::clear;
 pub use listing::programs;
 pub use permit::{

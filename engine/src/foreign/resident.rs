@@ -1,9 +1,11 @@
 //! The process of a program that stays: started, heard, watched, ended.
 
-use super::child::{self, Line, Task};
+use super::child::{self, Line};
 use super::error::ForeignError;
 use super::family::{self, Running};
+use super::start::command;
 use super::tail::Tail;
+use super::task::Task;
 use super::weight::weigh;
 use serde_json::Value;
 use stage::process;
@@ -89,7 +91,7 @@ impl AtWork {
             words: &task.words[..1],
             ..*task
         };
-        let command = child::command(&alone, Stdio::piped())?;
+        let command = command(&alone, Stdio::piped())?;
         let (_starter, mut child) = spawned(command).map_err(|why| ForeignError::Start {
             program: task.words[0].clone(),
             why,

@@ -1,11 +1,12 @@
 //! A program with its places filled: its run, and what its identity prints.
 
-use super::child::{self, Line, Task};
+use super::child::{self, Line};
 use super::error::ForeignError;
 use super::kept::Kept;
 use super::layout::{Job, Layout};
 use super::program::Program;
 use super::tail::Tail;
+use super::task::Task;
 use super::template::{Piece, Template};
 use std::path::Path;
 use std::sync::Arc;

@@ -1,9 +1,11 @@
 //! Bubblewrap, where it is installed: namespaces of a program's own, no capability, and of the file system
-//! only what it was given.
+//! only what it was given. Without it the kernel alone (`launcher.rs`).
 
-use super::installed::{Installed, SYSTEM, in_path, is_system};
+use super::installed::{SYSTEM, in_path};
+use super::launcher;
 use super::places::{ETC, INSIDE, READ, SHM, TMP, WORK, WRITE};
-use std::ffi::{OsStr, OsString};
+use super::view::{ETC_FILES, ETC_NETWORK, View};
+use std::ffi::OsString;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 use std::sync::OnceLock;
@@ -14,8 +16,40 @@ use std::sync::atomic::{AtomicBool, Ordering};
 pub enum Sandbox {
     /// Bubblewrap, at this place.
     Bubblewrap(PathBuf),
+    /// The kernel alone (Landlock, seccomp): some of what bubblewrap does.
+    Kernel {
+        /// The program that confines itself and becomes another.
+        launcher: PathBuf,
+        /// Why there is no bubblewrap.
+        why: String,
+        /// Whether signals to processes outside are kept back, too.
+        signals: bool,
+    },
     /// Nothing, and why.
     None(String),
+}
+
+impl Sandbox {
+    /// What a program can do all the same, and why, in a sentence; `None` where it is a full sandbox.
+    pub fn lacks(&self) -> Option<String> {
+        match self {
+            Sandbox::Bubblewrap(_) => None,
+            Sandbox::Kernel { why, signals, .. } => {
+                let signals = if *signals {
+                    ""
+                } else {
+                    ", and can send them signals"
+                };
+                Some(format!(
+                    "{why}: Landlock keeps the pipeline's programs from files that they are not given and from the \
+                     network; they see names of files and processes{signals}"
+                ))
+            }
+            Sandbox::None(why) => Some(format!(
+                "{why}: the pipeline's programs can reach the network, and read and write wherever you can"
+            )),
+        }
+    }
 }
 
 /// Whether programs run in one.
@@ -49,8 +83,8 @@ pub fn require_sandbox() {
 
 /// Whether programs may run here, as far as the sandbox goes; else why not.
 pub(super) fn suffices() -> Result<(), String> {
-    match sandbox() {
-        Sandbox::None(why) if REQUIRED.load(Ordering::Relaxed) => Err(why.clone()),
+    match sandbox().lacks() {
+        Some(lacks) if REQUIRED.load(Ordering::Relaxed) => Err(lacks),
         _ => Ok(()),
     }
 }
@@ -64,18 +98,31 @@ pub fn sandbox() -> &'static Sandbox {
 fn found() -> &'static (Sandbox, bool) {
     static FOUND: OnceLock<(Sandbox, bool)> = OnceLock::new();
     FOUND.get_or_init(|| match in_path("bwrap") {
-        None => {
-            let why = "bubblewrap (`bwrap`) is not installed";
-            (Sandbox::None(why.into()), false)
-        }
+        None => (
+            confined("bubblewrap (`bwrap`) is not installed".into()),
+            false,
+        ),
         Some(path) => match tried(&path, true) {
             Ok(()) => (Sandbox::Bubblewrap(path), true),
             Err(_) => match tried(&path, false) {
                 Ok(()) => (Sandbox::Bubblewrap(path), false),
-                Err(why) => (Sandbox::None(why), false),
+                Err(why) => (confined(why), false),
             },
         },
     })
+}
+
+/// What there is without bubblewrap.
+fn confined(why: String) -> Sandbox {
+    match launcher::tried() {
+        Some(Ok((launcher, signals))) => Sandbox::Kernel {
+            launcher,
+            why,
+            signals,
+        },
+        Some(Err(neither)) => Sandbox::None(format!("{why} ({neither})")),
+        None => Sandbox::None(why),
+    }
 }
 
 fn tried(bubblewrap: &Path, locked: bool) -> Result<(), String> {
@@ -123,29 +170,6 @@ fn apart(locked: bool, network: bool) -> Vec<OsString> {
     words
 }
 
-/// Files of the system's that programs need.
-const ETC_FILES: [&str; 4] = [
-    "/etc/ld.so.cache",
-    "/etc/ld.so.conf",
-    "/etc/ld.so.conf.d",
-    "/etc/alternatives",
-];
-/// Files without which nobody reaches a network; certificates, and not the keys that lie beside them.
-const ETC_NETWORK: [&str; 12] = [
-    "/etc/resolv.conf",
-    "/etc/hosts",
-    "/etc/nsswitch.conf",
-    "/etc/ssl/certs",
-    "/etc/ssl/openssl.cnf",
-    "/etc/pki/tls/certs",
-    "/etc/pki/tls/cert.pem",
-    "/etc/pki/ca-trust",
-    "/etc/ca-certificates",
-    "/etc/crypto-policies",
-    "/etc/services",
-    "/etc/protocols",
-];
-
 /// The system's programs, `/proc`, `/dev`: read-only, `/proc` too, whose settings belong to root by number.
 fn system() -> Vec<OsString> {
     let mut words = Vec::new();
@@ -168,34 +192,6 @@ fn system() -> Vec<OsString> {
     ]));
     words.extend(said(&["--dir", "/run", "--dir", "/var/tmp"]));
     words
-}
-
-/// What a program sees beside its own folders.
-pub(super) struct View<'a> {
-    /// What its installation needs.
-    pub(super) installed: &'a Installed,
-    /// What the node says that it reads.
-    pub(super) reads: &'a [String],
-    /// What nobody sees: the store.
-    pub(super) hidden: &'a Path,
-    /// Whether it may reach the network.
-    pub(super) network: bool,
-}
-
-impl View<'_> {
-    /// The folders in PATH that a program sees.
-    pub(super) fn path(&self, path: &OsStr) -> OsString {
-        let seen = |folder: &PathBuf| {
-            let shown = self
-                .installed
-                .paths
-                .iter()
-                .any(|shown| folder.starts_with(shown));
-            is_system(folder) || shown || self.reads.iter().any(|shown| folder.starts_with(shown))
-        };
-        let folders = std::env::split_paths(path).filter(seen);
-        std::env::join_paths(folders).unwrap_or_default()
-    }
 }
 
 /// The words before a command: what it sees, and that it may write to its own folders in `root` alone.

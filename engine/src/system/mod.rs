@@ -1,6 +1,25 @@
 //! What differs between systems, each with a portable way: files for the owner only, folders that are
-//! entered without going through a link, memory. Processes are in `stage::process`.
+//! entered without going through a link, memory, processes that are kept from the rest. Processes are in `stage::process`.
 
+#[cfg(all(
+    target_os = "linux",
+    any(
+        target_arch = "x86_64",
+        target_arch = "aarch64",
+        target_arch = "riscv64"
+    )
+))]
+pub(crate) mod confine;
+#[cfg(not(all(
+    target_os = "linux",
+    any(
+        target_arch = "x86_64",
+        target_arch = "aarch64",
+        target_arch = "riscv64"
+    )
+)))]
+#[path = "confine_portable.rs"]
+pub(crate) mod confine;
 mod entries;
 mod files;
 #[cfg(unix)]
