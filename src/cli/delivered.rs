@@ -1,6 +1,6 @@
 //! Where `tailor measure` writes, and what.
 
-use super::provenance::{self, get};
+use super::provenance::{called, completed_as, folder, get};
 use crate::delivery::{self, Delivery};
 use crate::engine::Outcome;
 use crate::graph::{Graph, Source};
@@ -26,16 +26,6 @@ const WRITTEN: [(&[&str], &str, &str); 9] = [
     (&["textured", BODY], "body.glb", "glb"),
     (&["textured", BODY], "", "obj"),
 ];
-
-/// What a capture is called, after its folder; a video without its ending.
-pub(super) fn called(capture: &Path) -> String {
-    let name = match capture.is_file() {
-        true => capture.file_stem(),
-        false => capture.file_name(),
-    };
-    let name = name.unwrap_or("turn".as_ref());
-    name.to_string_lossy().into_owned()
-}
 
 /// The folder for the results, and what the capture is called. Results of two captures never get
 /// into one folder unless somebody says so.
@@ -109,13 +99,6 @@ pub(super) fn present(artifact: AnyArtifact, ran: &Ran<'_>) -> AnyArtifact {
     }
 }
 
-/// The folder with the photos of a run.
-pub(super) fn folder<'a>(ran: &'a Ran<'_>) -> Option<&'a Path> {
-    let mut folders = ran.folders.iter();
-    let photos = folders.find(|(name, _)| name == "photos");
-    photos.map(|(_, folder)| folder.as_path())
-}
-
 /// Girths with the capture's name where nobody gave one: results of several captures may be put together.
 fn named(artifact: AnyArtifact, name: &str) -> AnyArtifact {
     match artifact.clone().downcast::<Girths>() {
@@ -146,7 +129,7 @@ pub(super) fn write(
         delivery.put(file, &files).map_err(Fault::stage)?;
     }
     if let Some(report) = get::<Document>(graph, outcome, "report") {
-        let page = provenance::completed(&report.bytes, &Ran::of(graph, outcome, &[]));
+        let page = completed_as(&report.bytes, &Ran::of(graph, outcome, &[]), Some(name));
         let page = vec![(String::new(), page)];
         delivery.put("report.html", &page).map_err(Fault::stage)?;
     }

@@ -1,7 +1,6 @@
 //! The end of `tailor run`: the same screen as that of `tailor measure`, where girths were made.
 
-use super::delivered::{called, folder};
-use super::provenance::warnings;
+use super::provenance::{called, folder, warnings};
 use super::screen::{Of, screen, warned};
 use crate::words::language::{Language, Words};
 use engine::cli::Ran;

@@ -3,7 +3,7 @@
 
 use super::measure_args::Measure;
 use super::prepared::Prepared;
-use super::provenance::{completed, get};
+use super::provenance::{completed_as, get};
 use super::screen::{broken, in_short};
 use crate::delivery::Delivery;
 use crate::graph::Graph;
@@ -38,6 +38,7 @@ struct Answer {
     options: Options,
     capture: PathBuf,
     out: PathBuf,
+    shown: String,
     words: Words,
     quiet: bool,
     stop: AtomicBool,
@@ -74,6 +75,7 @@ impl First {
             options,
             capture: ready.capture.clone(),
             out: ready.out.clone(),
+            shown: ready.shown.clone(),
             words: measure.words(),
             quiet: global.quiet || global.json,
             stop: AtomicBool::new(false),
@@ -152,7 +154,10 @@ impl Answer {
     fn write(&self, graph: &Graph, outcome: &Outcome) -> Option<()> {
         let report = get::<Document>(graph, outcome, "report")?;
         let ran = Ran::of(graph, outcome, &self.folders);
-        let page = vec![(String::new(), completed(&report.bytes, &ran))];
+        let page = vec![(
+            String::new(),
+            completed_as(&report.bytes, &ran, Some(&self.shown)),
+        )];
         let own = whose(&[("photos".to_owned(), self.capture.clone())]);
         let mut delivery = Delivery::open(&self.out, &own).ok()?;
         delivery.begin().ok()?;

@@ -1,9 +1,10 @@
 //! `tailor measure`: from a folder of photos to girths and a report.
 
 use super::cohort;
-use super::delivered::{called, place_of_results};
+use super::delivered::place_of_results;
 use super::measure_args::Measure;
 use super::measuring::one;
+use super::provenance::called;
 use super::said::Said;
 use crate::delivery::Delivery;
 use crate::store::Store;

@@ -6,6 +6,7 @@ use engine::cli::Ran;
 use engine::cli::text::short;
 use serde_json::Value;
 use shape::Girths;
+use std::path::Path;
 
 /// The stage whose params are facts of a person.
 const PERSONAL: &str = "capture.person";
@@ -17,6 +18,23 @@ pub(super) fn get<A: stage::Artifact>(
     name: &str,
 ) -> Option<std::sync::Arc<A>> {
     outcome.artifact(graph, graph.node(name)?)?.downcast()
+}
+
+/// What a capture is called, after its folder; a video without its ending.
+pub(super) fn called(capture: &Path) -> String {
+    let name = match capture.is_file() {
+        true => capture.file_stem(),
+        false => capture.file_name(),
+    };
+    let name = name.unwrap_or("turn".as_ref());
+    name.to_string_lossy().into_owned()
+}
+
+/// The folder with the photos of a run.
+pub(super) fn folder<'a>(ran: &'a Ran<'_>) -> Option<&'a Path> {
+    let mut folders = ran.folders.iter();
+    let photos = folders.find(|(name, _)| name == "photos");
+    photos.map(|(_, folder)| folder.as_path())
 }
 
 fn escaped(text: &str) -> String {
@@ -46,13 +64,36 @@ fn by_node(ran: &Ran<'_>, girths: Option<&Girths>) -> Vec<(String, String)> {
     new.collect()
 }
 
-/// The report with what only the run knows: its warnings on top, how it was made at the end.
+/// What a report is called whose capture has no name of its own, around it what stands there.
+const UNNAMED: [(&str, &str); 2] = [
+    (
+        "<title>tailor: one turn</title>",
+        "<title>tailor: {}</title>",
+    ),
+    ("<h1>one turn</h1>", "<h1>{}</h1>"),
+];
+
+/// A page whose capture has no name of its own, with this one.
+fn titled(page: &str, name: &str) -> String {
+    let name = escaped(name);
+    UNNAMED.iter().fold(page.to_owned(), |page, (of, with)| {
+        page.replacen(of, &with.replace("{}", &name), 1)
+    })
+}
+
+/// The report with what only the run knows: what its capture is called, its warnings on top, how it was made at the end.
 pub(crate) fn completed(page: &[u8], ran: &Ran<'_>) -> Vec<u8> {
+    completed_as(page, ran, folder(ran).map(called).as_deref())
+}
+
+/// The same of a capture called so.
+pub(super) fn completed_as(page: &[u8], ran: &Ran<'_>, name: Option<&str>) -> Vec<u8> {
     let girths = ran.last::<Girths>();
-    let warnings = warnings(ran, girths.as_deref());
-    let paragraph = |w: &String| format!("<p class=\"warn\">{}</p>", escaped(w));
-    let warnings: String = warnings.iter().map(paragraph).collect();
+    let warnings = by_node(ran, girths.as_deref()).into_iter();
+    let paragraph = |(_, w): (_, String)| format!("<p class=\"warn\">{}</p>", escaped(&w));
+    let warnings: String = warnings.map(paragraph).collect();
     let page = String::from_utf8_lossy(page).replacen("<!--warnings-->", &warnings, 1);
+    let page = name.map_or(page.clone(), |name| titled(&page, name));
     let made = table(&ran.record());
     page.replacen("<!--provenance-->", &made, 1).into_bytes()
 }

@@ -1,6 +1,7 @@
 //! The first screen of `measure`: what it found, parts in words, the girths, warnings; in a pipe, on a terminal, in German.
 
 use crate::first_answer::sample;
+use crate::place::{Place, Said};
 
 /// Columns of a terminal as it comes.
 const COLUMNS: usize = 80;
@@ -23,6 +24,12 @@ fn in_order(text: &str, parts: &[&str]) {
 #[test]
 fn a_measuring_tells_what_it_found_then_its_parts_and_ends_with_girths_and_warnings() {
     let place = sample();
+    // A capture that nobody named is called after its folder.
+    let facts = std::fs::read_to_string(place.path("turn/capture.toml")).unwrap();
+    place.write(
+        "turn/capture.toml",
+        facts.replace("name = \"mannequin\"\n", ""),
+    );
     let said = place.run("measure turn --out out --fast").code(0);
     let found = "turn: 18 photos of 1.0 megapixels, with the empty scene, a mat of 12 tags\n";
     assert!(said.err.starts_with(found), "{}", said.err);
@@ -55,6 +62,20 @@ fn a_measuring_tells_what_it_found_then_its_parts_and_ends_with_girths_and_warni
         let wide = text.lines().filter(|l| l.chars().count() > COLUMNS);
         assert_eq!(wide.collect::<Vec<_>>(), [""; 0]);
     }
+    let page = std::fs::read_to_string(place.path("out/report.html")).unwrap();
+    for part in [
+        "<title>tailor: turn</title>",
+        "<h1>turn</h1>",
+        "<p class=\"warn\">this body (81 cm tall) ",
+    ] {
+        assert!(page.contains(part), "{part}");
+    }
+    in_other_ways(&place, &said);
+    on_a_terminal(&place);
+}
+
+/// The same in German, quiet, and by node.
+fn in_other_ways(place: &Place, said: &Said) {
     // Nothing is made anew in another language, and the numbers are the same.
     let german = place.run("measure turn --out out --lang de --fast").code(0);
     in_order(
@@ -95,11 +116,10 @@ fn a_measuring_tells_what_it_found_then_its_parts_and_ends_with_girths_and_warni
     assert_eq!((quiet.err, quiet.out), (String::new(), said.out.clone()));
     let nodes = place.run("measure turn --out out --verbose --fast").code(0);
     assert!(nodes.err.contains("] calibrated   found"), "{}", nodes.err);
-    on_a_terminal(&place);
 }
 
 /// On a terminal one line lives, and is gone at the end.
-fn on_a_terminal(place: &crate::place::Place) {
+fn on_a_terminal(place: &Place) {
     if !cfg!(target_os = "linux") {
         return;
     }
@@ -126,7 +146,7 @@ fn on_a_terminal(place: &crate::place::Place) {
 
 #[test]
 fn what_was_warned_of_is_told_where_nothing_comes_of_it() {
-    let place = crate::place::Place::new();
+    let place = Place::new();
     place.photos("turn", 9);
     place.write("turn/raw.cr2", "x");
     // A mat that is not there.
