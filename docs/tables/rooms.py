@@ -4,9 +4,9 @@
     docs/tables/rooms.py TAILOR WORK FIRST LAST SURFACE... > docs/tables/rooms.json
 
 A SURFACE is a folder with one PLY file [mm], upright, standing on its soles. Scene number N (`synth.turn`, param `scene`) is worn and
-seen by surface N modulo their count; a mat lies on the disk where N is even. Each scene is taken as in scans.py, 18 photos of 900x1200
-with all faults of a phone at once, then cut out with its plate and without. WORK keeps what was made; what is there is not made again,
-but masks of another TAILOR. In one of three scenes clothes have the colour of the wall or of the floor. Wants numpy and Pillow.
+seen by surface N modulo their count; no mat lies on the disk, for its tags are too small on such photos. Each scene is taken as in
+scans.py, 18 photos of 900x1200 with all faults of a phone at once, then cut out with its plate and without. WORK keeps what was made;
+what is there is not made again, but masks of another TAILOR. In one of three scenes clothes have the colour of the wall or of the floor. Wants numpy and Pillow.
 """
 
 import json
@@ -24,11 +24,10 @@ SIZE = {"ring.width": 900, "ring.height": 1200}
 
 def captures(tailor, work, scene, surface):
     """The scene's capture with its plate, the same without, and its true masks."""
-    mat = scene % 2 == 0
     name = f"scene-{scene:03}"
     plated, bare, true = (work / f"{name}{end}" for end in ("-plate", "-none", "-masks"))
     given = ["--input", f"surface={surface}", "--cache", work / "cache", "--quiet"]
-    look = {"taken.scene": scene, "taken.mat": mat, "photos.plate": True, "photos.mat": mat, "ring.seed": scene, "sway.seed": scene}
+    look = {"taken.scene": scene, "taken.mat": False, "photos.plate": True, "photos.mat": False, "ring.seed": scene, "sway.seed": scene}
     values = scans.TAKEN | SIZE | {f"photos.{k}": v for k, v in scans.PHONE.items()} | look | {"photos.seed": scene}
     for node, how, out in [("photos", "capture", plated), ("true_masks", "png", true)]:
         if not out.exists():
