@@ -186,6 +186,22 @@ pub(crate) fn stranger(root: &Path) -> Option<PathBuf> {
     None
 }
 
+/// The folders of the store that are there, those within shelves first, the store itself last.
+pub(crate) fn folders(root: &Path) -> Vec<PathBuf> {
+    let mut all = Vec::new();
+    for (name, _) in FOLDERS {
+        let Ok(at) = nofollow::folder(root, &[name]) else {
+            continue;
+        };
+        let path = root.join(name);
+        let within = nofollow::inside(&at, FileKind::Folder, is_prefix);
+        all.extend(within.iter().map(|name| path.join(name)));
+        all.push(path);
+    }
+    all.push(root.to_owned());
+    all
+}
+
 /// The size of all that lies on a shelf. \[bytes\]
 pub(crate) fn size(root: &Path, shelf_name: &str) -> u64 {
     let size = |hash: &Hash| fs::metadata(place(root, shelf_name, *hash)).map_or(0, |m| m.len());

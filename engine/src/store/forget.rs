@@ -103,6 +103,8 @@ pub fn forget(store: &Store, folder: &Path) -> Result<Forgotten, StoreError> {
     forgotten
         .unread
         .extend(trace.unread.iter().chain(&stay).map(shown));
+    // Before what leads to it goes, what went must not come back with a loss of power.
+    store.sync_removed()?;
     // Last of all; and not while something may be left to which only they lead.
     if forgotten.unread.is_empty() {
         for (name, stays) in &trace.notes {
@@ -111,6 +113,7 @@ pub fn forget(store: &Store, folder: &Path) -> Result<Forgotten, StoreError> {
                 Some(note) => store.write(&format!("{CAPTURES}/{name}"), &json(note))?,
             }
         }
+        store.sync_removed()?;
     }
     Ok(forgotten)
 }

@@ -5,7 +5,7 @@
 mod story;
 
 use super::forget::forget;
-use super::simulated::Simulated;
+use super::simulated::{Simulated, after_loss};
 use super::{StoreError, keeper};
 use crate::own;
 use proof::Dice;
@@ -109,6 +109,32 @@ fn forgetting_that_is_killed_at_any_step_is_done_by_the_next_one() {
                 assert!(first.is_ok(), "{round}: {first:?}");
                 break;
             }
+        }
+    }
+}
+
+#[test]
+fn what_was_forgotten_does_not_come_back_with_a_loss_of_power() {
+    for seed in rounds(4) {
+        let mut dice = Dice(seed);
+        let (story, disk) = (Story::new(&mut dice), Simulated::default());
+        let store = story.store(&disk).unwrap();
+        for capture in &story.captures {
+            story.run(&store, capture, &mut dice).unwrap();
+        }
+        forget(&store, &story.captures[0].folder).unwrap();
+        let steps = disk.steps.lock().unwrap().clone();
+        for loss in 0..8 {
+            let left = after_loss(&steps, &story.root(), &mut dice);
+            std::fs::remove_dir_all(story.root()).unwrap();
+            std::fs::create_dir(story.root()).unwrap();
+            for (path, file) in left {
+                match file {
+                    None => std::fs::create_dir(path).unwrap(),
+                    Some(bytes) => std::fs::write(path, bytes).unwrap(),
+                }
+            }
+            story.clean(&format!("seed {seed}, loss {loss}"));
         }
     }
 }

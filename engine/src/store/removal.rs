@@ -56,6 +56,23 @@ pub(super) fn is_litter(root: &Path, name: &str) -> bool {
 }
 
 impl Store {
+    /// What was removed stays so after a loss of power: the names in all folders of the store are synced.
+    ///
+    /// # Errors
+    ///
+    /// The disk refuses.
+    pub(super) fn sync_removed(&self) -> Result<(), StoreError> {
+        let disk = |path: &Path, why| StoreError::Disk {
+            path: path.into(),
+            why,
+        };
+        for folder in own::folders(self.root()) {
+            let synced = self.disk.sync_names(&folder);
+            synced.map_err(|why| disk(&folder, why))?;
+        }
+        Ok(())
+    }
+
     /// All plain files in a folder of the store whose names fit, removed.
     ///
     /// # Errors
