@@ -84,10 +84,8 @@ impl Link {
             self.ask(&|| self.objects.remove(&name))?;
             self.known().lose(key);
         }
-        let unread = there
-            .unread
-            .iter()
-            .filter(|key| !keys.contains(key.as_bytes()));
+        let unread = there.unread.iter().chain(&there.broken);
+        let unread = unread.filter(|key| !keys.contains(key.as_bytes()));
         let mut unread: Vec<String> = unread
             .map(|key| format!("{}/{}", self.name(), object("ac", *key)))
             .collect();
@@ -95,7 +93,8 @@ impl Link {
         Ok(unread)
     }
 
-    /// All records there. Broken ones name nothing: they go with `sweep-store`, or when they are made again.
+    /// All records there. Broken ones name nothing, and may be of anything: they are named, and go with `sweep-store`, or
+    /// when they are made again.
     fn links(&self) -> Result<Links, Trouble> {
         let keys = self.ask(&|| {
             let mut keys = Vec::new();
