@@ -1,7 +1,13 @@
 //! The one clock: for names, stamps and durations, never for a key or a result.
 
+use std::time::{Duration, Instant};
+
 /// Nanoseconds since 1970.
 pub fn now_ns() -> i128 {
+    #[cfg(test)]
+    if let Some(time) = simulated::time() {
+        return time.wall_ns;
+    }
     #[expect(
         clippy::disallowed_methods,
         reason = "the one clock, outside of keys and results"
@@ -9,4 +15,88 @@ pub fn now_ns() -> i128 {
     let now = std::time::SystemTime::now();
     now.duration_since(std::time::UNIX_EPOCH)
         .map_or(0, |d| d.as_nanos() as i128)
+}
+
+/// A moment, to be compared with later ones of this process.
+pub(crate) fn instant() -> Instant {
+    #[cfg(test)]
+    if let Some(time) = simulated::time() {
+        return simulated::begin() + time.passed;
+    }
+    Instant::now()
+}
+
+/// How long ago a moment was.
+pub(crate) fn since(moment: Instant) -> Duration {
+    instant().saturating_duration_since(moment)
+}
+
+/// Waits for so long.
+pub(crate) fn pause(time: Duration) {
+    #[cfg(test)]
+    if simulated::pass(time) {
+        return;
+    }
+    std::thread::sleep(time);
+}
+
+/// Whether this thread lives in a simulation: then nothing is left to other threads.
+pub(crate) fn is_simulated() -> bool {
+    #[cfg(test)]
+    return simulated::time().is_some();
+    #[cfg(not(test))]
+    false
+}
+
+/// The clock of a simulation: of one thread, and standing still until it is set.
+#[cfg(test)]
+pub(crate) mod simulated {
+    use std::cell::Cell;
+    use std::sync::OnceLock;
+    use std::time::{Duration, Instant};
+
+    /// What a machine's clocks say.
+    #[derive(Debug, Clone, Copy)]
+    pub(crate) struct Time {
+        /// Nanoseconds since 1970, right or not.
+        pub(crate) wall_ns: i128,
+        /// Since the simulation began.
+        pub(crate) passed: Duration,
+    }
+
+    thread_local! {
+        static COUNT: Cell<u64> = const { Cell::new(0) };
+        static TIME: Cell<Option<Time>> = const { Cell::new(None) };
+    }
+
+    pub(super) fn begin() -> Instant {
+        static BEGIN: OnceLock<Instant> = OnceLock::new();
+        *BEGIN.get_or_init(Instant::now)
+    }
+
+    pub(crate) fn time() -> Option<Time> {
+        TIME.get()
+    }
+
+    /// A number that this simulation has not had before, if there is one.
+    pub(crate) fn count() -> Option<u64> {
+        TIME.get().map(|_| COUNT.replace(COUNT.get() + 1))
+    }
+
+    /// Sets it, or ends the simulation.
+    pub(crate) fn set(time: Option<Time>) {
+        if time.is_none() {
+            COUNT.set(0);
+        }
+        TIME.set(time);
+    }
+
+    /// Lets time pass, if there is a simulation.
+    pub(crate) fn pass(by: Duration) -> bool {
+        let Some(time) = TIME.get() else { return false };
+        let wall_ns = time.wall_ns + by.as_nanos() as i128;
+        let passed = time.passed + by;
+        TIME.set(Some(Time { wall_ns, passed }));
+        true
+    }
 }

@@ -113,7 +113,7 @@ pub struct Job<'a> {
     pub contents: &'a [Hash],
     /// The nodes that are wanted.
     pub wanted: &'a [usize],
-    /// How many threads work.
+    /// How many threads work beside the one that asks; with 0 it works itself.
     pub threads: usize,
     /// Whether to go on with what does not depend on a failed node.
     pub keep_going: bool,

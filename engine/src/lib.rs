@@ -112,6 +112,8 @@ pub mod reference;
 pub mod run_one;
 pub mod schema;
 mod session;
+#[cfg(test)]
+mod simulation;
 pub mod source;
 mod stopwatch;
 pub mod store;

@@ -33,7 +33,7 @@ pub struct Pool {
 }
 
 impl Pool {
-    /// So many threads.
+    /// So many threads; with 0 the one that asks.
     pub fn new(threads: usize) -> Pool {
         Pool {
             threads,
@@ -42,11 +42,14 @@ impl Pool {
         }
     }
 
-    fn get(&self) -> &rayon::ThreadPool {
-        self.pool.get_or_init(|| {
-            let pool = rayon::ThreadPoolBuilder::new().num_threads(self.threads);
-            pool.build().expect("bug: no threads")
-        })
+    /// Runs something on them.
+    fn install<T: Send>(&self, run: impl FnOnce() -> T + Send) -> T {
+        if self.threads == 0 {
+            return run();
+        }
+        let pool = || rayon::ThreadPoolBuilder::new().num_threads(self.threads);
+        let made = || pool().build().expect("bug: no threads");
+        self.pool.get_or_init(made).install(run)
     }
 }
 
@@ -152,7 +155,6 @@ pub(crate) fn run_one(
     };
     let needs = around
         .pool
-        .get()
         .install(|| bound.stage.memory(&bound.params, &artifacts));
     let _share = around.pool.memory.take(needs, &|| around.cancelled());
     around.watch.started(&bound.name);
@@ -187,7 +189,6 @@ fn make(
     let run = || {
         around
             .pool
-            .get()
             .install(|| timed(|| bound.stage.run(&bound.params, artifacts, &ctx)))
     };
     let (made, seconds) = match std::panic::catch_unwind(AssertUnwindSafe(run)) {

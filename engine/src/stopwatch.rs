@@ -1,6 +1,7 @@
 //! How long a stage ran, without the stages that its thread ran meanwhile: a thread of the pool that
 //! waits for the rest of a loop may take up another stage's whole run.
 
+use crate::clock;
 use std::cell::Cell;
 use std::time::{Duration, Instant};
 
@@ -18,20 +19,20 @@ struct Running {
 impl Running {
     fn begin() -> Running {
         Running {
-            start: Instant::now(),
+            start: clock::instant(),
             around: INSIDE.replace(Duration::ZERO),
         }
     }
 
     /// Without what ran inside.
     fn own(&self) -> Duration {
-        self.start.elapsed().saturating_sub(INSIDE.get())
+        clock::since(self.start).saturating_sub(INSIDE.get())
     }
 }
 
 impl Drop for Running {
     fn drop(&mut self) {
-        INSIDE.set(self.around + self.start.elapsed());
+        INSIDE.set(self.around + clock::since(self.start));
     }
 }
 

@@ -30,11 +30,15 @@ pub(crate) fn walk_told(
     settle(job, around, told, &mut agenda);
     if !agenda.idle() {
         let (shared, bell) = (Mutex::new(agenda), Condvar::new());
-        std::thread::scope(|scope| {
-            for _ in 0..job.threads.max(1) {
-                scope.spawn(|| work(job, (around, told), &shared, &bell));
-            }
-        });
+        let work = || work(job, (around, told), &shared, &bell);
+        match job.threads {
+            0 => work(),
+            threads => std::thread::scope(|scope| {
+                for _ in 0..threads {
+                    scope.spawn(work);
+                }
+            }),
+        }
         agenda = shared.into_inner().expect("bug: a worker panicked");
     }
     let status = if around.cancelled() {

@@ -40,6 +40,8 @@ pub(crate) use kept::Keeping;
 pub use launcher::launched;
 pub use leftover::clear;
 pub use listing::programs;
+#[cfg(test)]
+pub(crate) use permit::permissions_here;
 pub use permit::{
     PermitError, Settled, allow, is_allowed, keep_permissions_in, permissions, settle,
 };

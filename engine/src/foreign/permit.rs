@@ -38,9 +38,30 @@ pub fn keep_permissions_in(folder: PathBuf) {
     *ELSEWHERE.lock().expect("bug: poisoned") = Some(folder);
 }
 
+#[cfg(test)]
+thread_local! {
+    /// Where this thread keeps them, in a simulation.
+    static HERE: std::cell::RefCell<Option<PathBuf>> = const { std::cell::RefCell::new(None) };
+}
+
+/// Has this thread keep permissions below a folder.
+#[cfg(test)]
+pub(crate) fn permissions_here(folder: Option<PathBuf>) {
+    HERE.set(folder);
+}
+
+/// Where else than in the user's own folder they are kept.
+fn elsewhere() -> Option<PathBuf> {
+    #[cfg(test)]
+    if let Some(folder) = HERE.with_borrow(Clone::clone) {
+        return Some(folder);
+    }
+    ELSEWHERE.lock().expect("bug: poisoned").clone()
+}
+
 /// The folder of a user's state, and the name of the folder in it.
 fn place(program: &Program) -> Option<(PathBuf, String)> {
-    let own = ELSEWHERE.lock().expect("bug: poisoned").clone();
+    let own = elsewhere();
     let name = program.catalog.program.split(' ').next()?.to_owned();
     Some((own.or_else(user_state)?, name))
 }

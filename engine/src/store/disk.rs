@@ -7,7 +7,7 @@ use std::io::{ErrorKind, Result, Write};
 use std::path::Path;
 
 /// The steps. Paths are those that the store uses; a file is written by who made it.
-pub(super) trait Disk: Send + Sync {
+pub(crate) trait Disk: Send + Sync {
     /// Makes a folder, mode 0700; one that is there is as good.
     fn folder(&self, path: &Path) -> Result<()> {
         match private_folder(path, false) {
@@ -59,6 +59,6 @@ pub(super) trait Disk: Send + Sync {
 }
 
 /// The disk that there is.
-pub(super) struct Real;
+pub(crate) struct Real;
 
 impl Disk for Real {}

@@ -48,6 +48,18 @@ impl Store {
         Store::with(root, Box::new(Real), Mutex::new(prefetch.index()).into())
     }
 
+    /// On a disk of a simulation, linked to a shared store of one.
+    #[cfg(test)]
+    pub(crate) fn simulated(
+        root: &Path,
+        disk: Box<dyn Disk>,
+        link: Option<Arc<Link>>,
+    ) -> Result<Store, StoreError> {
+        let mut store = Store::with(root, disk, OnceLock::new())?;
+        store.link = link;
+        Ok(store)
+    }
+
     pub(super) fn with(
         root: &Path,
         disk: Box<dyn Disk>,
@@ -126,6 +138,8 @@ impl Store {
         use std::sync::atomic::{AtomicU64, Ordering};
         static COUNT: AtomicU64 = AtomicU64::new(0);
         let count = COUNT.fetch_add(1, Ordering::Relaxed);
+        #[cfg(test)]
+        let count = crate::clock::simulated::count().map_or(count, |n| 1_000_000 + n);
         let (id, now) = (std::process::id(), crate::clock::now_ns());
         self.root.join("tmp").join(format!("{id}-{count}-{now:x}"))
     }

@@ -54,6 +54,11 @@ mod removal;
 mod simulated;
 mod trace;
 
+#[cfg(test)]
+pub(crate) use disk::{Disk, Real};
+#[cfg(test)]
+pub(crate) use simulated::{Step, after_loss};
+
 pub use blob::Blob;
 pub use delivered::Delivered;
 pub use error::StoreError;

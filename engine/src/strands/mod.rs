@@ -19,4 +19,6 @@ pub use cut::{Strand, cut};
 pub use file::{InputLine, Plan, PlanError, PointLine, StrandLine};
 pub(crate) use planned::wanted;
 pub use planned::{Asked, Folders, Unplanned, planned};
+#[cfg(test)]
+pub(crate) use work::work_in;
 pub use work::{WorkError, Worked, graph, pipeline, work};

@@ -137,8 +137,23 @@ pub fn work(
     watch: &dyn Watch,
     cancel: &AtomicBool,
 ) -> Result<Worked, WorkError> {
-    let (graph, files, nodes) = bound(plan, strand, pipeline)?;
     let store = Store::open(&options.cache).map_err(EngineError::from)?;
+    work_in(store, (plan, strand, pipeline), options, watch, cancel)
+}
+
+/// As [`work`], in a store that is open already.
+///
+/// # Errors
+///
+/// As [`work`].
+pub(crate) fn work_in(
+    store: Store,
+    (plan, strand, pipeline): (&Plan, usize, &Pipeline),
+    options: &Options,
+    watch: &dyn Watch,
+    cancel: &AtomicBool,
+) -> Result<Worked, WorkError> {
+    let (graph, files, nodes) = bound(plan, strand, pipeline)?;
     let stop = || cancel.load(std::sync::atomic::Ordering::Relaxed);
     let all = crate::walk::all(&graph, &nodes);
     session::settled(&graph, &all, &store, &stop)?;

@@ -8,7 +8,7 @@ use super::framed;
 use super::link::Link;
 use super::objects::{Got, Trouble, at_most, whole};
 use super::plans;
-use super::reads::{AT_A_TIME, object};
+use super::reads::{askers, object};
 use crate::own;
 use crate::store::{Store, StoreError};
 use stage::Hash;
@@ -125,7 +125,7 @@ impl Link {
             }
         };
         std::thread::scope(|scope| {
-            for _ in 1..AT_A_TIME.min(keys.len()) {
+            for _ in 1..askers(keys.len()) {
                 scope.spawn(work);
             }
             work();

@@ -94,6 +94,12 @@ pub(super) fn parse(object: &[u8], key: Hash) -> Result<Framed, Unread> {
     })
 }
 
+/// The record of an object, if it can be read.
+#[cfg(test)]
+pub(crate) fn readable(object: &[u8], key: Hash) -> Option<Record> {
+    parse(object, key).ok().map(|framed| framed.record)
+}
+
 const HEAD_MOST: usize = 400;
 
 /// Texts that are shown to people move no cursor and ring no bell.

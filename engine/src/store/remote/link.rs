@@ -9,6 +9,7 @@ use super::known::Known;
 use super::objects::{Objects, Trouble};
 use super::patience::{Patience, is_beside};
 use super::seal::Seal;
+use crate::clock;
 use std::collections::{BTreeSet, VecDeque};
 use std::path::{Path, PathBuf};
 use std::sync::atomic::AtomicBool;
@@ -139,6 +140,12 @@ impl Link {
         self.objects.name()
     }
 
+    /// There may be more on disk that waits.
+    #[cfg(test)]
+    pub(crate) fn look_for_more(&self) {
+        self.queue().more = true;
+    }
+
     /// Whether nothing is written there.
     pub fn is_read_only(&self) -> bool {
         self.read_only
@@ -203,10 +210,10 @@ impl Link {
         if let Some(why) = self.rests() {
             return Err(Trouble::Down(why));
         }
-        let begun = Instant::now();
+        let begun = clock::instant();
         let answer = ask();
         if matches!(answer, Err(Trouble::Down(_))) && !is_beside() {
-            self.weather.lock().expect("bug: poisoned").stalled += begun.elapsed();
+            self.weather.lock().expect("bug: poisoned").stalled += clock::since(begun);
         }
         answer
     }
@@ -226,7 +233,7 @@ impl Link {
         if let Some(why) = self.rests() {
             return Err(Trouble::Down(why));
         }
-        let (mut last, begun) = (String::new(), Instant::now());
+        let (mut last, begun) = (String::new(), clock::instant());
         for tried in 0..TRIES {
             match ask() {
                 Err(Trouble::Down(why)) => last = why,
@@ -235,11 +242,11 @@ impl Link {
                     return answer;
                 }
             }
-            if begun.elapsed() >= self.patience.of_a_question() || self.queue().closing {
+            if clock::since(begun) >= self.patience.of_a_question() || self.queue().closing {
                 break;
             }
             if tried + 1 < TRIES {
-                std::thread::sleep(Duration::from_millis(20 << tried));
+                clock::pause(Duration::from_millis(20 << tried));
             }
         }
         self.fell_silent(&last);
@@ -249,7 +256,7 @@ impl Link {
     /// Why the place is not asked just now.
     fn rests(&self) -> Option<String> {
         let weather = self.weather.lock().expect("bug: poisoned");
-        let rests = weather.until.is_some_and(|until| Instant::now() < until);
+        let rests = weather.until.is_some_and(|until| clock::instant() < until);
         let rests = rests || (!is_beside() && self.patience.is_over(weather.stalled));
         rests.then(|| weather.why.clone())
     }
@@ -263,13 +270,13 @@ impl Link {
     /// When the place may be asked again, if it rests.
     pub(super) fn rests_until(&self) -> Option<Instant> {
         let weather = self.weather.lock().expect("bug: poisoned");
-        weather.until.filter(|until| Instant::now() < *until)
+        weather.until.filter(|until| clock::instant() < *until)
     }
 
     fn fell_silent(&self, why: &str) {
         let mut weather = self.weather.lock().expect("bug: poisoned");
         weather.wait = (weather.wait * 2).clamp(FIRST_WAIT, LONGEST_WAIT);
-        weather.until = Some(Instant::now() + weather.wait);
+        weather.until = Some(clock::instant() + weather.wait);
         weather.why = why.into();
         if !std::mem::replace(&mut weather.said, true) {
             drop(weather);

@@ -3,11 +3,12 @@
 use super::inventory::Inventory;
 use super::link::Link;
 use super::objects::Trouble;
+use crate::clock;
 use crate::store::Store;
 use stage::Hash;
 use std::collections::HashSet;
 use std::sync::Arc;
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
 /// So many records that are not there are asked for one by one; then a listing is worth it.
 const ASKED: usize = 8;
@@ -28,16 +29,19 @@ impl Link {
         if inventory
             .absent
             .get(key)
-            .is_some_and(|at| at.elapsed() < ABSENT_FOR)
+            .is_some_and(|at| clock::since(*at) < ABSENT_FOR)
         {
             return false;
         }
         // Others go on making results.
-        if inventory.tried.is_some_and(|at| at.elapsed() > HOLDS_FOR) {
+        if inventory
+            .tried
+            .is_some_and(|at| clock::since(at) > HOLDS_FOR)
+        {
             *inventory = Inventory::default();
         }
         if inventory.missed >= ASKED && inventory.tried.is_none() {
-            inventory.tried = Some(Instant::now());
+            inventory.tried = Some(clock::instant());
             inventory.listed = self.ask(&|| self.listed(MOST_LISTED)).ok().flatten();
         }
         inventory
@@ -62,7 +66,7 @@ impl Link {
     pub(super) fn is_absent(&self, key: [u8; 32]) {
         let mut inventory = self.inventory.lock().expect("bug: poisoned");
         inventory.missed += 1;
-        inventory.absent.insert(key, Instant::now());
+        inventory.absent.insert(key, clock::instant());
     }
 }
 
@@ -73,7 +77,7 @@ impl Store {
         let link = self.link.as_ref().filter(|link| !link.is_strict())?;
         let listed = link.ask(&|| link.listed(most)).ok().flatten()?;
         let mut inventory = link.inventory.lock().expect("bug: poisoned");
-        inventory.tried = Some(Instant::now());
+        inventory.tried = Some(clock::instant());
         inventory.listed = Some(listed.clone());
         Some(listed)
     }

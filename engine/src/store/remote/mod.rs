@@ -49,6 +49,8 @@ mod waiting;
 
 #[cfg(feature = "remote")]
 pub use bucket::open;
+#[cfg(test)]
+pub(crate) use framed::readable;
 pub use handshake::Honest;
 pub(super) use handshake::fresh;
 pub(super) use joined::of;
@@ -57,8 +59,12 @@ pub use key_file::NoKey;
 pub use link::{Link, Say};
 pub use objects::{Created, Got, Object, Objects, Trouble};
 pub use patience::Patience;
+#[cfg(test)]
+pub(crate) use patience::working_beside;
 pub use seal::Seal;
 #[cfg(feature = "remote")]
 pub use signature::{Keys, keygen};
 pub use sweep::{Looked, SweptThere};
+#[cfg(test)]
+pub(crate) use uploads::drain;
 pub use uploads::{Left, Manner, NoSharing, Sharing};

@@ -58,6 +58,15 @@ pub(super) fn beside() {
     BESIDE.set(true);
 }
 
+/// As long as something is done, this thread uploads beside the work.
+#[cfg(test)]
+pub(crate) fn working_beside<T>(work: impl FnOnce() -> T) -> T {
+    let before = BESIDE.replace(true);
+    let done = work();
+    BESIDE.set(before);
+    done
+}
+
 /// Whether this thread does.
 pub(super) fn is_beside() -> bool {
     BESIDE.get()

@@ -5,6 +5,7 @@ use super::super::record::{Origin, Unread};
 use super::framed::{self, Framed, MOST_BLOB};
 use super::link::Link;
 use super::objects::{Got, Trouble, at_most};
+use crate::clock;
 use crate::own;
 use crate::store::Store;
 use stage::Hash;
@@ -12,7 +13,15 @@ use std::path::Path;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 /// Requests under way at a time, where many records are wanted.
-pub(super) const AT_A_TIME: usize = 16;
+const AT_A_TIME: usize = 16;
+
+/// How many threads ask for so many records.
+pub(super) fn askers(records: usize) -> usize {
+    match clock::is_simulated() {
+        true => 1,
+        false => AT_A_TIME.min(records),
+    }
+}
 
 /// The name of what lies on a shelf under a hash.
 pub(super) fn object(shelf: &str, hash: Hash) -> String {
@@ -130,7 +139,7 @@ impl Store {
             }
         };
         std::thread::scope(|scope| {
-            for _ in 1..AT_A_TIME.min(keys.len()) {
+            for _ in 1..askers(keys.len()) {
                 scope.spawn(work);
             }
             work();

@@ -1,6 +1,7 @@
 //! What a shared store holds, how it answers, and what is old enough to go. Ages are by its own clock.
 
 use super::handshake::{self, Honest, fresh};
+use super::link::Link;
 use super::objects::{Object, Objects, Trouble};
 use super::uploads::Sharing;
 use std::time::{Duration, Instant, SystemTime};
@@ -90,8 +91,14 @@ impl Sharing {
     ///
     /// It does not answer, or refuses; what went by then is gone.
     pub fn sweep(&self, older: Duration, dry_run: bool) -> Result<SweptThere, Trouble> {
-        let link = self.link();
-        let objects = &*link.objects;
+        self.link().sweep(older, dry_run)
+    }
+}
+
+impl Link {
+    /// See [`Sharing::sweep`].
+    pub(crate) fn sweep(&self, older: Duration, dry_run: bool) -> Result<SweptThere, Trouble> {
+        let objects = &*self.objects;
         let before = now_there(objects)? - older;
         let mut swept = SweptThere::default();
         let mut going: Vec<Vec<Object>> = Vec::new();
@@ -111,11 +118,11 @@ impl Sharing {
         }
         // From now on nobody relies on what they knew to be there; and once more when all is gone, for
         // those who learned of it meanwhile.
-        link.ask(&|| handshake::renew(objects))?;
+        self.ask(&|| handshake::renew(objects))?;
         for object in going.iter().flatten() {
-            link.ask(&|| objects.remove(&object.name))?;
+            self.ask(&|| objects.remove(&object.name))?;
         }
-        link.ask(&|| handshake::renew(objects))?;
+        self.ask(&|| handshake::renew(objects))?;
         Ok(swept)
     }
 }

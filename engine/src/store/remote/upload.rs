@@ -6,6 +6,7 @@ use super::handshake::{Honest, fresh};
 use super::link::Link;
 use super::objects::{Created, Trouble};
 use super::reads::{Theirs, object};
+use crate::clock;
 use crate::store::{Blob, Record, Store};
 use stage::Hash;
 
@@ -139,7 +140,7 @@ fn publish(
                 return Ok(Came::Sent);
             }
             // Two requests met (409), and none of them won.
-            Theirs::Absent => std::thread::sleep(std::time::Duration::from_millis(10 << tried)),
+            Theirs::Absent => clock::pause(std::time::Duration::from_millis(10 << tried)),
         }
     }
     Err(Trouble::Down(format!(

@@ -7,6 +7,7 @@ use super::patience::{Patience, beside};
 use super::seal::Seal;
 use super::upload::{Came, upload};
 use super::waiting;
+use crate::clock;
 use crate::store::{Store, StoreError};
 use stage::Hash;
 use std::path::{Path, PathBuf};
@@ -175,21 +176,30 @@ impl Drop for Sharing {
 /// One thread: takes what waits, uploads it.
 fn work(store: &Store, link: &Link) {
     beside();
-    while let Some(key) = next(store, link) {
+    while let Some(key) = next(store, link, true) {
         let came = upload(store, link, key);
         noted(store, link, key, came);
     }
 }
 
-/// What is to be uploaded next; `None` when the process is done with it.
-fn next(store: &Store, link: &Link) -> Option<Hash> {
+/// As a thread beside the work, until there is nothing more to be done at once.
+#[cfg(test)]
+pub(crate) fn drain(store: &Store, link: &Link) {
+    while let Some(key) = next(store, link, false) {
+        let came = upload(store, link, key);
+        noted(store, link, key, came);
+    }
+}
+
+/// What is to be uploaded next; `None` when the process is done with it, or nothing is and it is not waited for.
+fn next(store: &Store, link: &Link, wait: bool) -> Option<Hash> {
     let mut queue = link.queue();
     loop {
         if queue.closing {
             return None;
         }
         let rests = link.rests_until().filter(|_| queue.stopped.is_none());
-        let rests = rests.map(|until| until.saturating_duration_since(Instant::now()));
+        let rests = rests.map(|until| until.saturating_duration_since(clock::instant()));
         if rests.is_none() && queue.stopped.is_none() {
             if let Some(key) = queue.keys.pop_front() {
                 queue.running += 1;
@@ -221,6 +231,9 @@ fn next(store: &Store, link: &Link) -> Option<Hash> {
                 continue;
             }
         }
+        if !wait {
+            return None;
+        }
         let step = rests
             .unwrap_or(Duration::from_millis(200))
             .max(Duration::from_millis(5));
@@ -239,7 +252,7 @@ fn noted(store: &Store, link: &Link, key: Hash, came: Result<Came, Trouble>) {
     match came {
         Ok(came) => {
             queue.held.remove(key.as_bytes());
-            queue.since = Some(Instant::now());
+            queue.since = Some(clock::instant());
             queue.sent += usize::from(came == Came::Sent);
             drop(queue);
             if let Came::Differs(theirs) = &came {

@@ -1,0 +1,183 @@
+//! What happens in a story without anybody of ours doing it.
+
+use super::disk::{below, lose_power, written};
+use super::forge;
+use super::oracle;
+use super::server::spoilt;
+use super::story::What;
+use super::trade::program;
+use super::world::World;
+use crate::clock::simulated;
+use crate::foreign;
+use crate::store::Step;
+use stage::{FileEntry, Files};
+use std::path::Path;
+use std::sync::atomic::Ordering;
+use std::time::Duration;
+
+/// Makes the photos of a capture; those of equal numbers are equal on all machines.
+pub(super) fn photos(folder: &Path, capture: usize) {
+    std::fs::create_dir_all(folder).expect("a folder");
+    for photo in 0..2 {
+        let text = format!("needle-photo-{capture}-{photo} ");
+        std::fs::write(folder.join(format!("{photo}.jpg")), text).expect("a photo");
+    }
+    std::fs::write(folder.join("plate.jpg"), "of all ").expect("a photo");
+}
+
+/// The files of a capture as they are now.
+pub(super) fn files(folder: &Path) -> Files {
+    let entry = |path: std::path::PathBuf| {
+        let bytes = std::fs::read(&path).expect("a photo");
+        FileEntry {
+            name: path
+                .file_name()
+                .expect("a name")
+                .to_string_lossy()
+                .into_owned(),
+            content: blake3::hash(&bytes),
+            size: bytes.len() as u64,
+        }
+    };
+    Files {
+        root: folder.to_owned(),
+        entries: below(folder).into_iter().map(entry).collect(),
+    }
+}
+
+/// One of these things; what came of it.
+pub(super) fn happens(world: &World, m: usize, what: &What) -> String {
+    let machine = &world.machines[m];
+    let known = || machine.known.borrow_mut();
+    match what {
+        What::Full(full) => {
+            machine.full.set(*full);
+            known().was_full |= *full;
+            known().harmed |= *full;
+        }
+        What::Cut(cut) => {
+            machine.cut.set(*cut);
+            world.server.harmed.store(true, Ordering::Relaxed);
+        }
+        What::Time { s } => _ = simulated::pass(Duration::from_secs(*s)),
+        What::Clock { s } => machine.ahead_s.set(machine.ahead_s.get() + s),
+        What::PowerLoss(_) if machine.active.get() > 1 => return "not now".into(),
+        What::PowerLoss(seed) => {
+            let safe = oracle::safe(machine);
+            lose_power(&machine.root, &machine.steps, *seed);
+            oracle::outlived(world, machine, &safe);
+            known().lost();
+        }
+        What::Spoil { file, how } => return spoil(world, m, *file, *how),
+        What::SpoilThere { object, how } => spoil_there(world, *object, *how),
+        What::Lies { count, how } => {
+            world.server.lies.store(*count, Ordering::Relaxed);
+            world.server.how.store(*how, Ordering::Relaxed);
+            world.server.harmed.store(true, Ordering::Relaxed);
+        }
+        What::Edit { capture } => {
+            let path = machine.captures[*capture].join("0.jpg");
+            let mut bytes = std::fs::read(&path).expect("a photo");
+            bytes.extend(format!("needle-photo-{capture}-again ").into_bytes());
+            std::fs::write(&path, bytes).expect("a photo");
+        }
+        What::Forge {
+            capture,
+            n,
+            node,
+            signed,
+        } => {
+            let done = forge::forge(world, m, (*capture, *n, *node), *signed);
+            return format!("{}", done.is_some());
+        }
+        other => return permission(world, m, other),
+    }
+    "so".into()
+}
+
+/// What the user allows, and what others would like to.
+fn permission(world: &World, m: usize, what: &What) -> String {
+    let machine = &world.machines[m];
+    foreign::permissions_here(Some(machine.state.clone()));
+    let (number, allow) = match what {
+        What::Allow { program } => (*program, true),
+        What::Revoke { program } | What::Plant { program } => (*program, false),
+        _ => (0, false),
+    };
+    let graph = program(number);
+    let nodes = crate::walk::all(&graph, &graph.goal);
+    if allow {
+        let allowed = foreign::allow(&graph, &nodes);
+        if allowed.is_ok() {
+            machine.known.borrow_mut().granted.insert(number);
+        }
+        return format!("{}", allowed.is_ok());
+    }
+    let (_, asked) = foreign::programs(&graph, &nodes).next().expect("a program");
+    let name = asked.permission().to_hex();
+    let folder = foreign::permissions(asked).expect("a folder");
+    match what {
+        What::Revoke { .. } => {
+            let _ = std::fs::remove_file(folder.join(name.as_str()));
+            machine.known.borrow_mut().granted.remove(&number);
+        }
+        What::Plant { .. } => {
+            let folder = machine.root.join("allowed");
+            let _ = std::fs::create_dir_all(&folder);
+            let _ = std::fs::write(folder.join(name.as_str()), "yes");
+        }
+        _ => loosen(world, m, &folder),
+    }
+    "so".into()
+}
+
+/// Lets anybody write where permissions lie: they count no longer.
+fn loosen(world: &World, m: usize, folder: &Path) {
+    #[cfg(unix)]
+    if folder.is_dir() {
+        let mode = std::os::unix::fs::PermissionsExt::from_mode(0o777);
+        std::fs::set_permissions(folder, mode).expect("modes");
+        world.machines[m].known.borrow_mut().granted.clear();
+    }
+}
+
+/// A file of a machine's store goes, is cut short or gets another bit.
+fn spoil(world: &World, m: usize, file: u64, how: u64) -> String {
+    let machine = &world.machines[m];
+    let named = |path: &std::path::PathBuf| {
+        let name = path.file_name().and_then(|name| name.to_str());
+        let written = machine.active.get() > 1 && path.starts_with(machine.root.join("tmp"));
+        let lock = path.starts_with(machine.root.join("lease"));
+        !matches!(name, Some("format" | "in-use")) && !lock && !written
+    };
+    let all: Vec<_> = below(&machine.root).into_iter().filter(named).collect();
+    // Names of runs and of what is being written are others each time: chosen by their place.
+    let Some(path) = all.get(file as usize % all.len().max(1)) else {
+        return "nothing there".into();
+    };
+    let bytes = std::fs::read(path).unwrap_or_default();
+    let mut steps = machine.steps.lock().expect("one thread");
+    let _ = std::fs::remove_file(path);
+    steps.push(Step::Remove(path.clone()));
+    if let Some(bytes) = spoilt(&bytes, how) {
+        std::fs::write(path, &bytes).expect("a file");
+        steps.extend(written(path, &bytes));
+    }
+    machine.known.borrow_mut().lost();
+    "so".into()
+}
+
+fn spoil_there(world: &World, object: u64, how: u64) {
+    let mut objects = world.server.objects.lock().expect("one thread");
+    let names: Vec<String> = objects.keys().filter(|n| *n != "format").cloned().collect();
+    if names.is_empty() {
+        return;
+    }
+    world.server.harmed.store(true, Ordering::Relaxed);
+    let name = &names[object as usize % names.len()];
+    let (bytes, at) = objects[name].clone();
+    match spoilt(&bytes, how) {
+        Some(bytes) => _ = objects.insert(name.clone(), (bytes, at)),
+        None => _ = objects.remove(name),
+    }
+}

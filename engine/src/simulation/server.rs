@@ -1,0 +1,217 @@
+//! The store that machines share: objects in memory, answers that are lost or not true, and who signs.
+
+use super::process::Process;
+use super::world;
+use crate::store::remote::{self, Created, Got, Object, Objects, Trouble};
+use std::collections::BTreeMap;
+use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
+use std::sync::{Arc, Mutex};
+use std::time::{Duration, SystemTime};
+
+/// What lies in the shared store.
+pub(super) struct Server {
+    pub(super) objects: Mutex<BTreeMap<String, (Vec<u8>, Duration)>>,
+    pub(super) honest: AtomicBool,
+    /// So many answers more are not true.
+    pub(super) lies: AtomicU64,
+    pub(super) how: AtomicU64,
+    /// Whether anything ever went wrong with it.
+    pub(super) harmed: AtomicBool,
+}
+
+impl Server {
+    pub(super) fn new(honest: bool) -> Server {
+        Server {
+            objects: Mutex::default(),
+            honest: honest.into(),
+            lies: 0.into(),
+            how: 0.into(),
+            harmed: false.into(),
+        }
+    }
+
+    fn lies(&self) -> Option<u64> {
+        let left = self.lies.load(Ordering::Relaxed);
+        self.lies.store(left.saturating_sub(1), Ordering::Relaxed);
+        (left > 0).then(|| self.how.load(Ordering::Relaxed))
+    }
+}
+
+/// What is not true in place of some bytes; `None` if there is said to be nothing.
+pub(super) fn spoilt(bytes: &[u8], how: u64) -> Option<Vec<u8>> {
+    let mut bytes = bytes.to_vec();
+    let at = (how >> 8) as usize % bytes.len().max(1);
+    match how % 4 {
+        0 => return None,
+        1 => bytes.truncate(at),
+        _ if bytes.is_empty() => {}
+        _ => bytes[at] ^= 1 << (how >> 3 & 7),
+    }
+    Some(bytes)
+}
+
+/// The shared store as a process asks it.
+pub(super) struct Asked {
+    pub(super) server: Arc<Server>,
+    pub(super) process: Arc<Process>,
+}
+
+impl Asked {
+    /// Does something there, unless the network is cut; the answer may be lost.
+    fn ask<T>(&self, ask: impl FnOnce(&Server, Duration) -> T) -> Result<T, Trouble> {
+        let down = || Trouble::Down("no answer".into());
+        let number = self.process.steps.load(Ordering::Relaxed);
+        world::step(&self.process, false).map_err(|_| down())?;
+        let passed = world::passed(&self.process).ok_or_else(down)?;
+        let answer = ask(&self.server, passed);
+        match self.process.lost == Some(number) {
+            true => Err(down()),
+            false => Ok(answer),
+        }
+    }
+}
+
+impl Objects for Asked {
+    fn name(&self) -> &str {
+        "sim://shared"
+    }
+
+    fn get(&self, name: &str, take: &mut dyn FnMut(&[u8]) -> bool) -> Result<Got, Trouble> {
+        let found = self.ask(|server, _| {
+            let objects = server.objects.lock().expect("one thread");
+            let true_bytes = objects.get(name).map(|(bytes, _)| bytes.clone());
+            match (server.lies(), true_bytes) {
+                (Some(how), Some(bytes)) if how % 5 == 4 => {
+                    // Another object's.
+                    let mut others = objects.values().cycle().skip(how as usize % 64);
+                    others
+                        .next()
+                        .map_or(Some(bytes), |(other, _)| Some(other.clone()))
+                }
+                (Some(how), Some(bytes)) => spoilt(&bytes, how),
+                (_, bytes) => bytes,
+            }
+        })?;
+        let Some(bytes) = found else {
+            return Ok(Got::Absent);
+        };
+        // In two parts, as it may come.
+        let half = bytes.len() / 2;
+        match take(&bytes[..half]) && take(&bytes[half..]) {
+            true => Ok(Got::Whole),
+            false => Ok(Got::Stopped),
+        }
+    }
+
+    fn put(&self, name: &str, bytes: &[u8]) -> Result<(), Trouble> {
+        self.ask(|server, passed| {
+            let mut objects = server.objects.lock().expect("one thread");
+            objects.insert(name.to_owned(), (bytes.to_vec(), passed));
+        })
+    }
+
+    fn create(&self, name: &str, bytes: &[u8]) -> Result<Created, Trouble> {
+        self.ask(|server, passed| {
+            let mut objects = server.objects.lock().expect("one thread");
+            if server.honest.load(Ordering::Relaxed) && objects.contains_key(name) {
+                return Created::There;
+            }
+            objects.insert(name.to_owned(), (bytes.to_vec(), passed));
+            Created::New
+        })
+    }
+
+    fn size(&self, name: &str) -> Result<Option<u64>, Trouble> {
+        self.ask(|server, _| {
+            let objects = server.objects.lock().expect("one thread");
+            let size = objects.get(name).map(|(bytes, _)| bytes.len() as u64);
+            match server.lies() {
+                Some(how) if how % 2 == 0 => None,
+                _ => size,
+            }
+        })
+    }
+
+    fn list(&self, folder: &str, take: &mut dyn FnMut(Vec<Object>) -> bool) -> Result<(), Trouble> {
+        let below = |name: &str| match folder {
+            "" => true,
+            _ => name
+                .strip_prefix(folder)
+                .is_some_and(|n| n.starts_with('/')),
+        };
+        let page = self.ask(|server, _| {
+            let objects = server.objects.lock().expect("one thread");
+            let fits = objects.iter().filter(|(name, _)| below(name));
+            let object = |(name, (bytes, at)): (&String, &(Vec<u8>, Duration))| Object {
+                name: name.clone(),
+                bytes: bytes.len() as u64,
+                modified: SystemTime::UNIX_EPOCH + Duration::from_secs(2_000_000_000) + *at,
+            };
+            let mut all: Vec<Object> = fits.map(object).collect();
+            if let Some(how) = server.lies() {
+                all.truncate(how as usize % (all.len() + 1));
+            }
+            all
+        })?;
+        take(page);
+        Ok(())
+    }
+
+    fn remove(&self, name: &str) -> Result<(), Trouble> {
+        self.ask(|server, _| {
+            let mut objects = server.objects.lock().expect("one thread");
+            objects.remove(name);
+        })
+    }
+}
+
+/// Who signs: a machine, or a stranger.
+pub(super) struct Seal {
+    signer: String,
+    trusted: Vec<String>,
+}
+
+impl Seal {
+    /// A machine's, who trusts all machines.
+    pub(super) fn of(machine: usize, machines: usize) -> Seal {
+        let name = |machine: usize| format!("machine-{machine}");
+        Seal {
+            signer: name(machine),
+            trusted: (0..machines).map(name).collect(),
+        }
+    }
+
+    /// A stranger's.
+    pub(super) fn stranger() -> Seal {
+        Seal {
+            signer: "stranger".into(),
+            trusted: vec!["stranger".into()],
+        }
+    }
+
+    pub(super) fn boxed(self) -> Box<dyn remote::Seal> {
+        Box::new(self)
+    }
+}
+
+fn word(signer: &str, message: &[u8]) -> String {
+    let hash = blake3::hash(&[signer.as_bytes(), b" secret ", message].concat());
+    format!("{signer}:{}", hash.to_hex())
+}
+
+impl remote::Seal for Seal {
+    fn signer(&self) -> Option<&str> {
+        Some(&self.signer)
+    }
+    fn sign(&self, message: &[u8]) -> Option<String> {
+        Some(word(&self.signer, message))
+    }
+    fn is_strict(&self) -> bool {
+        true
+    }
+    fn believes(&self, message: &[u8], signature: &str) -> bool {
+        self.trusted
+            .iter()
+            .any(|who| word(who, message) == signature)
+    }
+}
