@@ -77,21 +77,14 @@ impl Stage for Measure {
         let body = standing(mesh, landmarks);
         let mut girths = Girths {
             unit: input.cameras.as_ref().map_or(mesh.unit, |c| c.scale.unit()),
-            missing: landmarks.missing.clone(),
+            missing: missing(&input),
             ..Girths::default()
         };
         let outlines = outlines(&input, body.as_ref());
         let steps = ctx.steps("girths", 2 * landmarks.found.len());
         let mut all: Vec<(&Landmark, SectionMeasurement, Seen)> = Vec::new();
-        for landmark in &landmarks.found {
-            if let Some(why) = lost(&input, landmark) {
-                girths.missing.push(Missing {
-                    name: landmark.name.clone(),
-                    ..Missing::because(landmark.id, Refusal::Incomplete, &why)
-                });
-                steps.tick()?;
-                continue;
-            }
+        let lost = |l: &&Landmark| lost(&input, l).is_some();
+        for landmark in landmarks.found.iter().filter(|l| !lost(l)) {
             match taken(mesh, body.as_ref(), landmark) {
                 Ok(here) => {
                     let seen = seen(body.as_ref(), landmark, &here, &input, outlines.as_ref());
@@ -195,6 +188,19 @@ fn refuse(landmark: &Landmark, reason: Refusal, girths: &mut Girths) {
         name: landmark.name.clone(),
         ..Missing::new(landmark.id, reason)
     });
+}
+
+/// What the landmarks lack, and girths around a part that most masks leave out.
+fn missing(input: &GirthInput) -> Vec<Missing> {
+    let without = |landmark: &Landmark| {
+        lost(input, landmark).map(|why| Missing {
+            name: landmark.name.clone(),
+            ..Missing::because(landmark.id, Refusal::Incomplete, &why)
+        })
+    };
+    let landmarks = &input.landmarks;
+    let lost = landmarks.found.iter().filter_map(without);
+    landmarks.missing.iter().cloned().chain(lost).collect()
 }
 
 /// Why a girth around a part that most masks leave out is not given.
