@@ -2,7 +2,6 @@
 //!
 //! ```no_run
 //! use engine::{Catalog, cli};
-//!
 //! static CATALOG: Catalog = Catalog { program: "words 1", rooms: &[], kinds: &[], importers: &[], pipelines: &[] };
 //! static WORDS: cli::Program = cli::Program::new("words", "1", "Counts words.", &CATALOG);
 //!
