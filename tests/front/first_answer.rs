@@ -35,7 +35,7 @@ fn what_reads_the_last_run_agrees_with_what_measure_wrote() {
     let place = sample();
     let said = place.run(&format!("measure turn --out out {COARSE}"));
     let said = said.code(0);
-    let first = "first answer from the coarse surface: hip ";
+    let first = "first answer from the coarse surface: ";
     assert!(said.err.contains(first), "{}", said.err);
     let one = records(&place);
     assert!(one.len() == 2 && one[1].ends_with(".jsonl"), "{one:?}");

@@ -46,10 +46,11 @@
 //! | λ | ∞: what the hull of all photos makes certain, two photos may dissent. 0 where this photo shows the scene to the level, or something like it over a patch of the size of a gap | `label/consensus.rs`, `consensus_in_photo.rs` |
 //! | parts | the body is the largest part; of its holes stay those that the scene explains | `label/parts.rs` |
 //!
-//! Beside the energy, each with its reason in its file: patches that stay in place as the body turns are background
-//! (`room/background_patches.rs`). The scene of a turn is a labelling of its own: of all
-//! levels that recur at a pixel (`room/recurring_levels.rs`) those that go over smoothly into each other
-//! (`room/scene_labelling.rs`, by `message_passing.rs`; Kolmogorov 2006).
+//! Beside the energy, each with its reason in its file: a hole whose rays pass far through the hull of the others is
+//! filled (`label/see_through_holes.rs`); patches that stay in place as the body turns are background
+//! (`room/background_patches.rs`); narrow ends of gaps are followed at full size (`border/narrow_gaps.rs`). The scene of a
+//! turn is a labelling of its own: of all levels that recur at a pixel (`room/recurring_levels.rs`) those that go over
+//! smoothly into each other (`room/scene_labelling.rs`, by `message_passing.rs`; Kolmogorov 2006).
 //!
 //! # Another algorithm
 //!

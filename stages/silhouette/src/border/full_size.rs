@@ -1,10 +1,12 @@
 //! The border of a coarse cut, cut again at full size.
 
+use crate::border::narrow_gaps::follow;
 use crate::border::soft_border::soft_border;
 use crate::border::tiles::{band, tiles};
 use crate::cut::least_cut::{Known, Window};
 use crate::label::color_cut::{Settings, cut};
 use crate::label::parts::largest;
+use crate::label::see_through_holes::Depths;
 use crate::likelihood::background::{FLAT, Likeness, Noise};
 use crate::likelihood::gmm::Gmm;
 use crate::likelihood::grounds::Grounds;
@@ -16,13 +18,15 @@ use std::ops::Range;
 /// Half the side of neighbourhoods. \[px\]
 const REACH: usize = 2;
 
-/// The border of a coarse cut again at full size, window by window so that memory stays small.
+/// The border of a coarse cut again at full size, window by window so that memory stays small. `depths`
+/// says how far the rays of coarse pixels pass through the hull of the other photos, if anything does.
 pub fn fine(
     pixels: &Rgb,
     without: &Backdrop,
     ready: &Prepared,
     coarse: &Image<bool>,
     gmm: &Gmm,
+    depths: Option<&Depths>,
     settings: &Settings,
 ) -> Mask {
     let factor = ready.factor;
@@ -73,6 +77,11 @@ pub fn fine(
             let from = (y - window.y) * window.width + left - window.x;
             sides.data[y * width..][left..right].copy_from_slice(&body[from..][..right - left]);
         }
+    }
+    let before = depths.map(|_| sides.clone());
+    follow(&mut sides, &likeness, without, gmm);
+    if let (Some(before), Some(depths)) = (before, depths) {
+        settled.close_see_through_holes(&mut sides, &before, depths);
     }
     let cost = |i: usize| {
         let i = settled.small(i % width, i / width);
@@ -125,6 +134,33 @@ impl Settled {
 
     fn at(&self, x: usize, y: usize) -> Known {
         self.known.data[self.small(x, y)]
+    }
+
+    /// Gives back to the body what a gap was followed into, where no gap can be.
+    fn close_see_through_holes(
+        &self,
+        sides: &mut Image<bool>,
+        before: &Image<bool>,
+        depths: &Depths,
+    ) {
+        let mut open = vec![0; self.known.data.len()];
+        let width = sides.width;
+        for i in (0..sides.data.len()).filter(|i| !sides.data[*i]) {
+            open[self.small(i % width, i / width)] += 1;
+        }
+        let most = self.factor * self.factor;
+        let mut closed = vec![false; open.len()];
+        let cut = Image {
+            width: self.known.width,
+            height: self.known.height,
+            data: open.iter().map(|open| 2 * open < most).collect(),
+        };
+        for i in depths.see_through_holes(&cut) {
+            closed[i] = true;
+        }
+        for i in 0..sides.data.len() {
+            sides.data[i] |= before.data[i] && closed[self.small(i % width, i / width)];
+        }
     }
 
     /// Whether a pixel or one of its neighbours is open.
@@ -243,7 +279,7 @@ mod tests {
             thinner: 0.0,
         };
         let skin = Gmm::fit(&skin, 1).expect("one cluster");
-        let mask = fine(&pixels, &without, &ready, &coarse, &skin, &settings);
+        let mask = fine(&pixels, &without, &ready, &coarse, &skin, None, &settings);
         let body: f64 = mask.data.iter().map(|c| f64::from(*c) / 255.0).sum();
         body / SIDE as f64
     }

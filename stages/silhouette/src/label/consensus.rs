@@ -17,15 +17,15 @@ const PEEL: usize = 2;
 const COAT: usize = 3;
 
 /// A block of cells, x fastest.
-struct Block {
-    origin: Point3<f64>,
+pub(crate) struct Block {
+    pub(crate) origin: Point3<f64>,
     /// Side of a cell. \[mm\]
-    cell: f64,
-    count: [usize; 3],
+    pub(crate) cell: f64,
+    pub(crate) count: [usize; 3],
 }
 
 impl Block {
-    fn centre(&self, i: usize) -> Point3<f64> {
+    pub(crate) fn centre(&self, i: usize) -> Point3<f64> {
         let [nx, ny, _] = self.count;
         let at =
             nalgebra::Vector3::new((i % nx) as f64, (i / nx % ny) as f64, (i / nx / ny) as f64);
@@ -49,14 +49,14 @@ impl Block {
 }
 
 /// A mask with its photo and the camera at its size.
-type View<'a> = (PhotoId, &'a Mask, Camera);
+pub(crate) type View<'a> = (PhotoId, &'a Mask, Camera);
 
 /// A block around the body, with how many masks say of each cell that it is none of it.
 pub(crate) struct Together<'a> {
-    views: Vec<View<'a>>,
-    block: Block,
+    pub(crate) views: Vec<View<'a>>,
+    pub(crate) block: Block,
     /// Masks that dissent, [`DISSENT`] + 1 at most.
-    against: Vec<usize>,
+    pub(crate) against: Vec<usize>,
 }
 
 /// What is certain of each pixel of each mask, from all masks and the cameras.
@@ -92,6 +92,11 @@ impl<'a> Together<'a> {
             block,
             against,
         })
+    }
+
+    /// How many masks say that a point is none of the body, [`DISSENT`] + 1 at most.
+    pub(crate) fn against(&self, x: &Point3<f64>) -> usize {
+        against(&self.views, x)
     }
 
     /// What is certain of each pixel of each mask if so many photos may dissent.

@@ -7,7 +7,7 @@ use crate::likelihood::prepared::Prepared;
 use shape::Image;
 
 /// A neighbourhood that costs the background no more than this shows it beyond doubt.
-const CERTAIN: f32 = FLAT + 2.0;
+pub(crate) const CERTAIN: f32 = FLAT + 2.0;
 
 impl Prepared {
     /// Takes over what all photos say together. Where this one shows the background to the level,

@@ -102,7 +102,7 @@ impl Likeness<'_> {
     }
 
     /// -ln p(pixel | background) by the pixel's own colour, on the ground that lies there.
-    fn single(&self, x: usize, y: usize, on: Ground) -> f32 {
+    pub(crate) fn single(&self, x: usize, y: usize, on: Ground) -> f32 {
         let (lo, hi) = slack(self.expected, x, y);
         let shown = self.photo.at(x, y).map(f32::from);
         // The spread of light is that of means; one pixel's is mostly noise.

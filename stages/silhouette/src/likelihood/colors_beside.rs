@@ -12,13 +12,13 @@ const REACH: f64 = 0.03;
 /// Places that are asked along a side of the neighbourhood.
 const ASKED: usize = 17;
 /// How far colours of neighbours differ. \[levels\]
-const UNLIKE: f32 = 4.0;
+pub(crate) const UNLIKE: f32 = 4.0;
 /// What it costs that a colour is found beside its place.
 const BESIDE: f32 = 2.0;
 
 /// Odds (ln) by which a colour of the room beside must beat the body's before it is the room's beyond
 /// doubt.
-const APART: f32 = 6.0;
+pub(crate) const APART: f32 = 6.0;
 
 /// What the background costs as far as it may contradict the others: that it shows a colour of the
 /// room beside and one that the body has not. Both are -ln p.

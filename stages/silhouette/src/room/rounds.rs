@@ -6,6 +6,7 @@ use crate::label::color_cut::Settings;
 use crate::label::color_cut::coarse;
 use crate::label::consensus::{DISSENT, Together};
 use crate::label::parts::parts;
+use crate::label::see_through_holes::{Depths, depths};
 use crate::likelihood::body::{EVIDENT, STRANGE, body_cost, evident as shown};
 use crate::likelihood::colors_beside::{Nearby, beside};
 use crate::likelihood::disk_colors::{body_colors, disk_colors, disk_cost, mixture, on_the_disk};
@@ -21,11 +22,14 @@ use crate::scene::backdrop::{Backdrop, SHY, still, thinned};
 use crate::scene::still_and_disk::{Scene, Shot, scene};
 use rayon::prelude::*;
 use shape::{Cameras, Image, Mask, PhotoId, Rgb};
+use std::collections::BTreeMap;
 
 /// The cuts of reduced photos, with what they follow from that a photo alone cannot tell.
 pub struct Cuts {
     /// True is body; `None` where a photo shows nothing that moves.
     pub cuts: Vec<Option<Image<bool>>>,
+    /// How far rays pass through the hull of the other photos.
+    pub(crate) depths: BTreeMap<PhotoId, Depths>,
     /// Of each photo the pixels that were found to be bits of the room.
     pub(crate) background_patches: Vec<Vec<usize>>,
 }
@@ -94,8 +98,20 @@ pub fn without_plate(
             .collect();
     }
     let background_patches = turn.laid_bare(&mut ready, &mut cuts);
+    let depths = turn.depths(&cuts);
+    for ((shot, background_patches), cut) in shots.iter().zip(&background_patches).zip(&mut cuts) {
+        if let Some((cut, depths)) = cut.as_mut().zip(depths.get(&shot.id)) {
+            let mut filled = cut.clone();
+            background_patches
+                .iter()
+                .for_each(|i| filled.data[*i] = true);
+            let see_through_holes = depths.see_through_holes(&filled);
+            see_through_holes.iter().for_each(|i| cut.data[*i] = true);
+        }
+    }
     Cuts {
         cuts,
+        depths,
         background_patches,
     }
 }
@@ -224,6 +240,14 @@ impl Turn<'_> {
             cut
         };
         self.shots.par_iter().zip(ready).map(again).collect()
+    }
+
+    /// How far rays pass through what the cuts of the other photos say together.
+    fn depths(&self, cuts: &[Option<Image<bool>>]) -> BTreeMap<PhotoId, Depths> {
+        let masks = self.masks(cuts);
+        let all = Together::of(&masks, self.cameras);
+        let depths = all.map(|all| depths(&all));
+        depths.unwrap_or_default()
     }
 
     fn masks(&self, cuts: &[Option<Image<bool>>]) -> Vec<(PhotoId, Mask)> {
