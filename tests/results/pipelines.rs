@@ -290,7 +290,7 @@ fn with_own_masks_nothing_but_the_masks_is_made_otherwise() {
     };
     let (body, own) = (graph("body"), graph("own-masks"));
     let (body, own) = (told(&body), told(&own));
-    assert_eq!(body.len(), own.len() + 6); // the steps from photos to masks, and who is on them
+    assert_eq!(body.len(), own.len() + 5); // the steps from photos to masks
     let otherwise: Vec<_> = own.iter().filter(|n| !body.contains(n)).collect();
     assert_eq!(otherwise.len(), 1, "{otherwise:?}");
     assert_eq!(
