@@ -3,7 +3,7 @@
 //! An arrow goes from a file to the one that defines what it names: by `use`, or by a path that begins with
 //! `crate`, `super`, `self` or a module that the file declares. A name that a module only passes on
 //! (`pub use`) belongs to the file that defines it; passing it on is no arrow. Tests within files, comments
-//! and texts do not count: a test may look upward. Nor do folders that are a test as a whole.
+//! and texts do not count: a test may look upward.
 
 use crate::imports;
 
@@ -32,9 +32,6 @@ fn circles(arrows: &BTreeMap<String, BTreeSet<String>>) -> BTreeSet<BTreeSet<Str
     round.map(circle).collect()
 }
 
-/// Folders that are built for tests alone: parts of a simulation call back into each other, as its processes do.
-const TESTS: [&str; 1] = ["engine/src/simulation/"];
-
 /// The arrows of each room, of the engine and of the product.
 fn crates() -> Vec<BTreeMap<String, BTreeSet<String>>> {
     let root = Path::new(env!("CARGO_MANIFEST_DIR"));
@@ -42,15 +39,7 @@ fn crates() -> Vec<BTreeMap<String, BTreeSet<String>>> {
     let mut crates: Vec<PathBuf> = rooms.map(|e| e.unwrap().path()).collect();
     crates.extend([root.join("engine"), root.to_owned()]);
     crates.sort();
-    let arrows = |c: &PathBuf| {
-        let mut arrows = Crate::read(&c.join("src")).arrows(root);
-        arrows.retain(|file, _| !TESTS.iter().any(|t| file.starts_with(t)));
-        let left: BTreeSet<String> = arrows.keys().cloned().collect();
-        arrows
-            .values_mut()
-            .for_each(|to| to.retain(|file| left.contains(file)));
-        arrows
-    };
+    let arrows = |c: &PathBuf| Crate::read(&c.join("src")).arrows(root);
     crates.iter().map(arrows).collect()
 }
 

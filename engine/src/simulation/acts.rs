@@ -3,39 +3,20 @@
 use super::mishaps;
 use super::oracle;
 use super::oracle_there::{self, There};
-use super::process::Process;
+use super::process::{Hasty, Process, options};
 use super::story::{Act, What};
 use super::trade::{overrides, program, trade};
 use super::world::World;
-use crate::done::{Status, Watch};
+use crate::done::Status;
 use crate::foreign;
 use crate::outcome::Outcome;
-use crate::session::{self, EngineError, Options};
+use crate::session::{self, EngineError};
 use crate::store::keeper::{self, Budget};
 use crate::store::remote::{drain, working_beside};
 use crate::store::{self, Store};
 use crate::strands::{self, Plan};
-use std::path::PathBuf;
 use std::sync::Arc;
-use std::sync::atomic::{AtomicBool, Ordering};
-
-/// Gives up as soon as another process makes what is wanted.
-#[derive(Default)]
-pub(super) struct Hasty(AtomicBool);
-
-impl Watch for Hasty {
-    fn waits(&self, _node: &str) {
-        self.0.store(true, Ordering::Relaxed);
-    }
-}
-
-pub(super) fn options(root: &std::path::Path) -> Options {
-    Options {
-        cache: root.to_owned(),
-        threads: None,
-        keep_going: false,
-    }
-}
+use std::sync::atomic::Ordering;
 
 /// One act; what came of it.
 pub(super) fn act(world: &World, act: &Act, process: &Arc<Process>) -> String {
@@ -69,11 +50,6 @@ fn with(world: &World, process: &Arc<Process>, act: impl FnOnce(&Store) -> Strin
     }
 }
 
-pub(super) fn folders(world: &World, machine: usize, capture: usize) -> Vec<(String, PathBuf)> {
-    let folder = world.machines[machine].captures[capture].clone();
-    vec![("turn".to_owned(), folder)]
-}
-
 /// Runs the pipeline of a number on a capture.
 pub(super) fn run(world: &World, process: &Arc<Process>, capture: usize, n: usize) -> String {
     let (m, trade) = (process.machine, trade());
@@ -84,7 +60,7 @@ pub(super) fn run(world: &World, process: &Arc<Process>, capture: usize, n: usiz
     };
     machine.known.borrow_mut().touched(capture);
     let (graph, hasty) = (trade.graph(n), Hasty::default());
-    let (folders, options) = (folders(world, m, capture), options(&machine.root));
+    let (folders, options) = (world.folders(m, capture), options(&machine.root));
     let ran = session::run_in(
         store,
         graph,
@@ -120,7 +96,7 @@ fn work(world: &World, process: &Arc<Process>, capture: usize, n: usize) -> Stri
     machine.known.borrow_mut().touched(capture);
     let worked = || -> Result<String, String> {
         let store = world.store(process)?;
-        let points = [(overrides(n), folders(world, m, capture))];
+        let points = [(overrides(n), world.folders(m, capture))];
         let asked = strands::Asked {
             pipeline: &trade.pipeline,
             points: &points,
@@ -257,7 +233,7 @@ fn ask(world: &World, process: &Arc<Process>, number: usize) -> String {
             Ok(again) => again,
             Err(why) => return why,
         };
-        let (hasty, folders) = (Hasty::default(), folders(world, process.machine, 0));
+        let (hasty, folders) = (Hasty::default(), world.folders(process.machine, 0));
         let options = options(&machine.root);
         let ran = session::run_in(
             again,

@@ -2,8 +2,8 @@
 //! fail, and the power may go.
 
 use super::process::Process;
-use super::world;
-use crate::store::{Disk, Real, Step, after_loss};
+use super::seam;
+use crate::store::{Disk, Real, Step, after_loss, laid};
 use proof::Dice;
 use std::fs::File;
 use std::io::{Error, ErrorKind, Result};
@@ -20,7 +20,7 @@ pub(super) struct Simulated {
 
 impl Simulated {
     fn step<T>(&self, step: Step, grows: bool, real: impl FnOnce() -> Result<T>) -> Result<T> {
-        world::step(&self.process, grows)?;
+        seam::step(&self.process, grows)?;
         let done = real()?;
         self.note(step);
         Ok(done)
@@ -81,21 +81,6 @@ impl Disk for Simulated {
     }
 }
 
-/// All files below a folder, in their order.
-pub(super) fn below(folder: &Path) -> Vec<PathBuf> {
-    let (mut open, mut found) = (vec![folder.to_owned()], vec![]);
-    while let Some(path) = open.pop() {
-        for entry in std::fs::read_dir(&path).into_iter().flatten().flatten() {
-            match entry.file_type().is_ok_and(|kind| kind.is_dir()) {
-                true => open.push(entry.path()),
-                false => found.push(entry.path()),
-            }
-        }
-    }
-    found.sort();
-    found
-}
-
 /// The steps that make what lies below a folder, all of it safe.
 fn made(there: &[(PathBuf, Option<Vec<u8>>)]) -> Vec<Step> {
     let mut steps = Vec::new();
@@ -126,11 +111,6 @@ pub(super) fn lose_power(root: &Path, steps: &Steps, seed: u64) {
     let there = after_loss(&steps, root, &mut Dice(seed));
     let _ = std::fs::remove_dir_all(root);
     std::fs::create_dir(root).expect("a folder");
-    for (path, file) in &there {
-        match file {
-            None => std::fs::create_dir(path).expect("a folder"),
-            Some(bytes) => std::fs::write(path, bytes).expect("a file"),
-        }
-    }
+    laid(&there, root, root);
     *steps = made(&there);
 }

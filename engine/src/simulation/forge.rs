@@ -1,10 +1,11 @@
 //! A stranger in the shared store.
 
-use super::mishaps;
+use super::captures;
 use super::oracle_there;
 use super::process::Process;
 use super::server::Seal;
-use super::trade::{NUMBERS, trade};
+use super::story::NUMBERS;
+use super::trade::trade;
 use super::world::World;
 use crate::store::remote::{drain, working_beside};
 use crate::store::{self, Store};
@@ -18,7 +19,7 @@ pub(super) fn forge(
 ) -> Option<()> {
     let process = Process::sound(machine);
     let trade = trade();
-    let files = mishaps::files(&world.machines[machine].captures[capture]);
+    let files = captures::files(&world.machines[machine].captures[capture]);
     let (made, other) = (
         trade.expected(n, &files),
         trade.expected((n + 1) % NUMBERS, &files),

@@ -1,6 +1,6 @@
 //! What happens in a story without anybody of ours doing it.
 
-use super::disk::{below, lose_power, written};
+use super::disk::{lose_power, written};
 use super::forge;
 use super::oracle;
 use super::server::spoilt;
@@ -9,41 +9,10 @@ use super::trade::program;
 use super::world::World;
 use crate::clock::simulated;
 use crate::foreign;
-use crate::store::Step;
-use stage::{FileEntry, Files};
+use crate::store::{Step, below};
 use std::path::Path;
 use std::sync::atomic::Ordering;
 use std::time::Duration;
-
-/// Makes the photos of a capture; those of equal numbers are equal on all machines.
-pub(super) fn photos(folder: &Path, capture: usize) {
-    std::fs::create_dir_all(folder).expect("a folder");
-    for photo in 0..2 {
-        let text = format!("needle-photo-{capture}-{photo} ");
-        std::fs::write(folder.join(format!("{photo}.jpg")), text).expect("a photo");
-    }
-    std::fs::write(folder.join("plate.jpg"), "of all ").expect("a photo");
-}
-
-/// The files of a capture as they are now.
-pub(super) fn files(folder: &Path) -> Files {
-    let entry = |path: std::path::PathBuf| {
-        let bytes = std::fs::read(&path).expect("a photo");
-        FileEntry {
-            name: path
-                .file_name()
-                .expect("a name")
-                .to_string_lossy()
-                .into_owned(),
-            content: blake3::hash(&bytes),
-            size: bytes.len() as u64,
-        }
-    };
-    Files {
-        root: folder.to_owned(),
-        entries: below(folder).into_iter().map(entry).collect(),
-    }
-}
 
 /// One of these things; what came of it.
 pub(super) fn happens(world: &World, m: usize, what: &What) -> String {

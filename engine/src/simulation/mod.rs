@@ -4,28 +4,33 @@
 //! `clock.rs`, `Objects`). At any step of a disk or request to the shared store another process may act meanwhile, the
 //! process may be killed, the disk be full, the network be cut.
 //!
-//! `story.rs` (what happens, out of a seed) → `world.rs`, `process.rs` (machines, time, who acts) with `disk.rs`, `server.rs`, `opened.rs`,
-//! `trade.rs` (stages) → `acts.rs`, `mishaps.rs`, `forge.rs` (what is done) → `oracle.rs`, `oracle_there.rs` (what must hold) → `shrink.rs`.
+//! `story.rs` (what happens, out of a seed) → `process.rs` → `seam.rs` (where disk, shared store and stages reach the story) → `disk.rs`,
+//! `server.rs`, `trade.rs` (stages) → `world.rs` (machines with `captures.rs` and `known.rs`, time, who acts), `opened.rs` → `oracle.rs`,
+//! `oracle_there.rs` (what must hold) → `acts.rs`, `mishaps.rs`, `forge.rs` (what is done) → `played.rs` → `shrink.rs`.
 //!
 //! `ENGINE_STORIES=100000` takes so many stories, `ENGINE_STORIES_SEED=7` begins with that one;
 //! `ENGINE_STORY=7` tells one story step by step.
 
 mod acts;
+mod captures;
 mod disk;
 mod forge;
+mod known;
 mod mishaps;
 mod opened;
 mod oracle;
 mod oracle_there;
+mod played;
 mod process;
+mod seam;
 mod server;
 mod shrink;
 mod story;
 mod trade;
 mod world;
 
+use played::played;
 use story::{Act, Setup, Story, Use, What};
-use world::told;
 
 /// How many stories, and which is the first, if nothing else is said.
 const USUAL_STORIES: u64 = 1200;
@@ -41,7 +46,7 @@ fn whatever_happens_what_is_promised_holds() {
     if let Some(seed) = number("ENGINE_STORY") {
         let story = Story::new(seed);
         println!("{story:#?}");
-        let (log, broken) = told(&story);
+        let (log, broken) = played(&story);
         println!("{}", log.join("\n"));
         assert_eq!(broken, None);
         return;
@@ -50,7 +55,7 @@ fn whatever_happens_what_is_promised_holds() {
     let count = number("ENGINE_STORIES").unwrap_or(USUAL_STORIES);
     for seed in first..first + count {
         let story = Story::new(seed);
-        let Some(broken) = told(&story).1 else {
+        let Some(broken) = played(&story).1 else {
             continue;
         };
         let (short, why) = shrink::shortest(story, broken.clone());
@@ -58,7 +63,7 @@ fn whatever_happens_what_is_promised_holds() {
             "story {seed} ({} of {count}): {broken}\nthe shortest that fails, of {} acts: {why}\n{short:#?}\n{}",
             seed - first + 1,
             short.acts.len(),
-            told(&short).0.join("\n")
+            played(&short).0.join("\n")
         );
     }
 }
@@ -100,7 +105,7 @@ fn what_is_broken_in_the_shared_store_is_named_by_forgetting() {
                 act(1, What::Forget { capture: 0 }),
             ],
         };
-        let (log, broken) = told(&story);
+        let (log, broken) = played(&story);
         assert_eq!(broken, None, "{log:#?}");
         named += usize::from(log.iter().any(|line| line.contains("unread [\"sim://")));
     }
@@ -111,7 +116,7 @@ fn what_is_broken_in_the_shared_store_is_named_by_forgetting() {
 fn a_story_told_twice_is_the_same() {
     for seed in 1..40 {
         let story = Story::new(seed);
-        let (first, second) = (told(&story), told(&story));
+        let (first, second) = (played(&story), played(&story));
         assert_eq!(first.0, second.0, "story {seed}");
     }
 }

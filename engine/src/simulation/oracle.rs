@@ -1,59 +1,23 @@
 //! What must hold, whatever happens.
 
-use super::acts::{self, Hasty, options};
-use super::disk::below;
-use super::mishaps;
+use super::captures::{files, has, needles};
 use super::oracle_there::{self, There};
-use super::process::Process;
-use super::story::{CAPTURES, Use};
-use super::trade::{NUMBERS, trade};
+use super::process::{Hasty, Process, options};
+use super::story::{CAPTURES, NUMBERS, Use};
+use super::trade::trade;
 use super::world::{Machine, World};
 use crate::done::Status;
 use crate::outcome::Outcome;
 use crate::own;
 use crate::past;
-use crate::store::{Forgotten, Store, StoreError, keeper};
+use crate::store::{Forgotten, Store, StoreError, below, keeper};
 use stage::Hash;
-use std::collections::{BTreeMap, BTreeSet};
 use std::sync::atomic::Ordering;
-
-/// What is known of a machine beside what it knows itself.
-#[derive(Default)]
-pub(super) struct Known {
-    /// Programs that its user allowed.
-    pub(super) granted: BTreeSet<usize>,
-    /// What is being made.
-    pub(super) making: BTreeSet<String>,
-    /// The contents of each run that came to its end.
-    runs: BTreeMap<String, Vec<Hash>>,
-    /// Whether its disk was ever full.
-    pub(super) was_full: bool,
-    /// Whether anything went wrong with its disk.
-    pub(super) harmed: bool,
-    /// Keys and contents of what it made itself, worth a sync.
-    durable: BTreeSet<(String, String)>,
-    /// Captures that it forgot, and has not been asked for since.
-    forgotten: BTreeSet<usize>,
-}
-
-impl Known {
-    /// Nobody knows what is left of the store.
-    pub(super) fn lost(&mut self) {
-        self.runs.clear();
-        self.durable.clear();
-        self.harmed = true;
-    }
-
-    /// A capture is used.
-    pub(super) fn touched(&mut self, capture: usize) {
-        self.forgotten.remove(&capture);
-    }
-}
 
 /// A run's results are those of its pipeline, unless somebody is believed who is not to be.
 pub(super) fn right(world: &World, m: usize, (capture, n): (usize, usize), outcome: &Outcome) {
     let machine = &world.machines[m];
-    let files = mishaps::files(&machine.captures[capture]);
+    let files = files(&machine.captures[capture]);
     if outcome.inputs != [stage::content(&files)] {
         // Edited meanwhile.
         return;
@@ -179,18 +143,6 @@ pub(super) fn forgotten(
     }
 }
 
-pub(super) fn needles(capture: usize) -> [String; 2] {
-    [
-        format!("needle-photo-{capture}-"),
-        format!("needle-name-{capture}-"),
-    ]
-}
-
-pub(super) fn has(bytes: &[u8], needle: &str) -> bool {
-    let needle = needle.as_bytes();
-    bytes.windows(needle.len()).any(|window| window == needle)
-}
-
 /// Nothing of a capture is on a machine's disk.
 fn clean(world: &World, m: usize, capture: usize) {
     for path in below(&world.machines[m].root) {
@@ -240,7 +192,7 @@ fn last(world: &World, m: usize, capture: usize, n: usize) {
         Err(why) => return world.broken(&format!("machine {m} has no store: {why}")),
     };
     let graph = trade.graph(n);
-    let folders = acts::folders(world, m, capture);
+    let folders = world.folders(m, capture);
     let (go, options) = (false.into(), options(&machine.root));
     let wanted = crate::walk::all(graph, &graph.goal);
     let ran = crate::session::run_in(

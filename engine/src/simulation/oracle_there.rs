@@ -1,7 +1,6 @@
 //! What must hold of the store that machines share, once a capture is forgotten.
 
-use super::mishaps;
-use super::oracle::{has, needles};
+use super::captures::{files, has, needles};
 use super::world::World;
 use crate::store::remote::readable;
 use stage::Hash;
@@ -20,7 +19,7 @@ impl There {
     /// Of a capture that a machine noted.
     pub(super) fn of(world: &World, m: usize, capture: usize) -> There {
         let machine = &world.machines[m];
-        let content = stage::content(&mishaps::files(&machine.captures[capture])).to_hex();
+        let content = stage::content(&files(&machine.captures[capture])).to_hex();
         let note = std::fs::read(machine.root.join("captures").join(content.as_str()));
         let noted = note.is_ok_and(|note| has(&note, &needles(capture)[1]));
         let objects = world.server.objects.lock().expect("one thread");

@@ -1,6 +1,8 @@
 //! A process of a story: what happens to it, and how far it is.
 
 use super::story::Act;
+use crate::done::Watch;
+use crate::session::Options;
 use std::sync::atomic::{AtomicBool, AtomicU32, Ordering};
 use std::sync::{Arc, Mutex, Once};
 
@@ -67,4 +69,23 @@ pub(super) fn hush() {
             }
         }));
     });
+}
+
+/// Gives up as soon as another process makes what is wanted.
+#[derive(Default)]
+pub(super) struct Hasty(pub(super) AtomicBool);
+
+impl Watch for Hasty {
+    fn waits(&self, _node: &str) {
+        self.0.store(true, Ordering::Relaxed);
+    }
+}
+
+/// How a process runs pipelines.
+pub(super) fn options(root: &std::path::Path) -> Options {
+    Options {
+        cache: root.to_owned(),
+        threads: None,
+        keep_going: false,
+    }
 }

@@ -1,7 +1,7 @@
 //! The store that machines share: objects in memory, answers that are lost or not true, and who signs.
 
 use super::process::Process;
-use super::world;
+use super::seam;
 use crate::store::remote::{self, Created, Got, Object, Objects, Trouble};
 use std::collections::BTreeMap;
 use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
@@ -61,8 +61,8 @@ impl Asked {
     fn ask<T>(&self, ask: impl FnOnce(&Server, Duration) -> T) -> Result<T, Trouble> {
         let down = || Trouble::Down("no answer".into());
         let number = self.process.steps.load(Ordering::Relaxed);
-        world::step(&self.process, false).map_err(|_| down())?;
-        let passed = world::passed(&self.process).ok_or_else(down)?;
+        seam::step(&self.process, false).map_err(|_| down())?;
+        let passed = seam::passed(&self.process).ok_or_else(down)?;
         let answer = ask(&self.server, passed);
         match self.process.lost == Some(number) {
             true => Err(down()),

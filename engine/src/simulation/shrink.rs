@@ -1,7 +1,7 @@
 //! The shortest story that fails.
 
+use super::played::played;
 use super::story::{Act, Story};
-use super::world::told;
 
 /// No more tries than that, whatever is found. \[stories\]
 const MOST_TRIES: usize = 3000;
@@ -13,7 +13,7 @@ pub(super) fn shortest(story: Story, why: String) -> (Story, String) {
     while tries < MOST_TRIES {
         let shorter = candidates(&found.0).into_iter().find_map(|story| {
             tries += 1;
-            let why = told(&story).1?;
+            let why = played(&story).1?;
             Some((story, why))
         });
         match shorter {

@@ -1,6 +1,5 @@
 //! What happens in a story: data, so that parts of it can be left out and the rest stays the same.
 
-use super::trade::NUMBERS;
 use proof::Dice;
 
 /// How a machine uses the shared store.
@@ -127,6 +126,8 @@ pub(super) struct Story {
     pub(super) acts: Vec<Act>,
 }
 
+/// How many numbers stories give to `mid`.
+pub(super) const NUMBERS: usize = 3;
 /// How many captures each machine has.
 pub(super) const CAPTURES: usize = 2;
 

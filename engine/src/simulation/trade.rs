@@ -1,6 +1,7 @@
 //! The trade of the simulation: cheap stages whose results tell the capture that they came of.
 
-use super::world;
+use super::seam;
+use super::story::NUMBERS;
 use crate::Catalog;
 use crate::graph::Graph;
 use crate::kind::Importer;
@@ -70,7 +71,7 @@ impl Stage for Read {
             })?;
             text.extend(&part.0);
         }
-        world::works("read", p.takes_s, &text);
+        seam::works("read", p.takes_s, &text);
         Ok(Text(text))
     }
 }
@@ -88,7 +89,7 @@ impl Stage for Join {
         let mut text = format!("{}:", p.n).into_bytes();
         text.extend(&input.a.0);
         text.extend(input.b.iter().flat_map(|b| b.0.iter()));
-        world::works("join", p.takes_s, &text);
+        seam::works("join", p.takes_s, &text);
         ctx.checkpoint("half", &Text(text.clone()));
         ctx.warn("so so");
         Ok(Text(text))
@@ -105,7 +106,7 @@ impl Stage for Large {
     type Input = FromTexts;
     type Output = Text;
     fn run(p: &Number, input: FromTexts, _: &Ctx<'_>) -> Result<Text, Stop> {
-        world::works("large", p.takes_s, &input.a.0);
+        seam::works("large", p.takes_s, &input.a.0);
         let text = input.a.0.iter().copied().cycle();
         Ok(Text(text.take(66 << 10).collect()))
     }
@@ -156,9 +157,6 @@ pub(super) struct Trade {
     expected: RefCell<BTreeMap<(usize, String), Results>>,
 }
 
-/// How many numbers the stories give to `mid`.
-pub(super) const NUMBERS: usize = 3;
-
 pub(super) fn overrides(n: usize) -> Overrides {
     Overrides {
         variant: None,
@@ -189,7 +187,7 @@ impl Trade {
         if let Some(known) = self.expected.borrow().get(&key) {
             return known.clone();
         }
-        let quiet = world::quiet();
+        let quiet = seam::quiet();
         let graph = &self.graphs[n];
         let mut made: Vec<(AnyArtifact, Vec<u8>)> = Vec::new();
         for node in &graph.nodes {

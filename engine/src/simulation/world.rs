@@ -1,10 +1,10 @@
 //! The world of a story: machines, the store that they share, time, and who acts while somebody else does.
 
-use super::acts;
+use super::captures::photos;
 use super::disk::Steps;
-use super::mishaps;
-use super::oracle::{self, Known};
-use super::process::{Killed, Process, hush};
+use super::known::Known;
+use super::process::{Killed, Process};
+use super::seam::Around;
 use super::server::Server;
 use super::story::{Act, CAPTURES, Setup, Story};
 use crate::clock::simulated::{self, Time};
@@ -13,7 +13,6 @@ use std::collections::BTreeMap;
 use std::io::{Error, ErrorKind, Result};
 use std::panic::AssertUnwindSafe;
 use std::path::PathBuf;
-use std::rc::Rc;
 use std::sync::Arc;
 use std::sync::atomic::Ordering;
 use std::time::Duration;
@@ -36,6 +35,9 @@ pub(super) struct Machine {
     pub(super) known: RefCell<Known>,
 }
 
+/// What does an act of a process, and says what came of it.
+type Does = fn(&World, &Act, &Arc<Process>) -> String;
+
 /// The world of a story.
 pub(super) struct World {
     pub(super) machines: Vec<Machine>,
@@ -44,6 +46,8 @@ pub(super) struct World {
     pub(super) forged: Cell<bool>,
     /// Objects of the shared store that a machine forgot, and nobody made since.
     pub(super) forgotten_there: RefCell<BTreeMap<String, usize>>,
+    /// What does an act, and says what came of it.
+    act: Does,
     late: bool,
     log: RefCell<Vec<String>>,
     broken: RefCell<Option<String>>,
@@ -51,36 +55,12 @@ pub(super) struct World {
 }
 
 thread_local! {
-    static WORLD: RefCell<Option<Rc<World>>> = const { RefCell::new(None) };
     static PROCESSES: RefCell<Vec<Arc<Process>>> = const { RefCell::new(Vec::new()) };
 }
 
-fn world() -> Option<Rc<World>> {
-    WORLD.with_borrow(Clone::clone)
-}
-
-/// Tells a story: what happened, and what did not hold.
-pub(super) fn told(story: &Story) -> (Vec<String>, Option<String>) {
-    hush();
-    let world = Rc::new(World::new(story));
-    WORLD.set(Some(world.clone()));
-    for act in &story.acts {
-        world.perform(act, 0);
-        if world.broken.borrow().is_some() {
-            break;
-        }
-    }
-    if world.broken.borrow().is_none() {
-        oracle::end(&world);
-    }
-    WORLD.set(None);
-    simulated::set(None);
-    let broken = world.broken.take();
-    (world.log.take(), broken)
-}
-
 impl World {
-    fn new(story: &Story) -> World {
+    /// As a story begins.
+    pub(super) fn new(story: &Story, act: Does) -> World {
         let memory = std::path::Path::new("/dev/shm");
         let place = match memory.is_dir() {
             true => tempfile::tempdir_in(memory),
@@ -106,7 +86,7 @@ impl World {
             };
             std::fs::create_dir_all(&machine.root).expect("a folder");
             for (c, capture) in machine.captures.iter().enumerate() {
-                mishaps::photos(capture, c);
+                photos(capture, c);
             }
             machine
         };
@@ -116,6 +96,7 @@ impl World {
             server: Arc::new(Server::new(story.honest)),
             forged: Cell::new(false),
             forgotten_there: RefCell::default(),
+            act,
             late: story.late,
             log: RefCell::default(),
             broken: RefCell::default(),
@@ -146,7 +127,7 @@ impl World {
     }
 
     /// Somebody does something, while others are in the middle of what they do.
-    fn perform(&self, act: &Act, depth: usize) {
+    pub(super) fn perform(&self, act: &Act, depth: usize) {
         let machine = &self.machines[act.machine];
         self.enter(act.machine, self.passed());
         let process = Process::new(act, depth);
@@ -154,7 +135,7 @@ impl World {
         let before = [&machine.active, &machine.working, &machine.sweeping].map(Cell::get);
         machine.active.set(before[0] + 1);
         PROCESSES.with_borrow_mut(|all| all.push(process.clone()));
-        let done = std::panic::catch_unwind(AssertUnwindSafe(|| acts::act(self, act, &process)));
+        let done = std::panic::catch_unwind(AssertUnwindSafe(|| (self.act)(self, act, &process)));
         PROCESSES.with_borrow_mut(|all| all.pop());
         machine.active.set(before[0]);
         machine.working.set(before[1]);
@@ -191,93 +172,82 @@ impl World {
             .borrow_mut()
             .get_or_insert(what.replace(&place, ""));
     }
-}
 
-/// One step of a process: time passes, others act, it is killed, or the step fails.
-pub(super) fn step(process: &Arc<Process>, grows: bool) -> Result<()> {
-    if std::thread::panicking() {
-        return Err(Error::other("ended"));
+    /// Whether something did not hold.
+    pub(super) fn is_broken(&self) -> bool {
+        self.broken.borrow().is_some()
     }
-    if process.dead.load(Ordering::Relaxed) {
-        std::panic::panic_any(Killed);
-    }
-    let number = process.steps.fetch_add(1, Ordering::Relaxed);
-    simulated::pass(Duration::from_millis(1));
-    let world = world().expect("a story is told");
-    meanwhile(&world, process, number);
-    if process.kill == Some(number) {
-        process.dead.store(true, Ordering::Relaxed);
-        std::panic::panic_any(Killed);
-    }
-    let full = grows && world.machines[process.machine].full.get();
-    match full || process.fail == Some(number) {
-        true => Err(Error::from(ErrorKind::StorageFull)),
-        false => Ok(()),
-    }
-}
 
-/// What others do before a step.
-fn meanwhile(world: &World, process: &Arc<Process>, number: u32) {
-    loop {
-        let next = {
-            let mut beside = process.beside.lock().expect("one thread");
-            match beside.last() {
-                Some((at, _)) if *at <= number => beside.pop(),
-                _ => None,
-            }
-        };
-        let Some((_, act)) = next else { return };
-        world.perform(&act, process.depth + 1);
-        world.enter(process.machine, world.passed());
+    /// What happened, and what did not hold.
+    pub(super) fn ended(&self) -> (Vec<String>, Option<String>) {
+        (self.log.take(), self.broken.take())
+    }
+
+    /// The input of a pipeline on a capture.
+    pub(super) fn folders(&self, machine: usize, capture: usize) -> Vec<(String, PathBuf)> {
+        let folder = self.machines[machine].captures[capture].clone();
+        vec![("turn".to_owned(), folder)]
+    }
+
+    /// What others do before a step.
+    fn meanwhile(&self, process: &Arc<Process>, number: u32) {
+        loop {
+            let next = {
+                let mut beside = process.beside.lock().expect("one thread");
+                match beside.last() {
+                    Some((at, _)) if *at <= number => beside.pop(),
+                    _ => None,
+                }
+            };
+            let Some((_, act)) = next else { return };
+            self.perform(&act, process.depth + 1);
+            self.enter(process.machine, self.passed());
+        }
     }
 }
 
-thread_local! {
-    static QUIET: Cell<bool> = const { Cell::new(false) };
-}
-
-/// As long as it is there, stages run outside of the story.
-pub(super) struct Quiet(bool);
-
-pub(super) fn quiet() -> Quiet {
-    Quiet(QUIET.replace(true))
-}
-
-impl Drop for Quiet {
-    fn drop(&mut self) {
-        QUIET.set(self.0);
+impl Around for World {
+    fn step(&self, process: &Arc<Process>, grows: bool) -> Result<()> {
+        if process.dead.load(Ordering::Relaxed) {
+            std::panic::panic_any(Killed);
+        }
+        let number = process.steps.fetch_add(1, Ordering::Relaxed);
+        simulated::pass(Duration::from_millis(1));
+        self.meanwhile(process, number);
+        if process.kill == Some(number) {
+            process.dead.store(true, Ordering::Relaxed);
+            std::panic::panic_any(Killed);
+        }
+        let full = grows && self.machines[process.machine].full.get();
+        match full || process.fail == Some(number) {
+            true => Err(Error::from(ErrorKind::StorageFull)),
+            false => Ok(()),
+        }
     }
-}
 
-/// A stage works: time passes, and others may act.
-pub(super) fn works(stage: &str, takes_s: u32, text: &[u8]) {
-    if QUIET.get() {
-        return;
+    fn works(&self, stage: &str, takes_s: u32, text: &[u8]) {
+        let process = PROCESSES.with_borrow(|all| all.last().cloned());
+        let Some(process) = process else { return };
+        let machine = &self.machines[process.machine];
+        let what = format!("{stage} {}", blake3::hash(text).to_hex());
+        // Who cannot make the file of a lease works without one.
+        let unsure = PROCESSES.with_borrow(|all| all.iter().any(|p| p.fail.is_some()));
+        let twice = !machine.known.borrow_mut().making.insert(what.clone());
+        if twice && !unsure && !machine.known.borrow().was_full {
+            self.broken(&format!("{stage} is made twice at a time"));
+        }
+        machine.working.set(machine.working.get() + 1);
+        simulated::pass(Duration::from_secs(takes_s.into()));
+        let number = process.steps.fetch_add(1, Ordering::Relaxed);
+        self.meanwhile(&process, number);
+        machine.working.set(machine.working.get() - 1);
+        machine.known.borrow_mut().making.remove(&what);
+        if process.kill == Some(number) {
+            process.dead.store(true, Ordering::Relaxed);
+        }
     }
-    let Some(world) = world() else { return };
-    let process = PROCESSES.with_borrow(|all| all.last().cloned());
-    let Some(process) = process else { return };
-    let machine = &world.machines[process.machine];
-    let what = format!("{stage} {}", blake3::hash(text).to_hex());
-    // Who cannot make the file of a lease works without one.
-    let unsure = PROCESSES.with_borrow(|all| all.iter().any(|p| p.fail.is_some()));
-    let twice = !machine.known.borrow_mut().making.insert(what.clone());
-    if twice && !unsure && !machine.known.borrow().was_full {
-        world.broken(&format!("{stage} is made twice at a time"));
-    }
-    machine.working.set(machine.working.get() + 1);
-    simulated::pass(Duration::from_secs(takes_s.into()));
-    let number = process.steps.fetch_add(1, Ordering::Relaxed);
-    meanwhile(&world, &process, number);
-    machine.working.set(machine.working.get() - 1);
-    machine.known.borrow_mut().making.remove(&what);
-    if process.kill == Some(number) {
-        process.dead.store(true, Ordering::Relaxed);
-    }
-}
 
-/// How much time has passed, if a process's network is not cut.
-pub(super) fn passed(process: &Process) -> Option<Duration> {
-    let world = world()?;
-    (!world.machines[process.machine].cut.get()).then(|| world.passed())
+    fn passed(&self, process: &Process) -> Option<Duration> {
+        (!self.machines[process.machine].cut.get()).then(|| World::passed(self))
+    }
 }

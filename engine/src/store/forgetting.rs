@@ -5,12 +5,12 @@
 mod story;
 
 use super::forget::forget;
-use super::simulated::{Simulated, after_loss};
+use super::simulated::{Simulated, after_loss, below, laid};
 use super::{StoreError, keeper};
 use crate::own;
 use proof::Dice;
 use std::path::PathBuf;
-use story::{Story, below};
+use story::Story;
 
 fn rounds(usual: u64) -> std::ops::Range<u64> {
     let number = |name: &str, usual| std::env::var(name).map_or(usual, |n| n.parse().unwrap());
@@ -129,12 +129,7 @@ fn what_was_forgotten_does_not_come_back_with_a_loss_of_power() {
             let left = after_loss(&steps, &story.root(), &mut dice);
             std::fs::remove_dir_all(story.root()).unwrap();
             std::fs::create_dir(story.root()).unwrap();
-            for (path, file) in left {
-                match file {
-                    None => std::fs::create_dir(path).unwrap(),
-                    Some(bytes) => std::fs::write(path, bytes).unwrap(),
-                }
-            }
+            laid(&left, &story.root(), &story.root());
             story.clean(&format!("seed {seed}, loss {loss}"));
         }
     }

@@ -2,7 +2,7 @@
 //! power after each. `ENGINE_LOSSES=1000` takes so many sequences of steps, `ENGINE_LOSSES_SEED` others.
 
 use super::index::Index;
-use super::simulated::{Simulated, after_loss};
+use super::simulated::{Simulated, after_loss, laid};
 use super::{Record, Store, StoreError, keeper};
 use crate::own;
 use proof::Dice;
@@ -105,13 +105,8 @@ fn power_may_go_after_any_step_and_what_was_to_be_safe_is() {
         for end in 0..=steps.len() {
             let round = format!("seed {seed}, {end} of {} steps", steps.len());
             let after = tempfile::tempdir().unwrap();
-            for (path, file) in after_loss(&steps[..end], place.path(), &mut dice) {
-                let path = after.path().join(path.strip_prefix(place.path()).unwrap());
-                match file {
-                    None => std::fs::create_dir(path).unwrap(),
-                    Some(bytes) => std::fs::write(path, bytes).unwrap(),
-                }
-            }
+            let left = after_loss(&steps[..end], place.path(), &mut dice);
+            laid(&left, place.path(), after.path());
             let store = simulated(after.path(), &Simulated::default());
             let store = store.unwrap_or_else(|e| panic!("{round}: {e}"));
             store.index().trust(after.path());

@@ -235,3 +235,29 @@ pub(crate) fn after_loss(
     }
     there
 }
+
+/// Lays on the real disk below `at` what was left below `root`.
+pub(crate) fn laid(left: &[(PathBuf, Option<Vec<u8>>)], root: &Path, at: &Path) {
+    for (path, file) in left {
+        let path = at.join(path.strip_prefix(root).expect("below the root"));
+        match file {
+            None => std::fs::create_dir(path).expect("a folder"),
+            Some(bytes) => std::fs::write(path, bytes).expect("a file"),
+        }
+    }
+}
+
+/// All files below a folder, in their order.
+pub(crate) fn below(folder: &Path) -> Vec<PathBuf> {
+    let (mut open, mut found) = (vec![folder.to_owned()], vec![]);
+    while let Some(path) = open.pop() {
+        for entry in std::fs::read_dir(&path).into_iter().flatten().flatten() {
+            match entry.file_type().is_ok_and(|kind| kind.is_dir()) {
+                true => open.push(entry.path()),
+                false => found.push(entry.path()),
+            }
+        }
+    }
+    found.sort();
+    found
+}

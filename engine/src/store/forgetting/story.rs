@@ -1,11 +1,11 @@
 //! A store with captures in it, made up: what runs leave, and what goes wrong on a disk.
 
 use super::super::record::Record;
-use super::super::simulated::Simulated;
+use super::super::simulated::{Simulated, below};
 use super::super::{Store, StoreError};
 use proof::Dice;
 use stage::{FileEntry, Files, Hash};
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::sync::OnceLock;
 
 /// A capture, with words that nothing else has.
@@ -179,18 +179,4 @@ impl Story {
         }
         None
     }
-}
-
-pub(super) fn below(folder: &Path) -> Vec<PathBuf> {
-    let (mut open, mut found) = (vec![folder.to_owned()], vec![]);
-    while let Some(path) = open.pop() {
-        for entry in std::fs::read_dir(&path).into_iter().flatten().flatten() {
-            match entry.path().is_dir() {
-                true => open.push(entry.path()),
-                false => found.push(entry.path()),
-            }
-        }
-    }
-    found.sort();
-    found
 }

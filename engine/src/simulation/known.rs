@@ -1,0 +1,37 @@
+//! What a story knows of a machine.
+
+use stage::Hash;
+use std::collections::{BTreeMap, BTreeSet};
+
+/// What is known of a machine beside what it knows itself.
+#[derive(Default)]
+pub(super) struct Known {
+    /// Programs that its user allowed.
+    pub(super) granted: BTreeSet<usize>,
+    /// What is being made.
+    pub(super) making: BTreeSet<String>,
+    /// The contents of each run that came to its end.
+    pub(super) runs: BTreeMap<String, Vec<Hash>>,
+    /// Whether its disk was ever full.
+    pub(super) was_full: bool,
+    /// Whether anything went wrong with its disk.
+    pub(super) harmed: bool,
+    /// Keys and contents of what it made itself, worth a sync.
+    pub(super) durable: BTreeSet<(String, String)>,
+    /// Captures that it forgot, and has not been asked for since.
+    pub(super) forgotten: BTreeSet<usize>,
+}
+
+impl Known {
+    /// Nobody knows what is left of the store.
+    pub(super) fn lost(&mut self) {
+        self.runs.clear();
+        self.durable.clear();
+        self.harmed = true;
+    }
+
+    /// A capture is used.
+    pub(super) fn touched(&mut self, capture: usize) {
+        self.forgotten.remove(&capture);
+    }
+}
