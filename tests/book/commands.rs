@@ -1,7 +1,6 @@
 //! Commands in blocks marked `sh` are understood; in blocks marked `sh run` they run.
 
-use crate::{pages, place, read};
-use std::process::Command;
+use crate::{folder, pages, read, run};
 
 /// The command lines of `tailor` in a page's blocks whose mark is so, without comments.
 fn commands(text: &str, mark: &str) -> Vec<String> {
@@ -67,20 +66,12 @@ fn what_sentences_say_of_show_is_understood_as_it_is_printed() {
 
 #[test]
 fn commands_on_what_ships_run() {
-    let folder = tempfile::tempdir().unwrap();
-    for shipped in ["samples", "pipelines", "models"] {
-        std::os::unix::fs::symlink(place(shipped), folder.path().join(shipped)).unwrap();
-    }
+    let folder = folder();
     let mut count = 0;
     for page in pages() {
         for line in commands(&read(&page), "sh run") {
             count += 1;
-            let out = Command::new(env!("CARGO_BIN_EXE_tailor"))
-                .args(line.split_whitespace().skip(1))
-                .current_dir(folder.path())
-                .env_remove("TAILOR_CACHE")
-                .output()
-                .unwrap();
+            let out = run(&line, &folder);
             let said = String::from_utf8_lossy(&out.stderr);
             assert!(out.status.success(), "{page}: {line}\n{said}");
         }

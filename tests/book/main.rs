@@ -13,6 +13,8 @@ mod screens;
 mod tables;
 
 use std::path::{Path, PathBuf};
+use std::process::{Command, Output};
+use tempfile::TempDir;
 
 /// A file of the repository.
 fn place(name: &str) -> PathBuf {
@@ -34,4 +36,23 @@ fn pages() -> Vec<String> {
     pages.sort();
     pages.extend(["README.md", "ARCHITECTURE.md"].map(String::from));
     pages
+}
+
+/// A folder with what ships, in which the commands of pages are run.
+fn folder() -> TempDir {
+    let folder = tempfile::tempdir().unwrap();
+    for shipped in ["samples", "pipelines", "models"] {
+        std::os::unix::fs::symlink(place(shipped), folder.path().join(shipped)).unwrap();
+    }
+    folder
+}
+
+/// What a command line of a page comes to there.
+fn run(line: &str, folder: &TempDir) -> Output {
+    Command::new(env!("CARGO_BIN_EXE_tailor"))
+        .args(line.split_whitespace().skip(1))
+        .current_dir(folder.path())
+        .env_remove("TAILOR_CACHE")
+        .output()
+        .unwrap()
 }

@@ -1,7 +1,6 @@
 //! What a page shows under a command marked `sh screen` is what the program prints; a line `…` stands for some lines.
 
-use crate::{pages, place, read};
-use std::process::Command;
+use crate::{folder, pages, read, run};
 
 /// Each command of a page's blocks `sh screen`, and the block `text` that follows it.
 fn screens(text: &str) -> Vec<(String, String)> {
@@ -29,18 +28,12 @@ fn holds(shown: &str, printed: &str) -> bool {
 
 #[test]
 fn screens_are_what_the_program_prints() {
-    let folder = tempfile::tempdir().unwrap();
-    std::os::unix::fs::symlink(place("samples"), folder.path().join("samples")).unwrap();
+    let folder = folder();
     let mut count = 0;
     for page in pages() {
         for (line, shown) in screens(&read(&page)) {
             count += 1;
-            let out = Command::new(env!("CARGO_BIN_EXE_tailor"))
-                .args(line.split_whitespace().skip(1))
-                .current_dir(folder.path())
-                .env_remove("TAILOR_CACHE")
-                .output()
-                .unwrap();
+            let out = run(&line, &folder);
             let printed = [out.stdout, out.stderr].concat();
             let printed = String::from_utf8_lossy(&printed);
             assert!(
