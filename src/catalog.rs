@@ -14,6 +14,9 @@ pub(crate) use pose::ringed;
 // Sections of surfaces, for the score.
 pub(crate) use measure::{Body, body, flat, limbs, parts, section, taken as section_at, tape};
 
+// A page that gets the name of its capture.
+pub(crate) use report::titled;
+
 /// The rooms' stages, in the order in which data flows.
 pub const ROOMS: &[&[&dyn AnyStage]] = &[
     synth::STAGES,

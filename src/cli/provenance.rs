@@ -1,5 +1,6 @@
 //! How a result was made, as HTML for the report.
 
+use crate::catalog::titled;
 use crate::engine::Outcome;
 use crate::graph::Graph;
 use engine::cli::Ran;
@@ -64,23 +65,6 @@ fn by_node(ran: &Ran<'_>, girths: Option<&Girths>) -> Vec<(String, String)> {
     new.collect()
 }
 
-/// What a report is called whose capture has no name of its own, around it what stands there.
-const UNNAMED: [(&str, &str); 2] = [
-    (
-        "<title>tailor: one turn</title>",
-        "<title>tailor: {}</title>",
-    ),
-    ("<h1>one turn</h1>", "<h1>{}</h1>"),
-];
-
-/// A page whose capture has no name of its own, with this one.
-fn titled(page: &str, name: &str) -> String {
-    let name = escaped(name);
-    UNNAMED.iter().fold(page.to_owned(), |page, (of, with)| {
-        page.replacen(of, &with.replace("{}", &name), 1)
-    })
-}
-
 /// The report with what only the run knows: what its capture is called, its warnings on top, how it was made at the end.
 pub(crate) fn completed(page: &[u8], ran: &Ran<'_>) -> Vec<u8> {
     completed_as(page, ran, folder(ran).map(called).as_deref())
@@ -93,7 +77,10 @@ pub(super) fn completed_as(page: &[u8], ran: &Ran<'_>, name: Option<&str>) -> Ve
     let paragraph = |(_, w): (_, String)| format!("<p class=\"warn\">{}</p>", escaped(&w));
     let warnings: String = warnings.map(paragraph).collect();
     let page = String::from_utf8_lossy(page).replacen("<!--warnings-->", &warnings, 1);
-    let page = name.map_or(page.clone(), |name| titled(&page, name));
+    let page = match name {
+        Some(name) => titled(&page, name),
+        None => page,
+    };
     let made = table(&ran.record());
     page.replacen("<!--provenance-->", &made, 1).into_bytes()
 }

@@ -31,6 +31,7 @@ mod ticks;
 pub use answer::Answer;
 pub use html::{Html, HtmlInput, HtmlParams, TurnError};
 pub use lengths::ShownIn;
+pub use page::titled;
 pub use ring_picture::{RingInput, RingPicture};
 pub use take::{Take, TakeError, TakeInput};
 

@@ -46,6 +46,18 @@ const SCRIPT: [&str; 8] = [
     include_str!("viewer/photos.js"),
 ];
 
+/// What a page is called whose capture has no name of its own.
+const UNNAMED: &str = "one turn";
+
+/// A page whose capture has no name of its own, called so; any other as it is.
+pub fn titled(page: &str, name: &str) -> String {
+    let name = tables::escaped(name);
+    let title = |name: &str| format!("<title>tailor: {name}</title>");
+    let head = |name: &str| format!("<h1>{name}</h1>");
+    page.replacen(&title(UNNAMED), &title(&name), 1)
+        .replacen(&head(UNNAMED), &head(&name), 1)
+}
+
 /// The page.
 pub(crate) fn page(content: &Content<'_>) -> String {
     let (girths, turn) = (content.girths, content.turn);
@@ -79,7 +91,7 @@ pub(crate) fn page(content: &Content<'_>) -> String {
         "views": scene::views(of_photos), "measured": whole.then_some(at), "lengths": scene::written(girths, lengths),
     });
     let name = turn.map_or("a scan", |(photos, _)| {
-        photos.rig.name.as_deref().unwrap_or("one turn")
+        photos.rig.name.as_deref().unwrap_or(UNNAMED)
     });
     let relative = turn.is_none() && girths.unit == Unit::Relative;
     filled(
