@@ -1,12 +1,10 @@
 //! Parts of a person that masks leave out, by photo.
 
 use crate::{PhotoId, Region};
-use serde::{Deserialize, Serialize};
 use stage::{Artifact, Corrupt, Packer, Unpacker};
 
 /// A part of the body, by its joints.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
-#[serde(rename_all = "snake_case")]
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum BodyPart {
     /// Face and crown.
     Head,
