@@ -49,7 +49,7 @@ fn how_near_results_come() {
     let surface: Vec<f64> = rows.iter().map(|row| number(&row["trunk_mm"])).collect();
     let _ = writeln!(
         table,
-        "| **two strangers**: scans of people, never looked at, through all faults of a phone, no mat | {} | {} |",
+        "| **two strangers**: scans of people, not looked at before, through all faults of a phone, no mat | {} | {} |",
         between(tapes.collect(), 1),
         millimetres(&surface)
     );
@@ -62,6 +62,11 @@ fn how_near_results_come() {
         digits(waist("tape_middle_percent")),
         digits(waist("tape_nine_in_ten_percent")),
     );
+    let by = |data: &serde_json::Value| {
+        [&data["program"], &data["date"]].map(|text| text.as_str().unwrap().to_owned())
+    };
+    let ([one, on], [other, then]) = (by(&bodies), by(&scans));
+    let _ = writeln!(table, "\n*Bodies: {one}, {on}; scans: {other}, {then}.*");
     hold("README.md", "near", &table);
 }
 
