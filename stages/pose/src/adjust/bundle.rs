@@ -5,10 +5,11 @@
 //! complement, so that the system solved has 5 + 6 · cameras unknowns. ρ is Cauchy's,
 //! ρ(s) = c² ln(1 + s/c²), by reweighting.
 
+use crate::adjust::damped::{Problem, System, descend, pose_moved};
 use crate::adjust::lens::{LENS, lens_values, lens_with};
 use crate::adjust::scene::{Beliefs, PointObservation, Scene, Settings, cost, look};
-use crate::adjust::system::{System, spread, system};
-use nalgebra::{DVector, Vector3};
+use crate::adjust::system::{Rest, spread, system};
+use nalgebra::DVector;
 
 /// What came out beside the scene.
 #[derive(Debug, Clone, PartialEq)]
@@ -35,38 +36,14 @@ pub fn adjust(
 ) -> Fit {
     let mut by_point: Vec<Vec<PointObservation>> = vec![Vec::new(); scene.points.len()];
     observations.iter().for_each(|s| by_point[s.point].push(*s));
-    let mut now = cost(scene, observations, beliefs, settings.loss);
-    let (mut costs, mut damping) = (vec![now], 1e-4);
-    for _ in 0..settings.steps {
-        let mut system = system(scene, &by_point, beliefs, settings.loss, damping);
-        (0..system.right.len()).for_each(|i| {
-            let d = &mut system.matrix[(i, i)];
-            *d = *d * (1.0 + damping) + 1e-12;
-        });
-        let stepped = system.matrix.clone().cholesky().map(|c| {
-            let step = c.solve(&system.right);
-            moved(scene, &system, &step)
-        });
-        let next = stepped.map(|s| (cost(&s, observations, beliefs, settings.loss), s));
-        match next {
-            Some((better, stepped)) if better < now => {
-                let gain = (now - better) / now.max(f64::MIN_POSITIVE);
-                (*scene, now) = (stepped, better);
-                costs.push(now);
-                damping = (damping * 0.2f64).max(1e-12);
-                if gain < settings.gain {
-                    break;
-                }
-            }
-            _ => {
-                damping *= 8.0;
-                if damping > 1e10 {
-                    break;
-                }
-            }
-        }
-    }
-    let spread = spread(scene, &by_point, beliefs, settings.loss);
+    let turn = Turn {
+        observations,
+        by_point,
+        beliefs,
+        loss: settings.loss,
+    };
+    let costs = descend(&turn, scene, settings.steps, settings.gain);
+    let spread = spread(scene, &turn.by_point, beliefs, settings.loss);
     Fit {
         rms_px: rms(scene, observations, settings.loss),
         costs,
@@ -85,38 +62,55 @@ fn rms(scene: &Scene, observations: &[PointObservation], loss: f64) -> f64 {
     (near.iter().sum::<f64>() / near.len().max(1) as f64).sqrt()
 }
 
-/// The scene after a step of the unknowns, points by back-substitution.
-fn moved(scene: &Scene, system: &System, step: &DVector<f64>) -> Scene {
-    let mut moved = scene.clone();
-    let mut values = lens_values(&scene.lens);
-    (0..LENS).for_each(|i| values[i] += step[i]);
-    moved.lens = lens_with(&scene.lens, values);
-    let whole = match (&system.tangent, &scene.ring) {
-        (Some(tangent), Some(ring)) => {
-            let ring = ring.moved(&step.as_slice()[LENS..]);
-            moved.poses = ring.poses();
-            moved.ring = Some(ring);
-            &(tangent * step)
-        }
-        _ => {
-            for (c, pose) in moved.poses.iter_mut().enumerate() {
-                let at = LENS + 6 * c;
-                let turn = Vector3::new(step[at], step[at + 1], step[at + 2]);
-                pose.rotation = nalgebra::Rotation3::new(turn) * pose.rotation;
-                pose.rotation.renormalize();
-                pose.translation += Vector3::new(step[at + 3], step[at + 4], step[at + 5]);
+/// What was seen and believed of a scene.
+struct Turn<'a> {
+    observations: &'a [PointObservation],
+    by_point: Vec<Vec<PointObservation>>,
+    beliefs: &'a Beliefs,
+    loss: f64,
+}
+
+impl Problem for Turn<'_> {
+    type State = Scene;
+    type Rest = Rest;
+
+    fn cost(&self, scene: &Scene) -> f64 {
+        cost(scene, self.observations, self.beliefs, self.loss)
+    }
+
+    fn system(&self, scene: &Scene, damping: f64) -> System<Rest> {
+        system(scene, &self.by_point, self.beliefs, self.loss, damping)
+    }
+
+    /// Points by back-substitution.
+    fn moved(&self, scene: &Scene, step: &DVector<f64>, rest: &Rest) -> Scene {
+        let mut moved = scene.clone();
+        let mut values = lens_values(&scene.lens);
+        (0..LENS).for_each(|i| values[i] += step[i]);
+        moved.lens = lens_with(&scene.lens, values);
+        let whole = match (&rest.tangent, &scene.ring) {
+            (Some(tangent), Some(ring)) => {
+                let ring = ring.moved(&step.as_slice()[LENS..]);
+                moved.poses = ring.poses();
+                moved.ring = Some(ring);
+                &(tangent * step)
             }
-            step
+            _ => {
+                for (c, pose) in moved.poses.iter_mut().enumerate() {
+                    *pose = pose_moved(pose, &step.as_slice()[LENS + 6 * c..]);
+                }
+                step
+            }
+        };
+        if let Some(rim) = &scene.rim {
+            let rim = rim.moved(&whole.as_slice()[LENS + 6 * scene.poses.len()..]);
+            moved.points[rim.first..scene.known].copy_from_slice(&rim.corners());
+            moved.rim = Some(rim);
         }
-    };
-    if let Some(rim) = &scene.rim {
-        let rim = rim.moved(&whole.as_slice()[LENS + 6 * scene.poses.len()..]);
-        moved.points[rim.first..scene.known].copy_from_slice(&rim.corners());
-        moved.rim = Some(rim);
+        let steps = rest.reduced.point_steps(whole);
+        for (point, step) in moved.points[scene.known..].iter_mut().zip(steps) {
+            *point += step;
+        }
+        moved
     }
-    let steps = system.reduced.point_steps(whole);
-    for (point, step) in moved.points[scene.known..].iter_mut().zip(steps) {
-        *point += step;
-    }
-    moved
 }

@@ -1,5 +1,6 @@
 //! What is adjusted, what was seen of it, what is believed of it, and the cost of all that.
 
+use crate::adjust::damped::cauchy;
 use crate::adjust::lens::{LENS, LensPrior, lens_values};
 use crate::adjust::residual::{Derivatives, derivatives};
 use crate::adjust::rim::{OnRim, RimBelief};
@@ -82,18 +83,12 @@ pub(crate) fn look(scene: &Scene, observation: &PointObservation) -> Option<Deri
     )
 }
 
-/// Cost of a point behind a camera, in place of its infinite one.
-const BEHIND: f64 = 1e6;
-
 /// The cost that is minimised.
 pub fn cost(scene: &Scene, observations: &[PointObservation], beliefs: &Beliefs, loss: f64) -> f64 {
     let c2 = loss * loss;
     let seen: f64 = observations
         .iter()
-        .map(|observation| match look(scene, observation) {
-            Some(d) => c2 * libm::log1p(d.residual.norm_squared() / c2),
-            None => BEHIND,
-        })
+        .map(|o| cauchy(look(scene, o).map(|d| d.residual.norm_squared()), c2))
         .sum();
     let (values, prior) = (lens_values(&scene.lens), &beliefs.lens);
     let lens: f64 = (0..LENS)

@@ -1,24 +1,57 @@
 //! The normal equations of an adjustment with what is believed and what is held, and what their
 //! inverse tells.
 
+use crate::adjust::damped::{FIXED, System, centre_by_pose, centre_sigma};
 use crate::adjust::lens::{LENS, lens_values};
+use crate::adjust::normal::{Block, Normal, Point};
 use crate::adjust::ring::Ring;
-use crate::adjust::scene::{Beliefs, PointObservation, Scene};
-use crate::adjust::schur::{Reduced, reduce};
-use nalgebra::{DMatrix, DVector, Matrix3, SMatrix};
+use crate::adjust::scene::{Beliefs, PointObservation, Scene, look};
+use nalgebra::{DMatrix, DVector, Vector3};
 use shape::Pose;
 
-/// The system of all unknowns that are adjusted: lens and poses, or lens and ring.
-pub(crate) struct System {
-    pub(crate) matrix: DMatrix<f64>,
-    pub(crate) right: DVector<f64>,
+/// What a step of a scene needs beside its own unknowns: lens and poses, or lens and ring.
+pub(crate) struct Rest {
     /// Derivative of lens and poses by the unknowns, where those are not the poses.
     pub(crate) tangent: Option<DMatrix<f64>>,
-    pub(crate) reduced: Reduced,
+    pub(crate) reduced: Normal,
 }
 
-/// Weight that holds what nothing tells.
-const HELD: f64 = 1e8;
+/// The system of the lens, six unknowns a camera (rotation, translation) and the open numbers of tags
+/// on a rim, from the observations of each point; `loss` is Cauchy's c.
+fn reduce(scene: &Scene, by_point: &[Vec<PointObservation>], loss: f64, damping: f64) -> Normal {
+    let poses = LENS + 6 * scene.poses.len();
+    let mut normal = Normal::new(poses + scene.rim.as_ref().map_or(0, |rim| rim.unknowns()));
+    for (p, observations) in by_point.iter().enumerate() {
+        let open = scene.rim.as_ref().and_then(|rim| {
+            let corner = p.checked_sub(rim.first).filter(|_| p < scene.known)?;
+            Some(rim.by_open(corner))
+        });
+        let mut free = (p >= scene.known).then(Point::default);
+        for observation in observations {
+            let Some(d) = look(scene, observation) else {
+                continue;
+            };
+            let by_lens = d.by_unknown.fixed_columns::<LENS>(0).into_owned();
+            let by_pose = d.by_unknown.fixed_columns::<6>(LENS).into_owned();
+            let mut blocks = vec![
+                Block::new(0, &by_lens),
+                Block::new(LENS + 6 * observation.camera, &by_pose),
+            ];
+            if let Some((which, by_open)) = &open {
+                let by = d.by_point * by_open;
+                let one =
+                    |(k, i): (usize, &usize)| Block::new(poses + i, &by.column(k).into_owned());
+                blocks.extend(which.iter().enumerate().map(one));
+            }
+            let point = free.as_mut().map(|point| (point, &d.by_point));
+            normal.observe(&d.residual, &blocks, point, loss * loss);
+        }
+        if let Some(point) = free {
+            normal.eliminate(point, damping);
+        }
+    }
+    normal.complete()
+}
 
 /// Builds it.
 pub(crate) fn system(
@@ -27,7 +60,7 @@ pub(crate) fn system(
     beliefs: &Beliefs,
     loss: f64,
     damping: f64,
-) -> System {
+) -> System<Rest> {
     let reduced = reduce(scene, by_point, loss, damping);
     let tangent = scene.ring.as_ref().map(Ring::tangent);
     let (mut matrix, mut right) = match &tangent {
@@ -65,13 +98,12 @@ pub(crate) fn system(
     }
     for (direction, size) in freedoms(scene) {
         let d = DVector::from_vec(direction);
-        matrix += &d * d.transpose() * (HELD / (size * size));
+        matrix += &d * d.transpose() * (FIXED / (size * size));
     }
     System {
         matrix,
         right,
-        tangent,
-        reduced,
+        rest: Rest { tangent, reduced },
     }
 }
 
@@ -136,24 +168,13 @@ pub(crate) fn spread(
             size: f64::INFINITY,
         };
     };
-    let covariance = match &system.tangent {
+    let covariance = match &system.rest.tangent {
         Some(j) => j * covariance * j.transpose(),
         None => covariance,
     };
-    // centre = -Rᵀ t, with R ← exp(ω) R and t ← t + τ: d centre = Rᵀ ([ω]× t - τ).
-    let by_pose = |pose: &Pose| {
-        let mut j = SMatrix::<f64, 3, 6>::zeros();
-        let cross = pose.translation.cross_matrix();
-        j.fixed_view_mut::<3, 3>(0, 0).copy_from(&-cross);
-        j.fixed_view_mut::<3, 3>(0, 3)
-            .copy_from(&-Matrix3::identity());
-        pose.rotation.matrix().transpose() * j
-    };
     let centre = |(c, pose): (usize, &Pose)| {
-        let at = LENS + 6 * c;
-        let block = covariance.fixed_view::<6, 6>(at, at).into_owned();
-        let j = by_pose(pose);
-        ((j * block * j.transpose()).trace() / 3.0).max(0.0).sqrt()
+        let block = covariance.fixed_view::<6, 6>(LENS + 6 * c, LENS + 6 * c);
+        centre_sigma(pose, &block.into_owned())
     };
     let centres_mm = scene.poses.iter().enumerate().map(centre).collect();
     let mut lens = [0.0; LENS];
@@ -162,13 +183,13 @@ pub(crate) fn spread(
         .poses
         .iter()
         .map(|p| p.centre().coords)
-        .sum::<nalgebra::Vector3<f64>>()
+        .sum::<Vector3<f64>>()
         / scene.poses.len().max(1) as f64;
     let (mut by_all, mut total) = (DVector::zeros(covariance.nrows()), 0.0);
     for (c, pose) in scene.poses.iter().enumerate() {
         let out = pose.centre().coords - middle;
         total += out.norm();
-        let row = by_pose(pose).transpose() * out.try_normalize(1e-12).unwrap_or_default();
+        let row = centre_by_pose(pose).transpose() * out.try_normalize(1e-12).unwrap_or_default();
         by_all.fixed_rows_mut::<6>(LENS + 6 * c).copy_from(&row);
     }
     let size = by_all.dot(&(&covariance * &by_all)).max(0.0).sqrt() / total.max(1e-12);

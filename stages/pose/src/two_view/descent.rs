@@ -1,6 +1,52 @@
 //! Robust least squares of few unknowns by Levenberg and Marquardt, derivatives by differences.
 
+use crate::adjust::damped::{Problem, System, cauchy};
 use nalgebra::{DMatrix, DVector};
+
+/// A step that lowers the cost by less than this share is the last.
+const GAIN: f64 = 1e-6;
+/// Step of the differences; all unknowns are of the order of one.
+const DIFFERENCE: f64 = 1e-6;
+
+/// Residuals of unknowns under Cauchy's loss.
+struct Residuals<F> {
+    of: F,
+    c2: f64,
+}
+
+impl<F: Fn(&[f64]) -> Vec<f64>> Problem for Residuals<F> {
+    type State = Vec<f64>;
+    type Rest = ();
+
+    fn cost(&self, x: &Vec<f64>) -> f64 {
+        let all = (self.of)(x);
+        all.iter().map(|r| cauchy(Some(r * r), self.c2)).sum()
+    }
+
+    fn system(&self, x: &Vec<f64>, _: f64) -> System<()> {
+        let now = DVector::from_vec((self.of)(x));
+        let mut jacobian = DMatrix::zeros(now.len(), x.len());
+        for k in 0..x.len() {
+            let mut moved = x.clone();
+            moved[k] += DIFFERENCE;
+            let column = (DVector::from_vec((self.of)(&moved)) - &now) / DIFFERENCE;
+            jacobian.set_column(k, &column);
+        }
+        let mut weighed = jacobian.clone();
+        for (i, mut row) in weighed.row_iter_mut().enumerate() {
+            row /= 1.0 + now[i] * now[i] / self.c2;
+        }
+        System {
+            matrix: weighed.tr_mul(&jacobian),
+            right: -weighed.tr_mul(&now),
+            rest: (),
+        }
+    }
+
+    fn moved(&self, x: &Vec<f64>, step: &DVector<f64>, (): &()) -> Vec<f64> {
+        x.iter().zip(step).map(|(x, s)| x + s).collect()
+    }
+}
 
 /// Minimises Σ c² ln(1 + r²/c²) from a start; all unknowns are of the order of one.
 pub(crate) fn descend(
@@ -9,55 +55,12 @@ pub(crate) fn descend(
     loss: f64,
     steps: usize,
 ) -> Vec<f64> {
-    let c2 = loss * loss;
-    let cost = |r: &[f64]| r.iter().map(|r| c2 * libm::log1p(r * r / c2)).sum::<f64>();
-    let (mut x, n) = (start.to_vec(), start.len());
-    let mut now = residuals(&x);
-    let mut damping = 1e-3;
-    let h = 1e-6;
-    for _ in 0..steps {
-        let columns: Vec<Vec<f64>> = (0..n)
-            .map(|k| {
-                let mut moved = x.clone();
-                moved[k] += h;
-                let r = residuals(&moved);
-                r.iter().zip(&now).map(|(a, b)| (a - b) / h).collect()
-            })
-            .collect();
-        let weights: Vec<f64> = now.iter().map(|r| 1.0 / (1.0 + r * r / c2)).collect();
-        let mut matrix = DMatrix::zeros(n, n);
-        let mut right = DVector::zeros(n);
-        for i in 0..n {
-            for j in 0..=i {
-                let sum = (0..now.len()).map(|k| weights[k] * columns[i][k] * columns[j][k]);
-                matrix[(i, j)] = sum.sum::<f64>();
-                matrix[(j, i)] = matrix[(i, j)];
-            }
-            right[i] = -(0..now.len())
-                .map(|k| weights[k] * columns[i][k] * now[k])
-                .sum::<f64>();
-        }
-        let before = cost(&now);
-        let mut better = false;
-        while damping < 1e9 {
-            let mut damped = matrix.clone();
-            (0..n).for_each(|i| damped[(i, i)] = damped[(i, i)] * (1.0 + damping) + 1e-12);
-            if let Some(step) = damped.cholesky().map(|c| c.solve(&right)) {
-                let moved: Vec<f64> = x.iter().zip(&step).map(|(x, s)| x + s).collect();
-                let next = residuals(&moved);
-                if cost(&next) < before {
-                    better = cost(&next) < before * (1.0 - 1e-6);
-                    (x, now) = (moved, next);
-                    damping = (damping * 0.2f64).max(1e-9);
-                    break;
-                }
-            }
-            damping *= 6.0;
-        }
-        if !better {
-            break;
-        }
-    }
+    let mut x = start.to_vec();
+    let problem = Residuals {
+        of: residuals,
+        c2: loss * loss,
+    };
+    crate::adjust::damped::descend(&problem, &mut x, steps, GAIN);
     x
 }
 

@@ -1,10 +1,12 @@
 //! Adjusts lenses, shots and points together: Levenberg–Marquardt with Cauchy's loss, as the bundle
 //! adjustment of a turn, but for several lenses, each photo's focus, and some shots at a time.
 
+use crate::adjust::damped::{FIXED, Problem, System, cauchy, centre_sigma, descend, pose_moved};
 use crate::adjust::lens::{LENS, LensPrior, lens_values, lens_with};
+use crate::adjust::normal::Normal;
 use crate::walk::model::{Model, Shot};
 use crate::walk::normal::{Places, reduce};
-use nalgebra::{DMatrix, DVector, Matrix3, Rotation3, SMatrix, Vector3};
+use nalgebra::DVector;
 use rayon::prelude::*;
 
 /// What is believed before anything is seen, and how to adjust.
@@ -30,12 +32,8 @@ pub(crate) struct Free {
     pub(crate) shots: Option<Vec<bool>>,
 }
 
-/// Weight that holds what nothing tells.
-const HELD: f64 = 1e8;
 /// A step that lowers the cost by less than this share is the last.
 const GAIN: f64 = 1e-6;
-/// Cost of a point behind a camera.
-const BEHIND: f64 = 1e6;
 
 /// Adjusts all of a model in place and returns the costs, which never rise. The first shot stays,
 /// and so does its distance from the farthest.
@@ -49,38 +47,20 @@ pub fn adjust_model(model: &mut Model, terms: &Terms) -> Vec<f64> {
 
 /// Adjusts what is free.
 pub(crate) fn adjusted(model: &mut Model, terms: &Terms, free: &Free) -> Vec<f64> {
-    let places = places(model, free);
-    let mut now = cost(model, terms);
-    let (mut costs, mut damping) = (vec![now], 1e-4);
-    for _ in 0..terms.steps {
-        let (mut matrix, right, reduced) = system(model, terms, &places, damping, free);
-        (0..right.len()).for_each(|i| {
-            let d = &mut matrix[(i, i)];
-            *d = *d * (1.0 + damping) + 1e-12;
-        });
-        let stepped = matrix.cholesky().map(|c| {
-            let step = c.solve(&right);
-            moved(model, &places, &step, &reduced.point_steps(&step))
-        });
-        match stepped.map(|s| (cost(&s, terms), s)) {
-            Some((better, stepped)) if better < now => {
-                let gain = (now - better) / now.max(f64::MIN_POSITIVE);
-                (*model, now) = (stepped, better);
-                costs.push(now);
-                damping = (damping * 0.2f64).max(1e-12);
-                if gain < GAIN {
-                    break;
-                }
-            }
-            _ => {
-                damping *= 8.0;
-                if damping > 1e10 {
-                    break;
-                }
-            }
-        }
-    }
-    costs
+    let walk = Walk {
+        places: places(model, free),
+        terms,
+        whole: free.shots.is_none(),
+    };
+    descend(&walk, model, terms.steps, GAIN)
+}
+
+/// What is believed of a walk, and what of it is adjusted.
+struct Walk<'a> {
+    places: Places,
+    terms: &'a Terms,
+    /// All shots are: their size is fixed.
+    whole: bool,
 }
 
 fn places(model: &Model, free: &Free) -> Places {
@@ -96,10 +76,9 @@ pub(crate) fn cost(model: &Model, terms: &Terms) -> f64 {
         .spots
         .par_iter()
         .map(|spot| {
-            let one = |(s, px): &(usize, [f64; 2])| match Model::off_px(&cameras[*s], &spot.at, *px)
-            {
-                Some(off) => c2 * libm::log1p((off / terms.sigma_px).powi(2) / c2),
-                None => BEHIND,
+            let one = |(s, px): &(usize, [f64; 2])| {
+                let off = Model::off_px(&cameras[*s], &spot.at, *px);
+                cauchy(off.map(|off| (off / terms.sigma_px).powi(2)), c2)
             };
             spot.observations.iter().map(one).sum()
         })
@@ -118,30 +97,59 @@ pub(crate) fn cost(model: &Model, terms: &Terms) -> f64 {
     seen + lenses + model.shots.iter().map(zoom).sum::<f64>()
 }
 
-type Whole = (DMatrix<f64>, DVector<f64>, crate::walk::normal::Reduced);
+impl Problem for Walk<'_> {
+    type State = Model;
+    type Rest = Normal;
 
-/// The system with what is believed and what is held.
-fn system(model: &Model, terms: &Terms, places: &Places, damping: f64, free: &Free) -> Whole {
-    let reduced = reduce(model, places, terms.sigma_px, terms.loss, damping);
-    let (mut matrix, mut right) = (reduced.matrix.clone(), reduced.right.clone());
-    for ((at, lens), prior) in places.lenses.iter().zip(&model.lenses).zip(&terms.lenses) {
-        let Some(at) = *at else { continue };
-        for (i, value) in lens_values(lens).into_iter().enumerate() {
-            let weight = 1.0 / (prior.sigma[i] * prior.sigma[i]);
-            matrix[(at + i, at + i)] += weight;
-            right[at + i] -= weight * (value - prior.mean[i]);
+    fn cost(&self, model: &Model) -> f64 {
+        cost(model, self.terms)
+    }
+
+    fn system(&self, model: &Model, damping: f64) -> System<Normal> {
+        let (terms, places) = (self.terms, &self.places);
+        let reduced = reduce(model, places, terms.sigma_px, terms.loss, damping);
+        let (mut matrix, mut right) = (reduced.matrix.clone(), reduced.right.clone());
+        for ((at, lens), prior) in places.lenses.iter().zip(&model.lenses).zip(&terms.lenses) {
+            let Some(at) = *at else { continue };
+            for (i, value) in lens_values(lens).into_iter().enumerate() {
+                let weight = 1.0 / (prior.sigma[i] * prior.sigma[i]);
+                matrix[(at + i, at + i)] += weight;
+                right[at + i] -= weight * (value - prior.mean[i]);
+            }
+        }
+        for (at, shot) in places.shots.iter().zip(&model.shots) {
+            let Some(at) = *at else { continue };
+            let weight = 1.0 / (terms.zoom_sigma * terms.zoom_sigma);
+            matrix[(at + 6, at + 6)] += weight;
+            right[at + 6] -= weight * shot.zoom;
+        }
+        if let (true, Some((d, size))) = (self.whole, scale(model, places)) {
+            matrix += &d * d.transpose() * (FIXED / (size * size));
+        }
+        System {
+            matrix,
+            right,
+            rest: reduced,
         }
     }
-    for (at, shot) in places.shots.iter().zip(&model.shots) {
-        let Some(at) = *at else { continue };
-        let weight = 1.0 / (terms.zoom_sigma * terms.zoom_sigma);
-        matrix[(at + 6, at + 6)] += weight;
-        right[at + 6] -= weight * shot.zoom;
+
+    fn moved(&self, model: &Model, step: &DVector<f64>, reduced: &Normal) -> Model {
+        let mut moved = model.clone();
+        for (at, lens) in self.places.lenses.iter().zip(&mut moved.lenses) {
+            let Some(at) = *at else { continue };
+            let mut values = lens_values(lens);
+            (0..LENS).for_each(|i| values[i] += step[at + i]);
+            *lens = lens_with(lens, values);
+        }
+        for (at, shot) in self.places.shots.iter().zip(&mut moved.shots) {
+            let Some(at) = *at else { continue };
+            shot.pose = pose_moved(&shot.pose, &step.as_slice()[at..]);
+            shot.zoom += step[at + 6];
+        }
+        let steps = moved.spots.iter_mut().zip(reduced.point_steps(step));
+        steps.for_each(|(spot, step)| spot.at += step);
+        moved
     }
-    if let (None, Some((d, size))) = (&free.shots, scale(model, places)) {
-        matrix += &d * d.transpose() * (HELD / (size * size));
-    }
-    (matrix, right, reduced)
 }
 
 /// The step that moves the farthest shot away from the first, and how far it is.
@@ -156,28 +164,6 @@ fn scale(model: &Model, places: &Places) -> Option<(DVector<f64>, f64)> {
     let mut d = DVector::zeros(places.count);
     (0..3).for_each(|i| d[at + 3 + i] = along[i]);
     Some((d, size))
-}
-
-/// The model after a step.
-fn moved(model: &Model, places: &Places, step: &DVector<f64>, points: &[Vector3<f64>]) -> Model {
-    let mut moved = model.clone();
-    for (at, lens) in places.lenses.iter().zip(&mut moved.lenses) {
-        let Some(at) = *at else { continue };
-        let mut values = lens_values(lens);
-        (0..LENS).for_each(|i| values[i] += step[at + i]);
-        *lens = lens_with(lens, values);
-    }
-    for (at, shot) in places.shots.iter().zip(&mut moved.shots) {
-        let Some(at) = *at else { continue };
-        let turn = Vector3::new(step[at], step[at + 1], step[at + 2]);
-        shot.pose.rotation = Rotation3::new(turn) * shot.pose.rotation;
-        shot.pose.rotation.renormalize();
-        shot.pose.translation += Vector3::new(step[at + 3], step[at + 4], step[at + 5]);
-        shot.zoom += step[at + 6];
-    }
-    let steps = moved.spots.iter_mut().zip(points);
-    steps.for_each(|(spot, step)| spot.at += step);
-    moved
 }
 
 /// Standard deviations, from the inverse of the undamped system.
@@ -195,19 +181,19 @@ pub(crate) fn sureness(model: &Model, terms: &Terms) -> Option<Sureness> {
         lenses: true,
         shots: None,
     };
-    let places = places(model, &free);
-    let (matrix, ..) = system(model, terms, &places, 1e-9, &free);
-    let covariance = matrix.cholesky()?.inverse();
+    let walk = Walk {
+        places: places(model, &free),
+        terms,
+        whole: true,
+    };
+    let covariance = walk.system(model, 1e-9).matrix.cholesky()?.inverse();
+    let places = &walk.places;
     let centre = |(shot, at): (&Shot, &Option<usize>)| {
         let Some(at) = *at else { return 0.0 };
-        // centre = -Rᵀ t, with R ← exp(ω) R and t ← t + τ: d centre = Rᵀ ([ω]× t - τ).
-        let mut j = SMatrix::<f64, 3, 6>::zeros();
-        let cross = shot.pose.translation.cross_matrix();
-        j.fixed_view_mut::<3, 3>(0, 0).copy_from(&-cross);
-        j.fixed_view_mut::<3, 3>(0, 3)
-            .copy_from(&-Matrix3::identity());
-        let block = covariance.fixed_view::<6, 6>(at, at).into_owned();
-        ((j * block * j.transpose()).trace() / 3.0).max(0.0).sqrt()
+        centre_sigma(
+            &shot.pose,
+            &covariance.fixed_view::<6, 6>(at, at).into_owned(),
+        )
     };
     let focal = |at: &Option<usize>| at.map_or(0.0, |at| covariance[(at, at)].max(0.0).sqrt());
     Some(Sureness {

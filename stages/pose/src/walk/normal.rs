@@ -1,10 +1,10 @@
-//! The normal equations of lenses, shots and points, points eliminated (the Schur complement; Triggs,
-//! McLauchlan, Hartley and Fitzgibbon 1999, §6.1).
+//! The normal equations of a walk's lenses and shots, points eliminated.
 
 use crate::adjust::lens::LENS;
+use crate::adjust::normal::{Block, Normal, Point};
 use crate::adjust::residual::{Derivatives, derivatives};
 use crate::walk::model::{Model, Spot};
-use nalgebra::{DMatrix, DVector, Matrix3, Point3, SMatrix, Vector3};
+use nalgebra::{Point3, SMatrix};
 use rayon::prelude::*;
 use shape::Camera;
 
@@ -13,10 +13,7 @@ pub(crate) const SHOT: usize = 7;
 /// Into how many parts points are split, whatever the number of threads.
 const PARTS: usize = 8;
 
-type ByLens = SMatrix<f64, LENS, 3>;
-type ByShot = SMatrix<f64, SHOT, 3>;
-
-/// Where unknowns stand in the system; what has no place is held.
+/// Where unknowns are in the system; what has no place is fixed.
 pub(crate) struct Places {
     pub(crate) lenses: Vec<Option<usize>>,
     pub(crate) shots: Vec<Option<usize>>,
@@ -39,21 +36,6 @@ impl Places {
             count,
         }
     }
-}
-
-/// A point that was eliminated: what its own step follows from.
-struct Eliminated {
-    inverse: Matrix3<f64>,
-    right: Vector3<f64>,
-    lenses: Vec<(usize, ByLens)>,
-    shots: Vec<(usize, ByShot)>,
-}
-
-/// The reduced system, lower half.
-pub(crate) struct Reduced {
-    pub(crate) matrix: DMatrix<f64>,
-    pub(crate) right: DVector<f64>,
-    points: Vec<Eliminated>,
 }
 
 /// Residual of an observation in standard deviations, with derivatives by the lens, the shot, the point.
@@ -95,160 +77,39 @@ pub(crate) fn reduce(
     sigma_px: f64,
     loss: f64,
     damping: f64,
-) -> Reduced {
+) -> Normal {
     let cameras = model.cameras();
     let stride = model.spots.len().div_ceil(PARTS).max(1);
     let part = |spots: &[Spot]| {
-        let mut part = Reduced {
-            matrix: DMatrix::zeros(places.count, places.count),
-            right: DVector::zeros(places.count),
-            points: Vec::with_capacity(spots.len()),
-        };
+        let mut part = Normal::new(places.count);
         for spot in spots {
-            let point = part.add(model, &cameras, places, spot, [sigma_px, loss, damping]);
-            point.eliminate(&mut part.matrix, &mut part.right);
-            part.points.push(point);
+            let mut point = Point::default();
+            for (s, px) in &spot.observations {
+                let shot = &model.shots[*s];
+                let Some(look) = look(&cameras[*s], shot.zoom, &spot.at, *px, sigma_px) else {
+                    continue;
+                };
+                let lens = places.lenses[shot.lens].map(|at| Block::new(at, &look.by_lens));
+                let own = places.shots[*s].map(|at| Block::new(at, &look.by_shot));
+                let blocks: Vec<Block> = lens.into_iter().chain(own).collect();
+                let seen = Some((&mut point, &look.plain.by_point));
+                part.observe(&look.plain.residual, &blocks, seen, loss * loss);
+            }
+            part.eliminate(point, damping);
         }
         part
     };
-    let parts: Vec<Reduced> = model.spots.par_chunks(stride).map(part).collect();
-    let mut sum = Reduced {
-        matrix: DMatrix::zeros(places.count, places.count),
-        right: DVector::zeros(places.count),
-        points: Vec::with_capacity(model.spots.len()),
-    };
-    for part in parts {
-        sum.matrix += part.matrix;
-        sum.right += part.right;
-        sum.points.extend(part.points);
-    }
-    for i in 0..places.count {
-        (0..i).for_each(|j| sum.matrix[(j, i)] = sum.matrix[(i, j)]);
-    }
-    sum
-}
-
-/// Adds to what stands at a place of a list.
-fn gather<const N: usize>(
-    list: &mut Vec<(usize, SMatrix<f64, N, 3>)>,
-    at: usize,
-    block: SMatrix<f64, N, 3>,
-) {
-    match list.iter_mut().find(|(place, _)| *place == at) {
-        Some((_, sum)) => *sum += block,
-        None => list.push((at, block)),
-    }
-}
-
-impl Reduced {
-    /// Adds a point's observations, the point still in.
-    fn add(
-        &mut self,
-        model: &Model,
-        cameras: &[Camera],
-        places: &Places,
-        spot: &Spot,
-        [sigma_px, loss, damping]: [f64; 3],
-    ) -> Eliminated {
-        let c2 = loss * loss;
-        let (mut v, mut right) = (Matrix3::zeros(), Vector3::zeros());
-        let (mut lenses, mut shots) = (Vec::with_capacity(1), Vec::with_capacity(8));
-        for (s, px) in &spot.observations {
-            let shot = &model.shots[*s];
-            let Some(look) = look(&cameras[*s], shot.zoom, &spot.at, *px, sigma_px) else {
-                continue;
-            };
-            let (r, by_point) = (look.plain.residual, look.plain.by_point);
-            let weight = 1.0 / (1.0 + r.norm_squared() / c2);
-            let (by_lens, by_shot) = (look.by_lens, look.by_shot);
-            v += by_point.transpose() * by_point * weight;
-            right -= by_point.transpose() * r * weight;
-            if let Some(at) = places.lenses[shot.lens] {
-                let mut own = self.matrix.fixed_view_mut::<LENS, LENS>(at, at);
-                own += by_lens.transpose() * by_lens * weight;
-                let mut own = self.right.fixed_rows_mut::<LENS>(at);
-                own -= by_lens.transpose() * r * weight;
-                gather(&mut lenses, at, by_lens.transpose() * by_point * weight);
-                if let Some(row) = places.shots[*s] {
-                    let mut side = self.matrix.fixed_view_mut::<SHOT, LENS>(row, at);
-                    side += by_shot.transpose() * by_lens * weight;
-                }
-            }
-            if let Some(at) = places.shots[*s] {
-                let mut own = self.matrix.fixed_view_mut::<SHOT, SHOT>(at, at);
-                own += by_shot.transpose() * by_shot * weight;
-                let mut own = self.right.fixed_rows_mut::<SHOT>(at);
-                own -= by_shot.transpose() * r * weight;
-                gather(&mut shots, at, by_shot.transpose() * by_point * weight);
-            }
-        }
-        (0..3).for_each(|i| v[(i, i)] = v[(i, i)] * (1.0 + damping) + 1e-15);
-        Eliminated {
-            inverse: v.try_inverse().unwrap_or_default(),
-            right,
-            lenses,
-            shots,
-        }
-    }
-
-    /// The step of each point that follows from a step of the reduced unknowns.
-    pub(crate) fn point_steps(&self, step: &DVector<f64>) -> Vec<Vector3<f64>> {
-        let one = |point: &Eliminated| {
-            let mut right = point.right;
-            for (at, w) in &point.lenses {
-                right -= w.transpose() * step.fixed_rows::<LENS>(*at);
-            }
-            for (at, w) in &point.shots {
-                right -= w.transpose() * step.fixed_rows::<SHOT>(*at);
-            }
-            point.inverse * right
-        };
-        self.points.iter().map(one).collect()
-    }
-}
-
-/// Subtracts W V⁻¹ Wᵀ of two blocks where it lies in the lower half.
-fn subtract<const A: usize, const B: usize>(
-    matrix: &mut DMatrix<f64>,
-    (row, wv): (usize, &SMatrix<f64, A, 3>),
-    (column, w): (usize, &SMatrix<f64, B, 3>),
-) {
-    if column <= row {
-        let mut block = matrix.fixed_view_mut::<A, B>(row, column);
-        block -= wv * w.transpose();
-    }
-}
-
-impl Eliminated {
-    /// Subtracts W V⁻¹ Wᵀ and W V⁻¹ g, in the lower half.
-    fn eliminate(&self, matrix: &mut DMatrix<f64>, right: &mut DVector<f64>) {
-        let solved = self.inverse * self.right;
-        for (row, w) in &self.lenses {
-            let mut r = right.fixed_rows_mut::<LENS>(*row);
-            r -= w * solved;
-            let wv = w * self.inverse;
-            for (column, other) in &self.lenses {
-                subtract(matrix, (*row, &wv), (*column, other));
-            }
-        }
-        for (row, w) in &self.shots {
-            let mut r = right.fixed_rows_mut::<SHOT>(*row);
-            r -= w * solved;
-            let wv = w * self.inverse;
-            for (column, other) in &self.lenses {
-                subtract(matrix, (*row, &wv), (*column, other));
-            }
-            for (column, other) in &self.shots {
-                subtract(matrix, (*row, &wv), (*column, other));
-            }
-        }
-    }
+    let parts: Vec<Normal> = model.spots.par_chunks(stride).map(part).collect();
+    parts
+        .into_iter()
+        .fold(Normal::new(places.count), Normal::join)
+        .complete()
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use nalgebra::{Rotation3, Vector2};
+    use nalgebra::{Rotation3, Vector2, Vector3};
     use shape::{Intrinsics, Pose};
 
     #[test]
