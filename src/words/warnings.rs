@@ -75,7 +75,7 @@ pub(crate) const WARNINGS: [(&str, &str); 136] = [
     ("* holds on to only * features: its camera follows from those of the others; is it in its place in the turning order?", "warn-few-hold"),
     ("only * % of the features fit the cameras: look at the camera ring before you trust it", "warn-few-fit"),
     ("the focal length is unknown and the photos hardly tell it: give `focal_35mm` in capture.toml", "warn-no-focal"),
-    ("the subject moved against the disk (free cameras would follow it): lens and steps were held at what EXIF and capture.toml say, and how sure the cameras are cannot be told", "warn-swayed"),
+    ("the subject moved against the disk (free cameras would follow it): lens and steps were kept at what EXIF and capture.toml have, and how sure the cameras are is unknown", "warn-swayed"),
     ("the photos lie on their side; which end of the subject is up was guessed from where the cameras look down: turn the photos upright to be sure", "warn-sideways"),
     ("*; so photos are cut by colours alone", "warn-by-colour"),
     ("* has no mask and is left out: put its mask beside the others, under the name of the photo", "warn-no-mask"),

@@ -73,9 +73,9 @@ pub use ring::start::{Known, Pair, Start, starts};
 pub use shape::tag36h11::{TAGS, modules};
 pub use tags::corners::{Line, fitted_line, meeting, refined};
 pub use tags::find::{FindTags, NoDetector, TagsInput, TagsParams};
+pub use two_view::background_shift::{BackgroundShift, background_shift};
 pub use two_view::epipolar::{agreeing, agreeing_through, fundamental, sampson};
 pub use two_view::five_point::{Both, essentials};
-pub use two_view::room_shift::{RoomShift, room_shift};
 pub use walk::adjust::{Terms, adjust_model};
 pub use walk::error::WalkError;
 pub use walk::link::{LinkInput, LinkParams, LinkUp};
@@ -83,7 +83,7 @@ pub use walk::model::{Model as WalkModel, Shot, Spot};
 pub use walk::stage::{Walk, WalkInput, WalkParams};
 pub use walk::world::{World as WalkWorld, world as walk_world};
 
-/// Every stage of this room, in the order in which data flows through it.
+/// Every stage of this crate, in the order in which data flows through it.
 pub const STAGES: &[&dyn stage::AnyStage] = &[
     &stage::erase::<Sift>(),
     &stage::erase::<Follow>(),

@@ -23,7 +23,7 @@ pub struct Fit {
     /// Standard deviation of the lens' unknowns.
     pub lens_sigma: [f64; LENS],
     /// Standard deviation of the ring's size, as a share of it; next to nothing where nothing is
-    /// known of sizes, which then are held.
+    /// known of sizes, which then are fixed.
     pub size_sigma: f64,
 }
 

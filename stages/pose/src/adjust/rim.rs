@@ -1,4 +1,4 @@
-//! Tags on the disk's rim: where their corners lie, and what gluing leaves open.
+//! Tags on the disk's rim: where their corners are, and what gluing leaves open.
 //!
 //! A strip of paper bent around a disk is a cylinder; widths stay, as arcs. What is known are the
 //! sizes of its tags; where each is glued is not asked. Open are, for all tags, the cylinder's
@@ -24,7 +24,7 @@ pub(crate) struct RimBelief {
     pub(crate) glue_mm: f64,
 }
 
-/// Tags on a rim that are seen, as they lie now.
+/// Tags on a rim that are seen, as they are now.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct OnRim {
     rim: Rim,
@@ -37,7 +37,7 @@ pub(crate) struct OnRim {
 }
 
 impl OnRim {
-    /// Tags whose middles lie at about these angles and heights. \[rad, mm\]
+    /// Tags whose middles are at about these angles and heights. \[rad, mm\]
     pub(crate) fn new(rim: &Rim, first: usize, middles: Vec<[f64; 2]>) -> Self {
         let open = vec![0.0; SHARED + OWN * middles.len()];
         OnRim {
@@ -142,7 +142,7 @@ pub(crate) fn straightened(eye: &Camera, on_rim: &OnRim, tag: usize) -> Option<[
     let see = |place: [f64; 2]| eye.project(&on_rim.point(tag, place)).map(|p| p.coords);
     let corner = |i: usize| see(OnRim::place(i));
     let corners = [corner(0)?, corner(1)?, corner(2)?, corner(3)?];
-    // How far the line of least squares lies beside the chord, upper and lower side.
+    // How far the line of least squares is beside the chord, upper and lower side.
     let mut beside = [Vector2::zeros(); 2];
     for (side, up) in [0.5, -0.5].into_iter().enumerate() {
         let (a, b) = (see([-0.5, up])?, see([0.5, up])?);

@@ -103,12 +103,12 @@ mod tests {
         let mut ways = nalgebra::DMatrix::zeros(LENS + ring.unknowns(), 2);
         (0..3).for_each(|i| ways[(LENS + i, 0)] = axis[i]);
         (0..3).for_each(|c| ways[(LENS + 6 + c, 1)] = 1.0);
-        // Both move cameras alike: held is what neither, nor their difference, escapes.
+        // Both move cameras alike: fixed is what neither, nor their difference, escapes.
         let moved = ring.tangent() * &ways;
         assert!((moved.column(0) - moved.column(1)).norm() < 1e-12 * moved.norm());
-        let held: Vec<f64> = ring.freedoms().into_iter().flat_map(|f| f.0).collect();
-        let held = nalgebra::DMatrix::from_row_slice(4, LENS + ring.unknowns(), &held);
-        assert_eq!((held * ways).rank(1e-6), 2);
+        let fixed: Vec<f64> = ring.freedoms().into_iter().flat_map(|f| f.0).collect();
+        let fixed = nalgebra::DMatrix::from_row_slice(4, LENS + ring.unknowns(), &fixed);
+        assert_eq!((fixed * ways).rank(1e-6), 2);
     }
 
     #[test]

@@ -28,7 +28,7 @@ pub struct Scene {
     pub lens: Intrinsics,
     /// camera_from_world of each camera.
     pub poses: Vec<Pose>,
-    /// Where the cameras are held to a turn about one axis: it; the poses follow from it.
+    /// Where the cameras are bound to a turn about one axis: it; the poses follow from it.
     pub ring: Option<Ring>,
     /// Points in the world. \[mm\]
     pub points: Vec<Point3<f64>>,

@@ -1,5 +1,5 @@
-//! The normal equations of an adjustment with what is believed and what is held, and what their
-//! inverse tells.
+//! The normal equations of an adjustment with what is believed and what is fixed, and the
+//! standard deviations from their inverse.
 
 use crate::adjust::damped::{FIXED, System, centre_by_pose, centre_sigma};
 use crate::adjust::lens::{LENS, lens_values};
@@ -128,7 +128,7 @@ fn freedoms(scene: &Scene) -> Vec<(Vec<f64>, f64)> {
         return vec![];
     };
     let size = far(&last).max(1e-9);
-    let mut held: Vec<_> = (0..6)
+    let mut fixed: Vec<_> = (0..6)
         .map(|i| {
             let mut d = vec![0.0; n];
             d[LENS + i] = 1.0;
@@ -139,8 +139,8 @@ fn freedoms(scene: &Scene) -> Vec<(Vec<f64>, f64)> {
     let along = pose.rotation * (pose.centre() - from) / size;
     let mut d = vec![0.0; n];
     (0..3).for_each(|i| d[LENS + 6 * last + 3 + i] = along[i]);
-    held.push((d, size));
-    held
+    fixed.push((d, size));
+    fixed
 }
 
 /// Standard deviations from the inverse of the undamped system.

@@ -1,7 +1,7 @@
 //! What is believed before anything is seen: the params of a calibration.
 
 stage::choice! {
-    /// How cameras without a mat are held together.
+    /// How cameras without a mat are tied together.
     pub enum Motion {
         /// To one ring where the turn's step is known, else free.
         Auto = "auto",
@@ -38,7 +38,7 @@ stage::params! {
         /// How far the sides of a tag may look too far out or in: ink that spread, paper that bloomed. 0 for not at all.
         #[range(0.0..=5.0)]
         bloom_px: f64 = 0.2,
-        /// How far radius and middle of the disk's rim may be from what `[rim]` says.
+        /// How far radius and middle of the disk's rim may be from `[rim]`.
         #[range(0.001..=50.0)]
         rim_round_mm: f64 = 1.0,
         /// How much taller or less tall than wide a printer may make the tags on the rim, as a share.
@@ -53,7 +53,7 @@ stage::params! {
         /// Most steps of an adjustment.
         #[range(1..=1000)]
         steps: u32 = 60,
-        /// How cameras without a mat are held together.
+        /// How cameras without a mat are tied together.
         motion: Motion = Motion::Auto,
         /// How evenly the disk turns, where its step is known.
         #[range(0.001..=10.0)]
@@ -64,7 +64,7 @@ stage::params! {
         /// Free cameras further off a ring than this share of its radius are refused.
         #[range(0.001..=10.0)]
         off_ring: f64 = 0.02,
-        /// Without a mat, features that lie further from where they should (root mean square) are
+        /// Without a mat, features that are further from where they should (root mean square) are
         /// not believed; in proportion more on photos of more than 2400 pixels.
         #[range(0.1..=100.0)]
         most_px: f64 = 2.0,

@@ -39,7 +39,7 @@ const ROUNDED: f64 = 0.289;
 /// A photo longer than this many times its width was cropped, or is a frame of a video.
 const CROPPED: f64 = 1.6;
 /// Some cameras keep the focal length of the whole sensor for a crop (16:9 of 4:3: 8.2 % less than
-/// the crop's own), others do not. Standard deviation, as a share.
+/// the crop's own), some do not. Standard deviation, as a share.
 const CROP_SIGMA: f64 = 0.05;
 
 /// How sure the focal length is before anything is seen, as a share of it. EXIF rounds to whole

@@ -24,7 +24,7 @@ pub(crate) fn median_px(scene: &Scene, observations: &[PointObservation]) -> f64
     all.get(all.len() / 2).copied().unwrap_or(0.0)
 }
 
-/// A photo's camera as it was found, with what tells how far to trust it.
+/// A photo's camera as it was found, with how far to trust it.
 pub(crate) fn view(
     photos: &Photos,
     id: PhotoId,
@@ -78,7 +78,7 @@ pub(crate) fn warnings(
             off * 100.0
         ));
     }
-    // A fixed camera and a turning disk: centres lie on a circle around the axis.
+    // A fixed camera and a turning disk: centres are on a circle around the axis.
     let ring: Vec<(f64, f64)> = scene
         .poses
         .iter()
@@ -106,21 +106,21 @@ pub(crate) fn warnings(
     warnings
 }
 
-/// Photos on which the camera looks elsewhere than on the others.
+/// Photos on which the camera looks elsewhere than on the rest.
 pub(crate) fn nudged(photos: &Photos, ids: &[PhotoId], poses: &[Pose]) -> Vec<String> {
-    let say = |(i, degrees): (usize, f64)| {
+    let warning = |(i, degrees): (usize, f64)| {
         let name = photos.get(ids[i]).map_or("", |p| p.name.as_str());
         format!(
             "{name}: its camera looks {degrees:.1}° away from where the others look: did the camera move?"
         )
     };
-    turned(poses).into_iter().map(say).collect()
+    turned(poses).into_iter().map(warning).collect()
 }
 
 /// Share of the distance, or angle \[rad\], by which the disk may seem to move before a fixed camera.
 const MOVED: f64 = 0.01;
 
-/// Cameras before which the disk's centre lies elsewhere than before most, and by what angle. \[°\]
+/// Cameras before which the disk's centre is elsewhere than before most, and by what angle. \[°\]
 /// A fixed camera sees it in one place all the time, be the disk turned as it may.
 fn turned(poses: &[Pose]) -> Vec<(usize, f64)> {
     let middle = |axis: usize| {
@@ -166,7 +166,7 @@ pub(crate) fn uneven(photos: &Photos, ids: &[PhotoId], poses: &[Pose]) -> Vec<St
         ];
     }
     let name = |i: usize| photos.get(ids[i]).map_or("", |p| p.name.as_str());
-    let say = |(i, turn): (usize, &f64)| {
+    let warning = |(i, turn): (usize, &f64)| {
         let (a, b) = (name(i), name(i + 1));
         let followed = ids[i].0 + 1 == ids[i + 1].0;
         match turn.abs() < STILL_DEG {
@@ -179,7 +179,7 @@ pub(crate) fn uneven(photos: &Photos, ids: &[PhotoId], poses: &[Pose]) -> Vec<St
             false => None,
         }
     };
-    turns.iter().enumerate().filter_map(say).collect()
+    turns.iter().enumerate().filter_map(warning).collect()
 }
 
 /// Photos whose features fit far worse than those of most.
@@ -193,12 +193,12 @@ pub(crate) fn misfits(cameras: &Cameras) -> Vec<String> {
     all.sort_by(f64::total_cmp);
     let usual = all.get(all.len() / 2).copied().unwrap_or(0.0);
     let worse = |(_, px): &&(&str, f64)| *px > 4.0 * usual && *px > 2.0;
-    let say = |(name, px): &(&str, f64)| {
+    let warning = |(name, px): &(&str, f64)| {
         format!(
             "{name}: its features lie {px:.1} px from where they should, {usual:.1} on most photos: did camera or subject move?"
         )
     };
-    known.iter().filter(worse).map(say).collect()
+    known.iter().filter(worse).map(warning).collect()
 }
 
 #[cfg(test)]
@@ -207,25 +207,25 @@ mod tests {
     use nalgebra::Rotation3;
 
     #[test]
-    fn a_camera_that_was_nudged_is_told_by_its_photo() {
+    fn a_camera_that_was_nudged_is_named_by_its_photo() {
         let pose = |i: u32| Pose {
             rotation: Rotation3::from_euler_angles(1.8, 0.0, 0.3 * f64::from(i)),
             translation: Vector3::new(3.0, 340.0, 1770.0 + f64::from(i % 3)),
         };
         let mut poses: Vec<Pose> = (0..9).map(pose).collect();
         assert_eq!(turned(&poses), vec![]);
-        // A turn of the camera about its own centre: the ring does not tell.
+        // A turn of the camera about its own centre: the ring does not show it.
         let nudge = Rotation3::from_euler_angles(0.0, 0.026, 0.0);
         poses[4].rotation = nudge * poses[4].rotation;
         poses[4].translation = nudge * poses[4].translation;
-        let told = turned(&poses);
-        assert!(told.len() == 1 && told[0].0 == 4, "{told:?}");
-        proof::near(told[0].1, 0.026f64.to_degrees(), 0.1);
+        let found = turned(&poses);
+        assert!(found.len() == 1 && found[0].0 == 4, "{found:?}");
+        proof::near(found[0].1, 0.026f64.to_degrees(), 0.1);
     }
 
     #[test]
-    fn photos_that_are_missing_or_twice_are_told_by_the_mat() {
-        let told = |places: &[f64]| {
+    fn photos_that_are_missing_or_twice_are_named_by_the_mat() {
+        let found = |places: &[f64]| {
             let pose = |place: &f64| Pose {
                 rotation: Rotation3::from_euler_angles(1.8, 0.0, 0.0)
                     * Rotation3::from_euler_angles(0.0, 0.0, place * -20f64.to_radians()),
@@ -238,28 +238,28 @@ mod tests {
             uneven(&photos, &ids, &poses)
         };
         let even: Vec<f64> = (0..18).map(f64::from).collect();
-        assert_eq!(told(&even), Vec::<String>::new());
+        assert_eq!(found(&even), Vec::<String>::new());
         let (mut twice, mut missing, mut shuffled) = (even.clone(), even.clone(), even);
         twice.insert(4, 4.001);
-        let said = told(&twice);
+        let warnings = found(&twice);
         assert!(
-            said.len() == 1 && said[0].contains("did not turn"),
-            "{said:?}"
+            warnings.len() == 1 && warnings[0].contains("did not turn"),
+            "{warnings:?}"
         );
         missing.remove(7);
-        let said = told(&missing);
+        let warnings = found(&missing);
         assert!(
-            said.len() == 1 && said[0].contains("turned by -40°"),
-            "{said:?}"
+            warnings.len() == 1 && warnings[0].contains("turned by -40°"),
+            "{warnings:?}"
         );
         (0..18).for_each(|i| shuffled[i] = f64::from((7 * i as u32) % 18));
         shuffled.swap(2, 9);
         shuffled.swap(4, 15);
         shuffled.swap(6, 12);
-        let said = told(&shuffled);
+        let warnings = found(&shuffled);
         assert!(
-            said.len() == 1 && said[0].contains("turning order"),
-            "{said:?}"
+            warnings.len() == 1 && warnings[0].contains("turning order"),
+            "{warnings:?}"
         );
     }
 }

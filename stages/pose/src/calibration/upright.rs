@@ -1,9 +1,9 @@
-//! Whether the photos stand upright: which way the disk's axis runs on them.
+//! Whether the photos are upright: which way the disk's axis runs on them.
 
 use nalgebra::{Point3, Vector3};
 use shape::Cameras;
 
-/// How the photos lie.
+/// Which way up the photos are.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Posture {
     Upright,
@@ -11,7 +11,7 @@ pub(crate) enum Posture {
     UpsideDown,
 }
 
-/// A camera that looks down more steeply does not say. \[rad\]
+/// A camera that looks down more steeply does not count. \[rad\]
 const STEEP: f64 = 1.2;
 
 /// Which way up runs on most photos: to the top edge, to one of the sides, or to the bottom edge.

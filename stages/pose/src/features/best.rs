@@ -1,4 +1,4 @@
-//! The nearest of many features by description, and the next that lies elsewhere.
+//! The nearest of many features by description, and the next that is elsewhere.
 //!
 //! Likenesses are sums of whole numbers below 2²⁴, which single precision holds exactly.
 
@@ -24,7 +24,7 @@ impl Default for Best {
 }
 
 impl Best {
-    /// Looks at one more; what lies where the best lies is no second.
+    /// Looks at one more; what is where the best is is no second.
     pub(crate) fn see(&mut self, j: usize, alike: f32, elsewhere: &impl Fn(usize, usize) -> bool) {
         if alike <= self.second {
             return;

@@ -63,7 +63,7 @@ pub fn describe(image: &Gray, e: &Extremum, angle: f32, fading: &[f32]) -> [u8; 
     out
 }
 
-/// Where a row `dy` off a square's middle lies in the square turned by an angle; `reach` is half its side.
+/// Where a row `dy` off a square's middle is in the square turned by an angle; `reach` is half its side.
 fn chord(sin: f32, cos: f32, dy: f32, reach: f32) -> [f32; 2] {
     let (mut from, mut to) = (-2.0 * reach, 2.0 * reach);
     // |cos dx + sin dy| < reach, |cos dy - sin dx| < reach.

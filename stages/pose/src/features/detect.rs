@@ -12,7 +12,7 @@ pub struct Extremum {
     pub x: f32,
     /// Row.
     pub y: f32,
-    /// Blur of the image it lies in, with fractions.
+    /// Blur of the image it is in, with fractions.
     pub scale: f32,
     /// The blurred image nearest to it.
     pub layer: usize,
@@ -66,7 +66,7 @@ impl Around {
         let max = |a: f32, b: f32| if a > b { a } else { b };
         let min = |a: f32, b: f32| if a < b { a } else { b };
         let [a, m, b] = [middle, (middle + 1) % 3, (middle + 2) % 3].map(|i| &rows[i][..]);
-        // The row itself is `a`; the two others lie above and below it.
+        // The row itself is `a`; its neighbours are above and below it.
         let n = a.len() - 2;
         let (a0, a2) = (&a[..n], &a[2..]);
         let (m0, m1, m2) = (&m[..n], &m[1..=n], &m[2..]);

@@ -1,4 +1,4 @@
-//! Gradients of neighbours in a row of an image, and a table that fades what lies further out.
+//! Gradients of neighbours in a row of an image, and a table that fades what is further out.
 
 use shape::Gray;
 
@@ -49,7 +49,7 @@ impl Default for Row {
 }
 
 impl Row {
-    /// Those of `count` pixels from (x, y) on, which lie inside the image's border.
+    /// Those of `count` pixels from (x, y) on, which are inside the image's border.
     pub(crate) fn look(&mut self, image: &Gray, x: usize, y: usize, count: usize) {
         let (above, below) = (
             &image.row(y - 1)[x..][..count],

@@ -48,7 +48,7 @@ impl Rows<'_> {
     }
 }
 
-/// Which features of each photo stand in the other at the same place, within `still_px`, looking
+/// Which features of each photo are in the other at the same place, within `still_px`, looking
 /// the same: they belong to what does not turn.
 pub fn still(a: &Features, b: &Features, still_px: f32) -> [Vec<bool>; 2] {
     let rows = Rows::new(b, &[]);
@@ -71,9 +71,9 @@ pub fn still(a: &Features, b: &Features, still_px: f32) -> [Vec<bool>; 2] {
 /// as standing still, and the least number of them.
 const AGAIN: (usize, usize) = (4, 2);
 
-/// Which features of each photo stand still, as those more than `reach` steps away in the turn tell,
+/// Which features of each photo stand still, as those more than `reach` steps away in the turn show,
 /// so that what turns cannot look the same there: grain that is long and faint is found at another
-/// place in each photo, so that no single pair tells.
+/// place in each photo, so that no single pair decides.
 pub fn standing(views: &[&Features], reach: usize, still_px: f32) -> Vec<Vec<bool>> {
     let n = views.len();
     let far = |i: &usize, j: &usize| (j - i).min(n + i - j) > reach;
@@ -98,8 +98,8 @@ pub fn standing(views: &[&Features], reach: usize, still_px: f32) -> Vec<Vec<boo
     times.iter().map(enough).collect()
 }
 
-/// Pairs that are each other's nearest, and nearer than `ratio` times the next one of `b` that lies
-/// elsewhere. They lie within `rise_px` of one row and have a like scale; features that are
+/// Pairs that are each other's nearest, and nearer than `ratio` times the next one of `b` that is
+/// elsewhere. They are within `rise_px` of one row and have a like scale; features that are
 /// `left_out` take no part.
 pub fn mutual(
     a: &Features,
@@ -221,7 +221,7 @@ pub(crate) mod tests {
         let mut a = features(&mut proof::Dice(5), 20);
         let mut b = a.clone();
         b.points.iter_mut().for_each(|k| k.x += 40.0);
-        // The seventh's twin stands elsewhere; the eighth's at the same place.
+        // The seventh's twin is elsewhere; the eighth's at the same place.
         for (of, x) in [(7, 300.0), (8, 0.5)] {
             let mut twin = b.points[of];
             twin.x += x;

@@ -1,4 +1,4 @@
-//! Where photos of a turn show what turns: features there tell of the cameras, those of a room that
+//! Where photos of a turn show what turns: features there determine the cameras, those of a background that
 //! stands still do not.
 
 use rayon::prelude::*;
@@ -8,7 +8,7 @@ use shape::{Gray, Image, Photo, PhotoError, Photos, registered};
 const LONGEST: usize = 400;
 /// A pixel changes where it differs by more than so many standard deviations of the noise, and levels.
 const CHANGES: (f32, f32) = (5.0, 6.0);
-/// Share of the pixels whose differences tell the noise.
+/// Share of the pixels whose differences give the noise.
 const QUIET: f64 = 0.4;
 /// Reach to which what changes is joined, as a share of the longer side.
 const JOINED: f64 = 0.02;
@@ -147,12 +147,12 @@ fn filled(from: &Image<bool>) -> Image<bool> {
 mod tests {
     use super::*;
 
-    /// Photos of a room in which a plain block with a few marks goes to and fro; each is shifted and
+    /// Photos of a background before which a plain block with a few marks goes to and fro; each is shifted and
     /// exposed otherwise if `phone`.
     fn turn(phone: bool, camera_moves: bool) -> Vec<Gray> {
         let mut dice = proof::Dice(5);
         let (w, h) = (160usize, 220usize);
-        let room = |x: f64, y: f64| {
+        let background = |x: f64, y: f64| {
             110.0
                 + 40.0 * libm::sin(x / 7.0) * libm::cos(y / 5.0)
                 + 30.0 * libm::sin((x + 2.0 * y) / 17.0)
@@ -175,7 +175,11 @@ mod tests {
                 for i in 0..w * h {
                     let (x, y) = ((i % w) as f64, (i / w) as f64);
                     let body = (left..left + 45.0).contains(&x) && (40.0..190.0).contains(&y);
-                    let shown = if body { 200.0 } else { room(x + shift, y) };
+                    let shown = if body {
+                        200.0
+                    } else {
+                        background(x + shift, y)
+                    };
                     image.data[i] = (gain * shown + dice.normal()) as f32;
                 }
                 image

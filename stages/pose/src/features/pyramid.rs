@@ -19,8 +19,8 @@ impl Octave {
     /// Lets go of the images that are not asked for again.
     pub fn keep(&mut self, wanted: impl Fn(usize) -> bool) {
         let images = self.blurred.iter_mut().enumerate();
-        let others = images.filter(|(layer, _)| !wanted(*layer));
-        others.for_each(|(_, image)| *image = Gray::filled(0, 0, 0.0));
+        let unwanted = images.filter(|(layer, _)| !wanted(*layer));
+        unwanted.for_each(|(_, image)| *image = Gray::filled(0, 0, 0.0));
     }
 }
 
@@ -63,7 +63,7 @@ fn blurred(w: usize, h: usize, sigma: f32, mut source: impl FnMut(usize, &mut [f
     out
 }
 
-/// Sums what lies to both sides of each pixel of a row, weighted; `sides(i)` are what lies i away.
+/// Sums what is to both sides of each pixel of a row, weighted; `sides(i)` are what is i away.
 /// Sixteen pixels at a time, so that sums stay in registers.
 fn weighted<'a>(kernel: &[f32], out: &mut [f32], sides: impl Fn(usize) -> (&'a [f32], &'a [f32])) {
     const AT_ONCE: usize = 16;
@@ -98,7 +98,7 @@ fn weighted<'a>(kernel: &[f32], out: &mut [f32], sides: impl Fn(usize) -> (&'a [
     }
 }
 
-/// The next octave's first image: every second pixel. Pixel (x, y) of it lies at (2x, 2y).
+/// The next octave's first image: every second pixel. Pixel (x, y) of it is at (2x, 2y).
 fn halved(image: &Gray) -> Gray {
     let (w, h) = (image.width.div_ceil(2), image.height.div_ceil(2));
     let mut half = Gray::filled(w, h, 0.0);
@@ -110,7 +110,7 @@ fn halved(image: &Gray) -> Gray {
     half
 }
 
-/// A row of an image of twice the size, linear between pixels. Pixel (x, y) of it lies at (x/2, y/2).
+/// A row of an image of twice the size, linear between pixels. Pixel (x, y) of it is at (x/2, y/2).
 fn doubled(image: &Gray, y: usize, row: &mut [f32]) {
     let (w, h) = (image.width, image.height);
     let (above, below) = (image.row(y / 2), image.row(y.div_ceil(2).min(h - 1)));

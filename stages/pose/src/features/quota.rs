@@ -2,7 +2,7 @@
 
 use shape::Image;
 
-/// Share of the features that may lie where nothing turns.
+/// Share of the features that may be where nothing turns.
 const STANDING: f64 = 0.25;
 /// Contrast that suffices where things turn, as a share of that elsewhere.
 pub(crate) const FAINT: f32 = 0.5;
@@ -19,7 +19,7 @@ pub(crate) struct Spot {
 /// Some places have several directions, each of which is a feature.
 const PLACES: f64 = 0.8;
 
-/// Which spots are kept, so that there are `most` features in all. `turns` says of each place of a photo
+/// Which spots are kept, so that there are `most` features in all. `turns`: of each place of a photo
 /// whether things turn there; elsewhere a spot needs a contrast.
 pub(crate) fn kept(
     spots: &[Spot],
@@ -62,7 +62,7 @@ pub(crate) fn kept(
     keeps
 }
 
-/// Whether a place of a photo lies in a region of its reduced self.
+/// Whether a place of a photo is in a region of its reduced self.
 pub(crate) fn within(region: &Image<bool>, [x, y]: [f32; 2], [width, height]: [usize; 2]) -> bool {
     let place = |v: f32, from: usize, to: usize| {
         (((v + 0.5) / from as f32 * to as f32) as usize).min(to - 1)

@@ -18,7 +18,7 @@ stage::params! {
         /// Least contrast of a feature, in levels of 255.
         #[range(0.1..=50.0)]
         contrast: f64 = 1.6,
-        /// Greatest ratio of curvatures: beyond, a point lies on an edge.
+        /// Greatest ratio of curvatures: beyond, a point is on an edge.
         #[range(1.5..=100.0)]
         edge: f64 = 10.0,
         /// Most features a photo: where the room stands still while things turn three quarters of them
@@ -32,7 +32,7 @@ stage::params! {
         /// features of the size of a pixel.
         #[range(0..=10000)]
         fine_px: u32 = 2600,
-        /// Whether features are searched even where a marker mat tells of the cameras.
+        /// Whether features are searched even where a marker mat gives the cameras.
         beside_mat: bool = false,
     }
 }
@@ -93,8 +93,8 @@ impl Stage for Sift {
         let steps = ctx.steps("photos", all.len());
         let one = |(id, photo): &(PhotoId, &Photo)| -> Result<(PhotoId, Features), Stop> {
             let region = regions.as_ref().map(|r| &r[id.0 as usize]);
-            let told = region.map(|r| r.data.iter().map(|t| u8::from(*t)).collect::<Vec<u8>>());
-            let depends = [photo.content(), stage::hash(&told.unwrap_or_default())];
+            let turning = region.map(|r| r.data.iter().map(|t| u8::from(*t)).collect::<Vec<u8>>());
+            let depends = [photo.content(), stage::hash(&turning.unwrap_or_default())];
             let found: Keypoints = ctx.part("features", &depends, || {
                 let gray = photo.decode()?.gray();
                 let views = [(PhotoId(0), features_in(&gray, p, region))]
@@ -127,7 +127,7 @@ pub fn features(gray: &Gray, p: &SiftParams) -> Features {
     features_in(gray, p, None)
 }
 
-/// The same; where a region tells of what turns, most of them lie there, fainter ones too.
+/// The same; where a region shows what turns, most of them are there, fainter ones too.
 fn features_in(gray: &Gray, p: &SiftParams, region: Option<&Image<bool>>) -> Features {
     let longest = gray.width.max(gray.height);
     let factor = longest.div_ceil(p.longest_px as usize).max(1);

@@ -2,9 +2,9 @@
 
 use crate::calibration::prior::{first_lens, knows_focal};
 use crate::features::matching::{mutual, standing, still};
+use crate::two_view::background_shift::background_shift;
 use crate::two_view::epipolar::{agreeing, agreeing_through};
 use crate::two_view::five_point::Both;
-use crate::two_view::room_shift::room_shift;
 use rayon::prelude::*;
 use shape::{Features, Intrinsics, Keypoints, Observation, PhotoId, Photos, Tracks};
 use stage::{Ctx, Stage, Stop};
@@ -153,8 +153,8 @@ struct Common {
     matches: Vec<(u32, u32)>,
     /// How many features stood still.
     still: usize,
-    /// How far the room moved, where it did. \[px\]
-    room_px: Option<f64>,
+    /// How far the background moved, where it did. \[px\]
+    background_px: Option<f64>,
 }
 
 /// What the user should know of neighbouring photos: a camera that was moved, a photo taken twice.
@@ -167,24 +167,24 @@ fn warnings<'a>(
     let mut stood: Vec<usize> = next().map(|(_, c)| c.still).collect();
     stood.sort_unstable();
     let usual = stood.get(stood.len() / 2).copied().unwrap_or(0);
-    let mut said: Vec<String> = Vec::new();
+    let mut warnings: Vec<String> = Vec::new();
     for ((i, j), c) in next() {
         let (a, b) = (name(*i), name(*j));
-        if let Some(px) = c.room_px {
-            said.push(format!("between {a} and {b} the room moved by {px:.0} px in the photo: the camera was moved; leave out what was taken before or after, or take the turn again"));
+        if let Some(px) = c.background_px {
+            warnings.push(format!("between {a} and {b} the room moved by {px:.0} px in the photo: the camera was moved; leave out what was taken before or after, or take the turn again"));
         }
         if c.matches.is_empty() && c.still > 100 && c.still > usual * 11 / 10 {
-            said.push(format!(
+            warnings.push(format!(
                 "{b} shows the same as {a}, nothing turned between them: remove one of them"
             ));
         }
     }
-    if said.len() > 5 {
-        let more = said.len() - 4;
-        said.truncate(4);
-        said.push(format!("and so on, {more} more photos"));
+    if warnings.len() > 5 {
+        let more = warnings.len() - 4;
+        warnings.truncate(4);
+        warnings.push(format!("and so on, {more} more photos"));
     }
-    said
+    warnings
 }
 
 /// The matches of a pair.
@@ -215,9 +215,9 @@ fn matched(
     });
     let (rounds, seed) = (p.rounds as usize, p.seed as u64);
     let mut pairs: Vec<Both> = moving.iter().map(both).collect();
-    let room = room_shift(first, &pairs, rounds.min(500), seed);
-    if let Some(room) = &room {
-        let mut of = room.of.iter();
+    let background = background_shift(first, &pairs, rounds.min(500), seed);
+    if let Some(background) = &background {
+        let mut of = background.of.iter();
         moving.retain(|_| !of.next().is_some_and(|of| *of));
         pairs = moving.iter().map(both).collect();
     }
@@ -235,7 +235,7 @@ fn matched(
     Common {
         matches: if chance { vec![] } else { kept },
         still,
-        room_px: room.map(|r| r.by_px),
+        background_px: background.map(|r| r.by_px),
     }
 }
 

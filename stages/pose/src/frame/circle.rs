@@ -107,8 +107,8 @@ pub fn moved(cameras: &Cameras, turn: &Rotation3<f64>, origin: &Point3<f64>, siz
 }
 
 /// Cameras with the circle's axis as z, its centre above the origin and the ring's radius as given.
-/// The first camera looks along +y. The origin lies where the axis comes nearest to the middle of
-/// what is seen. As they were where their centres lie on no circle.
+/// The first camera looks along +y. The origin is where the axis comes nearest to the middle of
+/// what is seen. As they were where their centres are on no circle.
 pub(crate) fn in_ring_frame(cameras: &Cameras, radius_mm: f64) -> Cameras {
     let Some(circle) = camera_circle(cameras) else {
         return cameras.clone();

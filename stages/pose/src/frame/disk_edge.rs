@@ -19,26 +19,26 @@ pub struct DiskEdge {
     pub round: bool,
 }
 
-/// Steps of half a level are none, whatever the others are: files hold whole levels.
+/// Steps of half a level are none, whatever the rest are: files hold whole levels.
 const LEAST_STEP: f64 = 0.5;
 /// Points around the edge.
 const AROUND: usize = 96;
 
-/// How far to both sides of an edge to look, and of one that may lie between circles tried. \[px\]
+/// How far to both sides of an edge to look, and of one that may be between circles tried. \[px\]
 const NEAR: f64 = 1.5;
 const WIDE: f64 = 4.0;
 /// Circles tried along heights and along radii.
 const STEPS: usize = 70;
-/// So many of the strongest circles are looked at; where one edge is no disk's, many lie along it.
+/// So many of the strongest circles are looked at; where one edge is no disk's, many are along it.
 const PEAKS: usize = 100;
-/// A quarter of a disk's steps may be less than this share of their mean: other edges of a room, a
+/// A quarter of a disk's steps may be less than this share of their mean: other edges of the background, a
 /// skirting board's, follow a circle for a part of it.
 const ALL_AROUND: f64 = 0.25;
 
 /// Finds the round edge with the strongest step of one sign, within heights and radii. Of edges
 /// nearly as strong and as wide (a disk has a lower one too) the upper is taken. Where that is no
-/// step all around, edges are looked for that lie between the circles tried. Of a circle's height and radius `may`
-/// says whether it can be a disk.
+/// step all around, edges are looked for that are between the circles tried. Of a circle's height and radius `may`
+/// whether it can be a disk.
 pub fn disk_edge(
     gray: &Gray,
     camera: &Camera,
@@ -144,7 +144,7 @@ fn is_all_around(gray: &Gray, camera: &Camera, (z, r, contrast): Circle) -> bool
     steps[steps.len() / 4] > ALL_AROUND * contrast
 }
 
-/// The strongest edge all around that lies on or between the circles tried.
+/// The strongest edge all around that is on or between the circles tried.
 fn between(
     gray: &Gray,
     camera: &Camera,

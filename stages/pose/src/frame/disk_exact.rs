@@ -28,7 +28,7 @@ struct Arc {
     by_radius: f64,
 }
 
-/// How far outwards of an arc its edge lies \[px\], and the same two.
+/// How far outwards of an arc its edge is \[px\], and the same two.
 type Edge = (f64, f64, f64);
 
 /// A circle (height, radius) laid on its edge. `None` where too little of it shows one.
@@ -103,7 +103,7 @@ fn light(level: f32) -> f32 {
     (255.0 * light) as f32
 }
 
-/// How much higher and wider the circle lies best; edges that lie far off count little (Tukey).
+/// How much higher and wider the circle is best; edges that are far off count little (Tukey).
 fn laid(edges: &[Edge]) -> Option<(f64, f64)> {
     let (mut dz, mut dr) = (0.0, 0.0);
     for _ in 0..10 {

@@ -13,13 +13,13 @@ use shape::{
 pub(crate) struct Rules {
     /// How far its step must stand out from that of other circles.
     pub(crate) standout: f64,
-    /// A circle may be off what the stature says by this share.
+    /// A circle may be off the stature by this share.
     pub(crate) contradiction: f64,
 }
 
 /// What stands still, reduced: the plate, or the median of photos laid on each other.
 ///
-/// Beside it how the first photo lies on it, at full size: its camera lies likewise.
+/// Beside it how the first photo maps to it, at full size, and so its camera.
 pub(crate) fn still(photos: &Photos, search_px: u32) -> Result<Option<(Gray, Placed)>, PhotoError> {
     let Some(first) = photos.photos.first() else {
         return Ok(None);
@@ -28,7 +28,7 @@ pub(crate) fn still(photos: &Photos, search_px: u32) -> Result<Option<(Gray, Pla
     let one = |photo: &shape::Photo| Ok(photo.decode()?.gray().reduced(by));
     let fits = |plate: &&shape::Photo| (plate.width, plate.height) == (first.width, first.height);
     if let Some(plate) = photos.plate.as_ref().filter(fits) {
-        // Nothing tells here how it lies on the plate but the two of them.
+        // All that shows here how it maps to the plate is the two of them.
         let plate = one(plate)?;
         let placed = register(&one(first)?, &plate).unwrap_or(Placed::SAME);
         return Ok(Some((plate, placed.enlarged(by as f64))));
@@ -36,7 +36,7 @@ pub(crate) fn still(photos: &Photos, search_px: u32) -> Result<Option<(Gray, Pla
     let every = photos.photos.len().div_ceil(9).max(1);
     let some: Vec<_> = photos.photos.iter().step_by(every).collect();
     let pictures: Vec<Gray> = some.into_par_iter().map(one).collect::<Result<_, _>>()?;
-    // Where there is nothing to lay photos on each other by, they lie as they are.
+    // Where there is nothing to lay photos on each other by, they stay as they are.
     let (placed, still) = registered(&pictures);
     let first = placed.first().copied().flatten().unwrap_or(Placed::SAME);
     let as_it_lies = || median(&pictures).map(|still| (still, Placed::SAME));
@@ -44,10 +44,10 @@ pub(crate) fn still(photos: &Photos, search_px: u32) -> Result<Option<(Gray, Pla
     Ok(still.or_else(as_it_lies))
 }
 
-/// The strongest circle near the disk. A ring of tags may be stronger than the edge: where the stature says that the
+/// The strongest circle near the disk. A ring of tags may be stronger than the edge: where by the stature the
 /// disk is another, and a circle of that size is a third as strong, it is that one (both by hand, on made photos).
-/// Tags that lie on the disk lie within its edge, and at its height; what turns does not lie below the disk.
-/// Where nobody told of a disk, its edge is one all around, or there is none.
+/// Tags that are on the disk are within its edge, and at its height; what turns is not below the disk.
+/// Where no disk is given, its edge is one all around, or there is none.
 pub(crate) fn edge(
     (still, first): &(Gray, Placed),
     cameras: &Cameras,
@@ -57,7 +57,7 @@ pub(crate) fn edge(
 ) -> Option<DiskEdge> {
     let ring = ring(cameras)?;
     let disk = |r: &Reference| r.kind == "disk_diameter";
-    let told = rig.disk_diameter_mm.is_some() || rig.reference.as_ref().is_some_and(disk);
+    let given = rig.disk_diameter_mm.is_some() || rig.reference.as_ref().is_some_and(disk);
     let heights = heights(cameras, body, tags, ring)?;
     let least = tags.map_or(0.0, |tags| tags.reach);
     let low = low(cameras);
@@ -71,7 +71,7 @@ pub(crate) fn edge(
         };
         let within = radii[0] < radii[1];
         let found = within.then(|| disk_edge(still, &camera, heights, radii, &may))??;
-        (found.standout >= least_standout && (told || found.round)).then_some(found)
+        (found.standout >= least_standout && (given || found.round)).then_some(found)
     };
     let found = search([0.06, 0.4], rules.standout);
     let expected = || {
@@ -96,7 +96,7 @@ pub(crate) fn edge(
 
 /// A disk is no thicker than this share of its radius (by hand).
 const THICK: f64 = 0.5;
-/// Share of the features that may lie lower, as what a glossy disk mirrors (by hand).
+/// Share of the features that may be lower, as what a glossy disk mirrors (by hand).
 const MIRRORED: f64 = 0.05;
 
 /// Height below which next to nothing turns: subject and disk are above. `None` without features.
@@ -113,7 +113,7 @@ fn ring(cameras: &Cameras) -> Option<f64> {
     Some(libm::hypot(centre.x, centre.y))
 }
 
-/// Heights at which the edge may lie: at the tags', near the soles, or anywhere below the camera.
+/// Heights at which the edge may be: at the tags', near the soles, or anywhere below the camera.
 fn heights(
     cameras: &Cameras,
     body: Option<&Stature>,

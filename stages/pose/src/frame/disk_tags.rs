@@ -1,22 +1,22 @@
-//! Marker tags of any size that turn with a disk: they lie on it, so its edge is outside of them and at their height.
+//! Marker tags of any size that turn with a disk: they are on it, so its edge is outside of them and at their height.
 
 use crate::frame::placed_tag::{PlacedTag, placed};
 use crate::frame::stature::Stature;
 use shape::{Cameras, Tags};
 
-/// What tags on a disk tell of it, in the cameras' unit.
+/// The disk by the tags on it, in the cameras' unit.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct DiskTags {
     /// Height of the tags.
     pub(crate) height: f64,
     /// How far the tags reach from the axis: the disk's edge is not nearer.
     pub(crate) reach: f64,
-    /// Heights at which the disk's edge may lie: a mat is no thicker than one of the eight modules of a tag's side, and a
+    /// Heights at which the disk's edge may be: a mat is no thicker than one of the eight modules of a tag's side, and a
     /// height is found to a pixel.
     pub(crate) edge: [f64; 2],
 }
 
-/// Tags that turn with the cameras and lie level, two or more at one height. A tag beside the disk or on a wall stands
+/// Tags that turn with the cameras and are level, two or more at one height. A tag beside the disk or on a wall stands
 /// still, so its rays do not meet; one that is higher than the feet, as on clothes or a box, does not count.
 pub(crate) fn on_disk(
     cameras: &Cameras,
@@ -30,7 +30,7 @@ pub(crate) fn on_disk(
     let height = middle(all.iter().map(|tag| tag.middle().z))?;
     let side = middle(all.iter().map(PlacedTag::side))?;
     all.retain(|tag| (tag.middle().z - height).abs() < side / 2.0);
-    // The second farthest: one that is none, or is placed badly, does not tell.
+    // The second farthest: one that is none, or is placed badly, does not count.
     let mut far: Vec<f64> = all.iter().map(outermost).collect();
     far.sort_by(|a, b| b.total_cmp(a));
     let reach = *far.get(1)?;
@@ -80,20 +80,20 @@ mod tests {
             let corners = corners.map(|c| [c[0] + at[0], c[1] + at[1]]);
             Tag { id, corners }
         };
-        // The same places of all photos: something that stands still, or the room's own patterns.
+        // The same places of all photos: something that stands still, or the background's own patterns.
         let still = |id: PhotoId| (id, vec![tag(50, [300.0, 1300.0]), tag(51, [800.0, 1250.0])]);
         let alone = Tags {
             views: cameras.views.iter().map(|(id, _)| still(id)).collect(),
         };
         assert_eq!(on_disk(&cameras, &alone, None, 2.0), None);
         let mut tags = seen(&cameras, 0.0, 0.0);
-        let told = on_disk(&cameras, &tags, None, 2.0);
+        let found = on_disk(&cameras, &tags, None, 2.0);
         for id in cameras.views.iter().map(|(id, _)| id) {
             let Some(of) = tags.views.get_mut(id) else {
                 continue;
             };
             of.extend(still(id).1);
         }
-        assert_eq!(on_disk(&cameras, &tags, None, 2.0), told);
+        assert_eq!(on_disk(&cameras, &tags, None, 2.0), found);
     }
 }

@@ -1,4 +1,4 @@
-//! Where the edge of something lies on a profile of light across it, however blurred.
+//! Where the edge of something is on a profile of light across it, however blurred.
 //!
 //! A lens blurs light, not the levels of a file, and alike to both sides: a step stays where it is. A narrow band along the
 //! edge, as white paper around what is printed, would draw the steepest change outwards the more it is blurred, so that it
@@ -32,7 +32,7 @@ impl Profile {
         at(beside_px) - at(-beside_px)
     }
 
-    /// Where the edge lies, if light changes there in one sense: outside more than inside, or less. \[px\]
+    /// Where the edge is, if light changes there in one sense: outside more than inside, or less. \[px\]
     pub(crate) fn edge(&self, brighter: bool) -> Option<f64> {
         let tried = |[low, high]: [f64; 2], count: usize| {
             (0..count).map(move |i| low + (high - low) * i as f64 / (count - 1) as f64)

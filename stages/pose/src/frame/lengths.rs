@@ -32,19 +32,19 @@ impl Measure {
 pub(crate) struct Seen {
     pub(crate) body: Option<Stature>,
     pub(crate) edge: Option<DiskEdge>,
-    /// Whether something printed lies on the disk.
+    /// Whether something printed is on the disk.
     pub(crate) covered: bool,
     pub(crate) tags: Option<TagScale>,
     /// Height of the ground.
     pub(crate) ground: f64,
-    /// Whether soles alone tell of the ground.
+    /// Whether soles alone give the ground.
     pub(crate) by_soles: bool,
 }
 
-/// Standard deviation of a stature that somebody told and silhouettes show, as a share (by hand).
+/// Standard deviation of a stature that is given and silhouettes show, as a share (by hand).
 const TALL: f64 = 0.003;
-/// The same of what rounded soles hide of it: they seem to stand higher than they do (by hand: 1.0 % on a made figure with feet
-/// like balls; a shoe's edge is sharper). Where disk, tags or a floor tell of the ground, nothing is hidden.
+/// The same of what rounded soles hide of it: they seem to be higher than they do (by hand: 1.0 % on a made figure with feet
+/// like balls; a shoe's edge is sharper). Where disk, tags or a floor give the ground, nothing is hidden.
 const SOLES: f64 = 0.01;
 
 /// Standard deviation of a length that is read off a ruler in whole millimetres: even from half of one below to half of one above. \[mm\]
@@ -118,7 +118,7 @@ pub(crate) fn measures(
     measures
 }
 
-/// What marks of known size say: the mat that made the cameras, or tags that did not.
+/// What marks of known size give: the mat that made the cameras, or tags that did not.
 fn printed_marks(cameras: &Cameras, seen: &Seen) -> Vec<Measure> {
     let mat = (cameras.scale == Scale::Mat).then_some(Measure {
         what: "the mat",
@@ -166,7 +166,7 @@ fn tag_size(
     })
 }
 
-/// What two points that somebody pointed at tell.
+/// What two points that somebody pointed at give.
 fn pointed(cameras: &Cameras, reference: &Reference) -> Result<Measure, NoLength> {
     let found = between(cameras, reference)?;
     Ok(Measure {
@@ -180,7 +180,7 @@ fn pointed(cameras: &Cameras, reference: &Reference) -> Result<Measure, NoLength
     })
 }
 
-/// What marker tags of known size tell, where they did not make the cameras.
+/// What marker tags of known size give, where they did not make the cameras.
 pub(crate) fn by_tags(cameras: &Cameras, tags: &Tags, rig: &Rig, most_px: f64) -> Option<TagScale> {
     let tag_mm = rig.mat.map(|mat| mat.tag_mm).or(rig.tag_mm)?;
     let recognised = || printed(tags, tag_mm, rig.disk_diameter_mm);
@@ -193,7 +193,7 @@ pub(crate) fn by_tags(cameras: &Cameras, tags: &Tags, rig: &Rig, most_px: f64) -
     tag_scale(cameras, tags, &known)
 }
 
-/// The ground of tags that lie level, unless they lie above the feet, as on a table.
+/// The ground of tags that are level, unless they are above the feet, as on a table.
 pub(crate) fn floor(tags: TagScale, body: Option<&Stature>) -> Option<f64> {
     let low = |at: &f64| body.is_none_or(|b| *at < b.ground + 0.1 * (b.crown - b.ground));
     tags.ground.filter(low)

@@ -5,10 +5,10 @@ use nalgebra::{Point3, Vector3};
 use shape::{Camera, Cameras, PhotoId, Tag, Tags};
 use std::collections::BTreeMap;
 
-/// A tag whose sides or diagonals differ by more is none, or does not lie flat.
+/// A tag whose sides or diagonals differ by more is none, or is not flat.
 const SQUARE: f64 = 0.06;
 
-/// Tags that lie within this of level are on the ground. \[rad\]
+/// Tags that are within this of level are on the ground. \[rad\]
 const LEVEL: f64 = 0.12;
 
 /// One tag in the world.
@@ -43,7 +43,7 @@ impl PlacedTag {
             && (0..2).all(|k| even((c[k + 2] - c[k]).norm(), diagonal))
     }
 
-    /// Whether it lies flat on a level ground.
+    /// Whether it is flat on a level ground.
     pub(crate) fn is_level(&self) -> bool {
         self.normal().angle(&Vector3::z()) < LEVEL
     }
@@ -77,7 +77,7 @@ pub(crate) fn placed(
     seen.into_iter().filter_map(one).collect()
 }
 
-/// One tag; photos that disagree with the others are left out one by one, up to a third.
+/// One tag; photos that disagree with the rest are left out one by one, up to a third.
 fn place(
     cameras: &Cameras,
     id: u32,

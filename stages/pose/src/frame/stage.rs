@@ -19,7 +19,7 @@ stage::params! {
         /// circles.
         #[range(1.0..=100.0)]
         least_standout: f64 = 4.0,
-        /// Two lengths that disagree by more than this share are told of.
+        /// Two lengths that disagree by more than this share are reported.
         #[range(0.001..=0.5)]
         disagreement: f64 = 0.02,
         /// Without a mat: two lengths that disagree by more than this share are no scale.
@@ -36,7 +36,7 @@ stage::params! {
 }
 
 stage::inputs! {
-    /// Cameras that turn about z, and what tells of lengths.
+    /// Cameras that turn about z, and what gives their lengths.
     pub struct FrameInput {
         /// The cameras, in a frame whose z axis is the disk's.
         cameras: Arc<Cameras>,
@@ -201,7 +201,7 @@ fn compare(
     Ok(false)
 }
 
-/// What is said of two lengths that cannot both be right.
+/// The warning on two lengths that cannot both be right.
 fn disputed(first: &Measure, other: &Measure, off: f64) -> String {
     let (what, by) = (other.what, first.what);
     let percent = 100.0 * off.abs();
@@ -218,7 +218,7 @@ fn disputed(first: &Measure, other: &Measure, off: f64) -> String {
     )
 }
 
-/// What cameras are called when nothing tells of millimetres: their mean distance from the axis.
+/// What cameras are called when their millimetres are unknown: their mean distance from the axis.
 const RING_MM: f64 = 1000.0;
 
 /// The cameras with their ground at height 0, in shares of their own distance from the axis.

@@ -23,7 +23,7 @@ const FEET: f64 = 0.05;
 /// crosses its middle above its top, at r / cos(elevation).
 const HEAD: f64 = 0.055;
 
-/// What one silhouette tells.
+/// What one silhouette shows.
 struct Extent {
     crown: f64,
     /// 1 / cos(elevation) of the ray past it, less one.
@@ -37,7 +37,7 @@ struct Extent {
 /// Crown and soles from silhouettes all around. The highest ray past the head crosses the axis at
 /// the crown on average over the turn; the lowest ray touches the foremost sole, and over the turn
 /// the mean distance of that from the axis is half the feet's mean width (Cauchy), which the
-/// silhouettes tell sideways. `None` for fewer than three silhouettes, and for a camera that does
+/// silhouettes show sideways. `None` for fewer than three silhouettes, and for a camera that does
 /// not look down on the feet.
 pub fn stature(views: &[(&Camera, &Mask)]) -> Option<Stature> {
     let all: Vec<Extent> = views.iter().filter_map(|(c, m)| extent(c, m)).collect();

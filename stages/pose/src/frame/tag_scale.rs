@@ -6,16 +6,16 @@ use crate::mat::corners::mat_corners;
 use nalgebra::Vector3;
 use shape::{Cameras, Mat, Tags};
 
-/// What the tags tell, in the cameras' unit.
+/// The scale by the tags, in the cameras' unit.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct TagScale {
     /// Millimetres of a unit.
     pub(crate) mm_per_unit: f64,
     /// Its standard deviation, as a share.
     pub(crate) sigma: f64,
-    /// Height of the level ground that the tags lie on; none where they lie on none.
+    /// Height of the level ground that the tags are on; none where they are on none.
     pub(crate) ground: Option<f64>,
-    /// So many tags told.
+    /// So many tags gave it.
     pub(crate) tags: usize,
 }
 
@@ -24,7 +24,7 @@ pub(crate) struct TagScale {
 pub(crate) struct Known<'a> {
     /// Edge length of a tag's black square. \[mm\]
     pub(crate) tag_mm: f64,
-    /// How they lie, where that is known.
+    /// Their layout, where that is known.
     pub(crate) mat: Option<&'a Mat>,
     /// Most by which a tag's corners may miss their rays, root mean square. \[px\]
     pub(crate) most_px: f64,
@@ -52,7 +52,7 @@ pub(crate) fn tag_scale(cameras: &Cameras, tags: &Tags, known: &Known<'_>) -> Op
     })
 }
 
-/// By how far the tags' middles lie apart, which no bloom moves: all lengths of the layout against all that
+/// By how far the tags' middles are apart, which no bloom moves: all lengths of the layout against all that
 /// were found, and how far single ones differ.
 fn by_layout(placed: &[PlacedTag], mat: &Mat) -> Option<(f64, f64)> {
     let mut pairs = Vec::new();
@@ -95,7 +95,7 @@ fn by_sides(placed: &[PlacedTag], tag_mm: f64) -> Option<(f64, f64)> {
     Some((scale, libm::hypot(bloom, spread)))
 }
 
-/// The height of tags that lie level, if all that are level lie at one.
+/// The height of tags that are level, if all that are level are at one.
 fn ground(placed: &[PlacedTag]) -> Option<f64> {
     let level: Vec<&PlacedTag> = placed.iter().filter(|tag| tag.is_level()).collect();
     let mut heights: Vec<f64> = level.iter().map(|tag| tag.middle().z).collect();

@@ -8,7 +8,7 @@ use shape::{Camera, Cameras, Reference};
 const POINTED_PX: f64 = 2.0;
 /// Rays that miss by more than so many of those, root mean square, belong to no one point.
 const MOST_MISS: f64 = 5.0;
-/// A length that is less sure than this share says nothing.
+/// A length that is less sure than this share is not used.
 const LEAST_SURE: f64 = 0.2;
 /// No scale is surer than this share: a rule and its reading.
 const LEAST_SIGMA: f64 = 0.001;
@@ -50,7 +50,7 @@ pub(crate) enum NoLength {
 ///
 /// # Errors
 ///
-/// Where they say nothing: see [`NoLength`].
+/// Where they give none: see [`NoLength`].
 pub(crate) fn between(cameras: &Cameras, known: &Reference) -> Result<Between, NoLength> {
     let named = |name: &str| cameras.views.values().find(|view| view.name == name);
     let mut views: Vec<Camera> = Vec::new();
@@ -83,12 +83,12 @@ pub(crate) fn between(cameras: &Cameras, known: &Reference) -> Result<Between, N
     }
 }
 
-/// The covariance of a point from pixels of a standard deviation: the inverse of what all photos tell of it.
+/// The covariance of a point from pixels of a standard deviation: the inverse of what all photos.
 fn doubt(views: &[Camera], at: &Point3<f64>, px: f64) -> Option<Matrix3<f64>> {
-    let mut tells = Matrix3::zeros();
+    let mut information = Matrix3::zeros();
     for camera in views {
         let (_, by_point) = camera.project_with_jacobian(at)?;
-        tells += by_point.transpose() * by_point / (px * px);
+        information += by_point.transpose() * by_point / (px * px);
     }
-    tells.try_inverse()
+    information.try_inverse()
 }

@@ -3,12 +3,12 @@
 use nalgebra::{Matrix3, Rotation3, Vector3};
 use shape::Pose;
 
-/// One camera as a file tells it.
+/// One camera of a file.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Foreign {
     /// The photo's name.
     pub name: String,
-    /// Width and height, where the file tells. \[px\]
+    /// Width and height, where the file has them. \[px\]
     pub size: Option<[u32; 2]>,
     /// Focal length along x and y. \[px\]
     pub focal: [f64; 2],
@@ -20,16 +20,16 @@ pub struct Foreign {
     pub pose: Pose,
 }
 
-/// All that a file tells.
+/// All of a file.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Model {
     /// The cameras.
     pub cameras: Vec<Foreign>,
     /// Points, in the file's unit.
     pub points: Vec<[f64; 3]>,
-    /// Millimetres of the file's unit, where it tells.
+    /// Millimetres of the file's unit, where it has one.
     pub unit_mm: Option<f64>,
-    /// Whether it says that its world is the turntable frame, and then the ground's height.
+    /// Whether its world is marked as the turntable frame, and then the ground's height.
     pub ground: Option<f64>,
 }
 

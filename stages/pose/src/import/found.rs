@@ -1,4 +1,4 @@
-//! What others found on photos, as JSON: whose photo, where; told apart from what cannot be.
+//! What other programs found on photos, as JSON: whose photo, where; impossible values are refused.
 
 use serde_json::Value;
 use shape::{Photo, PhotoId, Photos};
@@ -22,7 +22,7 @@ pub enum FoundError {
         place: String,
         /// What would fit.
         want: &'static str,
-        /// What stands there.
+        /// What is there.
         got: String,
     },
     /// A file that cannot be read.

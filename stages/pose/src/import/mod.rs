@@ -1,5 +1,5 @@
 //! Cameras that somebody else calibrated: `stage` → `colmap`, `text` → `foreign`; the world they come
-//! out in is `frame`'s. What others found on photos: `tags`, `tracks` → `found`.
+//! out in is `frame`'s. What other programs found on photos: `tags`, `tracks` → `found`.
 
 pub(crate) mod colmap;
 pub(crate) mod foreign;

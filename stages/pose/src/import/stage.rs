@@ -12,7 +12,7 @@ use std::sync::Arc;
 stage::choice! {
     /// Which world the cameras come out in.
     pub enum World {
-        /// The file's, where it says that it is the turntable frame; else the ring's.
+        /// The file's, where it is marked as the turntable frame; else the ring's.
         Auto = "auto",
         /// The file's.
         File = "file",
@@ -24,7 +24,7 @@ stage::choice! {
 stage::params! {
     /// How to read the file.
     pub struct ImportParams {
-        /// Millimetres of the file's unit; 0 for what the file says, and if it does not, unknown.
+        /// Millimetres of the file's unit; 0 for the file's own, if it has one.
         #[range(0.0..=1e9)]
         unit_mm: f64 = 0.0,
         /// Which world the cameras come out in.

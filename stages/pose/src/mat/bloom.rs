@@ -1,4 +1,4 @@
-//! Adjusting cameras to square tags whose sides all lie a little too far out or in.
+//! Adjusting cameras to square tags whose sides all are a little too far out or in.
 //!
 //! Ink spreads, bright paper blooms, and nobody knows the camera's tone curve: the four sides of a
 //! black square are seen shifted outward by one and the same part of a pixel. Left alone, that
@@ -145,7 +145,7 @@ mod tests {
     use nalgebra::{Rotation3, Vector3};
     use shape::{Intrinsics, Mat, Pose};
 
-    /// The sides of a moved quadrangle lie one pixel further out.
+    /// The sides of a moved quadrangle are one pixel further out.
     #[test]
     fn sides_move_by_a_pixel() {
         let corners = [[10.0, 12.0], [60.0, 20.0], [52.0, 70.0], [4.0, 40.0]];

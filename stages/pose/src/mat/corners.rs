@@ -1,4 +1,4 @@
-//! Where the corners of a mat's tags lie on the disk.
+//! Where the corners of a mat's tags are on the disk.
 
 use nalgebra::Point3;
 use shape::Mat;

@@ -1,4 +1,4 @@
-//! What is printed on a marker mat: tags in a ring, dots within, and how to tell `tailor` of it.
+//! What is printed on a marker mat: tags in a ring, dots within, and how to describe it to `tailor`.
 
 use crate::mat::corners::mat_corners;
 use nalgebra::Vector2;
@@ -110,7 +110,7 @@ pub fn mat_for(disk_mm: f64, tag_mm: f64, count: u32, first_id: u32) -> Result<M
     })
 }
 
-/// What `capture.toml` says of a mat and of the disk that it is for.
+/// `capture.toml` on a mat and of the disk that it is for.
 pub fn mat_toml(mat: &Mat, disk_mm: f64) -> String {
     let (tag, ring) = (mat.tag_mm, mat.ring_mm);
     let (last, disk_cm) = (mat.first_id + mat.count - 1, disk_mm / 10.0);

@@ -1,5 +1,5 @@
 //! A marker mat, printed (`print`, a stage, → `pages` → `layout`, `rim_layout`) and seen (`solve` →
-//! `rim`, `bloom`, `planar` → `adjust`); both know `corners`. `recognise` tells the layout of a mat from its
+//! `rim`, `bloom`, `planar` → `adjust`); both know `corners`. `recognise` finds the layout of a mat from its
 //! tags in photos.
 
 pub(crate) mod bloom;

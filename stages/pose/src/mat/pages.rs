@@ -23,7 +23,7 @@ const FOOT: f64 = 14.0;
 /// Room between pieces of the rim's strip. \[mm\]
 const GAP: f64 = 6.0;
 
-/// SVG at true scale: one user unit is a millimetre. The rim's pieces lie below the mat.
+/// SVG at true scale: one user unit is a millimetre. The rim's pieces are below the mat.
 pub fn to_svg(marks: &[Mark], across_mm: f64, note: &str, pieces: &[Piece]) -> String {
     let half = across_mm / 2.0 + 2.0;
     let rows = |p: &Piece| p.size_mm[1] + GAP;
@@ -138,23 +138,23 @@ fn round([x, y]: [f64; 2], r: f64) -> String {
 /// The pages' corners: lower left of what each shows of the mat, and the size of that. \[mm\]
 pub fn tiles(across_mm: f64, paper: &Paper) -> (Vec<[f64; 2]>, [f64; 2]) {
     let m = paper.margin_mm;
-    let room = [
+    let area = [
         paper.size_mm[0] - 2.0 * m,
         paper.size_mm[1] - 2.0 * m - FOOT,
     ];
     let whole = across_mm + 2.0;
-    let count = room.map(|r| (((whole - OVERLAP) / (r - OVERLAP)).ceil() as usize).max(1));
-    let start = [0, 1].map(|i| -(count[i] as f64 * (room[i] - OVERLAP) + OVERLAP) / 2.0);
+    let count = area.map(|r| (((whole - OVERLAP) / (r - OVERLAP)).ceil() as usize).max(1));
+    let start = [0, 1].map(|i| -(count[i] as f64 * (area[i] - OVERLAP) + OVERLAP) / 2.0);
     let mut corners = Vec::new();
     for row in (0..count[1]).rev() {
         for column in 0..count[0] {
             corners.push([
-                start[0] + column as f64 * (room[0] - OVERLAP),
-                start[1] + row as f64 * (room[1] - OVERLAP),
+                start[0] + column as f64 * (area[0] - OVERLAP),
+                start[1] + row as f64 * (area[1] - OVERLAP),
             ]);
         }
     }
-    (corners, room)
+    (corners, area)
 }
 
 /// PDF at true scale: the mat, one page a tile, with cut marks where pages meet; then the rim's
@@ -166,20 +166,20 @@ pub fn to_pdf(
     note: &str,
     pieces: &[Piece],
 ) -> Vec<u8> {
-    let (corners, room) = tiles(across_mm, paper);
-    let stacks = stacks(pieces, room[1]);
+    let (corners, area) = tiles(across_mm, paper);
+    let stacks = stacks(pieces, area[1]);
     let (m, of) = (paper.margin_mm, corners.len() + stacks.len());
     let tile = |(i, [x, y]): (usize, &[f64; 2])| {
         let (left, low) = (m, m + FOOT);
         let mut page = format!(
             "{POINT:.8} 0 0 {POINT:.8} 0 0 cm\nq {left} {low} {} {} re W n\n",
-            room[0], room[1]
+            area[0], area[1]
         );
         let _ = writeln!(page, "1 0 0 1 {:.4} {:.4} cm", left - x, low - y);
         marks.iter().for_each(|mark| drawn(&mut page, mark));
         page.push_str("Q\n0 G 0.15 w\n");
         // Where neighbours meet: the middle of the overlap, marked at the picture's edges.
-        let (right, high) = (left + room[0], low + room[1]);
+        let (right, high) = (left + area[0], low + area[1]);
         let mut line = |[a, b]: [f64; 2], [c, d]: [f64; 2]| {
             let _ = writeln!(page, "{a:.3} {b:.3} m {c:.3} {d:.3} l S");
         };
@@ -196,7 +196,7 @@ pub fn to_pdf(
     };
     let stack = |(i, pieces): (usize, &&[Piece])| {
         let mut page = format!("{POINT:.8} 0 0 {POINT:.8} 0 0 cm\n");
-        let mut low = m + FOOT + room[1];
+        let mut low = m + FOOT + area[1];
         for piece in *pieces {
             low -= piece.size_mm[1];
             let _ = writeln!(page, "q 1 0 0 1 {m:.4} {low:.4} cm");
@@ -213,11 +213,11 @@ pub fn to_pdf(
 }
 
 /// Pieces that go onto one page each, above each other; at least one.
-fn stacks(pieces: &[Piece], room_mm: f64) -> Vec<&[Piece]> {
+fn stacks(pieces: &[Piece], height_mm: f64) -> Vec<&[Piece]> {
     let tall = |p: &Piece| p.size_mm[1] + GAP;
     let a_page = pieces
         .first()
-        .map_or(1.0, |p| ((room_mm + GAP) / tall(p)).floor());
+        .map_or(1.0, |p| ((height_mm + GAP) / tall(p)).floor());
     pieces.chunks((a_page as usize).max(1)).collect()
 }
 
@@ -234,7 +234,7 @@ fn foot(page: &mut String, m: f64, i: usize, of: usize, note: &str) {
         i + 1
     );
     drawn(page, &Mark::Words([m, m + 9.0], 2.2, words));
-    // Line by line, a table a column, so that it is TOML as it stands there.
+    // Line by line, a table a column, so that it is TOML as printed.
     let (mut column, mut row) = (-1.0, 0.0);
     for line in note.lines() {
         if line.starts_with('[') {

@@ -40,7 +40,7 @@ pub fn planar_pose(lens: &Intrinsics, pairs: &[([f64; 2], [f64; 2])]) -> Option<
     };
     let rays: Vec<_> = pairs.iter().map(|(plane, px)| (*plane, seen(px))).collect();
     let mut h = homography(&rays)?;
-    // The plane lies before the camera.
+    // The plane is before the camera.
     let centre = pairs
         .iter()
         .map(|(p, _)| Vector2::from(*p))

@@ -1,8 +1,8 @@
 //! The layout of a mat from its tags in photos alone: how many there are, and how wide their ring is against a
 //! tag's size.
 //!
-//! Two tags of one photo tell, by the homography of the one, how far the other is turned against it and how
-//! far away it lies: 360° by the first is the count, the second over twice the sine of half of it the radius.
+//! Two tags of one photo show, by the homography of the one, how far the other is turned against it and how
+//! far away it is: 360° by the first is the count, the second over twice the sine of half of it the radius.
 //! The radius that fits all tags of all photos best refines it; a mat of `tailor mat` has a ring of whole
 //! millimetres and, as a rule, tags of whole fives of them.
 
@@ -29,7 +29,7 @@ pub struct Ringed {
 const SQUARE: [[f64; 2]; 4] = [[-0.5, 0.5], [0.5, 0.5], [0.5, -0.5], [-0.5, -0.5]];
 /// Pixels are brought to the order of 1 by this.
 const PX: f64 = 1e-3;
-/// What photos tell of ring against tag is within this of what was printed: 0.6 to 1.9 ‰ off on rendered captures
+/// What photos show of ring against tag is within this of what was printed: 0.6 to 1.9 ‰ off on rendered captures
 /// through a lens that distorts.
 const EXACT: f64 = 0.0025;
 /// Nominal and printed size of a tag agree within this: printers shrink pages.
@@ -62,19 +62,20 @@ fn median(mut all: Vec<f64>) -> f64 {
 }
 
 /// The ring that most neighbours agree on; tags that belong to none, such as those of a strip on the rim, take
-/// no part. `None` where no four neighbours tell of one.
+/// no part. `None` where no four neighbours give one.
 pub fn ringed(tags: &Tags) -> Option<Ringed> {
-    let mut told: BTreeMap<u32, Vec<(f64, f64)>> = BTreeMap::new();
+    let mut by_tag: BTreeMap<u32, Vec<(f64, f64)>> = BTreeMap::new();
     for seen in tags.views.values() {
         for pair in seen.windows(2).filter(|w| w[1].id == w[0].id + 1) {
-            told.entry(pair[0].id)
+            by_tag
+                .entry(pair[0].id)
                 .or_default()
                 .extend(next(&pair[0], &pair[1]));
         }
     }
     // Of each pair of neighbours: the count that it leads to, and the radius.
     let mut votes: BTreeMap<u32, Vec<(u32, f64)>> = BTreeMap::new();
-    for (id, seen) in told.iter().filter(|(_, seen)| seen.len() > 1) {
+    for (id, seen) in by_tag.iter().filter(|(_, seen)| seen.len() > 1) {
         let turn = median(seen.iter().map(|s| s.0).collect());
         let far = median(seen.iter().map(|s| s.1).collect());
         let count = TAU / turn;
@@ -104,7 +105,7 @@ pub fn ringed(tags: &Tags) -> Option<Ringed> {
 /// Tags of one photo: which, their corners, and how these move when each side moves outward by a pixel. \[px\]
 type Seen = Vec<(u32, [Vector2<f64>; 4], [Vector2<f64>; 4])>;
 
-/// How far the tags of some photos lie from where a ring of this radius has them, homographies fitted to
+/// How far the tags of some photos are from where a ring of this radius has them, homographies fitted to
 /// each, all sides brought in by `bloom_px`. \[1000 px, squared\]
 fn misfit(photos: &[Seen], count: u32, ring: f64, bloom_px: f64) -> Option<f64> {
     let mut squares = 0.0;
@@ -185,7 +186,7 @@ fn as_printed(ring: &Ringed, tag_mm: f64, disk_mm: Option<f64>) -> Option<(Mat, 
         ring_mm: ring_mm * tag_mm / nominal,
     };
     for nominal in nominals.clone() {
-        // The disk that it was laid out for tells the radius.
+        // The disk that it was laid out for gives the radius.
         let laid = disk_mm.and_then(|d| mat_for(d, nominal, ring.count, ring.first_id).ok());
         if let Some(laid) = laid.filter(|m| fits(m.ring_mm, nominal)) {
             return Some((mat(laid.ring_mm, nominal), 0.0));
@@ -207,13 +208,13 @@ pub(crate) fn printed(tags: &Tags, tag_mm: f64, disk_mm: Option<f64>) -> Option<
     Some(as_printed(&ringed(tags)?, tag_mm, disk_mm)?.0)
 }
 
-/// The mat in the photos, where nothing but its tags' size is known, and perhaps the disk's diameter; says what was
+/// The mat in the photos, where nothing but its tags' size is known, and perhaps the disk's diameter; reports what was
 /// recognised, or why not.
 pub fn recognised(
     tags: &Tags,
     tag_mm: f64,
     disk_mm: Option<f64>,
-    say: impl Fn(&str),
+    report: impl Fn(&str),
 ) -> Option<Mat> {
     let ring = ringed(tags);
     let mat = ring.and_then(|ring| as_printed(&ring, tag_mm, disk_mm));
@@ -229,17 +230,17 @@ pub fn recognised(
                 ),
                 false => String::new(),
             };
-            say(&format!(
+            report(&format!(
                 "the mat was recognised: {} tags, numbers {} to {last}, on a ring with a radius of {:.1} mm{sure}",
                 mat.count, mat.first_id, mat.ring_mm
             ));
         }
-        (Some(ring), None) => say(&format!(
+        (Some(ring), None) => report(&format!(
             "the tags lie on a ring with a radius of {:.1} mm if they are {tag_mm} mm wide, and `tailor mat` lays out none like that: measure a printed tag \
              again, or tell of the mat in `[mat]` of capture.toml; the tags are not used",
             ring.ring * tag_mm
         )),
-        (None, None) => say(
+        (None, None) => report(
             "the tags in the photos do not lie on a ring as a mat of `tailor mat` has them: tell of the mat in `[mat]` of capture.toml; the tags are not used",
         ),
     }

@@ -1,6 +1,6 @@
 //! Tags on the disk's rim beside those on the disk: the third number of the lens.
 //!
-//! Marks of known size that do not lie on the disk tell what a turned plane leaves open. Only the
+//! Marks of known size that are not on the disk show what a turned plane leaves open. Only the
 //! sizes of the tags are taken at their word; see [`crate::adjust::rim`].
 
 use crate::adjust::bundle::Fit;
@@ -20,7 +20,7 @@ const ASLANT: f64 = 0.45;
 const SHORTEST_PX: f64 = 10.0;
 /// Fewest observations of tags that are worth it.
 const LEAST: usize = 8;
-/// Corners that scatter more than this are not of the strip that was told of. \[px\]
+/// Corners that scatter more than this are not of the strip that was given. \[px\]
 const MOST_PX: f64 = 0.4;
 
 /// Cameras that know the rim, too.
@@ -107,7 +107,7 @@ pub(crate) fn with_rim(
     })
 }
 
-/// Where a tag's middle lies on the rim, if it is seen well: angle and height. \[rad, mm\]
+/// Where a tag's middle is on the rim, if it is seen well: angle and height. \[rad, mm\]
 fn middle(eye: &Camera, tag: &Tag, rim: &Rim) -> Option<[f64; 2]> {
     let corners = tag.corners.map(Vector2::from);
     let side = |i: usize| (corners[(i + 1) % 4] - corners[i]).norm();

@@ -8,7 +8,7 @@ use shape::tag36h11::TAGS;
 const MARGIN: f64 = 0.125;
 /// A tag spans at most this share of the disk's radius, so that it is not seen too round.
 const MOST_BENT: f64 = 0.35;
-/// Most tags that are chosen where nothing is said.
+/// Most tags that are chosen where no number is given.
 const ENOUGH: u32 = 48;
 /// What is left of paper behind a piece, to glue the next one on. \[mm\]
 const TAB: f64 = 8.0;
@@ -65,7 +65,7 @@ pub fn rim_for(
     })
 }
 
-/// What `capture.toml` says of a strip.
+/// `capture.toml` on a strip.
 pub fn rim_toml(rim: &Rim) -> String {
     let last = rim.first_id + rim.count - 1;
     format!(

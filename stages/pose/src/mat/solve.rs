@@ -1,10 +1,10 @@
 //! Cameras from a marker mat: poses from its plane, then one adjustment of all.
 //!
 //! All photos see one plane turned about its own normal: up to the turn that is one homography, and
-//! a homography tells two numbers of a lens (Zhang 2000, §2.4), not three. Focal length, the centre's
+//! a homography gives two numbers of a lens (Zhang 2000, §2.4), not three. Focal length, the centre's
 //! row and the camera's tilt trade off; what is believed of the centre decides (8 px of 2400 are
-//! 0.1 % of focal length and 0.15 % of distance), and `scale_sigma` says how much is left open. Tags
-//! on the disk's rim tell the third.
+//! 0.1 % of focal length and 0.15 % of distance), and `scale_sigma` is how much is left open. Tags
+//! on the disk's rim give the third.
 
 use crate::adjust::bundle::adjust;
 use crate::adjust::rim::RimBelief;
@@ -37,7 +37,7 @@ pub enum MatError {
         /// How many photos there are.
         of: usize,
     },
-    /// Its tags lie elsewhere than the mat's layout says.
+    /// Its tags are elsewhere than in the mat's layout.
     #[error(
         "the mat does not fit what `[mat]` in capture.toml says: its tags are seen {rms:.1} px from where they should be; check tag size, ring radius and ids"
     )]
@@ -47,7 +47,7 @@ pub enum MatError {
     },
 }
 
-/// A photo, its camera as its tags alone tell it, and those tags.
+/// A photo, its camera as its tags alone give it, and those tags.
 type Placed<'a> = (PhotoId, Pose, &'a Vec<Tag>);
 
 /// Calibrates from tags, and from features that move with the disk.
@@ -118,7 +118,7 @@ pub(crate) fn calibrate(
     })
 }
 
-/// The photos whose tags tell where their cameras stand, of so many.
+/// The photos whose tags show where their cameras are, of so many.
 fn placed<'a>(
     lens: &Intrinsics,
     mat: &Mat,
@@ -187,7 +187,7 @@ fn laid_out(
 }
 
 /// Adds features that move with the disk: all of them where the subject stood still, else those on
-/// the disk. How many, and where all features lie. \[mm\]
+/// the disk. How many, and where all features are. \[mm\]
 fn add_features(
     scene: &mut Scene,
     observations: &mut Vec<PointObservation>,

@@ -32,7 +32,7 @@ struct Grown {
     score: f64,
 }
 
-/// Grows cameras over all photos that hold on to the others, from the focal length that explains
+/// Grows cameras over all photos that hold on to the rest, from the focal length that explains
 /// most.
 pub(crate) fn grown(
     photos: &Photos,
@@ -160,7 +160,7 @@ fn grow(
     }
 }
 
-/// Points that stand by the cameras there are, and where one more photo shows them.
+/// Points by the cameras so far, and where one more photo shows them.
 fn known_points(grown: &Grown, id: PhotoId, tracks: &Tracks) -> Vec<KnownPoint> {
     let camera = |pose: &Pose| Camera {
         lens: grown.scene.lens,
@@ -219,9 +219,9 @@ fn begun(
             score: 0.0,
         };
         // Two photos know little of a lens.
-        let mut held = beliefs.clone();
-        held.lens.sigma = held.lens.sigma.map(|s| s * 1e-3);
-        readjust(&mut grown, tracks, &held, p);
+        let mut tight = beliefs.clone();
+        tight.lens.sigma = tight.lens.sigma.map(|s| s * 1e-3);
+        readjust(&mut grown, tracks, &tight, p);
         if best.as_ref().is_none_or(|best| grown.score > best.score) {
             best = Some(grown);
         }

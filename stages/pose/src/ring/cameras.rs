@@ -1,4 +1,4 @@
-//! What was adjusted without a mat becomes cameras, or a refusal that says why.
+//! What was adjusted without a mat becomes cameras, or a refusal with its reason.
 
 use crate::adjust::bundle::Fit;
 use crate::adjust::lens::LensPrior;
@@ -65,7 +65,7 @@ pub(crate) fn to_cameras(
     if off > p.off_ring {
         return Err(TracksError::NoRing { off: off * 100.0 });
     }
-    held_by_features(&cameras)?;
+    seen_by_features(&cameras)?;
     let cameras = in_ring_frame(&cameras, RING_MM);
     let mut turned = scene.clone();
     turned.poses = cameras.views.values().map(|v| v.camera.pose).collect();
@@ -99,7 +99,7 @@ pub(crate) fn to_cameras(
 }
 
 /// An error where more than a quarter of the cameras hold on to fewer than [`LEAST`] features.
-fn held_by_features(cameras: &Cameras) -> Result<(), TracksError> {
+fn seen_by_features(cameras: &Cameras) -> Result<(), TracksError> {
     let few = cameras.views.values().filter(|v| v.points < LEAST);
     let adrift: Vec<&str> = few.map(|v| v.name.as_str()).collect();
     let of = cameras.views.values().count();

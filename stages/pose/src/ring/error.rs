@@ -50,7 +50,7 @@ pub enum TracksError {
         "no two photos have enough in common to begin with: photograph at smaller steps, with more texture, or with a marker mat (`tailor mat`) on the disk"
     )]
     NoBeginning,
-    /// Cameras that stand on no ring.
+    /// Cameras that are on no ring.
     #[error(
         "the cameras came out {off:.1} % off a ring, so they are not to be trusted: is this a walk around somebody who stands still (then --walk)? Did the subject turn on the spot, without a disk (then --set calibrated.motion=any)? Are the photos in turning order and the steps below 25°? `focal_35mm` and `step_deg` in capture.toml or a marker mat (`tailor mat`) on the disk help"
     )]

@@ -4,10 +4,10 @@
 pub(crate) mod any_order;
 pub(crate) mod cameras;
 pub(crate) mod error;
-pub(crate) mod held;
 pub(crate) mod pairs;
 pub(crate) mod places;
 pub(crate) mod solve;
 pub(crate) mod stabiliser;
 pub(crate) mod start;
 pub(crate) mod trial;
+pub(crate) mod trusted;

@@ -1,7 +1,7 @@
-//! Photos that are not in their place: one that is missing, or that stands elsewhere in the turn.
+//! Photos that are not in their place: one that is missing, or that is elsewhere in the turn.
 //!
-//! Where the step of a turn is known, photo i should stand at i steps. Whether a photo, or all from
-//! it on, fits the others far better some whole steps elsewhere is tried, the best change first.
+//! Where the step of a turn is known, photo i should be at i steps. Whether a photo, or all from
+//! it on, fits the rest far better some whole steps elsewhere is tried, the best change first.
 
 use crate::ring::start::{Pair, Start, essential, robust};
 
@@ -11,7 +11,7 @@ const MOVES: [i32; 6] = [-3, -2, -1, 1, 2, 3];
 const GAIN: f64 = 0.25;
 /// And by this much a pair of features. \[px\]
 const GAIN_PX: f64 = 0.5;
-/// Fewest features that tell of a photo's place.
+/// Fewest features that determine a photo's place.
 const LEAST: usize = 25;
 
 /// The place of each photo in the turn, in steps, and the start with those angles.
@@ -101,13 +101,13 @@ fn gain(
 
 /// What the user should know of photos that are not in their place.
 pub(crate) fn out_of_place(names: &[&str], places: &[i32], step_deg: f64) -> Vec<String> {
-    let mut said = Vec::new();
+    let mut warnings = Vec::new();
     for (i, w) in places.windows(2).enumerate() {
         let turn = w[1] - w[0];
         if turn == 1 {
             continue;
         }
-        said.push(match turn {
+        warnings.push(match turn {
             2.. => format!(
                 "between {} and {} the disk turned by {:.0}°, not {step_deg:.0}°: is a photo missing there?",
                 names[i], names[i + 1], f64::from(turn) * step_deg
@@ -123,7 +123,7 @@ pub(crate) fn out_of_place(names: &[&str], places: &[i32], step_deg: f64) -> Vec
             ),
         });
     }
-    said
+    warnings
 }
 
 #[cfg(test)]
@@ -183,10 +183,10 @@ mod tests {
     }
 
     #[test]
-    fn missing_and_swapped_photos_are_found_and_told() {
+    fn missing_and_swapped_photos_are_reported() {
         let names: Vec<String> = (0..10).map(|i| format!("{i}.jpg")).collect();
         let names: Vec<&str> = names.iter().map(String::as_str).collect();
-        for (places, says) in [
+        for (places, begins) in [
             ((0..10).collect::<Vec<i32>>(), None),
             (
                 vec![0, 1, 2, 3, 5, 6, 7, 8, 9, 10],
@@ -205,12 +205,12 @@ mod tests {
             let (found, at) = placed(&pairs, &start);
             assert_eq!(at, places);
             proof::near(found.angles[9], f64::from(places[9]) * STEP, 1e-9);
-            let said = out_of_place(&names, &at, 20.0);
-            match says {
-                None => assert_eq!(said, Vec::<String>::new()),
-                Some(says) => assert!(
-                    said[0].starts_with(says) || said[1].starts_with(says),
-                    "{said:?}"
+            let warnings = out_of_place(&names, &at, 20.0);
+            match begins {
+                None => assert_eq!(warnings, Vec::<String>::new()),
+                Some(begins) => assert!(
+                    warnings[0].starts_with(begins) || warnings[1].starts_with(begins),
+                    "{warnings:?}"
                 ),
             }
         }

@@ -9,15 +9,15 @@ use crate::calibration::trust::median_px;
 use crate::ring::any_order::grown;
 use crate::ring::cameras::{Solved, to_cameras};
 use crate::ring::error::TracksError;
-use crate::ring::held::Held;
 use crate::ring::pairs::{chosen, pairs};
 use crate::ring::places::{out_of_place, placed};
 use crate::ring::stabiliser::{brought, given_back};
 use crate::ring::start::{Known, Pair, starts};
 use crate::ring::trial::tried_out;
+use crate::ring::trusted::Trusted;
 use shape::{ByPhoto, Intrinsics, PhotoId, Photos, Placed, Tracks};
 
-/// Photos are taken for shifted where features lie nearer by this factor once that is taken out (by hand).
+/// Photos are taken for shifted where features are nearer by this factor once that is taken out (by hand).
 const STEADIER: f64 = 0.95;
 
 /// A turn that explains a few features, before all of them are adjusted.
@@ -41,12 +41,12 @@ pub(crate) fn calibrate(
     let ids: Vec<PhotoId> = photos.iter().map(|(id, _)| id).collect();
     let Beginning { scene, places } = beginning(photos, lens, &ids, tracks, p)?;
     let mut beliefs = beliefs(lens, photos, &scene, &places, p);
-    let lying = Held::begun(&scene, &ids, tracks, &beliefs, p);
+    let lying = Trusted::begun(&scene, &ids, tracks, &beliefs, p);
     let brought = steady.map(|places| {
         let tracks = brought(tracks, photos, places);
-        Held::begun(&scene, &ids, &tracks, &beliefs, p)
+        Trusted::begun(&scene, &ids, &tracks, &beliefs, p)
     });
-    let (mut held, steady) = match brought {
+    let (mut trusted, steady) = match brought {
         Some(brought) if brought.median_px() < STEADIER * lying.median_px() => (brought, steady),
         _ => (lying, None),
     };
@@ -55,21 +55,21 @@ pub(crate) fn calibrate(
         Motion::Ring => false,
         Motion::Free | Motion::Any => true,
     };
-    let swaying = !free && sways(&held, &beliefs, p);
+    let swaying = !free && sways(&trusted, &beliefs, p);
     if swaying {
-        held.fit = adjusted_as_believed(&mut held, &mut beliefs);
+        trusted.fit = adjusted_as_believed(&mut trusted, &mut beliefs);
     }
     if free {
-        held.scene.ring = None;
-        (0..3).for_each(|_| held.again(&ids, &beliefs, p));
+        trusted.scene.ring = None;
+        (0..3).for_each(|_| trusted.again(&ids, &beliefs, p));
     }
-    let Held {
+    let Trusted {
         many,
         scene,
         observations,
         fit,
         ..
-    } = held;
+    } = trusted;
     let share = scene.points.len() as f64 / many.points.len().max(1) as f64;
     if share < 0.2 {
         return Err(TracksError::Unexplained {
@@ -98,7 +98,7 @@ pub(crate) fn calibrate(
         .extend(out_of_place(&names, &places, step_deg));
     if swaying {
         found.warnings.push(
-            "the subject moved against the disk (free cameras would follow it): lens and steps were held at what EXIF and capture.toml say, and how sure the cameras are cannot be told".into(),
+            "the subject moved against the disk (free cameras would follow it): lens and steps were kept at what EXIF and capture.toml have, and how sure the cameras are is unknown".into(),
         );
     }
     Ok(found)
@@ -135,15 +135,20 @@ fn beginning(
 ///
 /// Sway is alike in all features of a photo, so that many of them know no better than one: they would
 /// bend the lens (3 % of focal length at 12 mm of sway) and the steps.
-fn adjusted_as_believed(held: &mut Held, beliefs: &mut Beliefs) -> Fit {
+fn adjusted_as_believed(trusted: &mut Trusted, beliefs: &mut Beliefs) -> Fit {
     let believed = beliefs.lens.sigma;
     beliefs.lens.sigma = believed.map(|s| s * 1e-3);
     beliefs.steps.iter_mut().for_each(|s| s.sigma *= 0.01);
-    // What is held is no better known for that, and nothing tells how far sway moved cameras.
+    // What is fixed is no better known for that, and nothing shows how far sway moved cameras.
     Fit {
         lens_sigma: believed,
-        sigma_mm: vec![None; held.scene.poses.len()],
-        ..adjust(&mut held.scene, &held.observations, beliefs, &held.how)
+        sigma_mm: vec![None; trusted.scene.poses.len()],
+        ..adjust(
+            &mut trusted.scene,
+            &trusted.observations,
+            beliefs,
+            &trusted.how,
+        )
     }
 }
 
@@ -172,11 +177,11 @@ fn best_turn(
 }
 
 /// Whether the subject sways: a rigid one is seen as well from a ring as from free cameras.
-fn sways(held: &Held, beliefs: &Beliefs, p: &CalibrateParams) -> bool {
-    let mut loose = held.scene.clone();
+fn sways(trusted: &Trusted, beliefs: &Beliefs, p: &CalibrateParams) -> bool {
+    let mut loose = trusted.scene.clone();
     loose.ring = None;
-    adjust(&mut loose, &held.observations, beliefs, &held.how);
-    held.median_px() > p.sway_ratio * median_px(&loose, &held.observations)
+    adjust(&mut loose, &trusted.observations, beliefs, &trusted.how);
+    trusted.median_px() > p.sway_ratio * median_px(&loose, &trusted.observations)
 }
 
 /// What is believed of lens and ring once the direction of the turn and the photos' places are known.

@@ -1,4 +1,4 @@
-//! Where a stabiliser laid the photos of a turn: found by the room that stands still, taken out of what features say before
+//! Where a stabiliser laid the photos of a turn: found by the background, taken out of features before
 //! cameras are sought, and given back to each camera.
 
 use rayon::prelude::*;
@@ -10,7 +10,7 @@ const LONGEST: u32 = 1200;
 /// that was moved (by hand).
 const FAR: f64 = 0.005;
 
-/// How photos of a turn lie in the place that they have in common. `None` where all lie there, or the room does not tell:
+/// How photos of a turn map to the place that they have in common. `None` where all are there, or the background does not show it:
 /// photos that share too little with it, or cannot be read.
 pub(crate) fn places(photos: &Photos) -> Option<ByPhoto<Placed>> {
     let first = photos.photos.first()?;
@@ -44,7 +44,7 @@ pub(crate) fn brought(tracks: &Tracks, photos: &Photos, places: &ByPhoto<Placed>
     brought
 }
 
-/// Cameras of the common place become those of the photos as they lie.
+/// Cameras of the common place become those of the photos as they are.
 pub(crate) fn given_back(cameras: &mut Cameras, places: &ByPhoto<Placed>) {
     cameras.views = cameras.views.map(|id, view| {
         let mut view = view.clone();

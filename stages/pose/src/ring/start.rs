@@ -228,12 +228,12 @@ fn refine(pairs: &[Pair], known: &Known, start: Start) -> Start {
     } else {
         known.photos - 1
     };
-    let held = |k: usize| match k {
+    let fixed = |k: usize| match k {
         3 => !known.free_focal,
         4 => known.step.is_some(),
         _ => false,
     };
-    let free: Vec<usize> = (0..count).filter(|k| !held(*k)).collect();
+    let free: Vec<usize> = (0..count).filter(|k| !fixed(*k)).collect();
     let whole = |x: &[f64]| {
         let mut all = vec![0.0; count];
         free.iter().zip(x).for_each(|(k, x)| all[*k] = *x);

@@ -71,7 +71,7 @@ fn line(gray: &Gray, a: Vector2<f64>, b: Vector2<f64>, reach: f64) -> Option<Lin
 }
 
 /// Where the light steps along a short line: the centroid of the slope. The lens blurs light, not
-/// the file's gamma-coded values: an edge located in those lies up to 0.3 px on its dark side.
+/// the file's gamma-coded values: an edge located in those is up to 0.3 px on its dark side.
 fn step(gray: &Gray, middle: Vector2<f64>, across: Vector2<f64>, reach: f64) -> Option<f64> {
     let (width, height) = (gray.width as f64, gray.height as f64);
     let end = across * (reach + 1.5);
@@ -116,7 +116,7 @@ fn light(gray: &Gray, x: f64, y: f64) -> f64 {
     top + fy * (bottom - top)
 }
 
-/// A line `n · x = c` of the plane: its unit normal, and how far along it the line lies.
+/// A line `n · x = c` of the plane: its unit normal, and how far along it the line is.
 pub type Line = (Vector2<f64>, f64);
 
 /// Where two lines meet. `None` if they are parallel.

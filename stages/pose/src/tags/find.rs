@@ -39,7 +39,7 @@ pub struct NoDetector(String);
 /// Of a pixel: its colours, its brightness, what the detector makes of it. \[bytes\]
 const TAGS_PIXEL: u64 = 48;
 
-/// `pose.tags`: photos → tags. Where nobody told of any, a glance at three photos tells whether to look.
+/// `pose.tags`: photos → tags. Where none are given, a glance at three photos decides whether to look.
 pub struct FindTags;
 
 impl Stage for FindTags {
@@ -61,8 +61,8 @@ impl Stage for FindTags {
 
     fn run(p: &TagsParams, input: TagsInput, ctx: &Ctx<'_>) -> Result<Tags, Stop> {
         let all: Vec<(PhotoId, &Photo)> = input.photos.iter().collect();
-        let told = input.photos.rig.tagged();
-        if !told && !glanced(&all, p, ctx)? {
+        let given = input.photos.rig.tagged();
+        if !given && !glanced(&all, p, ctx)? {
             return Ok(Tags::default());
         }
         let all = spread(all, p.most as usize);
@@ -85,7 +85,7 @@ impl Stage for FindTags {
         let count: usize = views.values().map(Vec::len).sum();
         ctx.metric("tags a photo", count as f64 / views.len().max(1) as f64, "");
         let tags = Tags { views };
-        if !told {
+        if !given {
             unused_tags(&tags).iter().for_each(|w| ctx.warn(w));
         }
         Ok(tags)
@@ -100,7 +100,7 @@ fn spread<T: Copy>(all: Vec<T>, most: usize) -> Vec<T> {
     }
 }
 
-/// So many photos are glanced at where nobody told of tags.
+/// So many photos are glanced at where no tags are given.
 const GLANCED: usize = 3;
 /// What is found at a glance need not be found exactly: photos are reduced by this.
 const GLANCE: f64 = 2.0;
@@ -127,7 +127,7 @@ fn glanced(all: &[(PhotoId, &Photo)], p: &TagsParams, ctx: &Ctx<'_>) -> Result<b
     Ok(counts.iter().any(|tags| *tags >= 3))
 }
 
-/// What is said of tags that nobody told of.
+/// The warning on tags that were not given.
 fn unused_tags(tags: &Tags) -> Option<String> {
     let seen = tags.views.values().filter(|v| !v.is_empty()).count();
     let ids = || tags.views.values().flatten().map(|t| t.id);

@@ -130,7 +130,7 @@ pub(crate) fn motion_through(
     sampled(pairs, &model, most_px, rounds, seed)
 }
 
-/// Which pairs lie within `most_px` of a motion.
+/// Which pairs are within `most_px` of a motion.
 fn within(pairs: &[Both], motion: Option<Matrix3<f64>>, most_px: f64) -> Vec<bool> {
     let near = |p: &Both| motion.is_some_and(|f| sampson(&f, p) < most_px);
     pairs.iter().map(near).collect()

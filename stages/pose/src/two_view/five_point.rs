@@ -148,7 +148,7 @@ pub(crate) fn roots(polynomial: &[f64]) -> Vec<f64> {
 }
 
 /// The essential matrices, at most ten, with which five pairs of rays agree: `bᵀ E a = 0`. Rays are
-/// pixels from the principal point over the focal length. None for pairs that do not tell.
+/// pixels from the principal point over the focal length. None for pairs that do not determine it.
 pub fn essentials(pairs: &[Both]) -> Vec<Matrix3<f64>> {
     if pairs.len() < 5 {
         return vec![];

@@ -18,8 +18,8 @@ pub(crate) fn at_origin() -> Pose {
     }
 }
 
-/// The pose of the second camera while the first stands at the origin, a unit away: the essential
-/// matrix, and of its four poses the one before which most points lie (Hartley and Zisserman 2004,
+/// The pose of the second camera while the first is at the origin, a unit away: the essential
+/// matrix, and of its four poses the one before which most points are (Hartley and Zisserman 2004,
 /// §9.6).
 pub(crate) fn two_views(lens: &Intrinsics, both: &[Both]) -> Option<Pose> {
     let f = motion_through(lens, both, 2.0, 2000, 1)?;
@@ -58,7 +58,7 @@ pub(crate) fn two_views(lens: &Intrinsics, both: &[Both]) -> Option<Pose> {
 /// points (most agree of many samples), then all, by their pixels. `None` where too few agree.
 pub(crate) fn resected(
     lens: &Intrinsics,
-    others: &[Pose],
+    nearby: &[Pose],
     known: &[(Point3<f64>, [f64; 2])],
     near_px: f64,
 ) -> Option<Pose> {
@@ -71,7 +71,7 @@ pub(crate) fn resected(
         at.map_or(1e4, |at| libm::hypot(at.x - px[0], at.y - px[1]))
     };
     let agree = |pose: &Pose, most: f64| known.iter().filter(|k| off(pose, k) < most).count();
-    let mut starts: Vec<(usize, Pose)> = others.iter().map(|p| (agree(p, 60.0), *p)).collect();
+    let mut starts: Vec<(usize, Pose)> = nearby.iter().map(|p| (agree(p, 60.0), *p)).collect();
     let mut dice = 0x2545_F491_4F6C_DD1D_u64;
     let mut draw = || {
         dice = dice

@@ -106,7 +106,7 @@ mod tests {
             matches: matches.to_vec(),
         };
         let links = [
-            // Feature 0 of the third photo is said to be 1 of the first.
+            // Feature 0 of the third photo is matched to 1 of the first.
             link((0, 2), &[(1, 0)]),
             link((0, 1), &[(0, 0), (1, 1), (2, 2)]),
             link((1, 2), &[(0, 0), (1, 1)]),

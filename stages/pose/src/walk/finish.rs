@@ -19,7 +19,7 @@ pub(crate) struct Finished {
     pub(crate) rms_px: f64,
 }
 
-/// Adjusts everything with at most `most` points, observations within what most lie within.
+/// Adjusts everything with at most `most` points, observations within what most are within.
 pub(crate) fn finished(
     mut grown: Grown<'_>,
     rules: &Growth,
@@ -46,7 +46,7 @@ pub(crate) fn finished(
     }
     let mut order: Vec<usize> = (0..model.shots.len()).collect();
     order.sort_by_key(|s| model.shots[*s].photo);
-    // The first shot is the one that stays, wherever it comes to stand in the list.
+    // The first shot is the one that stays, wherever it comes to be in the list.
     adjusted(&mut model, &terms, &free);
     let model = sorted(&model, &order);
     let near: Vec<f64> = offs(&model)

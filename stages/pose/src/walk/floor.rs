@@ -1,4 +1,4 @@
-//! The floor that a subject stands on: a nearly level plane under which there is next to nothing.
+//! The floor that a subject is on: a nearly level plane under which there is next to nothing.
 
 use nalgebra::{Matrix3, Point3, Vector3};
 
@@ -6,7 +6,7 @@ use nalgebra::{Matrix3, Point3, Vector3};
 const TILT: f64 = 0.12;
 /// How thick a floor is, as a share of the cameras' distance.
 const THICK: f64 = 0.01;
-/// Least share of the points near the subject that lie on the floor, and of those under it at most.
+/// Least share of the points near the subject that are on the floor, and of those under it at most.
 const SHARE: [f64; 2] = [0.08, 0.03];
 /// Fewest points of a floor.
 const FEW: usize = 50;

@@ -1,5 +1,5 @@
-//! Which photos were taken through one lens, what is believed of it, and pixels as they lie in the
-//! file: a phone that is held upright or sideways has one lens, not two.
+//! Which photos were taken through one lens, what is believed of it, and pixels as they are in the
+//! file: a phone used upright or sideways has one lens, not two.
 
 use crate::adjust::lens::{LensPrior, lens_values};
 use nalgebra::{Matrix3, Rotation3};
@@ -204,7 +204,7 @@ mod tests {
     }
 
     #[test]
-    fn a_phone_held_upright_and_sideways_has_one_lens() {
+    fn a_phone_used_upright_and_sideways_has_one_lens() {
         let widths = Widths {
             focal: 0.15,
             given_focal: 5e-4,

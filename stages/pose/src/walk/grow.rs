@@ -64,7 +64,7 @@ pub(crate) fn grown<'a>(
         }
     }
     let (_, mut grown) = best?;
-    // What did not fit before may fit when all the others stand.
+    // What did not fit before may fit when all the rest stand.
     loop {
         let before = grown.state.model.shots.len();
         grown.grow(usize::MAX);
@@ -209,7 +209,7 @@ impl Grown<'_> {
         }
     }
 
-    /// Adjusts the last shot with those that see most of what it sees, lenses held.
+    /// Adjusts the last shot with those that see most of what it sees, lenses fixed.
     fn adjust_near(&mut self) {
         let last = self.state.model.shots.len() - 1;
         let mut shared = vec![0usize; last + 1];

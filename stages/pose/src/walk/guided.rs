@@ -1,11 +1,11 @@
-//! Features along epipolar lines: where a photo shows many alike, few of them lie there.
+//! Features along epipolar lines: where a photo shows many alike, few of them are there.
 
 use crate::features::best::{Best, PLACE_PX, SAME};
 use crate::features::matching::{Pairs, likeness};
 use nalgebra::{Matrix3, Vector3};
 use shape::{Features, Keypoint};
 
-/// Least likeness of what lies on one epipolar line: distance 0.7 of descriptions of length one, as
+/// Least likeness of what is on one epipolar line: distance 0.7 of descriptions of length one, as
 /// COLMAP has it.
 const ON_LINE: f32 = SAME * (1.0 - 0.7 * 0.7 / 2.0);
 /// Width of a strip of a photo. \[px\]
@@ -35,11 +35,11 @@ impl Strips {
         Strips { strips }
     }
 
-    /// Adds what may lie within a band of the line `slope · across + from`, as wide along the strips.
+    /// Adds what may be within a band of the line `slope · across + from`, as wide along the strips.
     fn near(&self, [slope, from, wide]: [f32; 3], found: &mut Vec<usize>) {
         for (s, strip) in self.strips.iter().enumerate() {
             let at = |edge: usize| slope * (edge as f32 * STRIP_PX) + from;
-            // What lies off the photo's edge is in the first strip.
+            // What is off the photo's edge is in the first strip.
             let start = if s == 0 { -slope.abs() * STRIP_PX } else { 0.0 };
             let (a, b) = (at(s), at(s + 1));
             let (low, high) = (a.min(b) - wide + start, a.max(b) + wide - start);
@@ -51,7 +51,7 @@ impl Strips {
 }
 
 /// Pairs of features that are each other's nearest, and nearer than `ratio` times the next one of `b`
-/// that lies elsewhere, among those within `band_px` of the epipolar line, `bᵀ F a = 0`.
+/// that is elsewhere, among those within `band_px` of the epipolar line, `bᵀ F a = 0`.
 pub(crate) fn guided(
     [a, b]: [&Features; 2],
     motion: &Matrix3<f64>,

@@ -146,11 +146,11 @@ impl Stage for LinkUp {
             let photo = input.photos.get(views[i].0);
             photo.map_or(String::new(), |p| p.name.clone())
         };
-        let held: Vec<(usize, usize)> = links.iter().map(|l| l.photos).collect();
+        let linked: Vec<(usize, usize)> = links.iter().map(|l| l.photos).collect();
         if (moved as f64) < p.least_moving * (moved + still) as f64 {
             return Err(WalkError::StoodStill { still, moved }.into());
         }
-        hangs_together(n, &held, &name)?;
+        hangs_together(n, &linked, &name)?;
         let tracks = chained(&views, &links);
         ctx.metric("tracks", tracks.points.len() as f64, "");
         Ok(tracks)

@@ -20,7 +20,7 @@ fn columns(features: &Features, which: &[u32]) -> DMatrix<f32> {
 }
 
 /// Pairs among some features of each photo that are each other's nearest, and nearer than `ratio`
-/// times the next one of `b` that lies elsewhere.
+/// times the next one of `b` that is elsewhere.
 pub(crate) fn nearest([a, b]: [&Features; 2], [of_a, of_b]: [&[u32]; 2], ratio: f64) -> Pairs {
     if of_a.is_empty() || of_b.is_empty() {
         return vec![];

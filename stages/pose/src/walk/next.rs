@@ -83,15 +83,15 @@ impl State<'_> {
 fn spread(known: &[Known], lens: &Intrinsics) -> usize {
     let mut score = 0;
     for cells in [2usize, 4, 8] {
-        let mut held = vec![false; cells * cells];
+        let mut filled = vec![false; cells * cells];
         for (_, [x, y]) in known {
             let cell = |v: f64, size: u32| {
                 let at = (v / f64::from(size) * cells as f64).max(0.0) as usize;
                 at.min(cells - 1)
             };
-            held[cell(*y, lens.height) * cells + cell(*x, lens.width)] = true;
+            filled[cell(*y, lens.height) * cells + cell(*x, lens.width)] = true;
         }
-        score += held.iter().filter(|h| **h).count() * cells * cells;
+        score += filled.iter().filter(|h| **h).count() * cells * cells;
     }
     score
 }

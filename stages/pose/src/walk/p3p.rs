@@ -37,7 +37,7 @@ pub(crate) fn three_points(points: &[Point3<f64>; 3], rays: &[Vector3<f64>; 3]) 
     roots(&polynomial).into_iter().filter_map(pose).collect()
 }
 
-/// The motion that takes three points to three others.
+/// The motion that takes three points to three more.
 fn aligned(from: &[Point3<f64>; 3], to: &[Vector3<f64>; 3]) -> Option<Pose> {
     let frame = |a: Vector3<f64>, b: Vector3<f64>, c: Vector3<f64>| {
         let x = (b - a).try_normalize(1e-15)?;

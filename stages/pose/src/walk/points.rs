@@ -86,7 +86,7 @@ fn spot(cameras: &[Camera], observations: &[(usize, [f64; 2])], near_px: f64) ->
     })
 }
 
-/// How far observations lie from where their points project, with their shots. \[px\]
+/// How far observations are from where their points project, with their shots. \[px\]
 pub(crate) fn offs(model: &Model) -> Vec<(usize, f64)> {
     let cameras = model.cameras();
     let of = |spot: &Spot| -> Vec<(usize, f64)> {

@@ -46,7 +46,7 @@ stage::params! {
         /// more than 2400 pixels.
         #[range(0.5..=50.0)]
         near_px: f64 = 4.0,
-        /// Features that lie further from where they should (root mean square) are not believed; in
+        /// Features that are further from where they should (root mean square) are not believed; in
         /// proportion more on photos of more than 2400 pixels.
         #[range(0.1..=100.0)]
         most_px: f64 = 2.0,
@@ -202,7 +202,7 @@ fn enough(photos: &Photos, missing: &[PhotoId], p: &WalkParams) -> Result<(), Wa
     })
 }
 
-/// What cameras are called when nothing tells of millimetres: their mean distance from the axis.
+/// What cameras are called when their millimetres are unknown: their mean distance from the axis.
 const RING_MM: f64 = 1000.0;
 
 /// The cameras of upright photos, in the frame of the walk.

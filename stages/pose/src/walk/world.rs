@@ -20,7 +20,7 @@ pub struct World {
 /// How strongly the photos' own upright counts against their horizontals: it decides only where
 /// horizontals leave it open.
 const OWN: f64 = 0.01;
-/// Axes whose spread lies to this share along one direction point one way.
+/// Axes whose spread is to this share along one direction point one way.
 const ONE_WAY: f64 = 0.9;
 /// Rounds of reweighting.
 const ROUNDS: usize = 10;
@@ -87,7 +87,7 @@ fn axes(cameras: &[Camera], axis: Vector3<f64>) -> Vec<Vector3<f64>> {
     cameras.iter().map(of).collect()
 }
 
-/// Whether photos lie on their side: their x axes all point one way, and their y axes do not.
+/// Whether photos are on their side: their x axes all point one way, and their y axes do not.
 pub(crate) fn on_side(cameras: &[Camera]) -> bool {
     let one_way = |axis: Vector3<f64>| {
         let spread: Matrix3<f64> = axes(cameras, axis).iter().map(|a| a * a.transpose()).sum();
@@ -97,7 +97,7 @@ pub(crate) fn on_side(cameras: &[Camera]) -> bool {
 }
 
 /// What is level in photos is level in the world: up is across most of the photos' x axes. Of photos
-/// that lie on their side it is across the y axes, and cameras look down rather than up.
+/// that are on their side it is across the y axes, and cameras look down rather than up.
 fn upward(cameras: &[Camera]) -> Option<Vector3<f64>> {
     let mean = |all: &[Vector3<f64>]| all.iter().sum::<Vector3<f64>>().try_normalize(1e-6);
     let (level, own) = match on_side(cameras) {
@@ -146,7 +146,7 @@ pub(crate) fn turn(world: &World, first: &Camera) -> Rotation3<f64> {
     Rotation3::from_matrix_unchecked(Matrix3::from_rows(&rows))
 }
 
-/// Leaves points out that are further from the axis than the cameras: the room behind.
+/// Leaves points out that are further from the axis than the cameras: the background.
 pub(crate) fn nearby(cameras: &mut Cameras, radius: f64) {
     cameras
         .points
@@ -210,7 +210,7 @@ mod tests {
     }
 
     #[test]
-    fn photos_that_lie_on_their_side_are_told_from_upright_ones() {
+    fn photos_on_their_side_are_recognised() {
         let origin = Point3::new(4.0, -2.0, 7.0);
         let mut cameras = around(&origin, &Rotation3::identity());
         assert!(!on_side(&cameras));

@@ -1,4 +1,4 @@
-//! What others found on photos: it comes back as it was written, and what cannot be is told with its place.
+//! What other programs found on photos: it comes back as it was written, and what is impossible is refused with its place.
 
 use pose::{ImportTags, ImportTracks, TagsFileInput, TracksFileInput};
 use shape::{Observation, Photo, PhotoId, Photos, Tag, Tags, Tracks};
@@ -109,7 +109,7 @@ fn photos_are_named_and_a_tag_seen_twice_is_nobodys() {
 }
 
 #[test]
-fn what_cannot_be_is_told_with_its_place() {
+fn what_is_impossible_is_refused_with_its_place() {
     let one = |text: &str| tags(&[text.as_bytes()]).unwrap_err();
     assert!(tags(&[]).unwrap_err().contains("0 files are there"));
     assert!(

@@ -1,4 +1,4 @@
-//! Cameras leave and come back as they were; files that are broken say so.
+//! Cameras leave and come back as they were; files that are broken are refused.
 
 use io::{
     cameras_to_colmap_binary, cameras_to_colmap_text, cameras_to_json, cameras_to_middlebury,

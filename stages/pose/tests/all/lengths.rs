@@ -87,7 +87,7 @@ fn a_known_length_makes_units_millimetres() {
     // A post has no round head, which the stature allows for.
     proof::near(far(&after) / far(&before), 2.0, 0.05);
     let near = framed(1600.0, 1680.0).unwrap();
-    assert_eq!(near.scale, Scale::Reference, "a twentieth is told of");
+    assert_eq!(near.scale, Scale::Reference, "a twentieth is reported");
 }
 
 /// Mean distance of cameras from the axis.
@@ -169,7 +169,7 @@ fn tags_on_the_ground_of_a_walk_go_before_a_stature_and_say_where_the_ground_is(
                 .is_some_and(|s| (0.001..0.05).contains(&s))
         );
     }
-    // Tags of a size that nobody knows say nothing.
+    // Tags of a size that nobody knows are not used.
     let found = framed_by(1600.0, 1600.0, Some((None, None)), None).unwrap();
     assert_eq!(found.scale, Scale::Reference);
 }
@@ -181,12 +181,12 @@ fn of_two_circles_the_one_that_the_stature_vouches_for_is_the_disk() {
     let far = |camera: &Camera| camera.centre().coords.xy().norm();
     let (before, after) = (turn()[0], found.views.values().next().unwrap().camera);
     proof::near(far(&after) / far(&before), 2.0, 0.05);
-    // Nobody says how tall: the strongest circle it is, and only a stature could tell that it is the ring.
+    // No stature is given: the strongest circle it is, and only a stature could tell that it is the ring.
     assert!(framed_by(1600.0, 1600.0, None, Some(1500.0)).is_err());
 }
 
 #[test]
-fn tags_on_the_disk_that_nobody_told_of_lie_within_its_edge() {
+fn tags_on_the_disk_not_given_are_within_its_edge() {
     let rig = || Rig {
         disk_diameter_mm: Some(900.0),
         ..Rig::default()
@@ -226,7 +226,7 @@ fn tags_on_the_disk_that_nobody_told_of_lie_within_its_edge() {
 }
 
 #[test]
-fn where_nobody_told_of_a_disk_a_floor_has_none() {
+fn where_no_disk_is_given_a_floor_has_none() {
     // A dark floor before a bright wall, the body before both.
     let mut gray = shape::Image::filled(320, 480, 90);
     let soles = turn()[0].project(&Point3::new(0.0, 0.0, -400.0)).unwrap();

@@ -16,7 +16,7 @@ const MAT: Mat = Mat {
     ring_mm: 187.0,
 };
 
-/// A level camera whose principal point lies off the photo's middle.
+/// A level camera whose principal point is off the photo's middle.
 fn truth() -> Vec<Camera> {
     let mut lens = Intrinsics::simple(1600, 2400, 3350.0);
     lens.centre = [805.0, 1191.0];
@@ -47,7 +47,7 @@ fn tags(cameras: &[Camera]) -> Tags {
     }
 }
 
-/// A strip as it was told of; it was not glued quite so.
+/// A strip as it was given; it was not glued quite so.
 const RIM: Rim = Rim {
     tag_mm: 24.0,
     first_id: 12,
@@ -55,7 +55,7 @@ const RIM: Rim = Rim {
     radius_mm: 225.0,
 };
 
-/// The tags of a strip on a rim 0.4 mm wider than it was told, off the middle, printed a two
+/// The tags of a strip on a rim 0.4 mm wider than given, off the middle, printed a two
 /// thousandth too tall, each glued a little beside its place: as a detector sees them that lays
 /// straight lines through their sides, to 0.03 px.
 fn with_strip(cameras: &[Camera], mut tags: Tags, printed_mm: f64) -> Tags {
@@ -144,10 +144,10 @@ fn oversize(found: &Cameras) -> f64 {
 }
 
 #[test]
-fn a_level_camera_leaves_the_size_open_and_says_so() {
+fn a_level_camera_leaves_the_size_open_with_a_warning() {
     let found = calibrated(Rig::default());
     let off = oversize(&found).abs();
-    assert!(off > 0.001, "{off}: the mat alone told the principal row?");
+    assert!(off > 0.001, "{off}: the mat alone gave the principal row?");
     let sigma = found.scale_sigma.unwrap();
     assert!(off < 2.5 * sigma, "{off} {sigma}");
 }
@@ -181,13 +181,13 @@ fn tags_on_the_rim_close_it_however_they_are_glued() {
     assert!(off < 2.0 * sigma, "{off} {sigma}");
     let lens = found.views.values().next().unwrap().camera.lens;
     assert!((lens.centre[1] - 1191.0).abs() < 4.0, "{:?}", lens.centre);
-    // Not told of, they change nothing.
+    // Not given, they change nothing.
     let without = from(Rig::default(), &cameras, tags);
     assert_eq!(without, calibrated(Rig::default()));
 }
 
 #[test]
-fn a_strip_of_another_size_than_was_told_is_left_out() {
+fn a_strip_of_another_size_than_given_is_left_out() {
     let cameras = truth();
     let tags = with_strip(&cameras, tags(&cameras), 26.0);
     let rig = Rig {

@@ -8,7 +8,7 @@ use shape::{Gray, Photo, PhotoId, Photos, gray_to_png};
 use stage::{Ctx, Stage};
 use std::sync::Arc;
 
-/// Whether a point lies in a convex polygon.
+/// Whether a point is in a convex polygon.
 fn within(corners: &[[f64; 2]], x: f64, y: f64) -> bool {
     let side = |i: usize| {
         let (a, b) = (corners[i], corners[(i + 1) % corners.len()]);
@@ -103,12 +103,12 @@ fn pages_cover_the_mat_at_true_scale() {
         size_mm: [210.0, 297.0],
         margin_mm: 10.0,
     };
-    let (corners, room) = tiles(700.0, &paper);
+    let (corners, area) = tiles(700.0, &paper);
     for k in 0..360 {
         let (sin, cos) = libm::sincos(f64::from(k) * 0.01745);
         let covers = |c: &[f64; 2]| {
             let (x, y) = (350.0 * cos - c[0], 350.0 * sin - c[1]);
-            x > 0.0 && y > 0.0 && x < room[0] && y < room[1]
+            x > 0.0 && y > 0.0 && x < area[0] && y < area[1]
         };
         assert!(corners.iter().any(covers));
     }
@@ -173,7 +173,7 @@ fn a_strip_goes_once_around_the_rim_in_pieces_that_fit_a_page() {
 }
 
 #[test]
-fn a_strip_that_cannot_be_says_so() {
+fn an_impossible_strip_is_refused() {
     let thin = rim_for(450.0, 20.0, 18.0, 0, 12).unwrap_err();
     assert!(matches!(thin, LayoutError::Thin { .. }), "{thin}");
     let many = rim_for(450.0, 40.0, 32.0, 80, 12).unwrap_err();

@@ -60,15 +60,17 @@ fn a_mat_of_ours_is_recognised_from_the_size_of_its_tags_and_another_is_not() {
             "{disk}"
         );
         proof::near(found.ring_mm, mat.ring_mm, 1e-9);
-        // Without the disk the ring is told to whole millimetres, and that is said.
-        let told = std::cell::RefCell::new(String::new());
-        let found = pose::recognised(&tags, mat.tag_mm, None, |w| *told.borrow_mut() = w.into());
+        // Without the disk the ring is warnings to whole millimetres, and that is reported.
+        let warnings = std::cell::RefCell::new(String::new());
+        let found = pose::recognised(&tags, mat.tag_mm, None, |w| {
+            *warnings.borrow_mut() = w.into()
+        });
         proof::near(found.unwrap().ring_mm, mat.ring_mm, 1.01);
         assert_eq!(
-            told.borrow().contains("to within 1 mm"),
+            warnings.borrow().contains("to within 1 mm"),
             printed.ring_mm > 200.0,
             "{}",
-            told.borrow()
+            warnings.borrow()
         );
     }
     let odd = shape::Mat {
@@ -77,21 +79,21 @@ fn a_mat_of_ours_is_recognised_from_the_size_of_its_tags_and_another_is_not() {
         count: 12,
         ring_mm: 150.5,
     };
-    let told = std::cell::RefCell::new(String::new());
+    let warnings = std::cell::RefCell::new(String::new());
     // Half a millimetre is 3.3 ‰ of this ring.
     assert_eq!(
-        pose::recognised(&seen(&odd, 0.02), 60.0, None, |w| *told.borrow_mut() =
+        pose::recognised(&seen(&odd, 0.02), 60.0, None, |w| *warnings.borrow_mut() =
             w.into()),
         None
     );
     assert!(
-        told.borrow().contains("with a radius of 150."),
+        warnings.borrow().contains("with a radius of 150."),
         "{}",
-        told.borrow()
+        warnings.borrow()
     );
 }
 
-/// The sample's tags, though nobody tells of them.
+/// The sample's tags, though none are given.
 fn sample() -> (shape::Tags, Vec<String>) {
     let folder =
         std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../../samples/mannequin/images");
@@ -136,16 +138,16 @@ impl stage::Host for Heard {
 }
 
 #[test]
-fn tags_that_nobody_told_of_are_told_and_their_layout_follows_from_one_size() {
-    let (tags, told) = sample();
-    assert_eq!(told.len(), 1, "{told:?}");
-    for says in [
+fn tags_that_were_not_given_are_reported_and_their_layout_follows_from_one_size() {
+    let (tags, warnings) = sample();
+    assert_eq!(warnings.len(), 1, "{warnings:?}");
+    for part in [
         "numbers 0 to 11",
         "9 of 9 photos that were searched",
         "12 tags on a ring of 3.1",
         "--mat-tag",
     ] {
-        assert!(told[0].contains(says), "{says}: {told:?}");
+        assert!(warnings[0].contains(part), "{part}: {warnings:?}");
     }
     let ring = pose::ringed(&tags).unwrap();
     proof::near(ring.ring, 187.0 / 60.0, 0.002 * ring.ring);

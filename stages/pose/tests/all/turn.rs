@@ -212,8 +212,8 @@ fn a_photo_that_is_missing_or_swapped_spoils_no_camera() {
     }
 }
 
-/// The file of a photo of a room before which something plain goes to and fro, shifted.
-fn room(k: usize, [dx, dy]: [f64; 2]) -> Vec<u8> {
+/// The file of a photo of a background before which something plain goes to and fro, shifted.
+fn background(k: usize, [dx, dy]: [f64; 2]) -> Vec<u8> {
     let mut gray = shape::Image::filled(400, 600, 0u8);
     let left = 150.0 + 15.0 * libm::sin(0.7 * k as f64);
     for (i, level) in gray.data.iter_mut().enumerate() {
@@ -237,12 +237,12 @@ fn stabilised(shifts: &[[f64; 2]]) -> Cameras {
         seen.at_px[1] += shift[1] as f32;
     }
     let film = 2670.0 / 2400.0 * 36.0 / 1.004;
-    let file = |i: usize| room(i, shifts[i]);
+    let file = |i: usize| background(i, shifts[i]);
     shown(&truth, tracks, rig(Some(film), Some(20.0)), file).unwrap()
 }
 
 #[test]
-fn what_a_stabiliser_shifted_is_found_by_the_room_and_given_back() {
+fn what_a_stabiliser_shifted_is_found_by_the_background_and_taken_out() {
     let mut dice = Dice(4);
     let mut shifts = [[0.0; 2]; PHOTOS];
     let same = |cameras: &Cameras| {
@@ -269,7 +269,7 @@ fn what_a_stabiliser_shifted_is_found_by_the_room_and_given_back() {
             assert!(by.abs() < 0.15, "photo {i}: {by} px");
         }
     }
-    // A rigid body: how sure cameras are is told.
+    // A rigid body: how sure cameras are is reported.
     assert!(found.views.values().all(|v| v.sigma_mm.is_some()));
     // Somebody who kicked the tripod is no stabiliser.
     shifts[7..].iter_mut().for_each(|s| s[0] += 8.0);

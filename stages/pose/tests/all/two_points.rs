@@ -50,7 +50,7 @@ fn a_length_between_two_points_that_somebody_pointed_at_makes_units_millimetres(
     let exact = by_points(pointed(&[0, 2, 5, 7], 0.0));
     assert_eq!(exact.scale, Scale::Reference);
     proof::near(size(&exact), 2.0, 1e-6);
-    // Two pixels off, and what it says of itself holds the truth.
+    // Two pixels off, and its own interval contains the truth.
     let rough = by_points(pointed(&[0, 2, 5, 7], 1.5));
     let sigma = rough.scale_sigma.unwrap();
     assert!((size(&rough) / 2.0 - 1.0).abs() < 3.0 * sigma && sigma < 0.05);
@@ -60,7 +60,7 @@ fn a_length_between_two_points_that_somebody_pointed_at_makes_units_millimetres(
 }
 
 #[test]
-fn two_points_that_tell_nothing_leave_the_length_to_others() {
+fn two_points_of_no_use_leave_the_length_to_other_marks() {
     let mut swapped = pointed(&[0, 2, 5], 0.0);
     swapped[1].px.reverse();
     let mut nameless = pointed(&[0, 2], 0.0);

@@ -111,7 +111,7 @@ pub(crate) fn framed_from(
             scale,
             scale_sigma: None,
             disk_radius_mm: None,
-            // The post's foot, where a mat tells of it.
+            // The post's foot, where a mat gives it.
             ground_mm: if scale == Scale::Nothing { 0.0 } else { -400.0 },
             points: Vec::new(),
         }),

@@ -56,7 +56,7 @@ pub(crate) fn walk() -> Cameras {
     }
 }
 
-/// What the photos show of the mat, which lies at a height; sides seem farther out. \[px\]
+/// What the photos show of the mat, which is at a height; sides seem farther out. \[px\]
 pub(crate) fn seen(cameras: &Cameras, height: f64, bloom_px: f64) -> Tags {
     let tag = |camera: &Camera, id: u32| {
         let corners = mat_corners(&MAT, id)?;
@@ -82,7 +82,7 @@ pub(crate) fn seen(cameras: &Cameras, height: f64, bloom_px: f64) -> Tags {
     }
 }
 
-fn told(cameras: &Cameras, tags: &Tags, mat: Option<&Mat>) -> Option<TagScale> {
+fn scale(cameras: &Cameras, tags: &Tags, mat: Option<&Mat>) -> Option<TagScale> {
     let known = Known {
         tag_mm: MAT.tag_mm,
         mat,
@@ -96,7 +96,7 @@ fn a_layout_and_the_tags_alone_tell_how_long_a_unit_is() {
     let cameras = walk();
     let tags = seen(&cameras, -31.0, 0.0);
     for mat in [Some(&MAT), None] {
-        let found = told(&cameras, &tags, mat).unwrap();
+        let found = scale(&cameras, &tags, mat).unwrap();
         proof::near(found.mm_per_unit, MM_PER_UNIT, 0.003 * MM_PER_UNIT);
         assert_eq!(found.tags, 12);
         assert!(found.sigma < 0.012, "{}", found.sigma);
@@ -105,12 +105,12 @@ fn a_layout_and_the_tags_alone_tell_how_long_a_unit_is() {
 }
 
 #[test]
-fn bloom_moves_sides_within_what_is_said_of_them_and_a_layout_not_at_all() {
+fn bloom_moves_sides_within_their_interval_and_a_layout_not_at_all() {
     let cameras = walk();
     let tags = seen(&cameras, 0.0, 0.3);
-    let laid = told(&cameras, &tags, Some(&MAT)).unwrap();
+    let laid = scale(&cameras, &tags, Some(&MAT)).unwrap();
     proof::near(laid.mm_per_unit, MM_PER_UNIT, 0.002 * MM_PER_UNIT);
-    let alone = told(&cameras, &tags, None).unwrap();
+    let alone = scale(&cameras, &tags, None).unwrap();
     let off = (alone.mm_per_unit / MM_PER_UNIT - 1.0).abs();
     assert!(
         off > 0.003 && off < 2.0 * alone.sigma,
@@ -126,7 +126,7 @@ fn tags_that_are_no_one_place_are_left_out() {
     let mut views: Vec<(PhotoId, Vec<Tag>)> =
         tags.views.iter().map(|(id, t)| (id, t.clone())).collect();
     for (k, (_, seen)) in views.iter_mut().enumerate() {
-        // Number 3 lies elsewhere in every photo, number 5 twice in each, number 7 was misread once.
+        // Number 3 is elsewhere in every photo, number 5 twice in each, number 7 was misread once.
         let by = 40.0 * k as f64;
         seen[3].corners = seen[3].corners.map(|c| [c[0] + by, c[1] - by]);
         let twice = seen[5];
@@ -136,7 +136,7 @@ fn tags_that_are_no_one_place_are_left_out() {
         }
     }
     tags.views = views.into_iter().collect();
-    let found = told(&cameras, &tags, None).unwrap();
+    let found = scale(&cameras, &tags, None).unwrap();
     assert_eq!(found.tags, 10);
     proof::near(found.mm_per_unit, MM_PER_UNIT, 0.003 * MM_PER_UNIT);
 }
@@ -149,6 +149,6 @@ fn one_photo_or_none_tells_nothing() {
     let one = Tags {
         views: one.map(|(id, t)| (id, t.clone())).collect(),
     };
-    assert_eq!(told(&cameras, &one, None), None);
-    assert_eq!(told(&cameras, &Tags::default(), Some(&MAT)), None);
+    assert_eq!(scale(&cameras, &one, None), None);
+    assert_eq!(scale(&cameras, &Tags::default(), Some(&MAT)), None);
 }

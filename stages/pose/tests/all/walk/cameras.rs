@@ -78,10 +78,12 @@ fn a_photo_of_something_else_is_named_and_many_are_refused() {
     let host = Listening::default();
     let found = walked(12, without(&[4]), &host).unwrap();
     assert_eq!(found.views.len(), 11);
-    let told = host.0.lock().unwrap().clone();
+    let warnings = host.0.lock().unwrap().clone();
     assert!(
-        told.len() == 1 && told[0].contains("0004.jpg") && told[0].contains("has no camera"),
-        "{told:?}"
+        warnings.len() == 1
+            && warnings[0].contains("0004.jpg")
+            && warnings[0].contains("has no camera"),
+        "{warnings:?}"
     );
     let error = walked(12, without(&[4, 6, 9, 11]), &Listening::default()).unwrap_err();
     assert!(

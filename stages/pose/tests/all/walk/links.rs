@@ -91,7 +91,7 @@ fn two_sets_of_photos_that_share_nothing_are_refused() {
 }
 
 #[test]
-fn a_camera_that_stood_still_is_told_so() {
+fn a_camera_that_stood_still_is_refused() {
     let one = walk(8)[0];
     let found = linked(keypoints(&[one; 5], 5), 2).map(|t| t.points.len());
     let error = found.unwrap_err();

@@ -1,4 +1,4 @@
-//! A made scene: a figure in a room, cameras that walk around it, and what their photos show.
+//! A made scene: a figure before a background, cameras that walk around it, and what their photos show.
 
 use nalgebra::{Matrix3, Point3, Rotation3, Vector3};
 use pose::{Walk, WalkInput, WalkParams};
@@ -10,7 +10,7 @@ use std::sync::{Arc, Mutex};
 pub(crate) const FOCAL: f64 = 1350.0;
 pub(crate) const UP: [f64; 3] = [0.3, -0.2, 0.93];
 
-/// A photo whose file has 1600 × 1200 pixels; every third one was held sideways.
+/// A photo whose file has 1600 × 1200 pixels; every third one was taken sideways.
 pub(crate) fn photo(i: usize) -> Photo {
     let (width, height, orientation) = if i.is_multiple_of(3) {
         (1600, 1200, 1)
@@ -30,7 +30,7 @@ pub(crate) fn photo(i: usize) -> Photo {
     }
 }
 
-/// Cameras of upright photos on a walk around the origin, up as said, in a mixed order.
+/// Cameras of upright photos on a walk around the origin, up as given, in a mixed order.
 pub(crate) fn walk(count: usize) -> Vec<Camera> {
     let mut dice = Dice(17);
     let up = Vector3::from(UP).normalize();
@@ -53,7 +53,7 @@ pub(crate) fn walk(count: usize) -> Vec<Camera> {
         let photo = photo(i);
         let mut lens = Intrinsics::simple(photo.width, photo.height, FOCAL);
         lens.radial = [0.04, -0.03];
-        // The same place of the sensor, 8 and -5 px off its middle, however it is held.
+        // The same place of the sensor, 8 and -5 px off its middle, however it was turned.
         let [x, y] = lens.centre;
         lens.centre = if i.is_multiple_of(3) {
             [x + 8.0, y - 5.0]
@@ -72,7 +72,7 @@ pub(crate) fn walk(count: usize) -> Vec<Camera> {
     (0..count).map(one).collect()
 }
 
-/// Points of a figure and of the room around, and whether a point faces a camera.
+/// Points of a figure and of what is around, and whether a point faces a camera.
 pub(crate) fn scene() -> Vec<(Point3<f64>, Option<Vector3<f64>>)> {
     let mut dice = Dice(5);
     let up = Vector3::from(UP).normalize();
@@ -129,7 +129,7 @@ pub(crate) fn tracks(cameras: &[Camera], noise_px: f64) -> Tracks {
     Tracks { points }
 }
 
-/// Keeps what is told.
+/// Keeps the warnings.
 #[derive(Default)]
 pub(crate) struct Listening(pub(crate) Mutex<Vec<String>>);
 
@@ -160,7 +160,7 @@ pub(crate) fn why(stop: Stop) -> String {
     }
 }
 
-/// The similarity that takes points nearest to others (Umeyama 1991): turn, size, and what is left.
+/// The similarity that takes points nearest to target points (Umeyama 1991): turn, size, and what is left.
 pub(crate) fn aligned(from: &[Point3<f64>], to: &[Point3<f64>]) -> (Matrix3<f64>, f64, Vec<f64>) {
     let mean =
         |all: &[Point3<f64>]| all.iter().map(|p| p.coords).sum::<Vector3<f64>>() / all.len() as f64;

@@ -1,40 +1,40 @@
-//! Whether the room stands elsewhere on the second of two photos: then the camera was moved.
+//! Whether the background is elsewhere on the second of two photos: then the camera was moved.
 //!
-//! A camera that is nudged turns about itself, so that all of the room, far and near, follows one
+//! A camera that is nudged turns about itself, so that all of the background, far and near, follows one
 //! rotation of its rays; no disk turns like that, and no subject fills the photo.
 
 use crate::two_view::five_point::Both;
 use nalgebra::{Matrix3, Rotation3, Vector3};
 use shape::Intrinsics;
 
-/// How the room moved between two photos.
+/// How the background moved between two photos.
 #[derive(Debug, Clone, PartialEq)]
-pub struct RoomShift {
+pub struct BackgroundShift {
     /// How far it moved, its median. \[px\]
     pub by_px: f64,
     /// Which pairs belong to it.
     pub of: Vec<bool>,
 }
 
-/// Matches of the room lie this near to where the room went. \[px\]
+/// Matches of the background are this near to where the background went. \[px\]
 const NEAR_PX: f64 = 4.0;
-/// Fewest matches that tell of a room.
+/// Fewest matches that make a background.
 const LEAST: usize = 40;
-/// Share of the matches that belong to the room, at least.
+/// Share of the matches that belong to the background, at least.
 const SHARE: f64 = 0.5;
 /// Most that a nudge turns the camera. \[rad\]
 const TURN: f64 = 0.15;
-/// Four fifths of the room reach over so much of the photo, both ways.
+/// Four fifths of the background reach over so much of the photo, both ways.
 const SPREAD: f64 = 0.5;
 
-/// The shift of the room, from the pairs of pixels that are not where they were. `None` where no
+/// The shift of the background, from the pairs of pixels that are not where they were. `None` where no
 /// such share of them moved as one.
-pub fn room_shift(
+pub fn background_shift(
     lens: &Intrinsics,
     pairs: &[Both],
     rounds: usize,
     seed: u64,
-) -> Option<RoomShift> {
+) -> Option<BackgroundShift> {
     if pairs.len() < LEAST {
         return None;
     }
@@ -70,13 +70,13 @@ pub fn room_shift(
         let some: Vec<_> = some.map(|(both, _)| *both).collect();
         of = near(&rotation(&some)?, 1.0);
     }
-    let room: Vec<&Both> = pairs
+    let background: Vec<&Both> = pairs
         .iter()
         .zip(&of)
         .filter(|p| *p.1)
         .map(|p| p.0)
         .collect();
-    if room.len() < LEAST || (room.len() as f64) < SHARE * pairs.len() as f64 {
+    if background.len() < LEAST || (background.len() as f64) < SHARE * pairs.len() as f64 {
         return None;
     }
     let sorted = |mut all: Vec<f64>| {
@@ -84,15 +84,15 @@ pub fn room_shift(
         all
     };
     let wide = |i: usize, size: u32| {
-        let all = sorted(room.iter().map(|pair| pair[0][i]).collect());
+        let all = sorted(background.iter().map(|pair| pair[0][i]).collect());
         all[all.len() * 9 / 10] - all[all.len() / 10] > SPREAD * f64::from(size)
     };
-    let moves = room
+    let moves = background
         .iter()
         .map(|[a, b]| libm::hypot(a[0] - b[0], a[1] - b[1]));
     let moves = sorted(moves.collect());
     let by_px = moves[moves.len() / 2];
-    (wide(0, lens.width) && wide(1, lens.height)).then_some(RoomShift { by_px, of })
+    (wide(0, lens.width) && wide(1, lens.height)).then_some(BackgroundShift { by_px, of })
 }
 
 /// The rotation that takes the first of each pair nearest to the second (Kabsch 1976).
@@ -115,8 +115,8 @@ mod tests {
         LENS().project(&x).unwrap().into()
     }
 
-    /// Matches of a trunk on a disk that turned by 20°, and of a room if the camera was nudged.
-    fn pairs(room: usize, nudge: &Rotation3<f64>) -> Vec<Both> {
+    /// Matches of a trunk on a disk that turned by 20°, and of a background if the camera was nudged.
+    fn pairs(still: usize, nudge: &Rotation3<f64>) -> Vec<Both> {
         let mut dice = proof::Dice(4);
         let mut pairs = Vec::new();
         for _ in 0..300 {
@@ -128,7 +128,7 @@ mod tests {
             let (before, after) = (at(angle), at(angle + 0.35));
             pairs.push([seen(before), seen(nudge * after)]);
         }
-        for _ in 0..room {
+        for _ in 0..still {
             let x = Vector3::new(
                 dice.within(-1000.0, 1000.0),
                 dice.within(-1600.0, 1600.0),
@@ -140,17 +140,20 @@ mod tests {
     }
 
     #[test]
-    fn a_nudged_camera_is_told_from_a_disk_that_turned() {
+    fn a_nudged_camera_is_no_disk_that_turned() {
         assert_eq!(
-            room_shift(&LENS(), &pairs(0, &Rotation3::identity()), 500, 1),
+            background_shift(&LENS(), &pairs(0, &Rotation3::identity()), 500, 1),
             None
         );
         let nudge = Rotation3::from_euler_angles(0.004, 0.013, 0.03);
         let all = pairs(600, &nudge);
-        let found = room_shift(&LENS(), &all, 500, 1).unwrap();
-        let of_room = found.of[300..].iter().filter(|of| **of).count();
+        let found = background_shift(&LENS(), &all, 500, 1).unwrap();
+        let of_background = found.of[300..].iter().filter(|of| **of).count();
         let of_body = found.of[..300].iter().filter(|of| **of).count();
-        assert!(of_room > 590 && of_body < 15, "{of_room} {of_body}");
+        assert!(
+            of_background > 590 && of_body < 15,
+            "{of_background} {of_body}"
+        );
         assert!((20.0..80.0).contains(&found.by_px), "{}", found.by_px);
     }
 }

@@ -14,7 +14,7 @@ use shape::{PhotoId, Tracks};
 const LEAST_LOSS: f64 = 0.05;
 
 /// A scene that holds on to features.
-pub(crate) struct Held {
+pub(crate) struct Trusted {
     /// The features that are looked at.
     pub(crate) many: Tracks,
     pub(crate) scene: Scene,
@@ -27,7 +27,7 @@ pub(crate) struct Held {
     pub(crate) how: Settings,
 }
 
-impl Held {
+impl Trusted {
     /// Three rounds from a scene that explains a few features.
     pub(crate) fn begun(
         scene: &Scene,
@@ -35,11 +35,11 @@ impl Held {
         tracks: &Tracks,
         beliefs: &Beliefs,
         p: &CalibrateParams,
-    ) -> Held {
+    ) -> Trusted {
         let many = chosen(tracks, p.most_tracks as usize);
         let mut scene = scene.clone();
         let (seen, sigma_px, how) = fitting(&mut scene, ids, &many, 16.0, p);
-        let mut held = Held {
+        let mut trusted = Trusted {
             fit: adjust(&mut scene, &seen, beliefs, &how),
             observations: seen,
             many,
@@ -47,8 +47,8 @@ impl Held {
             sigma_px,
             how,
         };
-        (0..2).for_each(|_| held.again(ids, beliefs, p));
-        held
+        (0..2).for_each(|_| trusted.again(ids, beliefs, p));
+        trusted
     }
 
     /// Features anew, then one adjustment.
@@ -65,8 +65,8 @@ impl Held {
     }
 }
 
-/// The features that lie within `most_px` of where they should, what they scatter by, and how they are adjusted: what
-/// lies far off loses weight by what features scatter by, be that less than is believed of them.
+/// The features that are within `most_px` of where they should, what they scatter by, and how they are adjusted: what
+/// is far off loses weight by what features scatter by, be that less than is believed of them.
 fn fitting(
     scene: &mut Scene,
     ids: &[PhotoId],
