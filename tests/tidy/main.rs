@@ -5,4 +5,5 @@ mod files;
 #[path = "../imports/mod.rs"]
 mod imports;
 mod names;
+mod numbers;
 mod rules;

@@ -1,0 +1,109 @@
+//! Numbers of the stages that are constants without a source: how many there are may only fall.
+//!
+//! A number is structural, derived, cited, or fitted with data and program; a choice of a user is a param. What is left was
+//! set by hand.
+
+use super::rules::sources;
+use std::collections::BTreeMap;
+
+/// Constants with a number in it whose comment names no source, by crate.
+const UNSOURCED: [(&str, usize); 13] = [
+    ("capture", 71),
+    ("follow", 16),
+    ("hull", 12),
+    ("io", 24),
+    ("measure", 162),
+    ("person", 20),
+    ("pose", 163),
+    ("refine", 24),
+    ("report", 22),
+    ("shape", 45),
+    ("silhouette", 164),
+    ("stage", 5),
+    ("synth", 11),
+];
+
+/// What a comment names where a number comes from a paper, a standard, a program's fit or another number.
+const SOURCES: [&str; 7] = [
+    "fitted",
+    "models/",
+    "ISO ",
+    "RFC ",
+    "Exif",
+    "derived",
+    "structural",
+];
+
+/// Whether a comment names a source: one of the above, or a year of a paper.
+fn sourced(comment: &str) -> bool {
+    let year = |word: &str| {
+        let digits = word.trim_matches(|c: char| !c.is_ascii_digit());
+        digits.len() == 4 && (digits.starts_with("19") || digits.starts_with("20"))
+    };
+    SOURCES.iter().any(|s| comment.contains(s)) || comment.split_whitespace().any(year)
+}
+
+/// The constants of a file, tests left out, that hold a number of theirs and name no source.
+fn unsourced(text: &str) -> Vec<&str> {
+    let text = text.split("#[cfg(test)]").next().unwrap_or_default();
+    let (mut comment, mut found) = (String::new(), Vec::new());
+    for (line, rest) in text.lines().zip(text.lines().skip(1).chain([""])) {
+        let trimmed = line.trim_start();
+        if trimmed.starts_with("//") || trimmed.starts_with("#[") {
+            comment += trimmed;
+            continue;
+        }
+        let declared = trimmed
+            .trim_start_matches("pub(crate) ")
+            .trim_start_matches("pub(super) ")
+            .trim_start_matches("pub ")
+            .strip_prefix("const ");
+        let named = declared.and_then(|d| d.split_once(':'));
+        if let Some((name, (kind, value))) = named.and_then(|(n, d)| Some((n, d.split_once(" =")?)))
+        {
+            let numeric = [
+                "f64", "f32", "usize", "u8", "u16", "u32", "u64", "i32", "i64",
+            ];
+            let value = if value.ends_with(';') {
+                value.to_owned()
+            } else {
+                format!("{value}{rest}")
+            };
+            let is_number = numeric.iter().any(|n| kind.contains(n))
+                && value.contains(|c: char| c.is_ascii_digit());
+            if is_number && name != "VERSION" && !sourced(&comment) {
+                found.push(name);
+            }
+        }
+        comment.clear();
+    }
+    found
+}
+
+#[test]
+fn numbers_without_a_source_only_become_fewer() {
+    let mut found: BTreeMap<String, usize> = BTreeMap::new();
+    for (path, text) in sources() {
+        let parts: Vec<_> = path.iter().filter_map(|p| p.to_str()).collect();
+        if let ["stages", name, "src", .., file] = parts[..]
+            && !file.ends_with("tests.rs")
+        {
+            *found.entry(name.to_owned()).or_default() += unsourced(&text).len();
+        }
+    }
+    found.retain(|_, count| *count > 0);
+    let listed = UNSOURCED.map(|(name, count)| (name.to_owned(), count));
+    assert_eq!(
+        found.into_iter().collect::<Vec<_>>(),
+        listed,
+        "a number needs a source, or is a param; where there are fewer, lower the list in tests/tidy/numbers.rs"
+    );
+}
+
+#[test]
+fn a_source_is_a_year_a_fit_or_a_standard() {
+    let text = "/// Of a paper (Lowe 2004).\nconst A: f64 = 0.8;\n/// By hand.\npub const B_MM: [f64; 2] =\n    [1.0, 2.0];\n\
+        const VERSION: u32 = 3;\nconst NAME: &str = \"9\";\n/// Fitted by models/x.py.\nconst C: usize = 7;\nconst D: u8 = 1;\n\
+        #[cfg(test)]\nconst E: f64 = 1.0;\n";
+    assert_eq!(unsourced(text), ["B_MM", "D"]);
+}
