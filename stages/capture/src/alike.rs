@@ -16,22 +16,22 @@ pub(crate) fn one_size(photos: &[Photo], plate: Option<&Photo>) -> Result<(), Ca
     let Some(first) = all().find(|p| of(p) == usual).filter(|_| !odd.is_empty()) else {
         return Ok(());
     };
-    let lies = |p: &Photo| match (p.height, p.width) == usual {
+    let turned = |p: &Photo| match (p.height, p.width) == usual {
         true => ", on its side",
         false => "",
     };
-    let mut others: Vec<String> = odd
+    let mut named: Vec<String> = odd
         .iter()
         .take(SHOWN)
-        .map(|p| format!("{} is {}{}", p.name, size(p), lies(p)))
+        .map(|p| format!("{} is {}{}", p.name, size(p), turned(p)))
         .collect();
     if odd.len() > SHOWN {
-        others.push(format!("and {} more", odd.len() - SHOWN));
+        named.push(format!("and {} more", odd.len() - SHOWN));
     }
     Err(CaptureError::Size {
         most: sizes.iter().filter(|s| **s == usual).count(),
         size: size(first),
-        others: others.join(", "),
+        odd: named.join(", "),
     })
 }
 
@@ -40,10 +40,10 @@ const SHOWN: usize = 4;
 
 /// What speaks against photos being one turn of one camera, in order.
 pub(crate) fn not_one_turn(photos: &[Photo]) -> Vec<String> {
-    let mut said = other_cameras(photos);
-    said.extend(out_of_order(photos));
-    said.extend(two_turns(photos));
-    said
+    let mut warnings = other_cameras(photos);
+    warnings.extend(out_of_order(photos));
+    warnings.extend(two_turns(photos));
+    warnings
 }
 
 /// A pause between two turns is so much longer than that between photos, and at least so long. \[s\]
@@ -71,7 +71,7 @@ fn two_turns(photos: &[Photo]) -> Option<String> {
     })
 }
 
-/// The first photo that was taken before the one in front of it; photos that tell no time are
+/// The first photo that was taken before the one in front of it; photos without a time are
 /// passed over.
 fn out_of_order(photos: &[Photo]) -> Option<String> {
     let timed = photos.iter().filter_map(|p| Some((&p.name, p.time_s?)));
@@ -86,30 +86,30 @@ fn out_of_order(photos: &[Photo]) -> Option<String> {
 /// Focal lengths that differ by more than this share are two.
 const ZOOM: f64 = 0.01;
 
-/// Photos that another camera took than most, or the same one zoomed otherwise, as EXIF tells.
+/// Photos that another camera took than most, or the same one zoomed otherwise, by EXIF.
 fn other_cameras(photos: &[Photo]) -> Vec<String> {
     let devices: Vec<&str> = photos.iter().map(|p| p.device.as_str()).collect();
     let usual = most(&devices, |a, b| a == b);
     let focals: Vec<f64> = photos.iter().filter_map(|p| p.focal_35mm).collect();
     let focal = most(&focals, |a, b| (a / b - 1.0).abs() < ZOOM);
-    let mut said = Vec::new();
+    let mut warnings = Vec::new();
     for photo in photos {
         let (name, device) = (&photo.name, photo.device.as_str());
         if let Some(usual) = usual.filter(|u| !device.is_empty() && !u.is_empty() && **u != device)
         {
-            said.push(format!(
+            warnings.push(format!(
                 "{name} was taken with another camera ({device}) than most photos ({usual}): one camera must take all of a turn; take it again, or remove it"
             ));
         }
         if let (Some(own), Some(focal)) = (photo.focal_35mm, focal)
             && (own / focal - 1.0).abs() > ZOOM
         {
-            said.push(format!(
+            warnings.push(format!(
                 "{name} was taken at {own:.1} mm, most photos at {focal:.1} mm: do not zoom during a turn; take it again, or remove it"
             ));
         }
     }
-    said
+    warnings
 }
 
 /// The one that most are like; none of nothing.
@@ -138,7 +138,7 @@ mod tests {
     }
 
     #[test]
-    fn another_camera_and_a_zoom_are_told_by_photo() {
+    fn another_camera_and_a_zoom_are_named_by_photo() {
         let photos = [
             photo("a", "Sony 7", Some(50.0)),
             photo("b", "Canon 6D", Some(50.0)),
@@ -146,14 +146,14 @@ mod tests {
             photo("d", "Canon 6D", Some(50.1)),
             photo("e", "", None),
         ];
-        let said = other_cameras(&photos);
-        assert_eq!(said.len(), 2, "{said:?}");
-        assert!(said[0].starts_with("a was taken with another camera (Sony 7)"));
-        assert!(said[1].starts_with("c was taken at 70.0 mm, most photos at 50"));
+        let warnings = other_cameras(&photos);
+        assert_eq!(warnings.len(), 2, "{warnings:?}");
+        assert!(warnings[0].starts_with("a was taken with another camera (Sony 7)"));
+        assert!(warnings[1].starts_with("c was taken at 70.0 mm, most photos at 50"));
     }
 
     #[test]
-    fn sizes_are_told_with_what_to_do_and_a_long_pause_as_two_turns() {
+    fn sizes_are_named_with_what_to_do_and_a_long_pause_as_two_turns() {
         let mut photos: Vec<Photo> = (0..20)
             .map(|i| Photo {
                 time_s: Some(f64::from(i) * 3.0 + if i < 9 { 0.0 } else { 300.0 }),
@@ -161,10 +161,10 @@ mod tests {
             })
             .collect();
         assert!(one_size(&photos, None).is_ok());
-        let told = two_turns(&photos).unwrap();
+        let warning = two_turns(&photos).unwrap();
         assert!(
-            told.starts_with("between 8.jpg and 9.jpg passed 303 s, else 3 s"),
-            "{told}"
+            warning.starts_with("between 8.jpg and 9.jpg passed 303 s, else 3 s"),
+            "{warning}"
         );
         assert_eq!(two_turns(&photos[2..]), None, "seven photos are no turn");
         (photos[0].width, photos[0].height) = (3, 4);
@@ -174,14 +174,14 @@ mod tests {
             ..photo("plate.jpg", "", None)
         };
         let error = one_size(&photos, Some(&plate)).unwrap_err().to_string();
-        for says in [
+        for part in [
             "18 are 4×4",
             "0.jpg is 3×4",
             "7.jpg is 9×4",
             "plate.jpg is 4×3",
             "--images",
         ] {
-            assert!(error.contains(says), "{says}: {error}");
+            assert!(error.contains(part), "{part}: {error}");
         }
     }
 
@@ -194,7 +194,7 @@ mod tests {
         let photos = [at("a", Some(0.0)), at("b", None), at("c", Some(20.0))];
         assert_eq!(out_of_order(&photos), None);
         let photos = [at("a", Some(30.0)), at("b", None), at("c", Some(20.0))];
-        let told = out_of_order(&photos).unwrap();
-        assert!(told.starts_with("c was taken before a"), "{told}");
+        let warning = out_of_order(&photos).unwrap();
+        assert!(warning.starts_with("c was taken before a"), "{warning}");
     }
 }

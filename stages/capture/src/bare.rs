@@ -30,8 +30,8 @@ pub(crate) fn bare(photo: Photo) -> Result<Photo, PhotoError> {
     })
 }
 
-/// The picture alone as a PNG, upright: of a TIFF, whose tags lie anywhere among the pixels, or of a file whose parts
-/// cannot be told.
+/// The picture alone as a PNG, upright: of a TIFF, whose tags are anywhere among the pixels, or of a file whose parts
+/// cannot be parsed.
 fn anew(photo: Photo) -> Result<Photo, PhotoError> {
     let kept = exif_kept::of(&photo.file, false);
     let file = rgb_to_png(&photo.decode()?);

@@ -1,4 +1,4 @@
-//! The day of a capture: said, or read from the photos where the user asks for that. Never the time of day.
+//! The day of a capture: given, or read from the photos where the user asks for that. Never the time of day.
 
 use crate::keys::{Keys, RigError};
 use shape::day_number;
@@ -8,12 +8,12 @@ use toml::Value;
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(crate) enum Day {
     /// `date = "2026-05-01"`.
-    Said(String),
+    Given(String),
     /// `date = "exif"`: that of the first photo.
     Exif,
 }
 
-/// What is said where photos were asked for their day and tell none.
+/// The warning where photos were asked for their day and have none.
 pub(crate) const NO_DAY: &str = "`date = \"exif\"`: the photos tell no day";
 
 const WANTS: &str = "a day such as \"2026-05-01\", or \"exif\" to take the photos' own";
@@ -26,7 +26,7 @@ pub(crate) fn read_day(root: &mut Keys<'_>) -> Result<Option<Day>, RigError> {
     let text = day_text(&value);
     match text.as_str() {
         "exif" => Ok(Some(Day::Exif)),
-        day if day_number(day).is_some() => Ok(Some(Day::Said(text))),
+        day if day_number(day).is_some() => Ok(Some(Day::Given(text))),
         _ => Err(root.wrong("date", WANTS, &value)),
     }
 }
@@ -62,7 +62,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn days_of_the_calendar_and_no_others() {
+    fn days_of_the_calendar_and_no_other_days() {
         for day in ["2026-05-01", "2024-02-29", "2000-02-29", "1999-12-31"] {
             assert!(day_number(day).is_some(), "{day}");
         }
@@ -94,11 +94,11 @@ mod tests {
         let read = |text: &str| read_day(&mut Keys::root(text.parse().unwrap()));
         assert_eq!(
             read("date = \"2026-05-01\"").unwrap(),
-            Some(Day::Said("2026-05-01".into()))
+            Some(Day::Given("2026-05-01".into()))
         );
         assert_eq!(
             read("date = 2026-05-01").unwrap(),
-            Some(Day::Said("2026-05-01".into()))
+            Some(Day::Given("2026-05-01".into()))
         );
         assert_eq!(read("date = \"exif\"").unwrap(), Some(Day::Exif));
         assert_eq!(read("").unwrap(), None);

@@ -5,18 +5,18 @@
 //! body) is at the edges of what moves.
 
 use crate::glance::{Glance, Together};
-use crate::verdict::{Findings, Grade, Seen, camera_stood};
+use crate::verdict::{Findings, Grade, Seen, camera_is_fixed};
 use rayon::prelude::*;
 
-/// Fewer photos are too far apart to tell.
+/// Fewer photos are too far apart to compare.
 const LEAST: usize = 10;
 /// A pixel is unlike those of all other photos beyond this. \[levels\]
 const UNLIKE: f32 = 25.0;
 /// What does not move is as elsewhere within this. \[levels\]
 const ALIKE: f32 = 12.0;
-/// So much of the picture where nothing moves may not be alike: else the camera, the light or the room changed.
+/// So much of the picture where nothing moves may not be alike: else the camera, the light or the background changed.
 const OTHERWISE: f64 = 0.05;
-/// So much of the middle of what moves is unlike all others, and more where photos are few: 0.06 to 0.18 for the empty
+/// So much of the middle of what moves is unlike all other photos, and more where photos are few: 0.06 to 0.18 for the empty
 /// scene in four made captures of 18 photos, 0.004 at most for any other photo of them (of 9: 0.08 to 0.22, and 0.026).
 const SHARE: (f64, f64) = (0.04, 0.6);
 /// And over so much of its height: 0.28 to 0.38, and 0.05 (of 9: 0.33 to 0.50, and 0.18).
@@ -24,8 +24,8 @@ const HEIGHT: f64 = 0.2;
 /// The photo's brightness against the middle one: what is brighter is burnt, and looks different for that.
 const GAIN: (f64, f64) = (0.7, 1.12);
 
-/// Says which photos do not show the subject.
-pub(crate) fn absent(seen: &Seen<'_>, told: &mut Findings<'_>) {
+/// Finds the photos that do not show the subject.
+pub(crate) fn absent(seen: &Seen<'_>, findings: &mut Findings<'_>) {
     for i in without_subject(seen.glances, seen.together) {
         let name = &seen.photos.photos[i].name;
         let mend = match seen.photos.plate.is_some() || name.contains('#') {
@@ -35,14 +35,14 @@ pub(crate) fn absent(seen: &Seen<'_>, told: &mut Findings<'_>) {
             ),
         };
         let what = "the subject, which all other photos show, is not seen here";
-        told.put(Grade::Hopeless, what, &mend, &[i]);
+        findings.put(Grade::Hopeless, what, &mend, &[i]);
     }
 }
 
-/// The photos that do not show what all others show, by place.
+/// The photos that do not show what all other photos show, by place.
 fn without_subject(all: &[Glance], together: &Together) -> Vec<usize> {
     let n = all.len();
-    if n < LEAST || !camera_stood(together) {
+    if n < LEAST || !camera_is_fixed(together) {
         return vec![];
     }
     let even: Vec<Vec<[f32; 3]>> = all
@@ -55,7 +55,7 @@ fn without_subject(all: &[Glance], together: &Together) -> Vec<usize> {
                 .collect()
         })
         .collect();
-    let area = Area::of(&together.stands, all[0].small.width);
+    let area = Area::of(&together.still_pixels, all[0].small.width);
     let share = SHARE.0.max(SHARE.1 / n as f64);
     let alone = |i: &usize| {
         let gain = together.gains[*i];
@@ -84,17 +84,18 @@ fn apart(a: &[f32; 3], b: &[f32; 3]) -> f32 {
     (0..3).map(|c| (a[c] - b[c]).abs()).fold(0.0, f32::max)
 }
 
-/// By pixel, how far a photo is from the nearest of all others but one: of two empty ones, neither speaks for the other.
+/// By pixel, how far a photo is from the nearest other one, the most similar left out: two empty scenes are no excuse for
+/// each other.
 fn nearest(even: &[Vec<[f32; 3]>], i: usize, moving: &[usize]) -> Vec<f32> {
-    let others = || (0..even.len()).filter(|j| *j != i);
+    let rest = || (0..even.len()).filter(|j| *j != i);
     let differs = |j: usize| -> f32 {
         let pixels = moving.iter();
         pixels.map(|p| apart(&even[i][*p], &even[j][*p])).sum()
     };
-    let likest = others().map(|j| (differs(j), j));
+    let likest = rest().map(|j| (differs(j), j));
     let likest = likest.min_by(|a, b| a.0.total_cmp(&b.0)).map(|(_, j)| j);
     let mut nearest = vec![f32::MAX; even[i].len()];
-    for j in others().filter(|j| Some(*j) != likest) {
+    for j in rest().filter(|j| Some(*j) != likest) {
         for ((least, a), b) in nearest.iter_mut().zip(&even[i]).zip(&even[j]) {
             *least = least.min(apart(a, b));
         }
@@ -118,18 +119,18 @@ struct Area {
 }
 
 impl Area {
-    fn of(stands: &[bool], width: usize) -> Area {
+    fn of(still: &[bool], width: usize) -> Area {
         let mut area = Area {
             width,
-            moving: (0..stands.len()).filter(|p| !stands[*p]).collect(),
-            span: vec![false; stands.len()],
-            amid: vec![false; stands.len()],
+            moving: (0..still.len()).filter(|p| !still[*p]).collect(),
+            span: vec![false; still.len()],
+            amid: vec![false; still.len()],
             middle: 0,
             rows: 0,
         };
         let width = width.max(1);
         let spans = area.span.chunks_mut(width).zip(area.amid.chunks_mut(width));
-        for (row, (span, amid)) in stands.chunks(width).zip(spans) {
+        for (row, (span, amid)) in still.chunks(width).zip(spans) {
             let (first, last) = (row.iter().position(|s| !s), row.iter().rposition(|s| !s));
             if let Some((first, last)) = first.zip(last).filter(|(first, last)| first < last) {
                 span[first..=last].fill(true);

@@ -1,4 +1,4 @@
-//! Whether there are photos enough, and as many as somebody said; copies of another are none.
+//! Whether there are photos enough, and as many as were promised; copies of another photo do not count.
 
 use crate::error::CaptureError;
 
@@ -8,16 +8,16 @@ fn listed(copies: &[(String, String)]) -> String {
     copies.iter().map(one).collect::<Vec<_>>().join(", ")
 }
 
-/// As many photos as was said, if that was.
-pub(crate) fn as_many_as_said(
+/// As many photos as `views` promises, if it is given.
+pub(crate) fn as_many_as_promised(
     found: usize,
     copies: &[(String, String)],
-    said: Option<usize>,
+    promised: Option<usize>,
 ) -> Result<(), CaptureError> {
-    match said.filter(|said| *said != found) {
+    match promised.filter(|promised| *promised != found) {
         None => Ok(()),
-        Some(said) => Err(CaptureError::Count {
-            said,
+        Some(promised) => Err(CaptureError::Count {
+            promised,
             found,
             copies: listed(copies),
         }),

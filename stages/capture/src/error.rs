@@ -27,17 +27,17 @@ pub enum CaptureError {
         /// Which are copies, and of which.
         copies: String,
     },
-    /// Not as many as capture.toml says.
+    /// Not as many as capture.toml names.
     #[error(
-        "capture.toml says {said} views, but {found} photos are there{}: add what is missing, or correct `views`",
+        "capture.toml says {promised} views, but {found} photos are there{}: add what is missing, or correct `views`",
         match copies.as_str() {
             "" => String::new(),
             copies => format!(" (copies of another photo do not count: {copies})"),
         }
     )]
     Count {
-        /// What capture.toml says.
-        said: usize,
+        /// The count of capture.toml.
+        promised: usize,
         /// How many there are.
         found: usize,
         /// Which files are copies, and of which.
@@ -45,7 +45,7 @@ pub enum CaptureError {
     },
     /// Of several sizes.
     #[error(
-        "photos are of several sizes, but one camera must take all of a turn, uncropped: {most} are {size}, {others}; move what does not belong to the turn \
+        "photos are of several sizes, but one camera must take all of a turn, uncropped: {most} are {size}, {odd}; move what does not belong to the turn \
          into another folder, or say which photos are the turn: `images = \"IMG_*.jpg\"` in capture.toml, or --images; a walk around somebody may have several: --walk"
     )]
     Size {
@@ -54,9 +54,9 @@ pub enum CaptureError {
         /// That size.
         size: String,
         /// Those that are not, with theirs.
-        others: String,
+        odd: String,
     },
-    /// `images` says what is not there.
+    /// `images` names what is not there.
     #[error(
         "`images` says {pattern}, but {}: correct it, or leave it out{}",
         match found.as_slice() {
@@ -88,7 +88,7 @@ pub enum CaptureError {
     NoPicture {
         /// The file.
         name: String,
-        /// What the decoder says.
+        /// The decoder's message.
         why: String,
     },
     /// Photos of which nothing will come.

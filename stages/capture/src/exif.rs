@@ -1,4 +1,4 @@
-//! What a photo's file says of the camera. Places and names of people are never read.
+//! What a photo's file records of the camera. Places and names of people are never read.
 
 use exif::{In, Tag, Value};
 use std::io::Cursor;

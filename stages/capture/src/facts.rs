@@ -1,4 +1,4 @@
-//! What is said beside `capture.toml`, by its keys: on the command line, in a pipeline. It wins.
+//! What is given beside `capture.toml`, by its keys: on the command line, in a pipeline. It wins.
 
 use stage::Value;
 use std::collections::BTreeMap;
@@ -15,38 +15,38 @@ impl Facts {
         self.0.iter().map(entry).collect()
     }
 
-    /// A file's table with these facts over it. What the file says of the same thing in other words goes:
-    /// a focal length in pixels under one in millimetres, a reference length of what is said here.
+    /// A file's table with these facts over it. What the file has on the same thing in other words goes:
+    /// a focal length in pixels under one in millimetres, a reference length of what is given here.
     pub(crate) fn over(&self, mut file: Table) -> Table {
-        let said = self.table();
-        let says = |table: &str, key: &str| {
-            let table = said.get(table).and_then(toml::Value::as_table);
+        let given = self.table();
+        let has = |table: &str, key: &str| {
+            let table = given.get(table).and_then(toml::Value::as_table);
             table.is_some_and(|t| t.contains_key(key))
         };
-        if says("camera", "focal_35mm")
+        if has("camera", "focal_35mm")
             && let Some(camera) = file.get_mut("camera").and_then(toml::Value::as_table_mut)
         {
             camera.remove("focal_px");
         }
         let kind = file.get("reference").and_then(|r| r.get("kind"));
         let again = match kind.and_then(toml::Value::as_str) {
-            Some("subject_height") => says("subject", "height_cm"),
-            Some("disk_diameter") => says("disk", "diameter_cm"),
-            Some("tag_size") => says("mat", "tag_size_mm"),
+            Some("subject_height") => has("subject", "height_cm"),
+            Some("disk_diameter") => has("disk", "diameter_cm"),
+            Some("tag_size") => has("mat", "tag_size_mm"),
             _ => false,
         };
         if again {
             file.remove("reference");
         }
-        // An age and a day of birth say the same.
+        // An age and a day of birth mean the same.
         for (key, other) in [("born", "age_years"), ("age_years", "born")] {
-            if says("subject", key)
+            if has("subject", key)
                 && let Some(subject) = file.get_mut("subject").and_then(toml::Value::as_table_mut)
             {
                 subject.remove(other);
             }
         }
-        merge(&mut file, said);
+        merge(&mut file, given);
         file
     }
 }

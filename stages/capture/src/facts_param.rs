@@ -14,17 +14,17 @@ impl ParamType for Facts {
         mistakes.is_empty().then_some(read)
     }
 
-    /// Every value is checked here; what is missing may stand in the file.
+    /// Every value is checked here; what is missing may be in the file.
     fn read_within(name: &str, value: &Value, mistakes: &mut Vec<Mistake>) -> Option<Self> {
         let mut wrong = |what: String| {
             let name = name.to_owned();
             mistakes.push(Mistake { name, what });
         };
-        let Value::Table(said) = value else {
+        let Value::Table(given) = value else {
             wrong(format!("wants {}, but {value} is none", Self::NAME));
             return None;
         };
-        let facts = Facts(said.clone());
+        let facts = Facts(given.clone());
         match read_table(facts.table()) {
             Ok(RigFile { unknown, .. }) => {
                 unknown.into_iter().for_each(&mut wrong);
@@ -64,11 +64,11 @@ mod tests {
     }
 
     #[test]
-    fn what_is_said_wins_over_the_file_and_the_rest_stays() {
+    fn what_is_given_wins_over_the_file_and_the_rest_stays() {
         let file = "step_deg = 20.0\n[subject]\nheight_cm = 165\nweight_kg = 56\n[camera]\nfocal_px = 900\n\
                     [reference]\nkind = \"subject_height\"\nlength_mm = 1650";
-        let said = facts("[subject]\nheight_cm = 178\n[camera]\nfocal_35mm = 26");
-        let rig = read_rig(file, &Facts::read(&said).unwrap()).unwrap().rig;
+        let given = facts("[subject]\nheight_cm = 178\n[camera]\nfocal_35mm = 26");
+        let rig = read_rig(file, &Facts::read(&given).unwrap()).unwrap().rig;
         assert_eq!((rig.stature_mm, rig.weight_kg), (Some(1780.0), Some(56.0)));
         assert_eq!((rig.focal_35mm, rig.focal_px), (Some(26.0), None));
         assert_eq!(rig.reference, None, "the file's reference is the stature");
@@ -76,13 +76,13 @@ mod tests {
     }
 
     #[test]
-    fn what_is_wrong_is_told_before_anything_is_read() {
-        let told = |text: &str| {
+    fn what_is_wrong_is_refused_before_anything_is_read() {
+        let mistakes_of = |text: &str| {
             let mut mistakes = Vec::new();
             Facts::read_within("facts", &facts(text), &mut mistakes);
             mistakes
         };
-        for (text, says) in [
+        for (text, part) in [
             (
                 "subject.height_cm = 1780",
                 "`subject.height_cm` wants a number from 10 to 300",
@@ -94,11 +94,11 @@ mod tests {
                 "`subject.sex` wants \"female\" or \"male\"",
             ),
         ] {
-            let mistakes = told(text);
+            let mistakes = mistakes_of(text);
             assert_eq!(mistakes.len(), 1, "{mistakes:?}");
-            assert!(mistakes[0].what.contains(says), "{mistakes:?}");
+            assert!(mistakes[0].what.contains(part), "{mistakes:?}");
         }
-        // The rest of a mat may stand in the file.
-        assert_eq!(told("mat.ring_radius_mm = 187"), []);
+        // The rest of a mat may be in the file.
+        assert_eq!(mistakes_of("mat.ring_radius_mm = 187"), []);
     }
 }

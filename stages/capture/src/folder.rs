@@ -1,4 +1,4 @@
-//! What lies in the user's folder besides photos that can be read, and the command that makes photos of it.
+//! What is in the user's folder besides photos that can be read, and the command that makes photos of it.
 
 /// Endings of photos that are read.
 pub const READ: &[&str] = match cfg!(feature = "heic") {
@@ -142,7 +142,7 @@ mod tests {
         let names = names.map(str::to_owned);
         let found = foreign(&names);
         let words: Vec<String> = found.iter().map(Foreign::words).collect();
-        let others = ["1 videos (walk.MOV)", "1 raw photos (b.DNG)"];
+        let unread = ["1 videos (walk.MOV)", "1 raw photos (b.DNG)"];
         let [video, raw] = found.last_chunk().unwrap();
         assert_eq!(video.way, "tailor measure \"walk.MOV\"");
         assert!(raw.way.starts_with("dcraw_emu -w") && raw.way.ends_with("*.DNG"));
@@ -150,13 +150,13 @@ mod tests {
         if cfg!(feature = "heic") {
             assert_eq!(
                 (words.as_slice(), photos),
-                (others.map(String::from).as_slice(), 4)
+                (unread.map(String::from).as_slice(), 4)
             );
         } else {
             assert_eq!(words[0], "3 HEIC photos (IMG_1.HEIC, IMG_2.HEIC, …)");
             assert_eq!(
                 (&words[1..], photos),
-                (others.map(String::from).as_slice(), 1)
+                (unread.map(String::from).as_slice(), 1)
             );
             assert!(found[0].way.contains("*.HEIC") && found[0].way.contains("heif-convert"));
         }

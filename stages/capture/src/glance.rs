@@ -1,17 +1,17 @@
-//! What small pictures of a turn tell at once: what stands still, what turns, whether photos follow each other.
+//! What small pictures of a turn show at once: what does not move, what turns, whether photos follow each other.
 
 use shape::{Gray, Rgb};
 
 /// Small pictures are about so many pixels across. \[px\]
 const ACROSS: usize = 96;
-/// A pixel that changes by less than this over the photos stands still. \[levels\]
+/// A pixel that changes by less than this over the photos does not move. \[levels\]
 const STILL: f32 = 9.0;
-/// A row or column at the border is reached where so much of it does not stand still.
+/// A row or column at the border is reached where so much of it moves.
 const REACHED: f64 = 0.04;
 
 /// Light is about this power of what files hold (sRGB).
 const GAMMA: f64 = 2.2;
-/// Fewer pixels that stand still tell no exposure.
+/// Fewer pixels that do not move give no exposure.
 const FIRM: usize = 60;
 
 /// One photo at a glance.
@@ -61,16 +61,16 @@ pub fn glance(photo: &Rgb) -> Glance {
     }
 }
 
-/// What the photos of a turn tell together.
+/// What the photos of a turn show together.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Together {
-    /// Share of the picture that stands still.
+    /// Share of the picture that does not move.
     pub still: f64,
-    /// By pixel of the small pictures, whether it does.
-    pub stands: Vec<bool>,
+    /// By pixel of the small pictures, whether it does not move.
+    pub still_pixels: Vec<bool>,
     /// Brightness of each photo against the middle one.
     pub gains: Vec<f64>,
-    /// Exposure of each photo against the middle one, by what stands still; empty where too little does to tell. \[EV\]
+    /// Exposure of each photo against the middle one, by what does not move; empty where that is too little. \[EV\]
     pub exposure_ev: Vec<f64>,
     /// How much each photo differs from the next, the last from the first, where something moves. \[levels\]
     pub steps: Vec<f64>,
@@ -108,14 +108,14 @@ pub fn together(all: &[Glance]) -> Together {
         .zip(&gains)
         .map(|(g, gain)| g.small.data.iter().map(|v| v / *gain as f32).collect())
         .collect();
-    let stands = |i: usize| {
+    let steady = |i: usize| {
         let mut seen: Vec<f32> = even.iter().map(|g| g[i]).collect();
         seen.sort_by(f32::total_cmp);
         // Each end may have one photo with something in the way.
         let cut = usize::from(seen.len() > 6);
         seen[seen.len() - 1 - cut] - seen[cut] < STILL
     };
-    let still: Vec<bool> = (0..pixels).map(stands).collect();
+    let still: Vec<bool> = (0..pixels).map(steady).collect();
     let apart = |a: &[f32], b: &[f32]| {
         let moving = (0..pixels).filter(|i| !still[*i]);
         let (sum, count) = moving.fold((0.0, 0usize), |(sum, count), i| {
@@ -138,8 +138,8 @@ pub fn together(all: &[Glance]) -> Together {
     let astray = |i: usize| {
         let far = |j: &usize| i.abs_diff(*j).min(n - i.abs_diff(*j)) > 2;
         let least = |of_far: bool| {
-            let others = (0..n).filter(|j| *j != i && far(j) == of_far);
-            others.map(|j| apart(&even[i], &even[j])).reduce(f64::min)
+            let rest = (0..n).filter(|j| *j != i && far(j) == of_far);
+            rest.map(|j| apart(&even[i], &even[j])).reduce(f64::min)
         };
         match (least(true), least(false)) {
             (Some(far), Some(near)) if near > 0.0 => far / near,
@@ -152,7 +152,7 @@ pub fn together(all: &[Glance]) -> Together {
         steps,
         astray: (0..n).map(astray).collect(),
         reached: reached(&still, all[0].small.width),
-        stands: still,
+        still_pixels: still,
         gains,
     }
 }
@@ -210,12 +210,12 @@ mod tests {
     }
 
     #[test]
-    fn a_turn_before_a_wall_stands_still_but_for_what_turns() {
-        let told = together(&turn(0));
-        assert!((0.5..0.75).contains(&told.still), "{}", told.still);
-        assert_eq!(told.reached, [false, true, false, false]);
-        assert!(told.astray.iter().all(|a| *a > 1.0), "{:?}", told.astray);
-        assert!(told.exposure_ev.iter().all(|ev| ev.abs() < 0.02));
+    fn a_turn_before_a_wall_is_at_rest_but_for_what_turns() {
+        let found = together(&turn(0));
+        assert!((0.5..0.75).contains(&found.still), "{}", found.still);
+        assert_eq!(found.reached, [false, true, false, false]);
+        assert!(found.astray.iter().all(|a| *a > 1.0), "{:?}", found.astray);
+        assert!(found.exposure_ev.iter().all(|ev| ev.abs() < 0.02));
         let walk = together(&turn(3));
         assert!(walk.still < 0.1, "{}", walk.still);
     }
@@ -225,14 +225,14 @@ mod tests {
         let mut all = turn(0);
         all[4] = turned(std::f64::consts::TAU * 4.0 / 18.0, 0.8, 0);
         all.swap(9, 15);
-        let told = together(&all);
-        proof::near(told.exposure_ev[4], 2.2 * libm::log2(0.8f64), 0.1);
-        let astray = |i: usize| told.astray[i] < 0.65;
-        assert!(astray(9) && astray(15), "{:?}", told.astray);
+        let found = together(&all);
+        proof::near(found.exposure_ev[4], 2.2 * libm::log2(0.8f64), 0.1);
+        let astray = |i: usize| found.astray[i] < 0.65;
+        assert!(astray(9) && astray(15), "{:?}", found.astray);
         assert!(
             (0..18).filter(|i| astray(*i)).count() < 7,
             "{:?}",
-            told.astray
+            found.astray
         );
     }
 }

@@ -7,11 +7,11 @@ use std::sync::Mutex;
 
 /// The answer of a program to the question after its version; asked once a process.
 ///
-/// `ask` are the question's arguments, `told` finds the version in the answer.
+/// `ask` are the question's arguments, `read_version` finds the version in the answer.
 pub(crate) fn version(
     name: &'static str,
     ask: &[&str],
-    told: impl FnOnce(&str) -> Option<String>,
+    read_version: impl FnOnce(&str) -> Option<String>,
 ) -> Option<String> {
     static TOLD: Mutex<BTreeMap<&str, String>> = Mutex::new(BTreeMap::new());
     let mut all = TOLD.lock().expect("bug: poisoned");
@@ -20,19 +20,19 @@ pub(crate) fn version(
     }
     let mut command = Command::new(name);
     let out = command.args(ask).stdin(Stdio::null()).output().ok()?;
-    let version = told(&String::from_utf8_lossy(&[out.stdout, out.stderr].concat()))?;
+    let version = read_version(&String::from_utf8_lossy(&[out.stdout, out.stderr].concat()))?;
     all.insert(name, version.clone());
     Some(version)
 }
 
-/// Where a program lies.
+/// Where a program is installed.
 pub(crate) fn found(name: &str) -> Option<PathBuf> {
     let folders = std::env::var_os("PATH")?;
     let mut files = std::env::split_paths(&folders).map(|folder| folder.join(name));
     files.find(|file| file.is_file())
 }
 
-/// The library of a name that a program is linked to, as the loader of Linux tells.
+/// The library of a name that a program is linked to, by the loader of Linux.
 pub(crate) fn linked(program: &Path, library: &str) -> Option<PathBuf> {
     let mut command = Command::new(program);
     // ld.so(8): lists the libraries and does not run the program.
@@ -55,9 +55,9 @@ mod tests {
         let shell = found("sh").unwrap();
         assert!(linked(&shell, "libc.").is_none_or(|l| l.is_file()));
         assert_eq!(linked(&shell, "no-such-library"), None);
-        let told = version("sh", &["-c", "echo sh version 1.2 of today"], |text| {
+        let found = version("sh", &["-c", "echo sh version 1.2 of today"], |text| {
             Some(text.split_whitespace().nth(2)?.to_owned())
         });
-        assert_eq!(told.as_deref(), Some("1.2"));
+        assert_eq!(found.as_deref(), Some("1.2"));
     }
 }

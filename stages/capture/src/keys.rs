@@ -3,15 +3,15 @@
 use stage::unknown;
 use toml::{Table, Value};
 
-/// What is said of a capture and does not make sense.
+/// What is given of a capture and does not make sense.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 #[error("{}: {what}", if *.beside { BESIDE } else { FILE })]
 pub struct RigError {
     /// What is wrong.
     pub(crate) what: String,
-    /// Whether something is not there, which may stand elsewhere.
+    /// Whether something is not there, which may be elsewhere.
     pub(crate) missing: bool,
-    /// Whether something was said beside the file.
+    /// Whether it was given beside the file.
     pub(crate) beside: bool,
 }
 

@@ -56,7 +56,7 @@ pub use surface::{Surface, SurfaceError, SurfaceInput, SurfaceParams, Unit, Up};
 pub use verdict::{Finding, Grade};
 pub use video::{Video, VideoError, VideoInput, VideoParams};
 
-/// Every stage of this room, in the order in which data flows through it.
+/// Every stage of this crate, in the order in which data flows through it.
 pub const STAGES: &[&dyn stage::AnyStage] = &[
     &stage::erase::<Video>(),
     &stage::erase::<Raw>(),

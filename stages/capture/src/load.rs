@@ -2,7 +2,7 @@
 
 use crate::alike::{not_one_turn, one_size};
 use crate::date::{Day, NO_DAY, day_of};
-use crate::enough::{as_many_as_said, enough};
+use crate::enough::{as_many_as_promised, enough};
 use crate::error::CaptureError;
 use crate::facts::Facts;
 use crate::glance::{Glance, glance, together};
@@ -40,10 +40,10 @@ stage::params! {
         stop: bool = false,
         /// Whether photos may be of several sizes and cameras and in any order, as those of a walk.
         mixed: bool = false,
-        /// Whether steps between photos are even where a step is told; those between frames of a video
+        /// Whether steps between photos are even where a step is given; those between frames of a video
         /// are not.
         even: bool = true,
-        /// What is known of the capture, by the keys of `capture.toml`, over what the file says:
+        /// What is known of the capture, by the keys of `capture.toml`, over what the file has:
         /// `facts.subject.height_cm`.
         facts: Facts = Facts::default(),
     }
@@ -75,8 +75,8 @@ impl Stage for Load {
     fn run(p: &LoadParams, input: LoadInput, ctx: &Ctx<'_>) -> Result<Photos, Stop> {
         let files = &input.files;
         let known = known(files, p)?;
-        let told = |key: &String| ctx.warn(format!("capture.toml: {key}"));
-        known.unknown.iter().for_each(told);
+        let warn = |key: &String| ctx.warn(format!("capture.toml: {key}"));
+        known.unknown.iter().for_each(warn);
         crate::rig_tags::doubts(&known.rig)
             .iter()
             .for_each(|w| ctx.warn(w));
@@ -154,7 +154,7 @@ fn looked_at(photos: &Photos, seen: Vec<(Glance, f64)>, ctx: &Ctx<'_>) -> Result
     }
 }
 
-/// What the user knows: the file, and over it what is said beside it.
+/// What the user knows: the file, and over it what is given beside it.
 fn known(files: &Files, p: &LoadParams) -> Result<RigFile, Stop> {
     let entry = files.entries.iter().find(|e| e.name == "capture.toml");
     let bytes = entry.map(|e| files.read(e)).transpose()?;
@@ -244,7 +244,7 @@ fn chosen<T: Sync>(
     sharp: impl Fn(&T) -> Result<f64, Stop> + Sync,
     ctx: &Ctx<'_>,
 ) -> Result<(Vec<T>, Option<usize>), Stop> {
-    as_many_as_said(turn.len(), copies, known.views)?;
+    as_many_as_promised(turn.len(), copies, known.views)?;
     let (keep, of) = (p.keep.min(p.of) as usize, p.of as usize);
     let turn = thinned(turn, keep, of);
     enough(turn.len(), copies, p.fewest)?;

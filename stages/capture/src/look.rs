@@ -5,7 +5,7 @@ use crate::noise::{noisy, of_photos};
 use crate::odd::{seen_in_facts, seen_in_pictures};
 use crate::ordered::in_order;
 use crate::sharpness::sharpness;
-use crate::verdict::{Seen, against_the_middle, camera_stood, can, lengths};
+use crate::verdict::{Seen, against_the_middle, camera_is_fixed, can, lengths};
 use rayon::prelude::*;
 use serde_json::{Map, Value, json};
 use shape::{Document, Photo, Photos, Tags};
@@ -105,7 +105,7 @@ impl Stage for Look {
             "step_deg": rig.step.map(f64::to_degrees), "lengths_from": lengths(rig),
             "still_pct": (1e3 * together.still).round() / 10.0,
             "noise_levels": noise.map(|(levels, _)| round(levels, 1e2)), "noise_against": noise.map(|(_, against)| against),
-            "motion": if camera_stood(&together) { "turn" } else { "walk" },
+            "motion": if camera_is_fixed(&together) { "turn" } else { "walk" },
             "findings": findings, "can": can, "views": views,
         });
         Ok(Document {

@@ -9,7 +9,7 @@ use std::path::Path;
 /// The turn, in turning order, and the plate.
 pub(crate) type Sorted<'a> = (Vec<&'a FileEntry>, Option<&'a FileEntry>);
 
-/// Which files are the turn, and which is the plate: those that `images` says, in its order; else those in
+/// Which files are the turn, and which is the plate: those that `images` names, in its order; else those in
 /// `images/`, which goes before the folder itself.
 pub(crate) fn sorted<'a>(files: &'a Files, known: &RigFile) -> Result<Sorted<'a>, CaptureError> {
     let pictures: Vec<_> = files
@@ -20,7 +20,7 @@ pub(crate) fn sorted<'a>(files: &'a Files, known: &RigFile) -> Result<Sorted<'a>
     let plate = plate_of(files, known)?;
     let other = |e: &&FileEntry| Some(&e.name) != plate.map(|p| &p.name) && !is_plate(&e.name);
     if !known.images.is_empty() {
-        return Ok((said(&pictures, &known.images, other)?, plate));
+        return Ok((listed(&pictures, &known.images, other)?, plate));
     }
     let inner = |e: &FileEntry| e.name.starts_with("images/");
     let within = pictures.iter().any(|e| inner(e) && !is_plate(&e.name));
@@ -70,8 +70,8 @@ fn named<'a>(files: &'a Files, name: &str) -> Result<&'a FileEntry, CaptureError
     })
 }
 
-/// The files that `images` says, in its order, none twice.
-fn said<'a>(
+/// The files that `images` names, in its order, none twice.
+fn listed<'a>(
     pictures: &[&'a FileEntry],
     images: &[String],
     other: impl Fn(&&FileEntry) -> bool,
@@ -96,7 +96,7 @@ fn said<'a>(
     Ok(turn)
 }
 
-/// Whether a name says that a file is of the empty scene: `plate` before its ending, letters of either case.
+/// Whether a file is of the empty scene by its name: `plate` before its ending, letters of either case.
 pub fn is_plate(name: &str) -> bool {
     let stem = Path::new(name).file_stem();
     stem.is_some_and(|s| s.to_string_lossy().to_lowercase() == "plate")
@@ -179,11 +179,11 @@ mod tests {
     }
 
     #[test]
-    fn what_is_said_is_taken_in_its_order_and_what_is_not_there_is_told() {
+    fn images_are_taken_in_their_order_and_what_is_not_there_is_refused() {
         let names = ["a1.jpg", "a2.JPG", "b/c1.png", "plate.jpg", "selfie.jpg"];
         assert_eq!(turn(&names, &["a*.jpg"]).unwrap(), ["a1.jpg", "a2.JPG"]);
-        let said = turn(&names, &["b/*.{png,jpg}", "a2.jpg", "a*.jpg"]).unwrap();
-        assert_eq!(said, ["b/c1.png", "a2.JPG", "a1.jpg"]);
+        let chosen = turn(&names, &["b/*.{png,jpg}", "a2.jpg", "a*.jpg"]).unwrap();
+        assert_eq!(chosen, ["b/c1.png", "a2.JPG", "a1.jpg"]);
         assert_eq!(
             turn(&names, &["*.jpg"]).unwrap(),
             ["a1.jpg", "a2.JPG", "selfie.jpg"]
@@ -215,8 +215,8 @@ mod tests {
         let names = ["a/empty.jpg", "b/empty.jpg", "b/1.jpg", "b/plate.jpg"];
         assert_eq!(plate(&names, "b/empty.jpg").unwrap(), "b/empty.jpg");
         let error = plate(&names, "empty.jpg").unwrap_err();
-        let says = "there is a/empty.jpg, b/empty.jpg, b/plate.jpg";
-        assert!(error.contains(says), "{error}");
+        let part = "there is a/empty.jpg, b/empty.jpg, b/plate.jpg";
+        assert!(error.contains(part), "{error}");
         let error = plate(&["1.jpg", "background.jpg"], "backgruond.jpg").unwrap_err();
         assert!(error.contains("there is background.jpg"), "{error}");
         let error = plate(&["1.jpg"], "backgruond.jpg").unwrap_err();

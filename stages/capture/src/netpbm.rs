@@ -93,8 +93,8 @@ mod tests {
     }
 
     #[test]
-    fn what_is_no_picture_is_told() {
-        for (bytes, says) in [
+    fn what_is_no_picture_is_refused() {
+        for (bytes, part) in [
             ("P5 2 2 255 abc", "ends within"),
             ("P5 2 2 65535 ", "65535 levels"),
             ("P5 99999 2 255 ", "\"99999\" pixels"),
@@ -106,7 +106,7 @@ mod tests {
             ),
         ] {
             let why = read(&mut bytes.as_bytes()).unwrap_err().to_string();
-            assert!(why.contains(says), "{bytes}: {why}");
+            assert!(why.contains(part), "{bytes}: {why}");
         }
     }
 }

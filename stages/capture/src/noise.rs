@@ -2,7 +2,7 @@
 
 use crate::glance::Together;
 use crate::ordered::in_order;
-use crate::verdict::{Finding, Grade, camera_stood};
+use crate::verdict::{Finding, Grade, camera_is_fixed};
 use rayon::prelude::*;
 use shape::{Photo, PhotoError, Photos, Rgb};
 
@@ -10,7 +10,7 @@ use shape::{Photo, PhotoError, Photos, Rgb};
 const SQUARE: usize = 16;
 /// Squares with a pixel at or beyond these hold less noise than there was. \[levels\]
 const CLIPPED: (u8, u8) = (2, 253);
-/// Of all squares, from the quietest on, the one at this share tells: the subject and its shadow cover less than the
+/// The noise is that of the square at this share of all, from the quietest on: the subject and its shadow cover less than the
 /// rest of them.
 const QUIET: f64 = 0.4;
 /// So many photos, evenly over the turn, are looked at.
@@ -19,7 +19,7 @@ const LOOKED_AT: usize = 6;
 /// up to 3.1 levels; at 4.2 masks lost strips of a white shirt before a grey wall and waists were up to 3.9 % too small.
 const NOISY: f64 = 3.0;
 
-/// What photos were held against.
+/// What photos were compared with.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, serde::Serialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Against {
@@ -67,12 +67,12 @@ fn square(a: &Rgb, b: &Rgb, [left, top]: [usize; 2]) -> Option<f64> {
     Some((squares as f64 - of_means) / (3.0 * (n - 1.0)))
 }
 
-/// The noise of the photos of a camera that stood still: the middle one of a few. \[levels\]
+/// The noise of the photos of a camera that did not move: the middle one of a few. \[levels\]
 pub(crate) fn of_photos(
     photos: &Photos,
     together: &Together,
 ) -> Result<Option<(f64, Against)>, PhotoError> {
-    if !camera_stood(together) {
+    if !camera_is_fixed(together) {
         return Ok(None);
     }
     let all = &photos.photos;
@@ -148,7 +148,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_clipped_or_of_another_size_tells_nothing() {
+    fn what_is_clipped_or_of_another_size_gives_no_noise() {
         let white = Rgb::filled(64, 64, [255; 3]);
         assert_eq!(noise(&white, &white), None);
         let [a, b] = [64, 48].map(|width| Rgb::filled(width, 64, [90; 3]));

@@ -2,16 +2,16 @@
 
 use crate::empty::absent;
 use crate::glance::Glance;
-use crate::verdict::{Finding, Findings, Grade, Seen, camera_stood, lengths};
+use crate::verdict::{Finding, Findings, Grade, Seen, camera_is_fixed, lengths};
 
-/// Less than this of the picture stands still: nothing will come of it without a mat.
+/// Less than this of the picture does not move: nothing will come of it without a mat.
 const MOVED: f64 = 0.03;
 /// Photos are not in turning order where the middle one of all is so much more like one far away in order than
 /// like its neighbours: 0.70 shuffled, 1.05 to 1.8 in order, on seven captures.
 const SHUFFLED: f64 = 0.88;
 /// A photo is not where it belongs if the same is true of it: a body that is alike from two sides, or a mat, is not.
 const STRANGE: f64 = 0.65;
-/// So many photos to each side tell how sharp one should be.
+/// So many photos to each side give how sharp one should be.
 const AROUND: usize = 3;
 /// A photo is blurred that is less sharp than this share of the middle one around it.
 const BLURRED: f64 = 0.45;
@@ -28,39 +28,39 @@ const SMALL: f64 = 0.7e6;
 
 /// What is odd about the pictures, the worst first.
 pub(crate) fn seen_in_pictures(seen: &Seen<'_>) -> Vec<Finding> {
-    let mut told = Findings {
+    let mut findings = Findings {
         photos: seen.photos,
         all: vec![],
     };
-    absent(seen, &mut told);
-    order(seen, &mut told);
-    pictures(seen, &mut told);
-    frame(seen, &mut told);
-    told.all.sort_by_key(|f| f.grade as u8);
-    told.all
+    absent(seen, &mut findings);
+    order(seen, &mut findings);
+    pictures(seen, &mut findings);
+    frame(seen, &mut findings);
+    findings.all.sort_by_key(|f| f.grade as u8);
+    findings.all
 }
 
 /// What is odd about what is known, the worst first.
 pub(crate) fn seen_in_facts(seen: &Seen<'_>) -> Vec<Finding> {
-    let mut told = Findings {
+    let mut findings = Findings {
         photos: seen.photos,
         all: vec![],
     };
-    facts(seen, &mut told);
-    told.all.sort_by_key(|f| f.grade as u8);
-    told.all
+    facts(seen, &mut findings);
+    findings.all.sort_by_key(|f| f.grade as u8);
+    findings.all
 }
 
 /// Whether photos follow each other around a turn.
-fn order(seen: &Seen<'_>, told: &mut Findings<'_>) {
+fn order(seen: &Seen<'_>, findings: &mut Findings<'_>) {
     let (together, count) = (seen.together, seen.photos.photos.len());
     let tagged = seen.photos.rig.tagged();
-    if !camera_stood(together) {
+    if !camera_is_fixed(together) {
         let grade = match together.still < MOVED && !tagged {
             true => Grade::Hopeless,
             false => Grade::Doubt,
         };
-        told.put(
+        findings.put(
             grade,
             format!(
                 "only {:.0} % of the picture stands still: the camera, or all behind the subject, moved between the photos",
@@ -79,7 +79,7 @@ fn order(seen: &Seen<'_>, told: &mut Findings<'_>) {
         } else {
             Grade::Hopeless
         };
-        told.put(
+        findings.put(
             grade,
             "photos are more like others far away in order than like their neighbours: they are not in turning order",
             "name photos in turning order, or list them with `images = [...]`; `tailor run pipelines/any-order.toml` finds cameras without an order",
@@ -91,7 +91,7 @@ fn order(seen: &Seen<'_>, told: &mut Findings<'_>) {
         .filter(|i| together.astray[*i] < STRANGE)
         .collect();
     if !strangers.is_empty() {
-        told.put(
+        findings.put(
             Grade::Doubt,
             "far more like one far away in order than like its neighbours",
             "look whether these photos are in their place",
@@ -109,7 +109,7 @@ fn order(seen: &Seen<'_>, told: &mut Findings<'_>) {
     };
     let same = of(&|r| r < STEPS.0);
     if !same.is_empty() {
-        told.put(
+        findings.put(
             Grade::Doubt,
             "nothing turned between these photos and the next",
             "leave one of each two out",
@@ -118,7 +118,7 @@ fn order(seen: &Seen<'_>, told: &mut Findings<'_>) {
     }
     let wide = of(&|r| r > STEPS.1);
     if !wide.is_empty() {
-        told.put(
+        findings.put(
             Grade::Doubt,
             "the next photo differs by far more than others do",
             "look whether a photo is missing there",
@@ -128,7 +128,7 @@ fn order(seen: &Seen<'_>, told: &mut Findings<'_>) {
 }
 
 /// Light and sharpness, photo by photo.
-fn pictures(seen: &Seen<'_>, told: &mut Findings<'_>) {
+fn pictures(seen: &Seen<'_>, findings: &mut Findings<'_>) {
     let places = |of: &dyn Fn(usize) -> bool| -> Vec<usize> {
         (0..seen.glances.len()).filter(|i| of(*i)).collect()
     };
@@ -142,7 +142,7 @@ fn pictures(seen: &Seen<'_>, told: &mut Findings<'_>) {
     };
     let blurred = places(&|i| seen.sharpness[i] < BLURRED * around(i));
     if !blurred.is_empty() {
-        told.put(
+        findings.put(
             Grade::Doubt,
             "blurred beside the others",
             "take them again, or leave them out",
@@ -159,7 +159,7 @@ fn pictures(seen: &Seen<'_>, told: &mut Findings<'_>) {
         // A background that is white or black by design is in all of them.
         let lost = places(&|i| share(&seen.glances[i]) > LOST);
         if !lost.is_empty() && lost.len() < seen.glances.len() {
-            told.put(
+            findings.put(
                 Grade::Doubt,
                 what,
                 "take them again with the exposure held",
@@ -169,9 +169,9 @@ fn pictures(seen: &Seen<'_>, told: &mut Findings<'_>) {
     }
     let ev = &seen.together.exposure_ev;
     let uneven = places(&|i| ev.get(i).is_some_and(|ev| ev.abs() > UNEVEN_EV));
-    if !uneven.is_empty() && camera_stood(seen.together) {
+    if !uneven.is_empty() && camera_is_fixed(seen.together) {
         let span = |pick: fn(f64, f64) -> f64| ev.iter().copied().reduce(pick).unwrap_or(0.0);
-        told.put(
+        findings.put(
             Grade::Doubt,
             format!(
                 "exposed from {:+.2} to {:+.2} EV against the middle",
@@ -184,7 +184,7 @@ fn pictures(seen: &Seen<'_>, told: &mut Findings<'_>) {
     }
     let first = &seen.photos.photos[0];
     if f64::from(first.width) * f64::from(first.height) < SMALL {
-        told.put(
+        findings.put(
             Grade::Hint,
             format!(
                 "photos of {}×{} pixels are small",
@@ -197,13 +197,13 @@ fn pictures(seen: &Seen<'_>, told: &mut Findings<'_>) {
 }
 
 /// Whether the subject is within the picture.
-fn frame(seen: &Seen<'_>, told: &mut Findings<'_>) {
-    if !camera_stood(seen.together) {
+fn frame(seen: &Seen<'_>, findings: &mut Findings<'_>) {
+    if !camera_is_fixed(seen.together) {
         return;
     }
     let [top, _, left, right] = seen.together.reached;
     if top {
-        told.put(
+        findings.put(
             Grade::Doubt,
             "what moves reaches the upper border: the head may be cut off",
             "leave room above the head",
@@ -211,7 +211,7 @@ fn frame(seen: &Seen<'_>, told: &mut Findings<'_>) {
         );
     }
     if left && right {
-        told.put(
+        findings.put(
             Grade::Doubt,
             "what moves reaches both sides: arms may be cut off, or people walk behind the subject",
             "step back, and keep the background still",
@@ -220,11 +220,11 @@ fn frame(seen: &Seen<'_>, told: &mut Findings<'_>) {
     }
 }
 
-/// What is known, and what would tell more.
-fn facts(seen: &Seen<'_>, told: &mut Findings<'_>) {
+/// What is known, and what would help.
+fn facts(seen: &Seen<'_>, findings: &mut Findings<'_>) {
     let (rig, count) = (&seen.photos.rig, seen.photos.photos.len());
     if seen.tags == Some(0) && rig.tagged() {
-        told.put(
+        findings.put(
             Grade::Doubt,
             "a mat is told of, but no tag of it was found",
             "is it in view, in good light, and flat?",
@@ -232,7 +232,7 @@ fn facts(seen: &Seen<'_>, told: &mut Findings<'_>) {
         );
     }
     if count < FEW && !rig.tagged() && rig.step.is_none() {
-        told.put(
+        findings.put(
             Grade::Doubt,
             format!("{count} photos are few: without a mat features are followed over steps of 30° at most"),
             "take 18 to 36 photos of a full turn, or lay a mat on the disk",
@@ -240,7 +240,7 @@ fn facts(seen: &Seen<'_>, told: &mut Findings<'_>) {
         );
     }
     if rig.focal_35mm.is_none() && rig.focal_px.is_none() && !rig.tagged() {
-        told.put(
+        findings.put(
             Grade::Doubt,
             "nothing tells of the focal length",
             "keep EXIF in the photos, or say --focal",
@@ -248,15 +248,15 @@ fn facts(seen: &Seen<'_>, told: &mut Findings<'_>) {
         );
     }
     if lengths(rig).is_none() {
-        told.put(
+        findings.put(
             Grade::Doubt,
             "nothing of known length is given: lengths will be relative",
             "say --stature, or --disk-diameter, or lay a mat on the disk",
             &[],
         );
     }
-    if seen.photos.plate.is_none() && camera_stood(seen.together) {
-        told.put(
+    if seen.photos.plate.is_none() && camera_is_fixed(seen.together) {
+        findings.put(
             Grade::Hint,
             "there is no photo of the empty scene",
             "take one without the subject and call it plate.jpg: silhouettes become surer",

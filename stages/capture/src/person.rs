@@ -10,9 +10,9 @@ use std::sync::Arc;
 use toml::Table;
 
 stage::params! {
-    /// What is said beside the file.
+    /// What is given beside the file.
     pub struct PersonalParams {
-        /// Who is measured, by the keys of `capture.toml`, over what the file says: `facts.subject.age_years`.
+        /// Who is measured, by the keys of `capture.toml`, over what the file has: `facts.subject.age_years`.
         facts: Facts = Facts::default(),
     }
 }
@@ -43,12 +43,12 @@ impl Stage for Personal {
         };
         let text = input.files.as_ref().map(entry).transpose()?;
         let text = text.flatten().unwrap_or_default();
-        Ok(told(&String::from_utf8_lossy(&text), &p.facts)?)
+        Ok(described(&String::from_utf8_lossy(&text), &p.facts)?)
     }
 }
 
-/// What a file tells of a person, and what is said beside it, which wins.
-fn told(text: &str, facts: &Facts) -> Result<Person, RigError> {
+/// The person of a file, and what is given beside it, which wins.
+fn described(text: &str, facts: &Facts) -> Result<Person, RigError> {
     let table: Table = text
         .parse()
         .map_err(|e: toml::de::Error| RigError::wrong(e))?;
@@ -66,17 +66,17 @@ mod tests {
     use std::collections::BTreeMap;
 
     fn read(text: &str) -> Result<Person, RigError> {
-        told(text, &Facts::default())
+        described(text, &Facts::default())
     }
 
     #[test]
-    fn sex_and_age_are_read_and_slips_are_told() {
+    fn sex_and_age_are_read_and_slips_are_refused() {
         let person = read("[subject]\nsex = \"female\"\nborn = 2016-05-01").unwrap();
         assert_eq!(person.sex, Some(Sex::Female));
         assert_eq!(person.born.as_deref(), Some("2016-05-01"));
         let person = read("[subject]\nage_years = 9.5").unwrap();
         assert_eq!(person.age_months, Some(114.0));
-        for (text, says) in [
+        for (text, part) in [
             ("sex = \"f\"", "`subject.sex` wants \"female\" or \"male\""),
             ("sex = 1", "`subject.sex` wants"),
             ("born = \"2016-02-30\"", "`subject.born` wants a day"),
@@ -90,15 +90,15 @@ mod tests {
             ),
         ] {
             let error = read(&format!("[subject]\n{text}")).unwrap_err().to_string();
-            assert!(error.contains(says), "{error}");
+            assert!(error.contains(part), "{error}");
         }
     }
 
     #[test]
-    fn an_age_that_is_said_beside_the_file_wins_over_a_day_of_birth() {
+    fn an_age_that_is_given_beside_the_file_wins_over_a_day_of_birth() {
         let age = BTreeMap::from([("age_years".to_owned(), Value::Int(9))]);
         let facts = Facts(BTreeMap::from([("subject".to_owned(), Value::Table(age))]));
-        let person = told("[subject]\nborn = \"2016-05-01\"", &facts).unwrap();
+        let person = described("[subject]\nborn = \"2016-05-01\"", &facts).unwrap();
         assert_eq!((person.age_months, person.born), (Some(108.0), None));
     }
 }

@@ -5,10 +5,10 @@ use crate::keys::{Keys, RigError};
 use shape::{Person, Sex, day_number};
 use toml::Table;
 
-/// The keys of `[subject]` that tell of a person.
+/// The keys of `[subject]` that describe a person.
 pub(crate) const PERSONAL: [&str; 3] = ["sex", "born", "age_years"];
 
-/// What a `capture.toml` tells of a person; what else it says is not looked at.
+/// What a `capture.toml` names of a person; its other keys are not read.
 pub(crate) fn read_person(table: Table) -> Result<Person, RigError> {
     let Some(mut subject) = Keys::root(table).inner("subject")? else {
         return Ok(Person::default());

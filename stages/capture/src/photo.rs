@@ -1,4 +1,4 @@
-//! One photo of the user's: what its file's head says, and whether it is whole and shows something.
+//! One photo of the user's: the head of its file, and whether it is whole and shows something.
 
 use crate::bare::bare;
 use crate::error::CaptureError;
@@ -44,15 +44,15 @@ pub(crate) fn as_jpeg(name: &str) -> String {
     format!("{stem}.jpg")
 }
 
-/// A photo of a file and what it says.
+/// A photo and what its file records.
 fn of(path: &str, name: &str, exif: Exif, bytes: Vec<u8>) -> Result<Photo, CaptureError> {
     let (width, height) = image::ImageReader::new(std::io::Cursor::new(&bytes))
         .with_guessed_format()
         .map_err(|e| no_picture(path, e))?
         .into_dimensions()
         .map_err(|e| no_picture(path, e))?;
-    let lying = exif.orientation >= 5;
-    let (width, height) = if lying {
+    let on_its_side = exif.orientation >= 5;
+    let (width, height) = if on_its_side {
         (height, width)
     } else {
         (width, height)

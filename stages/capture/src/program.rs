@@ -37,7 +37,7 @@ pub enum ProgramError {
     Broken {
         /// The program.
         name: &'static str,
-        /// What the system says.
+        /// The system's message.
         why: String,
     },
     /// It takes too long.
@@ -87,7 +87,7 @@ pub(crate) struct Run<'a> {
 
 impl Run<'_> {
     /// Runs it. `read` takes the next item off its output, `item` is given it, `line` each line that
-    /// it says beside its output; `go_on` is asked ten times a second whether to go on.
+    /// it writes beside its output; `go_on` is asked ten times a second whether to go on.
     pub(crate) fn run<T: Send, E: From<ProgramError>>(
         &self,
         mut read: impl FnMut(&mut dyn BufRead) -> std::io::Result<Option<T>> + Send,
@@ -120,9 +120,9 @@ impl Run<'_> {
             let (from, mut group) = (from, group);
             let start = Instant::now();
             let on = || go_on().and_then(|()| self.in_time(start).map_err(E::from));
-            let told = self::listen(&from, &mut item, &mut line, &on);
+            let heard = self::listen(&from, &mut item, &mut line, &on);
             drop(from);
-            told.map_err(|why| why.unwrap_or_else(|why| self.broken(&why).into()))?;
+            heard.map_err(|why| why.unwrap_or_else(|why| self.broken(&why).into()))?;
             // Its pipes are closed; as a rule it is gone.
             loop {
                 match group.0.try_wait() {

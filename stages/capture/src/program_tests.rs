@@ -14,14 +14,14 @@ fn run(script: &str, limit_ms: u64, go_on: bool) -> Result<(String, Vec<String>)
         what: "a script",
         limit: Duration::from_millis(limit_ms),
     };
-    let (mut text, mut said) = (String::new(), Vec::new());
+    let (mut text, mut lines) = (String::new(), Vec::new());
     let status = run.run(
         whole(1000),
         |bytes| {
             text.push_str(&String::from_utf8_lossy(&bytes));
             Ok(())
         },
-        |line| said.push(line.to_owned()),
+        |line| lines.push(line.to_owned()),
         || match go_on {
             true => Ok(()),
             false => Err(ProgramError::Broken {
@@ -31,15 +31,15 @@ fn run(script: &str, limit_ms: u64, go_on: bool) -> Result<(String, Vec<String>)
         },
     );
     let status = status.map_err(|e: ProgramError| e.to_string())?;
-    said.push(format!("{:?}", status.code()));
-    Ok((text, said))
+    lines.push(format!("{:?}", status.code()));
+    Ok((text, lines))
 }
 
 #[test]
-fn what_a_program_answers_and_says_beside_it_comes_back() {
-    let (text, said) = run("printf abc; echo so >&2; exit 3", 60_000, true).unwrap();
+fn output_and_messages_of_a_program_come_back() {
+    let (text, lines) = run("printf abc; echo so >&2; exit 3", 60_000, true).unwrap();
     assert_eq!(text, "abc");
-    assert_eq!(said, ["so", "Some(3)"]);
+    assert_eq!(lines, ["so", "Some(3)"]);
     let long = run("head -c 2000 /dev/zero", 60_000, true).unwrap_err();
     assert!(long.contains("longer than 1000 bytes"), "{long}");
 }
@@ -52,14 +52,14 @@ fn runs(pid: &str) -> bool {
 
 #[test]
 fn a_program_that_takes_too_long_or_is_not_wanted_is_ended_with_its_children() {
-    for (go_on, says) in [(true, "was ended after"), (false, "asked to stop")] {
+    for (go_on, part) in [(true, "was ended after"), (false, "asked to stop")] {
         let folder = tempfile::tempdir().unwrap();
         let note = folder.path().join("pid");
         let script = format!("sleep 600 & echo $! > {}; wait", note.display());
         let limit = if go_on { 1500 } else { 60_000 };
         let start = Instant::now();
         let why = run(&script, limit, go_on).unwrap_err();
-        assert!(why.contains(says), "{why}");
+        assert!(why.contains(part), "{why}");
         assert!(start.elapsed() < Duration::from_secs(30));
         // One that was stopped at once may not have got so far.
         let child = std::fs::read_to_string(&note).unwrap_or_default();
@@ -82,9 +82,9 @@ fn a_program_that_is_not_there_is_named_with_its_package() {
         what: "turn.mp4",
         limit: Duration::from_secs(1),
     };
-    let told: Result<_, ProgramError> = run.run(whole(9), |_| Ok(()), |_| (), || Ok(()));
-    let told = told.unwrap_err().to_string();
-    for says in ["no-such-program", "turn.mp4", "apt install no-such-package"] {
-        assert!(told.contains(says), "{told}");
+    let error: Result<_, ProgramError> = run.run(whole(9), |_| Ok(()), |_| (), || Ok(()));
+    let error = error.unwrap_err().to_string();
+    for part in ["no-such-program", "turn.mp4", "apt install no-such-package"] {
+        assert!(error.contains(part), "{error}");
     }
 }

@@ -45,7 +45,7 @@ pub enum RawError {
     Unreadable {
         /// The file.
         name: String,
-        /// What the program says.
+        /// The program's message.
         why: String,
     },
     /// The program.
@@ -76,8 +76,8 @@ impl Stage for Raw {
     const METRICS: &'static [&'static str] = &["photos"];
 
     fn programs() -> Vec<(&'static str, String)> {
-        let told = program().unwrap_or_else(|| "not installed".into());
-        vec![(DCRAW.name, told)]
+        let found = program().unwrap_or_else(|| "not installed".into());
+        vec![(DCRAW.name, found)]
     }
 
     fn run(p: &RawParams, input: RawInput, ctx: &Ctx<'_>) -> Result<Photos, Stop> {
@@ -115,7 +115,7 @@ impl Stage for Raw {
     }
 }
 
-/// Which `dcraw_emu` is installed. It tells no version: it, and the library that does its work, by their
+/// Which `dcraw_emu` is installed. It has no version: it, and the library that does its work, by their
 /// content.
 fn program() -> Option<String> {
     version(DCRAW.name, &[], |_| {
@@ -150,7 +150,7 @@ fn developed(
         what: name,
         limit: LIMIT,
     };
-    let (mut picture, mut said) = (None, String::new());
+    let (mut picture, mut message) = (None, String::new());
     run.run(
         netpbm::read,
         |now: Netpbm| -> Result<(), Halt> {
@@ -159,7 +159,7 @@ fn developed(
         },
         |line| {
             if !line.is_empty() {
-                said = line.replace(&*path.to_string_lossy(), name);
+                message = line.replace(&*path.to_string_lossy(), name);
             }
         },
         || ctx.check().map_err(|c| Halt(c.into())),
@@ -177,10 +177,10 @@ fn developed(
         data,
     }) = picture
     else {
-        let why = if said.is_empty() {
+        let why = if message.is_empty() {
             "it gives no picture".into()
         } else {
-            said
+            message
         };
         return Err(unreadable(why).into());
     };

@@ -8,7 +8,7 @@ use crate::rig_tags::{read_mat, read_rim};
 use shape::{Reference, Rig, SeenEnds};
 use toml::{Table, Value};
 
-/// A `capture.toml` in our units, and what else it says.
+/// A `capture.toml` in our units, and what else it has.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct RigFile {
     /// What is known.
@@ -19,13 +19,13 @@ pub struct RigFile {
     pub views: Option<usize>,
     /// The plate's file, relative to the folder.
     pub plate: Option<String>,
-    /// Which files are the turn: names or patterns, relative to the folder; empty where nothing is said.
+    /// Which files are the turn: names or patterns, relative to the folder; empty where none are given.
     pub images: Vec<String>,
     /// Keys that nobody reads.
     pub unknown: Vec<String>,
 }
 
-/// Reads a `capture.toml`, and what is said beside it, which wins.
+/// Reads a `capture.toml`, and what is given beside it, which wins.
 ///
 /// # Errors
 ///
@@ -47,7 +47,7 @@ pub(crate) fn read_table(table: Table) -> Result<RigFile, RigError> {
     let rig = &mut file.rig;
     rig.name = root.text("name")?;
     file.day = read_day(&mut root)?;
-    if let Some(Day::Said(day)) = &file.day {
+    if let Some(Day::Given(day)) = &file.day {
         rig.date = Some(day.clone());
     }
     rig.step = root.number("step_deg", -360.0, 360.0)?.map(f64::to_radians);
@@ -170,7 +170,7 @@ mod tests {
             px: [[1.0, 2.0], [3.5, 4.0]],
         };
         assert_eq!((known.seen.len(), &known.seen[0]), (2, &first));
-        for (text, says) in [
+        for (text, part) in [
             ("kind = \"points\"\nlength_mm = 297", "two photos at least"),
             (
                 "kind = \"subject_height\"\nlength_mm = 1700\nseen.a = [1, 2, 3, 4]",
@@ -186,12 +186,12 @@ mod tests {
             ),
         ] {
             let error = read(&format!("[reference]\n{text}")).unwrap_err();
-            assert!(error.to_string().contains(says), "{error}");
+            assert!(error.to_string().contains(part), "{error}");
         }
     }
 
     #[test]
-    fn what_is_said_is_read_in_our_units() {
+    fn what_is_given_is_read_in_our_units() {
         let text = "step_deg = 20.0\n[disk]\ndiameter_cm = 45\n[mat]\ntag_size_mm = 60.0\n\
                     ids = [0, 11]\ncount = 12\nring_radius_mm = 187.0";
         let file = read(text).unwrap();
@@ -210,14 +210,14 @@ mod tests {
     }
 
     #[test]
-    fn a_slip_is_told_and_nonsense_is_an_error() {
+    fn a_slip_is_a_warning_and_nonsense_is_an_error() {
         let file = read("stepdeg = 20.0").unwrap();
         assert!(
             file.unknown[0].contains("did you mean `step_deg`"),
             "{:?}",
             file.unknown
         );
-        for (text, says) in [
+        for (text, part) in [
             ("step_deg = \"twenty\"", "`step_deg` wants a number"),
             (
                 "[subject]\nheight_cm = 1758",
@@ -234,7 +234,7 @@ mod tests {
             ("a = [", "capture.toml"),
         ] {
             let error = read(text).unwrap_err().to_string();
-            assert!(error.contains(says), "{error}");
+            assert!(error.contains(part), "{error}");
         }
     }
 }

@@ -1,4 +1,4 @@
-//! What `capture.toml` says of marker tags: the mat on the disk, the strip on its rim.
+//! Marker tags in `capture.toml`: the mat on the disk, the strip on its rim.
 
 use crate::keys::{Keys, RigError};
 use shape::{Mat, Rig, Rim};
@@ -20,10 +20,10 @@ fn read_ids(keys: &mut Keys<'_>) -> Result<(u32, u32), RigError> {
             keys.name()
         )));
     }
-    let said = keys.number("count", 1.0, 587.0)?.map(|count| count as u32);
+    let given = keys.number("count", 1.0, 587.0)?.map(|count| count as u32);
     let Some(ids) = keys.take("ids") else {
         let name = keys.name();
-        let count = said.ok_or_else(|| RigError::missing(format!("`{name}` has no `count`")))?;
+        let count = given.ok_or_else(|| RigError::missing(format!("`{name}` has no `count`")))?;
         return Ok((0, count));
     };
     let list: Vec<i64> = ids
@@ -35,8 +35,10 @@ fn read_ids(keys: &mut Keys<'_>) -> Result<(u32, u32), RigError> {
     match list.as_slice() {
         [first, last] if (0..=*last).contains(first) && *last <= 586 => {
             let count = (last - first + 1) as u32;
-            match said.filter(|said| *said != count) {
-                Some(said) => Err(keys.wrong("ids", &format!("[first, last] of {said} ids"), &ids)),
+            match given.filter(|given| *given != count) {
+                Some(given) => {
+                    Err(keys.wrong("ids", &format!("[first, last] of {given} ids"), &ids))
+                }
                 None => Ok((*first as u32, count)),
             }
         }
@@ -44,7 +46,7 @@ fn read_ids(keys: &mut Keys<'_>) -> Result<(u32, u32), RigError> {
     }
 }
 
-/// `[mat]`: a mat; or, where nothing but the size of its tags is said, that size. \[mm\]
+/// `[mat]`: a mat; or, where only the size of its tags is given, that size. \[mm\]
 pub(crate) fn read_mat(keys: &mut Keys<'_>) -> Result<(Option<Mat>, Option<f64>), RigError> {
     const LAYOUT: [&str; 3] = ["count", "ids", "ring_radius_mm"];
     if !LAYOUT.iter().any(|key| keys.has(key)) {
@@ -62,7 +64,7 @@ pub(crate) fn read_mat(keys: &mut Keys<'_>) -> Result<(Option<Mat>, Option<f64>)
     Ok((Some(mat), None))
 }
 
-/// `[rim]`: its tags have numbers of their own, and stand on a disk with a mat.
+/// `[rim]`: its tags have numbers of their own, and belong to a disk with a mat.
 pub(crate) fn read_rim(keys: &mut Keys<'_>, rig: &Rig) -> Result<Rim, RigError> {
     let Some(mat) = rig.mat.as_ref() else {
         return Err(RigError::missing(
@@ -90,14 +92,14 @@ pub(crate) fn read_rim(keys: &mut Keys<'_>, rig: &Rig) -> Result<Rim, RigError> 
 
 /// What cannot be true at once of disk, mat and rim.
 pub(crate) fn doubts(rig: &Rig) -> Vec<String> {
-    let mut said = Vec::new();
+    let mut doubts = Vec::new();
     let Some(radius) = rig.disk_diameter_mm.map(|d| d / 2.0) else {
-        return said;
+        return doubts;
     };
     if let Some(mat) = &rig.mat {
         let reach = libm::hypot(mat.ring_mm + mat.tag_mm / 2.0, mat.tag_mm / 2.0);
         if reach > 1.005 * radius {
-            said.push(format!(
+            doubts.push(format!(
                 "capture.toml: the tags of `[mat]` reach {reach:.0} mm from the disk's middle, but the disk ends at {radius:.0} mm: measure a printed tag, the ring and the disk, and correct what is wrong"
             ));
         }
@@ -105,12 +107,12 @@ pub(crate) fn doubts(rig: &Rig) -> Vec<String> {
     if let Some(rim) = &rig.rim
         && (rim.radius_mm / radius - 1.0).abs() > 0.02
     {
-        said.push(format!(
+        doubts.push(format!(
             "capture.toml: the strip of `[rim]` has a radius of {:.0} mm, the disk one of {radius:.0} mm: measure the disk, and correct what is wrong",
             rim.radius_mm
         ));
     }
-    said
+    doubts
 }
 
 #[cfg(test)]
@@ -143,7 +145,7 @@ mod tests {
     #[test]
     fn a_strip_that_cannot_serve_is_refused() {
         let rim = "[rim]\ntag_size_mm = 24.0\ncount = 36\n";
-        for (text, says) in [
+        for (text, part) in [
             (rim.to_owned(), "there is no `mat`"),
             (format!("{MAT}{rim}"), "tags 0 to 35 of `rim` are among"),
             (
@@ -152,7 +154,7 @@ mod tests {
             ),
         ] {
             let error = read(&text).unwrap_err().to_string();
-            assert!(error.contains(says), "{error}");
+            assert!(error.contains(part), "{error}");
         }
     }
 
@@ -160,7 +162,7 @@ mod tests {
     fn of_a_mat_the_size_of_its_tags_may_be_all_that_is_known() {
         let rig = read("[mat]\ntag_size_mm = 59.7").unwrap().rig;
         assert_eq!((rig.mat, rig.tag_mm), (None, Some(59.7)));
-        // Ids tell how many there are.
+        // Ids give how many there are.
         let whole = read(&MAT.replace("count = 12\n", "")).unwrap().rig;
         assert_eq!(whole.mat.unwrap().count, 12);
         let error = read("[mat]\ntag_size_mm = 59.7\ncount = 12").unwrap_err();
@@ -168,14 +170,14 @@ mod tests {
     }
 
     #[test]
-    fn a_mat_wider_than_its_disk_is_told() {
-        let said = |text: &str| doubts(&read(text).unwrap().rig);
-        assert_eq!(said(MAT), Vec::<String>::new());
-        let wide = said(&MAT.replace("187.0", "205.7"));
+    fn a_mat_wider_than_its_disk_is_reported() {
+        let doubts_of = |text: &str| doubts(&read(text).unwrap().rig);
+        assert_eq!(doubts_of(MAT), Vec::<String>::new());
+        let wide = doubts_of(&MAT.replace("187.0", "205.7"));
         assert!(wide[0].contains("reach 238 mm"), "{wide:?}");
         let strip =
             format!("{MAT}[rim]\ntag_size_mm = 24.0\nids = [12, 47]\ncount = 36\nradius_mm = 240");
-        assert!(said(&strip)[0].contains("radius of 240 mm"));
+        assert!(doubts_of(&strip)[0].contains("radius of 240 mm"));
     }
 
     #[test]

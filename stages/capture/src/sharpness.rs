@@ -1,4 +1,4 @@
-//! How sharp a photo is beside others of the same scene.
+//! How sharp a photo is compared with other photos of the same scene.
 
 use shape::Rgb;
 

@@ -32,7 +32,7 @@ stage::params! {
     /// How to read a surface.
     pub struct SurfaceParams {
         /// Unit of the file's numbers. A file that calls its lengths relative keeps them so, unless a unit
-        /// other than mm is said.
+        /// other than mm is given.
         unit: Unit = Unit::Mm,
         /// The axis that points up.
         up: Up = Up::Z,
@@ -131,7 +131,7 @@ fn upright(read: Read, p: &SurfaceParams, name: &str, ctx: &Ctx<'_>) -> Result<M
         mesh = body(mesh, name, ctx)?;
     }
     let (holes, longest) = if p.scan { closed(&mut mesh) } else { (0, 0.0) };
-    let (unit, mm) = stood(&mut mesh, p, (name, unit), ctx);
+    let (unit, mm) = oriented(&mut mesh, p, (name, unit), ctx);
     if holes > 0 {
         ctx.warn(format!(
             "{name}: small holes closed by flat covers: {holes}, up to {:.0} mm around",
@@ -166,10 +166,10 @@ fn body(mesh: Mesh, name: &str, ctx: &Ctx<'_>) -> Result<Mesh, SurfaceError> {
     if found.second {
         return Err(SurfaceError::Pieces(name.into()));
     }
-    if found.others > 0 {
+    if found.left_out > 0 {
         ctx.warn(format!(
             "{name}: pieces that do not hang together with the body are left out: {}",
-            found.others
+            found.left_out
         ));
     }
     let mut mesh = found.body;
@@ -180,8 +180,8 @@ fn body(mesh: Mesh, name: &str, ctx: &Ctx<'_>) -> Result<Mesh, SurfaceError> {
     Ok(mesh)
 }
 
-/// Turns and scales a mesh as it is said or recognised; the unit of its numbers, and its millimetres.
-fn stood(
+/// Turns and scales a mesh as given or recognised; the unit of its numbers, and its millimetres.
+fn oriented(
     mesh: &mut Mesh,
     p: &SurfaceParams,
     (name, named): (&str, Option<Unit>),
@@ -205,7 +205,7 @@ fn stood(
             let seen = || unit(tall(mesh), &known).unwrap_or(Unit::Mm);
             named.filter(fits).unwrap_or_else(seen)
         }
-        said => said,
+        given => given,
     };
     if own != Unit::Mm {
         mesh.unit = shape::Unit::Metric;
@@ -226,7 +226,7 @@ fn stood(
     (word, mm)
 }
 
-/// Height of a mesh that stands.
+/// Height of an upright mesh.
 fn tall(mesh: &Mesh) -> f64 {
     mesh.bounds().map_or(0.0, |(low, high)| high.z - low.z)
 }

@@ -1,4 +1,4 @@
-//! What can be measured with a capture as it is; how what is odd about it is told.
+//! What can be measured with a capture as it is; how what is odd about it is reported.
 
 use crate::glance::{Glance, Together};
 use shape::{Photos, Rig};
@@ -79,11 +79,11 @@ pub(crate) struct Seen<'a> {
     pub(crate) tags: Option<usize>,
 }
 
-/// Less than this of the picture stands still: the camera was moved.
+/// Less than this of the picture does not move: the camera was moved.
 const STILL: f64 = 0.12;
 
-/// Whether the camera stood still.
-pub(crate) fn camera_stood(together: &Together) -> bool {
+/// Whether the camera did not move.
+pub(crate) fn camera_is_fixed(together: &Together) -> bool {
     together.still >= STILL
 }
 
@@ -113,7 +113,7 @@ pub(crate) fn lengths(rig: &Rig) -> Option<&'static str> {
 pub(crate) fn can(seen: &Seen<'_>, findings: &[Finding]) -> Vec<(&'static str, String)> {
     let rig = &seen.photos.rig;
     let stopped = findings.iter().any(|f| f.grade == Grade::Hopeless);
-    let cameras = match (stopped, rig.tagged() && seen.tags.unwrap_or(0) > 0, camera_stood(seen.together)) {
+    let cameras = match (stopped, rig.tagged() && seen.tags.unwrap_or(0) > 0, camera_is_fixed(seen.together)) {
         (true, ..) => "no, as it is: see above".to_owned(),
         (_, true, _) => "from the mat, photo by photo".into(),
         (_, _, true) => "from what turns with the subject: clothes with a pattern, a patterned cloth on the disk".into(),
@@ -124,7 +124,7 @@ pub(crate) fn can(seen: &Seen<'_>, findings: &[Finding]) -> Vec<(&'static str, S
         None => "relative: ratios hold, no centimetres".into(),
     };
     let girths = match (
-        stopped || !camera_stood(seen.together),
+        stopped || !camera_is_fixed(seen.together),
         rig.stature_mm.zip(rig.weight_kg),
     ) {
         (true, _) => "no".to_owned(),

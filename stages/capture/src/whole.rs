@@ -1,7 +1,7 @@
-//! Whether a JPEG was copied whole: decoders fill what is missing with grey and say nothing.
+//! Whether a JPEG was copied whole: decoders fill what is missing with grey without a warning.
 //!
 //! ITU-T T.81 B.1.1: a picture ends with the marker EOI (FF D9), and within the data of a scan, which
-//! follows its marker SOS (FF DA), no other FF D9 can stand. Bytes after it are allowed: some
+//! follows its marker SOS (FF DA), no other FF D9 can follow. Bytes after it are allowed: some
 //! phones keep more there.
 
 /// Whether the bytes are a JPEG that ends before its end. What is no JPEG is not cut off.
@@ -25,7 +25,7 @@ mod tests {
         b"\xff\xd8\xff\xe1 \xff\xd8\xff\xda small \xff\xd9 \xff\xda data \xff\x00 \xff\xd9 and more";
 
     #[test]
-    fn a_jpeg_cut_within_its_data_is_told_and_a_whole_one_is_not() {
+    fn a_jpeg_cut_within_its_data_is_refused_and_a_whole_one_is_not() {
         assert!(!is_cut_off(WHOLE));
         let data = WHOLE.len() - b"\xff\x00 \xff\xd9 and more".len();
         for end in data..WHOLE.len() - b"\xd9 and more".len() {

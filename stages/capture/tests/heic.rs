@@ -1,4 +1,4 @@
-//! HEIC photos: held against heif-convert where they are read, else named with what converts them.
+//! HEIC photos: compared with heif-convert where they are read, else named with what converts them.
 
 mod films;
 
@@ -14,7 +14,7 @@ fn heif() -> bool {
         && proof::program("heif-convert", "libheif-examples")
 }
 
-/// EXIF with an orientation and a focal length, as it stands in a JPEG.
+/// EXIF with an orientation and a focal length, as it is in a JPEG.
 fn exif(orientation: u8) -> Vec<u8> {
     let mut tiff = b"II*\0\x08\0\0\0\x02\0".to_vec();
     tiff.extend(*b"\x12\x01\x03\0\x01\0\0\0");
@@ -123,15 +123,15 @@ fn a_heic_is_named_with_the_command_that_converts_it() {
     )
     .unwrap();
     let why = read(place.path(), &names).unwrap_err();
-    for says in [
+    for part in [
         "IMG_1.HEIC",
         "heif-convert -q 95",
         "libheif-examples",
         "--features heic",
     ] {
-        assert!(why.contains(says), "{says}: {why}");
+        assert!(why.contains(part), "{part}: {why}");
     }
-    // What is named converts it, and the photo stands upright with its focal length.
+    // What is named converts it, and the photo is upright with its focal length.
     let made = place.path().join("IMG_1.jpg");
     let mut command = Command::new("heif-convert");
     command

@@ -4,7 +4,7 @@ use exif::experimental::Writer;
 use exif::{Exif, In, Reader, Tag};
 use std::io::Cursor;
 
-/// What `exif.rs` reads, and what tells how light came in; nothing of it names a person or a place.
+/// What `exif.rs` reads, and the settings of light; nothing of it names a person or a place.
 const KEPT: [Tag; 11] = [
     Tag::Make,
     Tag::Model,
@@ -30,7 +30,7 @@ pub(super) fn of(file: &[u8], orientation: bool) -> Option<Vec<u8>> {
     written(&exif, orientation)
 }
 
-/// As it stands if there is nothing else in it, else with what is kept alone; none if that is nothing, or if it cannot
+/// Unchanged if there is nothing else in it, else with what is kept alone; none if that is nothing, or if it cannot
 /// be read.
 pub(super) fn kept(tiff: &[u8]) -> Option<Vec<u8>> {
     let exif = Reader::new().read_raw(tiff.to_vec()).ok()?;

@@ -17,12 +17,12 @@ const JFIF: &[u8] = b"JFIF\0";
 /// The bytes of JFIF's segment without a preview. \[bytes\]
 const JFIF_BYTES: usize = 14;
 
-/// The file without what is no picture; none if its parts cannot be told.
+/// The file without what is no picture; none if it cannot be parsed.
 pub(super) fn bare(file: &[u8]) -> Option<Vec<u8>> {
     let mut out = file.get(..2)?.to_vec();
     let (mut at, mut exif) = (2, false);
     loop {
-        // Any number of fill bytes may stand before a marker.
+        // Any number of fill bytes may precede a marker.
         let marker_at = at + file.get(at..)?.iter().take_while(|b| **b == 0xff).count();
         let marker = *file.get(marker_at)?;
         if marker_at == at {

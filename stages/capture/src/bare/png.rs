@@ -5,13 +5,13 @@ use super::exif_kept::kept;
 /// What a PNG begins with.
 pub(super) const SIGNATURE: &[u8] = b"\x89PNG\r\n\x1a\n";
 
-/// Chunks that say how the picture looks.
+/// Chunks that define how the picture looks.
 const PICTURE: [&[u8; 4]; 11] = [
     b"IHDR", b"PLTE", b"IDAT", b"tRNS", b"gAMA", b"cHRM", b"sRGB", b"iCCP", b"sBIT", b"bKGD",
     b"pHYs",
 ];
 
-/// The file without what is no picture; none if its parts cannot be told.
+/// The file without what is no picture; none if it cannot be parsed.
 pub(super) fn bare(file: &[u8]) -> Option<Vec<u8>> {
     let mut out = SIGNATURE.to_vec();
     let mut rest = file.strip_prefix(SIGNATURE)?;

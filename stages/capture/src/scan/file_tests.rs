@@ -1,4 +1,4 @@
-//! Each format gives the same surface; broken files say what is wrong.
+//! Each format gives the same surface; an error names what is wrong with a broken file.
 
 use super::*;
 
@@ -129,7 +129,7 @@ fn nodes_of_a_scene_are_placed_by_their_parents() {
 }
 
 #[test]
-fn packages_that_are_wrong_say_so() {
+fn wrong_packages_are_refused() {
     let circle = "<model><resources><object id='1'><components><component objectid='1'/></components></object></resources><build><item objectid='1'/></build></model>";
     let missing = "<model><build><item objectid='3'/></build></model>";
     let short = "<model><resources><object id='1'><mesh><vertices><vertex x='1' y='2'/></vertices></mesh></object></resources></model>";
@@ -140,10 +140,10 @@ fn packages_that_are_wrong_say_so() {
         (short, "the number z"),
         (cut, "3dmodel.model"),
     ] {
-        let said = read("a.3mf", &package(&[("3D/3dmodel.model", text)]))
+        let error = read("a.3mf", &package(&[("3D/3dmodel.model", text)]))
             .err()
             .unwrap();
-        assert!(said.contains(why), "{said}");
+        assert!(error.contains(why), "{error}");
     }
     // Any byte may be another: an error, or another surface.
     let whole = [

@@ -9,7 +9,7 @@ use shape::Mesh;
 /// A node's matrix, by columns as the format has them (5.25).
 type Matrix = [[f32; 4]; 4];
 
-/// A file: what it says of itself, and its bytes.
+/// A file: its JSON, and its bytes.
 struct File<'a> {
     json: Value,
     bytes: &'a [u8],
@@ -60,7 +60,7 @@ fn chunks(bytes: &[u8]) -> Result<File<'_>, String> {
     };
     let (text, end) = chunk(12).ok_or_else(short)?;
     let json = serde_json::from_slice(text).map_err(|e| e.to_string())?;
-    // A file may say that there are bytes and lack them.
+    // A file may name bytes that it lacks.
     let binary = if end == bytes.len() {
         &[][..]
     } else {

@@ -1,10 +1,10 @@
-//! Surfaces from elsewhere: their files, their holes, and how they stand.
+//! Surfaces from elsewhere: their files, their holes, and how they are oriented.
 
 mod file;
 mod given;
 mod glb;
 mod holes;
-mod stand;
+mod pose;
 mod three_mf;
 
 pub(crate) use file::read;
@@ -12,4 +12,4 @@ pub use file::{SCANS, is_scan};
 pub use given::Unit;
 pub(crate) use given::{MOST_FACES, Read};
 pub(crate) use holes::closed;
-pub(crate) use stand::{pieces, turned, unit, up};
+pub(crate) use pose::{pieces, turned, unit, up};

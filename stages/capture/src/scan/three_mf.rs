@@ -14,7 +14,7 @@ const MOST_BYTES: u64 = 1 << 30;
 /// A matrix of twelve numbers, its fourth row the shift (core specification, 3.3).
 type Place = [f32; 12];
 
-/// An object: its triangles, or others that are placed.
+/// An object: its triangles, or other objects that are placed.
 #[derive(Default)]
 struct Object {
     mesh: Mesh,

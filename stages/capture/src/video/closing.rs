@@ -6,7 +6,7 @@ pub(crate) struct Likeness {
     apart: Vec<Vec<f64>>,
 }
 
-/// Where a turn begins and how long it is, both in places between the frames that were held against
+/// Where a turn begins and how long it is, both in places between the frames that were compared with
 /// each other.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Closing {
@@ -104,7 +104,7 @@ impl Likeness {
         }
     }
 
-    /// How many places the first frame lies behind the last: as many as make frames of the end differ
+    /// How many places the first frame is behind the last: as many as make frames of the end differ
     /// from frames of the beginning as frames of either differ among themselves. Not by the last and the
     /// first alone: neighbours share what a film's compression does to them, those two do not.
     fn beyond(&self) -> f64 {
@@ -180,7 +180,7 @@ mod tests {
     }
 
     #[test]
-    fn what_does_not_come_round_is_told() {
+    fn what_does_not_come_round_is_reported() {
         let part = closing(&turned(0.0, 0.8, 240));
         assert!(!part.closed, "{part:?}");
         assert_eq!((part.from, part.length), (0.0, 240.0));

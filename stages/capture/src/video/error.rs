@@ -19,7 +19,7 @@ pub enum VideoError {
     Unreadable {
         /// The file.
         name: String,
-        /// What ffmpeg says.
+        /// ffmpeg's message.
         why: String,
     },
     /// Only sound, or a still.

@@ -31,11 +31,11 @@ const ONLY: [&str; 4] = [
 /// The versions of both programs.
 pub(crate) fn versions() -> Vec<(&'static str, String)> {
     let word = |name: &'static str| {
-        let told = version(name, &["-version"], |text| {
+        let found = version(name, &["-version"], |text| {
             let (_, behind) = text.split_once(" version ")?;
             Some(behind.split_whitespace().next()?.to_owned())
         });
-        (name, told.unwrap_or_else(|| "not installed".into()))
+        (name, found.unwrap_or_else(|| "not installed".into()))
     };
     vec![word("ffmpeg"), word("ffprobe")]
 }
@@ -54,7 +54,7 @@ pub(crate) struct Source<'a> {
 }
 
 impl Source<'_> {
-    /// What ffmpeg says, without where things lie on this machine.
+    /// ffmpeg's message, without the places of files on this machine.
     fn plain(&self, line: &str) -> String {
         let url = file(self.path);
         let mut text = line.replace(&*url.to_string_lossy(), self.name);
@@ -77,7 +77,7 @@ impl Source<'_> {
         }
     }
 
-    /// What the file says of itself.
+    /// What the file's head names.
     pub(crate) fn probe<E: From<VideoError>>(
         &self,
         go_on: impl Fn() -> Result<(), E>,
@@ -90,14 +90,14 @@ impl Source<'_> {
             what: self.name,
             limit: Duration::from_secs(120),
         };
-        let (mut answer, mut said) = (Vec::new(), String::new());
+        let (mut answer, mut message) = (Vec::new(), String::new());
         let status = run.run(
             whole(1 << 20),
             |bytes| {
                 answer = bytes;
                 Ok(())
             },
-            |line| said = self.plain(line),
+            |line| message = self.plain(line),
             || go_on().map_err(Halt),
         );
         let status = status.map_err(|Halt(why)| why)?;
@@ -107,11 +107,11 @@ impl Source<'_> {
                 let name = self.name.to_owned();
                 Err(VideoError::NoPictures { name }.into())
             }
-            None => Err(self.unreadable(&said).into()),
+            None => Err(self.unreadable(&message).into()),
         }
     }
 
-    /// Hands on the frames that `wanted` says, upright, each as a picture, and the times of all frames
+    /// Hands on the frames that `wanted` names, upright, each as a picture, and the times of all frames
     /// that were looked at; and what ffmpeg found wrong last, if anything. \[s\]
     pub(crate) fn frames<E: From<VideoError>>(
         &self,
@@ -202,7 +202,7 @@ impl<E: From<VideoError>> From<ProgramError> for Halt<E> {
     }
 }
 
-/// The time of a frame, where a line tells it. \[s\]
+/// The time of a frame, where a line has one. \[s\]
 fn time(line: &str) -> Option<f64> {
     line.contains("showinfo").then_some(())?;
     let (_, behind) = line.split_once(" pts_time:")?;
@@ -214,7 +214,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn times_are_read_and_nothing_of_this_machine_is_told() {
+    fn times_are_read_and_nothing_of_this_machine_is_shown() {
         let line = "[Parsed_showinfo_0 @ 0x55d0] [info] n:   2 pts:   1024 pts_time:0.0666667 duration: 512 fmt:yuv420p";
         assert_eq!(time(line), Some(0.0666667));
         assert_eq!(
@@ -225,8 +225,8 @@ mod tests {
             path: Path::new("/home/ada/turn.mp4"),
             name: "turn.mp4",
         };
-        let told = source
+        let message = source
             .plain("[mov,mp4 @ 0x55d0c] [error] file:/home/ada/turn.mp4: moov atom not found");
-        assert_eq!(told, "[mov,mp4] turn.mp4: moov atom not found");
+        assert_eq!(message, "[mov,mp4] turn.mp4: moov atom not found");
     }
 }

@@ -4,7 +4,7 @@ use crate::video::probe::Clip;
 
 /// Which frames are wanted, and how.
 pub(crate) struct Wanted<'a> {
-    /// Their numbers, in order; all if nothing is said.
+    /// Their numbers, in order; all if none are given.
     pub(crate) which: Option<&'a [usize]>,
     /// No longer than this on the longer side. \[px\]
     pub(crate) longest: u32,
@@ -33,7 +33,7 @@ impl Wanted<'_> {
         }
         let assumed = match clip.coded || clip.hdr || clip.size.iter().all(|s| *s < 1280) {
             true => "",
-            // Large pictures that say nothing of it are coded as those of television are.
+            // Large pictures that do not name their coding are coded as those of television are.
             false => ":in_color_matrix=bt709",
         };
         let exact = "accurate_rnd+full_chroma_int+full_chroma_inp+bitexact";

@@ -14,7 +14,7 @@ const LOOKED_AT: u32 = 960;
 const MOST: usize = 40_000;
 /// Quality of the JPEG files that frames become: 46.6 dB from the frame, on a made turn.
 const QUALITY: u8 = 97;
-/// A file is cut short that has less than this share of the frames that it says.
+/// A file is cut short that has less than this share of the frames that its head names.
 const WHOLE: f64 = 0.98;
 
 /// Who follows the work, and may end it.
@@ -35,7 +35,7 @@ pub(crate) struct Looked {
     pub(crate) wrong: Option<String>,
 }
 
-/// What the file says of itself, if it is not too long.
+/// What the file's head names, if it is not too long.
 pub(crate) fn probed<E: From<VideoError>>(
     most_minutes: f64,
     source: &Source<'_>,
@@ -105,8 +105,8 @@ pub(crate) fn looked_at<E: From<VideoError>>(
     let missing = clip.frames.filter(|f| (frames as f64) < WHOLE * *f as f64);
     let name = source.name;
     let wrong = match (missing, wrong) {
-        (Some(said), why) => Some(format!(
-            "{name}: {frames} of {said} frames can be read{}: was it copied whole?",
+        (Some(promised), why) => Some(format!(
+            "{name}: {frames} of {promised} frames can be read{}: was it copied whole?",
             why.map_or(String::new(), |w| format!(" ({w})"))
         )),
         (None, why) => why.map(|why| format!("{name} is damaged somewhere: {why}")),

@@ -2,7 +2,7 @@
 
 /// As sharp as the sharpest is what reaches this share of it: of those the one nearest to the step.
 const AS_SHARP: f64 = 0.95;
-/// So many steps to each side tell how sharp one should be.
+/// So many steps to each side give how sharp one should be.
 const AROUND: usize = 3;
 /// A step has no sharp frame where the sharpest is below this share of those around.
 const BLURRED: f64 = 0.45;
@@ -86,7 +86,7 @@ mod tests {
     }
 
     #[test]
-    fn steps_without_a_frame_and_without_a_sharp_one_are_told() {
+    fn steps_without_a_frame_and_without_a_sharp_one_are_reported() {
         let mut come = come();
         (0..10).for_each(|i| come[70 + i] = None);
         (80..82).for_each(|i| come[i] = None);

@@ -1,4 +1,4 @@
-//! What `ffprobe` tells of a video: size, rotation, brightness, length. Places, names and sound are not asked for.
+//! What `ffprobe` reads of a video: size, rotation, brightness, length. Places, names and sound are not asked for.
 
 use serde_json::Value;
 
@@ -7,19 +7,19 @@ use serde_json::Value;
 pub(crate) struct Clip {
     /// The stream that holds them.
     pub(crate) stream: u64,
-    /// Width and height as they lie in the file. \[px\]
+    /// Width and height as they are in the file. \[px\]
     pub(crate) size: [u64; 2],
     /// Brighter than a screen shows (PQ or HLG).
     pub(crate) hdr: bool,
-    /// Whether the file says how colours were coded.
+    /// Whether the file names how colours were coded.
     pub(crate) coded: bool,
     /// Width of a pixel against its height.
     pub(crate) aspect: f64,
     /// Two half pictures in each.
     pub(crate) interlaced: bool,
-    /// How long it is, where the file tells. \[s\]
+    /// How long it is, where the file records that. \[s\]
     pub(crate) seconds: Option<f64>,
-    /// How many pictures there should be, where the file tells.
+    /// How many pictures there should be, where the file records that.
     pub(crate) frames: Option<u64>,
 }
 

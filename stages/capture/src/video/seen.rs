@@ -4,7 +4,7 @@ use crate::netpbm::Netpbm;
 
 /// Small pictures are about so many pixels on the longer side. \[px\]
 const ACROSS: usize = 96;
-/// Sharpness is told by cells of so many small pixels on a side. \[px\]
+/// Sharpness is taken by cells of so many small pixels on a side. \[px\]
 const CELL: usize = 4;
 
 /// A frame at a glance.
@@ -58,7 +58,7 @@ fn cells(width: usize, height: usize) -> [usize; 2] {
     [width.div_ceil(CELL).max(1), height.div_ceil(CELL).max(1)]
 }
 
-/// How sharp a frame is where `moves` (by small pixel) says that something moves; everywhere where
+/// How sharp a frame is where something moves (`moves`, by small pixel); everywhere where
 /// nothing does.
 pub(crate) fn sharp(seen: &Seen, moves: &[bool]) -> f64 {
     let width = seen.width.max(1);
@@ -97,7 +97,7 @@ mod tests {
     }
 
     #[test]
-    fn sharpness_is_told_where_something_moves() {
+    fn sharpness_is_taken_where_something_moves() {
         let (sharp_all, soft) = (seen(&checks(false)), seen(&checks(true)));
         assert_eq!((soft.width, soft.small.len()), (96, 96 * 48));
         assert!(soft.small[10 * 96 + 60] == 50);

@@ -2,13 +2,13 @@
 
 /// A pixel moves whose brightness changes by more than this over the frames. \[levels\]
 const MOVES: f32 = 9.0;
-/// As many frames, spread over the video, tell what moves.
+/// So many frames, spread over the video, show what moves.
 const SAMPLED: usize = 150;
 /// Where less changes than this share of the usual, nothing turns.
 const SLOW: f64 = 0.25;
-/// Changes by less than this, beyond what stands still, are noise. \[levels\]
+/// Changes by less than this, beyond those of what does not move, are noise. \[levels\]
 const NOISE: f64 = 0.3;
-/// A pause of less than this share of all frames lies within a turn.
+/// A pause of less than this share of all frames is within a turn.
 const PAUSE: f64 = 0.15;
 
 /// Brightness of all frames, brought to one exposure, and what is known of it.
@@ -17,7 +17,7 @@ pub(crate) struct Motion {
     pub(crate) frames: Vec<Vec<f32>>,
     /// Which pixels move.
     pub(crate) moves: Vec<bool>,
-    /// By how much each frame changes where something moves, beyond what stands still, over a few frames
+    /// By how much each frame changes where something moves, beyond what does not move, over a few frames
     /// about it, the same for all. \[levels\]
     pub(crate) change: Vec<f64>,
 }

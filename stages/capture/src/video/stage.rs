@@ -84,7 +84,7 @@ impl Stage for Video {
         };
         let (clip, Looked { all, times, .. }) = looked(p, &source, ctx)?;
         let (turn, picked, moves) = chosen(p, &source, &all, &times)?;
-        let found = told(&source, &all, &times, &turn, &picked, &moves, ctx);
+        let found = reported(&source, &all, &times, &turn, &picked, &moves, ctx);
         let photos = full(p, &source, &clip, &found, &times, ctx)?;
         // It was not another one meanwhile.
         files.path(entry)?;
@@ -167,8 +167,8 @@ fn chosen(
     }
 }
 
-/// Tells what was found; the frames' numbers.
-fn told(
+/// Reports what was found; the frames' numbers.
+fn reported(
     source: &Source<'_>,
     all: &[Seen],
     times: &[f64],

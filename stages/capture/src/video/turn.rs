@@ -3,7 +3,7 @@
 use crate::video::closing::Likeness;
 use crate::video::speed::{Motion, stretch};
 
-/// So many frames, spread over what moves, are held against each other.
+/// So many frames, spread over what moves, are compared with each other.
 const HELD: usize = 240;
 /// A disk turns evenly whose speed, as pictures change, differs by less than this share (standard
 /// deviation): a body that turns evenly changes by 0.13 to 0.24 more or less as it shows its sides.
@@ -46,7 +46,7 @@ pub(crate) fn turn(motion: &Motion, times: &[f64]) -> Option<Turn> {
         return None;
     }
     // Frames evenly spread by how far they have come.
-    let held: Vec<&[f32]> = (0..places)
+    let spread: Vec<&[f32]> = (0..places)
         .map(|k| {
             let wanted = whole * k as f64 / (places - 1) as f64;
             let at = come.partition_point(|c| *c < wanted).min(come.len() - 1);
@@ -57,7 +57,7 @@ pub(crate) fn turn(motion: &Motion, times: &[f64]) -> Option<Turn> {
             motion.frames[first + near].as_slice()
         })
         .collect();
-    let closing = Likeness::of(&held, &motion.moves).closing();
+    let closing = Likeness::of(&spread, &motion.moves).closing();
     let part = |come: f64| (come / whole * (places - 1) as f64 - closing.from) / closing.length;
     let turned = (0..times.len()).map(|i| match turning.contains(&i) {
         true => Some(part(come[i - first])),

@@ -137,7 +137,7 @@ fn png(rgb: &Rgb) -> Vec<u8> {
 }
 
 /// A PNG with EXIF and texts.
-fn told_png(plain: &[u8], orientation: u32) -> Vec<u8> {
+fn described_png(plain: &[u8], orientation: u32) -> Vec<u8> {
     // Signature and header.
     let (head, rest) = plain.split_at(8 + 25);
     let mut all = head.to_vec();
@@ -193,7 +193,7 @@ fn load(folder: &Path, named: &[(&str, Vec<u8>)]) -> Photos {
 fn clean(photos: &Photos) {
     let bytes = to_bytes(photos);
     let text = String::from_utf8_lossy(&bytes);
-    // The make is told, as the device.
+    // The make is kept, as the device.
     let text = text.replace("NEEDLE make", "");
     let at = text.find(NEEDLE);
     assert_eq!(
@@ -203,7 +203,7 @@ fn clean(photos: &Photos) {
 }
 
 #[track_caller]
-fn told(photo: &Photo, orientation: u8) {
+fn keeps_facts(photo: &Photo, orientation: u8) {
     assert_eq!(
         (photo.orientation, photo.focal_35mm),
         (orientation, Some(26.0))
@@ -221,11 +221,11 @@ fn what_a_camera_writes_beside_the_picture_is_in_no_artifact() {
     let plain = pictures.each_ref().map(|p| rgb_to_jpeg(p, 95));
     let names = ["1.jpg", "2.jpg", "3.jpg"];
     for orientation in [1, 6] {
-        let told_of = |i: usize| (names[i], jpeg(&plain[i], orientation));
-        let photos = load(place.path(), &[told_of(0), told_of(1), told_of(2)]);
+        let named_jpeg = |i: usize| (names[i], jpeg(&plain[i], orientation));
+        let photos = load(place.path(), &[named_jpeg(0), named_jpeg(1), named_jpeg(2)]);
         clean(&photos);
         for (photo, plain) in photos.photos.iter().zip(&plain) {
-            told(photo, orientation as u8);
+            keeps_facts(photo, orientation as u8);
             let bare = Photo {
                 file: plain.clone().into(),
                 ..photo.clone()
@@ -247,10 +247,10 @@ fn texts_of_a_png_and_tags_of_a_tiff_are_in_no_artifact() {
     let place = tempfile::tempdir().unwrap();
     let pictures = [0.0, 0.1, 0.2].map(picture);
     let names = ["1.png", "2.png", "3.png"];
-    let of = |i: usize| (names[i], told_png(&png(&pictures[i]), 6));
+    let of = |i: usize| (names[i], described_png(&png(&pictures[i]), 6));
     let photos = load(place.path(), &[of(0), of(1), of(2)]);
     clean(&photos);
-    photos.photos.iter().for_each(|photo| told(photo, 6));
+    photos.photos.iter().for_each(|photo| keeps_facts(photo, 6));
     let names = ["1.tif", "2.tif", "3.tif"];
     let of = |i: usize| (names[i], tiff(&pictures[i]));
     let photos = load(place.path(), &[of(0), of(1), of(2)]);

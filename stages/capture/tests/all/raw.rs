@@ -138,7 +138,7 @@ fn read(folder: &Path, names: &[&str]) -> Result<Photos, String> {
 }
 
 #[test]
-fn raw_photos_are_developed_upright_with_what_they_say_of_the_lens() {
+fn raw_photos_are_developed_upright_with_their_facts_of_the_lens() {
     if !dcraw() {
         return;
     }
@@ -172,7 +172,7 @@ fn raw_photos_are_developed_upright_with_what_they_say_of_the_lens() {
 }
 
 #[test]
-fn what_is_no_raw_photo_is_named_with_what_the_program_says() {
+fn what_is_no_raw_photo_is_named_with_the_programs_message() {
     if !dcraw() {
         return;
     }

@@ -53,13 +53,13 @@ fn units_become_millimetres_and_the_axis_that_points_up_becomes_z_without_mirror
     proof::near(size.x, 500.0, 1e-3);
     proof::near(size.y, 300.0, 1e-3);
     assert!(mesh.volume() > 0.0, "faces still look outward");
-    // Read as millimetres it is a crumb, which is told with what to set.
+    // Read as millimetres it is a crumb, which is refused with what to set.
     let wrong = taken(folder.path(), &["scan.ply"], &SurfaceParams::default()).unwrap_err();
     assert!(wrong.contains("set `unit`"), "{wrong}");
 }
 
 #[test]
-fn what_is_no_closed_surface_is_told() {
+fn what_is_no_closed_surface_is_refused() {
     let folder = tempfile::tempdir().unwrap();
     let write = |name: &str, bytes: &[u8]| std::fs::write(folder.path().join(name), bytes).unwrap();
     write("a.ply", &mesh_to_ply(&block([300.0, 200.0, 1700.0])));
@@ -69,23 +69,27 @@ fn what_is_no_closed_surface_is_told() {
         ..block([300.0, 200.0, 1700.0])
     };
     write("cloud.ply", &mesh_to_ply(&cloud));
-    let said = |names: &[&str]| taken(folder.path(), names, &SurfaceParams::default());
-    assert!(said(&["a.ply"]).is_ok());
+    let result = |names: &[&str]| taken(folder.path(), names, &SurfaceParams::default());
+    assert!(result(&["a.ply"]).is_ok());
     assert!(
-        said(&[])
+        result(&[])
             .unwrap_err()
             .contains("one file with a surface is wanted, but 0")
     );
-    assert!(said(&["a.ply", "noise.ply"]).unwrap_err().contains("but 2"));
     assert!(
-        said(&["noise.ply"])
+        result(&["a.ply", "noise.ply"])
+            .unwrap_err()
+            .contains("but 2")
+    );
+    assert!(
+        result(&["noise.ply"])
             .unwrap_err()
             .contains("cannot be read as a mesh")
     );
-    assert!(said(&["cloud.ply"]).unwrap_err().contains("no faces"));
+    assert!(result(&["cloud.ply"]).unwrap_err().contains("no faces"));
 }
 
-/// A closed body of square sections, as wide as they are said at their heights, arms' breadth along x. \[m\]
+/// A closed body of square sections, of given widths at their heights, arms' breadth along x. \[m\]
 fn figure() -> Mesh {
     // Height, half across, half deep: feet, knees, hip, waist, shoulders, neck, head, crown.
     let rows = [

@@ -36,10 +36,10 @@ fn one_frame_a_step_is_taken_from_one_turn_and_none_twice() {
         angles.iter().map(|a| frame(*a)),
         &PHONE,
     );
-    let (photos, told) = read(place.path(), &["turn.mp4"], &VideoParams::default()).unwrap();
+    let (photos, warnings) = read(place.path(), &["turn.mp4"], &VideoParams::default()).unwrap();
     let numbers = numbers(&photos);
-    assert_eq!(numbers.len(), 36, "{told:?}");
-    assert_eq!(told, Vec::<String>::new());
+    assert_eq!(numbers.len(), 36, "{warnings:?}");
+    assert_eq!(warnings, Vec::<String>::new());
     let turned: Vec<f64> = numbers.iter().map(|i| 360.0 * angles[*i]).collect();
     let span = turned[35] - turned[0];
     assert!((342.0..358.0).contains(&span), "{span}");
@@ -86,27 +86,27 @@ fn one_frame_a_step_is_taken_from_one_turn_and_none_twice() {
 }
 
 #[test]
-fn a_video_on_its_side_with_uneven_times_stands_upright_and_says_nothing_of_the_place() {
+fn a_video_on_its_side_with_uneven_times_is_upright_and_without_its_place() {
     if !ffmpeg() {
         return;
     }
     let place = tempfile::tempdir().unwrap();
-    let (lying, file) = (
-        place.path().join("lying.mp4"),
+    let (turned, file) = (
+        place.path().join("turned.mp4"),
         place.path().join("turn.mov"),
     );
     let angles = angles(0, 150, 0, 1.0);
     let mut more = PHONE.to_vec();
-    // Turned by a quarter, as a phone's sensor lies; every fifth frame late.
+    // Turned by a quarter, as a phone's sensor is; every fifth frame late.
     let chain = format!(
         "transpose=clock,settb=1/90000,setpts=N*3000+eq(mod(N\\,5)\\,4)*1800,{}",
         PHONE[1]
     );
     more[1] = &chain;
     more.extend(["-fps_mode", "passthrough", "-enc_time_base", "1:90000"]);
-    film(&lying, angles.iter().map(|a| frame(*a)), &more);
+    film(&turned, angles.iter().map(|a| frame(*a)), &more);
     let mut command = Command::new("ffmpeg");
-    command.args(["-v", "error", "-y", "-i"]).arg(&lying);
+    command.args(["-v", "error", "-y", "-i"]).arg(&turned);
     command.args([
         "-c",
         "copy",
@@ -118,8 +118,8 @@ fn a_video_on_its_side_with_uneven_times_stands_upright_and_says_nothing_of_the_
     assert!(command.arg(&file).status().unwrap().success());
     std::fs::copy(&file, place.path().join("plate.mov")).unwrap();
     let names = ["turn.mov", "plate.mov"];
-    let (photos, told) = read(place.path(), &names, &VideoParams::default()).unwrap();
-    assert_eq!(photos.photos.len(), 36, "{told:?}");
+    let (photos, warnings) = read(place.path(), &names, &VideoParams::default()).unwrap();
+    assert_eq!(photos.photos.len(), 36, "{warnings:?}");
     let plate = photos.plate.as_ref().unwrap();
     assert!(plate.name.starts_with("plate.mov#") && plate.time_s.is_none());
     let first = &photos.photos[0];

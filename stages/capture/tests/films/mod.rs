@@ -11,7 +11,7 @@ use std::path::Path;
 use std::process::{Command, Stdio};
 use std::sync::{Arc, Mutex};
 
-/// Whether ffmpeg is there; said where it is not.
+/// Whether ffmpeg is there; a note where it is not.
 pub(crate) fn ffmpeg() -> bool {
     proof::program("ffmpeg", "ffmpeg") && proof::program("ffprobe", "ffmpeg")
 }
@@ -50,7 +50,7 @@ pub(crate) fn angles(before: usize, turning: usize, after: usize, turned: f64) -
         .collect()
 }
 
-/// A film of frames, 30 a second, with more said to ffmpeg behind its input.
+/// A film of frames, 30 a second, with more options of ffmpeg behind its input.
 pub(crate) fn film(file: &Path, frames: impl Iterator<Item = Vec<u8>>, more: &[&str]) {
     let size = format!("{WIDTH}x{HEIGHT}");
     let mut command = Command::new("ffmpeg");
@@ -100,14 +100,14 @@ pub(crate) fn files(folder: &Path, names: &[&str]) -> Arc<Files> {
     })
 }
 
-/// Who is told.
+/// A host that collects warnings.
 #[derive(Default)]
-pub(crate) struct Told {
+pub(crate) struct Collected {
     pub(crate) warnings: Mutex<Vec<String>>,
     pub(crate) cancelled: bool,
 }
 
-impl Host for Told {
+impl Host for Collected {
     fn warn(&self, text: &str) {
         self.warnings.lock().unwrap().push(text.into());
     }
@@ -122,12 +122,12 @@ pub(crate) fn read(
     names: &[&str],
     p: &VideoParams,
 ) -> Result<(Photos, Vec<String>), String> {
-    let told = Told::default();
+    let host = Collected::default();
     let none = Hash::from_bytes([0; 32]);
-    let ctx = Ctx::new(&told, none, none);
+    let ctx = Ctx::new(&host, none, none);
     let files = files(folder, names);
     match Video::run(p, VideoInput { files }, &ctx) {
-        Ok(photos) => Ok((photos, told.warnings.into_inner().unwrap())),
+        Ok(photos) => Ok((photos, host.warnings.into_inner().unwrap())),
         Err(Stop::Failed(error)) => Err(error.to_string()),
         Err(Stop::Cancelled) => panic!("nobody asked to stop"),
     }

@@ -1,4 +1,4 @@
-//! How a surface from elsewhere stands: which of its pieces is the body, which way is up, what its numbers are in.
+//! The pose of a surface from elsewhere: which of its pieces is the body, which way is up, what its numbers are in.
 
 use shape::Mesh;
 use std::collections::BTreeMap;
@@ -13,9 +13,9 @@ const SECOND: f64 = 0.25;
 pub(crate) struct Pieces {
     /// The one that encloses most.
     pub(crate) body: Mesh,
-    /// How many others there were.
-    pub(crate) others: usize,
-    /// Whether one of the others is as large as a body.
+    /// How many other pieces there were.
+    pub(crate) left_out: usize,
+    /// Whether one of them is as large as a body.
     pub(crate) second: bool,
 }
 
@@ -37,7 +37,7 @@ pub(crate) fn pieces(mesh: &Mesh) -> Pieces {
     if order.len() < 2 {
         return Pieces {
             body: mesh.clone(),
-            others: 0,
+            left_out: 0,
             second,
         };
     }
@@ -49,7 +49,7 @@ pub(crate) fn pieces(mesh: &Mesh) -> Pieces {
             unit: mesh.unit,
             ..Mesh::packed(&mesh.positions, &faces)
         },
-        others: order.len() - 1,
+        left_out: order.len() - 1,
         second,
     }
 }
@@ -79,7 +79,7 @@ pub(crate) fn up(mesh: &Mesh) -> Option<(usize, bool)> {
     Some((axis, moment * volume < 0.0))
 }
 
-/// Bins along an axis in which a body is held against its mirror image.
+/// Bins along an axis in which a body is compared with its mirror image.
 const BINS: usize = 40;
 
 /// How unlike its mirror image along an axis a surface is: the area that is on one side alone, as a share.
