@@ -77,7 +77,7 @@ impl Host for Hosting<'_> {
     }
     fn metric(&self, metric: Metric) {
         debug_assert!(
-            stage::tells(self.stage.metrics(), &metric.name),
+            stage::fits_any(self.stage.metrics(), &metric.name),
             "{} tells `{}`, which its METRICS do not name",
             self.stage.name(),
             metric.name

@@ -1,7 +1,7 @@
 //! Which numbers a node can tell: its stage's metrics, what its result tells of itself, time and size.
 
 use crate::kind::Catalog;
-use stage::{AnyStage, Value, nearest, tells};
+use stage::{AnyStage, Value, fits_any, nearest};
 
 /// What every node tells.
 pub(crate) const BESIDE: [(&str, &str); 2] = [("seconds", "s"), ("bytes", "B")];
@@ -25,7 +25,7 @@ pub fn untellable(
         let facts = facts.iter().map(String::as_str);
         metrics.chain(facts).chain(beside)
     };
-    if tells(&known().collect::<Vec<_>>(), metric) {
+    if fits_any(&known().collect::<Vec<_>>(), metric) {
         return None;
     }
     let mut all: Vec<&str> = Vec::new();

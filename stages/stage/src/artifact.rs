@@ -1,4 +1,4 @@
-//! What flows between stages, and how it lies in a file.
+//! What flows between stages, and its layout in a file.
 //!
 //! ```text
 //! 0   magic "TAILORAF"          8 bytes
@@ -16,7 +16,7 @@ use serde::{Deserialize, Serialize, de::DeserializeOwned};
 pub use blake3::{Hash, hash};
 
 /// The format's name, whatever program writes it. A result is named by the hash of all its bytes, these
-/// eight with them: others would give every result another name, and no cache would hit.
+/// eight with them: another number would give every result another name, and no cache would hit.
 const MAGIC: &[u8; 8] = b"TAILORAF";
 const CONTAINER: u32 = 1;
 const PREFIX: usize = 24;
@@ -84,12 +84,12 @@ pub struct Unpacker<'a> {
 }
 
 impl Unpacker<'_> {
-    /// What the bytes say they are: kind and format.
+    /// Kind and format, as the bytes name them.
     pub fn kind(&self) -> (&str, u32) {
         (&self.header.kind, self.header.format)
     }
 
-    /// The arrays: name, size of an element, and where they lie in the bytes.
+    /// The arrays: name, size of an element, and where they are in the bytes.
     pub fn sections(&self) -> impl Iterator<Item = (&str, usize, std::ops::Range<usize>)> {
         let place = |s: &Section| s.offset as usize..(s.offset + s.bytes) as usize;
         let sections = self.header.sections.iter();
@@ -156,7 +156,7 @@ pub fn to_bytes<A: Artifact>(artifact: &A) -> Vec<u8> {
     bytes.extend_from_slice(&(header_len as u32).to_le_bytes());
     bytes.extend_from_slice(&(end as u64).to_le_bytes());
     bytes.extend_from_slice(&codec::encode(&header));
-    // Each array goes as soon as it is written: a large artifact lies in memory twice, not three times.
+    // Each array goes as soon as it is written: a large artifact is in memory twice, not three times.
     for (section, (_, _, data)) in header.sections.iter().zip(sections) {
         bytes.resize(section.offset as usize, 0);
         bytes.extend_from_slice(&data);
@@ -246,7 +246,7 @@ mod tests {
     }
 
     #[test]
-    fn sections_lie_where_they_are_said_to() {
+    fn sections_are_where_the_head_puts_them() {
         let bytes = to_bytes(&Noun("a body".into(), vec![1.0, 2.5]));
         let file = opened(&bytes).unwrap();
         let sections: Vec<_> = file.sections().collect();

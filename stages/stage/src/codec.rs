@@ -8,7 +8,7 @@ use serde::{Serialize, de::DeserializeOwned};
 /// No metadata of ours comes near; a hostile length fails here instead of allocating.
 const LIMIT: usize = 256 << 20;
 
-/// Bytes that are no artifact of the wanted kind; the text says why.
+/// Bytes that are no artifact of the wanted kind; the text names why.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 #[error("not a whole artifact: {0}")]
 pub struct Corrupt(pub String);

@@ -3,7 +3,7 @@
 use crate::{Artifact, Cancelled, Hash, Stop, from_bytes, to_bytes};
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-/// A number told beside the result: kept with it, and told again when the result is found.
+/// A number reported beside the result: kept with it, and reported again when the result is found.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Metric {
     /// What it counts: `reprojection`.

@@ -39,7 +39,7 @@ pub struct Made {
 
 /// A stage as the engine sees it.
 pub trait AnyStage: Sync {
-    /// `room.verb`.
+    /// `crate.verb`.
     fn name(&self) -> &'static str;
     /// See [`Stage::VERSION`].
     fn version(&self) -> u32;
@@ -61,9 +61,9 @@ pub trait AnyStage: Sync {
     ///
     /// # Errors
     ///
-    /// Every param that is unknown, or does not fit its type or range, or the others.
-    fn check(&self, said: &BTreeMap<String, Value>) -> Result<Checked, Vec<Mistake>>;
-    /// See [`Stage::memory`]; nothing where the inputs are wrong, which [`AnyStage::run`] tells.
+    /// Every param that is unknown, or does not fit its type or range, or the other params.
+    fn check(&self, given: &BTreeMap<String, Value>) -> Result<Checked, Vec<Mistake>>;
+    /// See [`Stage::memory`]; nothing where the inputs are wrong, which [`AnyStage::run`] reports.
     /// \[bytes\]
     fn memory(&self, params: &Checked, inputs: &[Option<AnyArtifact>]) -> u64;
     /// Runs: one input a port, in order.
@@ -88,7 +88,7 @@ pub trait AnyStage: Sync {
 /// A typed stage behind the engine's view of it. Made by [`erase`].
 pub struct Erased<S>(PhantomData<fn() -> S>);
 
-/// The engine's view of a stage, for a room's list: `&erase::<Carve>()`.
+/// The engine's view of a stage, for a crate's list: `&erase::<Carve>()`.
 pub const fn erase<S: Stage>() -> Erased<S> {
     Erased(PhantomData)
 }
@@ -122,8 +122,8 @@ impl<S: Stage> AnyStage for Erased<S> {
         S::Params::specs()
     }
 
-    fn check(&self, said: &BTreeMap<String, Value>) -> Result<Checked, Vec<Mistake>> {
-        let params = S::Params::read(said)?;
+    fn check(&self, given: &BTreeMap<String, Value>) -> Result<Checked, Vec<Mistake>> {
+        let params = S::Params::read(given)?;
         let mistakes = S::check(&params);
         if !mistakes.is_empty() {
             return Err(mistakes);

@@ -17,7 +17,7 @@ pub struct FileEntry {
 /// A folder's files, in natural order of their names (`2.jpg` before `10.jpg`).
 #[derive(Debug, Clone, Default)]
 pub struct Files {
-    /// Where they lie on this machine; no part of the content.
+    /// Where they are on this machine; no part of the content.
     pub root: PathBuf,
     /// The files.
     pub entries: Vec<FileEntry>,
@@ -31,7 +31,7 @@ pub enum FilesError {
     Unreadable {
         /// The file.
         path: String,
-        /// What the system says.
+        /// The system's message.
         why: std::io::Error,
     },
     /// Its bytes are not those that the run began with.
@@ -59,8 +59,8 @@ impl Files {
         Ok(bytes)
     }
 
-    /// Where the file lies, if its bytes still are what was hashed when the run began; they are never
-    /// held all at once. For foreign programs, which read it themselves: ask again when they are done.
+    /// Where the file is, if its bytes still are what was hashed when the run began; they are never
+    /// read whole. For foreign programs, which read it themselves: ask again when they are done.
     ///
     /// # Errors
     ///

@@ -36,7 +36,7 @@ pub use ctx::{Ctx, Host, Metric, Steps};
 pub use erase::{AnyStage, Checked, Erased, Made, erase};
 pub use files::{FileEntry, Files, FilesError};
 pub use input::{Input, Port, PortSpec, Wrong};
-pub use metrics::tells;
+pub use metrics::fits_any;
 pub use named::Named;
 pub use nearest::{nearest, unknown};
 pub use param_type::ParamType;
@@ -47,7 +47,7 @@ pub use value::Value;
 
 /// One step of a pipeline: a pure function from artifacts and params to an artifact.
 pub trait Stage: 'static {
-    /// What a pipeline file calls this stage: `room.verb`, such as `hull.carve`.
+    /// What a pipeline file calls this stage: `crate.verb`, such as `hull.carve`.
     const NAME: &'static str;
     /// Raise it whenever equal inputs and equal params may give other bytes.
     const VERSION: u32;
@@ -59,7 +59,7 @@ pub trait Stage: 'static {
     type Input: Input;
     /// What flows out.
     type Output: Artifact;
-    /// The names of all metrics that `run` may tell; `*` stands for a part that follows from the
+    /// The names of all metrics that `run` may report; `*` is a part that follows from the
     /// input. What is not here can be asked for by nobody.
     const METRICS: &'static [&'static str] = &[];
 
@@ -69,14 +69,14 @@ pub trait Stage: 'static {
         vec![]
     }
 
-    /// What is wrong with params that fit one by one, such as a name that is taken: said before anything runs, at the
+    /// What is wrong with params that fit one by one, such as a name that is taken: reported before anything runs, at the
     /// place where it was written. A mistake's name is the param, within a section `section.entry`.
     fn check(_params: &Self::Params) -> Vec<Mistake> {
         vec![]
     }
 
-    /// What a run takes at most beside its input, as far as that can be told before. Stages of one
-    /// process that together say more than is free run one after the other. No part of the key.
+    /// What a run takes at most beside its input, as far as that can be estimated before. Stages of one
+    /// process that together need more than is free run one after the other. No part of the key.
     /// \[bytes\]
     fn memory(_params: &Self::Params, _input: &Self::Input) -> u64 {
         0
@@ -86,7 +86,7 @@ pub trait Stage: 'static {
     ///
     /// # Errors
     ///
-    /// Whatever the stage says is wrong with its inputs, or that the user asked to stop.
+    /// Whatever the stage finds wrong with its inputs, or that the user asked to stop.
     fn run(params: &Self::Params, input: Self::Input, ctx: &Ctx<'_>) -> Result<Self::Output, Stop>;
 }
 
@@ -95,7 +95,7 @@ pub trait Stage: 'static {
 pub enum Stop {
     /// The user asked to stop. Not a fault.
     Cancelled,
-    /// The input is of a kind that this stage can't use; the error says what to do about it.
+    /// The input is of a kind that this stage can't use; the error names what to do about it.
     Failed(Box<dyn std::error::Error + Send + Sync>),
 }
 

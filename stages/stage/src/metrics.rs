@@ -1,7 +1,7 @@
 //! The names of metrics that a stage declares: plain ones, and patterns where a name follows from the input.
 
-/// Whether a name fits one of these: `*` in a pattern stands for any text, none included.
-pub fn tells(patterns: &[&str], name: &str) -> bool {
+/// Whether a name fits one of these: `*` in a pattern is any text, none included.
+pub fn fits_any(patterns: &[&str], name: &str) -> bool {
     patterns.iter().any(|pattern| fits(pattern, name))
 }
 
@@ -18,7 +18,7 @@ fn fits(pattern: &str, name: &str) -> bool {
 
 #[cfg(test)]
 mod tests {
-    use super::tells;
+    use super::fits_any;
 
     #[test]
     fn a_star_is_any_text_and_nothing_else_is() {
@@ -29,11 +29,11 @@ mod tests {
             "girths größe L error",
             "mat against disk",
         ] {
-            assert!(tells(&patterns, name), "{name}");
+            assert!(fits_any(&patterns, name), "{name}");
         }
         for name in ["volumes", "volum", "girths WC", "against", ""] {
-            assert!(!tells(&patterns, name), "{name}");
+            assert!(!fits_any(&patterns, name), "{name}");
         }
-        assert!(tells(&["*"], "") && !tells(&[], "volume"));
+        assert!(fits_any(&["*"], "") && !fits_any(&[], "volume"));
     }
 }

@@ -43,10 +43,10 @@ impl<P: Params> ParamType for Named<P> {
             return None;
         };
         let mut read = BTreeMap::new();
-        for (entry, said) in entries {
+        for (entry, given) in entries {
             let at = format!("{name}.{entry}");
-            let Value::Table(keys) = said else {
-                mistakes.push(no_table(at, said));
+            let Value::Table(keys) = given else {
+                mistakes.push(no_table(at, given));
                 continue;
             };
             match P::read(keys) {
@@ -112,9 +112,9 @@ mod tests {
 
     #[test]
     fn entries_are_read_filled_up_and_written_in_one_way() {
-        let said = [("plain".to_owned(), table(&[("eggs", Value::Int(3))]))];
-        let said = BTreeMap::from([("cake".to_owned(), Value::Table(said.into()))]);
-        let oven = Oven::read(&said).unwrap();
+        let given = [("plain".to_owned(), table(&[("eggs", Value::Int(3))]))];
+        let given = BTreeMap::from([("cake".to_owned(), Value::Table(given.into()))]);
+        let oven = Oven::read(&given).unwrap();
         assert_eq!(oven.cake.0["plain"].eggs, 3);
         let (name, value) = oven.values().remove(0);
         let text = "{ \"plain\" = { \"called\" = \"\", \"eggs\" = 3 } }";
@@ -123,10 +123,10 @@ mod tests {
     }
 
     #[test]
-    fn what_is_wrong_within_an_entry_is_told_with_its_place() {
+    fn what_is_wrong_within_an_entry_is_refused_with_its_place() {
         let wrong = |entry: Value| {
-            let said = BTreeMap::from([("cake".to_owned(), table(&[("a", entry)]))]);
-            Oven::read(&said).unwrap_err()
+            let given = BTreeMap::from([("cake".to_owned(), table(&[("a", entry)]))]);
+            Oven::read(&given).unwrap_err()
         };
         for (entry, at, what) in [
             (Value::Int(1), "cake.a", "wants a table"),
@@ -138,10 +138,10 @@ mod tests {
                 "did you mean `eggs`",
             ),
         ] {
-            let told = wrong(entry);
-            assert_eq!(told.len(), 1, "{told:?}");
-            assert_eq!(told[0].name, at);
-            assert!(told[0].what.contains(what), "{told:?}");
+            let mistakes = wrong(entry);
+            assert_eq!(mistakes.len(), 1, "{mistakes:?}");
+            assert_eq!(mistakes[0].name, at);
+            assert!(mistakes[0].what.contains(what), "{mistakes:?}");
         }
     }
 }

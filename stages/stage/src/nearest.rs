@@ -1,6 +1,6 @@
 //! "Did you mean": the known name that is nearest to a mistyped one.
 
-/// What to say of an unknown name: the nearest known one, and what there is.
+/// The message about an unknown name: the nearest known one, and what there is.
 pub fn unknown(what: &str, name: &str, known: &[&str]) -> String {
     let asked = match nearest(name, known) {
         Some(near) => format!("did you mean `{near}`? "),
@@ -74,16 +74,16 @@ mod tests {
     }
 
     #[test]
-    fn what_there_is_is_said_apart() {
-        let said = |name, known: &[&str]| unknown("param", name, known);
+    fn what_there_is_is_listed_apart() {
+        let message = |name, known: &[&str]| unknown("param", name, known);
         assert_eq!(
-            said("colour", &["consensus", "voxel_mm"]),
+            message("colour", &["consensus", "voxel_mm"]),
             "there is no param `colour`; known: consensus, voxel_mm"
         );
         assert_eq!(
-            said("voxle_mm", &["voxel_mm"]),
+            message("voxle_mm", &["voxel_mm"]),
             "there is no param `voxle_mm`; did you mean `voxel_mm`? known: voxel_mm"
         );
-        assert_eq!(said("x", &[]), "there is no param `x`; there are none");
+        assert_eq!(message("x", &[]), "there is no param `x`; there are none");
     }
 }

@@ -119,11 +119,11 @@ pub fn read_one<T: ParamType>(
     name: &'static str,
     range: Option<(f64, f64)>,
     required: bool,
-    said: &BTreeMap<String, Value>,
+    given: &BTreeMap<String, Value>,
     default: T,
     mistakes: &mut Vec<Mistake>,
 ) -> T {
-    let Some(value) = said.get(name) else {
+    let Some(value) = given.get(name) else {
         if required {
             mistakes.push(Mistake {
                 name: name.into(),

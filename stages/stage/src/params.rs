@@ -14,11 +14,11 @@ pub struct ParamSpec {
     pub type_name: &'static str,
     /// The words it may be, where it is a choice.
     pub choices: &'static [&'static str],
-    /// What it is when nothing is said.
+    /// What it is when nothing is given.
     pub default: Value,
     /// Least and greatest value.
     pub range: Option<(f64, f64)>,
-    /// Whether it must be said.
+    /// Whether it must be given.
     pub required: bool,
     /// What each entry holds, where it is a section of named entries: see [`Named`](crate::Named).
     pub entry: Option<Vec<ParamSpec>>,
@@ -39,8 +39,8 @@ pub trait Params: Clone + Default + Send + Sync + 'static {
     fn names(to: &mut Vec<&'static str>);
     /// Every param with these values as its defaults, in the order of the reference.
     fn specs_to(&self, to: &mut Vec<ParamSpec>);
-    /// Reads what was said; the rest stays as it is here. Names that are unknown are passed over.
-    fn read_onto(self, said: &BTreeMap<String, Value>, mistakes: &mut Vec<Mistake>) -> Self;
+    /// Reads what was given; the rest stays as it is here. Names that are unknown are passed over.
+    fn read_onto(self, given: &BTreeMap<String, Value>, mistakes: &mut Vec<Mistake>) -> Self;
     /// All values after defaults, in the order of the reference.
     fn values_to(&self, to: &mut Vec<(&'static str, Value)>);
 
@@ -58,21 +58,21 @@ pub trait Params: Clone + Default + Send + Sync + 'static {
         values
     }
 
-    /// Reads what was said; the rest keeps its default.
+    /// Reads what was given; the rest keeps its default.
     ///
     /// # Errors
     /// Everything that is wrong, at once: unknown names, values that do not fit or are out of range.
-    fn read(said: &BTreeMap<String, Value>) -> Result<Self, Vec<Mistake>> {
+    fn read(given: &BTreeMap<String, Value>) -> Result<Self, Vec<Mistake>> {
         let mut names = Vec::new();
         Self::names(&mut names);
-        let unknown = said.keys().filter(|n| !names.contains(&n.as_str()));
+        let unknown = given.keys().filter(|n| !names.contains(&n.as_str()));
         let mut mistakes: Vec<Mistake> = unknown
             .map(|name| Mistake {
                 name: name.clone(),
                 what: crate::unknown("param", name, &names),
             })
             .collect();
-        let read = Self::default().read_onto(said, &mut mistakes);
+        let read = Self::default().read_onto(given, &mut mistakes);
         if mistakes.is_empty() {
             Ok(read)
         } else {
@@ -85,7 +85,7 @@ pub trait Params: Clone + Default + Send + Sync + 'static {
 /// no sense in a default, name, type, default.
 ///
 /// `#[group(flat)]` makes a field a group that several stages share: its type is made by this macro,
-/// its params stand among the others under their own names, with the defaults given here.
+/// its params are among the other ones under their own names, with the defaults given here.
 #[macro_export]
 macro_rules! params {
     (
@@ -122,11 +122,11 @@ macro_rules! params {
 
             fn read_onto(
                 self,
-                _said: &std::collections::BTreeMap<String, $crate::Value>,
+                _given: &std::collections::BTreeMap<String, $crate::Value>,
                 _mistakes: &mut Vec<$crate::Mistake>,
             ) -> Self {
                 Self { $( $name: $crate::params!(
-                    @read $($group)?, $name, self.$name, _said, _mistakes,
+                    @read $($group)?, $name, self.$name, _given, _mistakes,
                     $crate::params!(@range $($range)?), $crate::params!(@must $($must)?)
                 ), )* }
             }
@@ -153,11 +153,11 @@ macro_rules! params {
             entry: <$ty as $crate::ParamType>::entry(),
         })
     };
-    (@read flat, $name:ident, $value:expr, $said:ident, $mistakes:ident, $range:expr, $must:expr) => {
-        $crate::Params::read_onto($value, $said, $mistakes)
+    (@read flat, $name:ident, $value:expr, $given:ident, $mistakes:ident, $range:expr, $must:expr) => {
+        $crate::Params::read_onto($value, $given, $mistakes)
     };
-    (@read , $name:ident, $value:expr, $said:ident, $mistakes:ident, $range:expr, $must:expr) => {
-        $crate::read_one(stringify!($name), $range, $must, $said, $value, $mistakes)
+    (@read , $name:ident, $value:expr, $given:ident, $mistakes:ident, $range:expr, $must:expr) => {
+        $crate::read_one(stringify!($name), $range, $must, $given, $value, $mistakes)
     };
     (@values flat, $to:ident, $name:ident, $value:expr) => { $crate::Params::values_to(&$value, $to) };
     (@values , $to:ident, $name:ident, $value:expr) => {
@@ -202,25 +202,25 @@ mod tests {
     }
 
     #[test]
-    fn params_of_a_group_stand_among_the_others_with_the_defaults_given_there() {
+    fn params_of_a_group_are_among_the_other_ones_with_the_defaults_given_there() {
         let names: Vec<&str> = Oven::specs().iter().map(|s| s.name).collect();
         assert_eq!(names, ["minutes", "degrees", "fan", "trays"]);
         assert_eq!(Oven::specs()[1].default, Value::Int(220));
         assert_eq!(Oven::specs()[1].range, Some((0.0, 300.0)));
-        let said = BTreeMap::from([("fan".to_owned(), Value::Bool(true))]);
-        let oven = Oven::read(&said).unwrap();
+        let given = BTreeMap::from([("fan".to_owned(), Value::Bool(true))]);
+        let oven = Oven::read(&given).unwrap();
         assert_eq!((oven.heat.degrees, oven.heat.fan), (220, true));
         let values: Vec<&str> = oven.values().iter().map(|(name, _)| *name).collect();
         assert_eq!(values, names);
     }
 
     #[test]
-    fn what_is_wrong_in_a_group_is_told_with_all_else_that_is_wrong() {
-        let said = [("degrees", 301), ("degreess", 1), ("heat", 1)];
-        let said = said.map(|(name, v)| (name.to_owned(), Value::Int(v)));
-        let told = Oven::read(&said.into()).unwrap_err();
-        let names: Vec<&str> = told.iter().map(|m| m.name.as_str()).collect();
+    fn what_is_wrong_in_a_group_is_refused_with_all_else_that_is_wrong() {
+        let given = [("degrees", 301), ("degreess", 1), ("heat", 1)];
+        let given = given.map(|(name, v)| (name.to_owned(), Value::Int(v)));
+        let mistakes = Oven::read(&given.into()).unwrap_err();
+        let names: Vec<&str> = mistakes.iter().map(|m| m.name.as_str()).collect();
         assert_eq!(names, ["degreess", "heat", "degrees"]);
-        assert!(told[0].what.contains("degrees"), "{told:?}");
+        assert!(mistakes[0].what.contains("degrees"), "{mistakes:?}");
     }
 }

@@ -19,7 +19,7 @@ pub fn end(id: u32) {
     system::end(id);
 }
 
-/// Whether a process of this number lives. Where the system does not say, it is taken to live, and
+/// Whether a process of this number lives. Where the system does not know, it is taken to live, and
 /// nothing of it is cleared away.
 pub fn is_alive(id: u32) -> bool {
     system::is_alive(id)

@@ -71,7 +71,7 @@ mod tests {
     use super::Value;
 
     #[test]
-    fn floats_are_told_apart_by_their_bits() {
+    fn floats_are_distinct_by_their_bits() {
         for (x, text) in [
             (0.0, "0.0"),
             (-0.0, "-0.0"),
