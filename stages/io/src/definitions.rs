@@ -19,7 +19,7 @@ fn level(rule: LevelRule) -> String {
         LevelRule::Share { from, to, at } => format!("{at} of the way, {from} to {to}"),
         LevelRule::Mark(mark) => format!("on the surface: {mark}"),
         LevelRule::Model(place) => format!("a model's estimate: {place}"),
-        LevelRule::Said => "as the user says".into(),
+        LevelRule::Given => "as the user says".into(),
     }
 }
 

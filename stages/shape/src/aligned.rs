@@ -1,4 +1,4 @@
-//! Photos made comparable: how each lies in one common place, and how its levels are brought to one exposure.
+//! Photos made comparable: where each is in one common place, and how its levels are brought to one exposure.
 
 use crate::{ByPhoto, Camera, Cameras, Image, PhotoId, Placed, Rgb};
 use stage::{Artifact, Corrupt, Packer, Unpacker};
@@ -11,10 +11,10 @@ pub fn toned(picture: &Rgb, tones: &Tones) -> Rgb {
     picture.map(|p| [0, 1, 2].map(|c| tones[c][p[c] as usize]))
 }
 
-/// How a photo lies in the common place, and what its levels are there.
+/// Where a photo is in the common place, and its levels there.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Alignment {
-    /// Where it lies.
+    /// Where it is.
     pub placed: Placed,
     /// What its levels are there; `None` where they stay.
     pub tones: Option<Tones>,
@@ -29,7 +29,7 @@ impl Alignment {
 
     /// The photo, brought there.
     pub fn brought(&self, photo: Rgb) -> Rgb {
-        let photo = if self.placed.lies() {
+        let photo = if self.placed.is_identity() {
             photo
         } else {
             self.placed.brought(&photo)
@@ -37,7 +37,7 @@ impl Alignment {
         self.exposed(photo)
     }
 
-    /// A photo that lies there already, as it is exposed there.
+    /// A photo that is there already, as it is exposed there.
     pub fn exposed(&self, photo: Rgb) -> Rgb {
         match &self.tones {
             Some(tones) => toned(&photo, tones),
@@ -47,7 +47,7 @@ impl Alignment {
 
     /// Its camera, brought there.
     pub fn camera(&self, camera: &Camera) -> Camera {
-        if self.placed.lies() {
+        if self.placed.is_identity() {
             *camera
         } else {
             self.placed.brought_camera(camera)
@@ -58,7 +58,7 @@ impl Alignment {
 /// The photos of a turn made comparable, with what all later steps ask of them.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Aligned {
-    /// How each photo lies; a photo that is not here is where and as it should be.
+    /// Place and levels of each photo; a photo that is not here is where and as it should be.
     pub views: ByPhoto<Alignment>,
     /// The cameras, of the photos as they were taken.
     pub cameras: Option<Cameras>,
@@ -69,7 +69,7 @@ pub struct Aligned {
 }
 
 impl Aligned {
-    /// How a photo lies.
+    /// Place and levels of a photo.
     pub fn of(&self, id: PhotoId) -> &Alignment {
         self.views.get(id).unwrap_or(&Alignment::NONE)
     }
@@ -79,7 +79,7 @@ impl Aligned {
         Some(&self.cameras.as_ref()?.views.get(id)?.camera)
     }
 
-    /// Its camera, where all photos lie alike.
+    /// Its camera, where all photos are aligned.
     pub fn camera(&self, id: PhotoId) -> Option<Camera> {
         self.taken(id).map(|camera| self.of(id).camera(camera))
     }

@@ -1,4 +1,4 @@
-//! A pinhole camera with two radial coefficients, and where it stands.
+//! A pinhole camera with two radial coefficients, and its pose.
 
 use nalgebra::{Matrix2x3, Matrix3, Point2, Point3, Rotation3, UnitVector3, Vector2, Vector3};
 use serde::{Deserialize, Serialize};
@@ -18,7 +18,7 @@ pub struct Intrinsics {
     pub radial: [f64; 2],
 }
 
-/// Where a camera stands: `x_in_camera = rotation * x_in_world + translation`.
+/// The pose of a camera: `x_in_camera = rotation * x_in_world + translation`.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct Pose {
     /// Rotation of camera_from_world.
@@ -187,7 +187,7 @@ impl Camera {
         }
     }
 
-    /// Whether a pixel lies on the photo.
+    /// Whether a pixel is on the photo.
     pub fn holds(&self, at_px: Point2<f64>) -> bool {
         let (w, h) = (f64::from(self.lens.width), f64::from(self.lens.height));
         at_px.x >= -0.5 && at_px.y >= -0.5 && at_px.x < w - 0.5 && at_px.y < h - 0.5

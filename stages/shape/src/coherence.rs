@@ -1,13 +1,13 @@
-//! Which photos' outlines cut away what nearly all others show as body.
+//! Which photos' outlines cut away what nearly all other photos show as body.
 
 use crate::{Camera, Cameras, Mask, Masks, PhotoId, seen_by_half};
 use nalgebra::Point3;
 use rayon::prelude::*;
 
-/// About so many points of space are asked: a few thousand of them lie in a body.
+/// About so many points of space are asked: a few thousand of them are in a body.
 const POINTS: f64 = 400_000.0;
 
-/// An outline that cuts away more than this share of what nearly all others show contradicts them (by hand: of whole turns,
+/// An outline that cuts away more than this share of what nearly all other photos show contradicts them (by hand: of whole turns,
 /// gaps that few photos see come to less than 0.05).
 const CUTS: f64 = 0.15;
 
@@ -23,7 +23,7 @@ pub struct Coherence {
 }
 
 impl Coherence {
-    /// The photos that contradict the others, each with the share that it cuts away.
+    /// The photos that contradict the other photos, each with the share that it cuts away.
     pub fn contradicting(&self) -> impl Iterator<Item = (PhotoId, f64)> {
         self.cut.iter().copied().filter(|(_, cut)| *cut > CUTS)
     }
@@ -101,7 +101,7 @@ impl Layer {
         }
     }
 
-    /// Asks every photo whether a point is body; one that does not look there has no say.
+    /// Asks every photo whether a point is body; one that does not look there does not count.
     fn ask(&mut self, views: &[(PhotoId, Camera, &Mask)], point: &Point3<f64>, few: usize) {
         let mut against: Vec<usize> = Vec::new();
         let mut asked = 0;
@@ -178,7 +178,7 @@ mod tests {
     }
 
     #[test]
-    fn a_photo_that_cuts_away_what_the_others_show_is_the_first() {
+    fn a_photo_that_cuts_away_what_the_other_photos_show_is_the_first() {
         let (cameras, mut masks) = turn();
         let whole = coherence(&cameras, &masks).unwrap();
         assert_eq!(whole.contradicting().count(), 0, "{:?}", whole.cut);

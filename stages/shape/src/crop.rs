@@ -14,7 +14,7 @@ pub struct Crop {
 }
 
 impl Crop {
-    /// Where a point of the square lies on the photo; (0, 0) and (1, 1) are corners of the square. \[px\]
+    /// Where a point of the square is on the photo; (0, 0) and (1, 1) are corners of the square. \[px\]
     pub fn on_photo(&self, [u, v]: [f32; 2]) -> [f32; 2] {
         let (sin, cos) = libm::sincosf(self.angle);
         let (x, y) = ((u - 0.5) * self.side_px, (v - 0.5) * self.side_px);
@@ -22,7 +22,7 @@ impl Crop {
         [cx + cos * x - sin * y, cy + sin * x + cos * y]
     }
 
-    /// Where a point of the photo lies in the square.
+    /// Where a point of the photo is in the square.
     pub fn of_photo(&self, [x, y]: [f32; 2]) -> [f32; 2] {
         let (sin, cos) = libm::sincosf(self.angle);
         let (x, y) = (x - self.centre_px[0], y - self.centre_px[1]);

@@ -60,7 +60,7 @@ impl Side {
         libm::hypot(self.normal.x, self.normal.y)
     }
 
-    /// Whether it bounds heights rather than widths; a camera may lie on its side.
+    /// Whether it bounds heights rather than widths; a camera may be on its side.
     fn bounds_height(&self) -> bool {
         self.normal.z.abs() > self.level()
     }
@@ -130,7 +130,7 @@ pub fn seen_by_half(cameras: &Cameras) -> Option<Cylinder> {
         let ends = [bottom, high.min(bottom + 20.0 * nearest)];
         widest = inside(sides, &ends).fold(widest, f64::max);
     }
-    // The cameras themselves stand outside.
+    // The cameras themselves are outside.
     let radius = (widest * std::f64::consts::SQRT_2).min(0.8 * nearest);
     for side in views.iter().flatten() {
         if side.bounds_height() && side.normal.z < 0.0 {
@@ -153,8 +153,8 @@ mod tests {
     use nalgebra::{Matrix3, Rotation3};
 
     /// Cameras around the axis, 0.8 m up, looking at it from above by an angle; the first is turned
-    /// aside, and all may lie on their side.
-    fn ring(count: u32, down: f64, aside: f64, lying: bool) -> Cameras {
+    /// aside, and all may be on their side.
+    fn ring(count: u32, down: f64, aside: f64, on_side: bool) -> Cameras {
         let view = |k: u32| {
             let (s, c) = libm::sincos(f64::from(k) * std::f64::consts::TAU / f64::from(count));
             let forward =
@@ -165,7 +165,7 @@ mod tests {
                 Rotation3::from_axis_angle(&Vector3::z_axis(), if k == 0 { aside } else { 0.0 });
             let roll = Rotation3::from_axis_angle(
                 &Vector3::z_axis(),
-                if lying {
+                if on_side {
                     std::f64::consts::FRAC_PI_2
                 } else {
                     0.0
@@ -174,7 +174,7 @@ mod tests {
             let upright = Rotation3::from_matrix_unchecked(Matrix3::from_rows(&rows));
             let rotation = roll * upright * twist;
             let centre = Vector3::new(2000.0 * c, 2000.0 * s, 800.0);
-            let lens = match lying {
+            let lens = match on_side {
                 true => Intrinsics::simple(1201, 801, 1000.0),
                 false => Intrinsics::simple(801, 1201, 1000.0),
             };
@@ -209,8 +209,8 @@ mod tests {
     #[test]
     fn the_cylinder_touches_the_sides_of_the_field_of_view() {
         // Half the width is seen at 400/1000, half the height at 600/1000: 1.2 m up and down.
-        for lying in [false, true] {
-            let cylinder = bounding_cylinder(&ring(12, 0.0, 0.0, lying)).unwrap();
+        for on_side in [false, true] {
+            let cylinder = bounding_cylinder(&ring(12, 0.0, 0.0, on_side)).unwrap();
             let radius = 2000.0 * libm::sin(libm::atan(0.4f64));
             proof::near(cylinder.radius, radius, 1e-9);
             proof::near(cylinder.top, 2000.0, 1e-9);
@@ -239,17 +239,20 @@ mod tests {
         let cameras = ring(36, 0.1, 0.0, false);
         let cylinder = seen_by_half(&cameras).unwrap();
         let mut dice = proof::Dice(4);
-        let (mut held, mut outside) = (0, 0);
+        let (mut within, mut outside) = (0, 0);
         for _ in 0..20_000 {
             let [x, y] = [0, 1].map(|_| dice.within(-1500.0, 1500.0));
             let x = Point3::new(x, y, dice.within(0.0, 2800.0));
             if seen(&cameras, &x) * 2 >= 36 {
-                held += 1;
+                within += 1;
                 outside += usize::from(!cylinder.holds(&x));
             }
         }
         // 36 cameras are no full ring: a point may be seen by one more than its share.
-        assert!(held > 2000 && outside * 100 < held, "{outside} of {held}");
+        assert!(
+            within > 2000 && outside * 100 < within,
+            "{outside} of {within}"
+        );
     }
 
     #[test]

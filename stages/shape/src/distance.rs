@@ -5,7 +5,7 @@ use crate::{Image, Mask};
 
 /// Signed distance of every pixel to the border. \[px of the mask\]
 ///
-/// Between a pixel centre inside and one outside the border lies half-way, moved by coverage: the
+/// The border is half-way between a pixel centre inside and one outside, moved by coverage: the
 /// distance is that to the nearest pixel of the other side less half a pixel.
 pub fn signed_distance(mask: &Mask) -> Image<f32> {
     let inside = squared(mask, |c| c <= 127);
@@ -72,7 +72,7 @@ fn squared(mask: &Mask, to: impl Fn(u8) -> bool) -> Vec<f32> {
     field.iter_mut().for_each(|d| *d *= *d);
     let mut work = Envelope::default();
     for row in field.chunks_mut(w.max(1)) {
-        // A pixel of distance 0 hides what lies behind it, so each run between two is a line of its own.
+        // A pixel of distance 0 hides what is behind it, so each run between two is a line of its own.
         let mut first = 0;
         while first + 1 < w {
             if row[first] == 0.0 && row[first + 1] == 0.0 {

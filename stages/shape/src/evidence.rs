@@ -34,7 +34,7 @@ impl Known {
     }
 }
 
-/// The evidence of one photo, reduced, where all photos lie alike: pixels row by row.
+/// The evidence of one photo, reduced, where all photos are aligned: pixels row by row.
 #[derive(Debug, Clone, PartialEq)]
 pub struct PhotoEvidence {
     /// How many pixels of the photo along a side became one.

@@ -24,7 +24,7 @@ mod tests {
     }
 
     #[test]
-    fn a_phone_of_four_by_three_is_longer_than_its_side_says() {
+    fn a_phone_of_four_by_three_is_longer_than_its_side_would_be() {
         let px = film_to_px(26.0, 3024, 4032);
         assert!((px - 26.0 / 43.27 * 5040.0).abs() < 1.0);
         assert!((px / (26.0 / 36.0 * 4032.0) - 1.0401).abs() < 1e-3);

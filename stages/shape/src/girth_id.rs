@@ -23,7 +23,7 @@ impl Side {
         }
     }
 
-    /// What people say.
+    /// What people call it.
     pub fn word(self) -> &'static str {
         match self {
             Side::Left => "left",
@@ -40,7 +40,7 @@ impl Side {
     }
 }
 
-/// A girth of the table, or one that the user declared. What it means is told by its
+/// A girth of the table, or one that the user declared. What it means is defined by its
 /// [`definition`](GirthId::definition).
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
 pub enum GirthId {
@@ -72,7 +72,7 @@ pub enum GirthId {
     Calf(Side),
     /// Through points picked by hand.
     Picked,
-    /// Declared by the user: its name, part and share stand with the girth itself.
+    /// Declared by the user: its name, part and share are with the girth itself.
     Own,
 }
 

@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-/// Where on the body a girth is: what lies beside it there, and how well two methods may agree.
+/// Where on the body a girth is: what is beside it there, and how well two methods may agree.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Region {
@@ -69,7 +69,7 @@ impl Region {
     }
 }
 
-/// How the plane of a girth lies.
+/// The plane of a girth.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum PlaneRule {
     /// Horizontal.
@@ -82,7 +82,7 @@ pub enum PlaneRule {
     ThroughPoints,
 }
 
-/// How the level of a girth is told.
+/// The level of a girth.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum LevelRule {
     /// Where the tape is longest between two marks.
@@ -102,8 +102,8 @@ pub enum LevelRule {
     Mark(&'static str),
     /// Under the skin: a model's estimate of this place.
     Model(&'static str),
-    /// As the user says.
-    Said,
+    /// As the user gives it.
+    Given,
 }
 
 /// Which length a definition means.

@@ -1,4 +1,4 @@
-//! What each girth is: one table, read by all that find, measure, compare and tell girths.
+//! What each girth is: one table, read by all that find, measure, compare and report girths.
 //!
 //! Clauses of ISO 8559-1:2017 (anthropometric definitions for body measurement), of ANSUR II
 //! (measurer's handbook, NATICK/TR-11/017) and of WHO 2008 (expert consultation on waist
@@ -18,17 +18,17 @@ pub struct Definition {
     pub name: &'static str,
     /// What people call it.
     pub label: &'static str,
-    /// Where the tape lies, in plain words.
+    /// Where the tape is, in plain words.
     pub sentence: &'static str,
     /// Its clause of ISO 8559-1:2017.
     pub iso: Option<&'static str>,
     /// Other standards that define it so, with their clause where it has a number.
-    pub others: &'static [&'static str],
+    pub more_standards: &'static [&'static str],
     /// The part of the body.
     pub region: Region,
-    /// How its plane lies.
+    /// Its plane.
     pub plane: PlaneRule,
-    /// How its level is told.
+    /// Its level.
     pub level: LevelRule,
     /// Which length it means.
     pub measured: Measured,
@@ -40,8 +40,11 @@ impl Definition {
     /// The standards behind it: `ISO 8559-1 5.3.10, WHO 2008`. Empty where there is none.
     pub fn standards(&self) -> String {
         let iso = self.iso.map(|clause| format!("ISO 8559-1 {clause}"));
-        let others = self.others.iter().map(|s| (*s).to_owned());
-        iso.into_iter().chain(others).collect::<Vec<_>>().join(", ")
+        let more_standards = self.more_standards.iter().map(|s| (*s).to_owned());
+        iso.into_iter()
+            .chain(more_standards)
+            .collect::<Vec<_>>()
+            .join(", ")
     }
 
     /// Label, sentence and standards as one line.
@@ -62,10 +65,10 @@ const TRUNK: Definition = Definition {
     label: "",
     sentence: "",
     iso: None,
-    others: &[],
+    more_standards: &[],
     region: Region::Waist,
     plane: PlaneRule::Horizontal,
-    level: LevelRule::Said,
+    level: LevelRule::Given,
     measured: Measured::Tape,
     sets: &[],
 };
@@ -78,7 +81,7 @@ pub const TABLE: [Definition; 15] = [
         label: "neck",
         sentence: "across the neck's axis, just below the larynx",
         iso: Some("5.3.2"),
-        others: &["ANSUR II 6.4.63"],
+        more_standards: &["ANSUR II 6.4.63"],
         region: Region::Neck,
         plane: PlaneRule::AcrossNeck,
         level: LevelRule::Model("below the larynx"),
@@ -91,7 +94,7 @@ pub const TABLE: [Definition; 15] = [
         label: "chest",
         sentence: "horizontal at the nipples' height, the trunk alone",
         iso: Some("5.3.4"),
-        others: &["ANSUR II 6.4.25"],
+        more_standards: &["ANSUR II 6.4.25"],
         region: Region::Chest,
         level: LevelRule::Model("nipples"),
         sets: &[Iso8559, Ansur, Paper],
@@ -103,7 +106,7 @@ pub const TABLE: [Definition; 15] = [
         label: "waist",
         sentence: "horizontal, midway between the lowest rib and the top of the hip bone, unless another waist was chosen",
         iso: Some("5.3.10"),
-        others: &["WHO 2008"],
+        more_standards: &["WHO 2008"],
         level: LevelRule::Model("midway between lowest rib and hip bone"),
         sets: &[Iso8559, Who, Paper],
         ..TRUNK
@@ -114,7 +117,7 @@ pub const TABLE: [Definition; 15] = [
         label: "waist, natural",
         sentence: "horizontal, midway between the lowest rib and the top of the hip bone",
         iso: Some("5.3.10"),
-        others: &["WHO 2008"],
+        more_standards: &["WHO 2008"],
         level: LevelRule::Model("midway between lowest rib and hip bone"),
         sets: &[Iso8559, Who, Paper],
         ..TRUNK
@@ -124,7 +127,7 @@ pub const TABLE: [Definition; 15] = [
         name: "WC_narrowest",
         label: "waist, narrowest",
         sentence: "horizontal, the narrowest of the trunk",
-        others: &["ISAK"],
+        more_standards: &["ISAK"],
         level: LevelRule::Least("hip", "bust"),
         ..TRUNK
     },
@@ -133,7 +136,7 @@ pub const TABLE: [Definition; 15] = [
         name: "WC_navel",
         label: "waist at the navel",
         sentence: "horizontal, at the navel",
-        others: &["ANSUR II waist at omphalion", "MESA"],
+        more_standards: &["ANSUR II waist at omphalion", "MESA"],
         level: LevelRule::Model("navel"),
         sets: &[Ansur],
         ..TRUNK
@@ -143,7 +146,7 @@ pub const TABLE: [Definition; 15] = [
         name: "WC_hip_bone",
         label: "waist at the hip bone",
         sentence: "horizontal, at the top of the hip bone (iliac crest)",
-        others: &["NIH"],
+        more_standards: &["NIH"],
         level: LevelRule::Model("top of the hip bone"),
         ..TRUNK
     },
@@ -153,7 +156,7 @@ pub const TABLE: [Definition; 15] = [
         label: "hip",
         sentence: "horizontal, at the greatest prominence of the buttocks",
         iso: Some("5.3.13"),
-        others: &["ANSUR II"],
+        more_standards: &["ANSUR II"],
         region: Region::Hip,
         level: LevelRule::Mark("greatest prominence of the buttocks"),
         sets: &[Iso8559, Who, Ansur, Paper],
@@ -164,7 +167,7 @@ pub const TABLE: [Definition; 15] = [
         name: "HC_max",
         label: "hip, greatest",
         sentence: "horizontal, the longest tape near the hip's level",
-        others: &["WHO 2008"],
+        more_standards: &["WHO 2008"],
         region: Region::Hip,
         level: LevelRule::Greatest("3 % of stature below the hip", "3 % above it"),
         sets: &[Who],
@@ -219,7 +222,7 @@ pub const TABLE: [Definition; 15] = [
         label: "calf",
         sentence: "horizontal, greatest between ankle and knee",
         iso: Some("5.3.24"),
-        others: &["ANSUR II 6.4.22"],
+        more_standards: &["ANSUR II 6.4.22"],
         region: Region::Calf,
         level: LevelRule::Greatest("ankle", "knee"),
         sets: &[Iso8559, Ansur],
@@ -230,7 +233,7 @@ pub const TABLE: [Definition; 15] = [
         name: "PICKED",
         label: "through picked points",
         sentence: "through points picked by hand: least-squares plane, points within the mean edge length added until it stands still, one closed cubic spline",
-        others: &["the paper's §III-E, eq. 8"],
+        more_standards: &["the paper's §III-E, eq. 8"],
         region: Region::Anywhere,
         plane: PlaneRule::ThroughPoints,
         measured: Measured::Contour,

@@ -25,14 +25,14 @@ pub struct Girth {
     pub tape_mm: f64,
     /// Length of the paper's closed cubic spline. \[mm\]
     pub spline_mm: f64,
-    /// From the silhouettes alone, where limbs stand clear. \[mm\]
+    /// From the silhouettes alone, where limbs are clear of the trunk. \[mm\]
     pub silhouette_mm: Option<f64>,
     /// The tape's interval that holds the truth nine times in ten; `None` where a part of it that
     /// matters is unknown. \[mm\]
     pub interval_mm: Option<[f64; 2]>,
     /// What the interval is made of.
     pub sigmas: Sigmas,
-    /// Nine in ten measurements of the same person lie within this of their mean. \[mm\]
+    /// Nine in ten measurements of the same person are within this of their mean. \[mm\]
     pub repeat_mm: Option<f64>,
     /// What was parted from the section.
     pub split: Option<Split>,
@@ -45,7 +45,7 @@ pub struct Girth {
 }
 
 impl Girth {
-    /// A tape at a landmark, its contour told to be as long; nothing is known of how sure it is.
+    /// A tape at a landmark, its contour taken to be as long; nothing is known of how sure it is.
     pub fn at(mark: &Landmark, tape_mm: f64) -> Self {
         Girth {
             id: mark.id,
@@ -68,7 +68,7 @@ impl Girth {
         }
     }
 
-    /// All that is to be said of it: what was split, what is unknown, what is odd.
+    /// All remarks on it: what was split, what is unknown, what is odd.
     pub fn remarks(&self) -> Vec<String> {
         let split = self.split.map(|split| {
             format!(
@@ -101,9 +101,9 @@ pub struct Profile {
 pub struct Girths {
     /// What the numbers mean.
     pub unit: Unit,
-    /// What the capture is called, where somebody says.
+    /// What the capture is called, where that is given.
     pub capture: Option<String>,
-    /// The day of the capture, `YYYY-MM-DD`, where it may be told.
+    /// The day of the capture, `YYYY-MM-DD`, where it may be shown.
     pub date: Option<String>,
     /// Relative standard deviation of the unit of length, if known.
     pub scale_sigma: Option<f64>,
@@ -125,9 +125,9 @@ pub struct Girths {
     pub bmi: Option<f64>,
     /// Volume of the body. \[l\]
     pub volume_l: Option<f64>,
-    /// The sex whose references are meant. Personal: no file tells it.
+    /// The sex whose references are meant. Personal: no file has it.
     pub sex: Option<Sex>,
-    /// The age on the day of the capture. Personal: no file but the report of a child tells it. \[months\]
+    /// The age on the day of the capture. Personal: no file but the report of a child has it. \[months\]
     pub age_months: Option<f64>,
     /// A child beside the growth reference.
     pub growth: Option<Growth>,
@@ -144,10 +144,10 @@ const ADULT_MONTHS: f64 = 216.0;
 const ADULT_MM: f64 = 1435.0;
 
 impl Girths {
-    /// The names of [`ratios`](Girths::ratios) that are told where they can be.
+    /// The names of [`ratios`](Girths::ratios) that are reported where they can be.
     pub const RATIOS: [&'static str; 4] = ["WHR", "WHR_tape", "WHtR", "density_kg_l"];
 
-    /// Whether thresholds of adults may stand beside the numbers: of somebody whose age is an adult's; where no age
+    /// Whether thresholds of adults may be shown beside the numbers: of somebody whose age is an adult's; where no age
     /// was given, of a body as tall as adults are, as far as lengths are known. A short adult (dwarfism) whose age
     /// was not given is left without them, as figures and small children are.
     pub fn is_adult(&self) -> bool {

@@ -1,4 +1,4 @@
-//! Points of photos that can be found again on others, with what surrounds them.
+//! Points of photos that can be found again on other photos, with what surrounds them.
 
 use crate::{ByPhoto, PhotoId};
 use bytemuck::{Pod, Zeroable};

@@ -74,7 +74,7 @@ pub struct Landmark {
     pub label: String,
     /// Its definition, with the standards behind it.
     pub definition: String,
-    /// The plane that the tape lies in.
+    /// The plane of the tape.
     pub plane: Plane,
     /// Around what.
     pub part: Part,
@@ -127,7 +127,7 @@ pub struct Landmarks {
     pub stature_mm: Option<f64>,
     /// Standard deviation of the stature: ground, crown and scale. \[mm\]
     pub stature_sigma_mm: Option<f64>,
-    /// Height of the ground that the body stands on; `None` where it stands on none. \[mm\]
+    /// Height of the ground under the body's feet; `None` where there is none. \[mm\]
     pub ground_mm: Option<f64>,
 }
 

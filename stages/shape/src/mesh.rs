@@ -190,7 +190,7 @@ impl Mesh {
     }
 }
 
-/// Which faces and vertices stand around a vertex (compressed rows).
+/// Which faces and vertices are around a vertex (compressed rows).
 pub struct Adjacency {
     face_starts: Vec<u32>,
     faces: Vec<u32>,

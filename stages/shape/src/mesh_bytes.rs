@@ -18,7 +18,7 @@ impl Artifact for Mesh {
 }
 
 impl Mesh {
-    /// Packs all but the unit, which stands among the metadata of what holds the mesh.
+    /// Packs all but the unit, which is among the metadata of what holds the mesh.
     pub fn sections(&self, to: &mut Packer) {
         to.section("positions", &self.positions);
         to.section("faces", &self.faces);

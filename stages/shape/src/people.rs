@@ -16,7 +16,7 @@ pub struct Joint {
     pub at_px: [f32; 2],
     /// How sure it is that nothing hides it, 0 to 1.
     pub visibility: f32,
-    /// How sure it is that it lies within the photo, 0 to 1.
+    /// How sure it is that it is within the photo, 0 to 1.
     pub presence: f32,
 }
 
@@ -32,7 +32,7 @@ pub struct Found {
     /// The square that the second network looked at.
     pub crop: Crop,
     /// By pixel of that square, how much more likely it is the body than not: sixteenths of a nat, at most ±127.
-    /// As the network says it, not calibrated; its outline is right to one or two of these pixels.
+    /// As the network gives it, not calibrated; its outline is right to one or two of these pixels.
     pub body: Image<i8>,
     /// [`JOINTS`](Found::JOINTS), in this order.
     pub joints: Vec<Joint>,
@@ -76,7 +76,7 @@ impl Found {
         "right toes",
     ];
 
-    /// Photo pixels of one pixel of the network: within one or two of these nothing is said of the outline.
+    /// Photo pixels of one pixel of the network: within one or two of these nothing is known of the outline.
     pub fn pixel_px(&self) -> f32 {
         self.crop.side_px / self.body.width.max(1) as f32
     }
@@ -124,7 +124,7 @@ impl Found {
 pub struct People {
     /// By photo, every photo of the turn; first the one who is followed, then by score. Empty where nobody is seen.
     pub views: ByPhoto<Vec<Found>>,
-    /// Whether what is turned is a person: said only where most photos agree. Where it is not, nothing here may be used.
+    /// Whether what is turned is a person: given only where most photos agree. Where it is not, nothing here may be used.
     pub person: bool,
 }
 
@@ -264,7 +264,7 @@ mod tests {
     }
 
     #[test]
-    fn the_mask_lies_where_the_square_does() {
+    fn the_mask_is_where_the_square_does() {
         let mut found = found();
         let at = |f: &Found, x: f64, y: f64| f.log_odds(Point2::new(x, y));
         // Two photo pixels a pixel: body from 96 · 2 + 44 to 160 · 2 + 44, less half a pixel.

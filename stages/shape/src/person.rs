@@ -32,7 +32,7 @@ pub struct Person {
     pub sex: Option<Sex>,
     /// The day of birth, `YYYY-MM-DD`.
     pub born: Option<String>,
-    /// The age on the day of the capture, where it was said itself. \[months\]
+    /// The age on the day of the capture, where it was given itself. \[months\]
     pub age_months: Option<f64>,
 }
 
@@ -60,12 +60,12 @@ impl Artifact for Person {
     }
 }
 
-/// Where a number lies in a reference for sex and age.
+/// The place of a number in a reference for sex and age.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct Score {
     /// Standard deviations from the median.
     pub z: f64,
-    /// Of a hundred of the reference, so many lie below.
+    /// Of a hundred of the reference, so many are below.
     pub centile: f64,
 }
 
@@ -83,7 +83,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn an_age_follows_from_two_days_or_is_said() {
+    fn an_age_follows_from_two_days_or_is_given() {
         let born = Person {
             born: Some("2016-05-01".into()),
             ..Person::default()
@@ -91,11 +91,11 @@ mod tests {
         proof::near(born.age_on(Some("2026-05-01")).unwrap(), 120.0, 0.03);
         assert!(born.age_on(Some("2015-05-01")).unwrap() < 0.0);
         assert_eq!(born.age_on(None), None);
-        let said = Person {
+        let person = Person {
             age_months: Some(114.0),
             ..Person::default()
         };
-        assert_eq!(said.age_on(None), Some(114.0));
+        assert_eq!(person.age_on(None), Some(114.0));
         assert_eq!(Person::default().age_on(Some("2026-05-01")), None);
     }
 }

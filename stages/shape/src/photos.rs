@@ -35,7 +35,7 @@ pub struct Photo {
 pub struct PhotoError {
     /// Its file name.
     pub name: String,
-    /// What the decoder says.
+    /// The decoder's message.
     pub why: String,
 }
 
@@ -44,7 +44,7 @@ impl Photo {
     ///
     /// # Errors
     ///
-    /// The file cannot be decoded, or is of another size than said.
+    /// The file cannot be decoded, or is of another size than named.
     pub fn decode(&self) -> Result<Rgb, PhotoError> {
         let error = |why: String| PhotoError {
             name: self.name.clone(),

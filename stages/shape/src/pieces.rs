@@ -3,7 +3,7 @@
 use crate::Mesh;
 
 impl Mesh {
-    /// The connected piece of each face that is wanted, named by its least vertex; [`None`] for the others.
+    /// The connected piece of each face that is wanted, named by its least vertex; [`None`] for the rest.
     /// Faces are connected where they share a vertex.
     pub fn pieces(&self, wanted: impl Fn(u32) -> bool) -> Vec<Option<u32>> {
         let mut parent: Vec<u32> = (0..self.positions.len() as u32).collect();
@@ -26,7 +26,7 @@ impl Mesh {
             .collect()
     }
 
-    /// Of some faces: the vertices that they use, in the order in which they stand, without colours.
+    /// Of some faces: the vertices that they use, in their order in the mesh, without colours.
     pub fn packed(positions: &[[f32; 3]], faces: &[[u32; 3]]) -> Mesh {
         let mut place = vec![u32::MAX; positions.len()];
         for v in faces.iter().flatten() {

@@ -1,13 +1,13 @@
-//! How a photo of a fixed camera lies on another: a stabiliser shifts and rolls the picture.
+//! How a photo of a fixed camera is aligned to another: a stabiliser shifts and rolls the picture.
 
 use crate::{Camera, Gray, Image, Rgb};
 use nalgebra::{Rotation3, Vector3};
 use rayon::prelude::*;
 
-/// How a picture lies on another of the same camera.
+/// How a picture is aligned to another of the same camera.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Placed {
-    /// How far what the other shows lies right of and below there. \[px\]
+    /// How far to the right and below this picture shows what the other shows. \[px\]
     pub shift: [f64; 2],
     /// How far it is turned about the picture's middle, clockwise as one looks at it. \[rad\]
     pub roll: f64,
@@ -26,7 +26,7 @@ impl Placed {
         bias: 0.0,
     };
 
-    /// Where a pixel of the other lies on the picture, of a size. \[px\]
+    /// Where a pixel of the other is on the picture, of a size. \[px\]
     #[inline]
     pub fn of(&self, [x, y]: [f64; 2], [width, height]: [usize; 2]) -> [f64; 2] {
         let (dx, dy) = (
@@ -46,8 +46,8 @@ impl Placed {
         libm::hypot(self.shift[0], self.shift[1]) + self.roll.abs() * half
     }
 
-    /// Whether it lies just where the other does.
-    pub fn lies(&self) -> bool {
+    /// Whether it is just where the other is.
+    pub fn is_identity(&self) -> bool {
         self.shift == [0.0; 2] && self.roll == 0.0
     }
 
@@ -148,7 +148,7 @@ mod tests {
     use nalgebra::Point3;
 
     #[test]
-    fn a_point_lies_where_the_brought_camera_sees_it() {
+    fn a_point_is_where_the_brought_camera_sees_it() {
         let mut lens = Intrinsics::simple(600, 800, 900.0);
         lens.centre = [310.0, 380.0];
         let rotation = Rotation3::from_euler_angles(0.1, -0.2, 0.05);

@@ -14,7 +14,7 @@ use std::io::Cursor;
 #[error("not a PLY mesh: {0}")]
 pub struct PlyError(String);
 
-/// A vertex or a face, whichever the header says.
+/// A vertex or a face, whichever the header names.
 #[derive(Debug, Default, Clone)]
 struct Element {
     at: [f64; 3],
@@ -72,7 +72,7 @@ impl PropertyAccess for Element {
     }
 }
 
-/// What a file says where nothing of known length was given.
+/// The comment of a file where nothing of known length was given.
 const RELATIVE: &str = "unit relative: 1000 is the radius of the camera ring";
 
 /// The mesh as a binary little-endian PLY file with a comment `unit mm`, or that lengths are relative.

@@ -17,13 +17,13 @@ pub enum Refusal {
     NoHead,
     /// Trunk and legs are not those of an upright body.
     NotUpright,
-    /// No feet that stand on anything, and no ground that the cameras tell.
+    /// No feet on the ground, and no ground that the cameras give.
     NoGround,
     /// The limb could not be followed from its tip to the trunk.
     NoLimb,
     /// The limb is one with the trunk, or with another limb, where the girth is taken.
     Fused,
-    /// No arm stands clear of the trunk, so nothing tells whether arms are in the section.
+    /// No arm is clear of the trunk, so nothing shows whether arms are in the section.
     NoArms,
     /// A hand or forearm is part of the section.
     Hand,
@@ -35,13 +35,13 @@ pub enum Refusal {
     NoSection,
     /// The extreme that the definition asks for is not on this body.
     NoExtreme,
-    /// The body lies outside of what the level model was fitted on.
+    /// The body is outside of what the level model was fitted on.
     OutOfRange,
     /// The interval is wider than ± 25 %, or reaches zero.
     TooUncertain,
     /// Some photos show no subject.
     EmptyPhoto,
-    /// The outlines of some photos contradict those of all others.
+    /// The outlines of some photos contradict those of all other photos.
     Outlines,
     /// A large part of the body is missing on the surface.
     Incomplete,

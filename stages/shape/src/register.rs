@@ -13,20 +13,20 @@ const COARSEST: usize = 100;
 const STEPS: usize = 12;
 /// Steps below this are the last. \[px\]
 const SMALL: f64 = 0.002;
-/// Share of the pixels whose residuals tell the noise: at least so many stand still.
+/// Share of the pixels whose residuals give the noise: at least so many do not move.
 const QUIET: f64 = 0.4;
 /// Tukey's bound in standard deviations.
 const BOUND: f64 = 4.685;
 /// Least standard deviation of a pixel. \[levels\]
 const LEAST_NOISE: f64 = 0.3;
-/// A picture does not lie on another where less than this share of the pixels has half their weight.
+/// A picture is not aligned to another where less than this share of the pixels has half their weight.
 const SHARED: f64 = 0.15;
 /// Longest way of a corner that is believed, as a share of the picture's longer side.
 const FAR: f64 = 0.05;
 
-/// Ways of corners below this are none: photos that lie where they should stay as they are. \[px\]
+/// Ways of corners below this are none: photos that are where they should be stay as they are. \[px\]
 const LEAST_WAY: f64 = 0.06;
-/// How a picture lies on another of its size. `None` where they share too little.
+/// How a picture is aligned to another of its size. `None` where they share too little.
 pub fn register(picture: &Gray, other: &Gray) -> Option<Placed> {
     laid(&pyramid(picture), &pyramid(other), Placed::SAME).map(|p| or_unmoved(p, picture))
 }
@@ -114,7 +114,7 @@ pub(crate) fn laid(picture: &[Gray], other: &[Gray], first: Placed) -> Option<Pl
     (shared >= SHARED).then_some(placed)
 }
 
-/// One step: the better place, how far a corner went \[px\], and the share of the pixels that tell it.
+/// One step: the better place, how far a corner went \[px\], and the share of the pixels that give it.
 fn stepped(picture: &Gray, other: &Gray, from: &Placed) -> Option<(Placed, f64, f64)> {
     let (w, h) = (other.width, other.height);
     // Of large pictures every second pixel in both directions does.
@@ -137,7 +137,7 @@ fn stepped(picture: &Gray, other: &Gray, from: &Placed) -> Option<(Placed, f64, 
     let mut far: Vec<f64> = residuals.iter().map(|r| r.abs()).collect();
     let quiet = (far.len() as f64 * QUIET) as usize;
     let (_, quiet, _) = far.select_nth_unstable_by(quiet, f64::total_cmp);
-    // Two fifths of a normal distribution lie within 0.524 standard deviations.
+    // Two fifths of a normal distribution are within 0.524 standard deviations.
     let bound = BOUND * (*quiet / 0.5244).max(LEAST_NOISE);
     let middle = [(w as f64 - 1.0) / 2.0, (h as f64 - 1.0) / 2.0];
     let half = libm::hypot(middle[0], middle[1]);
@@ -156,7 +156,7 @@ fn stepped(picture: &Gray, other: &Gray, from: &Placed) -> Option<(Placed, f64, 
         };
         let (gx, gy) = (slope(1, 0), slope(0, 1));
         let (dx, dy) = (x as f64 - middle[0], y as f64 - middle[1]);
-        // The roll is told by the way of a corner, so that all columns are of one size.
+        // The roll is given by the way of a corner, so that all columns are of one size.
         let row = SVector::<f64, 5>::from([
             gx,
             gy,
@@ -185,10 +185,10 @@ fn stepped(picture: &Gray, other: &Gray, from: &Placed) -> Option<(Placed, f64, 
 pub(crate) mod tests {
     use super::*;
 
-    /// A room of blobs, with a disk of other blobs in its middle that stands at an angle.
+    /// A background of blobs, with a disk of other blobs in its middle at an angle.
     pub(crate) fn photo(placed: &Placed, angle: f64, dice: &mut proof::Dice) -> Gray {
         let (w, h) = (240usize, 320usize);
-        let room = |x: f64, y: f64| {
+        let background = |x: f64, y: f64| {
             120.0
                 + 40.0 * libm::sin(x / 9.0) * libm::cos(y / 7.0)
                 + 30.0 * libm::sin((x + 2.0 * y) / 23.0)
@@ -200,9 +200,9 @@ pub(crate) mod tests {
             let (dx, dy) = (x - 120.0, y - 170.0);
             let (s, c) = libm::sincos(angle);
             let shown = if libm::hypot(dx / 60.0, dy / 110.0) < 1.0 {
-                room(300.0 + c * dx - s * dy, 500.0 + s * dx + c * dy)
+                background(300.0 + c * dx - s * dy, 500.0 + s * dx + c * dy)
             } else {
-                room(x, y)
+                background(x, y)
             };
             image.data[i] = (placed.gain * shown + placed.bias + dice.normal()) as f32;
         }
@@ -240,7 +240,7 @@ pub(crate) mod tests {
     }
 
     #[test]
-    fn another_room_is_not_registered() {
+    fn another_background_is_not_registered() {
         let mut dice = proof::Dice(3);
         let mut noise = || {
             let mut image = Gray::filled(240, 320, 0.0);

@@ -1,4 +1,4 @@
-//! All photos of a turn laid on each other, and what stands still in them.
+//! All photos of a turn aligned to each other, and what does not move in them.
 
 use crate::register::{laid, or_unmoved, pyramid};
 use crate::{Gray, Placed};
@@ -7,7 +7,7 @@ use rayon::prelude::*;
 /// Rounds in which all photos of a turn are laid on the median of all.
 const ROUNDS: usize = 2;
 
-/// How each photo of a turn lies on what stands still in all of them, and that: their median once all
+/// How each photo of a turn is aligned to what does not move in any of them, and that: their median once all
 /// are laid on each other and exposed alike. Photos that do not share it have none.
 pub fn registered(pictures: &[Gray]) -> (Vec<Option<Placed>>, Option<Gray>) {
     let all: Vec<Vec<Gray>> = pictures.par_iter().map(pyramid).collect();
@@ -39,7 +39,7 @@ pub fn registered(pictures: &[Gray]) -> (Vec<Option<Placed>>, Option<Gray>) {
     (placed, still)
 }
 
-/// A photo as the others lie and are exposed.
+/// A photo at the place and exposure of the other photos.
 fn levelled(picture: &Gray, placed: &Placed) -> Gray {
     let mut out = placed.brought_gray(picture);
     let (gain, bias) = (placed.gain as f32, placed.bias as f32);
@@ -47,8 +47,8 @@ fn levelled(picture: &Gray, placed: &Placed) -> Gray {
     out
 }
 
-/// Moved so that the middle one of all shifts, rolls, gains and biases is none: photos of a camera that
-/// stood still but once stay where they are.
+/// Moved so that the middle one of all shifts, rolls, gains and biases is none: photos of a camera that moved
+/// only once stay where they are.
 fn centred(placed: &mut [Option<Placed>]) {
     let middle = |of: &dyn Fn(&Placed) -> f64| {
         let mut all: Vec<f64> = placed.iter().flatten().map(of).collect();
@@ -96,7 +96,7 @@ mod tests {
     use crate::register::tests::{off, photo};
 
     #[test]
-    fn a_turn_is_laid_on_what_stands_still_and_photos_that_lie_there_stay() {
+    fn a_turn_is_aligned_to_what_does_not_move_and_photos_in_place_stay() {
         let mut dice = proof::Dice(4);
         let shifts: Vec<Placed> = (0..9)
             .map(|k| Placed {

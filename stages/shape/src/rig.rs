@@ -7,7 +7,7 @@ use serde::{Deserialize, Serialize};
 pub struct Rig {
     /// What the user calls it.
     pub name: Option<String>,
-    /// The day of the capture, `YYYY-MM-DD`, where it may be told.
+    /// The day of the capture, `YYYY-MM-DD`, where it may be shown.
     pub date: Option<String>,
     /// Nominal turn between photos, positive if the subject turns counter-clockwise seen from above. \[rad\]
     pub step: Option<f64>,
@@ -25,7 +25,7 @@ pub struct Rig {
     pub disk_diameter_mm: Option<f64>,
     /// The marker mat on the disk.
     pub mat: Option<Mat>,
-    /// Edge length of a tag's black square, where nothing else is said of the mat. \[mm\]
+    /// Edge length of a tag's black square, where nothing else is given of the mat. \[mm\]
     pub tag_mm: Option<f64>,
     /// Tags on the disk's rim, beside the mat.
     pub rim: Option<Rim>,
@@ -42,7 +42,7 @@ pub const GIVEN_STATURE: f64 = 0.0173;
 pub const CONTRADICTION: f64 = 3.0;
 
 impl Rig {
-    /// Whether marker tags on the disk are told of.
+    /// Whether marker tags on the disk are given.
     pub fn tagged(&self) -> bool {
         self.mat.is_some() || self.tag_mm.is_some()
     }

@@ -64,7 +64,7 @@ pub struct HullCells {
 /// The scene without the body: what does not move, and the top of the disk, which turns.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Scene {
-    /// What does not move, at full size, where photos lie alike; without pixels where nothing is known.
+    /// What does not move, at full size, where photos are aligned; without pixels where nothing is known.
     pub still: Seen,
     /// A map of the disk's top: the square around it in the turntable frame. `None` where `still` shows the disk, and
     /// where there is none.
@@ -276,7 +276,7 @@ mod tests {
     }
 
     #[test]
-    fn a_scene_comes_back_and_says_what_is_unknown() {
+    fn a_scene_comes_back_and_names_what_is_unknown() {
         let scene = scene();
         let bytes = stage::to_bytes(&scene);
         assert_eq!(stage::from_bytes::<Scene>(&bytes).unwrap(), scene);

@@ -3,7 +3,7 @@
 use crate::{Camera, Gray, Image, Mask, signed_distance};
 use nalgebra::Point3;
 
-/// Of fewer photos one alone may see a wide gap, or carve a wide wedge, so nothing is said: good masks of 18 photos
+/// Of fewer photos one alone may see a wide gap, or carve a wide wedge, so nothing is reported: good masks of 18 photos
 /// thinned to every second come to 0.56 % of a mask.
 pub const MIN_DISSENT_PHOTOS: usize = 12;
 /// Where a photo alone shows the background, it must do so this part of the margin beyond the body's border: gaps
@@ -11,7 +11,7 @@ pub const MIN_DISSENT_PHOTOS: usize = 12;
 /// ones by its neighbours, 20° aside, too.
 const CORE: f32 = 3.0;
 /// How deep in all other photos a place must be, as a share of the body's height, for one photo to contradict them: every
-/// view carves a thin wedge that no other does. 1.2 % was chosen on good masks (those of man, woman, mannequin, blue room).
+/// view carves a thin wedge that no other does. 1.2 % was chosen on good masks (those of man, woman, mannequin, blue background).
 pub const DISSENT_DEPTH: f64 = 0.012;
 
 /// A silhouette as a distance field, and its camera at the field's size.
@@ -23,7 +23,7 @@ pub struct Silhouette {
 }
 
 impl Silhouette {
-    /// Of a mask and its camera; of masks of more than 3000 pixels, at half their size: 24 megapixels say no more of a border.
+    /// Of a mask and its camera; of masks of more than 3000 pixels, at half their size: 24 megapixels show no more of a border.
     pub fn of(mask: &Mask, camera: &Camera) -> Silhouette {
         let small = halved(mask);
         Silhouette {
@@ -74,7 +74,7 @@ pub fn deep_dissent(views: &[Silhouette], x: &Point3<f64>, margin: f32) -> Optio
     dissent(views, x, margin, margin / CORE)
 }
 
-/// The one view in which a point is farther out than `out`, where it is deeper than `deep` in all others. \[mm\]
+/// The one view in which a point is farther out than `out`, where it is deeper than `deep` in all other views. \[mm\]
 fn dissent(views: &[Silhouette], x: &Point3<f64>, deep: f32, out: f32) -> Option<usize> {
     let (mut sole, mut seen) = (None, 0);
     for (v, view) in views.iter().enumerate() {

@@ -37,7 +37,7 @@ pub enum Part {
         /// Half-axes. \[mm\]
         half: [f64; 3],
     },
-    /// A lying torus.
+    /// A horizontal torus.
     Torus {
         /// Its middle. \[mm\]
         centre: [f64; 3],

@@ -6,7 +6,7 @@ use serde::{Deserialize, Serialize};
 /// 0 is "none". \[mm\]
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
 pub struct Sigmas {
-    /// Where the tape lies: how sure the plane is, by how the tape changes beside it.
+    /// Where the tape is: how sure the plane is, by how the tape changes beside it.
     pub level_mm: Option<f64>,
     /// The surface's error along its normal.
     pub surface_mm: Option<f64>,
@@ -69,7 +69,7 @@ impl Sigmas {
 /// A section of which a limb was parted.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct Split {
-    /// Share of the way around that is told by the outline beside it or by a clear section.
+    /// Share of the way around that is given by the outline beside it or by a clear section.
     pub share: f64,
 }
 

@@ -1,7 +1,7 @@
 //! The tags of the family 36h11 (Olson 2011), as data: © the Regents of the University of Michigan,
 //! BSD-2-Clause, from AprilTag 3.
 
-/// Where each bit lies in the tag's 8×8 modules, from the most significant on: column, row.
+/// The place of each bit in the tag's 8×8 modules, from the most significant on: column, row.
 const PLACES: [(usize, usize); 36] = [
     (1, 1),
     (2, 1),

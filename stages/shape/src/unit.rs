@@ -13,7 +13,7 @@ pub enum Unit {
 }
 
 impl Unit {
-    /// A length to be told: millimetres, or shares of the camera ring's radius; with its unit.
+    /// A length to be printed: millimetres, or shares of the camera ring's radius; with its unit.
     pub fn length(self, mm: f64) -> (f64, &'static str) {
         match self {
             Unit::Metric => (mm, "mm"),
@@ -21,7 +21,7 @@ impl Unit {
         }
     }
 
-    /// A volume to be told: litres, or shares of the cube of the camera ring's radius; with its unit.
+    /// A volume to be printed: litres, or shares of the cube of the camera ring's radius; with its unit.
     pub fn volume(self, mm3: f64) -> (f64, &'static str) {
         match self {
             Unit::Metric => (mm3 * 1e-6, "l"),

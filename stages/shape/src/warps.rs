@@ -1,4 +1,4 @@
-//! Where each photo shows the body that stands still: how it deformed while it was photographed.
+//! Where each photo shows the body at rest: how it deformed while it was photographed.
 
 use crate::ByPhoto;
 use crate::PhotoId;
@@ -9,7 +9,7 @@ use std::ops::Range;
 /// seen at the pixel plus the offset there.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Warp {
-    /// Distance of two nodes; the first lies on the first pixel. \[px\]
+    /// Distance of two nodes; the first is on the first pixel. \[px\]
     pub cell_px: f64,
     /// Nodes in a row.
     pub columns: usize,
@@ -46,7 +46,7 @@ impl Warp {
         [0, 1, 2, 3].map(|n| (nodes[n], shares[n]))
     }
 
-    /// The node before a pixel along one side with so many nodes, and how far it lies past that.
+    /// The node before a pixel along one side with so many nodes, and how far it is past that.
     #[inline]
     fn place(&self, x: f64, nodes: usize) -> (usize, f64) {
         let x = (x / self.cell_px).clamp(0.0, nodes as f64 - 1.0);
@@ -88,7 +88,7 @@ pub struct WarpRows<'a> {
     warp: &'a Warp,
     /// Runs of columns between the same two nodes: the node before, the columns.
     runs: Vec<(usize, Range<usize>)>,
-    /// How far each column lies past that node, 0..=1.
+    /// How far each column is past that node, 0..=1.
     across: Vec<f64>,
 }
 

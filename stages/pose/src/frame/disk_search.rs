@@ -65,7 +65,7 @@ pub(crate) fn edge(
     let search = |[low, high]: [f64; 2], least_standout: f64| {
         let radii = [(low * ring).max(least), high * ring];
         let camera = cameras.views.values().next()?.camera;
-        let camera = match first.lies() {
+        let camera = match first.is_identity() {
             true => camera,
             false => first.brought_camera(&camera),
         };

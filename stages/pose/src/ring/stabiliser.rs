@@ -20,7 +20,7 @@ pub(crate) fn places(photos: &Photos) -> Option<ByPhoto<Placed>> {
     let placed: Vec<Placed> = registered(&smalls).0.into_iter().collect::<Option<_>>()?;
     let [w, h] = [smalls[0].width, smalls[0].height];
     let far = |p: &Placed| p.way(w, h) > FAR * w.max(h) as f64;
-    if placed.iter().all(Placed::lies) || placed.iter().any(far) {
+    if placed.iter().all(Placed::is_identity) || placed.iter().any(far) {
         return None;
     }
     let ids = photos.iter().map(|(id, _)| id);
@@ -35,7 +35,7 @@ pub(crate) fn brought(tracks: &Tracks, photos: &Photos, places: &ByPhoto<Placed>
         let (Some(place), Some(photo)) = (places.get(seen.photo), photos.get(seen.photo)) else {
             continue;
         };
-        if !place.lies() {
+        if !place.is_identity() {
             let size = [photo.width as usize, photo.height as usize];
             let there = place.inverse().of(seen.at_px.map(f64::from), size);
             seen.at_px = there.map(|v| v as f32);
@@ -48,7 +48,7 @@ pub(crate) fn brought(tracks: &Tracks, photos: &Photos, places: &ByPhoto<Placed>
 pub(crate) fn given_back(cameras: &mut Cameras, places: &ByPhoto<Placed>) {
     cameras.views = cameras.views.map(|id, view| {
         let mut view = view.clone();
-        if let Some(place) = places.get(id).filter(|place| !place.lies()) {
+        if let Some(place) = places.get(id).filter(|place| !place.is_identity()) {
             view.camera = place.inverse().brought_camera(&view.camera);
         }
         view

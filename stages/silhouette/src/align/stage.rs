@@ -126,7 +126,7 @@ fn alike(
             placed: placed.enlarged(by.floor()),
             tones: None,
         };
-        if placed.lies() {
+        if placed.is_identity() {
             return Ok((small, alignment));
         }
         ctx.check()?;

@@ -4,7 +4,7 @@ use shape::{Alignment, Gray, Mask};
 
 /// A mask of what was brought there, back on the photo.
 pub(crate) fn returned(alignment: &Alignment, mask: Mask) -> Mask {
-    if alignment.placed.lies() {
+    if alignment.placed.is_identity() {
         return mask;
     }
     let back = alignment.placed.inverse();

@@ -20,7 +20,7 @@ pub(crate) fn shots<E: From<PhotoError> + Send>(
         let alignment = aligned.of(*id);
         let pixels = photo.decode()?;
         // Levels are changed once a photo is small, as they were found.
-        let pixels = match alignment.placed.lies() {
+        let pixels = match alignment.placed.is_identity() {
             true => pixels,
             false => alignment.placed.brought(&pixels),
         };
