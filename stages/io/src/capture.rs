@@ -22,7 +22,7 @@ pub fn photos_to_capture(photos: &Photos) -> Vec<(String, Vec<u8>)> {
     files
 }
 
-/// What `capture.toml` says of a rig.
+/// What `capture.toml` has of a rig.
 fn rig_to_toml(rig: &Rig) -> String {
     let mut text = String::new();
     let mut line = |key: &str, value: Option<f64>| {

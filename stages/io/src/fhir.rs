@@ -31,7 +31,7 @@ fn coding(system: &str, code: &str, display: &str) -> Value {
 
 /// LOINC's code of a waist, by where it was taken: at the navel, midway between the lowest rib and the iliac crest (as
 /// the National Children's Fitness Survey does), at the top of the ilium (as NHANES does). Hip, chest and limbs have codes of
-/// single studies' protocols only, or none that says where.
+/// single studies' protocols only, or none that names the place.
 fn loinc(girth: GirthId) -> Option<(&'static str, &'static str)> {
     match girth {
         GirthId::WaistNavel => Some(("8280-0", "Waist Circumference at umbilicus by Tape measure")),
@@ -134,7 +134,7 @@ fn of_girth(girths: &Girths, girth: &Girth) -> Value {
 }
 
 /// A FHIR R5 bundle (collection) of Observations as JSON: each girth's tape with its interval, height, weight, body mass
-/// index and ratios. The day stands in it where the capture tells one. The subject is named as the capture is.
+/// index and ratios. It has the day where the capture has one. The subject is named as the capture is.
 ///
 /// # Errors
 ///

@@ -175,7 +175,7 @@ pub(crate) fn rows(girths: &Girths) -> Vec<Row> {
 }
 
 /// `girths.json`: `cm` along the contour, `tape_cm` convex in the plane, `spline_cm` the paper's;
-/// where nothing of known length was given, `rel` stands for `cm`, and 1 is the camera ring's radius.
+/// where nothing of known length was given, `rel` takes the place of `cm`, and 1 is the camera ring's radius.
 pub fn girths_to_json(girths: &Girths) -> String {
     let to = Written::of(girths.unit);
     let list: Vec<Value> = rows(girths).iter().map(|r| girth_json(r, to)).collect();

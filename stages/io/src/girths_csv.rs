@@ -61,7 +61,7 @@ pub fn girths_to_csv(girths: &Girths) -> String {
             named => to.key(named),
         })
         .collect();
-    let (of_all, told) = of_capture(girths, to);
+    let (of_all, capture_cells) = of_capture(girths, to);
     let named = ["name", "label"].map(String::from).into_iter();
     let head = named.chain(columns.iter().cloned()).chain(of_all);
     let mut table: Vec<Vec<String>> = vec![head.chain(["note".to_owned()]).collect()];
@@ -87,12 +87,16 @@ pub fn girths_to_csv(girths: &Girths) -> String {
             _ => r.remarks.join("; "),
         };
         let row = [r.name, r.label].into_iter().chain(cells);
-        table.push(row.chain(told.iter().cloned()).chain([note]).collect());
+        table.push(
+            row.chain(capture_cells.iter().cloned())
+                .chain([note])
+                .collect(),
+        );
     }
     for missing in &girths.missing {
         let empty = std::iter::repeat_n(String::new(), columns.len() + 1);
         let row = [missing.name.clone()].into_iter().chain(empty);
-        let row = row.chain(told.iter().cloned());
+        let row = row.chain(capture_cells.iter().cloned());
         table.push(row.chain([missing.why.clone()]).collect());
     }
     csv_table(table)

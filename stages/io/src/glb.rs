@@ -1,4 +1,4 @@
-//! Meshes as GLB (glTF 2.0 binary), in metres, y up, as the format says; the asset says so where lengths are relative.
+//! Meshes as GLB (glTF 2.0 binary), in metres, y up, as the format wants; the asset names it where lengths are relative.
 
 use serde_json::{Value, json};
 use shape::{Mesh, Textured, Unit, rgb_to_jpeg};

@@ -55,7 +55,7 @@ pub(crate) fn text_size(text: &str, dot: usize) -> (usize, usize) {
     ((text.chars().count() * 4 + 1) * dot, 7 * dot)
 }
 
-/// Writes a text on a dark ground, its top-left corner at (x, y); what lies outside is left out, what
+/// Writes a text on a dark ground, its top-left corner at (x, y); what is outside is left out, what
 /// has no letter is a gap.
 pub(crate) fn write_on(
     picture: &mut Rgb,

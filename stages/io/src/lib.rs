@@ -1,6 +1,6 @@
 //! Nouns as files for people and other programs: JSON, CSV, FHIR, GLB, OBJ, STL, 3MF, COLMAP, drawings, pictures.
 //!
-//! [`files()`] writes any artifact in one of the formats of its kind. PLY, JPEG and PNG, which rooms read
+//! [`files()`] writes any artifact in one of the formats of its kind. PLY, JPEG and PNG, which stage crates read
 //! and write as well, are `shape`'s.
 
 mod by_photo;

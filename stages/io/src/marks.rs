@@ -5,7 +5,7 @@ use shape::{Features, Keypoints, PhotoError, PhotoId, Photos, Rgb, Tracks, rgb_t
 /// Longer side of the pictures. \[px\]
 const LONGER: usize = 1200;
 
-/// A photo reduced by a whole factor and dimmed, so that marks stand out; and the factor.
+/// A photo reduced by a whole factor and dimmed, so that marks are easy to see; and the factor.
 fn dimmed(photos: &Photos, id: PhotoId) -> Option<Result<(Rgb, f32), PhotoError>> {
     let photo = photos.get(id)?;
     Some(photo.decode().map(|rgb| {
@@ -21,7 +21,7 @@ fn dimmed(photos: &Photos, id: PhotoId) -> Option<Result<(Rgb, f32), PhotoError>
     }))
 }
 
-/// A straight line of one pixel; what lies outside the picture is not drawn.
+/// A straight line of one pixel; what is outside the picture is not drawn.
 pub(crate) fn line(picture: &mut Rgb, from: [f32; 2], to: [f32; 2], colour: [u8; 3]) {
     let (dx, dy) = (to[0] - from[0], to[1] - from[1]);
     let steps = dx.abs().max(dy.abs()).ceil().clamp(1.0, 1e5);
@@ -122,7 +122,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_line_ends_where_it_is_told_and_stays_inside() {
+    fn a_line_ends_where_it_should_and_stays_inside() {
         let mut picture = Rgb::filled(8, 6, [0; 3]);
         line(&mut picture, [-5.0, 2.0], [6.0, 2.0], [9, 9, 9]);
         let on = |x: usize, y: usize| picture.at(x, y) == [9; 3];

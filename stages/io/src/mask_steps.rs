@@ -1,4 +1,4 @@
-//! What lies between photos and masks as pictures to look at: alignment, empty scene, evidence, labels.
+//! The steps between photos and masks as pictures to look at: alignment, empty scene, evidence, labels.
 
 use shape::{
     Aligned, Evidence, Image, Known, Labels, PhotoError, PhotoId, Photos, Rgb, Scene, Seen,
@@ -25,7 +25,7 @@ fn named(photos: &Photos, id: PhotoId, extension: &str) -> String {
     name.unwrap_or_else(|| format!("{:04}.{extension}", id.0))
 }
 
-/// The photos as JPEG where they lie alike, at one exposure.
+/// The photos as JPEG where they are aligned, at one exposure.
 ///
 /// # Errors
 ///

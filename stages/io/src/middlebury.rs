@@ -4,7 +4,7 @@ use nalgebra::Point2;
 use shape::{Cameras, Intrinsics};
 use std::fmt::Write;
 
-/// A lens that bends lines, which the format cannot say.
+/// A lens that bends lines, which the format cannot express.
 #[derive(Debug, thiserror::Error)]
 #[error(
     "`_par.txt` knows no distortion, but the lens bends lines by up to {px:.1} px: write `colmap` or `json`, or undistort the photos first"

@@ -1,10 +1,10 @@
-//! Masks of a turn that look wrong beside the others.
+//! Masks of a turn that look wrong beside the other masks.
 
 use shape::Mask;
 
 /// A border that shows so much more body than this share of its length has cut it off.
 const CUT_OFF: f64 = 0.01;
-/// How far a mask's area may be off what its neighbours and its opposite say.
+/// How far a mask's area may be off those of its neighbours and its opposite.
 const AREA: f64 = 0.12;
 /// A part beside the largest that is at least this share of the body.
 const PART: f64 = 0.01;
@@ -39,8 +39,8 @@ pub(crate) fn odd(masks: &[Option<&Mask>]) -> Vec<Vec<String>> {
         let beside = beside.map(|(a, b)| (a + b) / 2.0);
         let across = areas[(k + n / 2) % n].filter(|_| n.is_multiple_of(2));
         let off = |other: Option<f64>| other.filter(|o| *o > 1e-4).map(|o| area / o - 1.0);
-        let told = [off(beside), off(across)].into_iter().flatten();
-        let least = told.min_by(|a, b| a.abs().total_cmp(&b.abs()));
+        let off_by = [off(beside), off(across)].into_iter().flatten();
+        let least = off_by.min_by(|a, b| a.abs().total_cmp(&b.abs()));
         if let Some(off) = least.filter(|off| off.abs() > AREA && n > 5) {
             odd.push(format!("area {:+.0} %", off * 100.0));
         }
@@ -49,7 +49,7 @@ pub(crate) fn odd(masks: &[Option<&Mask>]) -> Vec<Vec<String>> {
     masks.iter().enumerate().map(one).collect()
 }
 
-/// Sides of the photo that the body runs over, but for the bottom, where a disk may stand low.
+/// Sides of the photo that the body runs over, but for the bottom, where a disk may be low.
 fn cut_off(mask: &Mask) -> Vec<String> {
     let (w, h) = (mask.width, mask.height);
     let on = |x: usize, y: usize| mask.at(x, y) > 127;
@@ -107,19 +107,19 @@ mod tests {
         (0..18).map(one).collect()
     }
 
-    fn told(masks: &[Mask]) -> Vec<Vec<String>> {
+    fn odd_of(masks: &[Mask]) -> Vec<Vec<String>> {
         odd(&masks.iter().map(Some).collect::<Vec<_>>())
     }
 
     #[test]
     fn a_good_turn_has_nothing_odd() {
-        assert!(told(&turn()).iter().all(Vec::is_empty));
+        assert!(odd_of(&turn()).iter().all(Vec::is_empty));
     }
 
     #[test]
-    fn what_is_wrong_is_said_of_the_mask_that_is_wrong() {
+    fn what_is_wrong_is_named_at_the_mask_that_is_wrong() {
         let mut masks = turn();
-        // A lost half, a part of the room, a body at the photo's side, nothing, everything.
+        // A lost half, a part of the background, a body at the photo's side, nothing, everything.
         for y in 80..140 {
             (0..120).for_each(|x| *masks[3].at_mut(x, y) = 0);
         }
@@ -131,16 +131,22 @@ mod tests {
         }
         masks[14] = Mask::filled(120, 160, 0);
         masks[16] = Mask::filled(120, 160, 255);
-        let told = told(&masks);
-        assert!(told[3].iter().any(|t| t.starts_with("area -")), "{told:?}");
-        assert!(told[7].contains(&"2 parts".into()), "{told:?}");
-        assert!(told[7].contains(&"cut off top".into()), "{told:?}");
-        assert!(told[10].contains(&"cut off right".into()), "{told:?}");
+        let found = odd_of(&masks);
+        assert!(
+            found[3].iter().any(|t| t.starts_with("area -")),
+            "{found:?}"
+        );
+        assert!(found[7].contains(&"2 parts".into()), "{found:?}");
+        assert!(found[7].contains(&"cut off top".into()), "{found:?}");
+        assert!(found[10].contains(&"cut off right".into()), "{found:?}");
         assert_eq!(
-            (told[14][0].as_str(), told[16][0].as_str()),
+            (found[14][0].as_str(), found[16][0].as_str()),
             ("empty", "full")
         );
-        assert!([0, 1, 5, 9].iter().all(|k| told[*k].is_empty()), "{told:?}");
+        assert!(
+            [0, 1, 5, 9].iter().all(|k| found[*k].is_empty()),
+            "{found:?}"
+        );
         assert_eq!(odd(&[None]), [["no mask"]]);
     }
 }

@@ -160,9 +160,9 @@ mod tests {
             views: [(PhotoId(0), vec![found])].into_iter().collect(),
             person: true,
         };
-        let told: Value = serde_json::from_str(&people_to_json(&people, &photos)).unwrap();
-        assert_eq!(told["views"][0]["name"], "a.png");
-        let joints = &told["views"][0]["people"][0]["joints"];
+        let json: Value = serde_json::from_str(&people_to_json(&people, &photos)).unwrap();
+        assert_eq!(json["views"][0]["name"], "a.png");
+        let joints = &json["views"][0]["people"][0]["joints"];
         assert_eq!(joints[32]["name"], "right toes");
         let drawn = people_to_png(&people, &photos).unwrap();
         assert_eq!(drawn[0].0, "a.png");
@@ -170,8 +170,8 @@ mod tests {
         assert_ne!(drawn[0].1, plain[0].1);
         let mut parts = LostParts::default();
         parts.lost[BodyPart::Legs as usize].push(PhotoId(0));
-        let told: Value = serde_json::from_str(&lost_parts_to_json(&parts, &photos)).unwrap();
-        assert_eq!(told["lost"]["legs"][0]["name"], "a.png");
-        assert_eq!(told["lost"]["head"], json!([]));
+        let json: Value = serde_json::from_str(&lost_parts_to_json(&parts, &photos)).unwrap();
+        assert_eq!(json["lost"]["legs"][0]["name"], "a.png");
+        assert_eq!(json["lost"]["head"], json!([]));
     }
 }

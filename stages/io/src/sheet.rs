@@ -19,7 +19,7 @@ const LINE: [u8; 3] = [255, 64, 32];
 
 /// The photos in turning order, six a row, 320 px wide each: what the mask leaves out is darkened,
 /// its border drawn. A photo without a mask is all dark. Each bears its name; where a mask is odd
-/// (`odd`) it is framed, and says so.
+/// (`odd`) it is framed and named.
 ///
 /// # Errors
 /// A photo that cannot be decoded.
@@ -64,7 +64,7 @@ fn framed(tile: &mut Rgb) {
 /// A photo, so many pixels wide: what the mask leaves out is darkened, its border drawn.
 pub fn mask_on_photo(photo: &Rgb, mask: Option<&Mask>, across: usize) -> Rgb {
     let height = (photo.height * across).div_ceil(photo.width.max(1)).max(1);
-    // The pixel of the photo that a pixel of the tile stands for.
+    // The pixel of the photo that a pixel of the tile shows.
     let from =
         |v: usize, tile: usize, whole: usize| ((2 * v + 1) * whole / (2 * tile)).min(whole - 1);
     let body = |x: usize, y: usize| {
@@ -124,7 +124,7 @@ mod tests {
         assert_eq!(sheet.at(290, 160 + 60), [90, 120, 150], "body");
         assert_eq!(sheet.at(290, 160 + 79), LINE);
         assert_eq!(sheet.at(290, 160 + 140), [30, 40, 50], "background");
-        // Names stand in the corner.
+        // Names are in the corner.
         let lit = (0..20 * 20).filter(|i| sheet.at(i % 20, i / 20) == [255; 3]);
         assert!(lit.count() > 20);
     }

@@ -1,9 +1,9 @@
-//! Meshes as binary STL, for printers and slicers. The format has no unit: the header says it.
+//! Meshes as binary STL, for printers and slicers. The format has no unit: the header names it.
 
 use crate::write_error::WriteError;
 use shape::{Mesh, Unit};
 
-/// A mesh as binary STL, z up: millimetres where lengths are known; else the header says that they are relative.
+/// A mesh as binary STL, z up: millimetres where lengths are known; else the header calls them relative.
 ///
 /// # Errors
 ///

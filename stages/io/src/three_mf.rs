@@ -7,7 +7,7 @@ use std::io::{Cursor, Write as _};
 use zip::write::SimpleFileOptions;
 use zip::{CompressionMethod, DateTime, ZipWriter};
 
-/// A mesh of unknown scale: the format knows lengths in millimetres, inches and so on, and no others.
+/// A mesh of unknown scale: the format knows lengths in millimetres, inches and so on alone.
 #[derive(Debug, thiserror::Error)]
 #[error(
     "lengths of this surface are relative, for nothing of known length was given or known lengths contradict each other, and 3MF has no such unit: give one, such as the stature, or write PLY, OBJ or STL"

@@ -63,7 +63,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_slab_is_wide_from_two_sides_and_narrow_from_the_others() {
+    fn a_slab_is_wide_from_two_sides_and_narrow_from_the_other_two() {
         // 400 × 100 × 852 mm: a millimetre a pixel.
         let at = |i: usize| {
             let side = |bit: usize, half: f32| if i >> bit & 1 == 1 { half } else { -half };

@@ -105,7 +105,7 @@ fn a_waist_has_the_code_of_where_it_was_taken() {
 }
 
 #[test]
-fn values_intervals_days_and_names_stand_where_fhir_has_them() {
+fn values_intervals_days_and_names_are_where_fhir_has_them() {
     let bundle = bundle(&girths());
     let waist = &bundle["entry"][0]["resource"];
     assert_eq!(

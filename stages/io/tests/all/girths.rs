@@ -1,4 +1,4 @@
-//! The files that leave the house are what others expect: a schema that holds, a table that opens.
+//! The files that leave the house are what other programs expect: a schema that holds, a table that opens.
 
 use io::{girths_schema, girths_to_csv, girths_to_json};
 use serde_json::{Value, json};
@@ -109,14 +109,14 @@ fn faults(root: &Value, schema: &Value, value: &Value, at: &str) -> Vec<String> 
             }
             "additionalProperties" => {
                 let known = |name: &String| schema["properties"].get(name).is_some();
-                let others = value.as_object().into_iter().flatten();
-                let others: Vec<_> = others.filter(|(name, _)| !known(name)).collect();
+                let more = value.as_object().into_iter().flatten();
+                let more: Vec<_> = more.filter(|(name, _)| !known(name)).collect();
                 if wanted.is_object() {
-                    for (name, other) in &others {
+                    for (name, other) in &more {
                         found.extend(faults(root, wanted, other, &format!("{at}/{name}")));
                     }
                 }
-                wanted.is_object() || others.is_empty()
+                wanted.is_object() || more.is_empty()
             }
             other => panic!("this test does not know `{other}`"),
         };
@@ -246,8 +246,8 @@ fn what_is_unknown_is_null_and_what_is_none_is_zero() {
     assert_eq!(at("/girths/1/iso8559"), json!("5.3.16"));
     assert_eq!(at("/missing/0/reason"), json!("fused"));
     let notes = at("/girths/0/notes").to_string();
-    for told in ["25 %", "unknown how sure the level is", "2.0 % of the tape"] {
-        assert!(notes.contains(told), "{notes}");
+    for note in ["25 %", "unknown how sure the level is", "2.0 % of the tape"] {
+        assert!(notes.contains(note), "{notes}");
     }
 }
 

@@ -1,4 +1,4 @@
-//! The published schema is the program's, and tables of girths tell of their capture.
+//! The published schema is the program's, and tables of girths name their capture.
 
 use io::{girths_schema, girths_to_csv, girths_to_fhir, girths_to_json};
 use serde_json::{Value, json};
@@ -11,13 +11,13 @@ fn the_published_schema_is_the_programs() {
 }
 
 #[test]
-fn a_table_tells_of_its_capture_on_every_row() {
+fn a_table_names_its_capture_on_every_row() {
     let plane = Plane {
         point_mm: [0.0, 0.0, 1000.0],
         normal: [0.0, 0.0, 1.0],
     };
     let hip = Girth::at(&Landmark::new(GirthId::Hip, plane, Part::Trunk), 950.0);
-    let told = Girths {
+    let table = Girths {
         girths: vec![hip],
         missing: vec![Missing::new(GirthId::Neck, Refusal::NoNeck)],
         capture: Some("anna \"May\"".into()),
@@ -29,7 +29,7 @@ fn a_table_tells_of_its_capture_on_every_row() {
         ratios: vec![("WHR".into(), 0.9, String::new())],
         ..Girths::default()
     };
-    let csv = girths_to_csv(&told);
+    let csv = girths_to_csv(&table);
     let mut lines = csv.lines();
     let head = lines.next().unwrap();
     let columns = "capture,date,scale_sigma_pct,stature_cm,stature_sigma_cm,weight_kg,bmi,volume_l,WHR,WHR_tape,WHtR,density_kg_l,note";
@@ -40,7 +40,7 @@ fn a_table_tells_of_its_capture_on_every_row() {
     for row in rows {
         assert!(row.contains(cells), "{row}");
     }
-    let file: Value = serde_json::from_str(&girths_to_json(&told)).unwrap();
+    let file: Value = serde_json::from_str(&girths_to_json(&table)).unwrap();
     assert_eq!(
         (&file["date"], &file["scale_sigma_pct"]),
         (&json!("2026-05-01"), &json!(0.12))
@@ -48,7 +48,7 @@ fn a_table_tells_of_its_capture_on_every_row() {
 }
 
 #[test]
-fn a_childs_growth_stands_in_the_json_alone_and_sex_and_age_in_no_file() {
+fn a_childs_growth_is_in_the_json_alone_and_sex_and_age_in_no_file() {
     let score = |z: f64, centile: f64| Some(Score { z, centile });
     let child = Girths {
         sex: Some(Sex::Female),

@@ -55,9 +55,9 @@ fn cameras(scale: Scale) -> Cameras {
 
 #[test]
 fn landmarks_of_unknown_scale_are_shares_of_the_ring() {
-    let (told, known) = (landmarks(Unit::Relative), landmarks(Unit::Metric));
-    assert!(!told.to_string().contains("mm"), "{told}");
-    assert_eq!(told["unit"], "relative");
+    let (unscaled, known) = (landmarks(Unit::Relative), landmarks(Unit::Metric));
+    assert!(!unscaled.to_string().contains("mm"), "{unscaled}");
+    assert_eq!(unscaled["unit"], "relative");
     assert_eq!(known["unit"], "mm");
     for (relative, metric, value) in [
         (
@@ -74,18 +74,18 @@ fn landmarks_of_unknown_scale_are_shares_of_the_ring() {
         ("/stature_rel", "/stature_mm", 900.0),
     ] {
         let at = |file: &Value, place: &str| file.pointer(place).unwrap().as_f64().unwrap();
-        proof::near(at(&told, relative), value / 1000.0, 1e-9);
+        proof::near(at(&unscaled, relative), value / 1000.0, 1e-9);
         proof::near(at(&known, metric), value, 1e-9);
     }
     // A direction is no length.
-    assert_eq!(told["points"]["front"][1], -1.0);
+    assert_eq!(unscaled["points"]["front"][1], -1.0);
 }
 
 #[test]
 fn cameras_of_unknown_scale_name_no_millimetres() {
-    let told = cameras_to_json(&cameras(Scale::Nothing));
-    let file: Value = serde_json::from_str(&told).unwrap();
-    assert!(!told.contains("mm"), "{told}");
+    let json = cameras_to_json(&cameras(Scale::Nothing));
+    let file: Value = serde_json::from_str(&json).unwrap();
+    assert!(!json.contains("mm"), "{json}");
     assert_eq!(file["unit"], "relative");
     assert_eq!(file["ground_rel"], -3.0);
     let known: Value = serde_json::from_str(&cameras_to_json(&cameras(Scale::Mat))).unwrap();
