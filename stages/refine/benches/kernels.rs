@@ -175,7 +175,7 @@ fn main() {
     let pictures: Vec<Picture> = (0..18).map(picture).collect();
     let count = mesh.positions.len();
     let timer = Timer::new(&mesh);
-    let tell = |name: &str, run: &(dyn Fn() + Sync)| timer.line(name, run);
+    let line = |name: &str, run: &(dyn Fn() + Sync)| timer.line(name, run);
     mesh_and_pictures(&timer, &mesh, &pictures[0]);
     let window = Window::new(4, true);
     let rules = VisibilityRules::new(65.0, Pairing::between(3.0, 50.0), 4.0);
@@ -207,27 +207,27 @@ fn main() {
     let still = vec![0.0; count];
     let seen = forces.agreements::<1>(&still, |_| None);
     let data_term = forces.data_term(&seen);
-    tell("visibility and weights", &|| {
+    line("visibility and weights", &|| {
         drop(Visibility::new(&scene));
     });
-    tell("the same, and equations of motion", &|| {
+    line("the same, and equations of motion", &|| {
         drop(point_shifts(&scene, footprint))
     });
     let slopes = || forces.agreements::<1>(&still, |_| None);
     let scores = || forces.agreements::<0>(&still, |_| None);
-    tell("consistency", &|| drop(scores()));
-    tell("consistency and its slope", &|| drop(slopes()));
-    tell("contours", &|| drop(pulls(&scene, 3.0)));
-    tell("Laplacian", &|| drop(Laplacian::new(&mesh, &around)));
-    tell("rest shape, 20 rings", &|| {
+    line("consistency", &|| drop(scores()));
+    line("consistency and its slope", &|| drop(slopes()));
+    line("contours", &|| drop(pulls(&scene, 3.0)));
+    line("Laplacian", &|| drop(Laplacian::new(&mesh, &around)));
+    line("rest shape, 20 rings", &|| {
         drop(Rest::new(&laplacian, &x, &normals, 20));
     });
-    tell("displacements, 60 rounds of CG", &|| {
+    line("displacements, 60 rounds of CG", &|| {
         drop(displacements(
             &data_term, &laplacian, &x, &normals, &rest, bending, 60,
         ));
     });
-    tell("weighted median", &|| {
+    line("weighted median", &|| {
         let mut data_term = data_term.clone();
         let weights = (1.0, 1.0);
         ring_median(
@@ -240,25 +240,25 @@ fn main() {
             footprint,
         );
     });
-    tell("search, 9 places", &|| {
+    line("search, 9 places", &|| {
         drop(sweep(&forces, &around, [5, 3], footprint, |_| true))
     });
 }
 
-/// What stands beside the energy: pictures, and the mesh alone.
+/// Beside the energy: pictures, and the mesh alone.
 fn mesh_and_pictures(timer: &Timer, mesh: &Mesh, picture: &Picture) {
-    let tell = |name: &str, run: &(dyn Fn() + Sync)| timer.line(name, run);
+    let line = |name: &str, run: &(dyn Fn() + Sync)| timer.line(name, run);
     let around = Adjacency::new(mesh);
     let normals = mesh.normals();
-    tell("halving one photo", &|| drop(halved(&picture.gray)));
-    tell("depth map of one photo", &|| {
+    line("halving one photo", &|| drop(halved(&picture.gray)));
+    line("depth map of one photo", &|| {
         drop(DepthMap::new(mesh, picture, 2.0));
     });
-    tell("shape operators", &|| {
+    line("shape operators", &|| {
         drop(shape_operators(mesh, &around, &normals, 0.1));
     });
-    tell("relaxing", &|| relax(&mut mesh.clone(), &around));
-    tell("remeshing to other edges", &|| {
+    line("relaxing", &|| relax(&mut mesh.clone(), &around));
+    line("remeshing to other edges", &|| {
         drop(remesh(mesh, mesh.mean_edge() * 0.9, 1));
     });
 }

@@ -1,8 +1,8 @@
 //! From a hull to the body's surface: inter-image consistency.
 //!
 //! ```text
-//! mesh, photos, cameras, masks ─┬─ CompensateMotion    → cameras    the body held still
-//!                               ├─ EstimateDeformation → warps      arms, head and chest held still
+//! mesh, photos, cameras, masks ─┬─ CompensateMotion    → cameras    the body kept still
+//!                               ├─ EstimateDeformation → warps      arms, head and chest kept still
 //!                               ├─ OptimizeSurface     → mesh       consistency, silhouettes, a bending term; level by level
 //!                               ├─ Evolve              → mesh       the paper's eq. 3 and 5–7
 //!                               └─ Texture             → textured   colours from the photos
@@ -14,7 +14,7 @@
 //! |---|---|
 //! | `motion`, `surface`, `texture` | the stages and what is their own; none knows another |
 //! | `mend` | repairs of a mesh |
-//! | `evidence` | what photos and silhouettes say at a vertex |
+//! | `evidence` | what photos and silhouettes show at a vertex |
 //! | `pictures` | photos made ready to be compared |
 //! | `geometry` | curvature, remeshing, large systems |
 
@@ -36,7 +36,7 @@ pub use surface::optimize::{OptimizeSurface, OptimizeSurfaceInput};
 pub use surface::params::{EvolveParams, Flow, OptimizeSurfaceParams};
 pub use texture::stage::{Texture, TextureInput, TextureParams};
 
-/// Every stage of this room, in the order in which data flows through it.
+/// Every stage of this crate, in the order in which data flows through it.
 pub const STAGES: &[&dyn stage::AnyStage] = &[
     &stage::erase::<CompensateMotion>(),
     &stage::erase::<EstimateDeformation>(),

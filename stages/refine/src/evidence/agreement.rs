@@ -32,7 +32,7 @@ impl Agreement {
 }
 
 /// Compares all pairs of visible at a vertex moved outward by `offset` mm. With `N = 1` the
-/// derivative and the stiffness too: exact for this very score, weights, frame and visible held.
+/// derivative and the stiffness too: exact for this very score, weights, frame and visible fixed.
 pub fn agreement<const N: usize>(
     pictures: &[Picture],
     visible: &[VisibleView],
@@ -47,7 +47,7 @@ pub fn agreement<const N: usize>(
     )
 }
 
-/// The same in the registers that the caller is compiled for: what [`agreement`] is held against.
+/// The same in the registers that the caller is compiled for: what [`agreement`] is compared with.
 #[inline(always)]
 pub fn agreement_as_compiled<const N: usize>(
     pictures: &[Picture],

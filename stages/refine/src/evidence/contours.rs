@@ -1,7 +1,7 @@
 //! The silhouette force: where the surface's occluding contour should run, and where it runs.
 //!
 //! A picture's horizon, along which lines of sight graze the surface, is the one place where
-//! consistency of brightness says nothing and the silhouette says all (Hernández and Schmitt 2004,
+//! consistency of brightness gives nothing and the silhouette gives all (Hernández and Schmitt 2004,
 //! sec. 6; the horizon term of Delaunoy and Prados 2011 becomes this when silhouettes are known).
 
 use crate::evidence::scene::Scene;
@@ -10,7 +10,7 @@ use crate::pictures::picture::Picture;
 use nalgebra::{Point3, Vector3};
 use rayon::prelude::*;
 
-/// One pull on a vertex: the contour lies `gap + slope * d` mm inside of the silhouette's border when
+/// One pull on a vertex: the contour is `gap + slope * d` mm inside of the silhouette's border when
 /// the vertex has moved outward by `d` mm.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Pull {
@@ -20,7 +20,7 @@ pub struct Pull {
     pub picture: u16,
     /// Its share, 0..=1.
     pub weight: f64,
-    /// How far inside of the border the contour lies. \[mm\]
+    /// How far inside of the border the contour is. \[mm\]
     pub gap: f64,
     /// How the gap changes as the vertex moves outward; about −1.
     pub slope: f64,

@@ -20,7 +20,7 @@ pub struct Look<const N: usize> {
 }
 
 impl<const N: usize> Look<N> {
-    /// Room for a look that is yet to be read.
+    /// Space for a look that is yet to be read.
     pub const EMPTY: Self = Look {
         z: [0.0; MOST_POINTS],
         slopes: [[0.0; MOST_POINTS]; N],
@@ -140,7 +140,7 @@ impl<const N: usize> Look<N> {
     }
 }
 
-/// Takes mean and, if the window says so, slope across the patch out of a brightness.
+/// Takes mean and, if the window wants it, slope across the patch out of a brightness.
 #[inline(always)]
 fn flatten(z: &mut [f32], window: &Window) {
     let count = z.len();

@@ -1,4 +1,4 @@
-//! What photos and silhouettes say at a vertex: `visibility` (who sees it) → `scene` and `agreement` (eq. 1) → `look` →
+//! What photos and silhouettes show at a vertex: `visibility` (who sees it) → `scene` and `agreement` (eq. 1) → `look` →
 //! `patch`; `contours` and `outside` (silhouettes).
 
 pub mod agreement;

@@ -1,7 +1,7 @@
 //! The visual hull as a bound: what shows on the background of a photo is no body, seen or hidden.
 //!
 //! Contours alone do not hold it: where arm and trunk nearly touch, neither has a contour of its own, and a web
-//! across the gap lies before the background of the one photo that looks through.
+//! across the gap is before the background of the one photo that looks through.
 
 use crate::pictures::picture::Picture;
 use nalgebra::{Point3, Vector3};
@@ -11,7 +11,7 @@ use shape::Mesh;
 /// Farthest that a vertex is sent at once. \[px\]
 const FARTHEST_PX: f64 = 6.0;
 
-/// How far inward along its normal each vertex has to go until it lies inside of all silhouettes but
+/// How far inward along its normal each vertex has to go until it is inside of all silhouettes but
 /// for `slack_px` \[mm\]; 0 where it does already, at most six footprints.
 /// Nothing is looked at where that is `known`.
 pub fn outside(

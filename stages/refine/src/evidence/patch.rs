@@ -76,7 +76,7 @@ impl Window {
     }
 }
 
-/// Where a patch lies and how it bends. Held while the vertex moves along the normal.
+/// Where a patch is and how it bends. Fixed while the vertex moves along the normal.
 #[derive(Debug, Clone, Copy)]
 pub struct Frame {
     /// The vertex. \[mm\]
@@ -115,7 +115,7 @@ impl Pairing {
         cosine: [-1.0, 1.0],
     };
 
-    /// Those whose lines of sight stand between two angles apart. \[°\]
+    /// Those whose lines of sight are between two angles apart. \[°\]
     pub fn between(from_deg: f64, to_deg: f64) -> Self {
         Pairing {
             cosine: [to_deg, from_deg].map(|d| libm::cos(d.to_radians()) as f32),

@@ -17,7 +17,7 @@ pub struct Known<'a, T> {
     /// The pictures.
     pub visible: &'a [VisibleView],
     /// What came of them.
-    pub told: T,
+    pub result: T,
 }
 
 /// The frames of all vertices and the pictures that see them.
@@ -45,9 +45,9 @@ impl Visibility {
     ) -> (Self, Vec<T>) {
         let edge = scene.mesh.mean_edge();
         let shapes = shape_operators(scene.mesh, scene.around, &scene.normals, 1.0 / (2.0 * edge));
-        let room = || Box::new([Look::<N>::EMPTY; MOST_VIEWS]);
+        let space = || Box::new([Look::<N>::EMPTY; MOST_VIEWS]);
         let count = scene.mesh.positions.len();
-        // A run of vertices at a time: a list for each would take more room than what is in it.
+        // A run of vertices at a time: a list for each would take more memory than what is in it.
         let run = |looks: &mut Box<[Look<N>; MOST_VIEWS]>, vertices: Range<usize>| {
             let mut run = Run::new(vertices.len());
             for v in vertices {
@@ -61,15 +61,15 @@ impl Visibility {
                 };
                 if let Some(known) = known(v) {
                     frame.spacing = known.spacing;
-                    run.push(frame, known.visible, known.told);
+                    run.push(frame, known.visible, known.result);
                     continue;
                 }
                 widest(
                     #[inline(always)]
                     || {
                         let visible = visible(&mut frame, scene, &along, &mut looks[..]);
-                        let told = then(&frame, &visible, &looks[..visible.len()]);
-                        run.push(frame, &visible, told);
+                        let result = then(&frame, &visible, &looks[..visible.len()]);
+                        run.push(frame, &visible, result);
                     },
                 );
             }
@@ -77,7 +77,7 @@ impl Visibility {
         };
         let runs: Vec<Run<T>> = (0..count.div_ceil(RUN))
             .into_par_iter()
-            .map_init(room, |looks, k| {
+            .map_init(space, |looks, k| {
                 run(looks, k * RUN..count.min((k + 1) * RUN))
             })
             .collect();
@@ -93,7 +93,7 @@ impl Visibility {
             all.frames.extend(run.frames);
             all.visible.extend(run.visible);
             all.starts.extend(run.ends.iter().map(|end| before + end));
-            each.extend(run.told);
+            each.extend(run.result);
         }
         (all, each)
     }
@@ -120,7 +120,7 @@ struct Run<T> {
     visible: Vec<VisibleView>,
     /// Where each vertex' part of `visible` ends.
     ends: Vec<u32>,
-    told: Vec<T>,
+    result: Vec<T>,
 }
 
 impl<T> Run<T> {
@@ -129,15 +129,15 @@ impl<T> Run<T> {
             frames: Vec::with_capacity(count),
             visible: Vec::new(),
             ends: Vec::with_capacity(count),
-            told: Vec::with_capacity(count),
+            result: Vec::with_capacity(count),
         }
     }
 
-    fn push(&mut self, frame: Frame, visible: &[VisibleView], told: T) {
+    fn push(&mut self, frame: Frame, visible: &[VisibleView], result: T) {
         self.frames.push(frame);
         self.visible.extend_from_slice(visible);
         self.ends.push(self.visible.len() as u32);
-        self.told.push(told);
+        self.result.push(result);
     }
 }
 
@@ -176,7 +176,7 @@ fn visible<const N: usize>(
     visible
 }
 
-/// A picture before which a vertex lies open.
+/// A picture before which a vertex is not hidden.
 struct Facing {
     picture: usize,
     /// Of the angle between normal and line of sight.
@@ -187,7 +187,7 @@ struct Facing {
     spacing: f64,
 }
 
-/// The pictures before which a vertex lies open, whatever they show there, in their order.
+/// The pictures before which a vertex is not hidden, whatever they show there, in their order.
 fn facing(frame: &Frame, scene: &Scene<'_>) -> Vec<Facing> {
     let (rules, mut found) = (scene.rules, Vec::new());
     if frame.normal == Vector3::zeros() {
@@ -208,7 +208,7 @@ fn facing(frame: &Frame, scene: &Scene<'_>) -> Vec<Facing> {
             continue;
         }
         let footprint = picture.footprint(depth);
-        // The patch may reach over the contour a little: what lies there is another surface.
+        // The patch may reach over the contour a little: what is there is another surface.
         let inside = picture.inside.as_ref();
         if inside.is_some_and(|m| {
             m.sample(at[0] as f32, at[1] as f32) < (0.6 * radius * cosine + 0.5) as f32
@@ -237,7 +237,7 @@ fn nearest(mut found: Vec<Facing>) -> Vec<Facing> {
     found
 }
 
-/// A picture that agrees with none of the others is not believed: a hand in front, a highlight.
+/// A picture that agrees with none of the other pictures is not believed: a hand in front, a highlight.
 #[inline(always)]
 fn doubt<const N: usize>(
     visible: &mut [VisibleView],

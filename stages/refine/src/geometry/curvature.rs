@@ -51,7 +51,7 @@ fn place(mesh: &Mesh, f: u32, v: u32) -> usize {
 }
 
 impl Laplacian {
-    /// Of a valid mesh. Cotangents are held within ±20 and areas above a millionth of the mean,
+    /// Of a valid mesh. Cotangents are kept within ±20 and areas above a millionth of the mean,
     /// so that needles do no harm.
     pub fn new(mesh: &Mesh, around: &Adjacency) -> Self {
         let count = mesh.positions.len();
@@ -78,7 +78,7 @@ impl Laplacian {
             let mut weights = vec![0.0; ring.len()];
             for f in around.faces(v) {
                 let (face, at) = (mesh.faces[*f as usize], place(mesh, *f, v));
-                // Before each edge at the vertex lies the face's third corner.
+                // Each edge at the vertex is opposite the face's third corner.
                 for (to, before) in [(1, 2), (2, 1)] {
                     let j = ring.binary_search(&face[(at + to) % 3]);
                     let cot = corners[*f as usize][(at + before) % 3].cot;
@@ -191,9 +191,9 @@ pub fn shape_operators(
         };
         let s = inverse * atb;
         let size = Matrix2::new(s.x, s.y, s.y, s.z).norm();
-        let held = if size > most { most / size } else { 1.0 };
+        let scale = if size > most { most / size } else { 1.0 };
         if size.is_finite() {
-            [s.x * held, s.y * held, s.z * held]
+            [s.x * scale, s.y * scale, s.z * scale]
         } else {
             [0.0; 3]
         }

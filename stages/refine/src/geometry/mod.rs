@@ -1,4 +1,4 @@
-//! What a mesh is, no matter what photos say: curvature, remeshing, large systems.
+//! What a mesh is, no matter what photos show: curvature, remeshing, large systems.
 
 pub mod curvature;
 pub mod gradients;

@@ -1,4 +1,4 @@
-//! Solids whose curvature is a formula, for this room's tests.
+//! Solids whose curvature is a formula, for this crate's tests.
 
 use shape::Mesh;
 

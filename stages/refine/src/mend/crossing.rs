@@ -5,7 +5,7 @@ use rayon::prelude::*;
 use shape::{Adjacency, Mesh};
 
 /// Pairs of faces that pass through each other without a common vertex, ascending. Faces that only
-/// touch, or lie in one plane, do not count.
+/// touch, or are in one plane, do not count.
 pub fn crossings(mesh: &Mesh) -> Vec<(u32, u32)> {
     let all: Vec<u32> = (0..mesh.faces.len() as u32).collect();
     search(mesh, &all)

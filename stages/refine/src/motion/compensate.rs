@@ -112,13 +112,13 @@ impl Stage for CompensateMotion {
             .collect();
         let rms = (far.iter().map(|f| f * f).sum::<f64>() / far.len().max(1) as f64).sqrt();
         let unit = cameras.scale.unit();
-        let tell = |name: &str, mm: f64| {
+        let metric = |name: &str, mm: f64| {
             let (value, unit) = unit.length(mm);
             ctx.metric(name, value, unit);
         };
-        tell("sway at the chest", rms);
-        tell("greatest sway", far.iter().copied().fold(0.0, f64::max));
-        tell("last change", last);
+        metric("sway at the chest", rms);
+        metric("greatest sway", far.iter().copied().fold(0.0, f64::max));
+        metric("last change", last);
         for (((id, _), camera), motion) in posed.iter().zip(&still).zip(&motions) {
             let view = cameras.views.get_mut(*id).expect("bug: listed above");
             view.camera = moved(camera, motion, &prior.pivot);
@@ -151,7 +151,7 @@ fn one_round(
     let before = motions.to_vec();
     for (m, equations) in motions.iter_mut().zip(&equations) {
         let step = equations.solve(prior, m);
-        // All photos move at once, each to where the others were: a full step would swap neighbours.
+        // All photos move at once, each to where the other photos were: a full step would swap neighbours.
         *m += step * 0.5;
     }
     for ((picture, camera), motion) in pictures.iter_mut().zip(still).zip(motions.iter()) {

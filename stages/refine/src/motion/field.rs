@@ -22,11 +22,11 @@ pub struct FieldPrior {
     pub shift_px: f64,
     /// Standard deviation of the difference of two neighbouring nodes. \[px\]
     pub differ_px: f64,
-    /// How much a point of a contour says, against one that is known to a pixel.
+    /// Weight of a point of a contour against one that is known to a pixel.
     pub contour_weight: f64,
 }
 
-/// A constraint on a photo's field: what is seen at `at` should lie `gap` farther along `way`.
+/// A constraint on a photo's field: what is seen at `at` should be `gap` farther along `way`.
 #[derive(Debug, Clone, Copy)]
 struct Constraint {
     at: [f64; 2],
@@ -88,7 +88,7 @@ impl Constraints {
     }
 
     /// The fields that give in to the constraints, `now` being those that the pictures were undeformed by. All
-    /// photos move at once, each to where the others were: only half of the way is gone.
+    /// photos move at once, each to where the other photos were: only half of the way is gone.
     pub fn solve(&self, now: &[Warp], prior: &FieldPrior) -> Vec<Warp> {
         let each = self.0.par_iter().zip(now);
         each.map(|(constraints, warp)| solve(constraints, warp, prior))

@@ -1,5 +1,5 @@
 //! How the body moved between photos: `compensate` (a stage) → `sway`, six numbers a photo; `deformation`
-//! (a stage) → `field`, a smooth field a photo; both → `normal_equations`, what brightness says.
+//! (a stage) → `field`, a smooth field a photo; both → `normal_equations`, how brightness pulls.
 
 pub(crate) mod compensate;
 pub(crate) mod deformation;

@@ -1,5 +1,5 @@
-//! How brightness pulls a point of the surface about in each photo that shows it: each photo held
-//! against the mean of the others.
+//! How brightness pulls a point of the surface about in each photo that shows it: each photo compared
+//! with the mean of the other photos.
 
 use crate::evidence::look::{Look, dot};
 use crate::evidence::patch::{Frame, MOST_POINTS, VisibleView, Window};
@@ -55,25 +55,25 @@ fn normal_equations_at(
         return equations;
     }
     for (i, view) in seen.iter().enumerate() {
-        let mut others = [0.0f32; MOST_POINTS];
+        let mut rest_mean = [0.0f32; MOST_POINTS];
         let mut weight = 0.0;
         for (j, other) in seen.iter().enumerate().filter(|(j, _)| *j != i) {
             let w = other.weight;
-            (0..count).for_each(|k| others[k] += w * looks[j].z[k]);
+            (0..count).for_each(|k| rest_mean[k] += w * looks[j].z[k]);
             weight += w;
         }
-        let norm = dot(&others[..count], &others[..count]).sqrt();
+        let norm = dot(&rest_mean[..count], &rest_mean[..count]).sqrt();
         if norm <= 0.0 || weight <= 0.0 {
             continue;
         }
-        others[..count].iter_mut().for_each(|o| *o /= norm);
+        rest_mean[..count].iter_mut().for_each(|o| *o /= norm);
         let (look, [u, v]) = (&looks[i], across(view));
-        let agree = dot(&others[..count], &look.z[..count]);
+        let agree = dot(&rest_mean[..count], &look.z[..count]);
         if agree < 0.3 {
             continue;
         }
         let slope = |k: usize| &look.slopes[k][..count];
-        let mut wanted = others;
+        let mut wanted = rest_mean;
         (0..count).for_each(|k| wanted[k] -= agree * look.z[k]);
         let wanted = &wanted[..count];
         // Two directions across the line of sight, made independent of each other.
@@ -90,7 +90,7 @@ fn normal_equations_at(
             }
             let pull = vectors[k][0] * f64::from(ra) + vectors[k][1] * f64::from(rb);
             let gap = pull / values[k];
-            // A shift of many pixels is none that this look can tell.
+            // A shift of many pixels is more than this look can show.
             let sure = (2.0 * footprint / gap.abs().max(1e-9)).min(1.0);
             equations.push(PointShift {
                 picture: view.picture,

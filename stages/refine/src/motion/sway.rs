@@ -1,7 +1,7 @@
 //! How the body moved against the disk between two photos: six numbers a photo.
 //!
 //! A body that sways moves, nearly as a whole, about its ankles. Each photo's motion is what
-//! carries the surface onto that photo: brightness of the photo against the mean of the others'
+//! carries the surface onto that photo: brightness of the photo against the mean of the other photos'
 //! wherever the surface carries texture, and the silhouette's contour everywhere.
 
 use crate::evidence::contours::Pull;
@@ -10,7 +10,7 @@ use nalgebra::{Matrix3, Matrix6, Point3, Rotation3, Vector3, Vector6};
 use rayon::prelude::*;
 use shape::{Camera, Mesh, Pose};
 
-/// How strictly motions are held.
+/// How strictly motions are limited.
 #[derive(Debug, Clone, Copy)]
 pub struct MotionPrior {
     /// Standard deviation of the shift expected beforehand. \[mm\]
@@ -19,7 +19,7 @@ pub struct MotionPrior {
     pub turn: f64,
     /// What the body turns about. \[mm\]
     pub pivot: Point3<f64>,
-    /// How many points of a contour say as much as one that is known to a pixel.
+    /// How many points of a contour weigh as much as one that is known to a pixel.
     pub contour_weight: f64,
     /// What a pixel covers on the surface. \[mm\]
     pub footprint: f64,
@@ -61,19 +61,19 @@ impl NormalEquations {
         self.vector += row * (gap * stiffness);
     }
 
-    /// The motion that gives in to the equation, held by the prior; `now` is the motion so far.
+    /// The motion that gives in to the equation, limited by the prior; `now` is the motion so far.
     pub fn solve(&self, prior: &MotionPrior, now: &Vector6<f64>) -> Vector6<f64> {
         let (turn, shift) = (prior.turn.powi(-2), prior.shift_mm.powi(-2));
-        let held = Vector6::new(turn, turn, turn, shift, shift, shift);
-        let matrix = self.matrix + Matrix6::from_diagonal(&held);
-        let vector = self.vector - held.component_mul(now);
+        let prior = Vector6::new(turn, turn, turn, shift, shift, shift);
+        let matrix = self.matrix + Matrix6::from_diagonal(&prior);
+        let vector = self.vector - prior.component_mul(now);
         matrix
             .cholesky()
             .map_or_else(Vector6::zeros, |c| c.solve(&vector))
     }
 }
 
-/// What brightness says of each of `pictures` photos' motion, from the equations at each vertex.
+/// What brightness gives for each of `pictures` photos' motion, from the equations at each vertex.
 pub fn equations_of_brightness(
     pictures: usize,
     shifts: &[Vec<PointShift>],
@@ -100,7 +100,7 @@ pub fn equations_of_brightness(
     sum
 }
 
-/// What the contours say of each photo's motion, added to `equations`.
+/// What the contours give for each photo's motion, added to `equations`.
 pub fn add_equations_of_contours(
     equations: &mut [NormalEquations],
     mesh: &Mesh,
@@ -142,7 +142,7 @@ pub fn moved(camera: &Camera, motion: &Vector6<f64>, pivot: &Point3<f64>) -> Cam
 
 /// Takes from all motions what is none of the body's: a common turn and shift of all photos in
 /// the world, and one in the cameras' own axes. The latter moves the camera against the disk (its
-/// approach is a change of scale), and that is the calibration's to say.
+/// approach is a change of scale), and that is the calibration's to find.
 pub fn without_gauge(motions: &mut [Vector6<f64>], centres: &[Point3<f64>]) {
     let axes: Vec<_> = centres
         .iter()
@@ -160,7 +160,7 @@ pub fn without_gauge(motions: &mut [Vector6<f64>], centres: &[Point3<f64>]) {
         ]
     };
     let count = motions.len().max(1) as f64;
-    // The two kinds overlap where cameras do not stand all around: a few turns solve both.
+    // The two kinds overlap where cameras are not all around: a few turns solve both.
     for _ in 0..10 {
         let mean = motions.iter().fold(Vector6::zeros(), |s, m| s + m) / count;
         motions.iter_mut().for_each(|m| *m -= mean);

@@ -1,4 +1,4 @@
-//! Which part of a photo is made ready: the body's, and what lies close around it.
+//! Which part of a photo is made ready: the body's, and what is close around it.
 
 use nalgebra::{Point2, Vector2};
 use shape::{Image, Intrinsics, Mask};
@@ -28,7 +28,7 @@ impl Crop {
         }
     }
 
-    /// The silhouette and what lies around it as a lens `to` without distortion shows it, `from` being the photo's; all of
+    /// The silhouette and what is around it as a lens `to` without distortion shows it, `from` being the photo's; all of
     /// it where the silhouette is empty. The answer is in pixels of `to`.
     pub(crate) fn around(mask: &Mask, from: &Intrinsics, to: &Intrinsics) -> Crop {
         let size = [to.width as usize, to.height as usize];
@@ -129,7 +129,7 @@ struct Extent {
 }
 
 impl Extent {
-    /// The part of an image of this size that lies within, a margin around it; of one that it misses, all.
+    /// The part of an image of this size that is within, a margin around it; of one that it misses, all.
     fn grown(&self, margin: f64, size: [usize; 2]) -> Crop {
         let first = |i: usize| (self.least[i] - margin).floor().max(0.0) as usize;
         let end = |i: usize| ((self.most[i] + margin).ceil().max(0.0) as usize + 1).min(size[i]);

@@ -1,7 +1,7 @@
-//! How much memory the stages of this room take beside their input, from sizes alone.
+//! How much memory the stages of this crate take beside their input, from sizes alone.
 //!
 //! What a pixel and a vertex take was read off peaks of single stages on turns of 18 photos of 1 and
-//! 4 megapixels; docs/engine.md has them beside what is told.
+//! 4 megapixels; docs/engine.md has them beside the estimates.
 
 use crate::pictures::crop::Crop;
 use crate::pictures::picture::{halved_size, pinhole};

@@ -28,7 +28,7 @@ pub struct Picture {
 }
 
 impl Picture {
-    /// Prepares a photo, halved `halvings` times: what is the body by its silhouette and what lies close around
+    /// Prepares a photo, halved `halvings` times: what is the body by its silhouette and what is close around
     /// it, all of it where there is none.
     pub fn new(gray: Gray, camera: &Camera, mask: Option<&Mask>, halvings: u32) -> Self {
         let noise = noise(&gray);
@@ -93,7 +93,7 @@ impl Picture {
         }
     }
 
-    /// The picture as it would be had the body not deformed: what `warp` says is seen at an offset,
+    /// The picture as it would be had the body not deformed: what is seen at an offset by `warp`,
     /// brought back. `warp` in pixels of the photo, `photo_width` wide.
     pub fn undeformed(&self, warp: &Warp, photo_width: u32) -> Self {
         let scale = self.whole[0] as f64 / f64::from(photo_width);
@@ -151,7 +151,7 @@ impl Picture {
         [0, 1].map(|r| (row(r) - row(2) * (p[r] / p.z)) / p.z)
     }
 
-    /// Whether a pixel lies at least `margin` pixels from the picture's edge.
+    /// Whether a pixel is at least `margin` pixels from the picture's edge.
     #[inline]
     pub fn holds(&self, at: [f64; 2], margin: f64) -> bool {
         let (w, h) = (self.gray.width as f64, self.gray.height as f64);

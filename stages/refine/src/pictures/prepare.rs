@@ -67,7 +67,7 @@ pub fn posed<'a>(photos: &Photos, cameras: &'a Cameras) -> Vec<(PhotoId, &'a Vie
 ///
 /// # Errors
 ///
-/// A photo cannot be decoded, fewer than two have cameras, or what `check` says.
+/// A photo cannot be decoded, fewer than two have cameras, or what `check` refuses.
 pub fn pictures<E: From<RefineError> + From<PhotoError> + Send>(
     photos: &Photos,
     cameras: &Cameras,

@@ -1,4 +1,4 @@
-//! What the stages of this room read, and how large they look at it: the same for all.
+//! What the stages of this crate read, and how large they look at it: the same for all.
 
 use crate::pictures::need::Need;
 use crate::pictures::picture::Picture;

@@ -1,4 +1,4 @@
-//! What the photos, the silhouettes and the bending term say of a surface: energy, pulls, stiffness.
+//! The photos, the silhouettes and the bending term as a surface's energy, pulls and stiffness.
 
 use crate::evidence::agreement::{Agreement, agreement};
 use crate::evidence::contours::Pull;
@@ -11,7 +11,7 @@ use crate::surface::step::{DataTerm, Rest};
 use nalgebra::Vector3;
 use rayon::prelude::*;
 
-/// A surface under its forces, visibility and frames held: the energy is
+/// A surface under its forces, visibility and frames fixed: the energy is
 /// `Σ_v a_v (Σ_pairs w (1 − M) + ½ contour_weight (gap/φ)² + ½ hull_weight (out/φ)²) + ½ bending Σ_v area_v (n·L x − rest)²` with `a = area/φ²`,
 /// φ the pixel's footprint; so its balance is the same at every scale.
 pub struct Forces<'a> {

@@ -16,7 +16,7 @@ use rayon::prelude::*;
 use shape::{Adjacency, Mesh};
 use stage::{Ctx, Stage, Stop};
 
-/// A surface, such as a hull, and the photos that it is held against.
+/// A surface, such as a hull, and the photos that it is compared with.
 pub type EvolveInput = TurnInput;
 
 /// `refine.evolve`: mesh, photos, cameras, masks → mesh.
@@ -100,7 +100,7 @@ struct StepStats {
     start: Mesh,
 }
 
-/// Looks at the mesh, then makes `count` steps, visibility held.
+/// Looks at the mesh, then makes `count` steps, visibility fixed.
 fn some_steps(
     p: &EvolveParams,
     mesh: &mut Mesh,

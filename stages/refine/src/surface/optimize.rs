@@ -30,7 +30,7 @@ stage::inputs! {
 }
 
 impl OptimizeSurfaceInput {
-    /// What all stages of this room read.
+    /// What all stages of this crate read.
     fn turn(&self) -> TurnInput {
         TurnInput {
             mesh: self.mesh.clone(),

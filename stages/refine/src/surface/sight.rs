@@ -64,12 +64,12 @@ fn farther(outside: &[f64], off: &[f64]) -> Vec<f64> {
 }
 
 impl Looker<'_> {
-    /// A vertex that came less far since photos were read there counts as one that stands still. \[mm\]
+    /// A vertex that came less far since photos were read there counts as one that is at rest. \[mm\]
     pub(crate) fn near(&self) -> f64 {
         self.p.still_px * self.footprint
     }
 
-    /// Looks at a surface; what an earlier look found at vertices that stand still is kept.
+    /// Looks at a surface; what an earlier look found at vertices at rest is kept.
     pub(crate) fn look(&self, mesh: &Mesh, before: Option<Sight>) -> Sight {
         let vertices = 0..mesh.positions.len() as u32;
         let x: Vec<_> = vertices.map(|v| mesh.point(v).coords).collect();
@@ -83,7 +83,7 @@ impl Looker<'_> {
             }) => (Some((visible, read, read_outside)), Some(drawn)),
             None => (None, None),
         };
-        // Maps that were left behind go before others are drawn: they are as large as all photos.
+        // Maps that were left behind go before new ones are drawn: they are as large as all photos.
         let drawn = drawn.filter(|(_, at)| !self.left_behind(&x, at));
         let (maps, drawn) = drawn.unwrap_or_else(|| (self.depths(mesh), x.clone()));
         let scene = Scene::drawn(
@@ -103,7 +103,7 @@ impl Looker<'_> {
             Some(Known {
                 spacing: visible.frames[v].spacing,
                 visible: visible.of(v),
-                told: read[v].1,
+                result: read[v].1,
             })
         });
         let outside = match self.p.hull_weight > 0.0 {
@@ -175,7 +175,7 @@ impl Looker<'_> {
         far.count() * 100 > x.len()
     }
 
-    /// How far out of where photos were read each vertex has come, of those that stand still: no farther than
+    /// How far out of where photos were read each vertex has come, of those at rest: no farther than
     /// [`Self::near`], half a pixel to a side, and no neighbour three times as far, so that its patch hardly
     /// tilts. \[mm\]
     fn still(
@@ -191,10 +191,10 @@ impl Looker<'_> {
         let one = |v: usize| {
             let across = (x[v] - read[v].0).norm_squared() - out[v] * out[v];
             let ring = self.around.vertices(v as u32);
-            let stands = out[v].abs() <= near
+            let rests = out[v].abs() <= near
                 && across <= side * side
                 && ring.iter().all(|j| out[*j as usize].abs() <= 3.0 * near);
-            stands.then_some(out[v])
+            rests.then_some(out[v])
         };
         (0..x.len())
             .into_par_iter()

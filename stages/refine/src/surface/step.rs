@@ -103,8 +103,8 @@ pub fn displacements(
                 let back = w * laplacian.areas[v] / laplacian.areas[j];
                 laplacian.areas[j] * back * back
             };
-            let others: f64 = laplacian.row(v).map(beside).sum();
-            let curvature = laplacian.areas[v] * own * own + others;
+            let rest: f64 = laplacian.row(v).map(beside).sum();
+            let curvature = laplacian.areas[v] * own * own + rest;
             let diagonal = data_term.stiffness[v] + bending * curvature;
             if diagonal > 0.0 { 1.0 / diagonal } else { 0.0 }
         })

@@ -1,5 +1,5 @@
 //! Looks along each vertex' normal for the place where the pictures agree best: what a gradient
-//! cannot see because another agreement lies between.
+//! cannot see because another agreement is between.
 
 use crate::evidence::agreement::agreement;
 use crate::surface::energy::Forces;
@@ -58,7 +58,7 @@ fn wider(some: &[bool], around: &Adjacency) -> Vec<bool> {
     (0..some.len()).map(one).collect()
 }
 
-/// How well the pictures agree at each step of each vertex that is to be read, one row a vertex; 0 at others.
+/// How well the pictures agree at each step of each vertex that is to be read, one row a vertex; 0 at other vertices.
 fn scores(
     forces: &Forces<'_>,
     read: &[bool],

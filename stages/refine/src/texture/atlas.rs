@@ -4,7 +4,7 @@ use crate::texture::labels::neighbours;
 use nalgebra::{Point2, Point3, Vector3};
 use shape::{Camera, Mesh, PhotoId};
 
-/// Faces that lie side by side and take their colours from one photo.
+/// Faces side by side that take their colours from one photo.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Chart {
     /// The photo; [`NOWHERE`](crate::texture::labels::NOWHERE) for faces that none shows.
@@ -68,7 +68,7 @@ impl<'a> Sheet<'a> {
         Sheet::Plane([across, normal.cross(&across)])
     }
 
-    /// Where a point lies on it.
+    /// Where a point is on it.
     pub fn at(&self, x: &Point3<f64>) -> Point2<f64> {
         match self {
             Sheet::Photo(camera) => camera.project(x).unwrap_or_default(),
@@ -86,7 +86,7 @@ impl<'a> Sheet<'a> {
     }
 }
 
-/// Where boxes of these sizes lie on a square, side by side on shelves, and by what they were
+/// Where boxes of these sizes are on a square, side by side on shelves, and by what they were
 /// shrunk to fit. \[px\] Sizes are those at full scale; `margin` is left around each.
 pub fn packed(sizes: &[[f64; 2]], side: usize, margin: usize) -> (Vec<[usize; 2]>, f64) {
     let mut order: Vec<usize> = (0..sizes.len()).collect();
@@ -119,7 +119,7 @@ mod tests {
     use crate::texture::labels::NOWHERE;
 
     #[test]
-    fn boxes_lie_apart_and_within_the_square() {
+    fn boxes_are_apart_and_within_the_square() {
         let mut dice = proof::Dice(4);
         let sizes: Vec<_> = (0..60)
             .map(|_| [dice.within(2.0, 300.0), dice.within(2.0, 500.0)])

@@ -11,7 +11,7 @@ pub const NOWHERE: u16 = u16::MAX;
 
 /// For each face the picture that shows it best, and is best for its neighbours too: the fewer
 /// seams, the better. [`NOWHERE`] where no picture shows all three corners well inside of its
-/// silhouette, so that what lies behind is never taken for the body.
+/// silhouette, so that what is behind is never taken for the body.
 pub fn labels(mesh: &Mesh, pictures: &[Picture], rounds: usize) -> Vec<u16> {
     let maps: Vec<_> = pictures
         .par_iter()

@@ -226,7 +226,7 @@ fn spread(around: &Adjacency, mut seen: Vec<Option<Vector3<f64>>>) -> Vec<Vector
     }
 }
 
-/// Paints a triangle and a rim of a pixel and a half around it; weights beyond the rim are held.
+/// Paints a triangle and a rim of a pixel and a half around it; weights beyond the rim are clamped.
 fn paint(atlas: &mut Rgb, [a, b, c]: [[f64; 2]; 3], colour: impl Fn([f64; 3]) -> Vector3<f64>) {
     let area = (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
     let span = |i: usize, n: usize| {
@@ -253,9 +253,9 @@ fn paint(atlas: &mut Rgb, [a, b, c]: [[f64; 2]; 3], colour: impl Fn([f64; 3]) ->
             if beyond {
                 continue;
             }
-            let held = raw.map(|w| w.clamp(-0.5, 1.5));
-            let total: f64 = held.iter().sum();
-            let value = colour(held.map(|w| w / total.max(1e-9)));
+            let clamped = raw.map(|w| w.clamp(-0.5, 1.5));
+            let total: f64 = clamped.iter().sum();
+            let value = colour(clamped.map(|w| w / total.max(1e-9)));
             *atlas.at_mut(x, y) = [0, 1, 2].map(|i| value[i].round().clamp(0.0, 255.0) as u8);
         }
     }

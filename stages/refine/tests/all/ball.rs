@@ -48,7 +48,7 @@ fn a_ball_that_is_two_millimetres_too_large_comes_to_its_size() {
 /// What a vertex that hardly moved was read as goes on by its slope: as if it had been read every time, to a
 /// hundredth of a pixel.
 #[test]
-fn photos_that_are_not_read_again_where_the_surface_stands_still_give_the_same_surface() {
+fn photos_that_are_not_read_again_where_the_surface_is_at_rest_give_the_same_surface() {
     let with = |still_px: f64| {
         let set = |p: &mut <OptimizeSurface as Stage>::Params| p.still_px = still_px;
         optimized_by(18.0, true, RADIUS + 1.0, set).unwrap()
@@ -115,7 +115,7 @@ fn both_evolutions_of_the_paper_come_closer_and_differ() {
 }
 
 #[test]
-fn a_body_that_shifts_between_photos_is_held_still() {
+fn a_body_that_shifts_between_photos_is_kept_still() {
     let mut dice = proof::Dice(8);
     let mut shifts: Vec<_> = (0..COUNT)
         .map(|_| Vector3::new(dice.normal(), dice.normal(), 0.0) * 1.5)

@@ -1,4 +1,4 @@
-//! A body that deformed differently in each photo is seen as if it had stood still.
+//! A body that deformed differently in each photo is seen as if it had not moved.
 
 use crate::turn;
 

@@ -38,8 +38,8 @@ fn a_place_that_is_no_number_is_refused() {
     for bad in [f32::NAN, f32::INFINITY] {
         let mut mesh = ball(RADIUS);
         mesh.positions[7][1] = bad;
-        let said = refused(optimized(mesh, |_| ()));
-        assert!(said.contains("cannot be refined"), "{said}");
+        let why = refused(optimized(mesh, |_| ()));
+        assert!(why.contains("cannot be refined"), "{why}");
     }
 }
 
@@ -94,6 +94,6 @@ fn a_photo_that_looks_elsewhere_is_passed_over() {
 fn a_mesh_that_no_photo_shows_is_refused() {
     let mut mesh = ball(RADIUS);
     mesh.positions.iter_mut().for_each(|p| p[0] += 50_000.0);
-    let said = refused(optimized(mesh, |_| ()));
-    assert!(said.contains("belong together"), "{said}");
+    let why = refused(optimized(mesh, |_| ()));
+    assert!(why.contains("belong together"), "{why}");
 }

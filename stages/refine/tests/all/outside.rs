@@ -27,7 +27,7 @@ fn sent(mesh: &Mesh, pictures: &[Picture], slack_px: f64) -> (Vec<f64>, f64) {
 }
 
 #[test]
-fn what_lies_within_all_silhouettes_is_left_alone() {
+fn what_is_within_all_silhouettes_is_left_alone() {
     let pictures = scene(|_| ());
     let (far, footprint) = sent(&ball(RADIUS - 1.0), &pictures, 0.0);
     assert!(far.iter().all(|f| *f == 0.0));

@@ -1,4 +1,4 @@
-//! The slopes that the refinement follows, held against central differences of what it minimises.
+//! The slopes that the refinement follows, compared with central differences of what it minimises.
 
 use crate::turn;
 
@@ -42,7 +42,7 @@ fn bumpy() -> (Mesh, Vec<Vector3<f64>>) {
 }
 
 /// Everything that [`Forces`] borrows.
-struct Held {
+struct Fixed {
     visible: Visibility,
     window: Window,
     rules: VisibilityRules,
@@ -56,7 +56,7 @@ struct Held {
     x: Vec<Vector3<f64>>,
 }
 
-fn held(level: bool) -> Held {
+fn fixed_at(level: bool) -> Fixed {
     let (pictures, (mesh, x)) = (looked_at(), bumpy());
     let around = Adjacency::new(&mesh);
     let normals = mesh.normals();
@@ -64,7 +64,7 @@ fn held(level: bool) -> Held {
     let scene = Scene::new(&mesh, &around, &pictures, &window, &rules);
     let (visible, pulls) = (Visibility::new(&scene), pulls(&scene, 3.0));
     let laplacian = Laplacian::new(&mesh, &around);
-    Held {
+    Fixed {
         visible,
         pulls,
         rest: Rest::new(&laplacian, &x, &normals, 5),
@@ -86,7 +86,7 @@ fn held(level: bool) -> Held {
     }
 }
 
-impl Held {
+impl Fixed {
     fn forces(&self, contour_weight: f64, hull_weight: f64, bending: f64) -> Forces<'_> {
         Forces {
             pictures: &self.pictures,
@@ -111,19 +111,20 @@ impl Held {
 #[test]
 fn the_slope_of_consistency_is_its_derivative() {
     for level in [false, true] {
-        let held = held(level);
+        let fixed = fixed_at(level);
         let (mut off, mut far, mut count) = (0.0, 0, 0);
-        for v in 0..held.x.len() {
-            let (visible, frame) = (held.visible.of(v), &held.visible.frames[v]);
+        for v in 0..fixed.x.len() {
+            let (visible, frame) = (fixed.visible.of(v), &fixed.visible.frames[v]);
             if visible.len() < 2 {
                 continue;
             }
-            let pairing = held.rules.pairing;
+            let pairing = fixed.rules.pairing;
             let at = |d: f64| {
-                let a = agreement::<0>(&held.pictures, visible, frame, d, &held.window, pairing);
+                let a = agreement::<0>(&fixed.pictures, visible, frame, d, &fixed.window, pairing);
                 a.score
             };
-            let given = agreement::<1>(&held.pictures, visible, frame, 0.0, &held.window, pairing);
+            let given =
+                agreement::<1>(&fixed.pictures, visible, frame, 0.0, &fixed.window, pairing);
             assert!((given.score - at(0.0)).abs() < 1e-6 * given.weight.max(1.0));
             assert!(given.stiffness >= 0.0 && given.score <= given.weight * 1.0001);
             let h = 4e-3;
@@ -143,10 +144,10 @@ fn the_slope_of_consistency_is_its_derivative() {
 /// The pull on all vertices at once is minus the slope of the whole energy, contours, hull and bending term included.
 #[test]
 fn the_pull_on_the_surface_is_minus_the_slope_of_the_energy() {
-    let held = held(true);
-    assert!(held.pulls.len() > 100, "{} contours", held.pulls.len());
+    let fixed = fixed_at(true);
+    assert!(fixed.pulls.len() > 100, "{} contours", fixed.pulls.len());
     let mut dice = proof::Dice(4);
-    let out = held.outside.iter().filter(|o| **o > 0.0).count();
+    let out = fixed.outside.iter().filter(|o| **o > 0.0).count();
     assert!(out > 20, "{out} vertices show outside");
     for (contour_weight, hull_weight, bending) in [
         (0.0, 0.0, 0.0),
@@ -154,8 +155,8 @@ fn the_pull_on_the_surface_is_minus_the_slope_of_the_energy() {
         (0.0, 3.0, 0.0),
         (0.3, 10.0, 40.0),
     ] {
-        let forces = held.forces(contour_weight, hull_weight, bending);
-        let still = vec![0.0; held.x.len()];
+        let forces = fixed.forces(contour_weight, hull_weight, bending);
+        let still = vec![0.0; fixed.x.len()];
         let data_term = forces.data_term(&forces.agreements::<1>(&still, |_| None));
         // Against very stiff data terms the step is the pull over the stiffness: bending included.
         let stiff = 1e9;
@@ -165,10 +166,10 @@ fn the_pull_on_the_surface_is_minus_the_slope_of_the_energy() {
         };
         let step = displacements(
             &hard,
-            &held.laplacian,
-            &held.x,
-            &held.normals,
-            &held.rest,
+            &fixed.laplacian,
+            &fixed.x,
+            &fixed.normals,
+            &fixed.rest,
             bending,
             3,
         );
@@ -176,7 +177,7 @@ fn the_pull_on_the_surface_is_minus_the_slope_of_the_energy() {
             let way: Vec<f64> = still.iter().map(|_| dice.normal()).collect();
             let energy = |h: f64| {
                 let d: Vec<f64> = way.iter().map(|w| w * h).collect();
-                forces.energy(&forces.agreements::<0>(&d, |_| None), &d, &held.x)
+                forces.energy(&forces.agreements::<0>(&d, |_| None), &d, &fixed.x)
             };
             let h = 2e-3;
             let want = (energy(h) - energy(-h)) / (2.0 * h);
@@ -193,17 +194,17 @@ fn the_pull_on_the_surface_is_minus_the_slope_of_the_energy() {
 /// A score goes on by slope and stiffness: over a tenth of a pixel to a tenth of what it changes by, on the whole.
 #[test]
 fn a_score_goes_on_by_its_slope_and_stiffness() {
-    let held = held(true);
+    let fixed = fixed_at(true);
     let (mut off, mut change) = (0.0, 0.0);
-    for v in 0..held.x.len() {
-        let (visible, frame) = (held.visible.of(v), &held.visible.frames[v]);
-        let (window, pairing) = (&held.window, held.rules.pairing);
-        let read = |d: f64| agreement::<1>(&held.pictures, visible, frame, d, window, pairing);
-        let (here, far) = (read(0.0), 0.1 * held.footprint);
+    for v in 0..fixed.x.len() {
+        let (visible, frame) = (fixed.visible.of(v), &fixed.visible.frames[v]);
+        let (window, pairing) = (&fixed.window, fixed.rules.pairing);
+        let read = |d: f64| agreement::<1>(&fixed.pictures, visible, frame, d, window, pairing);
+        let (here, far) = (read(0.0), 0.1 * fixed.footprint);
         let there = read(far);
-        let told = here.ahead(far);
-        assert!(told.score <= told.weight && told.weight == here.weight);
-        off += (told.score - there.score).powi(2);
+        let ahead = here.ahead(far);
+        assert!(ahead.score <= ahead.weight && ahead.weight == here.weight);
+        off += (ahead.score - there.score).powi(2);
         change += (here.score - there.score).powi(2);
     }
     assert!(
@@ -274,16 +275,16 @@ fn the_bending_term_does_not_shrink_a_cylinder() {
 /// Wide registers change the time and not the bytes, nor does reading a picture once for two purposes.
 #[test]
 fn consistency_is_the_same_in_registers_of_any_width() {
-    let held = held(true);
-    let (window, pairing) = (&held.window, held.rules.pairing);
-    for v in 0..held.x.len() {
-        let (visible, frame) = (held.visible.of(v), &held.visible.frames[v]);
+    let fixed = fixed_at(true);
+    let (window, pairing) = (&fixed.window, fixed.rules.pairing);
+    for v in 0..fixed.x.len() {
+        let (visible, frame) = (fixed.visible.of(v), &fixed.visible.frames[v]);
         for d in [0.0, 0.13] {
-            let wide = agreement::<1>(&held.pictures, visible, frame, d, window, pairing);
+            let wide = agreement::<1>(&fixed.pictures, visible, frame, d, window, pairing);
             let plain =
-                agreement_as_compiled::<1>(&held.pictures, visible, frame, d, window, pairing);
+                agreement_as_compiled::<1>(&fixed.pictures, visible, frame, d, window, pairing);
             assert_eq!(wide, plain, "vertex {v} moved by {d} mm");
-            let score = agreement::<0>(&held.pictures, visible, frame, d, window, pairing).score;
+            let score = agreement::<0>(&fixed.pictures, visible, frame, d, window, pairing).score;
             assert_eq!(wide.score, score);
         }
     }

@@ -13,12 +13,12 @@ pub(super) fn collapse(mesh: &mut Mesh, least: f64, most: f64) -> bool {
         .filter(|e| e.0 < least)
         .collect();
     short.sort_by(|p, q| p.0.total_cmp(&q.0).then((p.1, p.2).cmp(&(q.1, q.2))));
-    let mut held = vec![false; mesh.positions.len()];
+    let mut taken = vec![false; mesh.positions.len()];
     let mut into: Vec<u32> = (0..mesh.positions.len() as u32).collect();
     let mut any = false;
     for (_, a, b) in short {
         let ring = || around.vertices(a).iter().chain(around.vertices(b));
-        if held[a as usize] || held[b as usize] || ring().any(|v| held[*v as usize]) {
+        if taken[a as usize] || taken[b as usize] || ring().any(|v| taken[*v as usize]) {
             continue;
         }
         let shared = around
@@ -56,7 +56,7 @@ pub(super) fn collapse(mesh: &mut Mesh, least: f64, most: f64) -> bool {
             continue;
         }
         into[b as usize] = a;
-        ring().for_each(|v| held[*v as usize] = true);
+        ring().for_each(|v| taken[*v as usize] = true);
         any = true;
     }
     if any {

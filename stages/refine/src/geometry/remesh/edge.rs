@@ -7,17 +7,17 @@ use shape::{Mesh, rows};
 pub(super) fn edges(mesh: &Mesh) -> Vec<(u32, u32)> {
     let each = |&[a, b, c]: &[u32; 3]| [(a, b), (b, c), (c, a)];
     let all = mesh.faces.iter().flat_map(each).filter(|(a, b)| a < b);
-    let (starts, mut others) = rows(mesh.positions.len(), all);
-    let mut edges = Vec::with_capacity(others.len());
+    let (starts, mut ends_of) = rows(mesh.positions.len(), all);
+    let mut edges = Vec::with_capacity(ends_of.len());
     for (v, ends) in starts.windows(2).enumerate() {
-        let others = &mut others[ends[0] as usize..ends[1] as usize];
-        others.sort_unstable();
-        edges.extend(others.iter().map(|other| (v as u32, *other)));
+        let ends_of = &mut ends_of[ends[0] as usize..ends[1] as usize];
+        ends_of.sort_unstable();
+        edges.extend(ends_of.iter().map(|other| (v as u32, *other)));
     }
     edges
 }
 
-/// The middle of an edge, lifted from the chord to the surface that the normals tell of.
+/// The middle of an edge, lifted from the chord to the surface that the normals describe.
 pub(super) fn middle(mesh: &Mesh, normals: &[Vector3<f64>], a: u32, b: u32) -> [f32; 3] {
     let (p, q) = (mesh.point(a), mesh.point(b));
     let (m, n) = (normals[a as usize], normals[b as usize]);

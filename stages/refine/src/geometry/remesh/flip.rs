@@ -10,21 +10,21 @@ pub(super) fn flip(mesh: &mut Mesh) -> bool {
     let mut valence: Vec<i32> = (0..mesh.positions.len() as u32)
         .map(|v| around.vertices(v).len() as i32)
         .collect();
-    let mut held = vec![false; mesh.faces.len()];
+    let mut taken = vec![false; mesh.faces.len()];
     // Asked, never listed: a hash set's order cannot matter.
     let mut fresh: HashSet<(u32, u32)> = HashSet::new();
     let mut any = false;
     for f in 0..mesh.faces.len() {
         for i in 0..3 {
             let (a, b, c) = corners(mesh.faces[f], i);
-            if a > b || held[f] {
+            if a > b || taken[f] {
                 continue;
             }
             let other = around.faces(a).iter().map(|g| *g as usize).find(|g| {
                 let face = mesh.faces[*g];
                 (0..3).any(|k| face[k] == b && face[(k + 1) % 3] == a)
             });
-            let Some(g) = other.filter(|g| !held[*g]) else {
+            let Some(g) = other.filter(|g| !taken[*g]) else {
                 continue;
             };
             let d = mesh.faces[g]
@@ -55,7 +55,7 @@ pub(super) fn flip(mesh: &mut Mesh) -> bool {
             }
             (mesh.faces[f], mesh.faces[g]) = (p, q);
             // The neighbours' lists are those of before: both faces rest until the next pass.
-            (held[f], held[g]) = (true, true);
+            (taken[f], taken[g]) = (true, true);
             [(a, -1), (b, -1), (c, 1), (d, 1)]
                 .iter()
                 .for_each(|(v, k)| valence[*v as usize] += k);
