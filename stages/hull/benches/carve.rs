@@ -1,7 +1,7 @@
 //! What carving costs: `cargo bench -p hull`. A body of 2 m before 18 cameras of 1600×2400, cells ever
 //! finer; time and memory must grow with the surface, n² log n, not n³. `benches/beside.py` times
 //! scikit-image's marching cubes on dense fields of the same sizes. Processor seconds of all threads
-//! stand beside the clock's, for machines that have other work.
+//! are printed beside the clock's, for machines that have other work.
 
 use hull::{Carve, CarveInput, CarveParams};
 use nalgebra::{Matrix3, Point2, Point3, Rotation3, Vector3};

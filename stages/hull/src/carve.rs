@@ -64,7 +64,7 @@ pub enum CarveError {
         "no point of space is body on {0:.0} % of the photos: do masks and cameras belong together? a lower `consensus` may help"
     )]
     Nothing(f64),
-    /// Some outlines contradict those of all others.
+    /// Some outlines contradict those of all other photos.
     #[error(
         "no point of space is body on all photos: the outline on {names} cuts away up to {percent:.0} % of what nearly all others show; look at \
          this mask, correct it, or leave the photo out"
@@ -136,7 +136,7 @@ impl Stage for Carve {
             let whole = bounds(&prepared, dissent.max(1), &cylinder, ground);
             let names: Vec<&str> = views.iter().map(|(.., view)| view.name.as_str()).collect();
             let within = whole.unwrap_or((lo, hi));
-            tell(
+            warn_of_contradicted(
                 &names,
                 &contradicted(&prepared, within, p.contradicted_pct),
                 ctx,
@@ -178,7 +178,7 @@ impl Stage for Carve {
     }
 }
 
-/// Why nothing is body on all photos: outlines that contradict those of nearly all others, where there are some.
+/// Why nothing is body on all photos: outlines that contradict those of nearly all other photos, where there are some.
 fn nothing(p: &CarveParams, input: &CarveInput) -> CarveError {
     let found = coherence(&input.cameras, &input.masks);
     let cut: Vec<_> = found
@@ -197,7 +197,7 @@ fn nothing(p: &CarveParams, input: &CarveInput) -> CarveError {
 }
 
 /// Warns of each mask that is contradicted, by its share. \[%\]
-fn tell(names: &[&str], shares: &[f64], ctx: &Ctx<'_>) {
+fn warn_of_contradicted(names: &[&str], shares: &[f64], ctx: &Ctx<'_>) {
     let worst = shares.iter().copied().reduce(f64::max);
     worst
         .iter()
@@ -211,7 +211,7 @@ fn tell(names: &[&str], shares: &[f64], ctx: &Ctx<'_>) {
     }
 }
 
-/// Whether a mask can be one of a subject before a room.
+/// Whether a mask can be one of a subject before a background.
 fn sound(mask: &Mask, view: &View) -> Result<(), CarveError> {
     let share = mask.area() as f64 / mask.data.len().max(1) as f64;
     let lens = &view.camera.lens;
@@ -241,7 +241,7 @@ fn fits(p: &CarveParams, size: &Vector3<f64>) -> Result<(), CarveError> {
         voxel_mm: p.voxel_mm,
         need,
         most: p.memory_mb,
-        // Rounded up to what is printed, so that what is said to fit does.
+        // Rounded up to what is printed, so that the size that is named fits.
         fits: (p.voxel_mm * (need / p.memory_mb).sqrt() * 10.2).ceil() / 10.0,
     })
 }

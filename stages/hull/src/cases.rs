@@ -4,10 +4,10 @@
 //! counter-clockwise from outside, enters the solid to where it next leaves it. The rule looks at
 //! the four corners of a face only, so both cubes of a face agree and the surface is closed; on an
 //! ambiguous face it parts the solid's corners. Each cut edge starts one trace and ends one, so
-//! traces close to loops; a loop is filled by triangles whose inner edges do not lie on a face of
+//! traces close to loops; a loop is filled by triangles whose inner edges are not on a face of
 //! the cube, or around a vertex within the cube, so that no edge can belong to more than two triangles.
 
-/// Corner `i` of a cube stands at x = bit 0, y = bit 1, z = bit 2 of `i`.
+/// Corner `i` of a cube is at x = bit 0, y = bit 1, z = bit 2 of `i`.
 ///
 /// Edge `axis * 4 + j`: along x, y or z, from the corner whose other two bits are those of `j`.
 pub const EDGES: [[usize; 2]; 12] = [
@@ -65,7 +65,7 @@ fn share_a_face(a: u8, b: u8) -> bool {
     })
 }
 
-/// All 256 cases; bit `i` says that corner `i` is solid.
+/// All 256 cases; bit `i`: corner `i` is solid.
 pub fn cases() -> Vec<Case> {
     (0..256).map(case).collect()
 }

@@ -28,7 +28,7 @@ impl Lattice {
     pub fn over(lo: Point3<f64>, hi: Point3<f64>, cell_mm: f64) -> Self {
         let side = cell_mm * BRICK as f64;
         let count = |i: usize| ((hi[i] - lo[i]) / side).ceil().max(0.0) as usize + 2;
-        // Corners lie at whole multiples of the cell, so that equal solids get equal lattices.
+        // Corners are at whole multiples of the cell, so that equal solids get equal lattices.
         let first = |i: usize| ((lo[i] / side).floor() - 1.0) * side;
         Lattice {
             origin: Point3::new(first(0), first(1), first(2)),
@@ -65,7 +65,7 @@ const BLOCK: usize = 4;
 
 /// The corners of a brick. Where all cubes of [`BLOCK`] cells around a corner are far from the surface
 /// it takes the value within one of them, which depends on where the corner is and not on the brick: the
-/// neighbours say the same.
+/// neighbours come to the same.
 fn filled(
     lattice: &Lattice,
     place: [usize; 3],
@@ -110,7 +110,7 @@ fn filled(
 ///
 /// # Errors
 ///
-/// What `tick` says: the user asked to stop.
+/// What `tick` answers: the user asked to stop.
 pub fn evaluate<E: Send>(
     lattice: &Lattice,
     value: &(impl Fn(&Point3<f64>) -> f32 + Sync),

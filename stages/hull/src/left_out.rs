@@ -1,22 +1,22 @@
-//! What is said of parts of a hull that hang on nothing.
+//! The warning of parts of a hull that are apart from it.
 
-/// Other parts than the largest are told of from this share of the volume on.
-const TOLD: f64 = 0.01;
+/// Other parts than the largest are warned of from this share of the volume on.
+const WARNED_SHARE: f64 = 0.01;
 /// From this share on the body itself is in pieces (by hand: a leg is a sixth of a body, Dempster 1955).
-const PIECES: f64 = 0.15;
+const IN_PIECES_SHARE: f64 = 0.15;
 
-/// What is said of the parts that were left out, beside the one that was kept. \[mm³\]
+/// The warning of the parts that were left out, beside the one that was kept. \[mm³\]
 pub(crate) fn left_out(kept: f64, rest: &[f64]) -> Option<String> {
     let small: f64 = rest.iter().map(|v| v.abs()).sum();
     let share = small / (kept + small);
     let percent = 100.0 * share;
-    if share > PIECES {
+    if share > IN_PIECES_SHARE {
         return Some(format!(
             "the hull is in pieces: only the largest was kept, and {percent:.1} % of the volume left out; look where the masks cut the body \
              through"
         ));
     }
-    (share > TOLD).then(|| {
+    (share > WARNED_SHARE).then(|| {
         format!(
             "smaller parts left out: {}, {percent:.1} % of the volume in all; if a part of the body is missing, look at the masks",
             rest.len()
@@ -29,7 +29,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn parts_that_were_left_out_are_counted_and_a_body_in_pieces_says_so() {
+    fn parts_that_were_left_out_are_counted_and_a_body_in_pieces_is_named() {
         assert_eq!(left_out(70.0, &[0.1, 0.2]), None);
         let one = left_out(70.0, &[2.0]).unwrap();
         assert!(

@@ -16,5 +16,5 @@ pub use field::{BRICK, Bricks, Lattice, SIDE, evaluate};
 pub use silhouettes::{bounds, consensus};
 pub use surface::{largest, surface};
 
-/// Every stage of this room, in the order in which data flows through it.
+/// Every stage of this crate, in the order in which data flows through it.
 pub const STAGES: &[&dyn stage::AnyStage] = &[&stage::erase::<Carve>()];

@@ -1,11 +1,11 @@
-//! What all silhouettes together say of a point in space.
+//! What all silhouettes together show of a point in space.
 
 use nalgebra::Point3;
 use rayon::prelude::*;
 use shape::{Cylinder, Silhouette};
 
 /// How deep inside of the hull a point is, `dissent` views not counted: their least depths. \[mm\]
-/// Views that do not see the point say nothing; a point that fewer than half see is outside.
+/// Views that do not see the point do not count; a point that fewer than half see is outside.
 pub fn consensus(views: &[Silhouette], x: &Point3<f64>, dissent: usize) -> f32 {
     // The least `dissent + 1` depths, ascending; few, so insertion is quick.
     let mut least = [f32::MAX; 16];
@@ -32,7 +32,7 @@ pub fn consensus(views: &[Silhouette], x: &Point3<f64>, dissent: usize) -> f32 {
     }
 }
 
-/// Whether a point lies deeper than a margin outside of the silhouettes of more than `dissent` views. \[mm\]
+/// Whether a point is deeper than a margin outside of the silhouettes of more than `dissent` views. \[mm\]
 fn far_outside(views: &[Silhouette], x: &Point3<f64>, dissent: usize, margin: f32) -> bool {
     let mut against = 0;
     for view in views {

@@ -105,7 +105,7 @@ fn part(lattice: &Lattice, brick: usize, values: &[f32], cases: &[Case]) -> Part
     }
 }
 
-/// The part with the most volume, and the volumes of the others, largest first. \[mm³\]
+/// The part with the most volume, and those of the other parts, largest first. \[mm³\]
 pub fn largest(mesh: &Mesh) -> (Mesh, Vec<f64>) {
     let pieces = mesh.pieces(|_| true);
     let mut volumes = std::collections::BTreeMap::new();

@@ -1,4 +1,4 @@
-//! What carving says of masks, cameras and cells that cannot be: a sentence, never a panic.
+//! What carving answers to impossible masks, cameras and cells: a sentence, never a panic.
 
 use hull::{Carve, CarveInput, CarveParams};
 use nalgebra::{Matrix3, Rotation3, Vector3};
@@ -54,9 +54,9 @@ fn turn(away: bool) -> (Masks, Cameras) {
     (masks, cameras)
 }
 
-/// What is said of a turn whose mask 3 is another one.
+/// The error for a turn whose mask 3 is another one.
 #[track_caller]
-fn says(masks: Masks, cameras: Cameras, voxel_mm: f64) -> String {
+fn refusal(masks: Masks, cameras: Cameras, voxel_mm: f64) -> String {
     let params = CarveParams {
         voxel_mm,
         ..Default::default()
@@ -98,16 +98,19 @@ fn masks_that_are_empty_full_inverted_or_of_another_size_are_named() {
     ];
     for (mask, what) in cases {
         let (masks, cameras) = with(mask);
-        let said = says(masks, cameras, 10.0);
-        assert!(said.contains("0003.jpg") && said.contains(what), "{said}");
+        let error = refusal(masks, cameras, 10.0);
+        assert!(
+            error.contains("0003.jpg") && error.contains(what),
+            "{error}"
+        );
     }
     let mut half = Mask::filled(40, 60, 0);
     (10..30).for_each(|x| *half.at_mut(x, 30) = 255);
     let (masks, cameras) = with(half);
-    let said = says(masks, cameras, 10.0);
+    let error = refusal(masks, cameras, 10.0);
     assert!(
-        said.contains("0003.jpg") && said.contains("another size"),
-        "{said}"
+        error.contains("0003.jpg") && error.contains("another size"),
+        "{error}"
     );
 }
 
@@ -116,10 +119,10 @@ fn an_inverted_mask_is_named_however_large_the_body_is() {
     let (good, _) = turn(false);
     let inverted = good.views.get(PhotoId(3)).unwrap().map(|c| 255 - c);
     let (masks, cameras) = with(inverted);
-    let said = says(masks, cameras, 10.0);
+    let error = refusal(masks, cameras, 10.0);
     assert!(
-        said.contains("0003.jpg") && said.contains("inverted"),
-        "{said}"
+        error.contains("0003.jpg") && error.contains("inverted"),
+        "{error}"
     );
 }
 
@@ -130,10 +133,10 @@ fn fewer_than_three_masks_with_a_camera_are_counted() {
     let few = Masks {
         views: few.map(|(id, m)| (id, m.clone())).collect(),
     };
-    let said = says(few, cameras, 10.0);
+    let error = refusal(few, cameras, 10.0);
     assert!(
-        said.contains("only 2 photos") && said.contains("at least 3"),
-        "{said}"
+        error.contains("only 2 photos") && error.contains("at least 3"),
+        "{error}"
     );
 }
 
@@ -156,26 +159,26 @@ fn missing_masks_of_some_views_are_passed_over() {
 }
 
 #[test]
-fn cameras_that_see_nothing_together_are_told() {
+fn cameras_that_see_nothing_together_are_refused() {
     let (masks, cameras) = turn(true);
-    let said = says(masks, cameras, 10.0);
+    let error = refusal(masks, cameras, 10.0);
     assert!(
-        said.contains("do masks and cameras belong together"),
-        "{said}"
+        error.contains("do masks and cameras belong together"),
+        "{error}"
     );
 }
 
 #[test]
-fn cells_that_need_more_memory_than_may_be_taken_are_told_with_a_size_that_fits() {
+fn cells_that_need_more_memory_than_may_be_taken_are_refused_with_a_size_that_fits() {
     let (masks, cameras) = turn(false);
-    let said = says(masks.clone(), cameras.clone(), 0.25);
+    let error = refusal(masks.clone(), cameras.clone(), 0.25);
     let before = |unit: &str, after: &str| -> f64 {
-        let rest = &said[said.find(after).unwrap() + after.len()..];
+        let rest = &error[error.find(after).unwrap() + after.len()..];
         rest[..rest.find(unit).unwrap()].trim().parse().unwrap()
     };
     let (need, fits) = (before("MB", "about"), before("mm fits", "taken:"));
-    assert!(need > 3000.0 && fits > 0.25, "{said}");
-    // And what is said to fit does.
+    assert!(need > 3000.0 && fits > 0.25, "{error}");
+    // And what is named to fit does.
     let params = CarveParams {
         voxel_mm: 1.0,
         memory_mb: 64.0,
@@ -192,8 +195,8 @@ fn cells_that_need_more_memory_than_may_be_taken_are_told_with_a_size_that_fits(
     let Err(Stop::Failed(why)) = run(&params) else {
         panic!("1 mm fits in 64 MB")
     };
-    let said = why.to_string();
-    let rest = &said[said.find("taken:").unwrap() + 6..];
+    let error = why.to_string();
+    let rest = &error[error.find("taken:").unwrap() + 6..];
     let fits: f64 = rest[..rest.find("mm fits").unwrap()]
         .trim()
         .parse()
@@ -225,14 +228,14 @@ fn a_hull_without_an_end_is_closed_all_the_same() {
 }
 
 #[test]
-fn a_photo_that_leaves_nothing_of_what_all_others_show_is_named() {
-    // A speck in the corner: no empty mask, but nothing that the others see.
+fn a_photo_that_leaves_nothing_of_what_all_other_photos_show_is_named() {
+    // A speck in the corner: no empty mask, but nothing that the other photos see.
     let mut speck = Mask::filled(80, 120, 0);
     (2..8).for_each(|x| *speck.at_mut(x, 4) = 255);
     let (masks, cameras) = with(speck);
-    let said = says(masks, cameras, 10.0);
+    let error = refusal(masks, cameras, 10.0);
     assert!(
-        said.contains("the outline on 0003.jpg cuts away up to 100 %"),
-        "{said}"
+        error.contains("the outline on 0003.jpg cuts away up to 100 %"),
+        "{error}"
     );
 }

@@ -75,8 +75,8 @@ impl Host for Heard {
     }
 }
 
-/// What carving says of these photos, each with its mask edited: warnings, and the worst share.
-fn heard(
+/// Carves these photos, each with its mask edited: warnings, and the worst share.
+fn carved(
     photos: impl Iterator<Item = u32> + Clone,
     contradicted_pct: f64,
     edit: impl Fn(u32, &mut Mask),
@@ -131,8 +131,8 @@ fn masks_that_agree_are_not_warned_of_though_one_photo_alone_sees_a_gap() {
     // Without the photo from behind, photo 4 alone looks through the gap of 8 mm.
     let front_alone = (0..18).filter(|k| *k != FRONT + 9);
     for (warnings, worst) in [
-        heard(0..18, 1.2, |_, _| ()),
-        heard(front_alone, 1.2, |_, _| ()),
+        carved(0..18, 1.2, |_, _| ()),
+        carved(front_alone, 1.2, |_, _| ()),
     ] {
         assert!(warnings.is_empty(), "{warnings:?}");
         assert!(worst.unwrap() < 0.2, "{worst:?}");
@@ -141,7 +141,7 @@ fn masks_that_agree_are_not_warned_of_though_one_photo_alone_sees_a_gap() {
 
 #[test]
 fn a_stripe_over_one_mask_names_that_photo_alone() {
-    let (warnings, worst) = heard(0..18, 1.2, stripe);
+    let (warnings, worst) = carved(0..18, 1.2, stripe);
     let share = worst.unwrap();
     assert!((1.0..3.0).contains(&share), "{share}");
     assert_eq!(
@@ -151,8 +151,8 @@ fn a_stripe_over_one_mask_names_that_photo_alone() {
         )]
     );
     // Not where nobody asked, and not of so few photos that gaps look alike.
-    assert_eq!(heard(0..18, 0.0, stripe), (vec![], None));
-    assert_eq!(heard(0..11, 1.2, stripe).1, None);
+    assert_eq!(carved(0..18, 0.0, stripe), (vec![], None));
+    assert_eq!(carved(0..11, 1.2, stripe).1, None);
 }
 
 #[test]
@@ -162,7 +162,7 @@ fn a_head_that_one_mask_lacks_is_seen_though_the_hull_has_none() {
             (0..WIDE).for_each(|x| *mask.at_mut(x, y) = 0);
         }
     };
-    let (warnings, _) = heard(0..18, 1.2, beheaded);
+    let (warnings, _) = carved(0..18, 1.2, beheaded);
     assert!(
         warnings.len() == 1 && warnings[0].starts_with("0002.jpg: its mask leaves out"),
         "{warnings:?}"

@@ -123,7 +123,7 @@ fn any_number_of_threads_gives_equal_bytes() {
 }
 
 #[test]
-fn the_largest_part_stays_and_the_others_are_told() {
+fn the_largest_part_stays_and_the_other_parts_are_reported() {
     let value = |x: &Point3<f64>| {
         let small = Point3::new(120.0, 0.0, 0.0);
         (50.0 - x.coords.norm()).max(20.0 - (x - small).norm()) as f32
