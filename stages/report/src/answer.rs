@@ -1,4 +1,4 @@
-//! Which answer a page tells: the full one, or a first one from a coarse surface.
+//! Which answer a page shows: the full one, or a first one from a coarse surface.
 
 stage::choice! {
     /// Which answer the page tells.
@@ -15,7 +15,7 @@ stage::choice! {
 }
 
 impl Answer {
-    /// What is said on top of a page that tells a first answer.
+    /// The banner of a page that shows a first answer.
     pub(crate) fn first(self) -> String {
         let follows = match self {
             Answer::Full => return String::new(),

@@ -5,7 +5,7 @@ use shape::{Camera, Landmarks, Mesh, Part, Rgb, Textured};
 
 /// Of the body's height, what is taken for the head where no neck was found: an infant's and more.
 const TOP: f64 = 0.3;
-/// What lies so near the head belongs to it. \[mm\]
+/// What is so near the head belongs to it. \[mm\]
 const MARGIN_MM: f64 = 15.0;
 /// What is painted over.
 const GRAY: [u8; 3] = [128; 3];

@@ -1,10 +1,10 @@
-//! Labels beside a drawing, moved apart so that none lies on another.
+//! Labels beside a drawing, moved apart so that none covers another.
 
-/// Where labels stand that want to be at these places, in ascending order, each at least `gap` from the
+/// Places of labels that want to be at these places, in ascending order, each at least `gap` from the
 /// next and all within `low..=high` where they fit: the least sum of squares of moves (isotonic regression,
 /// pool adjacent violators; Ayer et al. 1955).
 pub(crate) fn spread(wanted: &[f64], gap: f64, [low, high]: [f64; 2]) -> Vec<f64> {
-    // Less the room of those before, places have only to ascend.
+    // Less the gaps of those before, places have only to ascend.
     let mut pools: Vec<(f64, usize)> = Vec::new();
     for (i, at) in wanted.iter().enumerate() {
         let mut pool = (at - gap * i as f64, 1);
@@ -42,7 +42,7 @@ mod tests {
 
     proptest! {
         #[test]
-        fn no_label_lies_on_another(mut wanted in prop::collection::vec(-50.0..150.0f64, 1..9)) {
+        fn no_label_covers_another(mut wanted in prop::collection::vec(-50.0..150.0f64, 1..9)) {
             wanted.sort_by(f64::total_cmp);
             let placed = spread(&wanted, 12.0, [0.0, 100.0]);
             prop_assert_eq!(placed.len(), wanted.len());

@@ -24,7 +24,7 @@ pub(crate) enum Lengths {
 }
 
 impl Lengths {
-    /// As the user wants them; relative where nothing tells of millimetres.
+    /// As the user wants them; relative where nothing is known in millimetres.
     pub(crate) fn of(unit: Unit, wanted: ShownIn) -> Self {
         match (unit, wanted) {
             (Unit::Relative, _) => Lengths::Relative,

@@ -35,7 +35,7 @@ pub use page::titled;
 pub use ring_picture::{RingInput, RingPicture};
 pub use take::{Take, TakeError, TakeInput};
 
-/// Every stage of this room, in the order in which data flows through it.
+/// Every stage of this crate, in the order in which data flows through it.
 pub const STAGES: &[&dyn stage::AnyStage] = &[
     &stage::erase::<RingPicture>(),
     &stage::erase::<Html>(),

@@ -82,7 +82,7 @@ pub(crate) fn figure(shown: &Shown<'_>, girths: &Girths) -> String {
     svg + "</svg><figcaption>" + &escaped(shown.name) + "</figcaption></figure>"
 }
 
-/// The section on the reduced photo: what lies behind the body, and what the camera sees. A piece
+/// The section on the reduced photo: what is behind the body, and what the camera sees. A piece
 /// of the contour counts as seen if its outward normal in the plane points to the camera.
 fn section(girth: &Girth, camera: &Camera, factor: usize) -> [String; 2] {
     let step = (girth.contour.len() / 160).max(1);
@@ -94,7 +94,7 @@ fn section(girth: &Girth, camera: &Camera, factor: usize) -> [String; 2] {
         .collect();
     let normal = nalgebra::Vector3::from(girth.plane.normal);
     let middle = Point3::from(girth.plane.point_mm);
-    // Twice the signed area tells which way the contour runs around the normal.
+    // The sign of twice the area gives which way the contour runs around the normal.
     let pairs = || points.iter().zip(points.iter().cycle().skip(1));
     let turns: f64 = pairs()
         .map(|(a, b)| (a - middle).cross(&(b - middle)).dot(&normal))

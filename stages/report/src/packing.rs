@@ -3,7 +3,7 @@
 
 /// Faces as bytes, and the vertices in the order in which the faces first name them.
 ///
-/// Each corner is written as how far it lies behind the newest vertex: 0 is a new one.
+/// Each corner is written as how far it is behind the newest vertex: 0 is a new one.
 pub(crate) fn corners(faces: &[[u32; 3]], vertices: usize) -> (Vec<u8>, Vec<u32>) {
     let mut renamed = vec![u32::MAX; vertices];
     let mut order = Vec::new();
@@ -34,7 +34,7 @@ pub(crate) fn steps<const N: usize>(rows: impl Iterator<Item = [i32; N]>) -> Vec
     varints(zigzag.into_iter())
 }
 
-/// Seven bits a byte, the lowest first; the high bit says that more follow.
+/// Seven bits a byte, the lowest first; the high bit is set where more follow.
 fn varints(values: impl Iterator<Item = u32>) -> Vec<u8> {
     let mut bytes = Vec::new();
     for mut value in values {

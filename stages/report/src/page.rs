@@ -29,7 +29,7 @@ pub(crate) struct Content<'a> {
     pub(crate) figures: String,
     /// Whether the user wanted no photos.
     pub(crate) without_photos: bool,
-    /// Which answer it tells.
+    /// Which answer it shows.
     pub(crate) answer: Answer,
     /// What lengths are in.
     pub(crate) lengths: Lengths,
@@ -144,7 +144,7 @@ fn measured(content: &Content<'_>) -> (usize, usize) {
     })
 }
 
-/// What is said where the page carries less than was measured.
+/// The note where the page carries less than was measured.
 fn coarser(on_page: usize, measured: usize) -> String {
     match on_page < measured {
         true => format!(
@@ -168,11 +168,11 @@ fn filled(template: &str, slots: &[(&str, String)]) -> String {
     page + rest
 }
 
-/// What a scan's page says where its file names no unit.
+/// The note of a scan's page whose file names no unit.
 const RELATIVE: &str = "<p class=\"warn\"><b>Lengths are relative.</b> The file says so; ratios hold. If its unit is known: \
      --unit-of-file.</p>";
 
-/// The parts of the page that tell of cameras and photos.
+/// The parts of the page about cameras and photos.
 fn sections((photos, cameras): (&Photos, &Cameras), content: &Content<'_>) -> String {
     let note = match content.without_photos {
         true => "<p class=\"note\">The photos were left out.</p>",

@@ -3,7 +3,7 @@
 use nalgebra::{Point2, Vector2, Vector3};
 use shape::{Adjacency, Camera, Mask, Mesh, Rgb};
 
-/// Height of the pictures that tell what hides what. \[px\]
+/// Height of the pictures that give what hides what. \[px\]
 const DEPTH_PX: u32 = 800;
 /// Views flatter than this (cosine) show nothing.
 const FLATTEST: f64 = 0.2;
@@ -38,7 +38,7 @@ impl<'a> Paint<'a> {
         let seen_from = camera.resized(width, small);
         let depth = depths(self.mesh, &seen_from);
         let centre = camera.centre();
-        // Beside the border a photo shows what lies behind.
+        // Beside the border a photo shows what is behind.
         let inward = (camera.lens.height as f64 / 400.0).max(1.0);
         for (v, normal) in (0u32..).zip(&self.normals) {
             let p = self.mesh.point(v);

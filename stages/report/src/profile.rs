@@ -83,7 +83,7 @@ pub(crate) fn svg(girths: &Girths, ground_mm: f64, lengths: Lengths) -> String {
     svg
 }
 
-/// Ticks of both axes with their lines. An axis is told by its ends, each with its place on the page; the frame by its
+/// Ticks of both axes with their lines. An axis is given by its ends, each with its place on the page; the frame by its
 /// left, its right and its lower border.
 fn grid(
     svg: &mut String,
@@ -119,7 +119,7 @@ fn grid(
 }
 
 /// Names in a column beside the curve. A level line meets the curve at its own height alone, so none
-/// crosses it; where names would lie on one another they are moved apart.
+/// crosses it; where names would cover one another they are moved apart.
 fn names(svg: &mut String, mut marks: Vec<([f64; 2], &Girth)>, right: f64, bottom: f64) {
     marks.sort_by(|a, b| a.0[1].total_cmp(&b.0[1]));
     let wanted: Vec<f64> = marks.iter().map(|(at, _)| at[1]).collect();

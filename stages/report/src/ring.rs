@@ -53,7 +53,7 @@ pub(crate) fn svg(cameras: &Cameras) -> String {
                 svg,
                 "<circle class=\"cam\" data-photo=\"{label}\" cx=\"{x:.1}\" cy=\"{y:.1}\" r=\"3\"/>"
             );
-            // From the side they would lie on one another.
+            // From the side they would cover one another.
             if !side {
                 let _ = write!(
                     svg,

@@ -1,4 +1,4 @@
-//! What the viewer draws, as JSON: meshes, an atlas, tapes, where the cameras stood.
+//! What the viewer draws, as JSON: meshes, an atlas, tapes, where the cameras were.
 
 use crate::lengths::Lengths;
 use crate::packing::{corners, steps};
@@ -103,13 +103,13 @@ pub(crate) fn written(girths: &Girths, lengths: Lengths) -> Value {
     json!({ "mm": mm, "digits": digits, "word": lengths.word(), "worn": worn })
 }
 
-/// Where each camera stood; null for a photo without one. \[mm\]
+/// Where each camera was; null for a photo without one. \[mm\]
 pub(crate) fn views<'a>(cameras: impl Iterator<Item = Option<&'a Camera>>) -> Value {
     let centre = |c: &Camera| <[f64; 3]>::from(c.centre()).map(f64::round);
     cameras.map(|c| json!(c.map(centre))).collect()
 }
 
-/// Corners and places. Places are rounded to [`STEP_MM`], but for an `exact` surface: which points lie near a picked plane, and
+/// Corners and places. Places are rounded to [`STEP_MM`], but for an `exact` surface: which points are near a picked plane, and
 /// with them where the plane comes to rest, changes by millimetres where points are moved by 0.1 mm.
 fn packed(label: &str, points: &[[f32; 3]], corners: &[u8], order: &[u32], exact: bool) -> Value {
     if exact {

@@ -4,7 +4,7 @@ use crate::lengths::Lengths;
 use shape::{Cameras, Girth, Girths, NamedGirth, Rig, Scale, Unit, by_reason, listed};
 use std::fmt::Write;
 
-/// Text that may stand in HTML.
+/// Text that may be in HTML.
 pub(crate) fn escaped(text: &str) -> String {
     text.replace('&', "&amp;")
         .replace('{', "&#123;")
@@ -13,7 +13,7 @@ pub(crate) fn escaped(text: &str) -> String {
         .replace('"', "&quot;")
 }
 
-/// What stands below the table: what all its lengths are.
+/// The line below the table: what all its lengths are.
 pub(crate) fn unit(girths: &Girths, lengths: Lengths) -> String {
     let unit = match lengths {
         Lengths::Cm => "All in centimetres.",

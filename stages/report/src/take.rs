@@ -18,7 +18,7 @@ pub enum TakeError {
     /// None or several.
     #[error("one file is wanted, but {0} are there")]
     Count(usize),
-    /// An ending that says nothing.
+    /// An ending that is not known.
     #[error(
         "{0} is no document: call it .html, .json, .csv, .toml, .svg, .txt, .png, .jpg or .pdf"
     )]
@@ -64,7 +64,7 @@ impl Stage for Take {
     }
 }
 
-/// The media type that a name's ending says.
+/// The media type of a name's ending.
 fn media(name: &str) -> Option<&'static str> {
     let (_, ending) = name.rsplit_once('.')?;
     Some(match ending.to_ascii_lowercase().as_str() {
@@ -113,12 +113,12 @@ mod tests {
     }
 
     #[test]
-    fn what_is_none_is_told() {
-        let told = |files: &[(&str, &[u8])]| take(files).unwrap_err();
-        assert!(told(&[]).contains("but 0 are there"));
-        assert!(told(&[("a.txt", b"a"), ("b.txt", b"b")]).contains("but 2"));
-        assert!(told(&[("a.exe", b"a")]).contains("call it .html"));
-        assert!(told(&[("a.txt", b"")]).contains("is empty"));
-        assert!(told(&[("a.json", &[b'"', 0xff])]).contains("not UTF-8 from byte 1"));
+    fn what_is_none_is_refused() {
+        let refused = |files: &[(&str, &[u8])]| take(files).unwrap_err();
+        assert!(refused(&[]).contains("but 0 are there"));
+        assert!(refused(&[("a.txt", b"a"), ("b.txt", b"b")]).contains("but 2"));
+        assert!(refused(&[("a.exe", b"a")]).contains("call it .html"));
+        assert!(refused(&[("a.txt", b"")]).contains("is empty"));
+        assert!(refused(&[("a.json", &[b'"', 0xff])]).contains("not UTF-8 from byte 1"));
     }
 }

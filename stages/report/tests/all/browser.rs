@@ -54,8 +54,8 @@ fn a_click_marks_a_tape_and_hands_turn_and_zoom_the_body() {
     tab.click("#girths tbody tr");
     let [_, _, red, _] = seen(&mut tab);
     assert!(red > 300, "the marked tape is red: {red}");
-    let said = tab.value("document.getElementById('said').textContent");
-    assert_eq!(said, "waist <natural> 50.2 cm");
+    let shown = tab.value("document.getElementById('said').textContent");
+    assert_eq!(shown, "waist <natural> 50.2 cm");
     let place = tab.value("document.getElementById('where').textContent");
     assert_eq!(place, "horizontal, at the \"natural\" waist");
     let marked = tab.value("document.querySelectorAll('figure .tape.on').length");
@@ -124,23 +124,23 @@ fn clicks_pick_points_on_the_body_for_a_line_to_paste() {
     let apart = libm::hypot(points[0][0] - points[2][0], points[0][1] - points[2][1]);
     assert!(apart > 60.0, "from different sides: {text}");
     // The girth of a tube with 48 corners, by tape, contour and spline, as it is picked.
-    let told = "document.getElementById('picked').textContent";
-    let all = tab.value(told);
+    let line_picked = "document.getElementById('picked').textContent";
+    let all = tab.value(line_picked);
     assert_eq!(all, "4 points: tape 50.2, contour 50.2, spline 50.2 cm");
     let [_, _, _, with] = seen(&mut tab);
     tab.click("#unpick");
-    let three = tab.value(told);
+    let three = tab.value(line_picked);
     assert_eq!(three, "3 points: tape 50.2, contour 50.2, spline 50.2 cm");
     tab.click("#unpick");
     assert_ne!(seen(&mut tab)[3], with, "the tape through them was drawn");
-    assert_eq!(tab.value(told), "2 of at least 3 points");
+    assert_eq!(tab.value(line_picked), "2 of at least 3 points");
     assert_eq!(tab.value(line), "");
-    // A line of before is put in; points on a line, or far away, are told.
+    // A line of before is put in; points on a line, or far away, are refused.
     let put = |tab: &mut Tab, text: &str| {
         tab.value(&format!(
             "(() => {{ const e = document.getElementById('points'); e.value = {text:?}; e.dispatchEvent(new Event('input')); }})()"
         ));
-        tab.value(told)
+        tab.value(line_picked)
     };
     assert_eq!(put(&mut tab, points_text), all);
     let straight = put(&mut tab, "[[0, 0, 1], [0, 0, 2], [0, 0, 3]]");
@@ -161,8 +161,8 @@ fn clicks_pick_points_on_the_body_for_a_line_to_paste() {
 #[cfg_attr(not(chromium), ignore = "no Chromium is installed")]
 fn without_webgl_the_rest_of_the_page_works() {
     let mut tab = Tab::open(&page().replace("webgl2", "webgl9"), DESK, false, false);
-    let told = tab.value("document.getElementById('no3d').checkVisibility()");
-    assert_eq!(told, true);
+    let shown = tab.value("document.getElementById('no3d').checkVisibility()");
+    assert_eq!(shown, true);
     tab.click("#girths tbody tr");
     let marked = "document.querySelectorAll('figure .tape.on').length";
     assert_eq!(tab.value(marked), 6);
@@ -252,7 +252,7 @@ fn it_fits_a_phone_and_a_desk_light_and_dark_and_asks_for_nothing() {
     quiet(&tab.events);
 }
 
-/// Mean brightness of a screenshot, 0..=1, told by the browser itself.
+/// Mean brightness of a screenshot, 0..=1, computed by the browser itself.
 fn brightness(tab: &mut Tab, shot: &str) -> f64 {
     let mean = tab.value(&format!(
         "(async () => {{ const i = new Image(); i.src = 'data:image/png;base64,{shot}'; await i.decode();

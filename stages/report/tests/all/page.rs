@@ -52,16 +52,16 @@ fn pictures(page: &str) -> Vec<Vec<u8>> {
 }
 
 #[test]
-fn a_first_answer_says_that_it_is_one() {
+fn a_first_answer_is_marked_as_one() {
     let of = |answer| {
         page(&HtmlParams {
             answer,
             ..HtmlParams::default()
         })
     };
-    let said = "First answer from the coarse surface";
-    assert!(!of(Answer::Full).contains(said));
-    assert!(of(Answer::First).contains(said));
+    let banner = "First answer from the coarse surface";
+    assert!(!of(Answer::Full).contains(banner));
+    assert!(of(Answer::First).contains(banner));
     assert!(of(Answer::Followed).contains("the full one follows"));
     assert!(of(Answer::Unfinished).contains("the full one failed or was stopped"));
 }
@@ -245,7 +245,7 @@ fn surfaces_that_are_equal_share_a_button_and_optional_ones_get_theirs() {
 }
 
 #[test]
-fn what_is_missing_for_one_reason_is_said_once() {
+fn what_is_missing_for_one_reason_is_named_once() {
     let mut input = input();
     let missing = &mut Arc::make_mut(&mut input.girths).missing;
     let why = missing[0].why.clone();

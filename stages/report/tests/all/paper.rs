@@ -107,7 +107,7 @@ fn without_scripts_or_without_3d_pictures_and_tables_are_there() {
 
 #[test]
 #[cfg_attr(not(chromium), ignore = "no Chromium is installed")]
-fn names_lie_beside_curve_and_body_and_not_on_one_another() {
+fn names_are_beside_curve_and_body_and_not_on_one_another() {
     let mut input = tube::input();
     let girths = &mut Arc::make_mut(&mut input.girths).girths;
     for k in 1..8 {

@@ -24,15 +24,15 @@ fn lengths_of_unknown_scale_are_called_relative() {
     input.cameras = Some(Arc::new(cameras));
     Arc::make_mut(&mut input.girths).unit = shape::Unit::Relative;
     let wanted = ["Lengths are relative", "tape [relative]", "0.5025"];
-    let (told, plain) = (
+    let (changed, plain) = (
         page_of(&HtmlParams::default(), input),
         page(&HtmlParams::default()),
     );
     for text in wanted {
-        assert!(told.contains(text) && !plain.contains(text), "{text}");
+        assert!(changed.contains(text) && !plain.contains(text), "{text}");
     }
     for text in ["[cm]", " cm<", "± 0.00 %", "centimetres"] {
-        assert!(!told.contains(text), "{text}");
+        assert!(!changed.contains(text), "{text}");
     }
 }
 
@@ -53,7 +53,7 @@ fn lengths_that_contradict_each_other_are_relative_and_named() {
 }
 
 #[test]
-fn what_an_interval_is_made_of_is_told_and_what_is_unknown_is_not_called_zero() {
+fn what_an_interval_is_made_of_is_shown_and_what_is_unknown_is_not_called_zero() {
     let known = page(&HtmlParams::default());
     let parts =
         "standard deviations [cm]: level 0.12, surface 0.08, scale unknown, split 0.00, cover 0.00";
@@ -69,13 +69,13 @@ fn what_an_interval_is_made_of_is_told_and_what_is_unknown_is_not_called_zero() 
     girths.compression_pct = 1.5;
     let cameras = Arc::make_mut(input.cameras.as_mut().unwrap());
     (cameras.scale, cameras.scale_sigma) = (Scale::Given, None);
-    let told = page_of(&HtmlParams::default(), input);
+    let changed = page_of(&HtmlParams::default(), input);
     for text in [
         "unknown: level",
         "shortened by 1.5 %",
         "taken at their word; how sure they are: unknown",
     ] {
-        assert!(told.contains(text) && !known.contains(text), "{text}");
+        assert!(changed.contains(text) && !known.contains(text), "{text}");
     }
 }
 
@@ -85,27 +85,27 @@ fn inches_are_shown_where_they_are_wanted_and_relative_lengths_stay_relative() {
         unit: report::ShownIn::Inch,
         ..HtmlParams::default()
     };
-    let (told, plain) = (page(&inches), page(&HtmlParams::default()));
+    let (in_inches, plain) = (page(&inches), page(&HtmlParams::default()));
     for text in [
         "tape [in]",
         "All in inches",
         "standard deviations [in]",
         "height [in]",
     ] {
-        assert!(told.contains(text) && !plain.contains(text), "{text}");
+        assert!(in_inches.contains(text) && !plain.contains(text), "{text}");
     }
-    assert!(!told.contains("[cm]"), "one unit on a page");
+    assert!(!in_inches.contains("[cm]"), "one unit on a page");
     // The WHO's thresholds are in what the reader reads.
     let grown = |params: &HtmlParams| {
         let mut input = input();
         Arc::make_mut(&mut input.girths).stature_mm = Some(1700.0);
         page_of(params, input)
     };
-    let (told, plain) = (grown(&inches), grown(&HtmlParams::default()));
-    assert!(told.contains("above 37.0 (men), 31.5 (women), substantially above 40.2, 34.6"));
+    let (in_inches, plain) = (grown(&inches), grown(&HtmlParams::default()));
+    assert!(in_inches.contains("above 37.0 (men), 31.5 (women), substantially above 40.2, 34.6"));
     assert!(plain.contains("above 94.0 (men), 80.0 (women), substantially above 102.0, 88.0"));
     let tape = input().girths.girths[0].tape_mm;
-    assert!(told.contains(&format!("{:.1} in", tape / 25.4)));
+    assert!(in_inches.contains(&format!("{:.1} in", tape / 25.4)));
     let mut input = input();
     Arc::make_mut(&mut input.girths).unit = shape::Unit::Relative;
     let relative = page_of(&inches, input);
@@ -119,7 +119,7 @@ fn numbers(text: &str, mark: &str) -> Vec<f64> {
     text.split(mark).skip(1).filter_map(ends).collect()
 }
 
-/// Places of an axis' ticks with what stands at them. \[px\]
+/// Places of an axis' ticks with what is written at them. \[px\]
 fn axis(svg: &str, anchor: &str, place: &str) -> Vec<(f64, f64)> {
     let texts = svg.split("<text ").skip(1).filter(|t| t.contains(anchor));
     let one = |text: &str| {
@@ -130,7 +130,7 @@ fn axis(svg: &str, anchor: &str, place: &str) -> Vec<(f64, f64)> {
 }
 
 #[test]
-fn axes_of_the_curve_tell_what_lies_at_them() {
+fn axes_of_the_curve_name_what_is_at_them() {
     for (unit, one) in [(report::ShownIn::Cm, 10.0), (report::ShownIn::Inch, 25.4)] {
         for (girth, swing, height) in [
             (437.1, 22.9, 361.0),
@@ -154,7 +154,7 @@ fn axes_of_the_curve_tell_what_lies_at_them() {
             let svg = svg.split("</svg>").next().unwrap();
             for (anchor, place, mark, moved, truth) in [
                 ("text-anchor=\"middle\"", "x=\"", "cx=\"", 0.0, girth),
-                // A label's line stands that much below its tick.
+                // A label's line is that much below its tick.
                 ("text-anchor=\"end\"", " y=\"", "cy=\"", 4.0, height + 50.0),
             ] {
                 let ticks = axis(svg, anchor, place);
@@ -187,9 +187,9 @@ fn page_for(of: impl Fn(&mut Girths)) -> String {
 }
 
 #[test]
-fn a_child_stands_beside_the_growth_reference_and_no_threshold_of_adults() {
+fn a_child_is_compared_with_the_growth_reference_and_no_threshold_of_adults() {
     let score = |z, centile| Some(Score { z, centile });
-    let told = page_for(|g| {
+    let shown = page_for(|g| {
         (g.sex, g.age_months) = (Some(Sex::Male), Some(114.6));
         g.growth = Some(Growth {
             bmi: score(0.784, 78.34),
@@ -200,10 +200,10 @@ fn a_child_stands_beside_the_growth_reference_and_no_threshold_of_adults() {
     let height =
         "WHO 2007, boys of 9 years 6 months: below the centile 0.1, by the stature that was given";
     for text in ["z +0.78", "z -3.50", bmi, height, "Numbers, no diagnosis."] {
-        assert!(told.contains(text), "{text}");
+        assert!(shown.contains(text), "{text}");
     }
     for adult in ["overweight", "risk increased", "obese"] {
-        assert!(!told.contains(adult), "{adult}");
+        assert!(!shown.contains(adult), "{adult}");
     }
     // A child of whom nothing else is known is no adult either.
     let young = page_for(|g| g.age_months = Some(40.0));

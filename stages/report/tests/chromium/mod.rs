@@ -18,7 +18,7 @@ pub(crate) struct Tab {
     from: Receiver<Value>,
     session: Option<String>,
     sent: u64,
-    /// What the browser told on its own, such as requests and errors.
+    /// What the browser reported on its own, such as requests and errors.
     pub(crate) events: Vec<Value>,
     _folder: tempfile::TempDir,
 }
@@ -218,7 +218,7 @@ impl Tab {
         [at[0].as_f64().unwrap(), at[1].as_f64().unwrap()]
     }
 
-    /// A click as a hand does it: on whatever lies there, once the page is whole.
+    /// A click as a hand does it: on whatever is there, once the page is whole.
     #[track_caller]
     pub(crate) fn click(&mut self, selector: &str) {
         self.until("document.readyState === 'complete'");
