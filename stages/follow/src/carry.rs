@@ -3,10 +3,10 @@
 use nalgebra::{Matrix3, Point3, Rotation3, Vector3};
 use shape::{Mesh, Plane};
 
-/// Vertices so near to the plane tell how it moved. \[mm\]
+/// Vertices so near to the plane give how it moved. \[mm\]
 const NEAR_MM: f64 = 20.0;
 
-/// The plane as it lies on the moved twin of a mesh: the rigid motion (least squares, Umeyama 1991) of what is near to it
+/// The plane on the moved twin of a mesh: the rigid motion (least squares, Umeyama 1991) of what is near to it
 /// and wanted. `None` where fewer than ten vertices are.
 pub fn carried(
     plane: &Plane,

@@ -27,7 +27,7 @@ pub struct Hit {
     pub distance: f64,
     /// The closest point. \[mm\]
     pub point: Point3<f64>,
-    /// The face it lies on.
+    /// The face it is on.
     pub face: usize,
 }
 

@@ -7,7 +7,7 @@ use rayon::prelude::*;
 use shape::{Mesh, Part};
 use std::collections::BTreeMap;
 
-/// How far the other surface lies outside of each vertex of one in the same pose; negative inside. \[mm\]
+/// How far the other surface is outside of each vertex of one in the same pose; negative inside. \[mm\]
 pub fn growth(posed: &Mesh, other: &Target<'_>) -> Vec<f64> {
     let at = |v: u32| -other.tree().signed(&posed.point(v)).unwrap_or(0.0);
     (0..posed.positions.len() as u32)

@@ -1,4 +1,4 @@
-//! A body in another's pose: each segment its own rigid motion, held at its joint, going over smoothly into the next.
+//! A body in another's pose: each segment its own rigid motion, fixed at its joint, going over smoothly into the next.
 
 use crate::rigid::{Halves, Target, Tie, refined, rigid, samples};
 use crate::segments::Segments;

@@ -1,4 +1,4 @@
-//! A rigid motion that lays one surface on another: points to planes, the far ones held lightly.
+//! A rigid motion that lays one surface on another: points to planes, the far ones weigh little.
 //!
 //! Iterative closest points with the distance to the tangent plane (Chen and Medioni 1992) and weights of Geman and McClure,
 //! whose scale shrinks: what is far off at the end (limbs in another pose) does not pull.
@@ -18,7 +18,7 @@ pub enum Halves {
     Both,
     /// Every other one, from the first on.
     Even,
-    /// The others.
+    /// The other points.
     Odd,
 }
 
@@ -144,7 +144,7 @@ fn step(pairs: &[Option<Pair>], ties: &[Tie], motion: &Isometry3<f64>) -> Option
             );
         }
     }
-    // A cylinder does not tell its turn about its own axis: it keeps what it had.
+    // A cylinder does not give its turn about its own axis: it keeps what it had.
     let [turns, ways] = [0, 3].map(|i| (a[(i, i)] + a[(i + 1, i + 1)] + a[(i + 2, i + 2)]) / 3.0);
     for i in 0..6 {
         a[(i, i)] += 1e-3 * if i < 3 { turns } else { ways };

@@ -3,7 +3,7 @@
 use nalgebra::{Point3, Vector3};
 use shape::{Adjacency, Mesh, Part};
 
-/// The parts of a body, as volumes are told by them.
+/// The parts of a body by which volumes are reported.
 pub const PARTS: [Part; 6] = [
     Part::Head,
     Part::Trunk,
