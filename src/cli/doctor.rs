@@ -96,11 +96,17 @@ fn looked(
     let document = get::<Document>(&graph, &outcome, "look");
     let document = document
         .ok_or_else(|| Fault::stage("what was seen went out of the cache: run it again"))?;
-    let findings = serde_json::from_slice(&document.bytes).map_err(Fault::stage)?;
+    let findings: Value = serde_json::from_slice(&document.bytes).map_err(Fault::stage)?;
     let mut warnings = looked.warnings;
     for done in outcome.nodes.iter().flatten() {
         warnings.extend(done.warnings.iter().cloned());
     }
+    // What is found to stop all need not be warned of, too.
+    let same = |warning: &String, found: &Value| {
+        let what = found["what"].as_str();
+        what.is_some_and(|what| warning.starts_with(what))
+    };
+    warnings.retain(|warning| !entries(&findings).any(|found| same(warning, found)));
     Ok(Look {
         findings,
         warnings,
@@ -169,6 +175,23 @@ fn noise(found: &Value) -> String {
     }
 }
 
+/// How bad something is, the worst first.
+pub(crate) const GRADES: [&str; 3] = ["stop", "doubt", "hint"];
+
+/// A line for all that is odd, the worst first; warnings are doubts.
+fn odd(look: &Look) -> Vec<String> {
+    let found = entries(&look.findings).map(|f| {
+        let word = |key: &str| f[key].as_str().unwrap_or_default();
+        let text = format!("{}{} - {}", some(&f["photos"]), word("what"), word("mend"));
+        (word("grade"), text)
+    });
+    let warned = look.warnings.iter().map(|w| ("doubt", w.clone()));
+    let mut all: Vec<(&str, String)> = found.chain(warned).collect();
+    all.sort_by_key(|(grade, _)| GRADES.iter().position(|g| g == grade));
+    let line = |(grade, text): (&str, String)| format!("  {grade:<6} {text}\n");
+    all.into_iter().map(line).collect()
+}
+
 /// The answer for people.
 fn screen(folder: &Path, look: &Look) -> String {
     let found = &look.findings;
@@ -202,23 +225,7 @@ fn screen(folder: &Path, look: &Look) -> String {
         ),
     };
     said += &noise(found);
-    let mut lines: Vec<String> = entries(found)
-        .map(|f| {
-            let word = |key: &str| f[key].as_str().unwrap_or_default();
-            format!(
-                "  {:<6} {}{} - {}\n",
-                word("grade"),
-                some(&f["photos"]),
-                word("what"),
-                word("mend")
-            )
-        })
-        .collect();
-    lines.extend(
-        look.warnings
-            .iter()
-            .map(|w| format!("  {:<6} {w}\n", "doubt")),
-    );
+    let lines = odd(look);
     if !lines.is_empty() {
         said += "\nwhat is odd\n";
         said += &lines.concat();

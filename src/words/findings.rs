@@ -7,7 +7,7 @@ use super::warnings::WARNINGS;
 
 /// Sentences, `*` for what is put in, and their texts, in which that is `a` and `b`.
 #[rustfmt::skip]
-const TOLD: [(&str, &str); 56] = [
+const TOLD: [(&str, &str); 60] = [
     ("only * % of the picture stands still: the camera, or all behind the subject, moved between the photos", "find-moved"),
     ("a turn wants one camera on a tripod and the subject on a disk; is this a walk around somebody who stands still? Then say --walk", "find-moved-mend"),
     ("the subject, which all other photos show, is not seen here", "find-empty"),
@@ -38,6 +38,10 @@ const TOLD: [(&str, &str); 56] = [
     ("step back, and keep the background still", "find-arms-mend"),
     ("a mat is told of, but no tag of it was found", "find-mat"),
     ("is it in view, in good light, and flat?", "find-mat-mend"),
+    ("of the mat's * tags only * are read on a photo", "find-tags"),
+    ("they are too small in the picture, blurred or hidden: hand over the camera's own files, come nearer, or print a mat with fewer, larger tags", "find-tags-mend"),
+    ("the body is cut off at the lower edge", "find-feet"),
+    ("keep the whole person in view, with a margin below the feet: without feet nothing tells heights, and no girth is given", "find-feet-mend"),
     ("* photos are few: without a mat features are followed over steps of 30° at most", "find-few"),
     ("take 18 to 36 photos of a full turn, or lay a mat on the disk", "find-few-mend"),
     ("nothing tells of the focal length", "find-focal"),

@@ -198,3 +198,64 @@ fn copies_are_named_where_too_few_photos_are_left() {
     let said = place.run("doctor turn").code(1).err;
     assert!(said.contains("0004.jpg = 0000.jpg"), "{said}");
 }
+
+#[test]
+fn feet_that_all_photos_cut_off_stop_and_what_is_worse_comes_first() {
+    let place = Place::new();
+    let bad = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("samples/bad");
+    let said = place.run(&format!("doctor {}", bad.join("feet-cut-off").display()));
+    let said = said.code(1).out;
+    let cut: Vec<&str> = said.lines().filter(|l| l.contains("lower edge")).collect();
+    assert!(cut.len() == 1 && cut[0].starts_with("  stop "), "{said}");
+    assert!(
+        cut[0].contains("(16 photos)") && cut[0].contains("no girth"),
+        "{said}"
+    );
+    assert!(said.contains("cameras  no, as it is"), "{said}");
+    // A warning of who is on the photos is a doubt, and stands before hints.
+    let said = place.run(&format!("doctor {}", bad.join("empty-photo").display()));
+    let said = said.code(1).out;
+    let grades = said
+        .lines()
+        .filter_map(|l| l.strip_prefix("  ")?.split(' ').next());
+    let grades: Vec<&str> = grades
+        .filter(|g| ["stop", "doubt", "hint"].contains(g))
+        .collect();
+    assert_eq!(grades, ["stop", "doubt", "hint", "hint"], "{said}");
+}
+
+#[test]
+fn a_mat_that_is_too_small_in_the_picture_is_named_and_one_of_a_megapixel_is_read() {
+    let place = Place::new();
+    let sample = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("samples/person");
+    let facts = std::fs::read_to_string(sample.join("capture.toml")).unwrap();
+    let facts = facts.replace("views = 18", "views = 9");
+    let facts = facts.replace("step_deg = 20.0", "step_deg = 40.0");
+    for (folder, width) in [("turn", 960), ("small", 360)] {
+        place.write(&format!("{folder}/capture.toml"), &facts);
+        for i in (0..18).step_by(2) {
+            let name = format!("{i:04}.jpg");
+            let photo = std::fs::read(sample.join("images").join(&name)).unwrap();
+            let path = format!("{folder}/images/{name}");
+            place.write(&path, &photo);
+            if width < 960 {
+                let photo = image::open(place.path(&path)).unwrap();
+                photo
+                    .thumbnail(width, 2 * width)
+                    .save(place.path(&path))
+                    .unwrap();
+            }
+        }
+    }
+    let warned = |folder: &str| {
+        let said = place.run(&format!("doctor {folder}")).out;
+        let line = said.lines().find(|l| l.contains("of the mat's 16 tags"));
+        line.map(str::to_owned)
+    };
+    assert_eq!(warned("turn"), None);
+    let small = warned("small").unwrap();
+    assert!(
+        small.starts_with("  doubt ") && small.contains("too small"),
+        "{small}"
+    );
+}

@@ -2,6 +2,7 @@
 
 use super::super::record::{Kept, Record};
 use super::sentence;
+use crate::cli::doctor::GRADES;
 use crate::words::findings::is_news;
 use crate::words::language::Words;
 use maud::{Markup, html};
@@ -49,7 +50,6 @@ pub(crate) fn seen(
 }
 
 fn told(words: Words, record: &Record, look: &Value) -> Markup {
-    let warnings = look["warnings"].as_array().into_iter().flatten();
     let can = look["can"].as_object().into_iter().flatten();
     html! {
         @if !text(look, "wrong").is_empty() { p .alert { (sentence(words, record, text(look, "wrong"))) } }
@@ -58,16 +58,8 @@ fn told(words: Words, record: &Record, look: &Value) -> Markup {
             @if findings(look).next().is_none() { p .good { (words.say("seen-well")) } }
         }
         ul .findings {
-            @for finding in findings(look) {
-                li class=(text(finding, "grade")) {
-                    strong { (words.say(&format!("grade-{}", text(finding, "grade")))) } " "
-                    (sentence(words, record, text(finding, "what"))) " – " (sentence(words, record, text(finding, "mend")))
-                    @if let Some(names) = names(record, finding) { " " span .soft { (names) } }
-                }
-            }
-            @for warning in warnings.filter_map(Value::as_str) {
-                @let grade = if is_news(warning) { "hint" } else { "doubt" };
-                li class=(grade) { strong { (words.say(&format!("grade-{grade}"))) } " " (sentence(words, record, warning)) }
+            @for (grade, line) in odd(words, record, look) {
+                li class=(grade) { strong { (words.say(&format!("grade-{grade}"))) } " " (line) }
             }
         }
         dl .can {
@@ -77,6 +69,26 @@ fn told(words: Words, record: &Record, look: &Value) -> Markup {
             }
         }
     }
+}
+
+/// All that is odd with how bad it is, the worst first: findings, then warnings, which are doubts unless they are news.
+fn odd<'a>(words: Words, record: &Record, look: &'a Value) -> Vec<(&'a str, Markup)> {
+    let finding = |finding: &'a Value| {
+        let line = html! {
+            (sentence(words, record, text(finding, "what"))) " – " (sentence(words, record, text(finding, "mend")))
+            @if let Some(names) = names(record, finding) { " " span .soft { (names) } }
+        };
+        (text(finding, "grade"), line)
+    };
+    let warnings = look["warnings"].as_array().into_iter().flatten();
+    let warning = |warning: &'a str| {
+        let grade = if is_news(warning) { "hint" } else { "doubt" };
+        (grade, html! { (sentence(words, record, warning)) })
+    };
+    let warned = warnings.filter_map(Value::as_str).map(warning);
+    let mut all: Vec<_> = findings(look).map(finding).chain(warned).collect();
+    all.sort_by_key(|(grade, _)| GRADES.iter().position(|g| g == grade));
+    all
 }
 
 /// The photos that a finding is about, as their owner calls them.

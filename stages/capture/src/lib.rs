@@ -4,6 +4,7 @@
 
 mod alike;
 mod bare;
+mod cut_off;
 mod date;
 mod empty;
 mod enough;

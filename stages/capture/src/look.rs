@@ -1,5 +1,6 @@
 //! The stage that looks at a capture before minutes are spent on it.
 
+use crate::cut_off::cut_off;
 use crate::glance::{Glance, glance, together};
 use crate::noise::{noisy, of_photos};
 use crate::odd::{seen_in_facts, seen_in_pictures};
@@ -8,7 +9,7 @@ use crate::sharpness::sharpness;
 use crate::verdict::{Seen, against_the_middle, camera_is_fixed, can, lengths};
 use rayon::prelude::*;
 use serde_json::{Map, Value, json};
-use shape::{Document, Photo, Photos, Tags};
+use shape::{Document, People, Photo, Photos, Tags};
 use stage::{Ctx, Stage, Stop};
 use std::sync::Arc;
 
@@ -24,6 +25,8 @@ stage::inputs! {
         photos: Arc<Photos>,
         /// Tags of some of them.
         tags: Option<Arc<Tags>>,
+        /// Who is on them.
+        people: Option<Arc<People>>,
     }
 }
 
@@ -32,13 +35,13 @@ stage::inputs! {
 #[error("there are {0} photos: a turn has at least three")]
 pub(crate) struct TooFew(usize);
 
-/// `capture.look`: photos, tags → document (JSON).
+/// `capture.look`: photos, tags, people → document (JSON).
 pub struct Look;
 
 impl Stage for Look {
     const NAME: &'static str = "capture.look";
-    const VERSION: u32 = 6;
-    const ABOUT: &'static str = "Looks at photos at a glance: order, gaps, blur, exposure, noise, tags, frame, and what can be measured with them.";
+    const VERSION: u32 = 7;
+    const ABOUT: &'static str = "Looks at photos at a glance: order, gaps, blur, exposure, noise, tags, frame, feet, and what can be measured with them.";
     type Params = LookParams;
     type Input = LookInput;
     type Output = Document;
@@ -66,10 +69,11 @@ impl Stage for Look {
             glances: &glances,
             together: &together,
             sharpness: &sharpness,
-            tags: tags.map(|t| t.views.values().map(Vec::len).sum()),
+            tags: tags.map(|t| &**t),
         };
         let mut findings = seen_in_pictures(&seen);
         findings.extend(seen_in_facts(&seen));
+        findings.extend(input.people.and_then(|people| cut_off(photos, &people)));
         let noise = of_photos(photos, &together)?;
         if let Some((levels, _)) = noise {
             ctx.metric("noise", levels, "levels");

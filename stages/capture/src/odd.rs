@@ -3,6 +3,7 @@
 use crate::empty::absent;
 use crate::glance::Glance;
 use crate::verdict::{Finding, Findings, Grade, Seen, camera_is_fixed, lengths};
+use std::collections::BTreeSet;
 
 /// Less than this of the picture does not move: nothing will come of it without a mat.
 const MOVED: f64 = 0.03;
@@ -223,14 +224,7 @@ fn frame(seen: &Seen<'_>, findings: &mut Findings<'_>) {
 /// What is known, and what would help.
 fn facts(seen: &Seen<'_>, findings: &mut Findings<'_>) {
     let (rig, count) = (&seen.photos.rig, seen.photos.photos.len());
-    if seen.tags == Some(0) && rig.tagged() {
-        findings.put(
-            Grade::Doubt,
-            "a mat is told of, but no tag of it was found",
-            "is it in view, in good light, and flat?",
-            &[],
-        );
-    }
+    mat(seen, findings);
     if count < FEW && !rig.tagged() && rig.step.is_none() {
         findings.put(
             Grade::Doubt,
@@ -260,6 +254,35 @@ fn facts(seen: &Seen<'_>, findings: &mut Findings<'_>) {
             Grade::Hint,
             "there is no photo of the empty scene",
             "take one without the subject and call it plate.jpg: silhouettes become surer",
+            &[],
+        );
+    }
+}
+
+/// Whether the mat that is told of can be read.
+fn mat(seen: &Seen<'_>, told: &mut Findings<'_>) {
+    let rig = &seen.photos.rig;
+    let Some(tags) = seen.tags.filter(|_| rig.tagged()) else {
+        return;
+    };
+    let mut read: Vec<usize> = tags.views.values().map(Vec::len).collect();
+    read.sort_unstable();
+    let read = read.get(read.len() / 2).copied().unwrap_or(0);
+    let ids: BTreeSet<u32> = tags.views.values().flatten().map(|t| t.id).collect();
+    let all = rig.mat.map_or(ids.len(), |mat| mat.count as usize);
+    if ids.is_empty() {
+        told.put(
+            Grade::Doubt,
+            "a mat is told of, but no tag of it was found",
+            "is it in view, in good light, and flat?",
+            &[],
+        );
+    } else if 2 * read < all {
+        // Feet hide some; where most cannot be read it is not the feet.
+        told.put(
+            Grade::Doubt,
+            format!("of the mat's {all} tags only {read} are read on a photo"),
+            "they are too small in the picture, blurred or hidden: hand over the camera's own files, come nearer, or print a mat with fewer, larger tags",
             &[],
         );
     }

@@ -1,7 +1,7 @@
 //! What can be measured with a capture as it is; how what is odd about it is reported.
 
 use crate::glance::{Glance, Together};
-use shape::{Photos, Rig};
+use shape::{Photos, Rig, Tags};
 
 /// How bad something is.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, serde::Serialize)]
@@ -76,7 +76,7 @@ pub(crate) struct Seen<'a> {
     /// Against the middle of all.
     pub(crate) sharpness: &'a [f64],
     /// Tags on those photos that were searched.
-    pub(crate) tags: Option<usize>,
+    pub(crate) tags: Option<&'a Tags>,
 }
 
 /// Less than this of the picture does not move: the camera was moved.
@@ -113,7 +113,7 @@ pub(crate) fn lengths(rig: &Rig) -> Option<&'static str> {
 pub(crate) fn can(seen: &Seen<'_>, findings: &[Finding]) -> Vec<(&'static str, String)> {
     let rig = &seen.photos.rig;
     let stopped = findings.iter().any(|f| f.grade == Grade::Hopeless);
-    let cameras = match (stopped, rig.tagged() && seen.tags.unwrap_or(0) > 0, camera_is_fixed(seen.together)) {
+    let cameras = match (stopped, rig.tagged() && seen.tags.is_some_and(|t| t.views.values().any(|v| !v.is_empty())), camera_is_fixed(seen.together)) {
         (true, ..) => "no, as it is: see above".to_owned(),
         (_, true, _) => "from the mat, photo by photo".into(),
         (_, _, true) => "from what turns with the subject: clothes with a pattern, a patterned cloth on the disk".into(),

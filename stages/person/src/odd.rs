@@ -1,20 +1,8 @@
 //! What is odd about the people on the photos of a turn, by photo.
 
 use crate::turn::{alike, present};
-use nalgebra::Point2;
-use shape::{ByPhoto, Found, Photos};
+use shape::{ByPhoto, Edge, Found, Photos};
 use std::f32::consts::FRAC_PI_4;
-
-/// So many of the network's pixels along an edge: its outline is right to one or two of them, so fewer may be chance.
-const ALONG_EDGE_PX: usize = 3;
-
-/// An edge of a photo.
-#[derive(Clone, Copy, PartialEq)]
-enum Edge {
-    Upper,
-    Lower,
-    Side,
-}
 
 /// What the user should know of a turn that shows a person; of who is followed, the first on each photo.
 pub(crate) fn odd(views: &ByPhoto<Vec<Found>>, photos: &Photos) -> Vec<String> {
@@ -32,7 +20,7 @@ pub(crate) fn odd(views: &ByPhoto<Vec<Found>>, photos: &Photos) -> Vec<String> {
         found.iter().skip(1).any(|f| another(&f))
     });
     let cut = |edge: Edge| {
-        names(&|found, size| first(found).is_some_and(|f| reached(&f, size).contains(&edge)))
+        names(&|found, size| first(found).is_some_and(|f| f.edges(size).contains(&edge)))
     };
     let turned = |over: bool| {
         names(&|found, _| {
@@ -76,35 +64,4 @@ pub(crate) fn some(names: Vec<String>) -> Option<String> {
         1..=5 => Some(names.join(", ")),
         more => Some(format!("{}, … ({more} photos)", names[..3].join(", "))),
     }
-}
-
-/// The edges of the photo that the body comes to within a pixel of the network.
-fn reached(found: &Found, [width, height]: [u32; 2]) -> Vec<Edge> {
-    let pixel = f64::from(found.pixel_px());
-    if pixel <= 0.0 {
-        return vec![];
-    }
-    let (width, height) = (f64::from(width), f64::from(height));
-    let along = |length: f64, at: &dyn Fn(f64) -> Point2<f64>| {
-        let steps = (length / pixel).ceil() as usize;
-        let body = |k: &usize| {
-            let at = at((*k as f64 + 0.5) * pixel);
-            found.log_odds(at).is_some_and(|odds| odds > 0.0)
-        };
-        (0..steps).filter(body).count() >= ALONG_EDGE_PX
-    };
-    let reaches = [
-        (Edge::Upper, along(width, &|t| Point2::new(t, pixel))),
-        (
-            Edge::Lower,
-            along(width, &|t| Point2::new(t, height - 1.0 - pixel)),
-        ),
-        (Edge::Side, along(height, &|t| Point2::new(pixel, t))),
-        (
-            Edge::Side,
-            along(height, &|t| Point2::new(width - 1.0 - pixel, t)),
-        ),
-    ];
-    let reached = reaches.into_iter().filter(|(_, reached)| *reached);
-    reached.map(|(edge, _)| edge).collect()
 }
