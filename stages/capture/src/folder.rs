@@ -19,6 +19,8 @@ pub const RAWS: [&str; 10] = [
 /// A kind of file that cannot be read as it is.
 struct Kind {
     name: &'static str,
+    /// One of them.
+    one: &'static str,
     endings: &'static [&'static str],
     way: fn(&str, &str) -> String,
 }
@@ -26,6 +28,7 @@ struct Kind {
 const KINDS: [Kind; 4] = [
     Kind {
         name: "HEIC photos",
+        one: "HEIC photo",
         endings: &["heic", "heif", "hif", "avif"],
         way: |_, ending| {
             format!("for f in *.{ending}; do heif-convert -q 95 \"$f\" \"${{f%.*}}.jpg\"; done")
@@ -33,16 +36,19 @@ const KINDS: [Kind; 4] = [
     },
     Kind {
         name: "videos",
+        one: "video",
         endings: &VIDEOS,
         way: |first, _| format!("tailor measure \"{first}\""),
     },
     Kind {
         name: "raw photos",
+        one: "raw photo",
         endings: &RAWS,
         way: |_, ending| format!("dcraw_emu -w -W -o 1 -g 2.4 12.92 -T *.{ending}"),
     },
     Kind {
         name: "pictures of other formats",
+        one: "picture of another format",
         endings: &["webp", "bmp", "gif", "jp2", "jxl", "ppm", "tga"],
         way: |_, ending| format!("mogrify -format jpg -quality 95 *.{ending}"),
     },
@@ -116,7 +122,11 @@ pub fn foreign(names: &[String]) -> Vec<Foreign> {
         let first = names.first()?.clone();
         let base = first.rsplit('/').next().unwrap_or(&first);
         let way = (kind.way)(base, ending(base).unwrap_or_default());
-        let kind = kind.name;
+        let kind = if names.len() == 1 {
+            kind.one
+        } else {
+            kind.name
+        };
         Some(Foreign { kind, names, way })
     };
     KINDS.iter().filter_map(of).collect()
@@ -142,7 +152,7 @@ mod tests {
         let names = names.map(str::to_owned);
         let found = foreign(&names);
         let words: Vec<String> = found.iter().map(Foreign::words).collect();
-        let unread = ["1 videos (walk.MOV)", "1 raw photos (b.DNG)"];
+        let unread = ["1 video (walk.MOV)", "1 raw photo (b.DNG)"];
         let [video, raw] = found.last_chunk().unwrap();
         assert_eq!(video.way, "tailor measure \"walk.MOV\"");
         assert!(raw.way.starts_with("dcraw_emu -w") && raw.way.ends_with("*.DNG"));

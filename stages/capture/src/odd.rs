@@ -259,8 +259,8 @@ fn facts(seen: &Seen<'_>, findings: &mut Findings<'_>) {
     }
 }
 
-/// Whether the mat that is told of can be read.
-fn mat(seen: &Seen<'_>, told: &mut Findings<'_>) {
+/// Whether the given mat can be read.
+fn mat(seen: &Seen<'_>, findings: &mut Findings<'_>) {
     let rig = &seen.photos.rig;
     let Some(tags) = seen.tags.filter(|_| rig.tagged()) else {
         return;
@@ -271,7 +271,7 @@ fn mat(seen: &Seen<'_>, told: &mut Findings<'_>) {
     let ids: BTreeSet<u32> = tags.views.values().flatten().map(|t| t.id).collect();
     let all = rig.mat.map_or(ids.len(), |mat| mat.count as usize);
     if ids.is_empty() {
-        told.put(
+        findings.put(
             Grade::Doubt,
             "a mat is told of, but no tag of it was found",
             "is it in view, in good light, and flat?",
@@ -279,7 +279,7 @@ fn mat(seen: &Seen<'_>, told: &mut Findings<'_>) {
         );
     } else if 2 * read < all {
         // Feet hide some; where most cannot be read it is not the feet.
-        told.put(
+        findings.put(
             Grade::Doubt,
             format!("of the mat's {all} tags only {read} are read on a photo"),
             "they are too small in the picture, blurred or hidden: hand over the camera's own files, come nearer, or print a mat with fewer, larger tags",
