@@ -7,6 +7,7 @@ use engine::cli::Ran;
 use engine::cli::text::short;
 use serde_json::Value;
 use shape::Girths;
+use std::collections::BTreeSet;
 use std::path::Path;
 
 /// The stage whose params are facts of a person.
@@ -62,7 +63,14 @@ fn by_node(ran: &Ran<'_>, girths: Option<&Girths>) -> Vec<(String, String)> {
     let whys: Vec<String> = missing.map(|m| format!(": {}", m.why)).collect();
     let warnings = ran.warnings().into_iter();
     let new = warnings.filter(|(_, warning)| !whys.iter().any(|why| warning.ends_with(why)));
-    new.collect()
+    each_once(new)
+}
+
+/// Warnings by node without those that a node before it has in the same words.
+fn each_once(all: impl Iterator<Item = (String, String)>) -> Vec<(String, String)> {
+    let mut seen = BTreeSet::new();
+    all.filter(|(_, warning)| seen.insert(warning.clone()))
+        .collect()
 }
 
 /// The report with what only the run knows: what its capture is called, its warnings on top, how it was made at the end.
@@ -124,4 +132,16 @@ fn table(record: &Value) -> String {
         env!("CARGO_PKG_VERSION"),
         escaped(&text(&record["about"])),
     )
+}
+
+#[cfg(test)]
+mod tests {
+    #[test]
+    fn what_two_nodes_warn_of_in_the_same_words_is_told_once() {
+        let pair = |node: &str, warning: &str| (node.to_owned(), warning.to_owned());
+        let (first, again) = (pair("placed", "no length"), pair("cameras", "no length"));
+        let other = pair("cameras", "few features");
+        let told = super::each_once([first.clone(), again, other.clone()].into_iter());
+        assert_eq!(told, [first, other]);
+    }
 }

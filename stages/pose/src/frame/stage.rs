@@ -123,6 +123,10 @@ impl Stage for Frame {
             if let Some(pair) = pair {
                 return Ok(without_scale(cameras, ground, pair));
             }
+            // Before there are masks a stature that is given cannot be seen yet.
+            if input.masks.is_none() && rig.stature_mm.is_some() {
+                return Ok(on_ground(cameras, ground, 1.0));
+            }
             ctx.warn("nothing tells of millimetres (no mat or tags of known size, reference, disk or stature that could be seen): lengths are relative to the camera ring's radius, called 1000 mm");
             return Ok(on_ground(cameras, ground, 1.0));
         };
