@@ -30,7 +30,7 @@ pub(crate) fn whole(tab: &mut Tab, name: &str) {
             tab.drawn();
             let wrong = tab.value(include_str!("accessible.js"));
             assert_eq!(wrong, json!([]), "{name} at {size:?}, dark: {dark}");
-            assert_eq!(axe(tab), json!([]), "{name} at {size:?}, dark: {dark}");
+            assert_eq!(tab.axe(), json!([]), "{name} at {size:?}, dark: {dark}");
             keep(
                 tab,
                 &format!("{name}-{}{}", size[0], if dark { "-dark" } else { "" }),
@@ -39,17 +39,6 @@ pub(crate) fn whole(tab: &mut Tab, name: &str) {
     }
     tab.emulate(DESK, false, false);
     tab.drawn();
-}
-
-/// What axe-core finds, where `TAILOR_AXE` names its file.
-fn axe(tab: &mut Tab) -> Value {
-    let Some(file) = std::env::var_os("TAILOR_AXE") else {
-        return json!([]);
-    };
-    tab.value(&format!("{}; 1", std::fs::read_to_string(file).unwrap()));
-    tab.value(
-        "axe.run().then((r) => r.violations.map((v) => v.id + ': ' + v.nodes.map((n) => n.html.slice(0, 90)).join(' | ')))",
-    )
 }
 
 /// Keeps what the page shows, if somebody wants it.

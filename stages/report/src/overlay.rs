@@ -49,8 +49,8 @@ pub(crate) struct Shown<'a> {
 pub(crate) fn figure(shown: &Shown<'_>, girths: &Girths) -> String {
     let [w, h] = shown.size.map(|s| s / shown.factor);
     let mut svg = format!(
-        "<figure data-photo=\"{}\" tabindex=\"0\" role=\"button\" aria-label=\"enlarge {}\">\
-         <svg viewBox=\"0 0 {w} {h}\">",
+        "<figure data-photo=\"{}\">\
+         <svg viewBox=\"0 0 {w} {h}\" tabindex=\"0\" role=\"button\" aria-label=\"enlarge {}\">",
         shown.index,
         escaped(shown.name)
     );

@@ -6,6 +6,7 @@ const enlarge = (i) => {
   open = (i + figures.length) % figures.length;
   const figure = figures[open], picture = figure.querySelector("svg").cloneNode(true);
   const box = picture.viewBox.baseVal;
+  for (const button of ["role", "tabindex", "aria-label"]) picture.removeAttribute(button);
   picture.setAttribute("width", 4 * box.width); picture.setAttribute("height", 4 * box.height);
   element("bigger").replaceChildren(picture);
   element("which").textContent = figure.querySelector("figcaption").textContent;

@@ -1,5 +1,6 @@
 //! All tests of `report` in one program: each takes long to link.
 
+mod accessible;
 mod browser;
 // Tests of other pages use more of it.
 #[allow(dead_code)]

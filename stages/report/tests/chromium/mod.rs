@@ -1,5 +1,7 @@
 //! A headless Chromium driven over its debugging pipe (DevTools protocol).
 
+mod axe;
+
 use serde_json::{Value, json};
 use std::io::{BufRead, BufReader, Write};
 use std::process::{Child, ChildStdin, Command, Stdio};
