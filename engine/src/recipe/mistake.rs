@@ -79,6 +79,11 @@ impl Text {
         (line, before.chars().count() + 1)
     }
 
+    /// Line and column of a byte, from 1.
+    pub(super) fn line_and_column(&self, at: usize) -> (usize, usize) {
+        self.place(at, &self.lines())
+    }
+
     /// The lines of a span alone, with the number of the first, and the span in them: what is shown of many mistakes
     /// takes as long as there are mistakes, and not as long as the text is for each.
     fn around(&self, span: &Range<usize>, lines: &[usize]) -> (&str, usize, Range<usize>) {

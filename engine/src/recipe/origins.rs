@@ -1,7 +1,7 @@
 //! Where the texts of pipelines come from: files, and what the program brings along.
 
-use super::mistake::{Mistake, Text};
-use super::written::Said;
+use super::mistake::{Mistake, Mistakes, Text};
+use super::written::{Recipe, Said};
 use crate::kind::Catalog;
 use crate::system::{bounded, plain_file};
 use std::path::{Path, PathBuf};
@@ -98,4 +98,20 @@ impl Origins {
         }
         Ok((place, text))
     }
+}
+
+/// What is wrong where the last text is no TOML. If another one extends it, that one shows the place alone: the file may
+/// be none of a pipeline, and nothing of it is quoted.
+pub(super) fn no_toml(by: Option<&Recipe>, texts: Vec<Text>, wrong: Vec<Mistake>) -> Mistakes {
+    let Some(by) = by.and_then(|by| by.extends.as_ref()) else {
+        return Mistakes::of(texts, wrong);
+    };
+    let (last, first) = (texts.last(), wrong.first());
+    let place = last.zip(first).and_then(|(text, first)| {
+        let (line, column) = text.line_and_column(first.span.as_ref()?.start);
+        Some(format!(": line {line}, column {column}: {}", first.what))
+    });
+    let what = format!("`{}` is no TOML{}", by.value, place.unwrap_or_default());
+    let mistake = Mistake::at(&by.span, what);
+    Mistakes::of(texts, vec![mistake])
 }

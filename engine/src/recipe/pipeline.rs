@@ -4,7 +4,7 @@ use super::bind::{Beside, bind};
 use super::checked::Checked;
 use super::extend::{extended, trimmed};
 use super::mistake::{Mistake, Mistakes, Text, text_of};
-use super::origins::{Origins, Place};
+use super::origins::{Origins, Place, no_toml};
 use super::read::{read_at, without_stage};
 use super::shared;
 use super::variant::{of_sets, vary};
@@ -151,7 +151,7 @@ impl Pipeline {
             texts.push(text);
             let (recipe, wrong) = match read {
                 Ok(read) => read,
-                Err(wrong) => return Err(Mistakes::of(texts, wrong)),
+                Err(wrong) => return Err(no_toml(layers.last(), texts, wrong)),
             };
             mistakes.extend(wrong);
             if let Some(said) = &recipe.extends {

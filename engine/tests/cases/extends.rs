@@ -197,3 +197,25 @@ fn what_has_no_end_or_is_no_plain_file_is_not_extended() {
         );
     }
 }
+
+#[test]
+fn of_a_file_that_is_no_toml_nothing_is_quoted() {
+    let folder = TempDir::new().unwrap();
+    let path = folder.path().join("own.toml");
+    std::fs::write(
+        folder.path().join("accounts"),
+        "about = \"x\"\nroot:secret:0\n",
+    )
+    .unwrap();
+    std::fs::write(&path, "extends = \"accounts\"\n").unwrap();
+    let read = Pipeline::read(&path, &CATALOG);
+    let read = read.and_then(|read| read.graph(&Overrides::default()));
+    let mistakes = read.err().expect("it is no pipeline");
+    let told = format!("{mistakes}{}", mistakes.json());
+    assert!(
+        told.contains("`accounts` is no TOML: line 2, column 14"),
+        "{told}"
+    );
+    assert!(told.contains("own.toml:1:11"), "{told}");
+    assert!(!told.contains("secret") && !told.contains("root"), "{told}");
+}
