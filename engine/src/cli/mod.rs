@@ -227,7 +227,7 @@ pub fn run<A: Into<OsString> + Clone>(
             (&matches, own),
             (&global, sharing.as_ref()),
         );
-        shared::finish(sharing, name, done, &global)
+        shared::finish(sharing, shared::innermost(&matches), done, &global)
     });
     speech::flush();
     let verb = program.verbs.iter().find(|verb| verb.name == name);

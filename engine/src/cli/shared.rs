@@ -5,6 +5,7 @@ use super::program::GlobalArgs;
 use super::speech::CANCEL;
 use super::text::count;
 use crate::store::remote::{Left, Manner, Objects, Patience, Seal, Sharing};
+use clap::ArgMatches;
 use std::sync::atomic::Ordering;
 use std::time::Duration;
 
@@ -117,6 +118,15 @@ pub(super) fn begin(
         .map_err(Fault::input)
 }
 
+/// The verb of a command line: of those below another one the lower.
+pub(super) fn innermost(matches: &ArgMatches) -> &str {
+    match matches.subcommand() {
+        Some((name, below)) if below.subcommand().is_none() => name,
+        Some((_, below)) => innermost(below),
+        None => "",
+    }
+}
+
 /// Waits for what is being uploaded. A strand is not done before it is.
 pub(super) fn finish(
     sharing: Option<Sharing>,
@@ -163,4 +173,25 @@ fn waits(name: &str, left: &Left) -> String {
         "store {name}: {} could not be uploaded{why}: kept in the cache for the next run or `cache push`",
         count(left.waiting, "result")
     )
+}
+
+#[cfg(test)]
+mod tests {
+    use super::innermost;
+    use clap::Command;
+
+    #[test]
+    fn the_verb_of_a_push_is_push() {
+        let below = Command::new("cache").subcommand(Command::new("push"));
+        let program = Command::new("it")
+            .subcommand(below)
+            .subcommand(Command::new("work"));
+        for (words, verb) in [
+            (&["it", "cache", "push"][..], "push"),
+            (&["it", "work"], "work"),
+        ] {
+            let matches = program.clone().get_matches_from(words);
+            assert_eq!(innermost(&matches), verb);
+        }
+    }
 }
