@@ -47,6 +47,6 @@ pub enum StoreError {
     #[error("{} could not be removed: is it in use, or not yours? What is known of it stays; say it again when that is mended", .0.display())]
     Left(PathBuf),
     /// Not to be swept now.
-    #[error("a run is using the cache at {}: nothing was removed; say it again when the run is done", .0.display())]
+    #[error("a run or an upload is using the cache at {}: nothing was removed; say it again when it is done", .0.display())]
     Busy(PathBuf),
 }

@@ -11,6 +11,7 @@
 //! The files stay: to make and remove one a result costs more than all else around a cheap stage.
 //! There are 4096 of them, so that two results in the making seldom wait for each other's lease.
 
+use super::remote::Paused;
 use super::{Store, files};
 use crate::system::private_file;
 use stage::Hash;
@@ -64,11 +65,14 @@ impl Store {
 
 /// Held while a run uses the store, or while somebody sweeps it. It goes with its process.
 #[derive(Debug)]
-pub struct InUse(Option<File>);
+pub struct InUse {
+    file: Option<File>,
+    _paused: Option<Paused>,
+}
 
 impl Drop for InUse {
     fn drop(&mut self) {
-        let _ = self.0.as_ref().map(File::unlock);
+        let _ = self.file.as_ref().map(File::unlock);
     }
 }
 
@@ -77,22 +81,28 @@ impl Store {
         lock_file(&self.root().join("in-use"))
     }
 
-    /// For a run: side by side with others, but not while somebody sweeps, which is waited for.
+    /// For a run or an upload: side by side with others, but not while somebody sweeps, which is waited for.
     /// On a disk that knows no locks nothing is waited for; what is swept is made again.
     pub fn using(&self) -> InUse {
-        InUse(self.in_use().filter(|file| file.lock_shared().is_ok()))
+        let file = self.in_use().filter(|file| file.lock_shared().is_ok());
+        InUse {
+            file,
+            _paused: None,
+        }
     }
 
-    /// For a sweep: `None` while a run is using the store.
+    /// For a sweep: `None` while a run is using the store, or another process uploads what is in it.
     pub fn alone(&self) -> Option<InUse> {
-        let Some(file) = self.in_use() else {
-            return Some(InUse(None));
+        let _paused = self.link.as_ref().map(Paused::new);
+        let file = match self.in_use() {
+            None => None,
+            Some(file) => match file.try_lock() {
+                Ok(()) => Some(file),
+                Err(TryLockError::WouldBlock) => return None,
+                Err(TryLockError::Error(_)) => None,
+            },
         };
-        match file.try_lock() {
-            Ok(()) => Some(InUse(Some(file))),
-            Err(TryLockError::WouldBlock) => None,
-            Err(TryLockError::Error(_)) => Some(InUse(None)),
-        }
+        Some(InUse { file, _paused })
     }
 }
 
@@ -118,11 +128,11 @@ mod tests {
         let folder = tempfile::tempdir().unwrap();
         let store = Store::open(folder.path()).unwrap();
         let using = store.using();
-        let _copy_of_using = using.0.as_ref().map(|file| file.try_clone().unwrap());
+        let _copy_of_using = using.file.as_ref().map(|file| file.try_clone().unwrap());
         assert!(store.alone().is_none());
         drop(using);
         let alone = store.alone().expect("nobody uses it");
-        let _copy_of_alone = alone.0.as_ref().map(|file| file.try_clone().unwrap());
+        let _copy_of_alone = alone.file.as_ref().map(|file| file.try_clone().unwrap());
         assert!(store.alone().is_none());
         drop(alone);
         assert!(store.alone().is_some());

@@ -64,6 +64,7 @@ pub(super) struct Queue {
     /// Why nothing is uploaded any more.
     pub(super) stopped: Option<String>,
     pub(super) closing: bool,
+    pub(super) paused: usize,
     /// Contents whose blob in the shared store was found wrong: written over.
     pub(super) bad: BTreeSet<[u8; 32]>,
     /// Contents that were not there, though a record names them.

@@ -33,6 +33,7 @@ mod link;
 mod listing;
 mod objects;
 mod patience;
+mod paused;
 mod plans;
 #[cfg(feature = "remote")]
 mod profile;
@@ -61,6 +62,7 @@ pub use objects::{Created, Got, Object, Objects, Trouble};
 pub use patience::Patience;
 #[cfg(test)]
 pub(crate) use patience::working_beside;
+pub(super) use paused::Paused;
 pub use seal::Seal;
 #[cfg(feature = "remote")]
 pub use signature::{Keys, keygen};

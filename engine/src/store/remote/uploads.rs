@@ -177,17 +177,23 @@ impl Drop for Sharing {
 fn work(store: &Store, link: &Link) {
     beside();
     while let Some(key) = next(store, link, true) {
-        let came = upload(store, link, key);
-        noted(store, link, key, came);
+        one(store, link, key);
     }
+}
+
+/// Uploads one result. Nobody sweeps meanwhile: what is forgotten is not put there again.
+fn one(store: &Store, link: &Link, key: Hash) {
+    let using = store.using();
+    let came = upload(store, link, key);
+    drop(using);
+    noted(store, link, key, came);
 }
 
 /// As a thread beside the work, until there is nothing more to be done at once.
 #[cfg(test)]
 pub(crate) fn drain(store: &Store, link: &Link) {
     while let Some(key) = next(store, link, false) {
-        let came = upload(store, link, key);
-        noted(store, link, key, came);
+        one(store, link, key);
     }
 }
 
@@ -200,7 +206,7 @@ fn next(store: &Store, link: &Link, wait: bool) -> Option<Hash> {
         }
         let rests = link.rests_until().filter(|_| queue.stopped.is_none());
         let rests = rests.map(|until| until.saturating_duration_since(clock::instant()));
-        if rests.is_none() && queue.stopped.is_none() {
+        if rests.is_none() && queue.stopped.is_none() && queue.paused == 0 {
             if let Some(key) = queue.keys.pop_front() {
                 queue.running += 1;
                 return Some(Hash::from_bytes(key));
