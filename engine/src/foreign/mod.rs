@@ -18,6 +18,8 @@ pub(crate) mod leftover;
 pub mod listing;
 mod permit;
 mod places;
+#[cfg(test)]
+mod pretended;
 mod program;
 mod reads;
 mod resident;
@@ -45,6 +47,8 @@ pub(crate) use permit::permissions_here;
 pub use permit::{
     PermitError, Settled, allow, is_allowed, keep_permissions_in, permissions, settle,
 };
+#[cfg(test)]
+pub(crate) use pretended::{Pretended, pretend};
 pub use program::{Granted, Program, Script};
 pub use sandbox::{Sandbox, require_sandbox, sandbox};
 pub use stage::{EXEC, VERSION, laid_out};

@@ -1,20 +1,18 @@
 //! What is done in a story, by the engine's own functions.
 
 use super::mishaps;
-use super::oracle;
+use super::oracle::{self, Made, Of};
 use super::oracle_there::{self, There};
-use super::process::{Hasty, Process, options};
+use super::process::Process;
+use super::programs::{BAD, program};
 use super::story::{Act, What};
-use super::trade::{overrides, program, trade};
+use super::working::{came, one_strand, plan, ran, run, work};
 use super::world::World;
 use crate::done::Status;
-use crate::foreign;
-use crate::outcome::Outcome;
-use crate::session::{self, EngineError};
+use crate::session::EngineError;
 use crate::store::keeper::{self, Budget};
 use crate::store::remote::{drain, working_beside};
 use crate::store::{self, Store};
-use crate::strands::{self, Plan};
 use std::sync::Arc;
 use std::sync::atomic::Ordering;
 
@@ -22,13 +20,16 @@ use std::sync::atomic::Ordering;
 pub(super) fn act(world: &World, act: &Act, process: &Arc<Process>) -> String {
     let machine = &world.machines[act.machine];
     let waits = machine.sweeping.get() > 0;
-    if matches!(act.what, What::Run { .. } | What::Work { .. }) {
+    if runs(&act.what) {
         oracle_there::used(world);
     }
     match &act.what {
-        What::Run { .. } | What::Work { .. } if waits => "waits".into(),
+        what if waits && runs(what) => "waits".into(),
         What::Run { capture, n } => run(world, process, *capture, *n),
         What::Work { capture, n } => work(world, process, *capture, *n),
+        What::Plan { capture, n } => plan(world, process, *capture, *n),
+        What::Strand { strand } => one_strand(world, process, *strand),
+        What::Upload if waits => "waits".into(),
         What::Upload => upload(world, process),
         What::Gc { most, keep } => gc(world, process, *most, *keep),
         What::Forget { capture } => forget(world, process, *capture),
@@ -38,9 +39,18 @@ pub(super) fn act(world: &World, act: &Act, process: &Arc<Process>) -> String {
         }),
         What::Verify => with(world, process, |store| keeper::verify(store).to_string()),
         What::SweepStore { older_s } => sweep_store(world, process, *older_s),
-        What::Ask { program } => ask(world, process, *program),
+        What::Ask { program, capture } => ask(world, process, *program, *capture),
         other => mishaps::happens(world, act.machine, other),
     }
+}
+
+/// Whether it runs stages.
+fn runs(what: &What) -> bool {
+    use What::{Ask, Plan, Run, Strand, Work};
+    matches!(
+        what,
+        Run { .. } | Work { .. } | Plan { .. } | Strand { .. } | Ask { .. }
+    )
 }
 
 fn with(world: &World, process: &Arc<Process>, act: impl FnOnce(&Store) -> String) -> String {
@@ -48,76 +58,6 @@ fn with(world: &World, process: &Arc<Process>, act: impl FnOnce(&Store) -> Strin
         Ok(store) => act(&store),
         Err(why) => format!("no store: {why}"),
     }
-}
-
-/// Runs the pipeline of a number on a capture.
-pub(super) fn run(world: &World, process: &Arc<Process>, capture: usize, n: usize) -> String {
-    let (m, trade) = (process.machine, trade());
-    let machine = &world.machines[m];
-    let store = match world.store(process) {
-        Ok(store) => store,
-        Err(why) => return format!("no store: {why}"),
-    };
-    machine.known.borrow_mut().touched(capture);
-    let (graph, hasty) = (trade.graph(n), Hasty::default());
-    let (folders, options) = (world.folders(m, capture), options(&machine.root));
-    let ran = session::run_in(
-        store,
-        graph,
-        &folders,
-        &graph.goal,
-        &options,
-        &hasty,
-        &hasty.0,
-    );
-    match ran {
-        Ok(outcome) => {
-            oracle::right(world, m, (capture, n), &outcome);
-            came(&outcome)
-        }
-        Err(why) => format!("{why}"),
-    }
-}
-
-/// What came of each node.
-fn came(outcome: &Outcome) -> String {
-    let word = |done: &crate::done::Done| match &done.status {
-        Status::Failed(why) => format!("failed ({why})"),
-        status => status.word().to_owned(),
-    };
-    let words: Vec<String> = outcome.nodes.iter().flatten().map(word).collect();
-    words.join(" ")
-}
-
-/// The same, strand by strand, by a plan.
-fn work(world: &World, process: &Arc<Process>, capture: usize, n: usize) -> String {
-    let (m, trade) = (process.machine, trade());
-    let machine = &world.machines[m];
-    machine.known.borrow_mut().touched(capture);
-    let worked = || -> Result<String, String> {
-        let store = world.store(process)?;
-        let points = [(overrides(n), world.folders(m, capture))];
-        let asked = strands::Asked {
-            pipeline: &trade.pipeline,
-            points: &points,
-            nodes: &[],
-        };
-        let told = |why: &dyn std::fmt::Display| why.to_string();
-        let plan = strands::planned(&asked, "sim 1", &store).map_err(|why| told(&why))?;
-        let name = plan.write(&store).map_err(|why| told(&why))?;
-        let (_, plan) = Plan::read(&store, &name).map_err(|why| told(&why))?;
-        let mut text = String::new();
-        for strand in 0..plan.strands.len() {
-            let (store, hasty) = (world.store(process)?, Hasty::default());
-            let of = (&plan, strand, &trade.pipeline);
-            let worked = strands::work_in(store, of, &options(&machine.root), &hasty, &hasty.0);
-            let worked = worked.map_err(|why| told(&why))?;
-            oracle::right(world, m, (capture, n), &worked.outcome);
-            text += &format!("[{}]", came(&worked.outcome));
-        }
-        Ok(text)
-    };
-    worked().unwrap_or_else(|why| why)
 }
 
 /// Uploads what waits.
@@ -135,6 +75,8 @@ pub(super) fn upload(world: &World, process: &Arc<Process>) -> String {
         Err(why) => return why,
     };
     oracle_there::uploaded(world, process.machine);
+    let uploads = &world.machines[process.machine].uploads;
+    uploads.set(uploads.get() + 1);
     link.look_for_more();
     working_beside(|| drain(&store, &link));
     "uploaded".into()
@@ -149,7 +91,7 @@ fn gc(world: &World, process: &Arc<Process>, most: u64, keep: usize) -> String {
         let budget = Budget {
             most,
             keep_runs: keep,
-            keep_records: 2,
+            keep_records: keep,
         };
         let swept = keeper::gc(store, &budget, false);
         oracle::swept(world, machine, &before, in_use, swept.is_ok());
@@ -214,43 +156,36 @@ fn sweep_store(world: &World, process: &Arc<Process>, older_s: u64) -> String {
 }
 
 /// Wants what a program makes; none runs that was not allowed.
-fn ask(world: &World, process: &Arc<Process>, number: usize) -> String {
-    let machine = &world.machines[process.machine];
+fn ask(world: &World, process: &Arc<Process>, number: usize, capture: usize) -> String {
+    let m = process.machine;
+    let machine = &world.machines[m];
     let graph = program(number);
-    let nodes = crate::walk::all(&graph, &graph.goal);
-    foreign::permissions_here(Some(machine.state.clone()));
-    let granted = machine.known.borrow().granted.contains(&number);
-    with(world, process, |store| {
-        if granted {
-            // It would be run outside of the simulation: only asked.
-            let settled = foreign::settle(&graph, &nodes, store, &|| false);
-            if !settled.refused.is_empty() {
-                world.broken("a program that was allowed is refused");
-            }
-            return "may run".into();
+    let granted = || machine.known.borrow().granted.contains(&number);
+    machine.known.borrow_mut().touched(capture);
+    let before = granted();
+    let ran = ran(world, process, (&graph, capture));
+    // Others may change that meanwhile.
+    let (always, ever) = (before && granted(), before || granted());
+    match ran {
+        Err(why) => why,
+        Ok(Err(EngineError::NotAllowed(_))) if !always => "refused".into(),
+        Ok(Err(EngineError::NotAllowed(_))) => {
+            world.broken("a program that was allowed is refused");
+            "refused".into()
         }
-        let again = match world.opened(process, None) {
-            Ok(again) => again,
-            Err(why) => return why,
-        };
-        let (hasty, folders) = (Hasty::default(), world.folders(process.machine, 0));
-        let options = options(&machine.root);
-        let ran = session::run_in(
-            again,
-            &graph,
-            &folders,
-            &graph.goal,
-            &options,
-            &hasty,
-            &hasty.0,
-        );
-        match ran {
-            Err(EngineError::NotAllowed(_)) => "refused".into(),
-            Err(why) => why.to_string(),
-            Ok(_) => {
+        Ok(Err(why)) => why.to_string(),
+        Ok(Ok(outcome)) => {
+            let executed = |done: &crate::done::Done| matches!(done.status, Status::Executed);
+            if !ever {
                 world.broken("a program runs that was not allowed");
-                "ran".into()
             }
+            if number == BAD && outcome.nodes.iter().flatten().any(executed) {
+                world.broken("a link among a program's results is taken for one");
+            }
+            let folder = &machine.captures[capture];
+            let of = Of::Program(number);
+            oracle::right(world, m, Made { folder, of }, &outcome);
+            came(&outcome)
         }
-    })
+    }
 }

@@ -34,16 +34,17 @@ pub(super) fn files(folder: &Path) -> Files {
     }
 }
 
-/// Words that nothing has but a capture of this number: its photos, its folder.
-pub(super) fn needles(capture: usize) -> [String; 2] {
+/// Words that nothing has but a capture of this number: its photos, its folder on a machine.
+pub(super) fn needles(machine: usize, capture: usize) -> [String; 2] {
     [
         format!("needle-photo-{capture}-"),
-        format!("needle-name-{capture}-"),
+        format!("machine-{machine}/needle-name-{capture}-"),
     ]
 }
 
 /// Whether a word is among some bytes.
 pub(super) fn has(bytes: &[u8], needle: &str) -> bool {
     let needle = needle.as_bytes();
-    bytes.windows(needle.len()).any(|window| window == needle)
+    let mut all = bytes.windows(needle.len());
+    all.any(|window| window[0] == needle[0] && window == needle)
 }

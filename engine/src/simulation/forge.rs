@@ -17,6 +17,7 @@ pub(super) fn forge(
     (capture, n, node): (usize, usize, usize),
     signed: bool,
 ) -> Option<()> {
+    world.wanted.set((capture, n));
     let process = Process::sound(machine);
     let trade = trade();
     let files = captures::files(&world.machines[machine].captures[capture]);
@@ -51,7 +52,7 @@ pub(super) fn forge(
     world.server.objects.lock().ok()?.remove(&object);
     store.create_record(key, &record).ok()?;
     working_beside(|| drain(&store, &link));
-    world.forged.set(true);
+    world.forged.set(world.forged.get() + 1);
     oracle_there::used(world);
     Some(())
 }

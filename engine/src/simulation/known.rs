@@ -18,6 +18,8 @@ pub(super) struct Known {
     pub(super) harmed: bool,
     /// Keys and contents of what it made itself, worth a sync.
     pub(super) durable: BTreeSet<(String, String)>,
+    /// What the captures were when runs on them came to their end, by their place: contents, hexadecimal.
+    pub(super) noted: BTreeMap<usize, BTreeSet<String>>,
     /// Captures that it forgot, and has not been asked for since.
     pub(super) forgotten: BTreeSet<usize>,
 }
@@ -27,7 +29,14 @@ impl Known {
     pub(super) fn lost(&mut self) {
         self.runs.clear();
         self.durable.clear();
+        self.noted.clear();
         self.harmed = true;
+    }
+
+    /// A capture is forgotten.
+    pub(super) fn gone(&mut self, capture: usize) {
+        self.noted.remove(&capture);
+        self.forgotten.insert(capture);
     }
 
     /// A capture is used.

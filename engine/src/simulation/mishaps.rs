@@ -3,9 +3,9 @@
 use super::disk::{lose_power, written};
 use super::forge;
 use super::oracle;
+use super::programs::program;
 use super::server::spoilt;
-use super::story::What;
-use super::trade::program;
+use super::story::{Use, What};
 use super::world::World;
 use crate::clock::simulated;
 use crate::foreign;
@@ -44,6 +44,11 @@ pub(super) fn happens(world: &World, m: usize, what: &What) -> String {
             world.server.how.store(*how, Ordering::Relaxed);
             world.server.harmed.store(true, Ordering::Relaxed);
         }
+        What::Sign => {
+            if !matches!(machine.uses.get(), Use::Alone) {
+                machine.uses.set(Use::Strict);
+            }
+        }
         What::Edit { capture } => {
             let path = machine.captures[*capture].join("0.jpg");
             let mut bytes = std::fs::read(&path).expect("a photo");
@@ -67,7 +72,6 @@ pub(super) fn happens(world: &World, m: usize, what: &What) -> String {
 /// What the user allows, and what others would like to.
 fn permission(world: &World, m: usize, what: &What) -> String {
     let machine = &world.machines[m];
-    foreign::permissions_here(Some(machine.state.clone()));
     let (number, allow) = match what {
         What::Allow { program } => (*program, true),
         What::Revoke { program } | What::Plant { program } => (*program, false),
@@ -82,7 +86,9 @@ fn permission(world: &World, m: usize, what: &What) -> String {
         }
         return format!("{}", allowed.is_ok());
     }
-    let (_, asked) = foreign::programs(&graph, &nodes).next().expect("a program");
+    let (_, asked) = foreign::programs(&graph, &nodes)
+        .next()
+        .expect("a program");
     let name = asked.permission().to_hex();
     let folder = foreign::permissions(asked).expect("a folder");
     match what {
@@ -115,7 +121,8 @@ fn spoil(world: &World, m: usize, file: u64, how: u64) -> String {
     let machine = &world.machines[m];
     let named = |path: &std::path::PathBuf| {
         let name = path.file_name().and_then(|name| name.to_str());
-        let written = machine.active.get() > 1 && path.starts_with(machine.root.join("tmp"));
+        let written = ["tmp", "exec"].map(|folder| path.starts_with(machine.root.join(folder)));
+        let written = machine.active.get() > 1 && written.contains(&true);
         let lock = path.starts_with(machine.root.join("lease"));
         !matches!(name, Some("format" | "in-use")) && !lock && !written
     };

@@ -17,12 +17,14 @@ impl World {
         process: &Arc<Process>,
     ) -> std::result::Result<Option<Arc<Link>>, String> {
         let machine = &self.machines[process.machine];
-        let seal = match machine.setup.uses {
+        let (own, all) = (process.machine, self.machines.len());
+        let seal = match machine.uses.get() {
             Use::Alone => return Ok(None),
-            Use::Strict => Some(Seal::of(process.machine, self.machines.len()).boxed()),
+            Use::Strict => Some(Seal::of(own, all).boxed()),
+            Use::Believing => Some(Seal::of(own, all).and_strangers().boxed()),
             Use::Open | Use::ReadOnly => None,
         };
-        let read_only = machine.setup.uses == Use::ReadOnly;
+        let read_only = matches!(machine.uses.get(), Use::ReadOnly | Use::Believing);
         let made = self
             .server
             .objects

@@ -3,7 +3,8 @@
 use super::captures::{files, has, needles};
 use super::oracle_there::{self, There};
 use super::process::{Hasty, Process, options};
-use super::story::{CAPTURES, NUMBERS, Use};
+use super::programs::makes;
+use super::story::Use;
 use super::trade::trade;
 use super::world::{Machine, World};
 use crate::done::Status;
@@ -12,19 +13,44 @@ use crate::own;
 use crate::past;
 use crate::store::{Forgotten, Store, StoreError, below, keeper};
 use stage::Hash;
+use std::path::Path;
 use std::sync::atomic::Ordering;
 
+/// What a run makes.
+#[derive(Clone, Copy)]
+pub(super) enum Of {
+    /// What the pipeline of a number makes.
+    Number(usize),
+    /// What a program makes.
+    Program(usize),
+}
+
+/// What a run makes, of which folder.
+#[derive(Clone, Copy)]
+pub(super) struct Made<'a> {
+    pub(super) folder: &'a Path,
+    pub(super) of: Of,
+}
+
 /// A run's results are those of its pipeline, unless somebody is believed who is not to be.
-pub(super) fn right(world: &World, m: usize, (capture, n): (usize, usize), outcome: &Outcome) {
+pub(super) fn right(world: &World, m: usize, made: Made<'_>, outcome: &Outcome) {
     let machine = &world.machines[m];
-    let files = files(&machine.captures[capture]);
+    let files = files(made.folder);
     if outcome.inputs != [stage::content(&files)] {
         // Edited meanwhile.
         return;
     }
-    let open = matches!(machine.setup.uses, Use::Open | Use::ReadOnly);
-    if !(open && world.forged.get()) {
-        let made = trade().expected(n, &files);
+    let own = machine.captures.iter().position(|own| own == made.folder);
+    if let Some(capture) = own.filter(|_| !machine.known.borrow().harmed) {
+        let content = stage::content(&files).to_hex().to_string();
+        let noted = &mut machine.known.borrow_mut().noted;
+        noted.entry(capture).or_default().insert(content);
+    }
+    if !(machine.believed_all.get() && world.forged.get() > 0) {
+        let made = match made.of {
+            Of::Number(n) => trade().expected(n, &files),
+            Of::Program(number) => makes(number, &files),
+        };
         for (i, done) in outcome.nodes.iter().enumerate() {
             let content = done.as_ref().and_then(|done| done.content);
             if content.is_some_and(|content| content != blake3::hash(&made[i])) {
@@ -133,11 +159,11 @@ pub(super) fn forgotten(
     }
     if machine.active.get() == 1 {
         clean(world, m, capture);
-        machine.known.borrow_mut().forgotten.insert(capture);
+        machine.known.borrow_mut().gone(capture);
     }
     let all: usize = world.machines.iter().map(|m| m.active.get()).sum();
     let others = all == machine.active.get();
-    let shared = matches!(machine.setup.uses, Use::Open | Use::Strict);
+    let shared = matches!(machine.uses.get(), Use::Open | Use::Strict);
     if shared && others && !lied {
         there.gone(world, m, capture);
     }
@@ -147,7 +173,10 @@ pub(super) fn forgotten(
 fn clean(world: &World, m: usize, capture: usize) {
     for path in below(&world.machines[m].root) {
         let bytes = std::fs::read(&path).unwrap_or_default();
-        for needle in needles(capture).iter().filter(|needle| has(&bytes, needle)) {
+        for needle in needles(m, capture)
+            .iter()
+            .filter(|needle| has(&bytes, needle))
+        {
             let path = path.display();
             world.broken(&format!("forgotten, and {needle} is left in {path}"));
         }
@@ -168,14 +197,15 @@ pub(super) fn end(world: &World) {
     }
     for (m, machine) in world.machines.iter().enumerate() {
         let process = Process::sound(m);
-        for capture in 0..CAPTURES {
-            last(world, m, capture, capture % NUMBERS);
-        }
+        let (capture, n) = world.wanted.get();
+        last(world, m, capture, n);
         let store = match world.store(&process) {
             Ok(store) => store,
             Err(why) => return world.broken(&format!("machine {m} has no store: {why}")),
         };
-        keeper::verify(&store);
+        if machine.known.borrow().harmed {
+            keeper::verify(&store);
+        }
         let bad = keeper::verify(&store);
         let strange = own::stranger(&machine.root);
         if bad > 0 || strange.is_some() {
@@ -208,7 +238,9 @@ fn last(world: &World, m: usize, capture: usize, n: usize) {
         Ok(outcome) => outcome,
         Err(why) => return world.broken(&format!("machine {m}: the last run: {why}")),
     };
-    right(world, m, (capture, n), &outcome);
+    let of = Of::Number(n);
+    let folder = &machine.captures[capture];
+    right(world, m, Made { folder, of }, &outcome);
     for (i, done) in outcome.nodes.iter().enumerate() {
         let Some(done) = done else { continue };
         let content = done.content.filter(|content| is_there(machine, *content));

@@ -1,6 +1,9 @@
 //! What must hold of the store that machines share, once a capture is forgotten.
 
 use super::captures::{files, has, needles};
+use super::gone::Gone;
+use super::story::NUMBERS;
+use super::trade::trade;
 use super::world::World;
 use crate::store::remote::readable;
 use stage::Hash;
@@ -13,15 +16,19 @@ pub(super) struct There {
     mine: BTreeSet<String>,
     /// Objects that cannot be read.
     broken: BTreeSet<String>,
+    /// The contents of the capture and of all that comes of it, hexadecimal.
+    contents: BTreeSet<String>,
+    put_by_others: u32,
 }
 
 impl There {
     /// Of a capture that a machine noted.
     pub(super) fn of(world: &World, m: usize, capture: usize) -> There {
         let machine = &world.machines[m];
-        let content = stage::content(&files(&machine.captures[capture])).to_hex();
+        let photos = files(&machine.captures[capture]);
+        let content = stage::content(&photos).to_hex();
         let note = std::fs::read(machine.root.join("captures").join(content.as_str()));
-        let noted = note.is_ok_and(|note| has(&note, &needles(capture)[1]));
+        let noted = note.is_ok_and(|note| has(&note, &needles(m, capture)[1]));
         let objects = world.server.objects.lock().expect("one thread");
         let (mut records, mut broken) = (BTreeMap::new(), BTreeSet::new());
         for (name, (bytes, _)) in objects.iter().filter(|(name, _)| name.starts_with("ac/")) {
@@ -34,10 +41,14 @@ impl There {
                 None => _ = broken.insert(name.clone()),
             }
         }
-        let mut contents = BTreeSet::from([content.to_string()]);
+        let known = machine.known.borrow();
+        let mut contents = known.noted.get(&capture).cloned().unwrap_or_default();
+        if noted {
+            contents.insert(content.to_string());
+        }
         let mut mine = BTreeSet::new();
         let mut before = usize::MAX;
-        while noted && mine.len() != before {
+        while mine.len() != before {
             before = mine.len();
             for (name, record) in &records {
                 let of_it = |(what, value): &(String, String)| {
@@ -55,11 +66,29 @@ impl There {
         let blobs = own.iter().map(|(_, record)| blob(record));
         let blobs: Vec<String> = blobs.filter(|blob| !stay.contains(blob)).collect();
         mine.extend(blobs);
-        There { mine, broken }
+        if noted {
+            let made = (0..NUMBERS).map(|n| trade().expected(n, &photos));
+            let made = made.flat_map(|made| {
+                made.iter()
+                    .map(|bytes| blake3::hash(bytes))
+                    .collect::<Vec<_>>()
+            });
+            contents.extend(made.map(|content| content.to_hex().to_string()));
+        }
+        There {
+            mine,
+            broken,
+            contents,
+            put_by_others: world.put_by_others(m),
+        }
     }
 
     /// It is gone now; what could not be read is gone or was said.
     pub(super) fn gone(&self, world: &World, m: usize, capture: usize) {
+        if world.put_by_others(m) > self.put_by_others {
+            // Somebody else put something there meanwhile.
+            return;
+        }
         let objects = world.server.objects.lock().expect("one thread").clone();
         for name in self.mine.iter().filter(|name| objects.contains_key(*name)) {
             world.broken(&format!("forgotten, and left in the shared store: {name}"));
@@ -69,7 +98,7 @@ impl There {
             .iter()
             .filter(|name| objects.contains_key(*name))
         {
-            if needles(capture)
+            if needles(m, capture)
                 .iter()
                 .any(|needle| has(&objects[name].0, needle))
             {
@@ -85,17 +114,31 @@ impl There {
                 world.broken(&format!("forgotten, and a plan is left: {name}"));
             }
         }
-        let mine = self.mine.iter().map(|name| (name.clone(), m));
-        world.forgotten_there.borrow_mut().extend(mine);
+        let gone = Gone {
+            machine: m,
+            contents: self.contents.clone(),
+            left: objects.into_keys().collect(),
+        };
+        world.forgotten_there.borrow_mut().push(gone);
     }
 }
 
 /// What was forgotten has not come back by itself.
 pub(super) fn still_gone(world: &World) {
     let objects = world.server.objects.lock().expect("one thread").clone();
-    for (name, m) in world.forgotten_there.take() {
-        if objects.contains_key(&name) {
-            world.broken(&format!("machine {m} forgot {name}, and it is there again"));
+    for gone in world.forgotten_there.take() {
+        for (name, (bytes, _)) in objects.iter().filter(|(name, _)| name.starts_with("ac/")) {
+            let key = name.rsplit('/').next();
+            let key = key.and_then(|hex| Hash::from_hex(hex).ok());
+            let record = key.and_then(|key| readable(bytes, key));
+            let of_it = |(what, value): &(String, String)| {
+                what.starts_with("from ") && gone.contents.contains(value)
+            };
+            let comes = record.is_some_and(|record| record.provenance.iter().any(of_it));
+            if comes && !gone.left.contains(name) {
+                let m = gone.machine;
+                world.broken(&format!("machine {m} forgot {name}, and it is there again"));
+            }
         }
     }
 }
@@ -109,5 +152,5 @@ pub(super) fn used(world: &World) {
 pub(super) fn uploaded(world: &World, m: usize) {
     let lied = world.server.lies.load(Ordering::Relaxed) > 0;
     let mut all = world.forgotten_there.borrow_mut();
-    all.retain(|_, of| *of == m && !lied);
+    all.retain(|gone| gone.machine == m && !lied);
 }

@@ -11,8 +11,8 @@ use std::time::Duration;
 pub(super) trait Around {
     /// One step of a process: time passes, others act, it is killed, or the step fails.
     fn step(&self, process: &Arc<Process>, grows: bool) -> Result<()>;
-    /// A stage works: time passes, and others may act.
-    fn works(&self, stage: &str, takes_s: u32, text: &[u8]);
+    /// A stage works: time passes, and others may act; whether its process is alive.
+    fn works(&self, stage: &str, takes_s: u32, text: &[u8]) -> bool;
     /// How much time has passed, if a process's network is not cut.
     fn passed(&self, process: &Process) -> Option<Duration>;
 }
@@ -40,10 +40,9 @@ pub(super) fn step(process: &Arc<Process>, grows: bool) -> Result<()> {
 }
 
 /// [`Around::works`] of the story that goes on, if one does.
-pub(super) fn works(stage: &str, takes_s: u32, text: &[u8]) {
-    if let Some(around) = around().filter(|_| !QUIET.get()) {
-        around.works(stage, takes_s, text);
-    }
+pub(super) fn works(stage: &str, takes_s: u32, text: &[u8]) -> bool {
+    let around = around().filter(|_| !QUIET.get());
+    around.is_none_or(|around| around.works(stage, takes_s, text))
 }
 
 /// [`Around::passed`] of the story that goes on.

@@ -181,6 +181,12 @@ impl Seal {
         }
     }
 
+    /// The same, who trusts the stranger, too.
+    pub(super) fn and_strangers(mut self) -> Seal {
+        self.trusted.push("stranger".into());
+        self
+    }
+
     /// A stranger's.
     pub(super) fn stranger() -> Seal {
         Seal {

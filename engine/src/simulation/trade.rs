@@ -14,7 +14,7 @@ use std::rc::Rc;
 use std::sync::Arc;
 
 /// A text.
-pub(super) struct Text(Vec<u8>);
+pub(super) struct Text(pub(super) Vec<u8>);
 
 impl Artifact for Text {
     const KIND: &'static str = "text";
@@ -107,14 +107,16 @@ impl Stage for Large {
     type Output = Text;
     fn run(p: &Number, input: FromTexts, _: &Ctx<'_>) -> Result<Text, Stop> {
         seam::works("large", p.takes_s, &input.a.0);
-        let text = input.a.0.iter().copied().cycle();
-        Ok(Text(text.take(66 << 10).collect()))
+        let most = 66 << 10;
+        let mut text = input.a.0.repeat(most / input.a.0.len().max(1) + 1);
+        text.truncate(most);
+        Ok(Text(text))
     }
 }
 
 static STAGES: &[&dyn AnyStage] = &[&erase::<Read>(), &erase::<Join>(), &erase::<Large>()];
 
-static CATALOG: Catalog = Catalog {
+pub(super) static CATALOG: Catalog = Catalog {
     program: "sim 1",
     rooms: &[STAGES],
     pipelines: &[],
@@ -148,7 +150,7 @@ with = { n = 7 }
 "#;
 
 /// The bytes of each node's result.
-type Results = Rc<Vec<Vec<u8>>>;
+pub(super) type Results = Rc<Vec<Vec<u8>>>;
 
 /// The pipelines that the stories know, made once.
 pub(super) struct Trade {
@@ -213,15 +215,4 @@ thread_local! {
 
 pub(super) fn trade() -> Rc<Trade> {
     TRADE.with(Rc::clone)
-}
-
-/// The graph of a program of a number, whom nobody asked yet.
-pub(super) fn program(number: usize) -> Graph {
-    let text = format!(
-        "goal = \"it\"\n[input.turn]\nfiles = \"*.jpg\"\n[node.it]\nstage = \"exec\"\n\
-         command = [\"no-such-program\", \"--number\", \"{number}\", \"{{from.turn}}\", \"{{out}}\"]\n\
-         from = {{ turn = \"@turn\" }}\nout = \"text\"\n"
-    );
-    let pipeline = Pipeline::of_text("program.toml", &text, &CATALOG).expect("a pipeline");
-    pipeline.graph(&Overrides::default()).expect("a graph")
 }

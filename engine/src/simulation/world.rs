@@ -2,14 +2,14 @@
 
 use super::captures::photos;
 use super::disk::Steps;
+use super::gone::Gone;
 use super::known::Known;
 use super::process::{Killed, Process};
 use super::seam::Around;
 use super::server::Server;
-use super::story::{Act, CAPTURES, Setup, Story};
+use super::story::{Act, CAPTURES, Setup, Story, Use};
 use crate::clock::simulated::{self, Time};
 use std::cell::{Cell, RefCell};
-use std::collections::BTreeMap;
 use std::io::{Error, ErrorKind, Result};
 use std::panic::AssertUnwindSafe;
 use std::path::PathBuf;
@@ -17,9 +17,17 @@ use std::sync::Arc;
 use std::sync::atomic::Ordering;
 use std::time::Duration;
 
+/// What a stage or a program does takes as long as so many steps of a disk: most who are killed are killed at work.
+const WORK_STEPS: u32 = 10;
+
 /// A machine.
 pub(super) struct Machine {
     pub(super) setup: Setup,
+    pub(super) uses: Cell<Use>,
+    /// How often it began to upload.
+    pub(super) uploads: Cell<u32>,
+    /// Whether it ever believed those whom nobody is to believe.
+    pub(super) believed_all: Cell<bool>,
     pub(super) root: PathBuf,
     pub(super) state: PathBuf,
     pub(super) captures: Vec<PathBuf>,
@@ -35,6 +43,15 @@ pub(super) struct Machine {
     pub(super) known: RefCell<Known>,
 }
 
+/// A plan that a machine made.
+#[derive(Clone)]
+pub(super) struct Planned {
+    pub(super) name: String,
+    pub(super) machine: usize,
+    pub(super) capture: usize,
+    pub(super) n: usize,
+}
+
 /// What does an act of a process, and says what came of it.
 type Does = fn(&World, &Act, &Arc<Process>) -> String;
 
@@ -42,10 +59,14 @@ type Does = fn(&World, &Act, &Arc<Process>) -> String;
 pub(super) struct World {
     pub(super) machines: Vec<Machine>,
     pub(super) server: Arc<Server>,
-    /// Whether somebody put results of their own into the shared store.
-    pub(super) forged: Cell<bool>,
-    /// Objects of the shared store that a machine forgot, and nobody made since.
-    pub(super) forgotten_there: RefCell<BTreeMap<String, usize>>,
+    /// How often somebody put results of their own into the shared store.
+    pub(super) forged: Cell<u32>,
+    /// What was wanted last: of a capture, with a number.
+    pub(super) wanted: Cell<(usize, usize)>,
+    /// The plan whose strands are made.
+    pub(super) plan: RefCell<Option<Planned>>,
+    /// What of the shared store machines forgot, and nobody made since.
+    pub(super) forgotten_there: RefCell<Vec<Gone>>,
     /// What does an act, and says what came of it.
     act: Does,
     late: bool,
@@ -72,6 +93,9 @@ impl World {
             let captures = (0..CAPTURES).map(|c| at.join(format!("needle-name-{c}-")));
             let machine = Machine {
                 setup: setup.clone(),
+                uses: Cell::new(setup.uses),
+                uploads: Cell::new(0),
+                believed_all: Cell::new(!matches!(setup.uses, Use::Alone | Use::Strict)),
                 root: at.join("cache"),
                 state: at.join("state"),
                 captures: captures.collect(),
@@ -94,7 +118,9 @@ impl World {
         let world = World {
             machines,
             server: Arc::new(Server::new(story.honest)),
-            forged: Cell::new(false),
+            forged: Cell::new(0),
+            wanted: Cell::new((0, 0)),
+            plan: RefCell::default(),
             forgotten_there: RefCell::default(),
             act,
             late: story.late,
@@ -115,10 +141,21 @@ impl World {
             1_000_000_000
         };
         let machine = &self.machines[machine];
+        crate::foreign::permissions_here(Some(machine.state.clone()));
         let drift = passed.as_nanos() as i128 * i128::from(machine.setup.drift) / 1_000_000;
         let ahead_s = i128::from(machine.ahead_s.get());
         let wall_ns = (begin_s + ahead_s) * 1_000_000_000 + passed.as_nanos() as i128 + drift;
         simulated::set(Some(Time { wall_ns, passed }));
+    }
+
+    /// How often others than a machine began to put something into the shared store.
+    pub(super) fn put_by_others(&self, m: usize) -> u32 {
+        let others = self
+            .machines
+            .iter()
+            .enumerate()
+            .filter(|(other, _)| *other != m);
+        others.map(|(_, other)| other.uploads.get()).sum::<u32>() + self.forged.get()
     }
 
     /// How much time has passed.
@@ -225,9 +262,9 @@ impl Around for World {
         }
     }
 
-    fn works(&self, stage: &str, takes_s: u32, text: &[u8]) {
+    fn works(&self, stage: &str, takes_s: u32, text: &[u8]) -> bool {
         let process = PROCESSES.with_borrow(|all| all.last().cloned());
-        let Some(process) = process else { return };
+        let Some(process) = process else { return true };
         let machine = &self.machines[process.machine];
         let what = format!("{stage} {}", blake3::hash(text).to_hex());
         // Who cannot make the file of a lease works without one.
@@ -238,13 +275,15 @@ impl Around for World {
         }
         machine.working.set(machine.working.get() + 1);
         simulated::pass(Duration::from_secs(takes_s.into()));
-        let number = process.steps.fetch_add(1, Ordering::Relaxed);
-        self.meanwhile(&process, number);
+        let begins = process.steps.fetch_add(WORK_STEPS, Ordering::Relaxed);
+        let steps = begins..begins + WORK_STEPS;
+        self.meanwhile(&process, steps.end - 1);
         machine.working.set(machine.working.get() - 1);
         machine.known.borrow_mut().making.remove(&what);
-        if process.kill == Some(number) {
+        if process.kill.is_some_and(|kill| steps.contains(&kill)) {
             process.dead.store(true, Ordering::Relaxed);
         }
+        !process.dead.load(Ordering::Relaxed)
     }
 
     fn passed(&self, process: &Process) -> Option<Duration> {

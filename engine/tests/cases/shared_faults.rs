@@ -266,30 +266,6 @@ fn somebody_else_s_bucket_and_another_layout_are_refused() {
 }
 
 #[test]
-fn a_sweep_waits_for_uploads_of_its_own_process() {
-    let place = Place::new("hello\n");
-    let bucket = Bucket::new();
-    let [a] = caches(&place);
-    bucket.fail(Faults {
-        takes: Duration::from_millis(50),
-        ..Faults::default()
-    });
-    let (sharing, _) = begun(&a, &bucket, false);
-    place.run_in(&chain(1), &a, 2);
-    let budget = keeper::Budget {
-        most: u64::MAX,
-        keep_runs: 1,
-        keep_records: 1,
-    };
-    for _ in 0..3 {
-        keeper::gc(&Store::open(&a).unwrap(), &budget, false).expect("nobody else uses it");
-        std::thread::sleep(Duration::from_millis(20));
-    }
-    let left = sharing.finish(Duration::from_secs(20));
-    assert_eq!((left.sent, left.waiting), (4, 0));
-}
-
-#[test]
 fn uploads_lie_beside_the_work() {
     let place = Place::new("hello\n");
     let bucket = Bucket::new();

@@ -1,8 +1,10 @@
 //! What goes when the store is swept, and what stays.
 
+use crate::bucket::{Bucket, Faults};
 use crate::place::{ALL, Log, NONE, Place, chain};
-
-use engine::store::{StoreError, keeper};
+use crate::shared::{begun, caches};
+use engine::store::{Store, StoreError, keeper};
+use std::time::Duration;
 
 fn budget(most: u64, keep_runs: usize) -> keeper::Budget {
     keeper::Budget {
@@ -115,4 +117,24 @@ fn nothing_is_swept_while_a_run_uses_the_store() {
     );
     drop(outcome);
     assert_eq!(sweep(&place, &budget(0, 0), false).results.len(), 4);
+}
+
+#[test]
+fn a_sweep_waits_for_uploads_of_its_own_process() {
+    let place = Place::new("hello\n");
+    let bucket = Bucket::new();
+    let [a] = caches(&place);
+    bucket.fail(Faults {
+        takes: Duration::from_millis(50),
+        ..Faults::default()
+    });
+    let (sharing, _) = begun(&a, &bucket, false);
+    place.run_in(&chain(1), &a, 2);
+    for _ in 0..3 {
+        keeper::gc(&Store::open(&a).unwrap(), &budget(u64::MAX, 1), false)
+            .expect("nobody else uses it");
+        std::thread::sleep(Duration::from_millis(20));
+    }
+    let left = sharing.finish(Duration::from_secs(20));
+    assert_eq!((left.sent, left.waiting), (4, 0));
 }
