@@ -8,6 +8,16 @@ pub const RAYS: usize = 360;
 /// How far a closed curve reaches from the origin in each of [`RAYS`] directions: the farthest
 /// crossing. `None` where the ray misses it. \[mm\]
 pub fn reaches(curve: &[[f64; 2]]) -> Vec<Option<f64>> {
+    crossings(curve, f64::max)
+}
+
+/// How far it is from the origin to a closed curve in each of [`RAYS`] directions: the first crossing. \[mm\]
+pub(crate) fn first_reaches(curve: &[[f64; 2]]) -> Vec<Option<f64>> {
+    crossings(curve, f64::min)
+}
+
+/// One crossing of each ray: of two the one that is chosen. \[mm\]
+fn crossings(curve: &[[f64; 2]], chosen: fn(f64, f64) -> f64) -> Vec<Option<f64>> {
     let step = TAU / RAYS as f64;
     let mut far: Vec<Option<f64>> = vec![None; RAYS];
     for (i, a) in curve.iter().enumerate() {
@@ -27,7 +37,9 @@ pub fn reaches(curve: &[[f64; 2]]) -> Vec<Option<f64>> {
                 let t = t.clamp(0.0, 1.0);
                 let r = (a[0] + t * (b[0] - a[0])) * c + (a[1] + t * (b[1] - a[1])) * s;
                 let slot = &mut far[k.rem_euclid(RAYS as i64) as usize];
-                *slot = Some(slot.map_or(r, |old: f64| old.max(r)));
+                if r > 0.0 {
+                    *slot = Some(slot.map_or(r, |old: f64| chosen(old, r)));
+                }
             }
             k += 1;
         }

@@ -1,14 +1,16 @@
 //! The section across an upper arm, freed of the trunk and of the filled fold of the armpit.
 //!
-//! The outer half of an arm always shows. A clear section farther down, grown and shifted so that
-//! its support function agrees with the outer half, tells how far the inner half may reach.
+//! Where arm and trunk are one outline they are parted at their folds (`beside_trunk`). On an outline of the arm's own,
+//! a clear section farther down, grown and shifted so that its support function agrees with the outer half, which always
+//! shows, tells how far the inner half may reach.
 
 use crate::features::body::Body;
 use crate::features::limb::away;
 use crate::geometry::crop::slab;
-use crate::geometry::section::{axes, clipped, flat, hull, tape};
+use crate::geometry::section::{axes, clipped, flat, hull, length, tape};
 use crate::geometry::slices::{Ring, rings};
-use crate::sections::arm_told::{InferredSection, completed, held, onward};
+use crate::geometry::spline::closed_spline_length;
+use crate::sections::beside_trunk::{FreedArm, freed_of_trunk};
 use crate::sections::one::{FUSED, SectionMeasurement, Why, nearest, plain};
 use nalgebra::{Matrix3, Point3, Vector3};
 use shape::{Landmark, Mesh, Plane};
@@ -20,19 +22,10 @@ const ROUND: f64 = 0.93;
 const CLEAN: f64 = 0.96;
 /// How far beyond the grown section an inner half may reach, as a share of the arm's radius.
 const LOOSE: f64 = 0.03;
-/// How far the grown section may miss the outer half of a ring that is open to the trunk, as a share
-/// of the arm's radius, root of the mean square. Arms keep within 0.035; a web that a hull of few
-/// photos leaves between arm and trunk is off by 0.065 and more.
-const MISFIT: f64 = 0.05;
-/// How far inward of its middle an arm that is open to the trunk still shows itself, as a share of its
-/// radius.
-const INNER: f64 = 0.25;
 /// Directions of support functions.
 const WAYS: usize = 180;
 /// Doubt of a girth whose inner half is told by another section, as a share of what is told.
 const DOUBT: f64 = 0.04;
-/// The same of an outer half that the grown section misses, as a multiple of the miss.
-const MISFIT_DOUBT: f64 = 2.0;
 
 fn way(k: usize) -> [f64; 2] {
     let (s, c) = libm::sincos(TAU * k as f64 / WAYS as f64);
@@ -45,95 +38,37 @@ fn support(points: &[[f64; 2]], n: [f64; 2]) -> f64 {
     reach.fold(f64::MIN, f64::max)
 }
 
-/// An arm's outline freed of what hangs on its inner half.
-pub(crate) struct CompletedArm {
-    outline: Vec<[f64; 2]>,
-    /// Share of directions that the clear section told.
-    told: f64,
-    /// How far that misses the outer half of a ring that is open to the trunk, as a share of the arm's
-    /// radius, root of the mean square.
-    misfit: f64,
-}
-
-/// Frees an arm's outline by a clear section. Both lie about their middles; `outward` points away from
-/// the trunk. `None` if the two disagree in size, or in shape where the inner half is not to be seen.
-pub(crate) fn freed(
-    here: &[[f64; 2]],
-    clear: &[[f64; 2]],
-    outward: [f64; 2],
-) -> Option<CompletedArm> {
+/// Frees an arm's own outline of what hangs on its inner half, by a clear section. Both lie about their middles; `outward`
+/// points away from the trunk. `None` if the two disagree in size.
+pub(crate) fn freed(here: &[[f64; 2]], clear: &[[f64; 2]], outward: [f64; 2]) -> Option<FreedArm> {
     let radius = tape(clear) / TAU;
-    // Of a ring that the trunk is part of, only what is near can be the arm.
-    let close = |p: &&[f64; 2]| libm::hypot(p[0], p[1]) < 1.6 * radius;
-    let open = here.iter().filter(close).count() < here.len();
-    // Its inner side is the trunk's by then.
-    let out = |p: &[f64; 2]| p[0] * outward[0] + p[1] * outward[1];
-    let near: Vec<[f64; 2]> = here
-        .iter()
-        .filter(close)
-        .filter(|p| !open || out(p) > -INNER * radius)
-        .copied()
-        .collect();
-    if near.len() < 8 {
-        return None;
-    }
     let inner = |n: [f64; 2]| n[0] * outward[0] + n[1] * outward[1] < 0.0;
-    let outer = (0..WAYS).map(way).filter(|n| !inner(*n));
-    let outer: Vec<([f64; 2], f64)> = outer.map(|n| (n, support(&near, n))).collect();
     // Shift and growth of the clear section, by least squares over the outer half.
     let (mut normal, mut right) = (Matrix3::zeros(), Vector3::zeros());
-    for (n, reach) in &outer {
-        let row = Vector3::new(n[0], n[1], support(clear, *n));
+    for n in (0..WAYS).map(way).filter(|n| !inner(*n)) {
+        let row = Vector3::new(n[0], n[1], support(clear, n));
         normal += row * row.transpose();
-        right += row * *reach;
+        right += row * support(here, n);
     }
     let fit = normal.cholesky()?.solve(&right);
     if !(0.8..=1.3).contains(&fit.z) {
         return None;
     }
-    let grown = |n: [f64; 2]| fit.x * n[0] + fit.y * n[1] + fit.z * support(clear, n);
-    // The inner half of a ring that is open to the trunk is the clear section's, if the outer half is.
-    let squares = outer.iter().map(|(n, reach)| (reach - grown(*n)).powi(2));
-    let mean = squares.sum::<f64>() / outer.len() as f64;
-    let misfit = if open { mean.sqrt() / radius } else { 0.0 };
-    if misfit > MISFIT {
-        return None;
-    }
-    let mut points = near;
-    if open {
-        points.extend(
-            clear
-                .iter()
-                .map(|p| [fit.x + fit.z * p[0], fit.y + fit.z * p[1]])
-                .filter(|p| inner([p[0] - fit.x, p[1] - fit.y])),
-        );
-    }
-    let mut outline = hull(&points);
+    let mut outline = hull(here);
     let mut told = 0;
-    for k in 0..WAYS {
-        let n = way(k);
-        let most = grown(n);
-        let beyond = support(&outline, n) > most + LOOSE * radius;
-        if inner(n) && (open || beyond) {
+    for n in (0..WAYS).map(way).filter(|n| inner(*n)) {
+        let most = fit.x * n[0] + fit.y * n[1] + fit.z * support(clear, n);
+        if support(&outline, n) > most + LOOSE * radius {
             outline = clipped(&outline, n, most);
             told += 1;
         }
     }
-    (outline.len() >= 8).then_some(CompletedArm {
+    let share = f64::from(told) / WAYS as f64;
+    (outline.len() >= 8).then(|| FreedArm {
+        share,
+        sigma_mm: DOUBT * share * tape(&outline),
         outline,
-        told: told as f64 / WAYS as f64,
-        misfit,
     })
-}
-
-/// The first of several rings that holds the arm, and what [`freed`] makes of it.
-fn first_freed(
-    all: &[Vec<[f64; 2]>],
-    clear: &[[f64; 2]],
-    outward: [f64; 2],
-) -> Option<(usize, CompletedArm)> {
-    let mut tried = all.iter().enumerate();
-    tried.find_map(|(i, ring)| Some((i, freed(ring, clear, outward)?)))
 }
 
 /// How far down the arm a clear section is looked for, as a share of stature: above the elbow, which is
@@ -156,8 +91,8 @@ pub(crate) fn across_arm(
     let level = body.crotch.unwrap_or(body.ground + 0.5 * body.stature) + 0.08 * body.stature;
     let trunk = body.trunk(level).map_or(f64::MAX, |r| r.area);
     let round = |ring: &Ring| 4.0 * PI * ring.area / (ring.tape * ring.tape);
-    // Sections down the arm that are the arm's alone: small, round, about the axis.
-    let alone = |k: i32| {
+    // Sections down the arm that are small and about the axis; if round, too, the arm's alone.
+    let small = |k: i32| {
         if k > last {
             return None;
         }
@@ -168,9 +103,10 @@ pub(crate) fn across_arm(
         };
         let ring = nearest(&part, &there)?;
         let near = (ring.centre - point).norm() < 0.02 * body.stature;
-        (ring.area < 0.25 * trunk && near && round(&ring) > ROUND).then_some((k, ring))
+        (ring.area < 0.25 * trunk && near).then_some((k, ring))
     };
-    let own = alone(0).map(|(_, ring)| ring);
+    let alone = |k: i32| small(k).filter(|(_, ring)| round(ring) > ROUND);
+    let own = small(0).map(|(_, ring)| ring);
     if let Some(ring) = own.as_ref().filter(|r| round(r) > CLEAN) {
         return plain(mesh, plane, ring.clone());
     }
@@ -192,34 +128,40 @@ pub(crate) fn across_arm(
     let (u, v) = axes(plane);
     let out = away(down, body.left, side).ok_or(FUSED)?;
     let outward = [u.dot(&out), v.dot(&out)];
-    let all = match own {
-        Some(ring) => vec![ring],
-        None => rings(&part, plane),
+    let flat_about = |ring: &Ring| flat(&ring.curve, &about(origin));
+    let parted = |ring: &Ring| freed_of_trunk(&flat_about(ring), outward, &reference);
+    let Some(ring) = own else {
+        let free = rings(&part, plane).iter().find_map(parted);
+        return Ok(completed(free.ok_or(FUSED)?, origin, plane));
     };
-    let flats: Vec<_> = all
+    let free = parted(&ring).or_else(|| freed(&flat_about(&ring), &reference, outward));
+    match free.ok_or(FUSED)? {
+        free if free.share == 0.0 => plain(mesh, plane, ring),
+        free => Ok(completed(free, origin, plane)),
+    }
+}
+
+/// An arm's section from its freed outline about an origin.
+fn completed(free: FreedArm, origin: Point3<f64>, plane: &Plane) -> SectionMeasurement {
+    let (u, v) = axes(plane);
+    let outline = free.outline;
+    let even: Vec<[f64; 2]> = outline
         .iter()
-        .map(|ring| flat(&ring.curve, &about(origin)))
+        .step_by((outline.len() / 48).max(1))
+        .copied()
         .collect();
-    let tapes = (first..=last)
-        .filter_map(alone)
-        .map(|(k, r)| (f64::from(k), r.tape));
-    let beyond = || onward(&tapes.collect::<Vec<_>>(), f64::from(steps), &reference);
-    let told = match first_freed(&flats, &reference, outward) {
-        Some((at, free)) if free.told == 0.0 => return plain(mesh, plane, all[at].clone()),
-        Some((_, free)) => {
-            let told = InferredSection {
-                doubt: libm::hypot(DOUBT * free.told, MISFIT_DOUBT * free.misfit),
-                share: free.told,
-                outline: free.outline,
-            };
-            match alone(0) {
-                Some(_) => told,
-                None => held(told, beyond()),
-            }
-        }
-        None => beyond().ok_or(FUSED)?,
-    };
-    Ok(completed(told, origin, plane))
+    let contour_mm = length(&outline);
+    SectionMeasurement {
+        contour: outline
+            .iter()
+            .map(|p| origin + u * p[0] + v * p[1])
+            .collect(),
+        contour_mm,
+        tape_mm: tape(&outline),
+        spline_mm: closed_spline_length(&even).unwrap_or(contour_mm),
+        carried: free.share,
+        sigma_mm: free.sigma_mm,
+    }
 }
 
 #[cfg(test)]
@@ -242,54 +184,14 @@ mod tests {
         assert!(tape(&here) > 1.03 * own);
         let free = freed(&here, &clear, [1.0, 0.0]).unwrap();
         proof::near(tape(&free.outline) / own, 1.0, 0.012);
-        assert!(free.told > 0.05 && free.told < 0.5);
-    }
-
-    #[test]
-    fn a_ring_open_to_the_trunk_gets_its_inner_half_from_the_clear_section() {
-        let clear = oval(50.0, 44.0);
-        let own = tape(&oval(55.0, 48.4));
-        let here: Vec<[f64; 2]> = oval(55.0, 48.4)
-            .into_iter()
-            .filter(|p| p[0] > -20.0)
-            .chain([[-200.0, 60.0], [-200.0, -60.0]])
-            .collect();
-        let free = freed(&here, &clear, [1.0, 0.0]).unwrap();
-        proof::near(tape(&free.outline) / own, 1.0, 0.01);
-    }
-
-    #[test]
-    fn an_outer_half_that_runs_out_into_a_web_is_refused() {
-        let clear = oval(50.0, 44.0);
-        let webbed = |web: &[[f64; 2]]| -> Vec<[f64; 2]> {
-            let arm = oval(55.0, 48.4).into_iter().filter(|p| p[0] > -20.0);
-            let trunk = [[-200.0, 60.0], [-200.0, -60.0]];
-            arm.chain(trunk).chain(web.iter().copied()).collect()
-        };
-        let plain = freed(&webbed(&[]), &clear, [1.0, 0.0]).unwrap();
-        assert!(plain.misfit < 0.01);
-        let slight = freed(&webbed(&[[20.0, 55.0]]), &clear, [1.0, 0.0]).unwrap();
-        assert!(slight.misfit > 0.015);
-        let web = [[20.0, 70.0], [0.0, 78.0]];
-        assert!(freed(&webbed(&web), &clear, [1.0, 0.0]).is_none());
+        assert!(free.share > 0.05 && free.share < 0.5);
     }
 
     #[test]
     fn a_plain_arm_is_left_as_it_is() {
         let (here, clear) = (oval(55.0, 48.0), oval(50.0, 44.0));
         let free = freed(&here, &clear, [1.0, 0.0]).unwrap();
-        assert_eq!(free.told, 0.0);
+        assert_eq!(free.share, 0.0);
         proof::near(tape(&free.outline), tape(&here), 1e-9);
-    }
-
-    #[test]
-    fn of_several_rings_the_arms_own_is_taken_and_not_the_trunk() {
-        let clear = oval(50.0, 44.0);
-        let aside = |p: [f64; 2]| [p[0] - 400.0, p[1]];
-        let trunk: Vec<[f64; 2]> = oval(180.0, 120.0).into_iter().map(aside).collect();
-        let all = [trunk, oval(55.0, 48.0)];
-        let (at, free) = first_freed(&all, &clear, [1.0, 0.0]).unwrap();
-        assert_eq!((at, free.told), (1, 0.0));
-        proof::near(tape(&free.outline), tape(&all[1]), 1e-9);
     }
 }

@@ -2,7 +2,7 @@
 
 pub(crate) mod across_arm;
 pub(crate) mod across_leg;
-pub(crate) mod arm_told;
+pub(crate) mod beside_trunk;
 pub(crate) mod hands;
 pub(crate) mod one;
 pub(crate) mod picked;

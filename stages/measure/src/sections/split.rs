@@ -24,7 +24,7 @@ const TURNED: f64 = 25.0 * TAU / 360.0;
 const STRAIGHT: f64 = 5.0 * TAU / 360.0;
 
 /// Points evenly spread along a closed outline.
-fn even(outline: &[[f64; 2]], count: usize) -> Vec<[f64; 2]> {
+pub(crate) fn even(outline: &[[f64; 2]], count: usize) -> Vec<[f64; 2]> {
     let n = outline.len();
     let step = crate::geometry::section::length(outline) / count as f64;
     let (mut out, mut left) = (Vec::with_capacity(count), 0.0);
@@ -114,7 +114,7 @@ fn seam(points: &[[f64; 2]], middle: [f64; 2], side: f64, fore: f64) -> Option<S
 
 /// A convex bridge between two points that leaves and arrives along given ways: the conic that is
 /// a circle's arc where both are alike. Returns its points and its doubt.
-fn bridge(a: [f64; 2], u: [f64; 2], b: [f64; 2], v: [f64; 2]) -> (Vec<[f64; 2]>, f64) {
+pub(crate) fn bridge(a: [f64; 2], u: [f64; 2], b: [f64; 2], v: [f64; 2]) -> (Vec<[f64; 2]>, f64) {
     let (dx, dy) = (b[0] - a[0], b[1] - a[1]);
     let chord = libm::hypot(dx, dy);
     let cross = u[0] * v[1] - u[1] * v[0];
