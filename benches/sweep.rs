@@ -1,7 +1,7 @@
 //! What a sweep costs the engine: `cargo bench --bench sweep`, with `--features remote` beside a shared folder, too.
 //!
 //! Points of next to no work, each time a whole process: made first, then found. The least of several, since
-//! others use the machine too; found points are the ones that come back with every question.
+//! other people use the machine too; found points are the ones that come back with every question.
 
 use std::path::Path;
 use std::process::{Command, Stdio};

@@ -6,7 +6,7 @@ use std::os::unix::fs::MetadataExt;
 use std::path::Path;
 use std::process::Command;
 
-/// Runs a tool; how long it took \[s\], and what it said.
+/// Runs a tool; how long it took \[s\], and what it printed.
 pub(crate) fn run(tool: &str, folder: &Path) -> (f64, String) {
     time(Command::new(tool).arg("-j2").current_dir(folder))
 }
@@ -14,11 +14,11 @@ pub(crate) fn run(tool: &str, folder: &Path) -> (f64, String) {
 /// Holds that a tool finds nothing to do: else its times would be those of something else.
 #[track_caller]
 pub(crate) fn assert_done(tool: &str, folder: &Path) {
-    let (_, said) = run(tool, folder);
+    let (_, printed) = run(tool, folder);
     let nothing = ["no work to do", "Nothing to be done"];
     assert!(
-        nothing.iter().any(|n| said.contains(n)),
-        "{tool}: {said:.200}"
+        nothing.iter().any(|n| printed.contains(n)),
+        "{tool}: {printed:.200}"
     );
 }
 

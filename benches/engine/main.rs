@@ -1,9 +1,9 @@
 //! The engine's own cost, beside ninja and make on the same graph: `cargo bench --bench engine`.
 //!
 //! WIDTH chains of ten stages that copy what they read. Each time is that of a whole process; the least of several
-//! rounds, in which the tools take turns, since others use the machine too. `ninja` or `make` is left out where absent.
+//! rounds, in which the tools take turns, since other people use the machine too. `ninja` or `make` is left out where absent.
 //! `-- 100 1000 10000 --json FILE` writes what it measured, from which the table in docs/performance.md is made; TMPDIR
-//! says on which disk.
+//! names the disk.
 
 mod beside;
 mod graph;
@@ -140,7 +140,7 @@ fn child(verb: &str, folder: &Path) {
     );
 }
 
-/// Runs a command; how long it took, and what it said. \[s\]
+/// Runs a command; how long it took, and what it printed. \[s\]
 fn time(command: &mut Command) -> (f64, String) {
     let start = Instant::now();
     let out = command.stderr(Stdio::inherit()).output().unwrap();
@@ -152,8 +152,8 @@ fn time(command: &mut Command) -> (f64, String) {
 /// Our own process in a folder: how long it took \[s\], how many were made, its greatest memory \[KiB\].
 fn ours(verb: &str, folder: &Path) -> (f64, usize, usize) {
     let mut command = Command::new(std::env::current_exe().unwrap());
-    let (seconds, said) = time(command.args(["--child", verb]).arg(folder));
-    let mut words = said.split_whitespace().map(|w| w.parse().unwrap());
+    let (seconds, printed) = time(command.args(["--child", verb]).arg(folder));
+    let mut words = printed.split_whitespace().map(|w| w.parse().unwrap());
     (seconds, words.next().unwrap(), words.next().unwrap())
 }
 

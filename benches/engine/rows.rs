@@ -85,16 +85,16 @@ impl Table {
     /// As a file.
     pub(crate) fn write(&self, path: &Path) {
         let cores = std::thread::available_parallelism().map_or(1, usize::from);
-        let commit = said("git", &["describe", "--always", "--dirty=+"]);
-        let disk = said(
+        let commit = first_line("git", &["describe", "--always", "--dirty=+"]);
+        let disk = first_line(
             "stat",
             &["-f", "-c", "%T", &std::env::temp_dir().to_string_lossy()],
         );
         let table = json!({
             "program": format!("tailor {} at {commit}", env!("CARGO_PKG_VERSION")),
-            "date": said("date", &["-u", "+%F"]),
+            "date": first_line("date", &["-u", "+%F"]),
             "machine": format!("{cores} cores, {disk}"),
-            "beside": [said("ninja", &["--version"]), said("make", &["--version"])],
+            "beside": [first_line("ninja", &["--version"]), first_line("make", &["--version"])],
             "rows": self.rows.iter().map(Row::json).collect::<Vec<_>>(),
         });
         let text = serde_json::to_string_pretty(&table).unwrap();
@@ -102,8 +102,8 @@ impl Table {
     }
 }
 
-/// The first line of what a program says, or nothing.
-fn said(program: &str, args: &[&str]) -> String {
+/// The first line of a program's output, or nothing.
+fn first_line(program: &str, args: &[&str]) -> String {
     let out = Command::new(program).args(args).output();
     let text = out.map(|o| String::from_utf8_lossy(&o.stdout).into_owned());
     let text = text.unwrap_or_default();

@@ -1,7 +1,7 @@
 //! What the fleet on paper assumes.
 
 /// A capture: seconds (and below bytes) of each node of `body.toml`, as one run of a made person wrote them into `run.json`
-/// (two cores that others used, too; 266 s).
+/// (two cores that other people used, too; 266 s).
 #[rustfmt::skip]
 pub(crate) const SECONDS: [f64; 20] = [
     1.72, 0.0, 0.0, 1.90, 0.04, 0.0, 25.56, 0.02, 1.78, 21.49,

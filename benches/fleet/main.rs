@@ -41,7 +41,7 @@ struct Fleet {
 
 /// What came of it.
 #[derive(Default)]
-struct Told {
+struct Figures {
     seconds: f64,
     reads: u64,
     writes: u64,
@@ -70,7 +70,7 @@ impl Dice {
 struct Bucket {
     free: Vec<[f64; 2]>,
     dice: Dice,
-    told: Told,
+    figures: Figures,
 }
 
 impl Bucket {
@@ -81,14 +81,14 @@ impl Bucket {
         let free = &mut self.free[part][class];
         let taken = free.max(now);
         *free = taken + 1.0 / rate;
-        let told = &mut self.told;
-        told.longest_wait = told.longest_wait.max(taken - now);
+        let figures = &mut self.figures;
+        figures.longest_wait = figures.longest_wait.max(taken - now);
         *(if writes {
-            &mut told.writes
+            &mut figures.writes
         } else {
-            &mut told.reads
+            &mut figures.reads
         }) += 1;
-        told.bytes += bytes;
+        figures.bytes += bytes;
         taken + ANSWER_S + bytes / WORKER_BYTES
     }
 }
@@ -121,14 +121,14 @@ struct Run<'a> {
     worked: f64,
 }
 
-fn simulate(fleet: &Fleet) -> Told {
+fn simulate(fleet: &Fleet) -> Figures {
     let first = fleet.workers.min(fleet.captures);
     let mut run = Run {
         fleet,
         bucket: Bucket {
             free: vec![[0.0; 2]; fleet.parts],
             dice: Dice(1),
-            told: Told::default(),
+            figures: Figures::default(),
         },
         workers: vec![Worker::default(); fleet.workers],
         left: fleet.captures - first,
@@ -145,10 +145,10 @@ fn simulate(fleet: &Fleet) -> Told {
         now = time as f64 / 1e6;
         run.act(now, id, act);
     }
-    let mut told = run.bucket.told;
-    told.seconds = now;
-    told.worked = run.worked / (now * fleet.workers as f64);
-    told
+    let mut figures = run.bucket.figures;
+    figures.seconds = now;
+    figures.worked = run.worked / (now * fleet.workers as f64);
+    figures
 }
 
 impl Run<'_> {
@@ -234,12 +234,12 @@ impl Run<'_> {
     }
 }
 
-/// What came of a fleet, as it is told.
+/// The figures of a fleet, as they are printed.
 fn row(fleet: &Fleet) -> Value {
-    let told = simulate(fleet);
+    let figures = simulate(fleet);
     let captures = fleet.captures as f64;
-    let requests = (told.reads + told.writes) as f64;
-    let dollars = told.reads as f64 / 1e3 * PRICE[0] + told.writes as f64 / 1e3 * PRICE[1];
+    let requests = (figures.reads + figures.writes) as f64;
+    let dollars = figures.reads as f64 / 1e3 * PRICE[0] + figures.writes as f64 / 1e3 * PRICE[1];
     let gb = BYTES.iter().sum::<u64>() as f64 * captures / 1e9;
     let rounded = |x: f64, parts: f64| (x * parts).round() / parts;
     json!({
@@ -247,12 +247,12 @@ fn row(fleet: &Fleet) -> Value {
         "captures": fleet.captures,
         "parts": fleet.parts,
         "captures_a_plan": fleet.plan,
-        "hours": rounded(told.seconds / 3600.0, 100.0),
-        "at_work_percent": rounded(100.0 * told.worked, 10.0),
-        "reads_a_second": rounded(told.reads as f64 / told.seconds, 1.0),
-        "writes_a_second": rounded(told.writes as f64 / told.seconds, 1.0),
-        "longest_wait_s": rounded(told.longest_wait, 10.0),
-        "moved_tb": rounded(told.bytes / 1e12, 10.0),
+        "hours": rounded(figures.seconds / 3600.0, 100.0),
+        "at_work_percent": rounded(100.0 * figures.worked, 10.0),
+        "reads_a_second": rounded(figures.reads as f64 / figures.seconds, 1.0),
+        "writes_a_second": rounded(figures.writes as f64 / figures.seconds, 1.0),
+        "longest_wait_s": rounded(figures.longest_wait, 10.0),
+        "moved_tb": rounded(figures.bytes / 1e12, 10.0),
         "requests_a_node": rounded(requests / (captures * BYTES.len() as f64), 100.0),
         "requests_dollars": rounded(dollars, 1.0),
         "kept_a_month_dollars": rounded(gb * PRICE[2], 1.0),
