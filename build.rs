@@ -1,4 +1,4 @@
-//! Where a Chromium is to test pages in: then `cfg(chromium)` is set, and `CHROMIUM` says where; without
+//! Where a Chromium is to test pages in: then `cfg(chromium)` is set, and `CHROMIUM` has its place; without
 //! one browser tests are reported as ignored. So are tests on Slurm's daemons without `cfg(slurm)`.
 //! `stages/report` is built by this file, too.
 

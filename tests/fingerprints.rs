@@ -26,11 +26,11 @@ fn run(place: &Path, pipeline: &str, more: &[&str]) -> Vec<Line> {
         .arg(folder().join(pipeline));
     command.args(more).args(["--json", "--cache", "cache"]);
     let out = command.output().unwrap();
-    let (told, wrong) = (
+    let (printed, wrong) = (
         out.stdout,
         String::from_utf8_lossy(&out.stderr).into_owned(),
     );
-    let run: Value = serde_json::from_slice(&told).unwrap_or_else(|e| panic!("{e}: {wrong}"));
+    let run: Value = serde_json::from_slice(&printed).unwrap_or_else(|e| panic!("{e}: {wrong}"));
     assert!(out.status.success(), "{run}");
     let text = |n: &Value, key: &str| n[key].as_str().unwrap().to_owned();
     let line = |n: &Value| {

@@ -19,22 +19,22 @@ fn make_makes_each_strand_once_and_goes_on_beside_what_fails() {
             .arg(&rules)
             .current_dir(place.path("."));
         let ran = make.output().unwrap();
-        let said = String::from_utf8_lossy(&ran.stderr).into_owned();
-        (ran.status.success(), said)
+        let stderr = String::from_utf8_lossy(&ran.stderr).into_owned();
+        (ran.status.success(), stderr)
     };
-    let (done, said) = make();
-    assert!(done, "{said}");
+    let (done, stderr) = make();
+    assert!(done, "{stderr}");
     assert_eq!(place.made(), 4);
     assert!(make().0, "again: all is found");
     assert_eq!(place.made(), 4);
     assert_eq!(place.swept("50,45,40"), (0, 6));
-    // A rule that cannot: the others go on.
+    // A rule that cannot: the other rules go on.
     let text = std::fs::read_to_string(&rules).unwrap();
     std::fs::write(&rules, text.replace("--strand 2 ", "--strand 99 ")).unwrap();
-    let (done, said) = make();
+    let (done, stderr) = make();
     assert!(
-        !done && said.contains("strand 99 is not in the plan"),
-        "{said}"
+        !done && stderr.contains("strand 99 is not in the plan"),
+        "{stderr}"
     );
 }
 
@@ -76,7 +76,7 @@ const TAKES: [(&str, &str); 4] = [
 ];
 
 #[test]
-fn what_is_said_of_programs_reaches_those_who_work() {
+fn what_is_given_of_programs_reaches_those_who_work() {
     let place = Place::new();
     let (plan, _) = place.plan("50,45");
     let folder = place.path("site");
@@ -92,13 +92,13 @@ fn what_is_said_of_programs_reaches_those_who_work() {
         let mut command = place.tailor(words);
         let ran = command.env("PATH", &path).current_dir(&folder).output();
         let ran = ran.unwrap();
-        let said = String::from_utf8_lossy(&ran.stderr);
-        assert!(ran.status.success(), "{words:?}: {said}");
+        let stderr = String::from_utf8_lossy(&ran.stderr);
+        assert!(ran.status.success(), "{words:?}: {stderr}");
         let kept = std::fs::read_to_string(folder.join("taken"));
         let _ = std::fs::remove_file(folder.join("taken"));
         kept.unwrap_or_default() + &String::from_utf8_lossy(&ran.stdout)
     };
-    let says = ["--sandbox", "required", "--allow-exec"];
+    let flags = ["--sandbox", "required", "--allow-exec"];
     for verb in [
         ["submit", &plan, "--engine", "slurm"],
         ["submit", &plan, "--engine", "dask=tcp://127.0.0.1:1"],
@@ -110,7 +110,7 @@ fn what_is_said_of_programs_reaches_those_who_work() {
             plain.contains("--cache") && !plain.contains("--sandbox"),
             "{plain}"
         );
-        let all = taken(&[&verb[..], &says].concat());
+        let all = taken(&[&verb[..], &flags].concat());
         let words: String = all.replace(['"', '\''], "").replace(',', " ");
         assert!(words.contains("--sandbox required --allow-exec"), "{all}");
     }

@@ -30,20 +30,26 @@ impl Place {
     }
     pub(crate) fn json(&self, arguments: &[&str]) -> Value {
         let ran = self.tailor(arguments).arg("--json").output().unwrap();
-        let said = String::from_utf8_lossy(&ran.stderr);
-        serde_json::from_slice(&ran.stdout).unwrap_or_else(|e| panic!("{arguments:?}: {e}: {said}"))
+        let stderr = String::from_utf8_lossy(&ran.stderr);
+        serde_json::from_slice(&ran.stdout)
+            .unwrap_or_else(|e| panic!("{arguments:?}: {e}: {stderr}"))
     }
     /// The name of the plan of the sweep over these sizes of cells, and how many strands it has.
     pub(crate) fn plan(&self, cells: &str) -> (String, usize) {
-        let told = self.json(&[&SWEEP[..], &[&over(cells), "--strands"]].concat());
-        let name = told["plan"].as_str().unwrap_or_else(|| panic!("{told}"));
-        (name.to_owned(), told["strands"].as_u64().unwrap() as usize)
+        let answer = self.json(&[&SWEEP[..], &[&over(cells), "--strands"]].concat());
+        let name = answer["plan"]
+            .as_str()
+            .unwrap_or_else(|| panic!("{answer}"));
+        (
+            name.to_owned(),
+            answer["strands"].as_u64().unwrap() as usize,
+        )
     }
     /// How many results were made and found by the sweep itself, here and now.
     pub(crate) fn swept(&self, cells: &str) -> (u64, u64) {
-        let told = self.json(&[&SWEEP[..], &[&over(cells)]].concat());
-        let points = told["points"].as_array().unwrap();
-        assert!(points.iter().all(|p| p["done"] == true), "{told}");
+        let answer = self.json(&[&SWEEP[..], &[&over(cells)]].concat());
+        let points = answer["points"].as_array().unwrap();
+        assert!(points.iter().all(|p| p["done"] == true), "{answer}");
         let sum = |name: &str| points.iter().map(|p| p[name].as_u64().unwrap()).sum();
         (sum("made"), sum("found"))
     }

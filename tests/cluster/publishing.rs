@@ -35,7 +35,7 @@ fn files(folder: PathBuf) -> Vec<PathBuf> {
     entries.flatten().map(|entry| entry.path()).collect()
 }
 
-/// How many files lie on a shelf.
+/// How many files are on a shelf.
 fn on(place: &Place, shelf: &str) -> usize {
     let inner = files(place.cache().join(shelf));
     inner.into_iter().map(|folder| files(folder).len()).sum()
@@ -61,14 +61,14 @@ fn planned(place: &Place, points: &str, more: &[&str]) -> serde_json::Value {
 }
 
 fn plan(place: &Place, points: &str) -> String {
-    let told = planned(place, points, &["--strands", "--allow-exec"]);
-    told["plan"]
+    let answer = planned(place, points, &["--strands", "--allow-exec"]);
+    answer["plan"]
         .as_str()
-        .unwrap_or_else(|| panic!("{told}"))
+        .unwrap_or_else(|| panic!("{answer}"))
         .to_owned()
 }
 
-/// Works on a strand and is killed at a moment; whether it was, before the result was there for others.
+/// Works on a strand and is killed at a moment; whether it was, before the result was there for other workers.
 fn killed(place: &Place, plan: &str, strand: &str, moment: Moment) -> bool {
     let (blobs, records) = (on(place, "cas"), on(place, "ac"));
     let mut worker = place
@@ -107,8 +107,8 @@ fn a_worker_killed_while_it_publishes_loses_nothing_and_nothing_else_is_made_aga
     let plan = plan(&place, "1,2,3,4,5,6");
     let work = |strand: &str| {
         let ran = place.run(&["work", "--plan", &plan, "--strand", strand, "--quiet"]);
-        let said = String::from_utf8_lossy(&ran.stderr).into_owned();
-        assert!(ran.status.success(), "{said}");
+        let stderr = String::from_utf8_lossy(&ran.stderr).into_owned();
+        assert!(ran.status.success(), "{stderr}");
     };
     work("0");
     let (mut strand, mut late) = (0, 0);
@@ -182,8 +182,8 @@ fn an_element_requeued_or_killed_while_it_publishes_is_made_whole() {
     site.settle();
     site.submit(&plan);
     site.settle();
-    let (code, told) = site.said(&["status", &plan]);
-    assert_eq!(code, Some(0), "{told}");
+    let (code, text) = site.output(&["status", &plan]);
+    assert_eq!(code, Some(0), "{text}");
     assert_eq!(
         (on(place, "ac"), on(place, "cas")),
         (3, 3),

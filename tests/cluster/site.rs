@@ -70,8 +70,8 @@ impl Site {
         self.on(self.place.tailor(arguments))
     }
 
-    /// What it says, whatever its code: code and both outputs.
-    pub(crate) fn said(&self, arguments: &[&str]) -> (Option<i32>, String) {
+    /// Its exit code, whatever it is, and both outputs.
+    pub(crate) fn output(&self, arguments: &[&str]) -> (Option<i32>, String) {
         let ran = self.tailor(arguments).output().unwrap();
         let text = [ran.stdout, ran.stderr].concat();
         (
@@ -82,19 +82,19 @@ impl Site {
 
     /// The plan of a sweep over `x.n` with other params set.
     pub(crate) fn plan(&self, over: &str, sets: &[&str]) -> String {
-        let told = self.sweep(over, sets, &["--strands", "--allow-exec"]);
-        told["plan"]
+        let answer = self.sweep(over, sets, &["--strands", "--allow-exec"]);
+        answer["plan"]
             .as_str()
-            .unwrap_or_else(|| panic!("{told}"))
+            .unwrap_or_else(|| panic!("{answer}"))
             .to_owned()
     }
 
     /// The table of that sweep: points that are done, results made now.
     pub(crate) fn table(&self, over: &str, sets: &[&str]) -> (usize, u64) {
-        let told = self.sweep(over, sets, &[]);
-        let points = told["points"]
+        let answer = self.sweep(over, sets, &[]);
+        let points = answer["points"]
             .as_array()
-            .unwrap_or_else(|| panic!("{told}"));
+            .unwrap_or_else(|| panic!("{answer}"));
         let done = points.iter().filter(|p| p["done"] == true).count();
         (
             done,
@@ -113,9 +113,9 @@ impl Site {
     }
 
     pub(crate) fn submit(&self, plan: &str) -> String {
-        let (code, said) = self.said(&["submit", plan, "--engine", "slurm"]);
-        assert_eq!(code, Some(0), "{said}");
-        said
+        let (code, text) = self.output(&["submit", plan, "--engine", "slurm"]);
+        assert_eq!(code, Some(0), "{text}");
+        text
     }
 
     pub(crate) fn ask(&self, program: &str, words: &[&str]) -> String {
@@ -132,8 +132,8 @@ impl Site {
 
     /// The numbers of all jobs that were ever sent.
     pub(crate) fn jobs(&self) -> Vec<String> {
-        let said = self.ask("squeue", &["-h", "-r", "--states=all", "-o", "%F"]);
-        let mut jobs: Vec<String> = said.lines().map(|l| l.trim().to_owned()).collect();
+        let jobs_text = self.ask("squeue", &["-h", "-r", "--states=all", "-o", "%F"]);
+        let mut jobs: Vec<String> = jobs_text.lines().map(|l| l.trim().to_owned()).collect();
         jobs.sort();
         jobs.dedup();
         jobs

@@ -9,10 +9,10 @@ fn a_sweep_on_slurm_comes_to_what_it_does_here_each_result_once() {
     let site = Site::new(4);
     let all = "1,2,3,4,5,6,7,8,9,10,11";
     let plan = site.plan(all, &["x.s=0"]);
-    let said = site.submit(&plan);
+    let printed = site.submit(&plan);
     assert!(
-        said.contains("layer 1: job ") && said.contains("elements for 11 strands"),
-        "{said}"
+        printed.contains("layer 1: job ") && printed.contains("elements for 11 strands"),
+        "{printed}"
     );
     let again = site.submit(&plan);
     assert!(!again.contains(" sent: "), "{again}");
@@ -22,9 +22,9 @@ fn a_sweep_on_slurm_comes_to_what_it_does_here_each_result_once() {
         2,
         "one sbatch a layer, whatever the largest array"
     );
-    let (code, told) = site.said(&["status", &plan[..12]]);
-    assert_eq!(code, Some(0), "{told}");
-    assert!(told.contains("layer 1: 11 of 11 strands done"), "{told}");
+    let (code, text) = site.output(&["status", &plan[..12]]);
+    assert_eq!(code, Some(0), "{text}");
+    assert!(text.contains("layer 1: 11 of 11 strands done"), "{text}");
     assert_eq!(site.place.made(), 12, "event logs: each result once");
     assert!(site.submit(&plan).contains("nothing was sent"));
     let there = site.place.contents();
@@ -43,19 +43,19 @@ fn a_failing_element_drops_only_what_reads_it() {
     let plan = site.plan("1,13,2", &["x.s=0"]);
     site.submit(&plan);
     site.settle();
-    let (code, told) = site.said(&["status", &plan]);
-    assert_eq!(code, Some(1), "{told}");
-    assert!(told.contains("layer 0: 1 of 1 strand done"), "{told}");
+    let (code, text) = site.output(&["status", &plan]);
+    assert_eq!(code, Some(1), "{text}");
+    assert!(text.contains("layer 0: 1 of 1 strand done"), "{text}");
     assert!(
-        told.contains("layer 1: 2 of 3 strands done; elements: 1 FAILED"),
-        "{told}"
+        text.contains("layer 1: 2 of 3 strands done; elements: 1 FAILED"),
+        "{text}"
     );
-    assert!(told.contains("nothing works on them"), "{told}");
+    assert!(text.contains("nothing works on them"), "{text}");
     // What it is missing is sent again, and nothing else.
-    let said = site.submit(&plan);
+    let printed = site.submit(&plan);
     assert!(
-        said.contains("1 element for 3 strands") && !said.contains("layer 0"),
-        "{said}"
+        printed.contains("1 element for 3 strands") && !printed.contains("layer 0"),
+        "{printed}"
     );
     site.settle();
     let (done, made) = site.table("1,13,2", &["x.s=0"]);
@@ -111,8 +111,8 @@ fn a_submitter_that_is_killed_at_any_step_sends_nothing_twice() {
             2 * (round + 1),
             "{before} before: two layers a round"
         );
-        let (code, told) = site.said(&["status", &plan]);
-        assert_eq!(code, Some(0), "{told}");
+        let (code, text) = site.output(&["status", &plan]);
+        assert_eq!(code, Some(0), "{text}");
     }
     assert_eq!(site.place.made(), 4 * 3, "each result once");
 }
@@ -133,8 +133,8 @@ fn workers_that_are_killed_or_requeued_lose_nothing() {
     let one = found().expect("it takes three seconds");
     site.ask("scontrol", &["requeue", &one]);
     site.settle();
-    let (code, told) = site.said(&["status", &plan]);
-    assert_eq!(code, Some(0), "{told}");
+    let (code, text) = site.output(&["status", &plan]);
+    assert_eq!(code, Some(0), "{text}");
     // Killed outright: the program, then whatever runs for it.
     let plan = site.plan("3,4", &["x.s=3"]);
     site.submit(&plan);
@@ -145,11 +145,11 @@ fn workers_that_are_killed_or_requeued_lose_nothing() {
     let one = found().expect("it takes three seconds");
     site.ask("scancel", &["--signal=KILL", "--full", &one]);
     site.settle();
-    let (code, told) = site.said(&["status", &plan]);
-    assert_eq!(code, Some(1), "{told}");
+    let (code, text) = site.output(&["status", &plan]);
+    assert_eq!(code, Some(1), "{text}");
     site.submit(&plan);
     site.settle();
-    assert_eq!(site.said(&["status", &plan]).0, Some(0));
+    assert_eq!(site.output(&["status", &plan]).0, Some(0));
     assert_eq!(site.place.made(), 1 + 4, "none lost, none twice");
     assert!(site.place.run(&["cache", "verify"]).status.success());
 }
@@ -161,20 +161,20 @@ fn a_plan_that_is_cancelled_keeps_what_is_done_and_goes_on() {
     let plan = site.plan("1,2,3", &["x.s=30"]);
     site.submit(&plan);
     site.wait("the first layer", || site.place.made() == 1);
-    let (code, told) = site.said(&["status", &plan]);
-    assert_eq!(code, Some(0), "work is on its way: {told}");
-    let (code, told) = site.said(&["cancel", &plan]);
-    assert_eq!(code, Some(0), "{told}");
+    let (code, text) = site.output(&["status", &plan]);
+    assert_eq!(code, Some(0), "work is on its way: {text}");
+    let (code, text) = site.output(&["cancel", &plan]);
+    assert_eq!(code, Some(0), "{text}");
     site.settle();
-    let (code, told) = site.said(&["status", &plan]);
-    assert_eq!(code, Some(1), "{told}");
+    let (code, text) = site.output(&["status", &plan]);
+    assert_eq!(code, Some(1), "{text}");
     assert!(
-        told.contains("layer 0: 1 of 1") && told.contains(" CANCELLED"),
-        "{told}"
+        text.contains("layer 0: 1 of 1") && text.contains(" CANCELLED"),
+        "{text}"
     );
-    let said = site.submit(&plan);
-    assert!(!said.contains("layer 0"), "{said}");
-    assert_eq!(site.said(&["cancel", &plan]).0, Some(0));
+    let printed = site.submit(&plan);
+    assert!(!printed.contains("layer 0"), "{printed}");
+    assert_eq!(site.output(&["cancel", &plan]).0, Some(0));
 }
 
 #[test]
@@ -182,15 +182,15 @@ fn a_plan_that_is_cancelled_keeps_what_is_done_and_goes_on() {
 fn what_slurm_refuses_is_told() {
     let site = Site::new(1001);
     let plan = site.plan("1", &["x.s=0"]);
-    let (code, said) = site.said(&["submit", &plan, "--engine", "slurm", "--partition", "none"]);
-    assert_eq!(code, Some(2), "{said}");
+    let (code, text) = site.output(&["submit", &plan, "--engine", "slurm", "--partition", "none"]);
+    assert_eq!(code, Some(2), "{text}");
     assert!(
-        said.contains("sbatch") && said.contains("partition"),
-        "{said}"
+        text.contains("sbatch") && text.contains("partition"),
+        "{text}"
     );
     let mut submit = site.tailor(&["submit", &plan, "--engine", "slurm"]);
     let ran = submit.env("PATH", "/nowhere").output().unwrap();
-    let said = String::from_utf8_lossy(&ran.stderr).into_owned();
-    assert_eq!(ran.status.code(), Some(2), "{said}");
-    assert!(said.contains("is not here"), "{said}");
+    let text = String::from_utf8_lossy(&ran.stderr).into_owned();
+    assert_eq!(ran.status.code(), Some(2), "{text}");
+    assert!(text.contains("is not here"), "{text}");
 }

@@ -13,9 +13,12 @@ fn processes_make_each_strand_once_and_come_to_what_one_sweep_does() {
     assert_eq!(strands, 4, "what all share, and one a point");
     let work = |strand: &str| place.run(&["work", "--plan", &plan, "--strand", strand]);
     let early = work("2");
-    let said = String::from_utf8_lossy(&early.stderr).into_owned();
-    assert_eq!(early.status.code(), Some(1), "{said}");
-    assert!(said.contains("which strand 0 has not made yet"), "{said}");
+    let stderr = String::from_utf8_lossy(&early.stderr).into_owned();
+    assert_eq!(early.status.code(), Some(1), "{stderr}");
+    assert!(
+        stderr.contains("which strand 0 has not made yet"),
+        "{stderr}"
+    );
     assert!(work("0").status.success());
     // Two processes on the same strands, and one on all: side by side.
     let all = ["1-3", "3,2,1", "0-3"].map(|strands| {
@@ -24,8 +27,8 @@ fn processes_make_each_strand_once_and_come_to_what_one_sweep_does() {
     });
     for child in all {
         let ended = child.wait_with_output().unwrap();
-        let said = String::from_utf8_lossy(&ended.stderr);
-        assert!(ended.status.success(), "{said}");
+        let stderr = String::from_utf8_lossy(&ended.stderr);
+        assert!(ended.status.success(), "{stderr}");
     }
     assert_eq!(place.made(), 4, "event logs: each result once");
     assert_eq!(
@@ -58,7 +61,7 @@ fn a_killed_worker_leaves_nothing_to_unlock_and_another_goes_on() {
 }
 
 #[test]
-fn what_cannot_be_worked_on_is_told() {
+fn what_cannot_be_worked_on_is_refused() {
     let place = Place::new();
     let (plan, _) = place.plan("50");
     for (arguments, code, part) in [
@@ -80,9 +83,9 @@ fn what_cannot_be_worked_on_is_told() {
         ),
     ] {
         let ran = place.run(&[&["work"], &arguments[..]].concat());
-        let said = String::from_utf8_lossy(&ran.stderr).into_owned();
-        assert_eq!(ran.status.code(), Some(code), "{arguments:?}: {said}");
-        assert!(said.contains(part), "{said}");
+        let stderr = String::from_utf8_lossy(&ran.stderr).into_owned();
+        assert_eq!(ran.status.code(), Some(code), "{arguments:?}: {stderr}");
+        assert!(stderr.contains(part), "{stderr}");
     }
 }
 
@@ -109,13 +112,13 @@ fn a_cohort_is_a_strand_a_folder_and_one_that_fails_fails_alone() {
     }
     let (file, all) = (place.path("x.toml"), place.path("all"));
     let (file, each) = (file.display().to_string(), format!("src={}", all.display()));
-    let told = place.json(&["plan", &file, "--strands", "--each", &each, "--allow-exec"]);
+    let answer = place.json(&["plan", &file, "--strands", "--each", &each, "--allow-exec"]);
     assert_eq!(
-        (&told["points"], &told["strands"]),
+        (&answer["points"], &answer["strands"]),
         (&4.into(), &4.into()),
-        "{told}"
+        "{answer}"
     );
-    let plan = told["plan"].as_str().unwrap();
+    let plan = answer["plan"].as_str().unwrap();
     let worked = place.json(&["work", "--plan", plan, "--strand", "0-3"]);
     let whys: Vec<bool> = worked["strands"]
         .as_array()
@@ -139,15 +142,15 @@ fn a_cohort_is_a_strand_a_folder_and_one_that_fails_fails_alone() {
         ("other=all", "No such file"),
     ] {
         let ran = place.run(&["plan", &file, "--strands", "--each", each]);
-        let said = String::from_utf8_lossy(&ran.stderr).into_owned();
+        let stderr = String::from_utf8_lossy(&ran.stderr).into_owned();
         assert_eq!(ran.status.code(), Some(2));
-        assert!(said.contains(part), "{said}");
+        assert!(stderr.contains(part), "{stderr}");
     }
     std::fs::create_dir(all.join("p3")).unwrap();
     let ran = place.run(&["plan", &file, "--strands", "--each", &each]);
-    let said = String::from_utf8_lossy(&ran.stderr).into_owned();
+    let stderr = String::from_utf8_lossy(&ran.stderr).into_owned();
     assert_eq!(ran.status.code(), Some(2));
-    assert!(said.contains("p3 has no file that fits"), "{said}");
+    assert!(stderr.contains("p3 has no file that fits"), "{stderr}");
 }
 
 #[test]
@@ -159,13 +162,13 @@ fn work_lets_programs_run_that_it_is_told_to_and_none_without_the_sandbox_that_i
     let (file, src) = (place.path("x.toml"), place.path("src"));
     let (file, src) = (file.display().to_string(), format!("src={}", src.display()));
     let words = ["plan", &file, "--strands", "--input", &src, "--allow-exec"];
-    let told = place.json(&words);
-    let plan = told["plan"].as_str().unwrap();
+    let answer = place.json(&words);
+    let plan = answer["plan"].as_str().unwrap();
     let work = |more: &[&str], variable: &str, value: &std::path::Path| {
         let words = [&["work", "--plan", plan, "--strand", "0"][..], more].concat();
         let ran = place.tailor(&words).env(variable, value).output().unwrap();
-        let said = String::from_utf8_lossy(&ran.stderr).into_owned();
-        (ran.status.code(), said)
+        let stderr = String::from_utf8_lossy(&ran.stderr).into_owned();
+        (ran.status.code(), stderr)
     };
     // Nobody else's programs, as of a folder of links: `bwrap` is not among them.
     let bare = place.path("bare");
@@ -175,13 +178,19 @@ fn work_lets_programs_run_that_it_is_told_to_and_none_without_the_sandbox_that_i
         let found = programs.iter().find(|program| program.exists()).unwrap();
         std::os::unix::fs::symlink(found, bare.join(name)).unwrap();
     }
-    let (code, said) = work(&["--sandbox", "required"], "PATH", &bare);
-    assert!(code == Some(1) && said.contains("not installed"), "{said}");
+    let (code, stderr) = work(&["--sandbox", "required"], "PATH", &bare);
+    assert!(
+        code == Some(1) && stderr.contains("not installed"),
+        "{stderr}"
+    );
     assert_eq!(place.made(), 0);
     // Another home, of which nobody knows what may run.
     let home = place.path("home");
-    let (code, said) = work(&[], "XDG_STATE_HOME", &home);
-    assert!(code == Some(1) && said.contains("--allow-exec"), "{said}");
-    let (code, said) = work(&["--allow-exec"], "XDG_STATE_HOME", &home);
-    assert_eq!((code, place.made()), (Some(0), 1), "{said}");
+    let (code, stderr) = work(&[], "XDG_STATE_HOME", &home);
+    assert!(
+        code == Some(1) && stderr.contains("--allow-exec"),
+        "{stderr}"
+    );
+    let (code, stderr) = work(&["--allow-exec"], "XDG_STATE_HOME", &home);
+    assert_eq!((code, place.made()), (Some(0), 1), "{stderr}");
 }

@@ -1,7 +1,7 @@
 //! Every decoder on bytes that are almost right: an answer or an error, never a panic.
 //!
 //! Seconds each time; `TAILOR_FUZZ=1000 cargo test --release --test decoders` takes a thousand times
-//! as many, and `TAILOR_FUZZ_SEED` others. What broke something is added to `corpus/`.
+//! as many, and `TAILOR_FUZZ_SEED` other ones. What broke something is added to `corpus/`.
 
 mod mutate;
 
@@ -36,12 +36,12 @@ fn number(name: &str, usual: u64) -> u64 {
 
 /// Holds a decoder to not panicking, so many times a file; `decode` also gets the file's name.
 fn hold(what: &str, seeds: &[(String, Vec<u8>)], times: u64, decode: impl Fn(&str, &[u8])) {
-    let others: Vec<&Vec<u8>> = seeds.iter().map(|(_, bytes)| bytes).collect();
+    let bytes_of_all: Vec<&Vec<u8>> = seeds.iter().map(|(_, bytes)| bytes).collect();
     for (i, (name, seed)) in seeds.iter().enumerate() {
         decode(name, seed);
         let mut dice = Dice(number("TAILOR_FUZZ_SEED", 1) << 20 | i as u64);
         for round in 0..times * number("TAILOR_FUZZ", 1) {
-            let other = others[dice.bits() as usize % others.len()];
+            let other = bytes_of_all[dice.bits() as usize % bytes_of_all.len()];
             let bytes = mutated(seed, other, &mut dice);
             if catch_unwind(AssertUnwindSafe(|| decode(name, &bytes))).is_err() {
                 let kept = std::env::temp_dir().join(format!("broken-{name}"));
@@ -175,7 +175,7 @@ fn photos_and_captures() {
 }
 
 #[test]
-fn cameras_and_masks_of_others() {
+fn cameras_and_masks_of_other_programs() {
     let turn = photos();
     let photos = run("capture.load", turn.path(), None).expect("three photos");
     for model in ["colmap-text", "colmap-binary", "json", "middlebury"] {

@@ -30,7 +30,7 @@ pub(crate) fn mutated(seed: &[u8], other: &[u8], dice: &mut Dice) -> Vec<u8> {
                 bytes.splice(at..end, other[from..to].iter().copied());
             }
             6 => {
-                // Where a length or a count may stand.
+                // Where a length or a count may be.
                 let odd = [0, 1, 0x7f, 0x80, 0xff, 0x7fff_ffff, 0xffff_ffff, u64::MAX];
                 let odd = odd[below(dice, odd.len())].to_le_bytes();
                 let width = [1, 2, 4, 8][below(dice, 4)];

@@ -162,7 +162,7 @@ impl Crate {
         Crate { files }
     }
 
-    /// A path as it stands in a module, from the crate's root. `None` for another crate's.
+    /// A path as it is in a module, from the crate's root. `None` for another crate's.
     fn whole(&self, module: &[String], path: &[String]) -> Option<Vec<String>> {
         let (first, rest) = path.split_first()?;
         let mut whole = match first.as_str() {
@@ -212,8 +212,8 @@ impl Crate {
                 .iter()
                 .filter_map(|path| self.whole(module, path));
             let homes = wholes.map(|whole| self.home(&whole, 0));
-            let others = homes.filter(|home| home != module);
-            (name(module), others.map(|home| name(&home)).collect())
+            let rest = homes.filter(|home| home != module);
+            (name(module), rest.map(|home| name(&home)).collect())
         };
         self.files.iter().map(of).collect()
     }

@@ -3,7 +3,7 @@
 use serde_json::{Value, json};
 use shape::{Mesh, mesh_to_ply};
 use std::path::{Path, PathBuf};
-use tailor::compare::{Side, TechnicalErrors, compare, json as told, markdown, page};
+use tailor::compare::{Side, TechnicalErrors, compare, json as to_json, markdown, page};
 
 /// A node of a `run.json`.
 fn node(name: &str, stage: &str, content: &str, provenance: &[(&str, &str)]) -> Value {
@@ -65,7 +65,7 @@ fn tailor(args: &[&str]) -> (Option<i32>, String) {
 }
 
 #[test]
-fn the_first_difference_the_girths_and_the_surfaces_are_told() {
+fn the_first_difference_the_girths_and_the_surfaces_are_reported() {
     let place = tempfile::tempdir().unwrap();
     let a = folder(place.path(), "a", "3.0", "h1", 80.0, 100.0);
     let b = folder(place.path(), "b", "2.0", "h2", 81.2, 104.0);
@@ -84,7 +84,7 @@ fn the_first_difference_the_girths_and_the_surfaces_are_told() {
         (&c.girths[0].same, &c.girths[1].same),
         (&vec![Some(false)], &vec![Some(true)])
     );
-    // Three faces of the cube lie 4 mm farther out, three in the same planes.
+    // Three faces of the cube are 4 mm farther out, three in the same planes.
     let apart = c.apart[0].as_ref().unwrap();
     assert!((apart.max_mm - 48f64.sqrt()).abs() < 1e-3, "{apart:?}");
     proof::near(apart.volume_l, 1.04f64.powi(3) - 1.0, 1e-5);
@@ -100,7 +100,7 @@ fn the_first_difference_the_girths_and_the_surfaces_are_told() {
     }
     let other = compare(sides.to_vec(), Some(20.0), &TechnicalErrors::new());
     assert_eq!(other.girths[0].same, [Some(true)]);
-    assert_eq!(told(&c)["against_first"][0]["first_diverging"], "hull");
+    assert_eq!(to_json(&c)["against_first"][0]["first_diverging"], "hull");
     let page = page(&c, true);
     for outside in ["http:", "https:", " src=", "@import", "url("] {
         assert!(!page.contains(outside), "{outside}");
@@ -110,7 +110,7 @@ fn the_first_difference_the_girths_and_the_surfaces_are_told() {
 }
 
 #[test]
-fn what_is_told_otherwise_and_makes_the_same_bytes_is_no_divergence() {
+fn what_is_given_otherwise_and_makes_the_same_bytes_is_no_divergence() {
     let place = tempfile::tempdir().unwrap();
     let a = folder(place.path(), "a", "3.0", "h1", 80.0, 100.0);
     let b = folder(place.path(), "b", "2.0", "h1", 80.0, 100.0);
@@ -123,7 +123,7 @@ fn what_is_told_otherwise_and_makes_the_same_bytes_is_no_divergence() {
 }
 
 #[test]
-fn folders_are_compared_from_the_command_line_and_bad_ones_are_told() {
+fn folders_are_compared_from_the_command_line_and_bad_ones_are_refused() {
     let place = tempfile::tempdir().unwrap();
     let a = folder(place.path(), "a", "3.0", "h1", 80.0, 100.0);
     let b = folder(place.path(), "b", "2.0", "h2", 81.2, 104.0);
@@ -166,7 +166,7 @@ fn folders_are_compared_from_the_command_line_and_bad_ones_are_told() {
 }
 
 #[test]
-fn every_waist_has_the_limit_of_a_large_girth_and_a_file_may_say_the_part_itself() {
+fn every_waist_has_the_limit_of_a_large_girth_and_a_file_may_name_the_part_itself() {
     let place = tempfile::tempdir().unwrap();
     let girths = |name: &str, off: f64| {
         let folder = folder(place.path(), name, "3.0", name, 80.0, 100.0);
@@ -187,17 +187,17 @@ fn every_waist_has_the_limit_of_a_large_girth_and_a_file_may_say_the_part_itself
         None,
         &TechnicalErrors::new(),
     );
-    let told: Vec<_> = c
+    let limits: Vec<_> = c
         .girths
         .iter()
         .map(|row| (row.tolerance_mm, row.same[0]))
         .collect();
     let (large, small) = ((9.0, Some(true)), (4.0, Some(false)));
-    assert_eq!(told, [large, large, small, large, small]);
+    assert_eq!(limits, [large, large, small, large, small]);
 }
 
 #[test]
-fn relative_lengths_are_never_held_against_centimetres() {
+fn relative_lengths_are_never_compared_with_centimetres() {
     let place = tempfile::tempdir().unwrap();
     let relative = |name: &str, tape: f64| {
         let folder = folder(place.path(), name, "3.0", name, 80.0, 100.0);
@@ -215,7 +215,7 @@ fn relative_lengths_are_never_held_against_centimetres() {
         text.contains("lengths of b are relative") && text.contains("those of a"),
         "{text}"
     );
-    // Side by side they may stand, without a verdict in millimetres.
+    // Side by side they may be, without a verdict in millimetres.
     let (code, text) = tailor(&["compare", b, c]);
     assert_eq!(code, Some(0), "{text}");
     assert!(
@@ -237,7 +237,7 @@ fn relative_lengths_are_never_held_against_centimetres() {
 }
 
 #[test]
-fn a_surface_that_stands_otherwise_is_laid_on_the_first_before_it_is_judged() {
+fn a_surface_that_is_placed_differently_is_aligned_to_the_first_before_it_is_judged() {
     let place = tempfile::tempdir().unwrap();
     let solid = synth::body_solid(&synth::Build {
         stature: 1750.0,

@@ -43,25 +43,26 @@ fn versions_of_foreign_programs_are_in_the_key_and_nowhere_else() {
             .iter()
             .filter(|(what, _)| what.starts_with("program "));
         let programs: Vec<&(String, String)> = programs.collect();
-        let said: Vec<String> = node
+        let installed: Vec<String> = node
             .stage
             .programs()
             .iter()
             .map(|(n, v)| format!("{n} {v}"))
             .collect();
-        let told: Vec<String> = programs
+        let in_key: Vec<String> = programs
             .iter()
             .map(|(what, version)| format!("{} {version}", &what["program ".len()..]))
             .collect();
-        assert_eq!(told, said, "{}", node.name);
+        assert_eq!(in_key, installed, "{}", node.name);
         assert_eq!(
-            told.len(),
+            in_key.len(),
             if node.name == "frames" { 2 } else { 0 },
             "{}",
             node.name
         );
         assert!(
-            told.iter()
+            in_key
+                .iter()
                 .all(|t| t.split(' ').nth(1).is_some_and(|v| !v.is_empty()))
         );
     }

@@ -1,4 +1,4 @@
-//! docs/formats.md, held by a reader that knows nothing else: python/read_store.py against `tailor show`.
+//! docs/formats.md, checked by a reader that knows nothing else: python/read_store.py against `tailor show`.
 
 use std::path::Path;
 use std::process::Command;
@@ -44,7 +44,7 @@ fn floats(bytes: &[u8]) -> Vec<f32> {
 fn a_reader_in_python_reads_what_the_program_shows() {
     let there = Command::new("python3").arg("--version").output();
     if !there.is_ok_and(|out| out.status.success()) {
-        eprintln!("NOT TESTED: python3 is missing, so docs/formats.md is held by nobody here");
+        eprintln!("NOT TESTED: python3 is missing, so docs/formats.md is not checked here");
         return;
     }
     let place = tempfile::tempdir().unwrap();

@@ -1,4 +1,4 @@
-//! `tailor follow`: the same body turned, moved and with its arms held otherwise is the same; what grew is found.
+//! `tailor follow`: the same body turned, moved and with its arms in another pose is the same; what grew is found.
 
 use follow::{Halves, PARTS, Target, carried, growth, posed, rigid, segments, volumes};
 use nalgebra::{Isometry3, Point3, Vector3};
@@ -76,7 +76,7 @@ fn a_turned_and_moved_body_is_laid_back_from_any_side() {
 }
 
 #[test]
-fn arms_held_otherwise_are_the_same_arms_and_levels_stay_where_they_were() {
+fn arms_in_another_pose_are_the_same_arms_and_levels_stay_where_they_were() {
     let first = body(42.0, 1750.0, 0.0);
     let other = moved(&body(34.0, 1750.0, 0.0), &turned(15.0));
     let segments = segments(&first, &parts(&first));
@@ -174,16 +174,16 @@ fn a_belt_that_grew_is_found_at_its_level() {
         &cache,
     );
     assert_eq!(code, Some(0), "{errors}");
-    let told: Value = serde_json::from_str(&text).unwrap();
-    assert_eq!(told["captures"][0]["date"], "2026-05-01");
+    let json: Value = serde_json::from_str(&text).unwrap();
+    assert_eq!(json["captures"][0]["date"], "2026-05-01");
     proof::near(
-        told["captures"][1]["turned_deg"].as_f64().unwrap(),
+        json["captures"][1]["turned_deg"].as_f64().unwrap(),
         -12.0,
         0.2,
     );
-    assert_eq!(told["warnings"], Value::Array(vec![]), "{told}");
+    assert_eq!(json["warnings"], Value::Array(vec![]), "{json}");
     let change = |name: &str| {
-        let line = told["girths"]
+        let line = json["girths"]
             .as_array()
             .unwrap()
             .iter()

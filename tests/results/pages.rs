@@ -166,7 +166,7 @@ fn seen_by(names: &[&str], wide: usize) -> Views {
 
 #[test]
 #[cfg_attr(not(chromium), ignore = "no Chromium is installed")]
-fn silhouettes_and_surfaces_stand_side_by_side_photo_by_photo() {
+fn silhouettes_and_surfaces_are_side_by_side_photo_by_photo() {
     let mut sides = vec![
         side("small", [40.0, 40.0, 90.0]),
         side("large", [44.0, 44.0, 94.0]),
@@ -272,8 +272,8 @@ fn a_sweep_is_plotted_lights_up_and_sorts() {
         text.as_str().unwrap().to_owned()
     };
     let figure = words(&mut tab, "figure:nth-child(2)");
-    for said in ["girths.WC [cm]", "over hull.voxel_mm", "variant = rigid"] {
-        assert!(figure.contains(said), "{said}: {figure}");
+    for label in ["girths.WC [cm]", "over hull.voxel_mm", "variant = rigid"] {
+        assert!(figure.contains(label), "{label}: {figure}");
     }
     let still = words(&mut tab, "#legend");
     assert!(

@@ -1,4 +1,4 @@
-//! The girth through picked points: the report's page tells what the program tells, where arm and trunk are one, too.
+//! The girth through picked points: the report's page computes what the program computes, where arm and trunk are one, too.
 //! Without a Chromium this is ignored (touch `build.rs` once one is installed).
 
 use crate::chromium;
@@ -23,7 +23,7 @@ impl Dice {
     }
 }
 
-/// How far the outline of a trunk with an arm in it lies from the trunk's middle. \[mm\]
+/// How far the outline of a trunk with an arm in it is from the trunk's middle. \[mm\]
 fn outline(turn: f32, up: f32) -> f32 {
     let (s, c) = libm::sincosf(turn);
     let trunk = 120.0 + 0.06 * up;
@@ -70,7 +70,7 @@ fn around(dice: &mut Dice) -> Vec<Vec<f64>> {
 
 #[test]
 #[cfg_attr(not(chromium), ignore = "no Chromium is installed")]
-fn the_page_tells_the_programs_girth_where_arm_and_trunk_are_one() {
+fn the_page_computes_the_programs_girth_where_arm_and_trunk_are_one() {
     let mut dice = Dice(7);
     let mesh = fused(&mut dice);
     let mut input = tube::input();
@@ -95,14 +95,14 @@ fn the_page_tells_the_programs_girth_where_arm_and_trunk_are_one() {
         tab.value(&format!(
             "(() => {{ const e = document.getElementById('points'); e.value = {text:?}; e.dispatchEvent(new Event('input')); }})()"
         ));
-        let told = tab.value("({ ...document.getElementById('picked').dataset })");
-        let told = |key: &str| told[key].as_str().and_then(|t| t.parse::<f64>().ok());
+        let dataset = tab.value("({ ...document.getElementById('picked').dataset })");
+        let on_page_mm = |key: &str| dataset[key].as_str().and_then(|t| t.parse::<f64>().ok());
         for (key, mm) in [
             ("tape", own.tape_mm),
             ("contour", own.contour_mm),
             ("spline", own.spline_mm),
         ] {
-            let on_page = told(key).unwrap_or(f64::NAN);
+            let on_page = on_page_mm(key).unwrap_or(f64::NAN);
             assert!(
                 (on_page - mm).abs() < 0.01,
                 "{key} {on_page}, not {mm}: {text}"
@@ -117,7 +117,7 @@ fn the_page_tells_the_programs_girth_where_arm_and_trunk_are_one() {
 
 #[test]
 #[cfg_attr(not(chromium), ignore = "no Chromium is installed")]
-fn a_page_with_a_coarser_surface_tells_no_girth_of_it() {
+fn a_page_with_a_coarser_surface_computes_no_girth_of_it() {
     let params = HtmlParams {
         most_faces: 2000,
         ..HtmlParams::default()
@@ -132,6 +132,9 @@ fn a_page_with_a_coarser_surface_tells_no_girth_of_it() {
         "(() => { const e = document.getElementById('points'); e.value = '[[120, 0, 200], [0, 85, 200], [-120, 0, 200]]'; \
          e.dispatchEvent(new Event('input')); })()",
     );
-    let told: Value = tab.value("document.getElementById('picked').textContent");
-    assert!(told.as_str().unwrap().contains("coarser surface"), "{told}");
+    let picked: Value = tab.value("document.getElementById('picked').textContent");
+    assert!(
+        picked.as_str().unwrap().contains("coarser surface"),
+        "{picked}"
+    );
 }

@@ -1,4 +1,4 @@
-//! The pipelines that ship, and what a pipeline file with mistakes is told.
+//! The pipelines that ship, and the mistakes reported of a pipeline file.
 
 use std::path::Path;
 use tailor::catalog::CATALOG;
@@ -11,7 +11,7 @@ fn shipped() -> Vec<std::path::PathBuf> {
         let entries = std::fs::read_dir(folder).unwrap();
         entries.map(|e| e.unwrap().path()).collect::<Vec<_>>()
     };
-    // Those with programs of others lie with them in a folder.
+    // Those with foreign programs are with them in a folder.
     let mut files = inside(&folder);
     files.extend(inside(&folder.join("foreign")));
     files.retain(|path| path.extension().is_some_and(|e| e == "toml"));
@@ -88,35 +88,35 @@ fn mistakes(text: &str) -> Vec<String> {
 const HEAD: &str = "goal = \"photos\"\n[input.files]\nfiles = \"*.jpg\"\n[node.photos]\n";
 
 #[test]
-fn a_slip_in_a_stage_is_told_with_its_place_and_what_was_meant() {
-    let told = mistakes(&format!(
+fn a_slip_in_a_stage_is_named_with_its_place_and_what_was_meant() {
+    let list = mistakes(&format!(
         "{HEAD}stage = \"capture.lode\"\nfrom = {{ files = \"@files\" }}\n"
     ));
     assert!(
-        told[0].starts_with("5:9 there is no stage `capture.lode`; did you mean `capture.load`?"),
-        "{told:?}"
+        list[0].starts_with("5:9 there is no stage `capture.lode`; did you mean `capture.load`?"),
+        "{list:?}"
     );
 }
 
 #[test]
 fn params_are_checked_for_name_type_and_range_all_at_once() {
     let with = "with = { fewest = 1, fewst = 4 }";
-    let told = mistakes(&format!(
+    let list = mistakes(&format!(
         "{HEAD}stage = \"capture.load\"\nfrom = {{ files = \"@files\" }}\n{with}\n"
     ));
     assert!(
-        told.iter().any(|t| t.contains("did you mean `fewest`")),
-        "{told:?}"
+        list.iter().any(|t| t.contains("did you mean `fewest`")),
+        "{list:?}"
     );
     assert!(
-        told.iter()
+        list.iter()
             .any(|t| t.starts_with("7:19") && t.contains("3..=1000")),
-        "{told:?}"
+        "{list:?}"
     );
 }
 
 #[test]
-fn circles_unused_nodes_and_wrong_kinds_are_told() {
+fn circles_unused_nodes_and_wrong_kinds_are_refused() {
     let circle = "goal = \"a\"\n[node.a]\nstage = \"pose.frame\"\nfrom = { cameras = \"b\", photos = \"p\" }\n\
                   [node.b]\nstage = \"pose.frame\"\nfrom = { cameras = \"a\", photos = \"p\" }\n\
                   [input.f]\nfiles = \"*\"\n[node.p]\nstage = \"capture.load\"\nfrom = { files = \"@f\" }\n";
@@ -143,10 +143,10 @@ fn circles_unused_nodes_and_wrong_kinds_are_told() {
 
 #[test]
 fn broken_toml_is_a_mistake_with_a_place() {
-    let told = mistakes("goal = \n[node");
+    let list = mistakes("goal = \n[node");
     assert!(
-        told.len() >= 2 && told.iter().all(|t| !t.starts_with("null")),
-        "{told:?}"
+        list.len() >= 2 && list.iter().all(|t| !t.starts_with("null")),
+        "{list:?}"
     );
 }
 
@@ -164,7 +164,7 @@ fn a_set_must_name_a_node_and_a_param() {
         )
     };
     assert!(with("hull.voxel_mm=4").is_ok());
-    for (set, says) in [
+    for (set, part) in [
         ("hul.voxel_mm=4", "did you mean `hull`"),
         ("hull.voxel_mm=0.01", "out of range"),
         ("hull.voxel=4", "there is no param `voxel`"),
@@ -173,7 +173,7 @@ fn a_set_must_name_a_node_and_a_param() {
         let Err(error) = with(set) else {
             panic!("{set} was taken")
         };
-        assert!(error.to_string().contains(says), "{error}");
+        assert!(error.to_string().contains(part), "{error}");
     }
 }
 
@@ -192,10 +192,10 @@ fn the_schema_for_editors_knows_every_stage_with_its_ports_and_params() {
             assert_eq!(needed.iter().any(|n| n == port.name), !port.optional);
         }
         for param in stage.params() {
-            let said = &rule["with"]["properties"][param.name];
-            assert_eq!(said["description"], param.doc, "{}", param.name);
-            assert_eq!(said["minimum"].as_f64(), param.range.map(|r| r.0));
-            assert!(!said["default"].is_null());
+            let property = &rule["with"]["properties"][param.name];
+            assert_eq!(property["description"], param.doc, "{}", param.name);
+            assert_eq!(property["minimum"].as_f64(), param.range.map(|r| r.0));
+            assert!(!property["default"].is_null());
         }
     }
 }
@@ -279,7 +279,7 @@ fn with_own_masks_nothing_but_the_masks_is_made_otherwise() {
         let pipeline = Pipeline::built_in(name, &CATALOG).unwrap();
         pipeline.graph(&Overrides::default()).unwrap()
     };
-    let told = |graph: &Graph| -> Vec<_> {
+    let nodes_of = |graph: &Graph| -> Vec<_> {
         let node = |n: &Bound| {
             (
                 n.name.clone(),
@@ -289,7 +289,7 @@ fn with_own_masks_nothing_but_the_masks_is_made_otherwise() {
         graph.nodes.iter().map(node).collect()
     };
     let (body, own) = (graph("body"), graph("own-masks"));
-    let (body, own) = (told(&body), told(&own));
+    let (body, own) = (nodes_of(&body), nodes_of(&own));
     assert_eq!(body.len(), own.len() + 5); // the steps from photos to masks
     let otherwise: Vec<_> = own.iter().filter(|n| !body.contains(n)).collect();
     assert_eq!(otherwise.len(), 1, "{otherwise:?}");

@@ -39,15 +39,15 @@ fn two_people_twice_have_errors_correlation_and_plots() {
     args.extend(all.iter().map(|p| p.to_str().unwrap()));
     let (code, text, errors) = tailor(&args);
     assert_eq!(code, Some(0), "{errors}");
-    let told: Value = serde_json::from_str(&text).unwrap();
-    assert_eq!(told["people"][1]["person"], "bert");
-    let waist = &told["repeatability"][0];
+    let study: Value = serde_json::from_str(&text).unwrap();
+    assert_eq!(study["people"][1]["person"], "bert");
+    let waist = &study["repeatability"][0];
     // Differences of 4 and 3 mm: √(25 / 4).
     proof::near(waist["tem_mm"].as_f64().unwrap(), 2.5, 1e-9);
     proof::near(waist["lsc95_mm"].as_f64().unwrap(), 6.93, 0.01);
     assert_eq!(waist["allowed_mm"], 12.0);
     assert!(waist["icc_2_1"].as_f64().unwrap() > 0.99);
-    let neck = &told["repeatability"][1];
+    let neck = &study["repeatability"][1];
     assert_eq!(
         (&neck["degrees_of_freedom"], &neck["icc_2_1"]),
         (&json!(1), &Value::Null)
@@ -77,8 +77,8 @@ fn captures_that_come_out_equal_err_by_their_rounding_at_least() {
     args.extend(all.iter().map(|p| p.to_str().unwrap()));
     let (code, text, errors) = tailor(&args);
     assert_eq!(code, Some(0), "{errors}");
-    let told: Value = serde_json::from_str(&text).unwrap();
-    let chest = &told["repeatability"][0];
+    let study: Value = serde_json::from_str(&text).unwrap();
+    let chest = &study["repeatability"][0];
     // 0.1 mm / √12; by χ² of two degrees of freedom up to 6.3 times that.
     let error = 0.1 / 12f64.sqrt();
     proof::near(chest["tem_mm"].as_f64().unwrap(), error, 1e-4);
@@ -101,7 +101,7 @@ fn captures_that_come_out_equal_err_by_their_rounding_at_least() {
 }
 
 #[test]
-fn what_cannot_be_told_is_refused_with_what_to_do() {
+fn what_cannot_be_known_is_refused_with_what_to_do() {
     let place = tempfile::tempdir().unwrap();
     let anna = capture(place.path(), "anna", &[("WC", 800.0)]);
     let bert = capture(place.path(), "bert", &[("WC", 900.0)]);

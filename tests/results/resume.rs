@@ -37,7 +37,7 @@ fn files(folder: &Path) -> Vec<(PathBuf, Vec<u8>)> {
     found
 }
 
-/// The report ends with a table of times; what stands before it is the result.
+/// The report ends with a table of times; what comes before it is the result.
 fn result(folder: &Path) -> Vec<(PathBuf, Vec<u8>)> {
     let mut all = files(folder);
     all.retain(|(name, _)| name != Path::new("report.html"));
@@ -129,7 +129,7 @@ fn killed_at_twenty_random_moments_it_goes_on_and_ends_with_the_same_bytes() {
         );
         assert!(
             written.len() <= count,
-            "what a checkpoint held was done again"
+            "what a checkpoint had was done again"
         );
         let _ = std::fs::remove_dir_all(&cache);
     }

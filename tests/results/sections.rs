@@ -54,7 +54,7 @@ fn a_declared_girth_reaches_the_stage_and_single_values_can_be_set() {
 }
 
 #[test]
-fn a_mistake_in_a_section_is_told_at_its_place() {
+fn a_mistake_in_a_section_is_refused_at_its_place() {
     let lines = SURFACE.lines().count();
     for (more, row, column, what) in [
         (
@@ -99,17 +99,17 @@ fn a_mistake_in_a_section_is_told_at_its_place() {
             panic!("no mistake in {more}")
         };
         let all = wrong.json()["mistakes"].clone();
-        let told = all.as_array().unwrap().iter().any(|m| {
+        let found = all.as_array().unwrap().iter().any(|m| {
             m["line"] == lines + 1 + row
                 && m["column"] == column
                 && m["what"].as_str().unwrap().contains(what)
         });
-        assert!(told, "{row}:{column} {what}: {all}");
+        assert!(found, "{row}:{column} {what}: {all}");
     }
 }
 
 #[test]
-fn a_section_that_no_node_takes_is_told() {
+fn a_section_that_no_node_takes_is_refused() {
     let text = format!(
         "goal = \"body\"\n[input.surface]\nfiles = \"*.ply\"\n[node.body]\nstage = \"capture.surface\"\nfrom = {{ files = \"@surface\" }}\n{THIGH}"
     );
@@ -117,10 +117,10 @@ fn a_section_that_no_node_takes_is_told() {
     let Err(wrong) = open_text("p.toml", &text, &Overrides::default(), catalog) else {
         panic!("nobody takes it")
     };
-    let told = wrong.json().to_string();
+    let message = wrong.json().to_string();
     assert!(
-        told.contains("no node of this pipeline takes `[girth.mid_thigh]`"),
-        "{told}"
+        message.contains("no node of this pipeline takes `[girth.mid_thigh]`"),
+        "{message}"
     );
 }
 

@@ -65,21 +65,21 @@ fn a_body_given_by_formula_comes_back_from_its_photos() {
     let node = |name: &str| graph.node(name).unwrap();
     let (outcome, _) = run(&graph, place.path(), &graph.goal);
     let metrics = &outcome.nodes[node("score")].as_ref().unwrap().metrics;
-    let told = |name: &str| {
+    let metric = |name: &str| {
         let found = metrics.iter().find(|m| m.name == name);
         found.unwrap_or_else(|| panic!("no metric {name}")).value
     };
-    assert_eq!(told("cameras found"), 12.0);
-    assert!(told("cameras scale error").abs() < 0.3, "{metrics:?}");
-    assert!(told("cameras focal error").abs() < 0.3, "{metrics:?}");
-    assert!(told("masks mean IoU") > 0.96, "{metrics:?}");
-    assert!(told("surface mean distance") < 3.0, "{metrics:?}");
+    assert_eq!(metric("cameras found"), 12.0);
+    assert!(metric("cameras scale error").abs() < 0.3, "{metrics:?}");
+    assert!(metric("cameras focal error").abs() < 0.3, "{metrics:?}");
+    assert!(metric("masks mean IoU") > 0.96, "{metrics:?}");
+    assert!(metric("surface mean distance") < 3.0, "{metrics:?}");
     // Silhouettes alone make no body smaller, and round parts only a little larger.
     for girth in ["WC", "HC"] {
-        let error = told(&format!("girths {girth} error"));
+        let error = metric(&format!("girths {girth} error"));
         assert!((-1.5..3.5).contains(&error), "{girth} {error} %");
     }
-    // The table says the same.
+    // The table has the same.
     let table = outcome.artifact(&graph, node("score")).unwrap();
     let table = table.downcast::<Document>().unwrap();
     let json: serde_json::Value = serde_json::from_slice(&table.bytes).unwrap();
@@ -87,7 +87,7 @@ fn a_body_given_by_formula_comes_back_from_its_photos() {
     let waist = rows.iter().find(|r| r["name"] == "WC").unwrap();
     let (measured, formula) = (&waist["measured_mm"], &waist["formula_mm"]);
     let share = measured.as_f64().unwrap() / formula.as_f64().unwrap();
-    proof::near(100.0 * (share - 1.0), told("girths WC error"), 0.01);
+    proof::near(100.0 * (share - 1.0), metric("girths WC error"), 0.01);
 
     // Again, nothing runs; a coarser hull takes no photo anew.
     let (_, made) = run(&graph, place.path(), &graph.goal);
@@ -115,7 +115,7 @@ fn off(found: &Cameras, truth: &Cameras) -> (f64, f64) {
     (place.fold(0.0, f64::max), focal)
 }
 
-/// What the synthetic turn says otherwise than the product: photos are made, and nobody says who it is; nothing else.
+/// What differs between the synthetic turn and the product: photos are made, and nobody is named; nothing else.
 const OTHERWISE: [&str; 2] = ["photos", "person"];
 
 #[test]

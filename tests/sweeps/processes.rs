@@ -17,9 +17,9 @@ fn sweep(cells: &str, cache: &Path) -> Command {
 
 /// Points, and how many results were made for all of them.
 fn made(json: &[u8]) -> (usize, u64) {
-    let told: Value = serde_json::from_slice(json).unwrap();
-    let points = told["points"].as_array().unwrap();
-    assert!(points.iter().all(|p| p["done"] == true), "{told}");
+    let table: Value = serde_json::from_slice(json).unwrap();
+    let points = table["points"].as_array().unwrap();
+    assert!(points.iter().all(|p| p["done"] == true), "{table}");
     let made = points.iter().map(|p| p["made"].as_u64().unwrap());
     (points.len(), made.sum())
 }
@@ -52,7 +52,7 @@ fn a_killed_sweep_goes_on_and_added_points_make_only_what_is_new() {
     let first = lines.map(Result::unwrap).find(|l| l.starts_with("[  1/4]"));
     child.kill().unwrap();
     child.wait().unwrap();
-    assert!(first.is_some(), "the first point is told as it comes");
+    assert!(first.is_some(), "the first point is printed as it comes");
     let before = records(cache.path());
     assert!(before >= 2, "{before} results of the first point");
     assert_eq!(run("50,45,40,35", cache.path()), (4, 5 - before));
