@@ -11,7 +11,7 @@ use shape::{PhotoId, Photos, Rgb};
 use stage::{AnyArtifact, AnyStage};
 use std::sync::{Arc, OnceLock};
 
-/// A result as it lies in the store, verified. It stays in memory as long as an array looks into it.
+/// A result as it is in the store, verified. It stays in memory as long as an array looks into it.
 #[pyclass(frozen, module = "tailor._native")]
 pub(crate) struct Artifact {
     blob: Held,
@@ -73,12 +73,12 @@ impl Artifact {
 
 /// What numpy asks for (the array interface, version 3): bytes at a place that nobody may write to.
 fn interface<'py>(py: Python<'py>, bytes: &[u8], shape: &[usize]) -> PyResult<Bound<'py, PyDict>> {
-    let told = PyDict::new(py);
-    told.set_item("version", 3)?;
-    told.set_item("typestr", "|u1")?;
-    told.set_item("shape", pyo3::types::PyTuple::new(py, shape)?)?;
-    told.set_item("data", (bytes.as_ptr() as usize, true))?;
-    Ok(told)
+    let dict = PyDict::new(py);
+    dict.set_item("version", 3)?;
+    dict.set_item("typestr", "|u1")?;
+    dict.set_item("shape", pyo3::types::PyTuple::new(py, shape)?)?;
+    dict.set_item("data", (bytes.as_ptr() as usize, true))?;
+    Ok(dict)
 }
 
 #[pymethods]

@@ -5,7 +5,7 @@ use pyo3::prelude::*;
 use std::any::Any;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
-/// `tailor.Error` with a text, the exit code that the command would end with, and what `--json` tells.
+/// `tailor.Error` with a text, the exit code that the command would end with, and what `--json` prints.
 fn error(py: Python<'_>, text: &str, code: u8, more: &str) -> PyErr {
     let made = py
         .import("tailor._errors")

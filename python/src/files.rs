@@ -73,7 +73,7 @@ pub(crate) fn ply(
             positions: numbers(positions, f32::from_le_bytes),
             faces: numbers(faces, u32::from_le_bytes),
             colors: colors.as_chunks::<3>().0.to_vec(),
-            // What its numbers are in is said where it is taken.
+            // What its numbers are in is given where it is taken.
             unit: shape::Unit::Metric,
         };
         if !mesh.colors.is_empty() && mesh.colors.len() != mesh.positions.len() {
@@ -84,7 +84,7 @@ pub(crate) fn ply(
     Ok(PyBytes::new(py, &bytes).unbind())
 }
 
-/// Files of a kind as an artifact, by the kind's importer; a surface as it stands in its file.
+/// Files of a kind as an artifact, by the kind's importer; a surface as it is in its file.
 pub(crate) fn taken(
     kind: &str,
     folder: &Path,

@@ -14,10 +14,10 @@ pub(crate) type Event = (&'static str, String, String, usize, usize, f64);
 
 /// How often signals are looked at.
 const LOOK: Duration = Duration::from_millis(50);
-/// Progress within a node is told no oftener than this.
+/// Progress within a node is reported no oftener than this.
 const TOLD: Duration = Duration::from_millis(50);
 
-/// Hands on what a walk tells.
+/// Hands on what a walk reports.
 pub(crate) struct Listener {
     to: Sender<Event>,
     last: Mutex<Option<Instant>>,
@@ -25,19 +25,19 @@ pub(crate) struct Listener {
 
 impl Listener {
     /// Tells something. Nobody listens any more where the job's end is not awaited.
-    pub(crate) fn tell(&self, event: Event) {
+    pub(crate) fn report(&self, event: Event) {
         let _ = self.to.send(event);
     }
 }
 
 impl Watch for Listener {
     fn started(&self, node: &str) {
-        self.tell(("started", node.into(), String::new(), 0, 0, 0.0));
+        self.report(("started", node.into(), String::new(), 0, 0, 0.0));
     }
 
     fn waits(&self, node: &str) {
         let what = "made by another process".to_owned();
-        self.tell(("waits", node.into(), what, 0, 0, 0.0));
+        self.report(("waits", node.into(), what, 0, 0, 0.0));
     }
 
     fn progress(&self, node: &str, label: &str, done: usize, of: usize) {
@@ -46,13 +46,13 @@ impl Watch for Listener {
         };
         if done == of || last.is_none_or(|last| last.elapsed() > TOLD) {
             *last = Some(Instant::now());
-            self.tell(("progress", node.into(), label.into(), done, of, 0.0));
+            self.report(("progress", node.into(), label.into(), done, of, 0.0));
         }
     }
 
     fn done(&self, node: &str, done: &Done) {
         let word = done.status.word();
-        self.tell((word, node.into(), String::new(), 1, 1, done.seconds));
+        self.report((word, node.into(), String::new(), 1, 1, done.seconds));
     }
 }
 

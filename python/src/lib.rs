@@ -47,7 +47,7 @@ mod _native {
         outcome::measured(py, words, cache, threads, hear)
     }
 
-    /// Runs a sweep, said by the words behind `tailor sweep`: its table as JSON, and what no point tells.
+    /// Runs a sweep, printed by the code behind `tailor sweep`: its table as JSON, and what no point has.
     #[pyfunction]
     fn sweep(
         py: Python<'_>,
@@ -72,7 +72,7 @@ mod _native {
         graph::kinds()
     }
 
-    /// Takes a program of pipelines from here, whatever PATH says, and lets it read some folders.
+    /// Takes a program of pipelines from here, whatever PATH has, and lets it read some folders.
     #[pyfunction]
     fn bring(name: String, path: std::path::PathBuf, reads: Vec<std::path::PathBuf>) {
         engine::foreign::bring(name, path, reads);

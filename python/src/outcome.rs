@@ -153,14 +153,14 @@ pub(crate) fn swept(
             Heard::Outlook(outlook) => {
                 points = usize::try_from(outlook.points).unwrap_or(usize::MAX);
                 let what = outlook.to_string();
-                listener.tell(("outlook", String::new(), what, 0, points, outlook.seconds));
+                listener.report(("outlook", String::new(), what, 0, points, outlook.seconds));
             }
             Heard::Row(row, at, name) => {
                 let word = match &row.end {
                     End::Done => "point",
                     _ => "point failed",
                 };
-                listener.tell((word, name, String::new(), at, points, row.seconds));
+                listener.report((word, name, String::new(), at, points, row.seconds));
             }
         })?;
         let json = swept.json(tailor::program().catalog.program);
