@@ -1,11 +1,11 @@
-//! Every room. A new room adds one word here, a new stage nothing.
+//! Every crate of stages. A new crate adds one word here, a new stage nothing.
 
 use crate::kinds::KINDS;
 use engine::Catalog;
 use engine::kind::Importer;
 use stage::{AnyStage, erase};
 
-// What a folder holds besides photos, and what capture.toml says.
+// What a folder has besides photos, and what capture.toml has.
 pub(crate) use capture::{READ, foreign, is_photo, is_plate, is_raw, is_scan, is_video};
 
 // The layout of a mat from its tags.
@@ -17,7 +17,7 @@ pub(crate) use measure::{Body, body, flat, limbs, parts, section, taken as secti
 // A page that gets the name of its capture.
 pub(crate) use report::titled;
 
-/// The rooms' stages, in the order in which data flows.
+/// The crates' stages, in the order in which data flows.
 pub const ROOMS: &[&[&dyn AnyStage]] = &[
     synth::STAGES,
     capture::STAGES,

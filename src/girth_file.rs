@@ -1,4 +1,4 @@
-//! A `girths.json` as other captures are held against it.
+//! A `girths.json` as other captures are compared with it.
 
 use crate::score::RELATIVE;
 use serde_json::Value;
@@ -15,7 +15,7 @@ pub struct ReadGirth {
     pub name: String,
     /// What people call it.
     pub label: String,
-    /// Where on the body, by the table of girths; older files do not say.
+    /// Where on the body, by the table of girths; older files do not have it.
     pub part: Option<String>,
     /// Along the contour.
     pub contour: f64,
@@ -23,7 +23,7 @@ pub struct ReadGirth {
     pub tape: f64,
     /// Holds the tape's truth nine times in ten; `None` where that is unknown.
     pub interval: Option<[f64; 2]>,
-    /// Nine in ten measurements of the same person lie within this of their mean; without the scale.
+    /// Nine in ten measurements of the same person are within this of their mean; without the scale.
     pub repeat: Option<f64>,
     /// Standard deviation of the tape by the unit of length.
     pub scale: Option<f64>,
@@ -40,9 +40,9 @@ pub struct GirthFile {
     pub unit: Unit,
     /// The girths.
     pub girths: Vec<ReadGirth>,
-    /// What the capture is called, where that is told.
+    /// What the capture is called, where that is given.
     pub capture: Option<String>,
-    /// The day of the capture, `YYYY-MM-DD`, where it is told.
+    /// The day of the capture, `YYYY-MM-DD`, where it is given.
     pub date: Option<String>,
     /// Crown above the ground.
     pub stature: Option<f64>,
@@ -128,7 +128,7 @@ pub(crate) fn suffix(unit: Unit) -> &'static str {
 }
 
 /// The `girths.json` that a path means: the file itself, a folder of results, or a capture whose
-/// results lie beside it (`DIR-out`, as `measure` writes them).
+/// results are beside it (`DIR-out`, as `measure` writes them).
 ///
 /// # Errors
 ///

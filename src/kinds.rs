@@ -1,4 +1,4 @@
-//! The product's kinds: how each is written as files, and the numbers that it tells of itself.
+//! The product's kinds: how each is written as files, and the numbers that it has.
 
 use engine::Kind;
 use io::{document_extension, files};
@@ -8,7 +8,7 @@ use shape::{
 };
 use stage::{Artifact, Metric};
 
-/// Every kind that is written as files or tells numbers: girths by tape (`girths.WC`) and along the contour
+/// Every kind that is written as files or has numbers: girths by tape (`girths.WC`) and along the contour
 /// (`girths.WC.contour`), a surface's volume, area and size.
 pub const KINDS: &[Kind] = &[
     Kind {
@@ -58,7 +58,7 @@ pub const KINDS: &[Kind] = &[
     on_photos(Tracks::KIND, &["png", "json"]),
 ];
 
-/// A kind that is written in these formats and tells nothing of itself.
+/// A kind that is written in these formats and has no numbers.
 const fn written(name: &'static str, formats: &'static [&'static str]) -> Kind {
     Kind {
         name,
@@ -113,7 +113,7 @@ fn girths(girths: &Girths) -> Vec<Metric> {
     };
     let mut all = Vec::new();
     for g in &girths.girths {
-        // The girth is what a tape tells, wherever somebody asks for it; headings say so.
+        // The girth is that of a tape, wherever somebody asks for it; headings name it.
         let mut tape = length(&g.name, g.tape_mm);
         tape.unit += " tape";
         all.push(tape);

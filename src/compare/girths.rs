@@ -30,11 +30,11 @@ pub struct GirthRow {
     pub tolerance_mm: f64,
     /// Whether the tapes are the same within it, one entry for each other side.
     pub same: Vec<Option<bool>>,
-    /// What the two captures tell of the difference, one entry for each other side.
+    /// What the two captures report of the difference, one entry for each other side.
     pub judged: Vec<Judged>,
 }
 
-/// What two captures tell of a difference of their tapes; `None` where either does not say. \[mm\]
+/// What two captures report of a difference of their tapes; `None` where either reports nothing. \[mm\]
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Judged {
     /// Holds the difference of the true lengths nine times in ten: both intervals as independent errors.
@@ -49,7 +49,7 @@ pub struct Judged {
 pub type TechnicalErrors = BTreeMap<String, f64>;
 
 /// The difference `b` less `a`, both in centimetres, by both intervals and by what repetition gives: the technical error
-/// where somebody measured it, else what the captures tell themselves of repetition and of their scales.
+/// where somebody measured it, else what the captures report themselves of repetition and of their scales.
 fn judged(a: &ReadGirth, b: &ReadGirth, known: &TechnicalErrors) -> Judged {
     let off = 10.0 * (b.tape - a.tape);
     let reach = |low: bool| {
@@ -63,11 +63,11 @@ fn judged(a: &ReadGirth, b: &ReadGirth, known: &TechnicalErrors) -> Judged {
     };
     let ends = reach(true).zip(reach(false));
     let own = |g: &ReadGirth| Some(libm::hypot(g.repeat? / NINE_IN_TEN, g.scale.unwrap_or(0.0)));
-    let told = || Some(1.96 * 10.0 * libm::hypot(own(a)?, own(b)?));
+    let by_captures = || Some(1.96 * 10.0 * libm::hypot(own(a)?, own(b)?));
     let least = known
         .get(&a.name)
         .map(|error| LEAST_CHANGE * error)
-        .or_else(told);
+        .or_else(by_captures);
     let round = |mm: f64| (10.0 * mm).round() / 10.0;
     Judged {
         interval_mm: ends.map(|(low, high)| [round(off - low), round(off + high)]),
@@ -116,8 +116,8 @@ pub fn mixed(sides: &[Side]) -> Option<String> {
 }
 
 /// The girths that any side has, in the order in which they are met; none where units are [`mixed`].
-/// Relative lengths stand side by side, but no limit in millimetres is held against them.
-/// What repetition gives is told by `known` errors, else by the captures themselves.
+/// Relative lengths are shown side by side, without a verdict in millimetres.
+/// What repetition gives is taken from `known` errors, else by the captures themselves.
 pub fn girths(sides: &[Side], tolerance_mm: Option<f64>, known: &TechnicalErrors) -> Vec<GirthRow> {
     if mixed(sides).is_some() {
         return vec![];
@@ -183,34 +183,34 @@ mod tests {
     #[test]
     fn a_difference_is_judged_by_both_intervals_and_by_what_repeats() {
         let (a, b) = (waist(80.0, 79.7, 80.4), waist(81.0, 80.6, 81.3));
-        let told = judged(&a, &b, &TechnicalErrors::new());
+        let found = judged(&a, &b, &TechnicalErrors::new());
         // Less: the first up to 4 mm more, the second 4 mm less; more: 3 and 3.
-        let [low, high] = told.interval_mm.unwrap();
+        let [low, high] = found.interval_mm.unwrap();
         near(low, 10.0 - 32f64.sqrt(), 0.051);
         near(high, 10.0 + 18f64.sqrt(), 0.051);
         // Each 2 mm by repetition and 1.5 mm by its scale.
         near(
-            told.least_change_mm.unwrap(),
+            found.least_change_mm.unwrap(),
             1.96 * 2.5 * 2f64.sqrt(),
             0.051,
         );
-        assert_eq!(told.changed, Some(true));
+        assert_eq!(found.changed, Some(true));
         let known = TechnicalErrors::from([("WC".to_owned(), 5.0)]);
-        let told = judged(&a, &b, &known);
+        let found = judged(&a, &b, &known);
         assert_eq!(
-            (told.least_change_mm, told.changed),
+            (found.least_change_mm, found.changed),
             (Some(13.9), Some(false))
         );
     }
 
     #[test]
-    fn what_a_capture_does_not_say_is_not_judged() {
+    fn what_a_capture_does_not_report_is_not_judged() {
         let silent = ReadGirth {
             interval: None,
             repeat: None,
             ..waist(81.0, 80.6, 81.3)
         };
-        let told = judged(&waist(80.0, 79.7, 80.4), &silent, &TechnicalErrors::new());
-        assert_eq!(told, Judged::default());
+        let found = judged(&waist(80.0, 79.7, 80.4), &silent, &TechnicalErrors::new());
+        assert_eq!(found, Judged::default());
     }
 }

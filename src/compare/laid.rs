@@ -1,4 +1,4 @@
-//! A surface that stands otherwise, laid on the first: turned and moved as a whole.
+//! A surface that is placed differently, aligned to the first: turned and moved as a whole.
 
 use super::surfaces::{Apart, apart};
 use follow::{Halves, Target, rigid};
@@ -17,13 +17,13 @@ pub struct Laid {
     pub mesh: Mesh,
 }
 
-/// Surfaces that are nearer than this for nineteen twentieths stand alike. \[mm\]
+/// Surfaces that are nearer than this for nineteen twentieths are placed alike. \[mm\]
 const ALIKE_MM: f64 = 5.0;
 
-/// Lays the second surface on the first where, as they stand, they are farther apart than two measurements of one body that
-/// stands alike; `None` where they are not, or where that does not bring them nearer.
-pub fn laid(first: &Mesh, other: &Mesh, as_they_stand: &Apart) -> Option<Laid> {
-    if as_they_stand.p95_mm < ALIKE_MM || first.faces.is_empty() || other.faces.is_empty() {
+/// Aligns the second surface to the first where, as they are, they are farther apart than two measurements of one body that
+/// is placed alike; `None` where they are not, or where that does not bring them nearer.
+pub fn laid(first: &Mesh, other: &Mesh, unmoved: &Apart) -> Option<Laid> {
+    if unmoved.p95_mm < ALIKE_MM || first.faces.is_empty() || other.faces.is_empty() {
         return None;
     }
     let motion = rigid(other, &Target::new(first), Halves::Both);
@@ -34,7 +34,7 @@ pub fn laid(first: &Mesh, other: &Mesh, as_they_stand: &Apart) -> Option<Laid> {
     };
     let middle = other.bounds().map(|(a, b)| nalgebra::center(&a, &b))?;
     let apart = apart(first, &mesh);
-    (apart.mean_mm < 0.9 * as_they_stand.mean_mm).then(|| Laid {
+    (apart.mean_mm < 0.9 * unmoved.mean_mm).then(|| Laid {
         turned_deg: motion.rotation.angle().to_degrees(),
         moved_mm: (motion * middle - middle).norm(),
         apart,

@@ -29,7 +29,7 @@ pub use surfaces::{Apart, apart};
 pub use views::{View, Views};
 pub use words::{json, markdown};
 
-/// All that is said of the sides.
+/// All that is reported of the sides.
 pub struct Comparison {
     /// What is compared, the reference first.
     pub sides: Vec<Side>,
@@ -37,28 +37,28 @@ pub struct Comparison {
     pub differences: Vec<Difference>,
     /// The girths of all sides.
     pub girths: Vec<GirthRow>,
-    /// How far each surface is from the first as they stand; `None` where a side has none.
+    /// How far each surface is from the first as they are; `None` where a side has none.
     pub apart: Vec<Option<Apart>>,
-    /// The same of a body that stands otherwise, laid on the first; `None` where it need not be.
+    /// The same of a body that is placed differently, aligned to the first; `None` where it need not be.
     pub laid: Vec<Option<Laid>>,
 }
 
 /// Compares each side with the first. `tolerance_mm` is for all girths; without it each has the
-/// limit of ISO 20685-1. `known` errors of repetition take the place of what captures tell themselves.
+/// limit of ISO 20685-1. `known` errors of repetition take the place of what captures report themselves.
 pub fn compare(sides: Vec<Side>, tolerance_mm: Option<f64>, known: &TechnicalErrors) -> Comparison {
-    let (first, others) = sides.split_first().expect("bug: nothing to compare");
+    let (first, rest) = sides.split_first().expect("bug: nothing to compare");
     let surface = |side: &Side| Some(apart(first.mesh.as_ref()?, side.mesh.as_ref()?));
-    let all: Vec<Option<Apart>> = others.iter().map(surface).collect();
+    let all: Vec<Option<Apart>> = rest.iter().map(surface).collect();
     let again = |(side, apart): (&Side, &Option<Apart>)| {
         laid(first.mesh.as_ref()?, side.mesh.as_ref()?, apart.as_ref()?)
     };
     Comparison {
-        differences: others
+        differences: rest
             .iter()
             .map(|side| differ(&first.nodes, &side.nodes))
             .collect(),
         girths: girths(&sides, tolerance_mm, known),
-        laid: others.iter().zip(&all).map(again).collect(),
+        laid: rest.iter().zip(&all).map(again).collect(),
         apart: all,
         sides,
     }

@@ -22,14 +22,14 @@ const VIEW: &str = r#"<section><h2>Surfaces</h2><p id="no3d" hidden>This browser
 <label><input id="colored" type="checkbox" checked> colour by distance, full at <input id="full" type="range" min="0.2" max="20" step="0.1" value="3"> <output id="shown"></output> mm</label>
 <span><button id="front">front</button> <button id="side">side</button> <button id="back">back</button></span></div>
 <div class="view"><canvas id="view" tabindex="0"></canvas></div>
-<p class="soft">Orange lies outside of the other surface, blue inside; the first is held against the second, all others against the first. Drag to turn, wheel to come nearer, shift and drag to move.</p></section>"#;
+<p class="soft">Orange is outside of the other surface, blue inside; the first is compared with the second, each further one with the first. Drag to turn, wheel to come nearer, shift and drag to move.</p></section>"#;
 
 const IMAGES: &str = r#"<section><h2>Images</h2>
 <div class="bar"><label>photo <select id="photo"></select></label><span><button id="before" aria-label="the photo before">◀</button> <button id="after" aria-label="the next photo">▶</button></span></div>
 <div id="pictures"></div>
-<p class="soft">What lies outside of the first side's is orange, what lies inside blue.</p></section>"#;
+<p class="soft">What is outside of the first side's is orange, what is inside blue.</p></section>"#;
 
-/// Distance at which a surface is coloured fully until the slider says otherwise. \[mm\]
+/// Distance at which a surface is coloured fully until the slider is moved. \[mm\]
 const FULL_MM: f64 = 3.0;
 
 /// The page; photos are on it only if they may be.
@@ -37,12 +37,12 @@ pub fn page(c: &Comparison, show_photos: bool) -> String {
     let names: Vec<&str> = c.sides.iter().map(|s| s.name.as_str()).collect();
     let title = names.join(" against ");
     let shown = surfaces(c, true);
-    // Cameras see surfaces where they stand.
-    let stand = match c.laid.iter().any(Option::is_some) {
+    // Cameras see surfaces where they are.
+    let unmoved = match c.laid.iter().any(Option::is_some) {
         true => &surfaces(c, false),
         false => &shown,
     };
-    let pictures = pictures(&c.sides, stand, show_photos, FULL_MM);
+    let pictures = pictures(&c.sides, unmoved, show_photos, FULL_MM);
     let mut body = format!("<h1>{}</h1>\n", page::escaped(&title));
     for sentence in sentences(c) {
         body += &format!("<p>{}</p>\n", marked(&page::escaped(&sentence)));
@@ -90,8 +90,8 @@ fn section(title: &str, table: &Table) -> String {
     format!("<section><h2>{title}</h2>{html}{legend}</section>\n")
 }
 
-/// The surfaces for the view: the first with its distance to the second, the others to the first.
-/// What stands otherwise is shown as it was laid on the first, or where it stands.
+/// The surfaces for the view: the first with its distance to the second, the other ones to the first.
+/// What is placed differently is shown aligned to the first, or where it is.
 fn surfaces(c: &Comparison, laid: bool) -> Vec<Surface<'_>> {
     let moved = |l: &'_ Option<super::Laid>| l.as_ref().filter(|_| laid).map(|l| l.mesh.clone());
     let moved: Vec<Option<Mesh>> = c.laid.iter().map(moved).collect();

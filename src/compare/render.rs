@@ -54,7 +54,7 @@ fn normals(mesh: &Mesh) -> Vec<Vector3<f64>> {
     normals
 }
 
-/// Calls `at` for each pixel whose centre lies in a triangle: its place, the shares of the
+/// Calls `at` for each pixel whose centre is in a triangle: its place, the shares of the
 /// corners, inverse depth.
 fn fill(
     corners: [(Point2<f64>, f64); 3],

@@ -98,7 +98,7 @@ impl Side {
         })
     }
 
-    /// Out of a run whose results lie in a store.
+    /// Out of a run whose results are in a store.
     ///
     /// # Errors
     ///
@@ -107,7 +107,7 @@ impl Side {
         Side::from_nodes(name, nodes(name, run)?, store)
     }
 
-    /// Out of the nodes of a run whose results lie in a store.
+    /// Out of the nodes of a run whose results are in a store.
     ///
     /// # Errors
     ///

@@ -16,7 +16,7 @@ pub struct Apart {
     pub p95_mm: f64,
     /// The farthest vertex, from either.
     pub max_mm: f64,
-    /// Mean with its sign: positive where the other lies outside of the first.
+    /// Mean with its sign: positive where the other is outside of the first.
     pub bias_mm: f64,
     /// Mean distance from the first surface to the other.
     pub back_mean_mm: f64,

@@ -186,11 +186,11 @@ pub(super) fn sentences(c: &Comparison) -> Vec<String> {
         }
         text
     };
-    let others = c.sides.iter().skip(1).map(|s| &s.name);
-    others.zip(&c.differences).map(sentence).collect()
+    let names = c.sides.iter().skip(1).map(|s| &s.name);
+    names.zip(&c.differences).map(sentence).collect()
 }
 
-/// What is said in all, as Markdown.
+/// All of it, as Markdown.
 pub fn markdown(c: &Comparison) -> String {
     let names: Vec<&str> = c.sides.iter().map(|s| s.name.as_str()).collect();
     let mut text = format!("# {}\n\n", names.join(" against "));
@@ -251,7 +251,7 @@ pub fn json(c: &Comparison) -> Value {
         })
     };
     let surfaces = c.apart.iter().zip(&c.laid);
-    let others = c.sides.iter().skip(1).zip(&c.differences).zip(surfaces);
+    let compared = c.sides.iter().skip(1).zip(&c.differences).zip(surfaces);
     type Surfaces<'a> = (&'a Option<super::Apart>, &'a Option<super::Laid>);
     let against = |((side, d), (apart, laid)): ((&super::Side, &Difference), Surfaces<'_>)| {
         let laid = laid.as_ref().map(
@@ -267,7 +267,7 @@ pub fn json(c: &Comparison) -> Value {
     json!({
         "program": concat!("tailor ", env!("CARGO_PKG_VERSION")),
         "sides": c.sides.iter().map(side).collect::<Vec<_>>(),
-        "against_first": others.map(against).collect::<Vec<_>>(),
+        "against_first": compared.map(against).collect::<Vec<_>>(),
         "girths": c.girths.iter().map(super::GirthRow::json).collect::<Vec<_>>(),
     })
 }

@@ -41,7 +41,7 @@ pub struct Line {
     pub at: Vec<Change>,
 }
 
-/// A capture as it is told of.
+/// A capture as it is reported.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Day {
     /// What the capture is called.
@@ -54,13 +54,13 @@ pub struct Day {
     pub volumes_l: Vec<f64>,
     /// How far the trunk was turned about the vertical against the first. \[°\]
     pub turned_deg: f64,
-    /// Middle of how far the surface lies outside of the first one in its pose. \[mm\]
+    /// Middle of how far the surface is outside of the first one in its pose. \[mm\]
     pub growth_mm: f64,
     /// Why it may be somebody else.
     pub doubts: Vec<Doubt>,
 }
 
-/// All that is told of a person.
+/// All that is reported of a person.
 pub struct Followed {
     /// What the person is called.
     pub person: String,
@@ -68,9 +68,9 @@ pub struct Followed {
     pub days: Vec<Day>,
     /// The girths.
     pub lines: Vec<Line>,
-    /// For each capture but the first: how far it lies outside of the first at each vertex of the first. \[mm\]
+    /// For each capture but the first: how far it is outside of the first at each vertex of the first. \[mm\]
     pub growth: Vec<Vec<f64>>,
-    /// Whether what repetition gives is made of what captures say of themselves, for nobody measured it.
+    /// Whether what repetition gives is made of what captures report of themselves, for nobody measured it.
     pub by_captures: bool,
     /// What is odd, in sentences.
     pub warnings: Vec<String>,
@@ -145,10 +145,10 @@ fn starts(first: &Visit) -> Vec<Line> {
     all.map(line).collect()
 }
 
-/// Follows a person. Technical errors that `repeat` found take the place of what captures tell of themselves.
+/// Follows a person. Technical errors that `repeat` found take the place of what captures report of themselves.
 pub fn follow(person: &str, series: &Series, known: &TechnicalErrors) -> Followed {
-    let (first, others) = series.visits.split_first().expect("bug: nobody to follow");
-    let mut told = Followed {
+    let (first, later) = series.visits.split_first().expect("bug: nobody to follow");
+    let mut followed = Followed {
         person: person.into(),
         days: vec![],
         lines: starts(first),
@@ -156,11 +156,12 @@ pub fn follow(person: &str, series: &Series, known: &TechnicalErrors) -> Followe
         by_captures: known.is_empty(),
         warnings: series.warnings.clone(),
     };
-    for other in others {
+    for other in later {
         let laid: Laid = lay(first, other);
         let parts = laid.segments.parts();
-        if told.days.is_empty() {
-            told.days
+        if followed.days.is_empty() {
+            followed
+                .days
                 .push(day(first, litres(&volumes(&first.mesh, &parts, &PARTS))));
         }
         let posed = &laid.posed.mesh;
@@ -171,25 +172,26 @@ pub fn follow(person: &str, series: &Series, known: &TechnicalErrors) -> Followe
         now.growth_mm = median(&growth);
         now.doubts = doubts(first, other, &growth);
         for doubt in &now.doubts {
-            told.warnings.push(format!(
+            followed.warnings.push(format!(
                 "{} may be somebody else's capture: {doubt}",
                 now.name
             ));
         }
         let taken = tapes(first, &laid, other);
-        told.lines
+        followed
+            .lines
             .retain(|line| taken.iter().any(|t| t.name == line.name));
-        for line in &mut told.lines {
+        for line in &mut followed.lines {
             let tape = taken
                 .iter()
                 .find(|t| t.name == line.name)
                 .expect("bug: a line without a tape");
             line.at.push(change(first, other, &line.name, tape, known));
         }
-        told.days.push(now);
-        told.growth.push(growth);
+        followed.days.push(now);
+        followed.growth.push(growth);
     }
-    told
+    followed
 }
 
 fn litres(mm3: &[f64]) -> Vec<f64> {

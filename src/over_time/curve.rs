@@ -9,9 +9,9 @@ const WIDE: f64 = 520.0;
 const HIGH: f64 = 220.0;
 const MARGIN: [f64; 4] = [64.0, 24.0, 30.0, 40.0];
 
-/// Where captures stand along the axis: days since the first, or their number where a day is unknown.
-fn places(told: &Followed) -> (Vec<f64>, bool) {
-    let days: Option<Vec<i64>> = told
+/// Places of captures along the axis: days since the first, or their number where a day is unknown.
+fn places(followed: &Followed) -> (Vec<f64>, bool) {
+    let days: Option<Vec<i64>> = followed
         .days
         .iter()
         .map(|d| day_number(d.day.as_deref()?))
@@ -20,11 +20,11 @@ fn places(told: &Followed) -> (Vec<f64>, bool) {
         Some(days) if days.first() != days.last() => {
             (days.iter().map(|d| (d - days[0]) as f64).collect(), true)
         }
-        _ => ((0..told.days.len()).map(|i| i as f64).collect(), false),
+        _ => ((0..followed.days.len()).map(|i| i as f64).collect(), false),
     }
 }
 
-/// Where captures and lengths stand on the plot.
+/// Places of captures and lengths on the plot.
 struct Axes {
     /// The capture's places, 0 to `last`.
     at: Vec<f64>,
@@ -48,8 +48,8 @@ impl Axes {
 
 /// The curve of a girth. Bars hold the true change nine times in ten; the grey band is what repetition gives about the first
 /// capture; a point that exceeds it is filled.
-pub(super) fn curve_svg(told: &Followed, line: &Line) -> String {
-    let (at, by_days) = places(told);
+pub(super) fn curve_svg(followed: &Followed, line: &Line) -> String {
+    let (at, by_days) = places(followed);
     let first = line.at[0].tape_mm.ok().unwrap_or(0.0);
     let least = line.at.iter().filter_map(|c| c.least_change_mm);
     let least = least.reduce(f64::max).unwrap_or(0.0);
@@ -58,12 +58,12 @@ pub(super) fn curve_svg(told: &Followed, line: &Line) -> String {
     let all = ends.flatten().map(|x| first + x).chain(tapes);
     let all = all.chain([first - least, first + least]);
     let (low, high) = all.fold((f64::MAX, f64::MIN), |(a, b), x| (a.min(x), b.max(x)));
-    let room = (0.1 * (high - low)).max(1.0);
+    let margin = (0.1 * (high - low)).max(1.0);
     let axes = Axes {
         last: at.iter().copied().fold(1e-9, f64::max),
         at,
-        low: low - room,
-        high: high + room,
+        low: low - margin,
+        high: high + margin,
     };
     let [left, right, top, bottom] = MARGIN;
     let title = crate::page::escaped(&format!("{} ({}) [cm]", line.name, line.label));
@@ -86,7 +86,7 @@ pub(super) fn curve_svg(told: &Followed, line: &Line) -> String {
         );
     }
     svg += &points(&axes, line, first);
-    svg += &days(&axes, told);
+    svg += &days(&axes, followed);
     if !by_days {
         let y = HIGH - 6.0;
         let _ = writeln!(
@@ -136,8 +136,8 @@ fn points(axes: &Axes, line: &Line, first: f64) -> String {
 }
 
 /// Days, or names, under the points; of many the first and the last.
-fn days(axes: &Axes, told: &Followed) -> String {
-    let heads = super::words::heads(told);
+fn days(axes: &Axes, followed: &Followed) -> String {
+    let heads = super::words::heads(followed);
     let last = heads.len() - 1;
     let y = HIGH - MARGIN[3] + 16.0;
     let mut svg = String::new();

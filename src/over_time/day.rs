@@ -2,7 +2,7 @@
 
 use shape::day_number;
 
-/// The first day, `YYYY-MM-DD` or `YYYYMMDD`, that stands in a name by itself.
+/// The first day, `YYYY-MM-DD` or `YYYYMMDD`, that is in a name by itself.
 pub(super) fn day_in(name: &str) -> Option<String> {
     let digits = |text: &str| text.bytes().all(|b| b.is_ascii_digit());
     let whole = |from: usize, to: usize| {

@@ -23,13 +23,13 @@ pub struct Tape {
 pub struct Laid {
     /// The first in the other's pose.
     pub posed: Posed,
-    /// The same by every other point, and by the others.
+    /// The same by every other point, and by the other ones.
     halves: [Mesh; 2],
     /// The segments of the first.
     pub segments: Segments,
 }
 
-/// How far from its middle a tape may lie, in radii of a circle as long.
+/// How far from its middle a tape may be, in radii of a circle as long.
 const NEAR: f64 = 1.5;
 
 /// Lays the first on another.
@@ -63,7 +63,7 @@ pub fn tapes(first: &Visit, laid: &Laid, other: &Visit) -> Vec<Tape> {
             |mesh: &Mesh, v: usize| (mesh.point(v as u32) - Point3::from(point_mm)).norm() < reach;
         let on = |moved: &Mesh| -> Result<f64, Refusal> {
             let there = carried(&plane, &first.mesh, moved, |v| goes_with(of[v], part));
-            // A limb that was not told apart from the trunk there: what is about the tape's middle.
+            // A limb that was not parted from the trunk there: what is about the tape's middle.
             let about = || carried(&plane, &first.mesh, moved, |v| near(&first.mesh, v));
             let there = there.or_else(about).ok_or(Refusal::NoSection)?;
             let mark = landmark(girth, there).ok_or(Refusal::NoSection)?;

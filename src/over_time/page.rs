@@ -14,9 +14,9 @@ fn inline(svg: &str) -> String {
 }
 
 /// The page, and a coloured surface (PLY) for each capture but the first, by its name.
-pub fn page(told: &Followed, series: &Series) -> (String, Vec<(String, Vec<u8>)>) {
-    let mut body = format!("<h1>{}</h1>\n", page::escaped(&told.person));
-    for warning in &told.warnings {
+pub fn page(followed: &Followed, series: &Series) -> (String, Vec<(String, Vec<u8>)>) {
+    let mut body = format!("<h1>{}</h1>\n", page::escaped(&followed.person));
+    for warning in &followed.warnings {
         body += &format!("<p><strong>{}.</strong></p>\n", page::escaped(warning));
     }
     let table = |title: &str, table: &super::words::Table, legend: &str| {
@@ -26,26 +26,27 @@ pub fn page(told: &Followed, series: &Series) -> (String, Vec<(String, Vec<u8>)>
             page::escaped(legend)
         )
     };
-    body += &table("Girths", &girth_table(told), LEGEND);
-    if told.by_captures {
+    body += &table("Girths", &girth_table(followed), LEGEND);
+    if followed.by_captures {
         body += &format!("<p class=\"soft\">{}</p>\n", page::escaped(BY_CAPTURES));
     }
     body += "<section><h2>Girths over time</h2>\n";
-    told.lines
+    followed
+        .lines
         .iter()
-        .for_each(|line| body += &inline(&curve_svg(told, line)));
+        .for_each(|line| body += &inline(&curve_svg(followed, line)));
     body += "<p class=\"soft\">The grey band is what repetition alone gives about the first capture; filled points exceed it. Bars hold the true change nine times in ten.</p></section>\n<section><h2>What grew and what shrank</h2>\n";
     let first = &series.visits[0];
     let mut surfaces = Vec::new();
-    for ((growth, head), visit) in told
+    for ((growth, head), visit) in followed
         .growth
         .iter()
-        .zip(heads(told).iter().skip(1))
+        .zip(heads(followed).iter().skip(1))
         .zip(&series.visits[1..])
     {
         let head = page::escaped(head);
         body += &format!(
-            "<figure><img alt=\"the first body from the front and from behind, orange where {head} lies outside of it, blue inside\" src=\"{}\"><figcaption>{head}</figcaption></figure>\n",
+            "<figure><img alt=\"the first body from the front and from behind, orange where {head} is outside of it, blue inside\" src=\"{}\"><figcaption>{head}</figcaption></figure>\n",
             picture(first, growth)
         );
         let name = format!("growth-{}.ply", visit.capture.name);
@@ -56,11 +57,11 @@ pub fn page(told: &Followed, series: &Series) -> (String, Vec<(String, Vec<u8>)>
     );
     body += &table(
         "Volume by part",
-        &volume_table(told),
-        "Parts meet where the first body's do, carried to the others. What a part lost, its neighbour may have got: heads and limbs are parted from the trunk on the surface alone.",
+        &volume_table(followed),
+        "Parts meet where the first body's do, carried to the other captures. What a part lost, its neighbour may have got: heads and limbs are parted from the trunk on the surface alone.",
     );
     (
-        page::page(&told.person, &body, &serde_json::Value::Null, ""),
+        page::page(&followed.person, &body, &serde_json::Value::Null, ""),
         surfaces,
     )
 }

@@ -6,7 +6,7 @@ use base64::prelude::{BASE64_STANDARD, Engine as _};
 use nalgebra::{Matrix3, Point3, Rotation3};
 use shape::{Camera, Intrinsics, Mesh, Pose, Rgb, rgb_to_jpeg};
 
-/// Size of a picture, and how far the camera stands, as a share of the stature.
+/// Size of a picture, and how far away the camera is, as a share of the stature.
 const WIDE: u32 = 320;
 const HIGH: u32 = 520;
 const FAR: f64 = 3.2;

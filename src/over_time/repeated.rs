@@ -11,7 +11,7 @@ use crate::repeat::{Capture, Tapes};
 /// A capture without a surface of known scale.
 pub fn repeated(captures: Vec<Capture>) -> Result<Vec<Tapes>, String> {
     let all = visits(captures)?;
-    let mut told = Vec::new();
+    let mut found = Vec::new();
     for (i, visit) in all.iter().enumerate() {
         let (person, name) = (visit.capture.person.clone(), visit.capture.name.clone());
         let first = all[..i].iter().find(|v| v.capture.person == person);
@@ -19,9 +19,9 @@ pub fn repeated(captures: Vec<Capture>) -> Result<Vec<Tapes>, String> {
             None => own(visit),
             Some(first) => carried(first, visit),
         };
-        told.push((person, name, tapes));
+        found.push((person, name, tapes));
     }
-    Ok(told)
+    Ok(found)
 }
 
 /// A girth's name, label, part and tape. \[mm\]

@@ -15,7 +15,7 @@ pub struct Visit {
     pub day: Option<String>,
     /// The surface that was measured.
     pub mesh: Mesh,
-    /// What its slices tell.
+    /// What its slices show.
     pub body: Body,
 }
 
@@ -27,10 +27,10 @@ pub struct Series {
     pub warnings: Vec<String>,
 }
 
-/// Months without a capture that are told of. \[days\]
+/// Months without a capture that are warned of. \[days\]
 const GAP: i64 = 183;
 
-/// The ground that a capture's heights are told from. \[mm\]
+/// The ground that a capture's heights are measured from. \[mm\]
 fn ground(folder: &Path, mesh: &Mesh) -> Result<f64, String> {
     let file = folder.join("landmarks.json");
     let lowest = mesh.bounds().map_or(0.0, |b| b.0.z);
@@ -57,8 +57,7 @@ fn visit(capture: Capture) -> Result<Visit, String> {
         return Err(wrong("it is no surface of known scale".into()));
     }
     let ground = ground(&capture.folder, &mesh)?;
-    let body =
-        body(&mesh, ground).ok_or_else(|| wrong("no body stands on the ground there".into()))?;
+    let body = body(&mesh, ground).ok_or_else(|| wrong("no body is on the ground there".into()))?;
     let day = capture
         .girths
         .date
@@ -112,7 +111,7 @@ pub fn series(folders: &[PathBuf]) -> Result<Series, String> {
         }
     } else {
         warnings.push(format!(
-            "{}: no day is told, so captures stand in the order in which they were given; say it with `tailor measure DIR --date 2026-05-01`, or in the folder's name",
+            "{}: no day is known, so captures are in the order in which they were given; give it with `tailor measure DIR --date 2026-05-01`, or in the folder's name",
             unknown.join(", ")
         ));
     }

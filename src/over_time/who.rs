@@ -4,7 +4,7 @@ use super::median::median;
 use super::series::Visit;
 use std::fmt;
 
-/// Statures of one adult at two captures are hardly farther apart: the spine's day (up to 20 mm) and how one stands, beside
+/// Statures of one adult at two captures are hardly farther apart: the spine's day (up to 20 mm) and one's posture, beside
 /// what both captures err. \[mm\]
 const STATURE_MM: f64 = 25.0;
 /// A surface whose middle vertex is farther off than this in the same pose is another body, or one that changed very much. \[mm\]
@@ -42,7 +42,7 @@ impl fmt::Display for Doubt {
     }
 }
 
-/// What speaks against the same person: stature, and how far the surface lies off.
+/// What speaks against the same person: stature, and how far the surface is off.
 pub fn doubts(first: &Visit, other: &Visit, growth: &[f64]) -> Vec<Doubt> {
     let stature = |v: &Visit| {
         let girths = &v.capture.girths;
@@ -52,10 +52,10 @@ pub fn doubts(first: &Visit, other: &Visit, growth: &[f64]) -> Vec<Doubt> {
         ))
     };
     let statures = stature(first).zip(stature(other));
-    told(statures, growth)
+    doubts_of(statures, growth)
 }
 
-fn told(statures: Option<((f64, f64), (f64, f64))>, growth: &[f64]) -> Vec<Doubt> {
+fn doubts_of(statures: Option<((f64, f64), (f64, f64))>, growth: &[f64]) -> Vec<Doubt> {
     let stature = statures.and_then(|(a, b)| {
         let off_mm = b.0 - a.0;
         let most_mm = libm::hypot(STATURE_MM, 1.96 * libm::hypot(a.1, b.1));
@@ -77,8 +77,13 @@ mod tests {
         let far = Some(((1750.0, 4.0), (1700.0, 4.0)));
         // A quarter of the surface grew by 30 mm.
         let grown: Vec<f64> = (0..100).map(|i| if i < 25 { 30.0 } else { 1.0 }).collect();
-        assert_eq!(told(near, &grown), []);
-        assert!(matches!(told(far, &grown)[..], [Doubt::Stature { .. }]));
-        assert!(matches!(told(None, &[-20.0; 9])[..], [Doubt::Shape { off_mm }] if off_mm == 20.0));
+        assert_eq!(doubts_of(near, &grown), []);
+        assert!(matches!(
+            doubts_of(far, &grown)[..],
+            [Doubt::Stature { .. }]
+        ));
+        assert!(
+            matches!(doubts_of(None, &[-20.0; 9])[..], [Doubt::Shape { off_mm }] if off_mm == 20.0)
+        );
     }
 }

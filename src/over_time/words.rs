@@ -10,11 +10,11 @@ use std::fmt::Write;
 pub(super) type Table = Vec<Vec<String>>;
 
 /// What the words of the tables mean.
-pub(super) const LEGEND: &str = "Tapes lie at the level of the first capture, carried to the others by laying the first body on each. ± holds the true change nine times in ten. \
+pub(super) const LEGEND: &str = "Tapes are at the level of the first capture, carried to the other captures by laying the first body on each. ± contains the true change nine times in ten. \
     LSC: least significant change, what measuring the same body twice exceeds one time in twenty; * marks what exceeds it.";
 
-/// What is said where nobody measured what repetition gives.
-pub(super) const BY_CAPTURES: &str = "LSC is made of what captures say of themselves, which holds errors that all of them share: it is wide. Measure what repetition gives with \
+/// The note where nobody measured what repetition gives.
+pub(super) const BY_CAPTURES: &str = "LSC is made of what captures report of themselves, which contains errors that all of them share: it is wide. Measure what repetition gives with \
     `tailor repeat --same-level`, and hand that over with --repeat.";
 
 pub(super) fn word(part: Part) -> &'static str {
@@ -29,8 +29,9 @@ pub(super) fn word(part: Part) -> &'static str {
 }
 
 /// What a capture is headed by: its day, else its name.
-pub(super) fn heads(told: &Followed) -> Vec<String> {
-    told.days
+pub(super) fn heads(followed: &Followed) -> Vec<String> {
+    followed
+        .days
         .iter()
         .map(|d| d.day.clone().unwrap_or_else(|| d.name.clone()))
         .collect()
@@ -58,12 +59,12 @@ fn cell(change: &Change) -> String {
     }
 }
 
-pub(super) fn girth_table(told: &Followed) -> Table {
+pub(super) fn girth_table(followed: &Followed) -> Table {
     let mut head = vec!["girth [cm]".to_owned()];
-    head.extend(heads(told));
+    head.extend(heads(followed));
     head.push("LSC [mm]".into());
     let mut table = vec![head];
-    for line in &told.lines {
+    for line in &followed.lines {
         let mut row = vec![format!("{} ({})", line.name, line.label)];
         row.extend(
             line.at
@@ -85,18 +86,24 @@ pub(super) fn girth_table(told: &Followed) -> Table {
     table
 }
 
-pub(super) fn volume_table(told: &Followed) -> Table {
+pub(super) fn volume_table(followed: &Followed) -> Table {
     let mut head = vec!["volume [l]".to_owned()];
-    head.extend(heads(told));
+    head.extend(heads(followed));
     let mut table = vec![head];
     for (i, part) in PARTS.into_iter().enumerate() {
         let mut row = vec![word(part).to_owned()];
-        row.extend(told.days.iter().map(|d| format!("{:.2}", d.volumes_l[i])));
+        row.extend(
+            followed
+                .days
+                .iter()
+                .map(|d| format!("{:.2}", d.volumes_l[i])),
+        );
         table.push(row);
     }
     let mut row = vec!["all".to_owned()];
     row.extend(
-        told.days
+        followed
+            .days
             .iter()
             .map(|d| format!("{:.2}", d.volumes_l.iter().sum::<f64>())),
     );
@@ -115,30 +122,30 @@ fn rows(table: &Table) -> String {
     text
 }
 
-/// What is said in all, as Markdown.
-pub fn markdown(told: &Followed) -> String {
+/// All of it, as Markdown.
+pub fn markdown(followed: &Followed) -> String {
     let mut text = format!(
         "# {}\n\n{}\n{LEGEND}\n\n{}",
-        told.person,
-        rows(&girth_table(told)),
-        rows(&volume_table(told))
+        followed.person,
+        rows(&girth_table(followed)),
+        rows(&volume_table(followed))
     );
-    if told.by_captures {
+    if followed.by_captures {
         let _ = write!(text, "\n{BY_CAPTURES}\n");
     }
-    for warning in &told.warnings {
+    for warning in &followed.warnings {
         let _ = write!(text, "\nWarning: {warning}.\n");
     }
     text
 }
 
 /// A table for a spreadsheet (RFC 4180): a girth on a day a row; millimetres, empty where unknown.
-pub fn csv(told: &Followed) -> String {
+pub fn csv(followed: &Followed) -> String {
     let head = "person,capture,date,name,label,tape_mm,own_tape_mm,change_mm,change_low_mm,change_high_mm,lsc95_mm,changed";
     let mut table: Table = vec![head.split(',').map(String::from).collect()];
     let cell = |x: Option<f64>| x.map_or(String::new(), |x| format!("{x:.2}"));
-    for line in &told.lines {
-        for (day, c) in told.days.iter().zip(&line.at) {
+    for line in &followed.lines {
+        for (day, c) in followed.days.iter().zip(&line.at) {
             let ends = c.interval_mm;
             let numbers = [
                 c.tape_mm.ok(),
@@ -149,7 +156,7 @@ pub fn csv(told: &Followed) -> String {
                 c.least_change_mm,
             ];
             let date = day.day.clone().unwrap_or_default();
-            let mut row = vec![told.person.clone(), day.name.clone(), date];
+            let mut row = vec![followed.person.clone(), day.name.clone(), date];
             row.extend([line.name.clone(), line.label.clone()]);
             row.extend(numbers.map(cell));
             row.push(
@@ -164,7 +171,7 @@ pub fn csv(told: &Followed) -> String {
 }
 
 /// The same for other programs.
-pub fn json(told: &Followed) -> Value {
+pub fn json(followed: &Followed) -> Value {
     let day = |d: &super::change::Day| {
         let volumes = PARTS
             .iter()
@@ -184,9 +191,9 @@ pub fn json(told: &Followed) -> Value {
     let line = |l: &super::change::Line| json!({ "name": l.name, "label": l.label, "at": l.at.iter().map(one).collect::<Vec<_>>() });
     json!({
         "program": concat!("tailor ", env!("CARGO_PKG_VERSION")),
-        "person": told.person,
-        "captures": told.days.iter().map(day).collect::<Vec<_>>(),
-        "girths": told.lines.iter().map(line).collect::<Vec<_>>(),
-        "warnings": told.warnings,
+        "person": followed.person,
+        "captures": followed.days.iter().map(day).collect::<Vec<_>>(),
+        "girths": followed.lines.iter().map(line).collect::<Vec<_>>(),
+        "warnings": followed.warnings,
     })
 }

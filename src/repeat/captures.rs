@@ -1,15 +1,15 @@
-//! Whose captures are given: files read, people told apart by names.
+//! Whose captures are given: files read, people recognised by names.
 
 use crate::girth_file::{GirthFile, find};
 use shape::Unit;
 use std::path::{Path, PathBuf};
 
-/// How it is told whose captures are the same person's.
+/// How it is decided whose captures are the same person's.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, clap::ValueEnum)]
 pub enum By {
     /// What is left of the folder's name without `-out` and digits at its end: `anna-1`, `anna-2026-05-01`
     Name,
-    /// The folder that the capture lies in
+    /// The folder that the capture is in
     Folder,
     /// All are one person
     One,
@@ -43,7 +43,7 @@ fn last(path: Option<&Path>) -> String {
     name.map_or_else(String::new, |n| n.to_string_lossy().into_owned())
 }
 
-/// Reads captures: folders of results, their `girths.json`, or captures beside whose folder the results lie.
+/// Reads captures: folders of results, their `girths.json`, or captures beside whose folder the results are.
 ///
 /// # Errors
 ///
@@ -62,7 +62,7 @@ pub fn captures(paths: &[PathBuf], by: By) -> Result<Vec<Capture>, String> {
         let name = last(Some(&folder));
         if girths.unit == Unit::Relative {
             return Err(format!(
-                "{name}: its lengths are relative, for nothing of known length was given or known lengths contradict each other, so they cannot be held against those of another capture: \
+                "{name}: its lengths are relative, for nothing of known length was given or known lengths contradict each other, so they cannot be compared with those of another capture: \
                  give one when measuring, such as --stature"
             ));
         }
@@ -89,7 +89,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn people_are_told_by_what_is_left_of_a_name() {
+    fn people_are_recognised_by_what_is_left_of_a_name() {
         for (name, want) in [
             ("anna-1", "anna"),
             ("anna_2-out", "anna"),

@@ -1,4 +1,4 @@
-//! What others report of repeatability, and what a survey allows its measurers.
+//! What other studies report of repeatability, and what a survey allows its measurers.
 
 use shape::{GirthId, Region};
 

@@ -4,7 +4,7 @@
 //! girths.json ─ capture ─┐
 //! girths.json ─ capture ─┼─ study ─┬─ words: Markdown, JSON, CSV
 //! girths.json ─ capture ─┘    │    └─ page, Bland–Altman plots (SVG)
-//!                         statistics, known: what others report
+//!                         statistics, known: what other studies report
 //! ```
 
 mod captures;
@@ -29,7 +29,7 @@ use std::collections::BTreeMap;
 /// In how many standard deviations of one measurement a change of two is seen nineteen times in twenty: 1.96 √2.
 pub const LEAST_CHANGE: f64 = 1.959_963_984_540_054 * std::f64::consts::SQRT_2;
 
-/// The technical errors that a `repeat.json` tells, by the girth's name. \[mm\]
+/// The technical errors of a `repeat.json`, by the girth's name. \[mm\]
 ///
 /// # Errors
 ///

@@ -30,7 +30,7 @@ pub fn page(study: &Study) -> String {
         .for_each(|g| body += &bland_altman_svg(g).replace(XMLNS, ""));
     let table = known_table();
     body += &format!(
-        "</section>\n<section><h2>What others report</h2>{}</section>\n",
+        "</section>\n<section><h2>What other studies report</h2>{}</section>\n",
         page::table("", &table[0], &table[1..])
     );
     page::page("Repeatability", &body, &serde_json::Value::Null, "")

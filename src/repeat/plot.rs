@@ -27,7 +27,7 @@ fn marks(low: f64, high: f64) -> (Vec<f64>, usize) {
     ((first..=last).map(|i| i as f64 * step).collect(), digits)
 }
 
-/// An axis: its ends, and where a value of it stands on the plot.
+/// An axis: its ends, and the place of a value of it on the plot.
 type Axis<'a> = (f64, f64, &'a dyn Fn(f64) -> f64);
 
 /// Both axes with their marks and words.
@@ -82,13 +82,13 @@ pub fn bland_altman_svg(girth: &GirthStudy) -> String {
         agreement.pairs.iter().map(|p| p[at]).fold(start, f)
     };
     let (x0, x1) = (over(f64::min, 0, f64::MAX), over(f64::max, 0, f64::MIN));
-    let room = (0.08 * (x1 - x0)).max(1.0);
-    let (x0, x1) = (x0 - room, x1 + room);
+    let margin = (0.08 * (x1 - x0)).max(1.0);
+    let (x0, x1) = (x0 - margin, x1 + margin);
     let limits = agreement.limits.unwrap_or([agreement.bias; 2]);
     let low = over(f64::min, 1, limits[0].min(0.0));
     let high = over(f64::max, 1, limits[1].max(0.0));
-    let room = (0.1 * (high - low)).max(0.1);
-    let (y0, y1) = (low - room, high + room);
+    let margin = (0.1 * (high - low)).max(0.1);
+    let (y0, y1) = (low - margin, high + margin);
     let [left, right, top, bottom] = MARGIN;
     let x = |v: f64| left + (v - x0) / (x1 - x0) * (WIDE - left - right);
     let y = |v: f64| HIGH - bottom - (v - y0) / (y1 - y0) * (HIGH - top - bottom);

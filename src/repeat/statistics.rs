@@ -11,7 +11,7 @@ pub struct Agreement {
     pub pairs: Vec<[f64; 2]>,
     /// Mean of the differences.
     pub bias: f64,
-    /// Nineteen differences in twenty lie between these: bias ± 1.96 of their standard deviation; `None` of one pair.
+    /// Nineteen differences in twenty are between these: bias ± 1.96 of their standard deviation; `None` of one pair.
     pub limits: Option<[f64; 2]>,
 }
 
@@ -50,7 +50,7 @@ impl Repeats {
         (self.freedom() > 0).then(|| (sum / self.freedom() as f64).sqrt())
     }
 
-    /// Between what the technical error lies nineteen times in twenty, by χ² of its degrees of freedom.
+    /// What the technical error is between nineteen times in twenty, by χ² of its degrees of freedom.
     pub fn technical_error_interval(&self) -> Option<[f64; 2]> {
         let (error, free) = (self.technical_error()?, self.freedom());
         let end = |p: f64| error * (free as f64 / chi_square_quantile(p, free)).sqrt();
@@ -125,7 +125,7 @@ impl Repeats {
     }
 }
 
-/// The value under which a χ² of some degrees of freedom (one or more) lies with probability `p` (0 to 1, both excluded), by
+/// The value under which a χ² of some degrees of freedom (one or more) is with probability `p` (0 to 1, both excluded), by
 /// halving: the series of the incomplete gamma function (Abramowitz and Stegun 6.5.29) is its distribution.
 pub fn chi_square_quantile(p: f64, free: usize) -> f64 {
     let a = free as f64 / 2.0;
@@ -260,7 +260,7 @@ mod tests {
     }
 
     #[test]
-    fn nobody_measured_twice_tells_nothing() {
+    fn nobody_measured_twice_gives_no_figures() {
         let once = Repeats(vec![vec![1.0], vec![2.0]]);
         assert_eq!(
             (once.technical_error(), once.rms_cv(), once.icc_2_1()),

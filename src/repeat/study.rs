@@ -1,4 +1,4 @@
-//! What repeated captures tell of each girth.
+//! What repeated captures show of each girth.
 
 use super::captures::Capture;
 use super::known::allowed_mm;
@@ -6,7 +6,7 @@ use super::statistics::{Agreement, Repeats};
 
 /// From so many degrees of freedom on a precision error is known to +30 % (Glüer 1995, Osteoporos Int 5:262).
 const ENOUGH: usize = 27;
-/// Files hold lengths to 0.1 mm: such rounding alone errs by so much, and captures that come out equal tell of no less. \[mm\]
+/// Files hold lengths to 0.1 mm: such rounding alone errs by so much, and captures that come out equal show no less. \[mm\]
 const ROUNDED_MM: f64 = 0.1 / 3.464_101_615_137_754_6;
 
 /// One girth, all lengths of its tape. \[mm\]
@@ -24,7 +24,7 @@ pub struct GirthStudy {
     pub freedom: usize,
     /// Technical error of measurement.
     pub tem: f64,
-    /// Between what it lies nineteen times in twenty.
+    /// What it is between nineteen times in twenty.
     pub tem_interval: [f64; 2],
     /// Root mean square of the coefficients of variation, as a share.
     pub rms_cv: f64,
@@ -45,7 +45,7 @@ impl GirthStudy {
     }
 }
 
-/// All girths, and what is to be said of the captures.
+/// All girths, and the warnings about the captures.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Study {
     /// Those that somebody has twice, in the order in which they are met.
@@ -59,12 +59,12 @@ pub struct Study {
 /// Nobody was captured twice.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[error(
-    "nobody was measured twice among {0}: captures of one person are told by their folders' names (`anna-1`, `anna-2`), \
-     or say --by folder or --by one"
+    "nobody was measured twice among {0}: captures of one person are recognised by their folders' names (`anna-1`, `anna-2`), \
+     or give --by folder or --by one"
 )]
 pub struct NotRepeated(String);
 
-/// What captures tell, with one tape a girth from each.
+/// What captures show, with one tape a girth from each.
 ///
 /// # Errors
 ///
@@ -97,7 +97,7 @@ pub fn study_of(captures: &[Tapes]) -> Result<Study, NotRepeated> {
     studied(captures, 0.0)
 }
 
-/// What tapes tell that are known no better than to a standard deviation `least`. \[mm\]
+/// What tapes show that are known no better than to a standard deviation `least`. \[mm\]
 fn studied(captures: &[Tapes], least: f64) -> Result<Study, NotRepeated> {
     let mut study = Study::default();
     for (person, capture, _) in captures {
@@ -164,25 +164,25 @@ fn one(
 }
 
 fn warnings(study: &Study) -> Vec<String> {
-    let mut told = Vec::new();
+    let mut warnings = Vec::new();
     let single = study.people.iter().filter(|(_, of)| of.len() < 2);
     let single: Vec<&str> = single.map(|(p, _)| p.as_str()).collect();
     if !single.is_empty() {
-        told.push(format!(
-            "{}: one capture only, which tells nothing of repetition",
+        warnings.push(format!(
+            "{}: one capture only, which shows nothing of repetition",
             single.join(", ")
         ));
     }
     let most = study.girths.iter().map(|g| g.freedom).max().unwrap_or(0);
     if most < ENOUGH {
-        told.push(format!(
+        warnings.push(format!(
             "{most} degrees of freedom: errors are known to within their intervals only; {ENOUGH} (30 people twice, 15 three times) bound one to +30 %"
         ));
     }
     if study.people.iter().filter(|(_, of)| of.len() > 1).count() < 2 {
-        told.push("one person: no correlation (ICC) and no reliability, which hold people against each other".into());
+        warnings.push("one person: no correlation (ICC) and no reliability, which compare people with each other".into());
     }
-    told
+    warnings
 }
 
 #[cfg(test)]
@@ -218,7 +218,7 @@ mod tests {
     }
 
     #[test]
-    fn nobody_twice_is_told() {
+    fn nobody_twice_is_refused() {
         let why = study_of(&[tapes("a", 1, 800.0), tapes("b", 1, 900.0)]).unwrap_err();
         assert!(why.to_string().contains("a-1, b-1"), "{why}");
     }

@@ -84,7 +84,7 @@ fn rows(table: &Table) -> String {
     text
 }
 
-/// What is said in all, as Markdown.
+/// All of it, as Markdown.
 pub fn markdown(study: &Study) -> String {
     let mut text = String::from("# Repeatability\n\n");
     people(study)
@@ -94,7 +94,11 @@ pub fn markdown(study: &Study) -> String {
     for warning in &study.warnings {
         let _ = write!(text, "\nWarning: {warning}.\n");
     }
-    let _ = write!(text, "\n## What others report\n\n{}", rows(&known_table()));
+    let _ = write!(
+        text,
+        "\n## What other studies report\n\n{}",
+        rows(&known_table())
+    );
     text
 }
 

@@ -50,7 +50,7 @@ fn curves(mesh: &Mesh, plane: &Plane) -> Vec<Curve> {
 /// curve is it.
 const PARTED: f64 = 0.1;
 
-/// Those whose middles lie about a plane's point, which is in the middle of the girth's own part: by no more than a tape's
+/// Those whose middles are about a plane's point, which is in the middle of the girth's own part: by no more than a tape's
 /// mean diameter. Another limb may be cut by the same plane, and be as thick.
 fn about(curves: Vec<Curve>, point: Point3<f64>, tape_mm: f64) -> Vec<Curve> {
     let near = |c: &Curve| (c.middle - point).norm() <= tape_mm / std::f64::consts::PI;
@@ -72,7 +72,7 @@ fn there(found: &[Curve], truth: &[Curve], tape_mm: f64) -> Option<f64> {
         (c.tape_mm - tape_mm).abs() + far
     };
     let like = truth.iter().min_by(|a, b| off(a).total_cmp(&off(b)));
-    // Where the true surface, too, holds a limb there that was parted, it says nothing of the tape.
+    // Where the true surface, too, has a limb there that was parted, it shows nothing of the tape.
     let fits = |c: &&Curve| own.is_some() || (c.tape_mm / tape_mm - 1.0).abs() <= PARTED;
     like.filter(fits).map(|c| c.tape_mm)
 }
@@ -239,7 +239,7 @@ mod tests {
     }
 
     #[test]
-    fn a_limb_that_was_parted_is_held_against_its_own_true_curve_and_no_other_limbs() {
+    fn a_limb_that_was_parted_is_compared_with_its_own_true_curve_and_no_other_limbs() {
         let at = |x: f64, tape_mm: f64| Curve {
             tape_mm,
             middle: Point3::new(x, 0.0, 0.0),

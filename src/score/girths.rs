@@ -37,19 +37,19 @@ impl GirthScore {
     }
 }
 
-/// The limit of ISO 20685-1 for a girth of a file: by the part of the body that the file says, else by
-/// the table; small where neither tells. \[mm\]
+/// The limit of ISO 20685-1 for a girth of a file: by the part of the body that the file names, else by
+/// the table; small where neither has it. \[mm\]
 pub(crate) fn iso_mm(name: &str, part: Option<&str>) -> f64 {
     let by_table = || GirthId::named(name).map(|id| id.definition().region);
     let region = part.and_then(Region::named).or_else(by_table);
     region.unwrap_or(Region::Anywhere).limit_mm()
 }
 
-/// A file's unit as it calls it; results without a scale cannot be held against centimetres.
+/// A file's unit as it calls it; results without a scale cannot be compared with centimetres.
 pub(crate) const RELATIVE: &str = "relative";
 
 /// Why such results are not scored.
-pub(crate) const NO_SCALE: &str = "its lengths are relative, for nothing of known length was given or known lengths contradict each other: they cannot be held against centimetres; \
+pub(crate) const NO_SCALE: &str = "its lengths are relative, for nothing of known length was given or known lengths contradict each other: they cannot be compared with centimetres; \
      give one when measuring, such as --stature, and score that";
 
 /// The girths of a `girths.json` against the true ones.

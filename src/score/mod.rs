@@ -50,7 +50,7 @@ pub struct MaskScore {
     pub iou_min: f64,
 }
 
-/// All that can be said; what is missing on either side is left out.
+/// All that can be scored; what is missing on either side is left out.
 #[derive(Debug, Clone, Serialize)]
 pub struct Score {
     /// Cameras.

@@ -24,7 +24,7 @@ pub struct Part {
     pub complete_5mm: f64,
 }
 
-/// What is said of a surface.
+/// The figures of a surface.
 #[derive(Debug, Clone, Serialize)]
 pub struct Surface {
     /// How many faces it has.

@@ -77,14 +77,14 @@ fn girths(score: &Score) -> String {
                 Some(false) => format!("FAIL (±{} mm)", g.iso_mm),
                 None => "–".into(),
             };
-            let held = if g.interval_holds == Some(false) {
+            let outside = if g.interval_holds == Some(false) {
                 "  outside its interval"
             } else {
                 ""
             };
             let _ = writeln!(
                 text,
-                "{name:<8} {:>10.2} {:>7} {:>9} {:>8} {:>8} {:>9} {:>7}  {iso}{held}",
+                "{name:<8} {:>10.2} {:>7} {:>9} {:>8} {:>8} {:>9} {:>7}  {iso}{outside}",
                 g.truth_cm,
                 g.cm.map_or("–".into(), |cm| format!("{cm:.2}")),
                 or_dash(g.error_pct, 2),

@@ -6,7 +6,7 @@ use shape::{GirthId, Mesh, mesh_from_ply};
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
-/// A file that does not say what it should.
+/// A file that does not have what it should.
 #[derive(Debug, thiserror::Error)]
 #[error("{}: {why}", path.display())]
 pub struct Unreadable {
