@@ -46,7 +46,7 @@ impl Live {
     /// What was found, by what the node that reads the photos tells.
     fn found(&self, done: &Done) -> Option<String> {
         if let Source::Scan(..) = self.source {
-            return Some(format!("{}: {}", self.name, self.words.say("screen-scan")));
+            return Some(format!("{}: {}", self.name, self.words.text("screen-scan")));
         }
         let metrics = done.metrics.iter();
         let number = |name: &str| Some(metrics.clone().find(|m| m.name == name)?.value);
@@ -60,18 +60,18 @@ impl Live {
         ];
         let mut facts = vec![words.with("screen-found", &put)];
         let video = matches!(self.source, Source::Video(..));
-        facts.extend(video.then(|| words.say("screen-video")));
-        facts.push(words.say(&format!("plate-{plate}")));
+        facts.extend(video.then(|| words.text("screen-video")));
+        facts.push(words.text(&format!("plate-{plate}")));
         facts.extend(self.mat.map(|tags| match tags {
             Some(count) => words.with("screen-mat", &[("count", count.into())]),
-            None => words.say("screen-mat-some"),
+            None => words.text("screen-mat-some"),
         }));
         let found = broken(&format!("{}: {}", self.name, facts.join(", ")), 2);
         Some(found.trim_end().to_owned())
     }
 
     fn part(&self, step: usize) -> String {
-        self.words.say(&format!("part-{}", PARTS[step].0))
+        self.words.text(&format!("part-{}", PARTS[step].0))
     }
 }
 

@@ -37,7 +37,7 @@ pub(crate) fn screen(words: Words, of: &Of<'_>) -> String {
     let wide = wide.map(|name| name.chars().count()).fold(24, usize::max);
     text += &table(words, girths, wide);
     if let Some(mm) = girths.stature_mm {
-        let name = lower(words, words.say("girth-stature"));
+        let name = lower(words, words.text("girth-stature"));
         text += &format!("{name:<wide$} {:>8}\n", length(words, girths)(mm));
     }
     if girths.compression_pct > 0.0 {
@@ -53,12 +53,12 @@ pub(crate) fn screen(words: Words, of: &Of<'_>) -> String {
         text += &broken(line.trim_end(), wide + 11);
     }
     if let Some(bmi) = girths.bmi {
-        let name = lower(words, words.say("result-bmi"));
+        let name = lower(words, words.text("result-bmi"));
         text += &format!("{name:<wide$} {:>8}  kg/m²\n", words.number(bmi, 1));
     }
     text += &grown(words, girths, wide);
     if !girths.missing.is_empty() {
-        text += &format!("\n{}\n", words.say("screen-missing"));
+        text += &format!("\n{}\n", words.text("screen-missing"));
     }
     // One reason is shown once, for all that it is the reason of.
     for (why, all) in by_reason(&girths.missing) {
@@ -87,10 +87,10 @@ fn table(words: Words, girths: &Girths, wide: usize) -> String {
     }
     let tape = match girths.unit {
         Unit::Metric => words.with("screen-tape", &[("unit", words.unit().into())]),
-        Unit::Relative => words.say("screen-tape-relative"),
+        Unit::Relative => words.text("screen-tape-relative"),
     };
     let [girth, interval, contour] =
-        ["girth", "interval", "contour"].map(|key| words.say(&format!("screen-{key}")));
+        ["girth", "interval", "contour"].map(|key| words.text(&format!("screen-{key}")));
     let mut text = format!("{girth:<wide$} {tape:>8}  {interval:<16} {contour:>8}\n");
     let length = length(words, girths);
     for g in &girths.girths {
@@ -128,7 +128,7 @@ pub(crate) fn in_short(words: Words, girths: &Girths) -> String {
     };
     let all: Vec<String> = main.map(one).collect();
     match all.is_empty() {
-        true => words.say("screen-none"),
+        true => words.text("screen-none"),
         false => all.join(", "),
     }
 }
@@ -191,10 +191,10 @@ fn origin(words: Words, cameras: &Cameras) -> String {
         Scale::Disk => "find-from-disk-alone",
         Scale::Stature => "find-from-stature",
         Scale::Given => "screen-given",
-        Scale::Disputed(_) => return words.say("screen-disputed"),
-        Scale::Nothing => return words.say("screen-relative"),
+        Scale::Disputed(_) => return words.text("screen-disputed"),
+        Scale::Nothing => return words.text("screen-relative"),
     };
-    let from = words.say(from);
+    let from = words.text(from);
     match cameras.scale_sigma {
         Some(sigma) => {
             let percent = words.number(100.0 * sigma, 2);
@@ -230,7 +230,7 @@ fn grown(words: Words, girths: &Girths, wide: usize) -> String {
     };
     let line = |(key, score): (&str, Option<Score>)| {
         let Score { z, centile } = score?;
-        let name = lower(words, words.say(key));
+        let name = lower(words, words.text(key));
         // The reference is named behind the number.
         let name = name.split(',').next().unwrap_or_default();
         let centile = words.number(centile, 1);

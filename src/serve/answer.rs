@@ -40,8 +40,8 @@ impl Wrong {
         Wrong::new(StatusCode::NOT_FOUND, "wrong-missing")
     }
 
-    /// What the request says is wrong.
-    pub(super) fn said(why: impl ToString) -> Wrong {
+    /// The request's content is wrong.
+    pub(super) fn unfit(why: impl ToString) -> Wrong {
         Wrong::new(StatusCode::UNPROCESSABLE_ENTITY, "wrong-said").put("why", why)
     }
 
@@ -93,7 +93,7 @@ impl IntoResponse for Wrong {
 ///
 /// # Errors
 ///
-/// What it says itself, or that it broke off.
+/// Its own body, or that it broke off.
 pub(super) async fn aside<T: Send + 'static>(
     what: impl FnOnce() -> Result<T, Wrong> + Send + 'static,
 ) -> Result<T, Wrong> {

@@ -2,11 +2,11 @@
 
 use super::answer::{Answer, Wrong, aside};
 use super::app::App;
+use super::body::{Object, means, tag};
 use super::facts::{Facts, Plate};
 use super::home::Place;
 use super::keeping::{keep, merged};
 use super::pages::plain;
-use super::said::{Said, means, tag};
 use super::{delete, masks, show, small, spoken, upload, work};
 use crate::words::language::Words;
 use axum::Extension;
@@ -33,7 +33,7 @@ type Shared = State<Arc<App>>;
 type Reader = Extension<Words>;
 
 /// What there is.
-fn told(app: &App, place: &Place, words: Words) -> Result<Value, Wrong> {
+fn capture(app: &App, place: &Place, words: Words) -> Result<Value, Wrong> {
     let record = place.record()?;
     let progress = app.jobs.progress(place);
     let girths = place.girths(progress.state);
@@ -67,7 +67,7 @@ pub(super) struct New {
 }
 
 /// A new capture.
-pub(super) async fn create(State(app): Shared, Said(new): Said<New>) -> Answer {
+pub(super) async fn create(State(app): Shared, Object(new): Object<New>) -> Answer {
     let place = app.home.create(&new.name)?;
     let at = format!("/api/captures/{}", place.id);
     let answer = Json(json!({ "id": place.id }));
@@ -81,9 +81,9 @@ pub(super) async fn read(
     Path(id): Path<String>,
 ) -> Answer {
     let place = place(&app, &id)?;
-    let told = told(&app, &place, words)?;
-    let version = tag(told["version"].as_u64().unwrap_or_default());
-    Ok(([(header::ETAG, version)], Json(told)).into_response())
+    let json = capture(&app, &place, words)?;
+    let version = tag(json["version"].as_u64().unwrap_or_default());
+    Ok(([(header::ETAG, version)], Json(json)).into_response())
 }
 
 /// What a file is called.
@@ -147,26 +147,26 @@ pub(super) async fn photo(
     let file = place.photos().join(&kept.ok_or_else(Wrong::missing)?.file);
     let _turn = app.decoding.acquire().await.map_err(Wrong::broken)?;
     let folder = place.folder.join("small");
-    let bytes = aside(move || small::small(&file, &folder, side).map_err(Wrong::said)).await?;
+    let bytes = aside(move || small::small(&file, &folder, side).map_err(Wrong::unfit)).await?;
     Ok(([(header::CONTENT_TYPE, "image/jpeg")], bytes).into_response())
 }
 
-/// Says what is known of a capture: all of it.
+/// Sets what is known of a capture: all of it.
 pub(super) async fn put_facts(
     State(app): Shared,
     Path(id): Path<String>,
     headers: HeaderMap,
-    Said(facts): Said<Facts>,
+    Object(facts): Object<Facts>,
 ) -> Answer {
     change(&app, &id, &headers, |_| Ok(facts))
 }
 
-/// Says some of what is known; the rest stays.
+/// Sets some of what is known; the rest stays.
 pub(super) async fn patch_facts(
     State(app): Shared,
     Path(id): Path<String>,
     headers: HeaderMap,
-    Said(some): Said<Value>,
+    Object(some): Object<Value>,
 ) -> Answer {
     change(&app, &id, &headers, |known| merged(known, &some))
 }
@@ -209,7 +209,7 @@ pub(super) async fn measure(
     let place = place(&app, &id)?;
     let new = aside(move || {
         let record = place.record()?;
-        work::measure(&app, &place).map_err(|why| Wrong::said(plain(words, &record, &why)))
+        work::measure(&app, &place).map_err(|why| Wrong::unfit(plain(words, &record, &why)))
     });
     let new = new.await?;
     let status = if new {

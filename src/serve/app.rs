@@ -9,7 +9,7 @@ use tokio::sync::Semaphore;
 
 /// The server's own.
 pub(super) struct App {
-    /// Where captures lie.
+    /// Where captures are.
     pub(super) home: Home,
     /// What is being measured.
     pub(super) jobs: Jobs,

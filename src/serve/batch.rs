@@ -22,7 +22,7 @@ pub(super) fn lines(app: &App) -> Vec<Line> {
     .collect()
 }
 
-/// Measures every capture that was not, the oldest first; what is wrong with one stands on its page.
+/// Measures every capture that was not, the oldest first; what is wrong with one is on its page.
 pub(super) fn measure(app: &Arc<App>) {
     for line in lines(app).into_iter().rev() {
         if ["none", "stopped", "interrupted"].contains(&line.state) && !line.record.files.is_empty()

@@ -1,4 +1,4 @@
-//! A capture removed for good: its photos, its results, and what of it lies in the cache.
+//! A capture removed for good: its photos, its results, and what of it is in the cache.
 
 use super::answer::Wrong;
 use super::app::App;

@@ -20,7 +20,7 @@ use std::sync::Arc;
 use std::time::Duration;
 use tokio::sync::watch::Receiver;
 
-/// No more often than this is told.
+/// Events are no closer together than this.
 const PACE: Duration = Duration::from_millis(250);
 
 /// What a page shows of it: `sentence` for who hears it, `steps` and `pictures` as HTML.

@@ -1,4 +1,4 @@
-//! What is known of a capture, as it is said on the page: checked, then the words of `tailor measure`.
+//! What is known of a capture, as it is given on the page: checked, then the words of `tailor measure`.
 
 use serde::{Deserialize, Serialize};
 
@@ -41,7 +41,7 @@ pub(super) struct Facts {
     pub(super) inches: bool,
 }
 
-/// Which photo is of the empty scene: a number, `null` for none, and left out for the one whose name says it.
+/// Which photo is of the empty scene: a number, `null` for none, and left out for the one by its name.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(from = "Option<u32>", into = "Option<u32>")]
 pub(super) enum Plate {
@@ -58,8 +58,8 @@ impl Plate {
 }
 
 impl From<Option<u32>> for Plate {
-    fn from(said: Option<u32>) -> Plate {
-        said.map_or(Plate::Nothing, Plate::Photo)
+    fn from(given: Option<u32>) -> Plate {
+        given.map_or(Plate::Nothing, Plate::Photo)
     }
 }
 
@@ -94,12 +94,12 @@ impl Sex {
 
 /// A fact that cannot be.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
-#[error("{field}: {said} is not between {least} and {most}")]
+#[error("{field}: {given} is not between {least} and {most}")]
 pub(super) struct Unlikely {
     /// Its name.
     pub(super) field: &'static str,
-    /// What was said.
-    pub(super) said: f64,
+    /// What was given.
+    pub(super) given: f64,
     /// The least that is believed.
     pub(super) least: f64,
     /// The most that is believed.
@@ -107,7 +107,7 @@ pub(super) struct Unlikely {
 }
 
 impl Facts {
-    /// The numbers with the limits that are believed: a slip of the keyboard is told at once.
+    /// The numbers with the limits that are believed: a slip of the keyboard is refused at once.
     fn numbers(&self) -> [(&'static str, Option<f64>, f64, f64); 7] {
         [
             ("stature_cm", self.stature_cm, 40.0, 260.0),
@@ -126,11 +126,11 @@ impl Facts {
     ///
     /// The first that cannot.
     pub(super) fn check(&self) -> Result<(), Unlikely> {
-        for (field, said, least, most) in self.numbers() {
-            if let Some(said) = said.filter(|n| !(*n >= least && *n <= most)) {
+        for (field, given, least, most) in self.numbers() {
+            if let Some(given) = given.filter(|n| !(*n >= least && *n <= most)) {
                 return Err(Unlikely {
                     field,
-                    said,
+                    given,
                     least,
                     most,
                 });
@@ -141,10 +141,10 @@ impl Facts {
 
     /// As flags of `tailor measure` and `tailor doctor`; `plate` is the file of that number.
     pub(super) fn words(&self, plate: Option<&str>) -> Vec<String> {
-        let number = |flag: &str, said: Option<f64>, unit: &str| {
-            said.map(|said| format!("--{flag}={said}{unit}"))
+        let number = |flag: &str, given: Option<f64>, unit: &str| {
+            given.map(|given| format!("--{flag}={given}{unit}"))
         };
-        let said = [
+        let given = [
             number("stature", self.stature_cm, "cm"),
             number("weight", self.weight_kg, "kg"),
             self.sex.map(|sex| format!("--sex={}", sex.word())),
@@ -155,7 +155,7 @@ impl Facts {
             self.steps.map(|steps| format!("--steps={steps}")),
             plate.map(|plate| format!("--plate={plate}")),
         ];
-        said.into_iter().flatten().collect()
+        given.into_iter().flatten().collect()
     }
 }
 
@@ -164,7 +164,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn what_is_said_becomes_flags_and_slips_are_told() {
+    fn what_is_given_becomes_flags_and_slips_are_refused() {
         let facts = Facts {
             stature_cm: Some(171.5),
             steps: Some(-18),

@@ -1,12 +1,12 @@
 //! Who may ask: only whoever holds the token, of this machine's own name, and no other page.
 //!
-//! The token stands in the address that the program prints; the browser trades it for a cookie.
+//! The token is in the address that the program prints; the browser trades it for a cookie.
 //! A page of elsewhere cannot read the cookie, is not sent it (`SameSite=Strict`), and is refused by what
-//! browsers say of a request's origin. A name of elsewhere that leads here (DNS rebinding) is refused by `Host`.
+//! browsers send of a request's origin. A name of elsewhere that leads here (DNS rebinding) is refused by `Host`.
 
 use std::io::Read;
 
-/// What a request says of where it comes from.
+/// A request's origin, as it names it.
 #[derive(Debug, Clone, Copy, Default)]
 pub(super) struct Asked<'a> {
     /// Whether it changes nothing (GET, HEAD).
@@ -66,7 +66,7 @@ impl Guard {
         a.len() == b.len() && a.iter().zip(b).fold(0, |all, (x, y)| all | (x ^ y)) == 0
     }
 
-    /// The cookie that stands for the token.
+    /// The cookie that carries the token.
     pub(super) fn set_cookie(&self) -> String {
         format!(
             "{}={}; Path=/; HttpOnly; SameSite=Strict",
@@ -90,7 +90,7 @@ impl Guard {
             (_, Some("none")) if asked.reads => Ok(()),
             (_, Some(_)) => Err(Refused::Origin),
             (Some(_), None) => Ok(()),
-            // No browser: it tells nothing of itself, and has no cookies of others.
+            // No browser: it names no origin, and has no cookies of other sites.
             (None, None) if asked.reads || asked.authorization.is_some() => Ok(()),
             (None, None) => Err(Refused::Origin),
         }
@@ -109,9 +109,9 @@ impl Guard {
             let (name, value) = pair.trim().split_once('=')?;
             (name == self.cookie).then(|| value.to_owned())
         };
-        let held = bearer.map(str::to_owned);
-        let held = held.into_iter().chain(cookies.filter_map(cookie));
-        match held.into_iter().any(|token| self.is_token(&token)) {
+        let shown = bearer.map(str::to_owned);
+        let shown = shown.into_iter().chain(cookies.filter_map(cookie));
+        match shown.into_iter().any(|token| self.is_token(&token)) {
             true => Ok(()),
             false => Err(Refused::Token),
         }

@@ -1,4 +1,4 @@
-//! Where captures lie on the disk, for their owner only.
+//! Where captures are on the disk, for their owner only.
 //!
 //! ```text
 //! captures/ID/record.json   name, files, facts
@@ -8,7 +8,7 @@
 //! captures/ID/painted/      strokes of the brush, by photo
 //! captures/ID/small/        pictures to look at, made when asked for
 //! captures/ID/out/          the results, as `tailor measure` writes them
-//! lock                      held by the server
+//! lock                      taken by the server
 //! ```
 //!
 //! An ID is sixteen hex digits that the server chose. No name of a user's gets into a path.
@@ -29,7 +29,7 @@ pub(super) struct Home {
     /// Records are read, changed and written by one at a time.
     changing: Mutex<()>,
     /// Locked as long as this lives: one server a folder.
-    _held: std::fs::File,
+    _lock: std::fs::File,
 }
 
 /// A capture's folder.
@@ -80,13 +80,13 @@ impl Home {
         let root = root.canonicalize()?;
         let mut options = std::fs::OpenOptions::new();
         let options = options.write(true).create(true).truncate(false).mode(0o600);
-        let held = options.open(root.join("lock"))?;
+        let lock = options.open(root.join("lock"))?;
         let other = |_| Error::other("another `tailor serve` uses this folder");
-        held.try_lock().map_err(other)?;
+        lock.try_lock().map_err(other)?;
         let home = Home {
             root,
             changing: Mutex::new(()),
-            _held: held,
+            _lock: lock,
         };
         for (place, _) in home.all() {
             let _ = std::fs::remove_dir_all(place.folder.join("incoming"));
@@ -150,10 +150,10 @@ impl Home {
         std::fs::remove_dir_all(&place.folder)
     }
 
-    /// Room that is left on the disk. \[bytes\]
+    /// Free space on the disk. \[bytes\]
     pub(super) fn free(&self) -> Option<u64> {
-        let told = rustix::fs::statvfs(&self.root).ok()?;
-        Some(told.f_bavail * told.f_frsize)
+        let disk = rustix::fs::statvfs(&self.root).ok()?;
+        Some(disk.f_bavail * disk.f_frsize)
     }
 }
 

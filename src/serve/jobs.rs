@@ -28,14 +28,14 @@ pub(super) struct Jobs {
 /// How often a job that waits looks whether it is to stop.
 const LOOK: Duration = Duration::from_millis(100);
 
-fn held<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
+fn locked<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
     mutex.lock().unwrap_or_else(|e| e.into_inner())
 }
 
 impl Jobs {
     /// The job of a capture, if there was one since the server began.
     pub(super) fn of(&self, id: &str) -> Option<Arc<Job>> {
-        held(&self.jobs).get(id).cloned()
+        locked(&self.jobs).get(id).cloned()
     }
 
     /// How far a capture is: by its job, else as the disk knows it.
@@ -48,7 +48,7 @@ impl Jobs {
 
     /// The capture's job; `true` if it is new and somebody must do it.
     pub(super) fn begin(&self, id: &str) -> (Arc<Job>, bool) {
-        let mut jobs = held(&self.jobs);
+        let mut jobs = locked(&self.jobs);
         if let Some(job) = jobs.get(id).filter(|job| job.sender.borrow().goes_on()) {
             return (Arc::clone(job), false);
         }
@@ -67,7 +67,7 @@ impl Jobs {
 
     /// Takes a capture's job out, unless somebody works on it; whether nobody does.
     pub(super) fn drop_idle(&self, id: &str) -> bool {
-        let mut jobs = held(&self.jobs);
+        let mut jobs = locked(&self.jobs);
         let idle = jobs
             .get(id)
             .is_none_or(|job| !job.sender.borrow().goes_on());
@@ -79,7 +79,7 @@ impl Jobs {
 
     /// Does something when no other job does; not at all if the job is to stop before.
     pub(super) fn alone<T>(&self, job: &Job, what: impl FnOnce() -> T) -> Option<T> {
-        let mut busy = held(&self.busy);
+        let mut busy = locked(&self.busy);
         while *busy {
             if job.cancel.load(Ordering::Relaxed) {
                 return None;
@@ -98,10 +98,10 @@ impl Jobs {
 
     /// Stops all, and waits until all have.
     pub(super) fn stop(&self) {
-        for job in held(&self.jobs).values() {
+        for job in locked(&self.jobs).values() {
             job.cancel.store(true, Ordering::Relaxed);
         }
-        while held(&self.jobs)
+        while locked(&self.jobs)
             .values()
             .any(|job| job.sender.borrow().goes_on())
         {
@@ -115,7 +115,7 @@ struct Freed<'a>(&'a Jobs);
 
 impl Drop for Freed<'_> {
     fn drop(&mut self) {
-        *held(&self.0.busy) = false;
+        *locked(&self.0.busy) = false;
         self.0.free.notify_one();
     }
 }

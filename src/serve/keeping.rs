@@ -15,7 +15,7 @@ use std::collections::HashMap;
 ///
 /// # Errors
 ///
-/// What `how` says, a fact that cannot be, or a capture that is being measured.
+/// What `how` refuses, a fact that cannot be, or a capture that is being measured.
 pub(super) fn keep<E: From<Wrong>>(
     app: &App,
     place: &Place,
@@ -26,7 +26,7 @@ pub(super) fn keep<E: From<Wrong>>(
     }
     let changed = app.home.change(place, |record| {
         let facts = how(record)?;
-        facts.check().map_err(Wrong::said)?;
+        facts.check().map_err(Wrong::unfit)?;
         if facts.plate != record.facts.plate {
             plate(record, facts.plate)?;
         }
@@ -69,9 +69,9 @@ fn plate(record: &Record, plate: Plate) -> Result<(), Wrong> {
 /// # Errors
 ///
 /// What is no fact.
-pub(super) fn merged(known: &Facts, said: &serde_json::Value) -> Result<Facts, Wrong> {
+pub(super) fn merged(known: &Facts, given: &serde_json::Value) -> Result<Facts, Wrong> {
     let mut all = serde_json::to_value(known).map_err(Wrong::broken)?;
-    for (key, value) in said.as_object().into_iter().flatten() {
+    for (key, value) in given.as_object().into_iter().flatten() {
         match value.is_null() && key != "plate" {
             true => all[key.as_str()] = serde_json::Value::Null,
             false => all[key.as_str()] = value.clone(),
@@ -82,7 +82,7 @@ pub(super) fn merged(known: &Facts, said: &serde_json::Value) -> Result<Facts, W
         serde_json::Value::Object(all) => all.into_iter().filter(keep).collect(),
         _ => serde_json::Map::new(),
     };
-    serde_json::from_value(all.into()).map_err(Wrong::said)
+    serde_json::from_value(all.into()).map_err(Wrong::unfit)
 }
 
 /// Why a form came to nothing.
@@ -99,7 +99,7 @@ impl From<Wrong> for Unkept {
     }
 }
 
-/// What a form asks for: the fields that somebody changed in it, over what is known by now. A field says in `was_…`
+/// What a form asks for: the fields that somebody changed in it, over what is known by now. A field has in `was_…`
 /// what it showed before.
 ///
 /// # Errors
@@ -111,12 +111,12 @@ pub(super) fn asked(
     sent: &HashMap<String, String>,
 ) -> Result<Facts, Unkept> {
     let now = shown(words, record);
-    let said = |name: &str| sent.get(name).map_or("", |text| text.trim());
+    let typed = |name: &str| sent.get(name).map_or("", |text| text.trim());
     let alike = |a: &str, b: &str| a.replace(',', ".") == b.replace(',', ".");
     let (mut all, mut stale) = (HashMap::new(), vec![]);
     for (name, now) in &now {
         let was = sent.get(&format!("was_{name}")).unwrap_or(now);
-        let here = said(name);
+        let here = typed(name);
         let changed = !alike(here, was);
         if changed && !alike(now, was) && !alike(now, here) {
             stale.push((*name, now.clone()));
@@ -150,16 +150,16 @@ fn meanwhile(words: Words, record: &Record, name: &str, now: &str) -> String {
         Some(format!("{now}: {}", record.files.get(&number)?.name))
     };
     let text = match (name, now) {
-        ("sex", "") => words.say("fact-sex-none"),
-        ("sex", sex) => words.say(&format!("fact-sex-{sex}")),
-        ("plate", "") => words.say("fact-plate-none"),
+        ("sex", "") => words.text("fact-sex-none"),
+        ("sex", sex) => words.text(&format!("fact-sex-{sex}")),
+        ("plate", "") => words.text("fact-plate-none"),
         ("plate", _) => file().unwrap_or_default(),
-        ("walk" | "quick", text) => words.say(if text.is_empty() {
+        ("walk" | "quick", text) => words.text(if text.is_empty() {
             "fact-off"
         } else {
             "fact-on"
         }),
-        (_, "") => words.say("fact-empty"),
+        (_, "") => words.text("fact-empty"),
         (_, text) => text.to_owned(),
     };
     words.with("slip-stale", &[("now", text.into())])
@@ -178,8 +178,8 @@ mod tests {
             walk: true,
             ..Facts::default()
         };
-        let said = json!({ "weight_kg": 65.0, "stature_cm": null, "plate": null });
-        let facts = merged(&known, &said).unwrap();
+        let given = json!({ "weight_kg": 65.0, "stature_cm": null, "plate": null });
+        let facts = merged(&known, &given).unwrap();
         let expected = Facts {
             weight_kg: Some(65.0),
             walk: true,

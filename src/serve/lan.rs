@@ -5,7 +5,7 @@ use qrcodegen::{QrCode, QrCodeEcc};
 use std::fmt::Write as _;
 use std::net::{IpAddr, UdpSocket};
 
-/// The address under which others of the local network reach this machine.
+/// The address under which other machines of the local network reach this machine.
 ///
 /// # Errors
 ///

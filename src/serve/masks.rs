@@ -40,7 +40,7 @@ fn corrected(place: &Place) -> PathBuf {
     place.photos().join("masks")
 }
 
-/// A mask with what was painted over it, at whatever size: opaque and light is body, opaque and dark is room.
+/// A mask with what was painted over it, at whatever size: opaque and light is body, opaque and dark is background.
 fn painted_over(mask: &GrayImage, painted: &RgbaImage) -> GrayImage {
     let ((w, h), (pw, ph)) = (mask.dimensions(), painted.dimensions());
     // The pixel of the painting whose square holds the middle of the mask's.
@@ -93,7 +93,7 @@ pub(super) async fn paint(
         }
         gone?;
         let read = |bytes: &[u8]| image::load_from_memory_with_format(bytes, ImageFormat::Png);
-        let header = |why: image::ImageError| Wrong::said(why);
+        let header = |why: image::ImageError| Wrong::unfit(why);
         let painted = read(&bytes).map_err(header)?.to_rgba8();
         let before = read(&mask(&place, number)?).map_err(header)?.to_luma8();
         all_along(&place)?;

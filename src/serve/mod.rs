@@ -5,7 +5,7 @@
 //! | `guard.rs` | who may ask |
 //! | `routes.rs` | every call, and what all of them pass |
 //! | `visits.rs`, `pages/`, `handed.rs` | pages and their forms, files handed out; `typed.rs` reads what was typed; texts are those of `src/words/`, `spoken.rs` has them for programs |
-//! | `api.rs`, `said.rs`, `events.rs` | calls of programs and scripts, what they say; progress as it happens |
+//! | `api.rs`, `body.rs`, `events.rs` | calls of programs and scripts, their bodies; progress as it happens |
 //! | `upload.rs`, `sniff.rs` | files that come in |
 //! | `home.rs`, `record.rs`, `facts.rs`, `keeping.rs`, `delete.rs` | captures on the disk, what is known of them, and who changes it |
 //! | `jobs.rs`, `work.rs`, `progress.rs` | what is being measured |
@@ -17,6 +17,7 @@ mod answer;
 mod api;
 mod app;
 mod batch;
+mod body;
 mod delete;
 mod events;
 mod facts;
@@ -31,7 +32,6 @@ mod pages;
 mod progress;
 mod record;
 mod routes;
-mod said;
 mod show;
 mod small;
 mod sniff;
@@ -57,10 +57,10 @@ use std::time::Duration;
 /// Arguments of `tailor serve`.
 #[derive(Args)]
 pub(crate) struct Serve {
-    /// The port; one that is free if not said
+    /// The port; a free one if not given
     #[arg(long, default_value = "0")]
     port: u16,
-    /// Let others of the local network in who have the address with its token: a phone with photos on it
+    /// Let other machines of the local network in that have the address with its token: a phone with photos on it
     #[arg(long)]
     lan: bool,
     /// Where captures and their results are kept
@@ -96,7 +96,7 @@ async fn run(serve: &Serve, global: &GlobalArgs) -> Result<(), Fault> {
     let listener = tokio::net::TcpListener::bind(SocketAddr::new(all, serve.port)).await;
     let taken = |why| {
         Fault::input(format!(
-            "port {}: {why}; say another with --port, or none",
+            "port {}: {why}; give another with --port, or none",
             serve.port
         ))
     };
@@ -120,7 +120,7 @@ async fn run(serve: &Serve, global: &GlobalArgs) -> Result<(), Fault> {
         decoding: tokio::sync::Semaphore::new(DECODERS),
         lan: lan.map(|ip| at(&ip.to_string())),
     });
-    tell(&at(&own.to_string()), app.lan.as_deref(), serve, global);
+    print_address(&at(&own.to_string()), app.lan.as_deref(), serve, global);
     let served = axum::serve(listener, routes::router(Arc::clone(&app)));
     let ended = tokio::select! {
         ended = async { served.await } => ended.map_err(Fault::stage),
@@ -137,8 +137,8 @@ async fn asked_to_stop() {
     }
 }
 
-/// Says where the page is: standard output has its address, for programs too.
-fn tell(url: &str, lan: Option<&str>, serve: &Serve, global: &GlobalArgs) {
+/// Prints where the page is: standard output has its address, for programs too.
+fn print_address(url: &str, lan: Option<&str>, serve: &Serve, global: &GlobalArgs) {
     if global.json {
         engine::outln!("{}", serde_json::json!({ "url": url, "lan": lan }));
     } else {

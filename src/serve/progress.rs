@@ -1,4 +1,4 @@
-//! How far a measuring is: told by the engine, looked at by pages.
+//! How far a measuring is: reported by the engine, looked at by pages.
 
 use super::record::Ended;
 use engine::walk::{Done, Status, Watch};

@@ -10,7 +10,7 @@ use std::collections::BTreeMap;
 pub(super) struct Kept {
     /// What its owner calls it; shown, never a path.
     pub(super) name: String,
-    /// What it lies under in the folder: its number in turning order.
+    /// Its name in the folder: its number in turning order.
     pub(super) file: String,
     /// \[bytes\]
     pub(super) bytes: u64,
@@ -56,7 +56,7 @@ impl Record {
 
     /// A text with the files named as their owner calls them.
     pub(super) fn named(&self, text: &str) -> String {
-        let (mut told, mut rest, mut before) = (String::new(), text, ' ');
+        let (mut replaced, mut rest, mut before) = (String::new(), text, ' ');
         while let Some(letter) = rest.chars().next() {
             let file = |kept: &&Kept| {
                 let after = rest.strip_prefix(kept.file.as_str());
@@ -67,14 +67,14 @@ impl Record {
                 Some(kept) => (kept.file.len(), kept.name.as_str()),
                 None => (letter.len_utf8(), &rest[..letter.len_utf8()]),
             };
-            told += shown;
+            replaced += shown;
             before = letter;
             rest = &rest[taken..];
         }
-        told
+        replaced
     }
 
-    /// What the owner calls a file that lies under this name.
+    /// What the owner calls a file of this name.
     pub(super) fn called<'a>(&'a self, file: &'a str) -> &'a str {
         let kept = self.files.values().find(|kept| kept.file == file);
         kept.map_or(file, |kept| &kept.name)

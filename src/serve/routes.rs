@@ -3,7 +3,7 @@
 use super::answer::Wrong;
 use super::app::App;
 use super::guard::{Asked, Refused};
-use super::{api, events, handed, said, visits};
+use super::{api, body, events, handed, visits};
 use crate::words::language::{Language, Words};
 use axum::Router;
 use axum::extract::{DefaultBodyLimit, Request, State};
@@ -166,7 +166,7 @@ async fn pass(State(app): State<Arc<App>>, mut request: Request, next: Next) -> 
     };
     answer = match answer.extensions_mut().remove::<Wrong>() {
         Some(wrong) => wrong.answer(words, page),
-        None => said::as_all_else(answer, words, page).await,
+        None => body::as_all_else(answer, words, page).await,
     };
     rules(answer.headers_mut());
     answer

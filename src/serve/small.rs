@@ -1,4 +1,4 @@
-//! Photos made small, to look at on a page: made when asked for, upright, without what EXIF tells.
+//! Photos made small, to look at on a page: made when asked for, upright, without EXIF.
 
 use super::home;
 use super::sniff::MOST_PIXELS;

@@ -10,7 +10,7 @@ use std::path::Path;
 pub(super) struct Sniffed {
     /// The ending that it is kept under.
     pub(super) ending: &'static str,
-    /// Width and height, where the header tells. \[px\]
+    /// Width and height, where the header has them. \[px\]
     pub(super) size: Option<[u32; 2]>,
     /// Whether it is a video.
     pub(super) video: bool,
@@ -29,7 +29,7 @@ pub(super) enum Strange {
     #[error("its header is broken: {0}")]
     Broken(String),
     /// More pixels than any camera's.
-    #[error("it says to be {width}×{height} pixels; {most} million are the most that are read")]
+    #[error("it claims to be {width}×{height} pixels; {most} million are the most that are read")]
     Large {
         /// \[px\]
         width: u32,
@@ -43,7 +43,7 @@ pub(super) enum Strange {
 /// More pixels than this are no photo of a turn. \[px\]
 pub(super) const MOST_PIXELS: u64 = 120_000_000;
 
-/// So many bytes tell what a file is.
+/// So many bytes show what a file is.
 pub(super) const HEAD: usize = 16;
 
 /// The ending of a file with such first bytes.
@@ -67,7 +67,7 @@ fn ending(head: &[u8], name: &str) -> Option<(&'static str, Option<ImageFormat>)
     Some(found)
 }
 
-/// What a file is; `name` is what its owner calls it, and tells raw photos from others.
+/// What a file is; `name` is what its owner calls it, and decides whether it is a raw photo.
 ///
 /// # Errors
 ///
@@ -117,7 +117,7 @@ mod tests {
         sniff(&file, &bytes[..bytes.len().min(HEAD)], name)
     }
 
-    /// The head of a PNG that says to be so large; a decoder would ask for all of it.
+    /// The head of a PNG that claims to be so large; a decoder would ask for all of it.
     fn png(width: u32, height: u32) -> Vec<u8> {
         let mut bytes = b"\x89PNG\r\n\x1a\n\0\0\0\rIHDR".to_vec();
         bytes.extend(width.to_be_bytes());
@@ -135,7 +135,7 @@ mod tests {
     }
 
     #[test]
-    fn a_picture_that_says_to_be_huge_is_refused_by_its_header() {
+    fn a_picture_that_claims_to_be_huge_is_refused_by_its_header() {
         let size = Some([4000, 3000]);
         assert_eq!(of(&png(4000, 3000), "a.png").unwrap().size, size);
         let huge = of(&png(60_000, 60_000), "a.png");

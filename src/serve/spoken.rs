@@ -1,4 +1,4 @@
-//! What stages say, as calls tell it: in the reader's language, of the files as their owner calls them.
+//! Stages' messages in calls: in the reader's language, of the files as their owner calls them.
 
 use super::pages::plain;
 use super::progress::Progress;
@@ -8,20 +8,20 @@ use serde_json::Value;
 
 /// What was seen of a capture. Photos keep the names of their files, which `files` has.
 pub(super) fn look(words: Words, record: &Record, mut look: Value) -> Value {
-    let say = |value: &mut Value| {
+    let translate = |value: &mut Value| {
         if let Some(text) = value.as_str() {
             *value = plain(words, record, text).into();
         }
     };
     if let Some(wrong) = look.get_mut("wrong") {
-        say(wrong);
+        translate(wrong);
     }
     let lists = ["warnings", "findings"].map(|key| look[key].as_array().cloned());
     let [mut warnings, mut findings] = lists.map(Option::unwrap_or_default);
-    warnings.iter_mut().for_each(say);
+    warnings.iter_mut().for_each(translate);
     for finding in &mut findings {
         for key in ["what", "mend"] {
-            say(&mut finding[key]);
+            translate(&mut finding[key]);
         }
     }
     for (key, list) in [("warnings", warnings), ("findings", findings)] {
@@ -30,7 +30,7 @@ pub(super) fn look(words: Words, record: &Record, mut look: Value) -> Value {
         }
     }
     if let Some(can) = look.get_mut("can").and_then(Value::as_object_mut) {
-        can.values_mut().for_each(say);
+        can.values_mut().for_each(translate);
     }
     look
 }

@@ -20,7 +20,7 @@ pub(super) fn facts(words: Words, sent: &HashMap<String, String>) -> Result<Fact
             words.typed(text)
         };
         number.unwrap_or_else(|_| {
-            slips.insert(name, words.say("slip-number"));
+            slips.insert(name, words.text("slip-number"));
             None
         })
     };
@@ -42,7 +42,7 @@ pub(super) fn facts(words: Words, sent: &HashMap<String, String>) -> Result<Fact
     facts.walk = sent.contains_key("walk");
     facts.quick = sent.contains_key("quick");
     if steps.is_some_and(|steps| steps.fract() != 0.0) {
-        slips.insert("steps", words.say("slip-whole"));
+        slips.insert("steps", words.text("slip-whole"));
     }
     if let Err(why) = facts.check()
         && !slips.contains_key(why.field)
@@ -77,7 +77,7 @@ mod tests {
     use crate::words::language::Language;
 
     #[test]
-    fn fields_are_read_in_the_readers_units_and_slips_are_told() {
+    fn fields_are_read_in_the_readers_units_and_slips_are_refused() {
         let words = Words {
             language: Language::De,
             inches: false,
@@ -88,7 +88,7 @@ mod tests {
                 .map(|(k, v)| ((*k).into(), (*v).into()))
                 .collect()
         };
-        let said = facts(
+        let parsed = facts(
             words,
             &sent(&[
                 ("stature_cm", "171,5"),
@@ -108,7 +108,7 @@ mod tests {
             age_years: Some(9.5),
             ..Facts::default()
         };
-        assert_eq!(said, Ok(expected));
+        assert_eq!(parsed, Ok(expected));
         let slips = facts(
             words,
             &sent(&[

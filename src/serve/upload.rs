@@ -45,7 +45,7 @@ pub(super) async fn keep(
 ) -> Result<Kept, Wrong> {
     let kept = receive(app, place, number, name, length, &mut body).await;
     if kept.is_err() {
-        // A browser reads no answer before it has said all.
+        // A browser reads no answer before it has sent all.
         let rest = async { while body.frame().await.is_some_and(|f| f.is_ok()) {} };
         let _ = tokio::time::timeout(PATIENCE, rest).await;
     }
@@ -140,7 +140,7 @@ impl Drop for Part {
 }
 
 /// The body into a new file: its first bytes, and how many there were.
-async fn stream(body: &mut Body, path: &Path, room: u64) -> Result<(Vec<u8>, u64), Wrong> {
+async fn stream(body: &mut Body, path: &Path, free: u64) -> Result<(Vec<u8>, u64), Wrong> {
     let mut options = tokio::fs::OpenOptions::new();
     let mut file = options
         .write(true)
@@ -155,7 +155,7 @@ async fn stream(body: &mut Body, path: &Path, room: u64) -> Result<(Vec<u8>, u64
         let Some(frame) = frame.map_err(slow)? else {
             break;
         };
-        let frame = frame.map_err(|e| Wrong::said(e.to_string()))?;
+        let frame = frame.map_err(|e| Wrong::unfit(e.to_string()))?;
         let Some(data) = frame.data_ref() else {
             continue;
         };
@@ -167,8 +167,8 @@ async fn stream(body: &mut Body, path: &Path, room: u64) -> Result<(Vec<u8>, u64
                 [0x1a, 0x45, 0xdf, 0xa3, ..] | [b'R', b'I', b'F', b'F', ..]
             );
         let most = if video { MOST_VIDEO } else { MOST_PHOTO };
-        if bytes > most.min(room) {
-            return Err(large(most.min(room)));
+        if bytes > most.min(free) {
+            return Err(large(most.min(free)));
         }
         file.write_all(data).await?;
     }

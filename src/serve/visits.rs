@@ -58,16 +58,16 @@ pub(super) async fn girths(State(app): Shared) -> Answer {
 
 /// Another language or unit.
 pub(super) async fn settings(Form(sent): Sent) -> Answer {
-    let said = |key: &str| sent.get(key).map(String::as_str).unwrap_or_default();
-    let cookie = match (said("set"), Language::of(said("set"))) {
+    let field = |key: &str| sent.get(key).map(String::as_str).unwrap_or_default();
+    let cookie = match (field("set"), Language::of(field("set"))) {
         (unit @ ("cm" | "in"), _) => format!("unit={unit}"),
         (_, Some(language)) => format!("lang={}", language.code()),
-        _ => return Err(Wrong::said("set")),
+        _ => return Err(Wrong::unfit("set")),
     };
     let cookie = format!("{cookie}; Path=/; SameSite=Strict; HttpOnly; Max-Age=31536000");
     let cookie = HeaderValue::from_str(&cookie).map_err(Wrong::broken)?;
     // To a page of ours, whatever was sent.
-    let to = Some(said("back"))
+    let to = Some(field("back"))
         .filter(|b| b.starts_with("/captures/") && !b.contains(['\\', '\n', '\r']));
     Ok((
         [(header::SET_COOKIE, cookie)],
@@ -113,7 +113,7 @@ pub(super) async fn look(State(app): Shared, Path(id): Path<String>) -> Answer {
     Ok(to)
 }
 
-/// Keeps what is known, or says which field is wrong.
+/// Keeps what is known, or names the field that is wrong.
 pub(super) async fn facts(
     State(app): Shared,
     Extension(words): Reader,
@@ -136,7 +136,7 @@ pub(super) async fn facts(
         Err(Unkept::Slips(slips)) => {
             let (status, alert) = match slips.stale {
                 true => (StatusCode::CONFLICT, stale(words, &slips)),
-                false => (StatusCode::UNPROCESSABLE_ENTITY, words.say("facts-wrong")),
+                false => (StatusCode::UNPROCESSABLE_ENTITY, words.text("facts-wrong")),
             };
             let page = detail::detail(words, &content(&app, place, slips, Some(alert))?);
             Ok((status, html(page)).into_response())
@@ -146,7 +146,7 @@ pub(super) async fn facts(
 
 /// Which fields another window changed meanwhile.
 fn stale(words: Words, slips: &Slips) -> String {
-    let name = |field: &&str| words.say(&format!("fact-{}", field.replace('_', "-")));
+    let name = |field: &&str| words.text(&format!("fact-{}", field.replace('_', "-")));
     let fields: Vec<String> = slips.why.keys().map(name).collect();
     words.with("facts-stale", &[("fields", fields.join(", ").into())])
 }
@@ -163,7 +163,7 @@ pub(super) async fn measure(
         app.home
             .change(&place, |record| record.facts.inches = words.inches)?;
     }
-    // What is wrong with the capture stands on its page.
+    // What is wrong with the capture is on its page.
     aside(move || {
         let _ = work::measure(&app, &place);
         Ok(())
@@ -207,7 +207,7 @@ pub(super) async fn ask_delete(
     Ok(html(detail::delete(words, &place, &record, results)))
 }
 
-/// Removes a capture for good, and says what went.
+/// Removes a capture for good, and shows what went.
 pub(super) async fn delete(
     State(app): Shared,
     Extension(words): Reader,
@@ -246,6 +246,6 @@ pub(super) async fn nowhere() -> Answer {
 
 /// The first page without the token, or with a wrong one.
 pub(super) fn refused(words: Words, why: &'static str) -> Response {
-    let page = pages::wrong(words, &words.say(why));
+    let page = pages::wrong(words, &words.text(why));
     (StatusCode::FORBIDDEN, html(page)).into_response()
 }

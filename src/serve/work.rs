@@ -1,4 +1,4 @@
-//! Looking and measuring: what `tailor doctor` and `tailor measure` do, told to pages meanwhile.
+//! Looking and measuring: what `tailor doctor` and `tailor measure` do, shown on pages meanwhile.
 
 use super::app::App;
 use super::home::Place;
@@ -23,7 +23,7 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::Arc;
 use std::sync::atomic::Ordering;
 
-/// The words that say what is known of a capture.
+/// The words for what is known of a capture.
 fn words(record: &Record) -> Vec<OsString> {
     let plate = record.plate().map(|(_, kept)| kept.file.as_str());
     // Results and report have the capture's name.
@@ -37,11 +37,11 @@ fn folder(words: &mut Vec<OsString>, place: &Place) {
     words.extend(["--".into(), place.photos().into_os_string()]);
 }
 
-/// Why something came to nothing, without what only a terminal has: names of nodes, commands, where the capture lies.
-fn told(place: &Place, fault: Fault) -> String {
+/// Why something came to nothing, without what only a terminal has: names of nodes, commands, where the capture is.
+fn reason(place: &Place, fault: Fault) -> String {
     let text = fault.text().to_owned();
-    let said = fault.json();
-    let failures = said["failures"].as_array().into_iter().flatten();
+    let json = fault.json();
+    let failures = json["failures"].as_array().into_iter().flatten();
     let whys: Vec<&str> = failures.filter_map(|f| f["why"].as_str()).collect();
     let text = if whys.is_empty() {
         text
@@ -72,7 +72,7 @@ pub(super) fn look(app: &App, place: &Place) -> std::io::Result<Value> {
             found["warnings"] = warnings.into();
             found
         }
-        Err(fault) => json!({ "wrong": told(place, fault) }),
+        Err(fault) => json!({ "wrong": reason(place, fault) }),
     };
     place.keep_look(&look)?;
     Ok(look)
@@ -99,7 +99,7 @@ pub(super) fn prepared(place: &Place) -> Result<Prepared, Fault> {
 ///
 /// # Errors
 ///
-/// What is said of the capture is wrong, or the disk refuses: in words, which stand on its page as well.
+/// The capture's facts are wrong, or the disk refuses: in words, which are on its page as well.
 pub(super) fn measure(app: &Arc<App>, place: &Place) -> Result<bool, String> {
     let (job, new) = app.jobs.begin(&place.id);
     if !new {
@@ -115,7 +115,7 @@ pub(super) fn measure(app: &Arc<App>, place: &Place) -> Result<bool, String> {
         Ok(ready)
     };
     let ready = begun().map_err(|fault| {
-        let why = told(place, fault);
+        let why = reason(place, fault);
         end(place, &job, "failed", vec![why.clone()], &None);
         why
     })?;
@@ -124,12 +124,12 @@ pub(super) fn measure(app: &Arc<App>, place: &Place) -> Result<bool, String> {
     Ok(true)
 }
 
-/// Runs, and tells how it ended.
+/// Runs, and records how it ended.
 fn work(app: &App, place: &Place, job: &Job, ready: &Prepared) {
     let mut teller = None;
     let ran = app.jobs.alone(job, || {
-        let told = &*teller.insert(begun(app, job, ready));
-        catch_unwind(AssertUnwindSafe(|| run(app, job, ready, told)))
+        let watch = &*teller.insert(begun(app, job, ready));
+        catch_unwind(AssertUnwindSafe(|| run(app, job, ready, watch)))
     });
     match ran {
         None => end(place, job, "stopped", vec![], &teller),
@@ -138,7 +138,7 @@ fn work(app: &App, place: &Place, job: &Job, ready: &Prepared) {
             end(place, job, "failed", vec![why], &teller);
         }
         Some(Ok(Err(fault))) if fault.code() == 130 => end(place, job, "stopped", vec![], &teller),
-        Some(Ok(Err(fault))) => end(place, job, "failed", vec![told(place, fault)], &teller),
+        Some(Ok(Err(fault))) => end(place, job, "failed", vec![reason(place, fault)], &teller),
         Some(Ok(Ok(()))) => end(place, job, "done", vec![], &teller),
     }
 }
@@ -216,15 +216,15 @@ fn run(app: &App, job: &Job, ready: &Prepared, teller: &Teller) -> Result<(), Fa
     ready.deliver(&outcome, true, &app.quiet())
 }
 
-/// Keeps and tells how it ended.
+/// Keeps and announces how it ended.
 fn end(place: &Place, job: &Job, state: &'static str, why: Vec<String>, teller: &Option<Teller>) {
-    let told = job.sender.borrow().clone();
+    let progress = job.sender.borrow().clone();
     let ended = Ended {
         state: state.to_owned(),
         why: why.clone(),
-        warnings: told.warnings,
+        warnings: progress.warnings,
         seconds: teller.as_ref().map_or(0.0, Teller::seconds),
-        results: told.pictures,
+        results: progress.pictures,
     };
     let seconds = ended.seconds;
     // A full disk must not hide how it ended from who looks.
@@ -247,8 +247,8 @@ mod tests {
             name: name.clone(),
             ..Record::default()
         };
-        let said = format!("--name={name}");
-        assert_eq!(words(&record), [OsString::from(said)]);
+        let name_flag = format!("--name={name}");
+        assert_eq!(words(&record), [OsString::from(name_flag)]);
         let mut all = words(&record);
         all.extend(["--".into(), "photos".into()]);
         assert!(arguments::<Measure>(all).is_ok());

@@ -1,4 +1,4 @@
-//! Why a measuring came to nothing: what stages say, `*` for what is put in, and the texts in `words/` that say the same in the
+//! Why a measuring came to nothing: sentences of stages, `*` for what is put in, and the texts in `words/` that mean the same in the
 //! reader's language and by what a page has: fields and outlines in place of flags and files.
 
 #[rustfmt::skip]

@@ -35,7 +35,7 @@ const ELSEWHERE: [&str; 4] = [
 /// What a photo without a picture is; each has a sentence of its own.
 const BLANK: &str = "* is *: take it again, or remove it";
 
-fn told(language: Language, text: &str) -> Option<String> {
+fn translated_error(language: Language, text: &str) -> Option<String> {
     let inches = false;
     translated(Words { language, inches }, text)
 }
@@ -61,28 +61,32 @@ fn every_failure_that_a_page_can_meet_has_its_texts() {
         assert!(there, "{begin} is no failure any more");
     }
     let met = |s: &&String| !ELSEWHERE.iter().any(|begin| s.starts_with(begin));
-    let says = |s: &&String| s.contains(char::is_alphabetic) && *s != BLANK;
-    for sentence in all.iter().filter(met).filter(says) {
+    let is_sentence = |s: &&String| s.contains(char::is_alphabetic) && *s != BLANK;
+    for sentence in all.iter().filter(met).filter(is_sentence) {
         let known = ERRORS.iter().any(|(pattern, _)| pattern == sentence);
         assert!(known, "errors.rs does not know: {sentence}");
     }
 }
 
 #[test]
-fn every_failure_is_told_in_german_with_what_is_put_in() {
+fn every_failure_is_in_german_with_what_is_put_in() {
     for (pattern, key) in ERRORS {
-        let said = pattern.replace('*', "7.5");
-        let [en, de] = Language::ALL.map(|language| told(language, &said).expect(pattern));
+        let sentence = pattern.replace('*', "7.5");
+        let [en, de] =
+            Language::ALL.map(|language| translated_error(language, &sentence).expect(pattern));
         assert!(en != de || key == "fail-hopeless", "{pattern}");
         assert!(!de.contains("--"), "a page has no flags: {de}");
     }
     for what in ["of one colour", "overexposed nearly everywhere"] {
-        let said = BLANK.replacen('*', "0003.jpg", 1).replace('*', what);
-        assert!(told(Language::De, &said).is_some(), "{said}");
+        let sentence = BLANK.replacen('*', "0003.jpg", 1).replace('*', what);
+        assert!(
+            translated_error(Language::De, &sentence).is_some(),
+            "{sentence}"
+        );
     }
     let hopeless = "0001.jpg, 0002.jpg: photos are more like others far away in order than like their neighbours: they are not in \
                     turning order; look whether these photos are in their place (if you are sure of the photos: --set photos.stop=false)";
-    let de = told(Language::De, hopeless).unwrap();
+    let de = translated_error(Language::De, hopeless).unwrap();
     assert!(
         de.starts_with("0001.jpg, 0002.jpg: ")
             && !de.contains("photos.stop")
@@ -92,11 +96,14 @@ fn every_failure_is_told_in_german_with_what_is_put_in() {
 }
 
 #[test]
-fn the_sentence_of_few_photos_is_the_one_that_is_said() {
+fn the_sentence_of_few_photos_is_the_stages_own() {
     let root = Path::new(env!("CARGO_MANIFEST_DIR"));
     let code = std::fs::read_to_string(root.join("src/cli/folder.rs")).unwrap();
     let (_, after) = code.split_once("fn too_few(").unwrap();
     let after = &after[after.find("format!(").unwrap()..];
-    let said = literal(after).unwrap();
-    assert!(ERRORS.iter().any(|(pattern, _)| *pattern == said), "{said}");
+    let sentence = literal(after).unwrap();
+    assert!(
+        ERRORS.iter().any(|(pattern, _)| *pattern == sentence),
+        "{sentence}"
+    );
 }

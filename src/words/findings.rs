@@ -1,4 +1,4 @@
-//! What stages say, in the reader's language: the sentences of `capture.look`, and the texts that stand for them
+//! Sentences of stages in the reader's language: those of `capture.look`, and the texts that take their place
 //! in `words/`; those of warnings are in `warnings.rs`, of failures in `errors.rs`. A sentence that is not known stays as it is.
 
 use super::errors::ERRORS;
@@ -7,7 +7,11 @@ use super::warnings::WARNINGS;
 
 /// Sentences, `*` for what is put in, and their texts, in which that is `a` and `b`.
 #[rustfmt::skip]
+<<<<<<< HEAD
 const TOLD: [(&str, &str); 60] = [
+=======
+const FINDINGS: [(&str, &str); 56] = [
+>>>>>>> a18333e (serve, texts: plainer names, comments and English texts)
     ("only * % of the picture stands still: the camera, or all behind the subject, moved between the photos", "find-moved"),
     ("a turn wants one camera on a tripod and the subject on a disk; is this a walk around somebody who stands still? Then say --walk", "find-moved-mend"),
     ("the subject, which all other photos show, is not seen here", "find-empty"),
@@ -92,12 +96,12 @@ pub(crate) fn listed(words: Words, text: &str) -> String {
     }
     let one = |part: &str| {
         let known = LISTED.iter().find(|(name, _)| *name == part);
-        known.map_or_else(|| part.to_owned(), |(_, key)| words.say(key))
+        known.map_or_else(|| part.to_owned(), |(_, key)| words.text(key))
     };
     text.split(", ").map(one).collect::<Vec<_>>().join(", ")
 }
 
-/// What stands in a text where a pattern has `*`, if it fits.
+/// What a text has where a pattern has `*`, if it fits.
 fn put_in<'a>(pattern: &str, text: &'a str) -> Option<Vec<&'a str>> {
     let mut parts = pattern.split('*');
     let mut rest = text.strip_prefix(parts.next()?)?;
@@ -114,20 +118,20 @@ fn put_in<'a>(pattern: &str, text: &'a str) -> Option<Vec<&'a str>> {
     rest.is_empty().then_some(found)
 }
 
-/// What is told as a warning, and is none: nothing is wrong, and nothing has to be done.
+/// What comes as a warning, and is none: nothing is wrong, and nothing has to be done.
 const NEWS: [&str; 2] = ["warn-mat-known", "warn-shortened"];
 
-/// Whether a warning only tells what was found.
+/// Whether a warning only names what was found.
 pub(crate) fn is_news(text: &str) -> bool {
     let fits = |(pattern, _): &&(&str, &str)| put_in(pattern, text).is_some();
     let known = WARNINGS.iter().find(fits);
     known.is_some_and(|(_, key)| NEWS.contains(key))
 }
 
-/// A sentence of a stage in the reader's language; none if it is not known. What it is about may stand
+/// A sentence of a stage in the reader's language; none if it is not known. What it is about may be
 /// before it (`NC: `).
 pub(crate) fn translated(words: Words, text: &str) -> Option<String> {
-    let all = TOLD.iter().chain(&WARNINGS).chain(&ERRORS);
+    let all = FINDINGS.iter().chain(&WARNINGS).chain(&ERRORS);
     let fits = |(pattern, key): &(&str, &'static str)| Some((*key, put_in(pattern, text)?));
     let Some((key, found)) = all.clone().find_map(fits) else {
         // What is odd, and what mends it.
@@ -141,7 +145,7 @@ pub(crate) fn translated(words: Words, text: &str) -> Option<String> {
         let rest = translated(words, rest)?;
         return Some(format!("{}: {rest}", listed(words, about)));
     };
-    // A number as it is written there, with its unit; or something that is told itself: where centimetres come from.
+    // A number as it is written there, with its unit; or something that is translated itself: where centimetres come from.
     let shown = |inner: &&str| {
         let (lead, inner) = inner.split_at(inner.len() - inner.trim_start().len());
         let number = inner.split(' ').next().unwrap_or_default();
@@ -164,7 +168,7 @@ mod tests {
     use super::super::language::Language;
     use super::*;
 
-    /// The sentences of a file of the room: long literals, with `*` where something is put in.
+    /// The sentences of a file of the crate: long literals, with `*` where something is put in.
     fn sentences(file: &str) -> Vec<String> {
         let root = std::path::Path::new(env!("CARGO_MANIFEST_DIR"));
         let text = std::fs::read_to_string(root.join("stages/capture/src").join(file)).unwrap();
@@ -189,45 +193,46 @@ mod tests {
     }
 
     #[test]
-    fn every_sentence_of_the_room_is_known() {
+    fn every_sentence_of_the_crate_is_known() {
         let all = ["odd.rs", "noise.rs", "verdict.rs", "empty.rs"]
             .map(sentences)
             .concat();
         assert!(all.len() > 40, "{all:?}");
         // What only joins names and sentences has no words, but for the count of photos.
-        let says = |s: &&String| s.contains(char::is_alphabetic) && !s.ends_with("photos): ");
-        for sentence in all.iter().filter(says) {
-            let known = TOLD.iter().any(|(pattern, _)| pattern == sentence);
+        let is_sentence =
+            |s: &&String| s.contains(char::is_alphabetic) && !s.ends_with("photos): ");
+        for sentence in all.iter().filter(is_sentence) {
+            let known = FINDINGS.iter().any(|(pattern, _)| pattern == sentence);
             assert!(known, "findings.rs does not know: {sentence}");
         }
     }
 
     #[test]
-    fn a_sentence_is_told_with_what_is_put_in() {
+    fn a_sentence_is_translated_with_what_is_put_in() {
         let de = Words {
             language: Language::De,
             inches: false,
         };
-        let told = |text: &str| translated(de, text);
-        let uneven = told("exposed from -0.31 to +0.50 EV against the middle").unwrap();
+        let german = |text: &str| translated(de, text);
+        let uneven = german("exposed from -0.31 to +0.50 EV against the middle").unwrap();
         assert_eq!(
             uneven,
             "von -0,31 bis +0,50 EV gegen die mittlere belichtet"
         );
         assert_eq!(
-            told("in centimetres, from the stature").unwrap(),
+            german("in centimetres, from the stature").unwrap(),
             "in Zentimetern, aus: Körpergröße"
         );
-        assert_eq!(told("no").unwrap(), "nein");
+        assert_eq!(german("no").unwrap(), "nein");
         let empty = "0018.jpg: the subject, which all other photos show, is not seen here; if this is the empty scene, say \
                      plate = \"0018.jpg\" in capture.toml, or --plate 0018.jpg; else leave it out, or take it again";
-        let de = told(empty).unwrap();
+        let de = german(empty).unwrap();
         assert!(
             de.starts_with("0018.jpg: die Person")
                 && de.contains("leere Szene")
                 && !de.contains("--"),
             "{de}"
         );
-        assert_eq!(told("no such sentence"), None);
+        assert_eq!(german("no such sentence"), None);
     }
 }

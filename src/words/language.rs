@@ -1,4 +1,4 @@
-//! What pages say, in the reader's language: every text stands in `words/*.ftl` (Fluent).
+//! Texts of pages in the reader's language: every text is in `words/*.ftl` (Fluent).
 
 use fluent_bundle::concurrent::FluentBundle;
 use fluent_bundle::{FluentArgs, FluentResource, FluentValue};
@@ -48,9 +48,9 @@ impl Language {
 
     /// What the environment asks for, as other programs of the command line read it.
     pub(crate) fn of_environment() -> Language {
-        let said = |name: &str| std::env::var(name).ok().filter(|value| !value.is_empty());
+        let set = |name: &str| std::env::var(name).ok().filter(|value| !value.is_empty());
         let names = ["LC_ALL", "LC_MESSAGES", "LANG"];
-        let first = names.into_iter().find_map(said);
+        let first = names.into_iter().find_map(set);
         let asked = first.and_then(|value| Language::of(&value));
         asked.unwrap_or(Language::En)
     }
@@ -94,7 +94,7 @@ const INCH: f64 = 2.54;
 
 impl Words {
     /// A text.
-    pub(crate) fn say(self, key: &str) -> String {
+    pub(crate) fn text(self, key: &str) -> String {
         self.with(key, &[])
     }
 
@@ -102,7 +102,7 @@ impl Words {
     pub(crate) fn with(self, key: &str, put: &[(&str, FluentValue<'_>)]) -> String {
         let bundle = self.language.bundle();
         let pattern = bundle.get_message(key).and_then(|message| message.value());
-        let pattern = pattern.unwrap_or_else(|| panic!("bug: no text is called {key}"));
+        let pattern = pattern.unwrap_or_else(|| panic!("bug: no text of the key {key}"));
         let mut args = FluentArgs::new();
         for (name, value) in put {
             args.set((*name).to_owned(), value.clone());
@@ -122,12 +122,12 @@ impl Words {
     pub(crate) fn girth(self, name: &str, otherwise: &str) -> String {
         let key = format!("girth-{}", name.replace('_', "-"));
         match self.knows(&key) {
-            true => self.say(&key),
+            true => self.text(&key),
             false => otherwise.to_owned(),
         }
     }
 
-    /// The unit of lengths, as a form says it.
+    /// The unit of lengths, as a form names it.
     pub(crate) fn unit(self) -> &'static str {
         if self.inches { "in" } else { "cm" }
     }

@@ -1,4 +1,4 @@
-//! Both languages say the same things, and numbers as they are written in each.
+//! Both languages have the same texts, and numbers as they are written in each.
 
 use super::*;
 use std::collections::{BTreeMap, BTreeSet};
@@ -47,7 +47,7 @@ fn both_languages_have_the_same_texts_with_the_same_places() {
 }
 
 #[test]
-fn every_text_that_is_asked_for_is_there_and_none_lies_idle() {
+fn every_text_that_is_asked_for_is_there_and_none_is_unused() {
     let root = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("src");
     let (mut open, mut code) = (vec![root], String::new());
     while let Some(folder) = open.pop() {
@@ -66,9 +66,9 @@ fn every_text_that_is_asked_for_is_there_and_none_lies_idle() {
         // Some are put together: `state-` and a word, …
         let begin = format!("{}-{{", key.split('-').next().unwrap());
         let asked = code.contains(&format!("\"{key}\"")) || code.contains(&format!("\"{begin}"));
-        assert!(asked, "nobody says {key}");
+        assert!(asked, "no code uses {key}");
     }
-    for call in [".say(\"", ".with(\""] {
+    for call in [".text(\"", ".with(\""] {
         for rest in code.split(call).skip(1) {
             let key = rest.split('"').next().unwrap();
             let words = Words {

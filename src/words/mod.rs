@@ -1,10 +1,10 @@
-//! What the program says to people, in their language: on pages and on the first screen of `measure`.
+//! What people read of the program, in their language: on pages and on the first screen of `measure`.
 //!
 //! | file | what |
 //! |---|---|
 //! | `parts.rs` | the parts of a measuring, and the nodes of each |
 //! | `language.rs`, `en.ftl`, `de.ftl` | texts and numbers in a language |
-//! | `findings.rs`, `warnings.rs`, `errors.rs` | sentences of stages, and the texts that say the same |
+//! | `findings.rs`, `warnings.rs`, `errors.rs` | sentences of stages, and the texts that mean the same |
 
 mod errors;
 pub(crate) mod findings;

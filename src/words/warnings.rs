@@ -1,5 +1,5 @@
 //! What stages warn of and why girths are missing: their sentences, `*` for what is put in, and the texts in
-//! `words/` that say the same in the reader's language.
+//! `words/` that mean the same in the reader's language.
 
 #[rustfmt::skip]
 pub(crate) const WARNINGS: [(&str, &str); 136] = [

@@ -1,4 +1,4 @@
-//! Every sentence that a stage warns with is known, and told in German.
+//! Every sentence that a stage warns with is known, and has a German text.
 
 use super::super::findings::translated;
 use super::super::language::{Language, Words};
@@ -19,7 +19,7 @@ const CALLS: [&str; 5] = [
     "words.push(",
 ];
 
-/// The Rust files of the rooms.
+/// The Rust files of the stage crates.
 fn files() -> Vec<PathBuf> {
     let mut open = vec![Path::new(env!("CARGO_MANIFEST_DIR")).join("stages")];
     let mut files = vec![];
@@ -84,7 +84,7 @@ fn sentences() -> Vec<String> {
 }
 
 #[test]
-fn every_warning_of_the_rooms_has_its_texts() {
+fn every_warning_of_the_crates_has_its_texts() {
     let all = sentences();
     assert!(all.len() > 40, "{all:?}");
     let known = |s: &str| WARNINGS.iter().any(|(pattern, _)| *pattern == s);
@@ -96,7 +96,7 @@ fn every_warning_of_the_rooms_has_its_texts() {
 }
 
 #[test]
-fn what_pages_say_of_stages_names_no_flag_and_no_file_of_the_command_line() {
+fn texts_of_stages_on_pages_name_no_flag_and_no_file_of_the_command_line() {
     let alien = [
         "--",
         "capture.toml",
@@ -121,7 +121,7 @@ fn what_pages_say_of_stages_names_no_flag_and_no_file_of_the_command_line() {
 }
 
 #[test]
-fn every_reason_and_note_is_told_in_german() {
+fn every_reason_and_note_is_in_german() {
     use shape::{Note, Refusal};
     let share = 0.123;
     let notes = [
@@ -131,39 +131,39 @@ fn every_reason_and_note_is_told_in_german() {
     ];
     let why = Refusal::ALL.map(|r| format!("AC_L: {r}"));
     for sentence in why.iter().chain(&notes) {
-        let told = translated(DE, sentence);
-        assert!(told.is_some_and(|t| t != *sentence), "{sentence}");
+        let german = translated(DE, sentence);
+        assert!(german.is_some_and(|t| t != *sentence), "{sentence}");
     }
 }
 
 #[test]
 fn names_stay_and_numbers_are_written_as_there() {
-    let told = |text: &str| translated(DE, text).unwrap();
+    let german = |text: &str| translated(DE, text).unwrap();
     assert_eq!(
-        told("NC: the surface has no closed section there"),
+        german("NC: the surface has no closed section there"),
         "NC: die Oberfläche hat dort keinen geschlossenen Schnitt"
     );
     let smaller = "smaller parts left out: 3, 1.5 % of the volume in all; if a part of the body is missing, look at the masks";
     assert_eq!(
-        told(smaller),
+        german(smaller),
         "kleinere Teile weggelassen: 3, zusammen 1,5 % des Volumens; fehlt etwas vom Körper, dann die Umrisse ansehen"
     );
     assert!(
-        told("nothing was measured: the surface has no closed section there")
+        german("nothing was measured: the surface has no closed section there")
             .ends_with("geschlossenen Schnitt")
     );
     let feet = "the surface ends 12.5 mm above the ground without feet: they are lost, and heights are told from the ground";
-    assert!(told(feet).contains("endet 12,5 mm über"));
+    assert!(german(feet).contains("endet 12,5 mm über"));
     assert_eq!(translated(DE, "NC: what nobody says"), None);
     let refused = "hip, narrowest waist, upper arms, mid_thigh_L not measured: the surface has no closed section there";
     assert_eq!(
-        told(refused),
+        german(refused),
         "Hüfte, Taille, schmalste Stelle, Oberarme, mid_thigh_L nicht gemessen: die Oberfläche hat dort keinen geschlossenen Schnitt"
     );
     let tall = "this body (81 cm tall) lies outside the range that the waist and chest model knows: where waist and chest lie is a rough \
                 estimate, and their intervals are wide accordingly; check the stature, and that the whole body is visible and upright";
-    assert!(told(tall).starts_with("dieser Körper (81 cm groß) liegt"));
-    assert!(told(&tall.replace(" (81 cm tall)", "")).starts_with("dieser Körper liegt"));
+    assert!(german(tall).starts_with("dieser Körper (81 cm groß) liegt"));
+    assert!(german(&tall.replace(" (81 cm tall)", "")).starts_with("dieser Körper liegt"));
     let withheld = "the mat and the stature contradict each other, so what depends on them is not given: correct one of them, or leave one out";
-    assert!(told(withheld).starts_with("Matte mit Marken und Körpergröße widersprechen"));
+    assert!(german(withheld).starts_with("Matte mit Marken und Körpergröße widersprechen"));
 }

@@ -1,4 +1,4 @@
-//! The calls are those that `docs/api/openapi.json` names, and do what it says of captures and files.
+//! The calls are those that `docs/api/openapi.json` names, and do what it documents of captures and files.
 
 use crate::server::{Server, photos};
 use serde_json::{Value, json};
@@ -42,19 +42,19 @@ fn the_document_names_every_call_and_no_other() {
                 "{method} {path}: {status}"
             );
             if let Some(id) = calls[method]["operationId"].as_str() {
-                assert!(ids.insert(id.to_owned()), "{id} stands twice");
+                assert!(ids.insert(id.to_owned()), "{id} is there twice");
                 assert!(calls[method]["responses"]["403"].is_object(), "{id}");
             }
         }
     }
-    let told = server
+    let answer = server
         .ask("GET", "/api/openapi.json", &Value::Null)
         .is(200)
         .json();
-    assert_eq!(told, document);
+    assert_eq!(answer, document);
 }
 
-/// Whether a value has the properties of a schema, and no others.
+/// Whether a value has the properties of a schema, and no other ones.
 fn fits(document: &Value, schema: &str, value: &Value) {
     let known = document["components"]["schemas"][schema]["properties"]
         .as_object()
@@ -86,11 +86,11 @@ fn files_come_in_and_go_and_facts_are_checked() {
     server
         .ask("GET", &format!("{at}/files/3/small/321"), &Value::Null)
         .is(404);
-    let told = server.ask("GET", &at, &Value::Null).is(200).json();
-    fits(&document, "Capture", &told);
-    fits(&document, "Measuring", &told["measuring"]);
+    let answer = server.ask("GET", &at, &Value::Null).is(200).json();
+    fits(&document, "Capture", &answer);
+    fits(&document, "Measuring", &answer["measuring"]);
     assert_eq!(
-        (&told["name"], &told["measuring"]["state"]),
+        (&answer["name"], &answer["measuring"]["state"]),
         (&json!("Anna"), &json!("none"))
     );
     let facts = format!("{at}/facts");
@@ -110,9 +110,9 @@ fn files_come_in_and_go_and_facts_are_checked() {
     ] {
         server.ask("PUT", &facts, &bad).is(422);
     }
-    let told = server.ask("GET", &at, &Value::Null).json();
+    let answer = server.ask("GET", &at, &Value::Null).json();
     assert_eq!(
-        told["facts"]["stature_cm"], 171.5,
+        answer["facts"]["stature_cm"], 171.5,
         "what was refused changed nothing"
     );
     server
@@ -126,7 +126,7 @@ fn files_come_in_and_go_and_facts_are_checked() {
 }
 
 #[test]
-fn errors_are_told_in_the_readers_language() {
+fn errors_are_in_the_readers_language() {
     let server = Server::new();
     let bearer = format!("Bearer {}", server.token);
     let ask = |language: &str| {
@@ -152,7 +152,7 @@ fn errors_are_told_in_the_readers_language() {
 }
 
 #[test]
-fn too_few_photos_are_told_when_they_are_looked_at_and_when_they_are_measured() {
+fn too_few_photos_are_reported_when_they_are_looked_at_and_when_they_are_measured() {
     let server = Server::new();
     let id = server.capture("few");
     for number in 1..=4 {
@@ -183,21 +183,21 @@ fn too_few_photos_are_told_when_they_are_looked_at_and_when_they_are_measured() 
 }
 
 #[test]
-fn a_full_disk_is_told_and_nothing_half_written_is_kept() {
+fn a_full_disk_is_reported_and_nothing_half_written_is_kept() {
     let server = Server::limited(64);
     let id = server.capture("full");
     let photo = std::fs::read(&photos()[0]).unwrap();
     assert!(photo.len() > 64 << 10);
-    let told = server.send(&id, 1, "a.jpg", &photo).is(507).json();
-    assert_eq!(told["code"], "wrong-full");
-    let told = server.ask("GET", &format!("/api/captures/{id}"), &Value::Null);
-    assert_eq!(told.is(200).json()["files"], json!({}));
+    let answer = server.send(&id, 1, "a.jpg", &photo).is(507).json();
+    assert_eq!(answer["code"], "wrong-full");
+    let answer = server.ask("GET", &format!("/api/captures/{id}"), &Value::Null);
+    assert_eq!(answer.is(200).json()["files"], json!({}));
     let incoming = server.path(&format!("captures/captures/{id}/incoming"));
     assert_eq!(std::fs::read_dir(incoming).unwrap().count(), 0);
 }
 
 #[test]
-fn with_lan_the_machine_answers_under_its_address_in_the_network_or_says_that_there_is_none() {
+fn with_lan_the_machine_answers_under_its_address_in_the_network_or_reports_that_there_is_none() {
     let mut server = match Server::lan() {
         Ok(server) => server,
         Err(why) => return assert!(why.contains("--lan: "), "{why}"),

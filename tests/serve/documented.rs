@@ -1,5 +1,5 @@
 //! The calls as docs/serve.md prints them: files sent with `-T`, the empty scene known by its name, errors as JSON, and
-//! what went wrong said of the files that were sent.
+//! what went wrong, with the names of the files that were sent.
 
 use crate::server::{Server, photos};
 use serde_json::{Value, json};
@@ -24,22 +24,22 @@ fn seen(server: &Server, id: &str) -> (Value, Value) {
 }
 
 #[test]
-fn a_photo_called_plate_is_the_empty_scene_unless_another_is_said() {
+fn a_photo_called_plate_is_the_empty_scene_unless_another_is_named() {
     let server = Server::new();
     let id = sent(&server, "Plate.JPG");
     let (at, facts) = (
         format!("/api/captures/{id}"),
         format!("/api/captures/{id}/facts"),
     );
-    let said = json!({ "mat_tag_mm": 60.0 });
-    server.ask("PUT", &facts, &said).is(204);
+    let facts_sent = json!({ "mat_tag_mm": 60.0 });
+    server.ask("PUT", &facts, &facts_sent).is(204);
     assert_eq!(seen(&server, &id), (json!(18), json!("0019.jpg")));
-    let told = server.ask("GET", &at, &Value::Null).is(200).json();
-    assert_eq!(told["plate"], 19, "{told}");
+    let answer = server.ask("GET", &at, &Value::Null).is(200).json();
+    assert_eq!(answer["plate"], 19, "{answer}");
     let page = server.ask("GET", &format!("/captures/{id}"), &Value::Null);
     let page = page.is(200).text();
     assert!(page.contains("<option value=\"19\" selected>19: Plate.JPG"));
-    // What is said goes before the name; what is said no more does not.
+    // What is given goes before the name; what is given no longer does not.
     for (plate, expected) in [
         (json!(5), (json!(18), json!("0005.jpg"))),
         (Value::Null, (json!(19), Value::Null)),
@@ -53,7 +53,7 @@ fn a_photo_called_plate_is_the_empty_scene_unless_another_is_said() {
             .is(204);
         assert_eq!(seen(&server, &id), expected);
     }
-    server.ask("PUT", &facts, &said).is(204);
+    server.ask("PUT", &facts, &facts_sent).is(204);
     assert_eq!(seen(&server, &id), (json!(18), json!("0019.jpg")));
 }
 
@@ -90,21 +90,21 @@ fn errors_are_json_whatever_is_wrong() {
             answer.text()
         );
         assert_eq!(answer.header("content-type"), "application/json");
-        let told = answer.json();
-        assert_eq!(told["code"], code, "{told}");
-        assert!(!told["error"].as_str().unwrap().is_empty());
+        let wrong = answer.json();
+        assert_eq!(wrong["code"], code, "{wrong}");
+        assert!(!wrong["error"].as_str().unwrap().is_empty());
     }
     let listed = server.ask("GET", "/api/captures", &Value::Null);
     let listed = listed.is(200).json();
     assert_eq!(listed["captures"].as_array().unwrap().len(), 1, "{listed}");
-    // On a page the same is said as a page.
+    // On a page the same is answered as a page.
     let form = format!("/captures/{id}/files/abc/remove");
     let page = server.call("POST", &form, &[("Authorization", &bearer)], b"");
     assert!(page.is(400).text().contains("<html"));
 }
 
 #[test]
-fn what_went_wrong_is_said_of_the_files_that_were_sent_and_names_no_command() {
+fn what_went_wrong_is_reported_with_the_files_that_were_sent_and_names_no_command() {
     let server = Server::new();
     let id = server.capture("torn");
     for (at, photo) in photos()[..9].iter().enumerate() {
@@ -142,8 +142,8 @@ fn what_went_wrong_is_said_of_the_files_that_were_sent_and_names_no_command() {
     server
         .ask("POST", &format!("{at}/measure"), &Value::Null)
         .is(202);
-    let told = server.until(&id, 60, |told| told["measuring"]["state"] == "failed");
-    good(&told["measuring"]["why"].to_string());
+    let capture = server.until(&id, 60, |capture| capture["measuring"]["state"] == "failed");
+    good(&capture["measuring"]["why"].to_string());
     let page = server.ask("GET", &format!("/captures/{id}"), &Value::Null);
     let page = page.is(200).text();
     let alerts: Vec<&str> = page.split("class=\"alert\"").skip(1).collect();
@@ -188,8 +188,8 @@ fn a_mat_that_was_recognised_is_no_doubt_and_findings_name_no_flag() {
         "{page}"
     );
     assert!(page.contains("IMG 1.jpg was taken before"), "{page}");
-    let told = server.ask("GET", &format!("/api/captures/{id}"), &Value::Null);
-    let warnings = told.is(200).json()["look"]["warnings"].to_string();
+    let answer = server.ask("GET", &format!("/api/captures/{id}"), &Value::Null);
+    let warnings = answer.is(200).json()["look"]["warnings"].to_string();
     assert!(
         !warnings.contains("--mat") && warnings.contains("IMG 1.jpg"),
         "{warnings}"

@@ -89,7 +89,7 @@ pub(crate) fn result_report_and_brush(server: &Server, id: &str) {
     let waist = tab.value("document.querySelector('#result-title + div td').textContent");
     let waist = waist.as_str().unwrap();
     assert!(waist.contains(',') && waist.ends_with(" cm"), "{waist}");
-    // What is warned of, and why girths are missing, is said in German.
+    // What is warned of, and why girths are missing, is in German.
     let english =
         tab.value("[...document.querySelectorAll('main [lang=en]')].map((e) => e.textContent)");
     assert_eq!(english, json!([]), "nothing is left in English");
@@ -133,13 +133,13 @@ fn brush(tab: &mut Tab, server: &Server) {
     };
     assert!(
         body(&after) < body(&before),
-        "room was painted in the middle of the body"
+        "background was painted in the middle of the body"
     );
     tab.click("form[action$='/measure'] button");
     tab.until("document.querySelector('#measuring')");
-    let told = server.until(&id, 900, |told| told["measuring"]["state"] == "done");
+    let capture = server.until(&id, 900, |capture| capture["measuring"]["state"] == "done");
     let state = |node: &str| {
-        let steps = told["measuring"]["steps"].as_array().unwrap();
+        let steps = capture["measuring"]["steps"].as_array().unwrap();
         steps
             .iter()
             .find(|s| s["node"] == node)

@@ -10,8 +10,8 @@ use std::process::Command;
 /// Runs a program that must succeed.
 fn run(program: &str, words: &[&str]) {
     let done = Command::new(program).args(words).output().unwrap();
-    let told = String::from_utf8_lossy(&done.stderr);
-    assert!(done.status.success(), "{program}: {told}");
+    let stderr = String::from_utf8_lossy(&done.stderr);
+    assert!(done.status.success(), "{program}: {stderr}");
 }
 
 /// The sample's turn as a small video: still, round, still again.
@@ -44,13 +44,13 @@ fn film(place: &Path) -> PathBuf {
     film
 }
 
-/// The capture whose page is open, as the API tells of it.
-fn told(tab: &mut Tab, server: &Server) -> (String, Value) {
+/// The capture whose page is open, as the API has it.
+fn opened(tab: &mut Tab, server: &Server) -> (String, Value) {
     let id = tab.value("location.pathname.split('/')[2]");
     let id = id.as_str().unwrap().to_owned();
     let path = format!("/api/captures/{id}");
-    let told = server.ask("GET", &path, &Value::Null).is(200).json();
-    (id, told)
+    let capture = server.ask("GET", &path, &Value::Null).is(200).json();
+    (id, capture)
 }
 
 /// Chooses files and waits until they are looked at.
@@ -60,12 +60,12 @@ fn drop(tab: &mut Tab, server: &Server, files: &[PathBuf]) {
     tab.until_within(300, "location.pathname.startsWith('/captures/') && document.readyState === 'complete' && document.querySelector('.can')");
 }
 
-/// Starts to measure and waits until that holds; what is told then.
+/// Starts to measure and waits until that holds; its state then.
 fn begun(tab: &mut Tab, server: &Server, holds: impl Fn(&Value) -> bool) -> Value {
-    let (id, _) = told(tab, server);
+    let (id, _) = opened(tab, server);
     tab.click("form[action$='/measure'] button");
-    server.until(&id, 300, |told| {
-        let measuring = &told["measuring"];
+    server.until(&id, 300, |capture| {
+        let measuring = &capture["measuring"];
         holds(measuring) || ["failed", "done"].contains(&measuring["state"].as_str().unwrap())
     })
 }
@@ -86,8 +86,8 @@ fn a_video_is_dropped_looked_at_and_its_frames_are_measured() {
     let film = film(place.path());
     let mut tab = tab("de");
     drop(&mut tab, &server, &[film]);
-    let (_, told) = told(&mut tab, &server);
-    assert_eq!(told["files"]["1"]["video"], true, "{told}");
+    let (_, capture) = opened(&mut tab, &server);
+    assert_eq!(capture["files"]["1"]["video"], true, "{capture}");
     let seen = tab.value("document.querySelector('main').textContent");
     let seen = seen.as_str().unwrap();
     assert!(
@@ -95,17 +95,17 @@ fn a_video_is_dropped_looked_at_and_its_frames_are_measured() {
         "{seen}"
     );
     whole(&mut tab, "video");
-    let told = begun(&mut tab, &server, |m| step(m, "tags") == Some("made"));
-    let measuring = &told["measuring"];
+    let capture = begun(&mut tab, &server, |m| step(m, "tags") == Some("made"));
+    let measuring = &capture["measuring"];
     assert_eq!(step(measuring, "tags"), Some("made"), "{measuring}");
     assert_eq!(step(measuring, "frames"), Some("found"), "{measuring}");
-    let path = format!("/api/captures/{}/stop", told["id"].as_str().unwrap());
+    let path = format!("/api/captures/{}/stop", capture["id"].as_str().unwrap());
     server.ask("POST", &path, &Value::Null).is(204);
     assert_eq!(complaints(&mut tab, &server), Vec::<String>::new());
 }
 
 #[test]
-fn photos_that_are_said_to_be_of_a_walk_are_taken_as_such_and_tell_when_they_were_taken() {
+fn photos_called_a_walk_are_taken_as_one_and_record_when_they_were_taken() {
     let (server, place) = (Server::new(), tempfile::tempdir().unwrap());
     let mut files = vec![];
     for (k, photo) in photos()[..6].iter().enumerate() {
@@ -127,9 +127,9 @@ fn photos_that_are_said_to_be_of_a_walk_are_taken_as_such_and_tell_when_they_wer
     tab.click("[name=walk]");
     tab.click("form[action$='/facts'] button");
     tab.until_within(300, "document.readyState === 'complete' && document.querySelector('.can') && document.querySelector('[name=walk]').checked");
-    // They are of a turn: the walk's own steps run, see it, and say what to do.
-    let told = begun(&mut tab, &server, |_| false);
-    let measuring = &told["measuring"];
+    // They are of a turn: the walk's own steps run, see it, and report what to do.
+    let capture = begun(&mut tab, &server, |_| false);
+    let measuring = &capture["measuring"];
     assert_eq!(measuring["state"], "failed", "{measuring}");
     assert_eq!(step(measuring, "calibrated"), None, "{measuring}");
     assert!(step(measuring, "walked").is_some(), "{measuring}");
@@ -140,7 +140,7 @@ fn photos_that_are_said_to_be_of_a_walk_are_taken_as_such_and_tell_when_they_wer
     assert_eq!(complaints(&mut tab, &server), Vec::<String>::new());
 }
 
-/// A JPEG whose EXIF tells that it was taken so many seconds after noon.
+/// A JPEG whose EXIF records that it was taken so many seconds after noon.
 fn with_time(jpeg: &[u8], seconds: usize) -> Vec<u8> {
     let time = format!("2026:05:01 12:00:{seconds:02}\0");
     // One directory with one entry that points to the directory of EXIF, which holds DateTimeOriginal.
@@ -157,7 +157,7 @@ fn with_time(jpeg: &[u8], seconds: usize) -> Vec<u8> {
 }
 
 #[test]
-fn photos_that_this_build_cannot_read_are_told_with_what_to_do() {
+fn photos_that_this_build_cannot_read_are_refused_with_what_to_do() {
     if !proof::program("heif-enc", "libheif-examples") {
         return;
     }
@@ -180,11 +180,11 @@ fn photos_that_this_build_cannot_read_are_told_with_what_to_do() {
         return tab.until("location.pathname.startsWith('/captures/')");
     }
     tab.until("document.querySelector('#drop-said').textContent.includes('HEIC photo')");
-    let said = tab.value("document.querySelector('#drop-said').textContent");
-    let said = said.as_str().unwrap();
+    let message = tab.value("document.querySelector('#drop-said').textContent");
+    let message = message.as_str().unwrap();
     assert!(
-        said.contains("IMG_1.HEIC") && said.contains("Most Compatible"),
-        "{said}"
+        message.contains("IMG_1.HEIC") && message.contains("Most Compatible"),
+        "{message}"
     );
     assert_eq!(tab.value("location.pathname"), json!("/"));
 }

@@ -16,7 +16,7 @@ pub(crate) fn live_girths(tab: &mut Tab, server: &Server, id: &str) {
         let path = format!("/captures/{id}/out/{name}");
         server.ask("GET", &path, &Value::Null).is(200).body
     };
-    let told: Value = serde_json::from_slice(&file("girths.json")).unwrap();
+    let file_json: Value = serde_json::from_slice(&file("girths.json")).unwrap();
     let body = shape::mesh_from_ply(&file("body.ply")).unwrap();
     tab.click("#pick");
     for name in ["WC", "HC", "TC_L", "CFC_R"] {
@@ -31,16 +31,19 @@ pub(crate) fn live_girths(tab: &mut Tab, server: &Server, id: &str) {
             let off = (page - program).abs();
             assert!(off <= ROUNDED_MM, "{name}: {page} here, {program} there");
         }
-        let girths = told["girths"].as_array().unwrap();
+        let girths = file_json["girths"].as_array().unwrap();
         let girth = girths.iter().find(|g| g["name"] == name).unwrap();
-        let told = 10.0 * girth["tape_cm"].as_f64().unwrap();
-        let off = (tape / told - 1.0).abs();
+        let file_mm = 10.0 * girth["tape_cm"].as_f64().unwrap();
+        let off = (tape / file_mm - 1.0).abs();
         println!(
-            "{name}: page {tape:.2} {contour:.2} {spline:.2}, program {:.2} {:.2} {:.2}, girths.json {told:.1} mm",
+            "{name}: page {tape:.2} {contour:.2} {spline:.2}, program {:.2} {:.2} {:.2}, girths.json {file_mm:.1} mm",
             program.tape_mm, program.contour_mm, program.spline_mm
         );
         // A thigh's own section is square to it, and so is that through its points.
-        assert!(off <= SETTLED, "{name}: {tape} here, {told} in girths.json");
+        assert!(
+            off <= SETTLED,
+            "{name}: {tape} here, {file_mm} in girths.json"
+        );
     }
 }
 
@@ -58,13 +61,13 @@ fn points(tab: &mut Tab, name: &str) -> Vec<Vec<f64>> {
 /// Tape, contour and spline through points that are put into the page. \[mm\]
 fn through(tab: &mut Tab, points: &[Vec<f64>]) -> [f64; 3] {
     let points = serde_json::to_string(points).unwrap();
-    let told = tab.value(&format!(
+    let picked = tab.value(&format!(
         "(() => {{ const e = document.getElementById('points'); e.value = {points:?}; e.dispatchEvent(new Event('input'));
          const d = document.getElementById('picked').dataset; return [d.tape, d.contour, d.spline, document.getElementById('picked').textContent]; }})()"
     ));
     let number = |i: usize| {
-        let text = told[i].as_str().unwrap_or_default();
-        text.parse().unwrap_or_else(|_| panic!("{told}"))
+        let text = picked[i].as_str().unwrap_or_default();
+        text.parse().unwrap_or_else(|_| panic!("{picked}"))
     };
     [0, 1, 2].map(number)
 }

@@ -19,13 +19,13 @@ fn browsed(_: &Server, _: &str) {}
 /// So long a capture of the sample may take on a busy machine. \[s\]
 const LONG: u64 = 900;
 
-fn state(told: &Value) -> &str {
-    told["measuring"]["state"].as_str().unwrap()
+fn state(capture: &Value) -> &str {
+    capture["measuring"]["state"].as_str().unwrap()
 }
 
 /// How many nodes became this.
-fn count(told: &Value, became: &str) -> usize {
-    let steps = told["measuring"]["steps"].as_array().unwrap();
+fn count(capture: &Value, became: &str) -> usize {
+    let steps = capture["measuring"]["steps"].as_array().unwrap();
     steps.iter().filter(|step| step["state"] == became).count()
 }
 
@@ -56,19 +56,19 @@ fn a_capture_is_measured_once_by_all_who_ask_and_goes_on_after_a_stop_and_a_kill
         .is(409);
     server.ask("DELETE", &at, &Value::Null).is(409);
     // Stopped, as by Ctrl-C.
-    server.until(&id, LONG, |told| count(told, "made") >= 2);
+    server.until(&id, LONG, |capture| count(capture, "made") >= 2);
     ask(&server, "stop").is(204);
-    let told = server.until(&id, LONG, |told| state(told) != "running");
-    assert_eq!(state(&told), "stopped");
+    let capture = server.until(&id, LONG, |capture| state(capture) != "running");
+    assert_eq!(state(&capture), "stopped");
     // On, and killed.
     ask(&server, "measure").is(202);
-    server.until(&id, LONG, |told| {
-        count(told, "made") + count(told, "found") >= 5
+    server.until(&id, LONG, |capture| {
+        count(capture, "made") + count(capture, "found") >= 5
     });
     picture(&server, &page, "serve-measuring");
     server.kill_and_start();
-    let told = server.ask("GET", &at, &Value::Null).is(200).json();
-    assert_eq!(state(&told), "interrupted");
+    let capture = server.ask("GET", &at, &Value::Null).is(200).json();
+    assert_eq!(state(&capture), "interrupted");
     // On to the end: what was done is found.
     ask(&server, "measure").is(202);
     let all = events(&server, &id);
@@ -92,13 +92,13 @@ fn a_capture_is_measured_once_by_all_who_ask_and_goes_on_after_a_stop_and_a_kill
 /// Results are there, as `tailor measure` writes them.
 fn done(server: &Server, id: &str) {
     let get = |path: String| server.ask("GET", &path, &Value::Null);
-    let told = get(format!("/api/captures/{id}")).is(200).json();
-    let waist = told["girths"]["girths"]
+    let capture = get(format!("/api/captures/{id}")).is(200).json();
+    let waist = capture["girths"]["girths"]
         .as_array()
         .unwrap()
         .iter()
         .find(|g| g["name"] == "WC");
-    let waist = waist.unwrap_or_else(|| panic!("{}", told["girths"]["missing"]))["tape_cm"]
+    let waist = waist.unwrap_or_else(|| panic!("{}", capture["girths"]["missing"]))["tape_cm"]
         .as_f64()
         .unwrap();
     assert!((40.0..50.0).contains(&waist), "{waist}");

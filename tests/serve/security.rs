@@ -115,12 +115,12 @@ fn other_pages_and_other_names_are_refused_though_the_browser_has_the_cookie() {
         )
         .is(403);
     }
-    let told = server
+    let answer = server
         .ask("GET", "/api/captures", &Value::Null)
         .is(200)
         .json();
     assert_eq!(
-        told["captures"].as_array().unwrap().len(),
+        answer["captures"].as_array().unwrap().len(),
         1,
         "nothing was deleted"
     );
@@ -142,7 +142,7 @@ fn an_address_that_another_page_opened_is_refused_with_what_to_do() {
             "{text}"
         );
     }
-    // Forms and calls of other pages are told what they were told.
+    // Forms and calls of other pages get the answers they got before.
     for (method, path) in [("POST", "/measure"), ("GET", "/api/captures")] {
         let headers = [("Sec-Fetch-Site", "cross-site"), ("Origin", own.as_str())];
         let text = server.call(method, path, &headers, b"").is(403).text();
@@ -151,7 +151,7 @@ fn an_address_that_another_page_opened_is_refused_with_what_to_do() {
 }
 
 #[test]
-fn answers_tell_the_browser_to_run_nothing_of_elsewhere() {
+fn answers_order_the_browser_to_run_nothing_of_elsewhere() {
     let server = Server::new();
     let id = server.capture("anna");
     for path in [
@@ -172,7 +172,7 @@ fn answers_tell_the_browser_to_run_nothing_of_elsewhere() {
         let text = answer.text();
         assert!(
             !text.contains("://") || path.starts_with("/api"),
-            "{path} names what lies elsewhere"
+            "{path} names what is elsewhere"
         );
         assert!(
             !text.contains("style=\"") && !text.contains(" onclick"),
@@ -214,21 +214,21 @@ fn what_is_no_photo_is_refused_politely() {
     );
     refused(0, "a.jpg", b"", 413, "wrong-many");
     refused(401, "a.jpg", b"", 413, "wrong-many");
-    // 400 MB for one photo: told to the end of what was sent, and nothing is kept.
+    // 400 MB for one photo: read to the end of what was sent, and nothing is kept.
     let mut large = vec![0u8; 400 << 20];
     large[..3].copy_from_slice(b"\xff\xd8\xff");
     refused(1, "large.jpg", &large, 413, "wrong-large");
-    let told = server
+    let answer = server
         .ask("GET", &format!("/api/captures/{id}"), &Value::Null)
         .json();
-    assert_eq!(told["files"], json!({}));
+    assert_eq!(answer["files"], json!({}));
     let left = |folder: &str| {
         std::fs::read_dir(server.path(&format!("captures/captures/{id}/{folder}")))
             .unwrap()
             .count()
     };
     assert_eq!((left("photos"), left("incoming")), (0, 0));
-    // What a client says of the length is not believed either.
+    // What a client sends as the length is not believed either.
     let bearer = format!("Authorization: Bearer {}\r\n", server.token);
     let head = format!(
         "PUT /api/captures/{id}/files/1 HTTP/1.1\r\nHost: 127.0.0.1:{}\r\n{bearer}Content-Length: 99999999999\r\nConnection: close\r\n\r\n",

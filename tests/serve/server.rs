@@ -66,10 +66,10 @@ fn start(place: &Path, before: &str, flags: &str) -> Result<(Child, Value), Stri
     let mut line = String::new();
     let mut out = BufReader::new(child.stdout.take().unwrap());
     out.read_line(&mut line).unwrap();
-    let told: Value = serde_json::from_str(&line).unwrap_or_else(|e| panic!("{e}: {line}"));
-    match told["error"].as_str() {
+    let started: Value = serde_json::from_str(&line).unwrap_or_else(|e| panic!("{e}: {line}"));
+    match started["error"].as_str() {
         Some(why) => Err(why.to_owned()),
-        None => Ok((child, told)),
+        None => Ok((child, started)),
     }
 }
 
@@ -92,9 +92,9 @@ impl Server {
 
     fn started(before: &str, flags: &str) -> Result<Server, String> {
         let place = tempfile::tempdir().unwrap();
-        let (child, told) = start(place.path(), before, flags)?;
-        let (port, token) = parts(told["url"].as_str().unwrap());
-        let lan = told["lan"].as_str().map(str::to_owned);
+        let (child, started) = start(place.path(), before, flags)?;
+        let (port, token) = parts(started["url"].as_str().unwrap());
+        let lan = started["lan"].as_str().map(str::to_owned);
         Ok(Server {
             child,
             port,
@@ -104,7 +104,7 @@ impl Server {
         })
     }
 
-    /// Under a limit on the size of files, which stands for a full disk. \[KiB\]
+    /// Under a limit on the size of files, which takes the place of a full disk. \[KiB\]
     pub(crate) fn limited(kib: usize) -> Server {
         let before = format!("trap '' XFSZ; ulimit -f {kib};");
         Server::started(&before, "").unwrap()
@@ -114,9 +114,9 @@ impl Server {
     pub(crate) fn kill_and_start(&mut self) {
         self.child.kill().unwrap();
         self.child.wait().unwrap();
-        let (child, told) = start(self.place.path(), "", "").unwrap();
+        let (child, started) = start(self.place.path(), "", "").unwrap();
         self.child = child;
-        (self.port, self.token) = parts(told["url"].as_str().unwrap());
+        (self.port, self.token) = parts(started["url"].as_str().unwrap());
     }
 
     pub(crate) fn path(&self, name: &str) -> PathBuf {
@@ -244,20 +244,20 @@ impl Server {
         id
     }
 
-    /// What is told of a capture, once it holds.
+    /// A capture's state, once it holds.
     #[track_caller]
     pub(crate) fn until(&self, id: &str, seconds: u64, holds: impl Fn(&Value) -> bool) -> Value {
         let since = Instant::now();
         loop {
-            let told = self
+            let capture = self
                 .ask("GET", &format!("/api/captures/{id}"), &Value::Null)
                 .is(200)
                 .json();
-            if holds(&told) {
-                return told;
+            if holds(&capture) {
+                return capture;
             }
             let late = since.elapsed() > Duration::from_secs(seconds);
-            assert!(!late, "not within {seconds} s: {}", told["measuring"]);
+            assert!(!late, "not within {seconds} s: {}", capture["measuring"]);
             std::thread::sleep(Duration::from_millis(100));
         }
     }

@@ -45,8 +45,8 @@ fn strokes_stay_when_another_photo_is_chosen_until_they_are_kept() {
     tab.until(&strokes(1, 1));
     tab.value(&choose(2));
     tab.until(&strokes(0, 2));
-    let said = tab.value("document.querySelector('#brush [role=status]').textContent");
-    assert_eq!(said, "Not kept yet: 1: IMG_1.jpg");
+    let status = tab.value("document.querySelector('#brush [role=status]').textContent");
+    assert_eq!(status, "Not kept yet: 1: IMG_1.jpg");
     assert_eq!(tab.value(leaves), false, "strokes would be lost");
     whole(&mut tab, "strokes");
     // Back at the first, its stroke is there, can be undone, and is kept alone.
@@ -85,7 +85,7 @@ fn a_long_name_breaks_no_button_of_the_table() {
     let mut tab = tab("de");
     tab.go(&server.url());
     whole(&mut tab, "long-name");
-    // So many lines has what stands in each cell but the name's, and in each button.
+    // So many lines has what is in each cell but the name's, and in each button.
     let lines = "[...document.querySelectorAll('#captures td, #captures thead th:not(:first-child)')].map((e) => {
         const range = document.createRange(); range.selectNodeContents(e);
         return [e.textContent.trim(), new Set([...range.getClientRects()].filter((r) => r.width > 1).map((r) => Math.round(r.top))).size]; })

@@ -65,8 +65,8 @@ impl<'a> Window<'a> {
 }
 
 fn facts(server: &Server, id: &str) -> Value {
-    let told = server.ask("GET", &format!("/api/captures/{id}"), &Value::Null);
-    told.is(200).json()["facts"].clone()
+    let capture = server.ask("GET", &format!("/api/captures/{id}"), &Value::Null);
+    capture.is(200).json()["facts"].clone()
 }
 
 #[test]
@@ -158,7 +158,7 @@ fn a_form_is_read_in_the_unit_that_it_showed() {
 }
 
 #[test]
-fn programs_say_some_facts_and_which_version_they_mean() {
+fn programs_send_some_facts_and_which_version_they_mean() {
     let server = Server::new();
     let id = server.capture("anna");
     let at = format!("/api/captures/{id}");
@@ -242,10 +242,10 @@ fn a_plate_that_is_no_photo_of_the_capture_is_refused() {
     }
     let path = format!("/api/captures/{id}/facts");
     for method in ["PUT", "PATCH"] {
-        let told = server.ask(method, &path, &json!({ "plate": 77 }));
-        let told = told.is(422).json();
-        assert_eq!(told["code"], "wrong-plate", "{told}");
-        let why = told["error"].as_str().unwrap();
+        let answer = server.ask(method, &path, &json!({ "plate": 77 }));
+        let answer = answer.is(422).json();
+        assert_eq!(answer["code"], "wrong-plate", "{answer}");
+        let why = answer["error"].as_str().unwrap();
         assert!(why.contains("77") && why.contains("files: 2"), "{why}");
     }
     server.ask("PATCH", &path, &json!({ "plate": 2 })).is(204);

@@ -16,52 +16,52 @@ pub(crate) fn brush(words: Words, place: &Place, record: &Record, corrected: boo
     let photos: Vec<(&u32, &Kept)> = record.files.iter().filter(there).collect();
     let main = html! {
         p .crumb { a href=(at) { (detail::name(words, record)) } }
-        h1 { (words.say("brush-title")) }
-        @if photos.is_empty() { p .alert { (words.say("brush-nothing")) } }
+        h1 { (words.text("brush-title")) }
+        @if photos.is_empty() { p .alert { (words.text("brush-nothing")) } }
         @else {
-            p { (words.say("brush-about")) }
+            p { (words.text("brush-about")) }
             (tools(words, place, &photos))
             div .bar {
                 form method="post" action=(format!("{at}/measure")) {
-                    button .main type="submit" { (words.say("measure-again")) }
+                    button .main type="submit" { (words.text("measure-again")) }
                 }
                 @if corrected {
                     form method="post" action=(format!("{at}/masks/forget")) {
-                        button type="submit" { (words.say("brush-forget")) }
+                        button type="submit" { (words.text("brush-forget")) }
                     }
                 }
             }
-            @if corrected { p .soft { (words.say("brush-measured")) } }
+            @if corrected { p .soft { (words.text("brush-measured")) } }
         }
     };
-    let title = words.say("brush-title");
+    let title = words.text("brush-title");
     page(words, &title, &format!("{at}/masks"), &["brush.js"], main)
 }
 
 fn tools(words: Words, place: &Place, photos: &[(&u32, &Kept)]) -> Markup {
     let lost = words.with("brush-lost", &[("why", "{why}".into())]);
     html! {
-        section #brush aria-label=(words.say("brush-title")) data-api=(format!("/api/captures/{}", place.id))
-            data-saved=(words.say("brush-saved")) data-lost=(lost) data-none=(words.say("brush-none"))
+        section #brush aria-label=(words.text("brush-title")) data-api=(format!("/api/captures/{}", place.id))
+            data-saved=(words.text("brush-saved")) data-lost=(lost) data-none=(words.text("brush-none"))
             data-unkept=(words.with("brush-unkept", &[("photos", "{photos}".into())])) {
             div .bar {
-                label { (words.say("brush-photo")) " "
+                label { (words.text("brush-photo")) " "
                     select name="photo" {
                         @for (number, kept) in photos { option value=(number) { (number) ": " (kept.name) } }
                     }
                 }
-                fieldset .bar { legend .hidden { (words.say("brush-paint")) }
+                fieldset .bar { legend .hidden { (words.text("brush-paint")) }
                     @for (at, paint) in ["body", "room", "clear"].into_iter().enumerate() {
                         label .choice { input type="radio" name="paint" value=(paint) checked[at == 0];
-                            (words.say(&format!("brush-{paint}"))) }
+                            (words.text(&format!("brush-{paint}"))) }
                     }
                 }
-                label { (words.say("brush-size")) " " input type="range" name="size" min="2" max="80" value="16"; }
-                button type="button" name="undo" { (words.say("brush-undo")) }
-                button type="button" name="save" { (words.say("brush-save")) }
+                label { (words.text("brush-size")) " " input type="range" name="size" min="2" max="80" value="16"; }
+                button type="button" name="undo" { (words.text("brush-undo")) }
+                button type="button" name="save" { (words.text("brush-save")) }
             }
             p role="status" {}
-            canvas tabindex="0" role="img" aria-label=(words.say("brush-canvas")) {}
+            canvas tabindex="0" role="img" aria-label=(words.text("brush-canvas")) {}
         }
     }
 }

@@ -25,7 +25,7 @@ pub(crate) struct Content {
 /// What a capture is called.
 pub(crate) fn name(words: Words, record: &Record) -> String {
     match record.name.is_empty() {
-        true => words.say("unnamed"),
+        true => words.text("unnamed"),
         false => record.name.clone(),
     }
 }
@@ -43,7 +43,7 @@ pub(crate) fn detail(words: Words, content: &Content) -> Markup {
     let (title, at) = (name(words, record), format!("/captures/{}", place.id));
     let stopped = look.as_ref().is_some_and(seen::stops);
     let main = html! {
-        p .crumb { a href="/" { (words.say("to-start")) } }
+        p .crumb { a href="/" { (words.text("to-start")) } }
         h1 { (title) }
         p .soft { (super::time(record.begun)) " · "
             (words.with("photos-count", &[("count", record.files.len().into())])) }
@@ -54,7 +54,7 @@ pub(crate) fn detail(words: Words, content: &Content) -> Markup {
         (measuring(words, content, stopped))
         (facts::form(words, &at, record, &content.slips, progress.goes_on()))
         (seen::seen(words, &at, record, look.as_ref(), progress.goes_on()))
-        p { a .danger href=(format!("{at}/delete")) { (words.say("delete-capture")) } }
+        p { a .danger href=(format!("{at}/delete")) { (words.text("delete-capture")) } }
     };
     page(words, &title, &at, &["live.js"], main)
 }
@@ -79,18 +79,18 @@ fn measuring(words: Words, content: &Content, stopped: bool) -> Markup {
     html! {
         section #measuring aria-labelledby="measuring-title"
             data-events=[goes_on.then(|| format!("/api/captures/{}/events", place.id))] {
-            h2 #measuring-title { (words.say("measuring-title")) }
+            h2 #measuring-title { (words.text("measuring-title")) }
             p #sentence role="status" { (progress::sentence(words, progress, nothing)) }
             @for why in progress.why.iter().flat_map(|w| w.lines()) { p .alert role="alert" { (sentence(words, record, why)) } }
-            @if stopped && !goes_on && progress.state == "none" { p .alert { (words.say("measure-stopped")) } }
+            @if stopped && !goes_on && progress.state == "none" { p .alert { (words.text("measure-stopped")) } }
             div .bar {
                 @if goes_on {
                     form method="post" action=(format!("{at}/stop")) {
-                        button type="submit" { (words.say("stop")) }
+                        button type="submit" { (words.text("stop")) }
                     }
                 } @else {
                     form method="post" action=(format!("{at}/measure")) {
-                        button .main type="submit" { (words.say(again)) }
+                        button .main type="submit" { (words.text(again)) }
                     }
                 }
             }
@@ -111,15 +111,15 @@ pub(crate) fn delete(words: Words, place: &Place, record: &Record, results: bool
     let megabytes = words.number(record.bytes() as f64 / 1e6, 1);
     let main = html! {
         h1 { (title) }
-        p { (words.say("delete-about")) }
+        p { (words.text("delete-about")) }
         ul {
             li { (words.with("delete-files", &[("count", record.files.len().into()), ("size", megabytes.into())])) }
-            @if results { li { (words.say("delete-results")) } }
-            li { (words.say("delete-cache")) }
+            @if results { li { (words.text("delete-results")) } }
+            li { (words.text("delete-cache")) }
         }
         form .bar method="post" action=(format!("{at}/delete")) {
-            button .danger type="submit" { (words.say("delete-yes")) }
-            a .button href=(at) { (words.say("delete-no")) }
+            button .danger type="submit" { (words.text("delete-yes")) }
+            a .button href=(at) { (words.text("delete-no")) }
         }
     };
     page(words, &title, &format!("{at}/delete"), &[], main)
@@ -136,11 +136,11 @@ pub(crate) fn gone(words: Words, name: &str, gone: &Gone) -> Markup {
             li { (words.with("delete-files", &[("count", gone.files.into()), ("size", files.into())])) }
             li { (words.with("gone-results", &[("count", gone.results.into()), ("size", results.into())])) }
         } }
-        @if !gone.shared.is_empty() { p { (words.say("gone-shared")) } }
+        @if !gone.shared.is_empty() { p { (words.text("gone-shared")) } }
         @if !gone.unread.is_empty() {
-            div role="alert" { p { (words.say("gone-unread")) } ul { @for file in &gone.unread { li { code { (file) } } } } }
+            div role="alert" { p { (words.text("gone-unread")) } ul { @for file in &gone.unread { li { code { (file) } } } } }
         }
-        p { a href="/" { (words.say("to-start")) } }
+        p { a href="/" { (words.text("to-start")) } }
     };
     page(words, &title, "/", &[], main)
 }

@@ -31,7 +31,7 @@ pub(crate) fn shown(words: Words, record: &Record) -> BTreeMap<&'static str, Str
     all
 }
 
-/// A field of a number: its name, what stands in it, its unit.
+/// A field of a number: its name, its content, its unit.
 struct Field {
     name: &'static str,
     value: String,
@@ -57,7 +57,7 @@ fn fields(words: Words, facts: &Facts) -> Vec<Field> {
 /// The form.
 pub(crate) fn form(words: Words, at: &str, record: &Record, slips: &Slips, busy: bool) -> Markup {
     let facts = &record.facts;
-    let said = |name: &str, kept: bool| match slips.why.is_empty() {
+    let ticked = |name: &str, kept: bool| match slips.why.is_empty() {
         true => kept,
         false => slips.typed.contains_key(name),
     };
@@ -72,8 +72,8 @@ pub(crate) fn form(words: Words, at: &str, record: &Record, slips: &Slips, busy:
     };
     html! {
         section aria-labelledby="facts-title" {
-            h2 #facts-title { (words.say("facts-title")) }
-            p { (words.say("facts-about")) }
+            h2 #facts-title { (words.text("facts-title")) }
+            p { (words.text("facts-about")) }
             form method="post" action=(format!("{at}/facts")) {
                 // What the fields showed, so that another window's changes are not undone.
                 input type="hidden" name="unit" value=(words.unit());
@@ -81,37 +81,37 @@ pub(crate) fn form(words: Words, at: &str, record: &Record, slips: &Slips, busy:
                     input type="hidden" name=(format!("was_{name}")) value=(now);
                 }
                 fieldset disabled[busy] {
-                    legend .hidden { (words.say("facts-title")) }
+                    legend .hidden { (words.text("facts-title")) }
                     div .fields {
                         @for field in fields(words, facts) { (number(words, &field, slips)) }
-                        label { span { (words.say("fact-sex")) }
+                        label { span { (words.text("fact-sex")) }
                             select name="sex" {
-                                option value="" selected[sex.is_none()] { (words.say("fact-sex-none")) }
+                                option value="" selected[sex.is_none()] { (words.text("fact-sex-none")) }
                                 @for one in Sex::ALL {
-                                    option value=(one.word()) selected[sex == Some(one)] { (words.say(&format!("fact-sex-{}", one.word()))) }
+                                    option value=(one.word()) selected[sex == Some(one)] { (words.text(&format!("fact-sex-{}", one.word()))) }
                                 }
                             }
-                            small .soft { (words.say("hint-sex")) }
+                            small .soft { (words.text("hint-sex")) }
                             (slip(slips, "sex"))
                         }
-                        label { span { (words.say("fact-plate")) }
+                        label { span { (words.text("fact-plate")) }
                             select name="plate" {
-                                option value="" selected[plate.is_none()] { (words.say("fact-plate-none")) }
+                                option value="" selected[plate.is_none()] { (words.text("fact-plate-none")) }
                                 @for (number, kept) in record.files.iter().filter(|(_, k)| !k.video) {
                                     option value=(number) selected[plate == Some(*number)] {
                                         (number) ": " (kept.name)
                                     }
                                 }
                             }
-                            small .soft { (words.say("hint-plate")) }
+                            small .soft { (words.text("hint-plate")) }
                             (slip(slips, "plate"))
                         }
                     }
                     div .choices {
-                        label { input type="checkbox" name="walk" value="yes" checked[said("walk", facts.walk)]; (words.say("fact-walk")) (slip(slips, "walk")) }
-                        label { input type="checkbox" name="quick" value="yes" checked[said("quick", facts.quick)]; (words.say("fact-quick")) (slip(slips, "quick")) }
+                        label { input type="checkbox" name="walk" value="yes" checked[ticked("walk", facts.walk)]; (words.text("fact-walk")) (slip(slips, "walk")) }
+                        label { input type="checkbox" name="quick" value="yes" checked[ticked("quick", facts.quick)]; (words.text("fact-quick")) (slip(slips, "quick")) }
                     }
-                    div .bar { button type="submit" { (words.say("facts-keep")) } }
+                    div .bar { button type="submit" { (words.text("facts-keep")) } }
                 }
             }
         }
@@ -137,13 +137,13 @@ fn number(words: Words, field: &Field, slips: &Slips) -> Markup {
     };
     html! {
         label {
-            span { (words.say(&format!("fact-{}", field.name.replace('_', "-")))) }
+            span { (words.text(&format!("fact-{}", field.name.replace('_', "-")))) }
             span .unit {
                 input type="text" inputmode="decimal" autocomplete="off" name=(field.name) value=(value)
                     aria-describedby=(describes) aria-invalid[slip.is_some()];
                 @if !field.unit.is_empty() { span { (field.unit) } }
             }
-            small .soft id=(about) { (words.say(&format!("hint-{}", field.name.replace('_', "-")))) }
+            small .soft id=(about) { (words.text(&format!("hint-{}", field.name.replace('_', "-")))) }
             @if let Some(why) = slip { small .bad id=(wrong) { (why) } }
         }
     }

@@ -21,15 +21,15 @@ pub(crate) struct Line {
 /// The page.
 pub(crate) fn home(app: &App, words: Words, lines: &[Line]) -> Markup {
     let main = html! {
-        h1 { (words.say("home-title")) }
-        p { (words.say("home-about")) }
+        h1 { (words.text("home-title")) }
+        p { (words.text("home-about")) }
         (drop(words))
         (table(words, lines))
         @if let Some(url) = &app.lan { (phone(words, url)) }
     };
     page(
         words,
-        &words.say("home-title"),
+        &words.text("home-title"),
         "/",
         &["drop.js", "table.js"],
         main,
@@ -47,26 +47,26 @@ fn drop(words: Words) -> Markup {
     };
     html! {
         section aria-labelledby="drop-title" {
-            h2 #drop-title { (words.say("drop-title")) }
-            form #drop .drop data-sending=(count("drop-sending")) data-looking=(words.say("drop-looking"))
+            h2 #drop-title { (words.text("drop-title")) }
+            form #drop .drop data-sending=(count("drop-sending")) data-looking=(words.text("drop-looking"))
                 data-large-photo=(most(MOST_PHOTO)) data-large-video=(most(MOST_VIDEO))
                 data-most-photo=(MOST_PHOTO) data-most-video=(MOST_VIDEO) data-most-files=(MOST_FILES)
                 data-many=(words.with("wrong-many", &[("most", MOST_FILES.into())]))
-                data-lost=(words.say("drop-lost")) data-none=(words.say("drop-none")) {
-                p #drop-hint .hint { (words.say("drop-hint")) }
+                data-lost=(words.text("drop-lost")) data-none=(words.text("drop-none")) {
+                p #drop-hint .hint { (words.text("drop-hint")) }
                 div .fields {
-                    label { span { (words.say("drop-name")) }
+                    label { span { (words.text("drop-name")) }
                         input type="text" name="name" maxlength="120" autocomplete="off"; }
-                    label { span { (words.say("drop-files")) }
+                    label { span { (words.text("drop-files")) }
                         input type="file" name="files" multiple accept="image/*,video/*,.dng,.tif,.tiff"
                             aria-describedby="drop-hint"; }
-                    label { span { (words.say("drop-folder")) }
+                    label { span { (words.text("drop-folder")) }
                         input type="file" name="folder" webkitdirectory multiple aria-describedby="folder-hint"; }
                 }
-                p #folder-hint .soft { (words.say("drop-folder-hint")) }
-                progress #drop-bar max="1" value="0" hidden aria-label=(words.say("drop-title")) {}
+                p #folder-hint .soft { (words.text("drop-folder-hint")) }
+                progress #drop-bar max="1" value="0" hidden aria-label=(words.text("drop-title")) {}
                 p #drop-said role="status" {}
-                noscript { p .alert { (words.say("needs-script")) } }
+                noscript { p .alert { (words.text("needs-script")) } }
             }
         }
     }
@@ -76,15 +76,15 @@ fn drop(words: Words) -> Markup {
 fn table(words: Words, lines: &[Line]) -> Markup {
     html! {
         section aria-labelledby="history-title" {
-            h2 #history-title { (words.say("history-title")) }
-            @if lines.is_empty() { p .soft { (words.say("history-none")) } }
+            h2 #history-title { (words.text("history-title")) }
+            @if lines.is_empty() { p .soft { (words.text("history-none")) } }
             @else {
                 div #captures { (rows(words, lines)) }
                 div .bar {
                     form method="post" action="/measure" {
-                        button type="submit" { (words.say("measure-all")) }
+                        button type="submit" { (words.text("measure-all")) }
                     }
-                    a .button href="/girths.csv" download="girths.csv" { (words.say("all-csv")) }
+                    a .button href="/girths.csv" download="girths.csv" { (words.text("all-csv")) }
                 }
             }
         }
@@ -100,11 +100,11 @@ pub(crate) fn rows(words: Words, lines: &[Line]) -> Markup {
         div .wide tabindex="0" role="group" aria-labelledby="history-title" {
             table data-goes-on=[goes_on.then_some("")] {
                 thead { tr {
-                    th scope="col" { (words.say("column-name")) }
-                    th scope="col" { (words.say("column-time")) }
-                    th scope="col" { (words.say("column-state")) }
+                    th scope="col" { (words.text("column-name")) }
+                    th scope="col" { (words.text("column-time")) }
+                    th scope="col" { (words.text("column-state")) }
                     @for girth in result::MAIN { th scope="col" .n { (result::label(words, girth, girth)) } }
-                    th scope="col" { span .hidden { (words.say("column-delete")) } }
+                    th scope="col" { span .hidden { (words.text("column-delete")) } }
                 } }
                 tbody { @for line in lines { (row(words, line)) } }
             }
@@ -124,7 +124,7 @@ fn row(words: Words, line: &Line) -> Markup {
                 td .n { (line.girths.as_ref().and_then(|g| result::tape(words, g, girth)).unwrap_or_default()) }
             }
             td { a .danger href=(format!("{at}/delete")) {
-                (words.say("delete")) span .hidden { " " (name) }
+                (words.text("delete")) span .hidden { " " (name) }
             } }
         }
     }
@@ -134,8 +134,8 @@ fn state(words: Words, line: &Line) -> String {
     let photos = words.with("photos-count", &[("count", line.record.files.len().into())]);
     match line.state {
         "none" => photos,
-        "done" if line.girths.as_ref().is_some_and(result::is_empty) => words.say("state-nothing"),
-        state => words.say(&format!("state-{state}")),
+        "done" if line.girths.as_ref().is_some_and(result::is_empty) => words.text("state-nothing"),
+        state => words.text(&format!("state-{state}")),
     }
 }
 
@@ -143,8 +143,8 @@ fn state(words: Words, line: &Line) -> String {
 fn phone(words: Words, url: &str) -> Markup {
     html! {
         section aria-labelledby="phone-title" {
-            h2 #phone-title { (words.say("phone-title")) }
-            p { (words.say("phone-about")) }
+            h2 #phone-title { (words.text("phone-title")) }
+            p { (words.text("phone-about")) }
             (lan::drawing(url))
             p { code { (url) } }
         }

@@ -14,7 +14,7 @@ use crate::words::findings::translated;
 use crate::words::language::{Language, Words};
 use maud::{DOCTYPE, Markup, html};
 
-/// A page: its title, where it lies (to come back to after a change of language), its scripts, its content.
+/// A page: its title, its address (to come back to after a change of language), its scripts, its content.
 pub(super) fn page(
     words: Words,
     title: &str,
@@ -34,13 +34,13 @@ pub(super) fn page(
                 @for script in scripts { script type="module" src=(format!("/assets/{script}")) {} }
             }
             body {
-                a .skip href="#main" { (words.say("skip")) }
+                a .skip href="#main" { (words.text("skip")) }
                 header {
                     a .brand href="/" { "tailor" }
                     (settings(words, back))
                 }
                 main #main tabindex="-1" { (main) }
-                footer { p { (words.say("privacy")) } }
+                footer { p { (words.text("privacy")) } }
             }
         }
     }
@@ -50,7 +50,7 @@ pub(super) fn page(
 fn settings(words: Words, back: &str) -> Markup {
     let unit = |inches: bool| Words { inches, ..words }.unit();
     html! {
-        form .settings method="post" action="/settings" aria-label=(words.say("settings")) {
+        form .settings method="post" action="/settings" aria-label=(words.text("settings")) {
             input type="hidden" name="back" value=(back);
             @for language in Language::ALL {
                 button type="submit" name="set" value=(language.code()) lang=(language.code())
@@ -68,14 +68,14 @@ fn settings(words: Words, back: &str) -> Markup {
 /// What is wrong, and the way back.
 pub(super) fn wrong(words: Words, text: &str) -> Markup {
     let main = html! {
-        h1 { (words.say("wrong-title")) }
+        h1 { (words.text("wrong-title")) }
         p .alert role="alert" { (text) }
-        p { a href="/" { (words.say("to-start")) } }
+        p { a href="/" { (words.text("to-start")) } }
     };
-    page(words, &words.say("wrong-title"), "/", &[], main)
+    page(words, &words.text("wrong-title"), "/", &[], main)
 }
 
-/// Flags that stages name in what they say, the longest first, and the fields that stand for them here.
+/// Flags that stages name in their messages, the longest first, and the fields that take their place here.
 const FLAGS: [(&str, &str); 8] = [
     ("--disk-diameter", "fact-disk-diameter-cm"),
     ("--mat-tag", "fact-mat-tag-mm"),
@@ -87,24 +87,24 @@ const FLAGS: [(&str, &str); 8] = [
     ("--walk", "fact-walk"),
 ];
 
-/// What a stage says, in the reader's language where it is known, of the files as their owner calls them.
+/// A stage's message, in the reader's language where it is known, of the files as their owner calls them.
 pub(super) fn sentence(words: Words, record: &Record, text: &str) -> Markup {
     match translated(words, text) {
         Some(text) => html! { (record.named(&text)) },
-        None => html! { span lang="en" { (record.named(&said(words, text))) } },
+        None => html! { span lang="en" { (record.named(&with_fields(words, text))) } },
     }
 }
 
 /// The same as text.
 pub(super) fn plain(words: Words, record: &Record, text: &str) -> String {
-    let told = translated(words, text).unwrap_or_else(|| said(words, text));
-    record.named(&told)
+    let text = translated(words, text).unwrap_or_else(|| with_fields(words, text));
+    record.named(&text)
 }
 
-/// What a stage says, as it is said on a page: fields in place of flags.
-fn said(words: Words, text: &str) -> String {
+/// A stage's message as a page shows it: fields in place of flags.
+fn with_fields(words: Words, text: &str) -> String {
     let field = |text: String, (flag, key): &(&str, &str)| match text.contains(flag) {
-        true => text.replace(flag, &format!("“{}”", words.say(key))),
+        true => text.replace(flag, &format!("“{}”", words.text(key))),
         false => text,
     };
     FLAGS.iter().fold(text.to_owned(), field)
@@ -158,7 +158,7 @@ mod tests {
             language: Language::En,
             inches: false,
         };
-        let text = said(words, "say --stature, or --mat-tag 60, or --mat");
+        let text = with_fields(words, "say --stature, or --mat-tag 60, or --mat");
         assert_eq!(text, "say “Stature”, or “Tag of the mat” 60, or --mat");
     }
 

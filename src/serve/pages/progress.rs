@@ -12,7 +12,7 @@ pub(crate) fn sentence(words: Words, progress: &Progress, nothing: bool) -> Stri
         "done" if nothing => "nothing",
         state => state,
     };
-    let state = words.say(&format!("state-{state}"));
+    let state = words.text(&format!("state-{state}"));
     if progress.state != "running" {
         let took = (progress.state == "done").then(|| words.duration(progress.seconds));
         return took.map_or(state.clone(), |took| format!("{state} ({took})"));
@@ -25,7 +25,7 @@ pub(crate) fn sentence(words: Words, progress: &Progress, nothing: bool) -> Stri
         .collect();
     let now = PARTS.iter().rev().find(|(part, _)| running.contains(part));
     match now {
-        Some((part, _)) => format!("{state}: {}", words.say(&format!("part-{part}"))),
+        Some((part, _)) => format!("{state}: {}", words.text(&format!("part-{part}"))),
         None => state,
     }
 }
@@ -75,13 +75,13 @@ fn one(words: Words, part: &str, steps: &[&Step]) -> Markup {
         .filter(|s| s.state == "made")
         .map(|s| s.seconds)
         .sum();
-    let name = words.say(&format!("part-{part}"));
+    let name = words.text(&format!("part-{part}"));
     html! {
         li class=(state) {
             span .part { (name) }
             progress max="1" value=(format!("{all:.3}")) aria-label=(name) {}
             span .said {
-                (words.say(&format!("step-{state}")))
+                (words.text(&format!("step-{state}")))
                 @if state == "done" && seconds >= 1.0 { " · " (words.duration(seconds)) }
             }
         }
@@ -95,7 +95,7 @@ pub(crate) fn pictures(words: Words, id: &str, progress: &Progress) -> Markup {
         .filter_map(|(node, _)| Some((*node, progress.pictures.get(*node)?)));
     html! {
         @for (node, (_, content)) in there {
-            @let title = words.say(&format!("picture-{node}"));
+            @let title = words.text(&format!("picture-{node}"));
             @let at = format!("/api/captures/{id}/pictures/{node}?of={}", content.get(..16).unwrap_or_default());
             figure class=(node) {
                 a href=(at) { img src=(at) alt=(title); }

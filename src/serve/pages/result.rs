@@ -7,9 +7,9 @@ use crate::words::language::Words;
 use maud::{Markup, html};
 use serde_json::Value;
 
-/// The girths that stand in tables of captures.
+/// The girths in tables of captures.
 pub(crate) const MAIN: [&str; 2] = ["WC", "HC"];
-/// Those that stand first on the page of one; all others follow.
+/// Those that come first on the page of one; the rest follows.
 const FIRST: [&str; 8] = ["WC", "HC", "CC", "NC", "AC_L", "AC_R", "TC_L", "TC_R"];
 /// What can be taken away.
 pub(crate) const FILES: [(&str, &str); 8] = [
@@ -72,7 +72,7 @@ fn interval(words: Words, girth: &Value) -> String {
     }
 }
 
-/// Where a number lies in the growth reference: standard deviations, centile.
+/// The place of a number in the growth reference: standard deviations, centile.
 fn score(score: &Value) -> Option<(f64, f64)> {
     Some((score["z"].as_f64()?, score["centile"].as_f64()?))
 }
@@ -107,7 +107,7 @@ fn disputed(girths: &Value) -> bool {
     girths["unit"] == "relative" && all.any(|one| one["reason"] == "disputed")
 }
 
-/// A row of a number that follows from others. On a phone cells stand below one another, so roles are said.
+/// A row of a number that follows from other numbers. On a phone cells are below one another, so roles are given.
 fn derived(name: &str, value: &str, more: &str) -> Markup {
     html! {
         tr role="row" { th scope="row" role="rowheader" { (name) } td .n role="cell" { (value) } td .n .range role="cell" { (more) } }
@@ -123,16 +123,16 @@ pub(crate) fn result(words: Words, place: &Place, record: &Record, girths: &Valu
         .filter(|(file, _)| place.out().join(file).is_file());
     html! {
         section aria-labelledby="result-title" {
-            h2 #result-title { (words.say("result-title")) }
-            @if is_empty(girths) { p .alert { (words.say("result-none")) } }
-            @else if disputed(girths) { p .alert { (words.say("result-disputed")) } }
-            @else if girths["unit"] == "relative" { p .alert { (words.say("result-relative")) } }
+            h2 #result-title { (words.text("result-title")) }
+            @if is_empty(girths) { p .alert { (words.text("result-none")) } }
+            @else if disputed(girths) { p .alert { (words.text("result-disputed")) } }
+            @else if girths["unit"] == "relative" { p .alert { (words.text("result-relative")) } }
             div .wide tabindex="0" role="group" aria-labelledby="result-title" {
                 table .girths role="table" {
                     thead { tr {
-                        th scope="col" { (words.say("column-girth")) }
-                        th scope="col" .n { (words.say("column-tape")) }
-                        th scope="col" .n { (words.say("column-interval")) }
+                        th scope="col" { (words.text("column-girth")) }
+                        th scope="col" .n { (words.text("column-tape")) }
+                        th scope="col" .n { (words.text("column-interval")) }
                     } }
                     tbody {
                         @for one in all(girths) {
@@ -140,7 +140,7 @@ pub(crate) fn result(words: Words, place: &Place, record: &Record, girths: &Valu
                             tr role="row" {
                                 th scope="row" role="rowheader" { (label(words, name, one["label"].as_str().unwrap_or(name))) }
                                 td .n role="cell" { (tape(words, girths, name).unwrap_or_default()) }
-                                td .n .range role="cell" data-of=(words.say("column-interval")) { (interval(words, one)) }
+                                td .n .range role="cell" data-of=(words.text("column-interval")) { (interval(words, one)) }
                             }
                         }
                         @for (name, value) in ratios {
@@ -149,25 +149,25 @@ pub(crate) fn result(words: Words, place: &Place, record: &Record, girths: &Valu
                             }
                         }
                         @if let Some(bmi) = girths["bmi"].as_f64() {
-                            (derived(&words.say("result-bmi"), &format!("{} kg/m²", words.number(bmi, 1)), ""))
+                            (derived(&words.text("result-bmi"), &format!("{} kg/m²", words.number(bmi, 1)), ""))
                         }
                         @for (key, text) in [("bmi_for_age", "result-bmi-for-age"), ("height_for_age", "result-height-for-age")] {
                             @if let Some((z, centile)) = score(&girths["growth"][key]) {
                                 @let centile = words.with("result-centile", &[("centile", words.number(centile, 1).into())]);
-                                (derived(&words.say(text), &format!("z {}", words.number(z, 2)), &centile))
+                                (derived(&words.text(text), &format!("z {}", words.number(z, 2)), &centile))
                             }
                         }
                     }
                 }
             }
-            @if girths["growth"].is_object() { p .soft { (words.say("result-growth")) } }
+            @if girths["growth"].is_object() { p .soft { (words.text("result-growth")) } }
             (missing(words, record, girths))
             div .bar {
-                a .button .main href=(format!("{at}/report")) { (words.say("report")) }
-                a .button href=(format!("{at}/masks")) { (words.say("brush-open")) }
+                a .button .main href=(format!("{at}/report")) { (words.text("report")) }
+                a .button href=(format!("{at}/masks")) { (words.text("brush-open")) }
             }
             details {
-                summary { (words.say("downloads")) }
+                summary { (words.text("downloads")) }
                 ul .downloads {
                     @for (file, _) in there {
                         li { a href=(format!("{at}/out/{file}")) download=(file) { (file) } }
@@ -210,7 +210,7 @@ mod tests {
     }
 
     #[test]
-    fn a_reason_is_shown_once_and_lengths_that_contradict_each_other_are_told() {
+    fn a_reason_is_shown_once_and_lengths_that_contradict_each_other_are_reported() {
         let words = Words {
             language: Language::De,
             inches: false,

@@ -32,13 +32,13 @@ pub(crate) fn seen(
 ) -> Markup {
     html! {
         section #seen aria-labelledby="seen-title" data-look=[look.is_none().then(|| format!("{at}/look"))] {
-            h2 #seen-title { (words.say("seen-title")) }
+            h2 #seen-title { (words.text("seen-title")) }
             @match look {
-                Some(look) => (told(words, record, look)),
+                Some(look) => (report(words, record, look)),
                 None => {
-                    p #looking role="status" { (words.say("seen-none")) }
+                    p #looking role="status" { (words.text("seen-none")) }
                     form method="post" action=(format!("{at}/look")) {
-                        button type="submit" { (words.say("look")) }
+                        button type="submit" { (words.text("look")) }
                     }
                 }
             }
@@ -49,22 +49,40 @@ pub(crate) fn seen(
     }
 }
 
+<<<<<<< HEAD
 fn told(words: Words, record: &Record, look: &Value) -> Markup {
+=======
+fn report(words: Words, record: &Record, look: &Value) -> Markup {
+    let warnings = look["warnings"].as_array().into_iter().flatten();
+>>>>>>> a18333e (serve, texts: plainer names, comments and English texts)
     let can = look["can"].as_object().into_iter().flatten();
     html! {
         @if !text(look, "wrong").is_empty() { p .alert { (sentence(words, record, text(look, "wrong"))) } }
         @else {
             p { (facts(words, look)) }
-            @if findings(look).next().is_none() { p .good { (words.say("seen-well")) } }
+            @if findings(look).next().is_none() { p .good { (words.text("seen-well")) } }
         }
         ul .findings {
+<<<<<<< HEAD
             @for (grade, line) in odd(words, record, look) {
                 li class=(grade) { strong { (words.say(&format!("grade-{grade}"))) } " " (line) }
+=======
+            @for finding in findings(look) {
+                li class=(text(finding, "grade")) {
+                    strong { (words.text(&format!("grade-{}", text(finding, "grade")))) } " "
+                    (sentence(words, record, text(finding, "what"))) " – " (sentence(words, record, text(finding, "mend")))
+                    @if let Some(names) = names(record, finding) { " " span .soft { (names) } }
+                }
+            }
+            @for warning in warnings.filter_map(Value::as_str) {
+                @let grade = if is_news(warning) { "hint" } else { "doubt" };
+                li class=(grade) { strong { (words.text(&format!("grade-{grade}"))) } " " (sentence(words, record, warning)) }
+>>>>>>> a18333e (serve, texts: plainer names, comments and English texts)
             }
         }
         dl .can {
             @for (what, how) in can {
-                dt { (words.say(&format!("can-{what}"))) }
+                dt { (words.text(&format!("can-{what}"))) }
                 dd { (sentence(words, record, how.as_str().unwrap_or_default())) }
             }
         }
@@ -108,15 +126,15 @@ fn facts(words: Words, look: &Value) -> String {
         words.with("photos-count", &[("count", number("photos").into())]),
         format!("{} × {} px", number("width"), number("height")),
         text(look, "camera").to_owned(),
-        focal.map_or(words.say("focal-unknown"), |mm| {
+        focal.map_or(words.text("focal-unknown"), |mm| {
             format!("{} mm", words.number(mm, 0))
         }),
-        words.say(if look["plate"].is_string() {
+        words.text(if look["plate"].is_string() {
             "plate-there"
         } else {
             "plate-none"
         }),
-        words.say(if text(look, "motion") == "turn" {
+        words.text(if text(look, "motion") == "turn" {
             "camera-stood"
         } else {
             "camera-moved"
@@ -157,12 +175,12 @@ fn photo(
                 }
                 None => p .file { (place) },
             }
-            p .name { (number) ": " (kept.name) @if odd { " " strong .bad { (words.say("photo-odd")) } } }
+            p .name { (number) ": " (kept.name) @if odd { " " strong .bad { (words.text("photo-odd")) } } }
             @if let Some(view) = view { (numbers(words, view, middle_step(views))) }
             @if !busy {
                 form method="post" action=(format!("{at}/files/{number}/remove")) {
                     button .small type="submit" aria-label=(words.with("photo-remove-this", &[("name", kept.name.as_str().into())])) {
-                        (words.say("photo-remove"))
+                        (words.text("photo-remove"))
                     }
                 }
             }
@@ -183,22 +201,22 @@ fn numbers(words: Words, view: &Value, middle: Option<f64>) -> Markup {
     html! {
         dl {
             @if let Some(seconds) = number("taken_s") {
-                dt { (words.say("photo-taken")) } dd { "+" (words.duration(seconds)) }
+                dt { (words.text("photo-taken")) } dd { "+" (words.duration(seconds)) }
             }
             @if let Some(sharp) = number("sharpness") {
-                dt { (words.say("photo-sharp")) } dd { (words.number(100.0 * sharp, 0)) " %" }
+                dt { (words.text("photo-sharp")) } dd { (words.number(100.0 * sharp, 0)) " %" }
             }
             @if let Some(ev) = number("exposure_ev") {
-                dt { (words.say("photo-light")) } dd { (signed(words, ev)) " EV" }
+                dt { (words.text("photo-light")) } dd { (signed(words, ev)) " EV" }
             }
             @if let Some(burnt) = number("overexposed_pct").filter(|b| *b >= 0.1) {
-                dt { (words.say("photo-burnt")) } dd { (words.number(burnt, 1)) " %" }
+                dt { (words.text("photo-burnt")) } dd { (words.number(burnt, 1)) " %" }
             }
             @if let Some((step, middle)) = number("to_next").zip(middle) {
-                dt { (words.say("photo-step")) } dd { (words.number(step / middle, 2)) " ×" }
+                dt { (words.text("photo-step")) } dd { (words.number(step / middle, 2)) " ×" }
             }
             @if let Some(tags) = view["tags"].as_u64() {
-                dt { (words.say("photo-tags")) } dd { (tags) }
+                dt { (words.text("photo-tags")) } dd { (tags) }
             }
         }
     }

@@ -1,4 +1,4 @@
-//! What calls say: bodies as JSON objects, the version that they mean; and what the router refuses by itself, answered as all else.
+//! Bodies of calls as JSON objects, the version that they mean; and what the router refuses by itself, answered as all else.
 
 use super::answer::Wrong;
 use crate::words::language::Words;
@@ -11,9 +11,9 @@ use serde::de::DeserializeOwned;
 use serde_json::Value;
 
 /// A body: a JSON object.
-pub(super) struct Said<T>(pub(super) T);
+pub(super) struct Object<T>(pub(super) T);
 
-impl<T: DeserializeOwned, S: Send + Sync> FromRequest<S> for Said<T> {
+impl<T: DeserializeOwned, S: Send + Sync> FromRequest<S> for Object<T> {
     type Rejection = Wrong;
 
     async fn from_request(request: Request, state: &S) -> Result<Self, Wrong> {
@@ -30,7 +30,9 @@ impl<T: DeserializeOwned, S: Send + Sync> FromRequest<S> for Said<T> {
         if !value.is_object() {
             return Err(Wrong::new(StatusCode::UNPROCESSABLE_ENTITY, "wrong-object"));
         }
-        serde_json::from_value(value).map(Said).map_err(Wrong::said)
+        serde_json::from_value(value)
+            .map(Object)
+            .map_err(Wrong::unfit)
     }
 }
 
@@ -62,9 +64,9 @@ const MOST: usize = 4 << 10;
 /// What the router refused by itself, in plain text or without one, as all other refusals are answered.
 pub(super) async fn as_all_else(answer: Response, words: Words, page: bool) -> Response {
     let status = answer.status();
-    let told = answer.headers().get(header::CONTENT_TYPE);
-    let told = told.and_then(|media| media.to_str().ok());
-    let plain = told.is_none_or(|media| media.starts_with("text/plain"));
+    let media_type = answer.headers().get(header::CONTENT_TYPE);
+    let media_type = media_type.and_then(|media| media.to_str().ok());
+    let plain = media_type.is_none_or(|media| media.starts_with("text/plain"));
     if !(status.is_client_error() || status.is_server_error()) || !plain {
         return answer;
     }
