@@ -1,4 +1,4 @@
-//! What files of the repository may not do: fetch from a registry by its address (its own client knows the way), lie
+//! What files of the repository may not do: fetch from a registry by its address (its own client knows the way), be
 //! where git takes results for sources, remove what they did not make.
 
 use std::path::Path;
@@ -31,7 +31,7 @@ const HOSTS: [(&str, &str); 22] = [
 ];
 
 /// The files that git knows, or that it would take.
-fn files() -> Vec<String> {
+pub(super) fn files() -> Vec<String> {
     let mut git = Command::new("git");
     git.args([
         "ls-files",

@@ -1,4 +1,4 @@
-//! The rules of the house: what a file may know, name, hold.
+//! The rules of the house: what a file may import, name and contain.
 
 mod builds;
 mod circles;
@@ -8,3 +8,4 @@ mod imports;
 mod names;
 mod numbers;
 mod rules;
+mod words;
