@@ -42,7 +42,7 @@ const FINDINGS: [(&str, &str); 56] = [
     ("step back, and keep the background still", "find-arms-mend"),
     ("a mat is told of, but no tag of it was found", "find-mat"),
     ("is it in view, in good light, and flat?", "find-mat-mend"),
-    ("of the mat's * tags only * are read on a photo", "find-tags"),
+    ("of the mat's * tags only * can be read on a photo", "find-tags"),
     ("they are too small in the picture, blurred or hidden: hand over the camera's own files, come nearer, or print a mat with fewer, larger tags", "find-tags-mend"),
     ("the body is cut off at the lower edge", "find-feet"),
     ("keep the whole person in view, with a margin below the feet: without feet nothing tells heights, and no girth is given", "find-feet-mend"),

@@ -212,7 +212,7 @@ fn feet_that_all_photos_cut_off_stop_and_what_is_worse_comes_first() {
         "{said}"
     );
     assert!(said.contains("cameras  no, as it is"), "{said}");
-    // A warning of who is on the photos is a doubt, and stands before hints.
+    // A warning of who is on the photos is a doubt, and comes before hints.
     let said = place.run(&format!("doctor {}", bad.join("empty-photo").display()));
     let said = said.code(1).out;
     let grades = said
@@ -231,7 +231,8 @@ fn a_mat_that_is_too_small_in_the_picture_is_named_and_one_of_a_megapixel_is_rea
     let facts = std::fs::read_to_string(sample.join("capture.toml")).unwrap();
     let facts = facts.replace("views = 18", "views = 9");
     let facts = facts.replace("step_deg = 20.0", "step_deg = 40.0");
-    for (folder, width) in [("turn", 960), ("small", 360)] {
+    let facts = facts.replace("plate = \"images/plate.jpg\"\n", "");
+    for (folder, width) in [("turn", 960), ("small", 480)] {
         place.write(&format!("{folder}/capture.toml"), &facts);
         for i in (0..18).step_by(2) {
             let name = format!("{i:04}.jpg");

@@ -281,7 +281,7 @@ fn mat(seen: &Seen<'_>, findings: &mut Findings<'_>) {
         // Feet hide some; where most cannot be read it is not the feet.
         findings.put(
             Grade::Doubt,
-            format!("of the mat's {all} tags only {read} are read on a photo"),
+            format!("of the mat's {all} tags only {read} can be read on a photo"),
             "they are too small in the picture, blurred or hidden: hand over the camera's own files, come nearer, or print a mat with fewer, larger tags",
             &[],
         );

@@ -123,12 +123,7 @@ impl Stage for Frame {
             if let Some(pair) = pair {
                 return Ok(without_scale(cameras, ground, pair));
             }
-            // Before there are masks a stature that is given cannot be seen yet.
-            if input.masks.is_none() && rig.stature_mm.is_some() {
-                return Ok(on_ground(cameras, ground, 1.0));
-            }
-            ctx.warn("nothing tells of millimetres (no mat or tags of known size, reference, disk or stature that could be seen): lengths are relative to the camera ring's radius, called 1000 mm");
-            return Ok(on_ground(cameras, ground, 1.0));
+            return Ok(unscaled(&input, ground, ctx));
         };
         for other in &measures[1..] {
             if compare(first, other, cameras.scale, p, ctx)? {
@@ -156,6 +151,14 @@ impl Stage for Frame {
             ..on_ground(cameras, ground, size)
         })
     }
+}
+
+/// Cameras whose unit nothing tells; before there are masks, a stature that is given cannot be seen yet.
+fn unscaled(input: &FrameInput, ground: f64, ctx: &Ctx<'_>) -> Cameras {
+    if input.masks.is_some() || input.photos.rig.stature_mm.is_none() {
+        ctx.warn("nothing tells of millimetres (no mat or tags of known size, reference, disk or stature that could be seen): lengths are relative to the camera ring's radius, called 1000 mm");
+    }
+    on_ground(&input.cameras, ground, 1.0)
 }
 
 /// Where crown and soles are, from silhouettes.
