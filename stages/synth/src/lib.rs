@@ -4,7 +4,8 @@
 //! solid ─┬─ girths ─────────┬─ score, against what a pipeline found
 //!        └─ body ─┬─ masks ─┘
 //! ring ─┬─────────┤
-//!       └─ sway ──┴─ turn ─ photos, as capture.load gives them ─ phone ─ photos, as a phone takes them
+//!       └─ sway ─┬┴─ turn ─ photos, as capture.load gives them ─ phone ─ photos, as a phone takes them
+//!                └─ moved, the cameras as the body saw them
 //! ```
 
 mod anatomy;
@@ -20,10 +21,12 @@ mod frame;
 mod girths;
 mod light;
 mod masks;
+mod moved;
 mod noise;
 mod phone;
 mod photograph;
 mod raster;
+mod restless;
 mod ring;
 mod room;
 mod score;
@@ -41,6 +44,7 @@ pub use field::Field;
 pub use frame::turn_between;
 pub use girths::{FormulaGirths, FormulaInput};
 pub use masks::{MaskInput, MaskParams, TrueMasks};
+pub use moved::{MovedCameras, MovedInput};
 pub use phone::params::PhoneParams;
 pub use phone::stage::{Phone, PhoneInput};
 pub use raster::{Seen, cast};
@@ -57,6 +61,7 @@ pub const STAGES: &[&dyn stage::AnyStage] = &[
     &stage::erase::<MakeBody>(),
     &stage::erase::<MakeRing>(),
     &stage::erase::<MakeSway>(),
+    &stage::erase::<MovedCameras>(),
     &stage::erase::<TakePhotos>(),
     &stage::erase::<Phone>(),
     &stage::erase::<TrueMasks>(),

@@ -5,6 +5,7 @@ use crate::drawn::{Palette, Placed};
 use crate::photograph::{
     Scene, developed, empty_room, fixed_pose, with_body, with_disk, with_reflection,
 };
+use crate::restless::restless;
 use crate::room::Room;
 use crate::skin::Look;
 use nalgebra::Point3;
@@ -56,6 +57,10 @@ stage::params! {
         /// A surface with colours of its own wears these.
         #[range(0..=1000000)]
         scene: u32 = 0,
+        /// How far hands are elsewhere in each photo, one standard deviation a side; the head moves half as far, and a breath
+        /// lifts the chest by a quarter.
+        #[range(0.0..=200.0)]
+        restless_mm: f64 = 0.0,
         /// Seed of textures and noise.
         #[range(0..=1000000)]
         seed: u32 = 1,
@@ -109,7 +114,12 @@ impl Stage for TakePhotos {
             let mut seen = with_disk(&scene, own.as_ref().unwrap_or(&room), camera, &fixed);
             let motion = input.sway.as_ref().and_then(|s| s.views.get(*id));
             with_reflection(&scene, &mut seen, mesh, camera, motion);
-            with_body(&scene, &mut seen, mesh, &normals, camera, motion);
+            if p.restless_mm > 0.0 {
+                let live = restless(mesh, p.restless_mm, p.seed, id.0);
+                with_body(&scene, &mut seen, &live, &live.normals(), camera, motion);
+            } else {
+                with_body(&scene, &mut seen, mesh, &normals, camera, motion);
+            }
             let rgb = developed(
                 &seen,
                 scene.noise,
