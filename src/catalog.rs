@@ -24,6 +24,7 @@ pub const ROOMS: &[&[&dyn AnyStage]] = &[
     pose::STAGES,
     person::STAGES,
     silhouette::STAGES,
+    turning::STAGES,
     hull::STAGES,
     refine::STAGES,
     measure::STAGES,
@@ -84,6 +85,11 @@ pub static CATALOG: Catalog = Catalog {
         (
             "walk-own-masks",
             include_str!("../pipelines/walk-own-masks.toml"),
+        ),
+        ("turning", include_str!("../pipelines/turning.toml")),
+        (
+            "turning-synth",
+            include_str!("../pipelines/turning-synth.toml"),
         ),
         ("phone", include_str!("../pipelines/phone.toml")),
         ("video", include_str!("../pipelines/video.toml")),

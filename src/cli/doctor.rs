@@ -10,7 +10,7 @@ use clap::Args;
 use engine::cli::text::count;
 use engine::cli::{Fault, GlobalArgs, execute};
 use serde_json::Value;
-use shape::{Document, Photos, Tags};
+use shape::{Document, People, Photos, Tags};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
@@ -39,6 +39,8 @@ pub(super) struct Look {
     pub(super) photos: Arc<Photos>,
     /// Tags of a few of them.
     pub(super) tags: Arc<Tags>,
+    /// Who is on the photos.
+    people: Arc<People>,
     /// Which files are the turn, where that was said.
     pub(super) images: Vec<String>,
     /// The photos that lie in the folder, by their names within it.
@@ -112,6 +114,7 @@ fn looked(
         warnings,
         photos: photos(&graph, &outcome),
         tags: get::<Tags>(&graph, &outcome, "tags").unwrap_or_default(),
+        people: get::<People>(&graph, &outcome, "people").unwrap_or_default(),
         images: looked.patterns,
         files: looked.photos,
     })
@@ -119,13 +122,16 @@ fn looked(
 
 /// Looks at a capture. One of which nothing will come ends with 1.
 pub(crate) fn doctor(args: &Doctor, global: &GlobalArgs) -> Result<(), Fault> {
-    let look = look(
+    let mut look = look(
         &args.folder,
         &args.facts,
         args.recursive,
         args.video,
         global,
     )?;
+    if on_the_spot(&look) {
+        look.findings["can"]["turning"] = ON_THE_SPOT.into();
+    }
     let stopped = entries(&look.findings).any(|f| f["grade"] == "stop");
     if global.json {
         let mut found = look.findings;
@@ -142,6 +148,18 @@ pub(crate) fn doctor(args: &Doctor, global: &GlobalArgs) -> Result<(), Fault> {
         true => Err(Fault::stage("")),
         false => Ok(()),
     }
+}
+
+/// What is said where [`on_the_spot`] holds.
+const ON_THE_SPOT: &str =
+    "a person turns before a fixed camera: without a disk, say --turning --stature CM";
+
+/// Whether a person turns before a camera that stands, and nothing tells of a disk.
+fn on_the_spot(look: &Look) -> bool {
+    let rig = &look.photos.rig;
+    let disk = rig.tagged() || rig.disk_diameter_mm.is_some();
+    let tags = look.tags.views.values().any(|tags| !tags.is_empty());
+    look.people.person && look.findings["motion"] == "turn" && !disk && !tags
 }
 
 fn entries(found: &Value) -> impl Iterator<Item = &Value> {

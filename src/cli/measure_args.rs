@@ -86,6 +86,9 @@ pub(crate) struct Measure {
     /// The camera was walked around somebody who stood still; masks in the folder's `masks` are taken instead of own ones
     #[arg(long)]
     pub(super) walk: bool,
+    /// Somebody turned on the spot before a standing camera, without a disk: waist and hip, scaled by --stature
+    #[arg(long, conflicts_with_all = ["walk", "fast"])]
+    pub(super) turning: bool,
     /// Take the photos in folders below, too, in the order of their paths
     #[arg(long)]
     pub(super) recursive: bool,

@@ -53,8 +53,9 @@ fn pipeline(
         return Ok((graph, source.inputs()));
     }
     let mut sets = Vec::new();
-    // A turn is looked at while it is read; a walk is none.
-    sets.push(format!("photos.stop={}", !measure.walk));
+    // A turn of a disk is looked at while it is read; a walk is none, nor is a turn on the spot.
+    let on_disk = !measure.walk && !measure.turning;
+    sets.push(format!("photos.stop={on_disk}"));
     for (asked, set) in [
         (measure.no_photos, "report.photos=false"),
         (measure.blur_face, "report.blur_face=true"),
@@ -67,12 +68,13 @@ fn pipeline(
     let mut folders = source.inputs();
     let masks = source.folder().join(MASKS);
     let name = match (measure.walk, masks.is_dir()) {
+        _ if measure.turning => "turning",
         (true, true) => "walk-own-masks",
         (true, false) => "walk",
         (false, true) => "own-masks",
         (false, false) => "body",
     };
-    if masks.is_dir() {
+    if masks.is_dir() && !measure.turning {
         folders.push((MASKS.to_owned(), masks));
     }
     sets.extend(first.map(|answer| format!("report.answer={answer}")));
@@ -92,7 +94,11 @@ fn first_answer(
     global: &GlobalArgs,
 ) -> Option<Arc<First>> {
     let scan = matches!(looked.source, Source::Scan(..));
-    let alone = scan || measure.fast || measure.variant.is_some() || global.host.watch.is_some();
+    let alone = scan
+        || measure.turning
+        || measure.fast
+        || measure.variant.is_some()
+        || global.host.watch.is_some();
     if alone {
         return None;
     }
@@ -166,7 +172,11 @@ fn prepared(
     let more: Vec<Said> = said.iter().chain(&looked.more).cloned().collect();
     let (mut graph, folders) = pipeline(measure, &looked.source, &more, None)?;
     let (out, shown) = place_of_results(capture, out)?;
-    if let Some(few) = looked.few.clone().filter(|_| !measure.walk) {
+    if let Some(few) = looked
+        .few
+        .clone()
+        .filter(|_| !measure.walk && !measure.turning)
+    {
         return Err(Fault::input(few));
     }
     folder::widen(&mut graph, &looked);

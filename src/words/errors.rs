@@ -2,7 +2,7 @@
 //! reader's language and by what a page has: fields and outlines in place of flags and files.
 
 #[rustfmt::skip]
-pub(crate) const ERRORS: [(&str, &str); 59] = [
+pub(crate) const ERRORS: [(&str, &str); 64] = [
     ("photos in turning order: *, but a turn needs at least *: put all photos of one turn into one folder, as images/*.jpg or *.jpg", "fail-few-photos"),
     ("only * of * photos differ, but a turn needs at least *; copies of another photo: *; put the photos of one turn into the folder, each once", "fail-copies"),
     ("* holds * photos: without a marker mat features are followed from photo to photo, which needs a full turn at steps of 30° or less; take 18 to 36 photos, or lay a mat on the disk (`tailor mat`; then say --mat), or say the step between them, such as --step 20", "fail-few-no-mat"),
@@ -51,6 +51,11 @@ pub(crate) const ERRORS: [(&str, &str); 59] = [
     ("the outlines contradict each other: each shares only * % with what all together show (* % are asked for, `least_agreement`): did the subject move, or stand aside? hand in masks", "fail-walk-contradict"),
     ("* % of the features that stand amid the cameras are in no outline (at most * % may be, `most_lacking`): a part of the subject has the room's colours, or more than the subject stands there: hand in masks, or take the photos before another background", "fail-walk-lacking"),
     ("the subject runs over the border of * of * photos (*): take photos that show it whole, or hand in masks", "fail-walk-border"),
+    ("only * of * photos show the one who turns (at least * must): is it a person, whole and alone in the picture, and is it light enough?", "fail-turning-nobody"),
+    ("the person is upside down on the photos: turn them the right way up, and hand them in again", "fail-turning-upside-down"),
+    ("on * shoulders, hips or head are not in the picture, so nothing tells which way the body faces: keep the whole person in view, or leave these photos out", "fail-turning-no-trunk"),
+    ("between * and * the body turned by *° without a photo (at most *° may be): turn once all the way round, slowly, and take a photo at every 15°", "fail-turning-open"),
+    ("the outlines contradict each other by * % of the body's height (at most * % may be): hold arms and head still while turning, wear nothing loose, and let nobody else into the picture", "fail-turning-loose"),
     ("only * photos have both a mask and a camera, but a hull needs at least 3", "fail-hull-few"),
     ("the mask of * is *: correct or remove it", "fail-mask-empty"),
     ("no point of space is body on * % of the photos: do masks and cameras belong together? a lower `consensus` may help", "fail-hull-nothing"),

@@ -7,7 +7,7 @@ use super::*;
 use std::path::Path;
 
 /// Where the failures of the page's pipelines are made.
-const FILES: [&str; 14] = [
+const FILES: [&str; 15] = [
     "capture/src/error.rs",
     "capture/src/video/error.rs",
     "capture/src/program.rs",
@@ -17,6 +17,7 @@ const FILES: [&str; 14] = [
     "pose/src/calibrate.rs",
     "pose/src/mat/solve.rs",
     "silhouette/src/params.rs",
+    "turning/src/error.rs",
     "silhouette/src/walk/params.rs",
     "hull/src/carve.rs",
     "refine/src/pictures/prepare.rs",

@@ -12,6 +12,8 @@ pub(crate) const PARTS: [(&str, &[&str]); 7] = [
             "tracks",
             "calibrated",
             "walked",
+            "turned",
+            "moved",
             "placed",
         ],
     ),

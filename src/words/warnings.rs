@@ -2,7 +2,7 @@
 //! `words/` that mean the same in the reader's language.
 
 #[rustfmt::skip]
-pub(crate) const WARNINGS: [(&str, &str); 136] = [
+pub(crate) const WARNINGS: [(&str, &str); 140] = [
     ("frames of a video are not at even steps: `step_deg` was passed over (how many are taken: --set frames.step_deg=)", "warn-video-steps"),
     ("* is the same file as * and was left out: if another photo should be in its place, put it there", "warn-same-file"),
     ("* is the same file as * and was left out", "warn-same-raw"),
@@ -17,6 +17,10 @@ pub(crate) const WARNINGS: [(&str, &str); 136] = [
     ("* was taken before *: names should be in turning order", "warn-order"),
     ("* was taken with another camera (*) than most photos (*): one camera must take all of a turn; take it again, or remove it", "warn-other-camera"),
     ("* was taken at * mm, most photos at * mm: do not zoom during a turn; take it again, or remove it", "warn-zoomed"),
+    ("neither the photos nor capture.toml tell the focal length: * mm, as of phones' main cameras, was taken; say --focal", "warn-turning-focal"),
+    ("the body turned * times: all photos were taken together; one turn is enough", "warn-turning-twice"),
+    ("the body turned back by *° on the way: photos were taken as they are", "warn-turning-back"),
+    ("the outline on * fits nowhere in the turn and was left out: is somebody else in the picture, or is the mask wrong?", "warn-turning-odd"),
     ("the hull is cut off where the search for it ended: the photos do not see around the body, or masks and cameras do not belong together", "warn-hull-cut"),
     ("smaller parts left out: *, * % of the volume in all; if a part of the body is missing, look at the masks", "warn-hull-parts"),
     ("the hull is in pieces: only the largest was kept, and * % of the volume left out; look where the masks cut the body through", "warn-hull-pieces"),

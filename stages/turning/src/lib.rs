@@ -1,0 +1,29 @@
+//! Somebody turns on the spot before a standing camera, without a disk: how the body moved, from joints and outlines.
+//!
+//! ```text
+//! photos, people ── motion ─ cameras (by joints and coarse masks) ─ masks ─ motion ─ cameras
+//! ```
+//!
+//! Joints of a learned network tell which way the body faces to some degrees ([`azimuth`], [`joints`]); what outlines tell
+//! each other ([`outlines`]) brings that under one. `scene` is the camera, the floor and the step.
+
+mod again;
+mod apart;
+pub mod azimuth;
+mod error;
+pub mod joints;
+mod motion;
+pub mod outlines;
+pub mod scene;
+mod score;
+mod told;
+
+pub use error::MotionError;
+pub use motion::{FindMotion, MotionInput, MotionParams};
+pub use score::{ScoreInput, ScoreMotion, TooFew};
+
+/// Every stage of this crate, in the order in which data flows through it.
+pub const STAGES: &[&dyn ::stage::AnyStage] = &[
+    &::stage::erase::<FindMotion>(),
+    &::stage::erase::<ScoreMotion>(),
+];

@@ -1,0 +1,90 @@
+//! One standing camera, and somebody who turns before it: how body, floor and picture belong together.
+//!
+//! The camera is the origin, z is up, and it looks along y, downward by its pitch. Lengths are shares of the
+//! distance from the camera to the axis, which is (0, 1).
+
+use nalgebra::{Matrix2x3, Matrix3, Rotation3, Vector2, Vector3};
+use shape::{Camera, Intrinsics, Pose};
+
+/// Where the body is on a photo.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Step {
+    /// How far it turned from facing the camera, counter-clockwise seen from above. \[rad\]
+    pub azimuth: f64,
+    /// How far it is beside the axis, to the camera's right, and behind it. \[distance to the axis\]
+    pub off: [f64; 2],
+}
+
+/// The whole motion.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Motion {
+    /// How far the camera looks downward. \[rad\]
+    pub pitch: f64,
+    /// By photo.
+    pub steps: Vec<Step>,
+}
+
+impl Step {
+    /// From the body to the room.
+    pub fn to_room(&self, x: &Vector3<f64>) -> Vector3<f64> {
+        let (s, c) = libm::sincos(self.azimuth);
+        Vector3::new(
+            c * x.x - s * x.y + self.off[0],
+            s * x.x + c * x.y + 1.0 + self.off[1],
+            x.z,
+        )
+    }
+
+    /// From the room to the body.
+    pub fn to_body(&self, x: &Vector3<f64>) -> Vector3<f64> {
+        let (s, c) = libm::sincos(self.azimuth);
+        let (dx, dy) = (x.x - self.off[0], x.y - 1.0 - self.off[1]);
+        Vector3::new(c * dx + s * dy, c * dy - s * dx, x.z)
+    }
+
+    /// How a point of the body moves in the room by azimuth, and by each of the offsets.
+    pub fn slopes(&self, x: &Vector3<f64>) -> [Vector3<f64>; 3] {
+        let (s, c) = libm::sincos(self.azimuth);
+        let by_azimuth = Vector3::new(-s * x.x - c * x.y, c * x.x - s * x.y, 0.0);
+        [by_azimuth, Vector3::x(), Vector3::y()]
+    }
+}
+
+/// camera_from_room of a camera so pitched.
+pub fn looking(pitch: f64) -> Matrix3<f64> {
+    let (s, c) = libm::sincos(pitch);
+    Matrix3::new(1.0, 0.0, 0.0, 0.0, -s, -c, 0.0, c, -s)
+}
+
+/// What is seen of a point of the room on the plane z = 1, how that moves with the point, and with the pitch.
+/// [`None`] behind the camera.
+pub fn seen(pitch: f64, x: &Vector3<f64>) -> Option<(Vector2<f64>, Matrix2x3<f64>, Vector2<f64>)> {
+    let turn = looking(pitch);
+    let at = turn * x;
+    if at.z <= 1e-6 {
+        return None;
+    }
+    let p = Vector2::new(at.x, at.y) / at.z;
+    let by_camera = Matrix2x3::new(1.0, 0.0, -p.x, 0.0, 1.0, -p.y) / at.z;
+    // Tilted further, y goes against z and z with y.
+    let by_pitch = by_camera * Vector3::new(0.0, -at.z, at.y);
+    Some((p, by_camera * turn, by_pitch))
+}
+
+impl Motion {
+    /// The cameras as the body saw them: its axis is z, its height 0 that of the camera.
+    pub fn cameras(&self, lens: Intrinsics) -> impl Iterator<Item = Camera> {
+        let fixed = Rotation3::from_matrix_unchecked(looking(self.pitch));
+        self.steps.iter().map(move |step| {
+            let turn = Rotation3::from_axis_angle(&Vector3::z_axis(), step.azimuth);
+            let axis = Vector3::new(step.off[0], 1.0 + step.off[1], 0.0);
+            Camera {
+                lens,
+                pose: Pose {
+                    rotation: fixed * turn,
+                    translation: fixed * axis,
+                },
+            }
+        })
+    }
+}
