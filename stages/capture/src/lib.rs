@@ -6,6 +6,7 @@ mod alike;
 mod bare;
 mod cut_off;
 mod date;
+mod draw;
 mod empty;
 mod enough;
 mod error;
@@ -38,6 +39,7 @@ mod verdict;
 mod video;
 mod whole;
 
+pub use draw::{Draw, DrawInput, DrawParams};
 pub use error::CaptureError;
 pub use facts::Facts;
 pub use folder::{Foreign, RAWS, READ, VIDEOS, foreign, is_photo, is_raw, is_video};
@@ -62,6 +64,7 @@ pub const STAGES: &[&dyn stage::AnyStage] = &[
     &stage::erase::<Video>(),
     &stage::erase::<Raw>(),
     &stage::erase::<Load>(),
+    &stage::erase::<Draw>(),
     &stage::erase::<Look>(),
     &stage::erase::<Personal>(),
     &stage::erase::<Surface>(),

@@ -20,6 +20,8 @@ pub struct ParamSpec {
     pub range: Option<(f64, f64)>,
     /// Whether it must be given.
     pub required: bool,
+    /// Whether it is the seed of noise in what a method is given: replicates of a sweep give each their own.
+    pub seed: bool,
     /// What each entry holds, where it is a section of named entries: see [`Named`](crate::Named).
     pub entry: Option<Vec<ParamSpec>>,
 }
@@ -82,7 +84,8 @@ pub trait Params: Clone + Default + Send + Sync + 'static {
 }
 
 /// Declares a stage's params: doc, optional `#[range(lo..=hi)]`, optional `#[must(say)]` where there is
-/// no sense in a default, name, type, default.
+/// no sense in a default, `#[chance(seed)]` where it is the seed of noise in what a method is given (not of a method's
+/// own dice), name, type, default.
 ///
 /// `#[group(flat)]` makes a field a group that several stages share: its type is made by this macro,
 /// its params are among the other ones under their own names, with the defaults given here.
@@ -94,6 +97,7 @@ macro_rules! params {
             $(#[doc = $doc:literal])*
             $(#[range($range:expr)])?
             $(#[must($must:ident)])?
+            $(#[chance($chance:ident)])?
             $(#[group($group:ident)])?
             $name:ident : $ty:ty = $default:expr
         ),* $(,)? }
@@ -116,7 +120,8 @@ macro_rules! params {
             fn specs_to(&self, _to: &mut Vec<$crate::ParamSpec>) {
                 $( $crate::params!(
                     @specs $($group)?, _to, $name, $ty, self.$name,
-                    [$($doc),*], $crate::params!(@range $($range)?), $crate::params!(@must $($must)?)
+                    [$($doc),*], $crate::params!(@range $($range)?), $crate::params!(@must $($must)?),
+                    $crate::params!(@chance $($chance)?)
                 ); )*
             }
 
@@ -138,10 +143,10 @@ macro_rules! params {
     };
     (@names flat, $to:ident, $name:ident, $ty:ty) => { <$ty as $crate::Params>::names($to) };
     (@names , $to:ident, $name:ident, $ty:ty) => { $to.push(stringify!($name)) };
-    (@specs flat, $to:ident, $name:ident, $ty:ty, $value:expr, $doc:tt, $range:expr, $must:expr) => {
+    (@specs flat, $to:ident, $name:ident, $ty:ty, $value:expr, $doc:tt, $range:expr, $must:expr, $seed:expr) => {
         $crate::Params::specs_to(&$value, $to)
     };
-    (@specs , $to:ident, $name:ident, $ty:ty, $value:expr, $doc:tt, $range:expr, $must:expr) => {
+    (@specs , $to:ident, $name:ident, $ty:ty, $value:expr, $doc:tt, $range:expr, $must:expr, $seed:expr) => {
         $to.push($crate::ParamSpec {
             name: stringify!($name),
             doc: $doc.map(|l: &str| l.trim()).join(" ").replace("\\[", "[").replace("\\]", "]"),
@@ -150,6 +155,7 @@ macro_rules! params {
             default: $crate::ParamType::value(&$value),
             range: $range,
             required: $must,
+            seed: $seed,
             entry: <$ty as $crate::ParamType>::entry(),
         })
     };
@@ -165,6 +171,8 @@ macro_rules! params {
     };
     (@must) => { false };
     (@must say) => { true };
+    (@chance) => { false };
+    (@chance seed) => { true };
     (@range) => { None };
     (@range $range:expr) => {{
         let range = $range;

@@ -2,7 +2,7 @@
 //!
 //! ```text
 //! solid ─┬─ girths ─────────┬─ score, against what a pipeline found
-//!        └─ body ─┬─ masks ─┘
+//!        └─ body ─┬─ masks ─┘ (jitter: their borders moved by chance)
 //! ring ─┬─────────┤
 //!       └─ sway ─┬┴─ turn ─ photos, as capture.load gives them ─ phone ─ photos, as a phone takes them
 //!                └─ moved, the cameras as the body saw them
@@ -19,6 +19,7 @@ mod errors;
 mod field;
 mod frame;
 mod girths;
+mod jitter;
 mod light;
 mod masks;
 mod moved;
@@ -43,6 +44,7 @@ pub use contour::{contour, length, taut};
 pub use field::Field;
 pub use frame::turn_between;
 pub use girths::{FormulaGirths, FormulaInput};
+pub use jitter::{JitterInput, JitterMasks, JitterParams};
 pub use masks::{MaskInput, MaskParams, TrueMasks};
 pub use moved::{MovedCameras, MovedInput};
 pub use phone::params::PhoneParams;
@@ -65,6 +67,7 @@ pub const STAGES: &[&dyn stage::AnyStage] = &[
     &stage::erase::<TakePhotos>(),
     &stage::erase::<Phone>(),
     &stage::erase::<TrueMasks>(),
+    &stage::erase::<JitterMasks>(),
     &stage::erase::<FormulaGirths>(),
     &stage::erase::<Score>(),
 ];

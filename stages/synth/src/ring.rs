@@ -48,6 +48,7 @@ stage::params! {
         #[range(0.0..=5000.0)]
         disk_mm: f64 = 350.0,
         /// Seed of what is by chance.
+        #[chance(seed)]
         seed: u32 = 1,
     }
 }

@@ -23,6 +23,7 @@ stage::params! {
         #[range(0.0..=200.0)]
         shuffle_mm: f64 = 0.0,
         /// Seed of the movement.
+        #[chance(seed)]
         seed: u32 = 1,
     }
 }

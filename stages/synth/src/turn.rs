@@ -63,6 +63,7 @@ stage::params! {
         restless_mm: f64 = 0.0,
         /// Seed of textures and noise.
         #[range(0..=1000000)]
+        #[chance(seed)]
         seed: u32 = 1,
     }
 }

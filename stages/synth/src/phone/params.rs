@@ -48,6 +48,7 @@ stage::params! {
         mat: bool = true,
         /// Seed of all that is by chance.
         #[range(0..=1000000)]
+        #[chance(seed)]
         seed: u32 = 1,
     }
 }
