@@ -98,6 +98,74 @@ pub fn causes(
     causes
 }
 
+/// As [`causes`], against a run of another machine: the lines of its nodes, as a `run.json` has them. Nodes that are alike
+/// there and here are left out, but for the node that is asked after; one that does not run here yet, for what it reads is not
+/// known, is told by its stage and params.
+pub fn against(
+    graph: &Graph,
+    plan: &[Option<Planned>],
+    theirs: &[NodeLine],
+    node: usize,
+) -> Vec<Cause> {
+    let (mut open, mut seen) = (VecDeque::from([node]), vec![false; graph.nodes.len()]);
+    let mut causes = Vec::new();
+    while let Some(at) = open.pop_front() {
+        if std::mem::replace(&mut seen[at], true) {
+            continue;
+        }
+        let bound = &graph.nodes[at];
+        let inputs = plan[at].as_ref().and_then(|p| p.inputs.clone());
+        let known = inputs.is_some();
+        let inputs = inputs.unwrap_or_else(|| vec![None; bound.ports.len()]);
+        let ours = key::provenance(bound, &inputs).0;
+        let line = theirs.iter().find(|line| line.node == bound.name);
+        let own = |line: &NodeLine| {
+            let kept = line.provenance.iter();
+            let kept = kept.filter(|(what, _)| known || !what.starts_with("from "));
+            kept.cloned().collect::<Vec<_>>()
+        };
+        let ours: Vec<_> = ours
+            .into_iter()
+            .filter(|(what, _)| known || !what.starts_with("from "))
+            .collect();
+        let changes = match line {
+            None => vec![("node".into(), "none in that run".into(), "there".into())],
+            Some(line) if own(line) == ours => vec![],
+            Some(line) => {
+                let provenance = own(line);
+                changes(
+                    &ours,
+                    Some(&NodeLine {
+                        provenance,
+                        ..line.clone()
+                    }),
+                )
+            }
+        };
+        let read = |what: &str| changes.iter().any(|c| c.0 == format!("from {what}"));
+        for (port, source) in bound.ports.iter().zip(&bound.from) {
+            if let Some(Source::Node(j)) = source
+                && (!known || read(port.name))
+            {
+                open.push_back(*j);
+            }
+        }
+        if at == node || !changes.is_empty() {
+            let state = if changes.is_empty() {
+                "alike"
+            } else {
+                "differs"
+            };
+            causes.push(Cause {
+                node: at,
+                state,
+                changes,
+            });
+        }
+    }
+    causes
+}
+
 /// A node's state, what changed, and against which run.
 fn stated(
     graph: &Graph,

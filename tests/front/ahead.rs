@@ -37,6 +37,51 @@ fn plan_and_why_take_pipeline_and_node_in_any_order() {
 }
 
 #[test]
+fn a_graph_of_what_measure_would_run_has_its_own_params() {
+    let place = Place::new();
+    place.photos("turn", 18);
+    let drawn = place.run("graph measure turn --fast").code(0).out;
+    assert!(
+        drawn.starts_with("digraph") && drawn.contains("girths"),
+        "{drawn}"
+    );
+    let whole = place.run("graph measure turn").code(0).out;
+    assert!(whole.lines().count() > drawn.lines().count(), "{whole}");
+    let said = place.run("graph turn measure").code(2).err;
+    assert!(said.contains("say `measure` first"), "{said}");
+}
+
+#[test]
+fn why_is_told_against_the_run_of_another_machine() {
+    let place = Place::new();
+    place
+        .run("run small.toml --set solid.stature_mm=1500 --cache elsewhere --out theirs")
+        .code(0);
+    let asked = "why small.toml body --against theirs/run.json";
+    // Nothing was made here: what is known already is told.
+    let told = place.run(asked).code(0).out;
+    assert!(
+        told.contains("solid: differs") && told.contains("1500.0 -> 1750.0"),
+        "{told}"
+    );
+    place.run("run small.toml").code(0);
+    let told = place.run(asked).code(0).out;
+    assert!(told.starts_with("body: differs\n  from solid: "), "{told}");
+    assert!(told.contains("1500.0 -> 1750.0"), "{told}");
+    let same = place
+        .run(&format!("{asked} --set solid.stature_mm=1500"))
+        .code(0)
+        .out;
+    assert_eq!(same, "body: alike\n");
+    place.write("no.json", "{}");
+    let said = place
+        .run("why small.toml body --against no.json")
+        .code(2)
+        .err;
+    assert!(said.contains("no record of a run"), "{said}");
+}
+
+#[test]
 fn what_measure_would_do_is_told_by_its_own_words() {
     let place = Place::new();
     place.photos("turn", 18);

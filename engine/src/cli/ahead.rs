@@ -8,12 +8,14 @@ use super::program::{GlobalArgs, Job, JobOf, Program};
 use super::programs::listed;
 use super::strands;
 use crate::graph::Graph;
+use crate::past::NodeLine;
 use crate::plan::{self, Planned, State};
 use crate::store::Store;
 use crate::{session, why};
 use clap::{ArgMatches, Args, Command};
 use serde_json::{Value, json};
 use stage::Files;
+use std::path::{Path, PathBuf};
 
 /// Arguments of `plan`.
 #[derive(Args)]
@@ -33,11 +35,14 @@ pub(crate) struct PlanArgs {
 pub(crate) struct Why {
     #[command(flatten)]
     words: Words,
+    /// Against the run of this run.json, of this machine or another, instead of the last run of the same here
+    #[arg(long, value_name = "RUN.JSON")]
+    against: Option<PathBuf>,
 }
 
 /// With the program's own verbs behind both.
 pub(super) fn of_verbs(mut command: Command, program: &Program) -> Command {
-    for asks in ["plan", "why"] {
+    for asks in ["plan", "why", "graph"] {
         let ahead = |job: &(&str, JobOf)| program.verbs.iter().find(|v| v.name == job.0);
         for verb in program.jobs.iter().filter_map(ahead) {
             let own = (verb.arguments)(Command::new(verb.name));
@@ -55,7 +60,7 @@ pub(super) fn of_verbs(mut command: Command, program: &Program) -> Command {
 
 /// What would run, and of which files.
 pub(super) struct Answer {
-    graph: Graph,
+    pub(super) graph: Graph,
     pub(super) plan: Vec<Option<Planned>>,
     files: Vec<Files>,
     store: Store,
@@ -79,7 +84,7 @@ pub(super) fn planned(wanted: &Wanted, global: &GlobalArgs) -> Result<Answer, Fa
     looked_at(job, store)
 }
 
-fn looked_at(job: Job, store: Store) -> Result<Answer, Fault> {
+pub(super) fn looked_at(job: Job, store: Store) -> Result<Answer, Fault> {
     let Job {
         graph,
         folders,
@@ -104,7 +109,7 @@ fn behind(verb: &str) -> Fault {
 }
 
 /// What is asked after, if it is a pipeline and nodes of it.
-fn of_words(words: &Words, global: &GlobalArgs) -> Result<Wanted, Fault> {
+pub(super) fn of_words(words: &Words, global: &GlobalArgs) -> Result<Wanted, Fault> {
     match words.verb(global) {
         Some(verb) => Err(behind(verb)),
         None => Ok(words.wanted(global)),
@@ -112,10 +117,10 @@ fn of_words(words: &Words, global: &GlobalArgs) -> Result<Wanted, Fault> {
 }
 
 /// What a verb of the program's own would run: `plan measure DIR`.
-fn of_verb(
-    words: &Words,
+pub(super) fn of_verb(
     (verb, said): (&str, &ArgMatches),
     global: &GlobalArgs,
+    words: &Words,
 ) -> Result<Job, Fault> {
     if !words.is_empty() {
         return Err(behind(verb));
@@ -137,7 +142,7 @@ pub(crate) fn plan(
             return Err(Fault::input(why));
         }
         Some(verb) => {
-            let mut job = of_verb(&args.words, verb, global)?;
+            let mut job = of_verb(verb, global, &args.words)?;
             let nodes = job.nodes.iter().map(|name| node(&job.graph, name));
             let nodes = nodes.collect::<Result<Vec<usize>, Fault>>()?;
             if !nodes.is_empty() {
@@ -224,6 +229,16 @@ fn short(text: &str) -> &str {
     if hash { &text[..12] } else { text }
 }
 
+/// The nodes of a `run.json`.
+fn nodes_of(file: &Path) -> Result<Vec<NodeLine>, Fault> {
+    let wrong = |why: String| Fault::input(format!("{}: {why}", file.display()));
+    let bytes = std::fs::read(file).map_err(|e| wrong(e.to_string()))?;
+    let run: Value = serde_json::from_slice(&bytes).map_err(|e| wrong(e.to_string()))?;
+    let nodes = run.get("nodes").cloned().unwrap_or_default();
+    let what = "no record of a run; `measure` and `run --out` write one as run.json";
+    serde_json::from_value(nodes).map_err(|e| wrong(format!("{what} ({e})")))
+}
+
 /// `why`: the node and all that is to blame, back to every root cause.
 pub(crate) fn why(
     why: &Why,
@@ -232,7 +247,7 @@ pub(crate) fn why(
 ) -> Result<(), Fault> {
     let answer = match verb {
         Some(verb) => {
-            let job = of_verb(&why.words, verb, global)?;
+            let job = of_verb(verb, global, &why.words)?;
             let store = Store::open(&global.cache).map_err(Fault::input)?;
             looked_at(job, store)?
         }
@@ -256,7 +271,10 @@ pub(crate) fn why(
         return Err(Fault::input(format!("say one node of: {names}")));
     };
     let at = node(graph, name)?;
-    let causes = why::causes(graph, plan, &answer.files, answer.store.root(), at);
+    let causes = match &why.against {
+        Some(file) => why::against(graph, plan, &nodes_of(file)?, at),
+        None => why::causes(graph, plan, &answer.files, answer.store.root(), at),
+    };
     let mut chain: Vec<Value> = Vec::new();
     for cause in &causes {
         let (name, state) = (&graph.nodes[cause.node].name, cause.state);

@@ -1,7 +1,7 @@
 //! `graph`, `stages`, `pipelines`, `check`: answers that run nothing.
 
-use super::ahead::planned;
-use super::arguments::Wanted;
+use super::ahead::{looked_at, of_verb, of_words, planned};
+use super::arguments::Words;
 use super::fault::Fault;
 use super::open::open;
 use super::program::GlobalArgs;
@@ -9,8 +9,9 @@ use super::programs::listed;
 use super::text;
 use crate::foreign::{EXEC, listing};
 use crate::recipe::{self, Overrides, Pipeline};
+use crate::store::Store;
 use crate::{drawing, key};
-use clap::Args;
+use clap::{ArgMatches, Args};
 use serde_json::{Value, json};
 use std::path::Path;
 
@@ -18,19 +19,35 @@ use std::path::Path;
 #[derive(Args)]
 pub(crate) struct Drawing {
     #[command(flatten)]
-    wanted: Wanted,
+    words: Words,
     /// dot, mermaid or svg
     #[arg(long = "as", default_value = "dot")]
     format: String,
 }
 
 /// `graph`.
-pub(crate) fn graph(drawing: &Drawing, global: &GlobalArgs) -> Result<(), Fault> {
-    let (graph, _) = open(&drawing.wanted, global)?;
-    // Without its inputs nobody knows what would run.
-    let plan = match drawing.wanted.change.input.is_empty() && !graph.inputs.is_empty() {
-        true => vec![None; graph.nodes.len()],
-        false => planned(&drawing.wanted, global)?.plan,
+pub(crate) fn graph(
+    drawing: &Drawing,
+    verb: Option<(&str, &ArgMatches)>,
+    global: &GlobalArgs,
+) -> Result<(), Fault> {
+    let (graph, plan) = match verb {
+        Some(verb) => {
+            let job = of_verb(verb, global, &drawing.words)?;
+            let store = Store::open(&global.cache).map_err(Fault::input)?;
+            let answer = looked_at(job, store)?;
+            (answer.graph, answer.plan)
+        }
+        None => {
+            let wanted = of_words(&drawing.words, global)?;
+            let (graph, _) = open(&wanted, global)?;
+            // Without its inputs nobody knows what would run.
+            let plan = match wanted.change.input.is_empty() && !graph.inputs.is_empty() {
+                true => vec![None; graph.nodes.len()],
+                false => planned(&wanted, global)?.plan,
+            };
+            (graph, plan)
+        }
     };
     let drawn = drawing::draw(&graph, &plan, &drawing.format).map_err(Fault::input)?;
     match global.json {

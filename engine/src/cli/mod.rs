@@ -260,7 +260,7 @@ fn done(
         Own::Why(verb) => ahead::why(verb, own.subcommand(), global),
         Own::Sweep(verb) => sweep::sweep(verb, global),
         Own::Impact(verb) => impact::impact(verb, global),
-        Own::Graph(verb) => answers::graph(verb, global),
+        Own::Graph(verb) => answers::graph(verb, own.subcommand(), global),
         Own::Show(verb) => show::show(verb, global),
         Own::Stages { name, json_schema } => match json_schema {
             true => answers::schema(global),
