@@ -26,7 +26,19 @@ pub(crate) fn errors(
         delivery::write(&folder.path().join(file), &files).map_err(|e| e.to_string())?;
     }
     let score = score::score(folder.path(), truth).map_err(|e| e.to_string())?;
-    Ok(metrics(&score))
+    match another(&score) {
+        Some(of) => Err(format!(
+            "{} is the truth of other photos: none of its {of} cameras is called as a photo of this capture",
+            truth.display()
+        )),
+        None => Ok(metrics(&score)),
+    }
+}
+
+/// How many cameras a truth has of which none is one of the result's.
+fn another(score: &score::Score) -> Option<usize> {
+    let cameras = score.cameras.as_ref()?;
+    (cameras.registered == 0 && cameras.of > 0).then_some(cameras.of)
 }
 
 /// The result of a kind: the last one in the pipeline; for a surface, the one that is measured.

@@ -9,6 +9,7 @@ pub mod kinds;
 pub mod measured;
 pub mod over_time;
 mod photos;
+mod references;
 pub mod repeat;
 pub mod score;
 #[cfg(feature = "serve")]

@@ -69,6 +69,7 @@ pub fn schema<'a>(stages: impl Iterator<Item = &'a dyn AnyStage>) -> Value {
                     "csv": { "type": "string" }, "zip": { "type": "array" },
                     "sample": { "type": "object" },
                     "over": of_nodes(json!({ "type": "object" })),
+                    "replicate": { "type": "integer", "minimum": 2, "maximum": 10000, "description": "How often each point is repeated, each time with other seeds" },
                 },
             })),
         },

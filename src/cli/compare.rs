@@ -1,5 +1,6 @@
 //! `tailor compare`: variants, runs and folders side by side.
 
+use super::compare_replicates::{Against, changed, of_folders, of_variants};
 use crate::compare::{NodeRun, Side, TechnicalErrors, compare, json, markdown, mixed, page};
 use crate::repeat::technical_errors;
 use crate::store::Store;
@@ -26,6 +27,13 @@ pub(crate) struct CompareArgs {
     /// A repeat.json of `tailor repeat`: its technical errors tell what repetition alone gives; else the captures do
     #[arg(long)]
     repeat: Option<PathBuf>,
+    /// Run each variant so often, replicate by replicate with the same seeds of what is by chance, and test whether they
+    /// differ; folders that `sweep --out` wrote are compared so, too
+    #[arg(long, value_parser = clap::value_parser!(u32).range(2..=10_000))]
+    replicate: Option<u32>,
+    /// With --replicate, a metric to compare: NODE.METRIC; else all that the pipeline's goal tells
+    #[arg(long, requires = "replicate")]
+    tell: Vec<String>,
     /// Write compare.md, compare.json and compare.html into this folder
     #[arg(long)]
     out: Option<PathBuf>,
@@ -39,6 +47,20 @@ pub(crate) fn compare_sides(args: &CompareArgs, global: &GlobalArgs) -> Result<(
     let (pipeline, what) = sorted(&args.what, global)?;
     if let Some(out) = &args.out {
         delivery::check(out).map_err(Fault::input)?;
+    }
+    let replicated = match (args.replicate, pipeline) {
+        (Some(times), Some(file)) => {
+            let said = (times, args.tell.as_slice(), &args.change);
+            Some(of_variants(file, &what, said, global))
+        }
+        (Some(_), None) => {
+            let why = "--replicate runs variants: name their pipeline first: tailor compare paper-synth rigid_once median_once --replicate 8";
+            return Err(Fault::input(why));
+        }
+        (None, _) => of_folders(&what),
+    };
+    if let Some(against) = replicated {
+        return told(&against?, args.out.as_deref(), global);
     }
     let known = known_errors(args.repeat.as_deref())?;
     // A pipeline that cannot be is refused before any other runs.
@@ -100,6 +122,26 @@ pub(crate) fn compare_sides(args: &CompareArgs, global: &GlobalArgs) -> Result<(
     Ok(())
 }
 
+/// Prints and writes what comparing replicates came to.
+fn told(against: &Against, out: Option<&Path>, global: &GlobalArgs) -> Result<(), Fault> {
+    let pretty = serde_json::to_string_pretty(&against.json()).expect("bug: JSON");
+    if let Some(folder) = out {
+        for (file, text) in [
+            ("compare.txt", against.text()),
+            ("compare.json", pretty.clone()),
+            ("compare.html", against.page()),
+        ] {
+            let file = folder.join(file);
+            delivery::write(&file, &[(String::new(), text.into_bytes())]).map_err(Fault::stage)?;
+        }
+    }
+    match global.json {
+        true => engine::outln!("{pretty}"),
+        false => engine::out!("{}", against.text()),
+    }
+    Ok(())
+}
+
 /// The pipeline among the words, and what is compared: a file anywhere, a built-in one by its name in front.
 fn sorted<'a>(
     words: &'a [String],
@@ -140,20 +182,6 @@ pub(super) fn known_errors(file: Option<&Path>) -> Result<TechnicalErrors, Fault
     let wrong = |why: String| Fault::input(format!("{}: {why}", file.display()));
     let text = std::fs::read_to_string(file).map_err(|e| wrong(e.to_string()))?;
     technical_errors(&text).map_err(wrong)
-}
-
-/// `quick+hull.voxel_mm=2` beside what is changed for all.
-fn changed(text: &str, all: &Change) -> Change {
-    let mut change = all.clone();
-    let mut variants: Vec<String> = change.variant.into_iter().collect();
-    for part in text.split('+').filter(|p| *p != "as-is") {
-        match part.contains('=') {
-            true => change.set.push(part.to_owned()),
-            false => variants.push(part.to_owned()),
-        }
-    }
-    change.variant = (!variants.is_empty()).then(|| variants.join(","));
-    change
 }
 
 /// A folder of results, or a run of the cache: how long ago it was, or the name of a pin.

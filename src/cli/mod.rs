@@ -2,6 +2,7 @@
 
 pub(crate) mod cohort;
 mod compare;
+mod compare_replicates;
 mod delivered;
 pub(crate) mod doctor;
 mod ending;
@@ -131,6 +132,7 @@ const PRODUCT: Program = Program {
     present: delivered::present,
     screen: ending::ending,
     errors: crate::errors::errors,
+    references: crate::references::references,
     ..Program::new(
         "tailor",
         env!("CARGO_PKG_VERSION"),

@@ -14,6 +14,7 @@ pub(crate) use girths::{RELATIVE, iso_mm};
 pub use surface::{Part, Surface};
 pub use table::{iso_table, paper_tables, text};
 pub use truth::Unreadable;
+pub(crate) use truth::true_tapes;
 
 use align::{Motion, align};
 use serde::Serialize;

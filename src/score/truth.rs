@@ -100,6 +100,14 @@ pub(crate) fn cameras(path: &Path, unit: f64) -> Result<BTreeMap<String, Seen>, 
     Ok(seen)
 }
 
+/// The true tapes of a folder of truth by the girths' names. \[mm\]
+pub(crate) fn true_tapes(truth: &Path) -> Result<BTreeMap<String, f64>, Unreadable> {
+    let known = girths(&truth.join("measurements.json"))?.into_iter();
+    Ok(known
+        .filter_map(|(name, girth)| Some((name, girth.tape_mm?)))
+        .collect())
+}
+
 /// The girths of `measurements.json` (metres and centimetres).
 pub(crate) fn girths(path: &Path) -> Result<BTreeMap<String, True>, Unreadable> {
     let Some(Value::Object(file)) = json(path)? else {

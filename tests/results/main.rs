@@ -11,6 +11,7 @@ mod over_time;
 mod pages;
 mod picker;
 mod pipelines;
+mod plots;
 mod repeats;
 mod resume;
 mod sections;

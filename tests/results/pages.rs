@@ -217,6 +217,7 @@ fn row(voxel: f64, method: &str, waist: Option<f64>) -> Row {
         point: Point {
             variant: Some(method.into()),
             values: vec![("hull".into(), "voxel_mm".into(), Value::Float(voxel))],
+            ..Point::default()
         },
         end: match waist {
             Some(_) => End::Done,
@@ -246,7 +247,7 @@ fn a_sweep_is_plotted_lights_up_and_sorts() {
         row(3.0, "median", Some(81.0)),
         row(1.0, "median", None),
     ];
-    let page = tailor::sweep::page("s", "How fine?", &rows);
+    let page = tailor::sweep::page("s", "How fine?", &rows, &|_, _| vec![], &|_| vec![]).page;
     let mut tab = Tab::open(&page, DESK, false, false);
     let count = |tab: &mut Tab, selector: &str| {
         let count = tab.value(&format!("document.querySelectorAll({selector:?}).length"));

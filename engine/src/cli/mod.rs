@@ -18,6 +18,7 @@ mod cache;
 mod cluster;
 mod dask;
 mod deliver;
+mod ended;
 mod export;
 mod fault;
 mod forget;
@@ -47,6 +48,7 @@ mod sweep;
 mod sweep_asked;
 mod telling;
 pub mod text;
+mod sweep_told;
 
 pub use arguments::{Change, Wanted};
 pub use deliver::{check as check_out, finish, inside, lies_in, whose};
@@ -66,7 +68,7 @@ pub use sweep_asked::SweepArgs;
 
 use crate::store::remote::Sharing;
 use clap::{ArgMatches, CommandFactory, FromArgMatches, Parser, Subcommand};
-use speech::LOST;
+use ended::ended;
 use std::ffi::OsString;
 use std::path::PathBuf;
 use std::process::ExitCode;
@@ -274,27 +276,5 @@ fn done(
         }
         Own::Man(verb) => manual::man(verb, command),
         Own::Cache(verb) => cache::cache(verb, global, sharing),
-    }
-}
-
-/// Says what is wrong last of all, and with which code the program ends.
-fn ended(done: Result<(), Fault>, global: &GlobalArgs) -> u8 {
-    match done {
-        Ok(()) if LOST.load(Ordering::Relaxed) => {
-            errln!("the answer could not be written to standard output: is the disk full?");
-            1
-        }
-        Ok(()) => 0,
-        Err(fault) => {
-            let code = fault.code;
-            if fault.text.is_empty() {
-                // The answer itself has said it.
-            } else if global.json {
-                outln!("{}", fault.json());
-            } else {
-                errln!("{}", fault.text);
-            }
-            code
-        }
     }
 }

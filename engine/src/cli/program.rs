@@ -7,6 +7,7 @@ use super::size::bytes;
 use crate::graph::Graph;
 use crate::kind::Catalog;
 use crate::outcome::Outcome;
+use crate::sweep::Reference;
 use clap::{ArgMatches, Args, Command};
 use stage::{AnyArtifact, Metric};
 use std::num::NonZeroUsize;
@@ -48,6 +49,8 @@ pub struct Program {
     pub screen: fn(&Ran<'_>) -> Option<String>,
     /// Errors of results against a folder of ground truth, for `sweep --truth`.
     pub errors: fn(&Graph, &Outcome, &Path) -> Result<Vec<Metric>, String>,
+    /// What a metric is held against on plots, by its name and unit: the truth of that folder, limits.
+    pub references: fn(&str, &str, Option<&Path>) -> Vec<Reference>,
 }
 
 /// What a verb would run.
@@ -103,6 +106,7 @@ impl Program {
             present: |artifact, _| artifact,
             screen: |_| None,
             errors: |_, _, _| Err("this program has no ground truth".into()),
+            references: |_, _, _| vec![],
         }
     }
 }

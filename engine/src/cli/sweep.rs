@@ -7,6 +7,7 @@ use super::program::GlobalArgs;
 use super::programs::{permitted, unguarded};
 use super::strands::written;
 use super::sweep_asked::{Asked, SweepArgs, asked, checked};
+use super::sweep_told::{how, missing_metrics};
 use crate::delivery::{self, Delivery};
 use crate::graph::Graph;
 use crate::lasttime::History;
@@ -68,11 +69,10 @@ fn ready(args: &SweepArgs, global: &GlobalArgs) -> Result<Ready, Fault> {
     };
     let pipeline = Pipeline::read(&args.pipeline, global.catalog()).map_err(Fault::mistakes)?;
     let base = pipeline.graph(&all).map_err(Fault::mistakes)?;
-    let asked = asked(args, &pipeline, &base)?;
+    let at = |point: &Point| pipeline.graph(&point.overrides(&all));
+    let asked = asked(args, &pipeline, &base, &at)?;
     permitted(&base, global)?;
-    checked(args, &base, &asked, &|point| {
-        pipeline.graph(&point.overrides(&all))
-    })?;
+    checked(args, &base, &asked, &at)?;
     let wanted: Vec<usize> = match asked.nodes.is_empty() {
         true => base.goal.clone(),
         false => asked.nodes.iter().filter_map(|n| base.node(n)).collect(),
@@ -184,7 +184,8 @@ pub fn swept(
 /// Writes the tables as a delivery: who forgets a folder that they came of hears of it.
 fn delivered(
     out: &Path,
-    files: [(&str, String); 3],
+    files: Vec<(String, String)>,
+    plots: Vec<(String, String)>,
     args: &SweepArgs,
     global: &GlobalArgs,
 ) -> Result<(), Fault> {
@@ -196,7 +197,14 @@ fn delivered(
     delivery.begin().map_err(Fault::stage)?;
     for (name, text) in files {
         let file = [(String::new(), text.into_bytes())];
-        delivery.put(name, &file).map_err(Fault::stage)?;
+        delivery.put(&name, &file).map_err(Fault::stage)?;
+    }
+    let plots: Vec<(String, Vec<u8>)> = plots
+        .into_iter()
+        .map(|(n, t)| (n, t.into_bytes()))
+        .collect();
+    if !plots.is_empty() {
+        delivery.put("plots", &plots).map_err(Fault::stage)?;
     }
     let run = json!({ "program": global.catalog().program });
     deliver::written(delivery, run, args.clean, global)
@@ -209,12 +217,19 @@ fn finish(args: &SweepArgs, global: &GlobalArgs, swept: &Swept) -> Result<(), Fa
     let json = swept.json(global.catalog().program);
     if let Some(folder) = &args.out {
         let pretty = serde_json::to_string_pretty(&json).expect("bug: JSON");
-        let files = [
-            ("sweep.csv", sweep::csv(rows)),
-            ("sweep.json", pretty),
-            ("sweep.html", sweep::page(name, about, rows)),
+        let references = |metric: &str, unit: &str| {
+            (global.program().references)(metric, unit, args.truth.as_deref())
+        };
+        let shown = sweep::page(name, about, rows, &references, &|row| {
+            how(row, args, global)
+        });
+        let mut files = vec![
+            ("sweep.csv".to_owned(), sweep::csv(rows)),
+            ("sweep.json".to_owned(), pretty),
+            ("sweep.html".to_owned(), shown.page),
         ];
-        delivered(folder, files, args, global)?;
+        files.extend(sweep::statistics(rows));
+        delivered(folder, files, shown.plots, args, global)?;
     }
     match global.json {
         true => crate::outln!(
@@ -239,23 +254,6 @@ fn finish(args: &SweepArgs, global: &GlobalArgs, swept: &Swept) -> Result<(), Fa
         // The table has said which and why.
         _ => Err(Fault::stage("")),
     }
-}
-
-/// What was asked for and no point tells.
-fn missing_metrics(asked: &Asked, rows: &[Row]) -> Vec<String> {
-    let mut lines = Vec::new();
-    let done: Vec<&Row> = rows.iter().filter(|r| r.end == End::Done).collect();
-    for name in asked.tell.iter().filter(|_| !done.is_empty()) {
-        let has = |row: &&Row| row.metrics.iter().any(|(n, m)| n == name && m.is_some());
-        if !done.iter().any(has) {
-            let known: Vec<&str> = done[0].known.iter().map(String::as_str).collect();
-            lines.push(format!(
-                "`{name}` was not measured at any point (see the warnings); available: {}",
-                known.join(", ")
-            ));
-        }
-    }
-    lines
 }
 
 /// A line a point on standard error.

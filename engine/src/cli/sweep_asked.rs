@@ -5,7 +5,7 @@ use super::fault::Fault;
 use super::open::node;
 use crate::graph::Graph;
 use crate::recipe::{Mistakes, Pipeline, Sweep};
-use crate::sweep::{self, Axis, Point, Points, axes};
+use crate::sweep::{self, Axis, Point, Points, Replicates, axes};
 use clap::{Args, FromArgMatches};
 use std::path::PathBuf;
 
@@ -39,6 +39,9 @@ pub struct SweepArgs {
     /// Cut it into strands for a cluster instead of running it; the plan lies in the cache, its name is told
     #[arg(long, conflicts_with_all = ["out", "truth"])]
     pub(super) strands: bool,
+    /// Repeat each point so often, each time with other seeds of what is by chance (noise, jitter, draws)
+    #[arg(long, value_parser = clap::value_parser!(u32).range(2..=10_000))]
+    pub(super) replicate: Option<u32>,
     /// Run even if there are more than a thousand points
     #[arg(long)]
     pub(super) yes: bool,
@@ -69,7 +72,12 @@ pub(super) struct Asked {
 }
 
 /// The sweep by its name, with what the command line adds.
-pub(super) fn asked(args: &SweepArgs, pipeline: &Pipeline, base: &Graph) -> Result<Asked, Fault> {
+pub(super) fn asked(
+    args: &SweepArgs,
+    pipeline: &Pipeline,
+    base: &Graph,
+    at: &dyn Fn(&Point) -> Result<Graph, Mistakes>,
+) -> Result<Asked, Fault> {
     let recipe = pipeline.recipe();
     let known: Vec<&str> = recipe
         .sweeps
@@ -77,7 +85,7 @@ pub(super) fn asked(args: &SweepArgs, pipeline: &Pipeline, base: &Graph) -> Resu
         .map(|s| s.name.value.as_str())
         .collect();
     let declared: Option<&Sweep> = match &args.name {
-        None if args.over.is_empty() => {
+        None if args.over.is_empty() && args.replicate.is_none() => {
             let what = match known.is_empty() {
                 true => "this pipeline declares none".to_owned(),
                 false => format!("known: {}", known.join(", ")),
@@ -99,22 +107,42 @@ pub(super) fn asked(args: &SweepArgs, pipeline: &Pipeline, base: &Graph) -> Resu
     for text in &args.over {
         all.push(axes::said(text).map_err(Fault::input)?);
     }
-    let variants = match declared.map(|s| &s.with) {
+    let variants: Vec<Option<String>> = match declared.map(|s| &s.with) {
         Some(with) if !with.is_empty() => with.iter().map(|v| Some(v.value.clone())).collect(),
         _ => vec![None],
     };
     let mut tell: Vec<String> =
         declared.map_or(vec![], |s| s.tell.iter().map(|t| t.value.clone()).collect());
     tell.extend(args.tell.iter().cloned());
+    let nodes: Vec<String> = match (args.nodes.is_empty(), declared) {
+        (true, Some(sweep)) => sweep.goal.iter().map(|g| g.value.clone()).collect(),
+        _ => args.nodes.clone(),
+    };
+    let points = Points::new(base, variants, all);
+    let declared_times = declared.and_then(|s| Some(s.replicate.as_ref()?.value));
+    let points = match args.replicate.or(declared_times) {
+        None => points,
+        Some(times) => {
+            let point = |variant: &Option<String>| {
+                at(&Point {
+                    variant: variant.clone(),
+                    ..Point::default()
+                })
+            };
+            let graphs = points.variants.iter().map(point);
+            let graphs = graphs
+                .collect::<Result<Vec<Graph>, _>>()
+                .map_err(Fault::mistakes)?;
+            let replicates = Replicates::of(times, &graphs, &nodes, &points.axes);
+            points.repeated(replicates.map_err(Fault::input)?)
+        }
+    };
     Ok(Asked {
-        points: Points::new(base, variants, all),
+        points,
         name: args.name.clone().unwrap_or_else(|| "sweep".into()),
         about: declared.map_or(String::new(), |s| s.about.clone()),
         tell,
-        nodes: match (args.nodes.is_empty(), declared) {
-            (true, Some(sweep)) => sweep.goal.iter().map(|g| g.value.clone()).collect(),
-            _ => args.nodes.clone(),
-        },
+        nodes,
     })
 }
 
@@ -149,6 +177,7 @@ pub(super) fn checked(
                 values: pairs
                     .map(|((n, p), v)| (n.clone(), p.clone(), v.clone()))
                     .collect(),
+                ..Point::default()
             };
             if let Err(found) = at(&point) {
                 let text = found.to_string().replace("--set", "--sweep");
@@ -172,7 +201,7 @@ fn tellable(
 ) -> Result<(), Fault> {
     let point = |variant: &Option<String>| Point {
         variant: variant.clone(),
-        values: vec![],
+        ..Point::default()
     };
     let graphs = asked.points.variants.iter().map(|v| at(&point(v)));
     let graphs: Vec<Graph> = graphs.collect::<Result<_, _>>().map_err(Fault::mistakes)?;

@@ -23,8 +23,18 @@ pub fn page(title: &str, body: &str, data: &serde_json::Value, script: &str) -> 
     )
 }
 
-/// A table; cells are texts, and those that are numbers stand to the right.
+/// A table; cells are texts, and those that are numbers stand to the right. A row is called `ID-0` and so on.
 pub fn table(id: &str, head: &[String], rows: &[Vec<String>]) -> String {
+    table_with(id, head, rows, &|_| String::new())
+}
+
+/// A table with something more behind each row, as HTML.
+pub fn table_with(
+    id: &str,
+    head: &[String],
+    rows: &[Vec<String>],
+    more: &dyn Fn(usize) -> String,
+) -> String {
     let number =
         |cell: &str| cell.starts_with(|c: char| c.is_ascii_digit() || c == '-' || c == '+');
     let class = |cell: &str| if number(cell) { " class=\"n\"" } else { "" };
@@ -38,7 +48,11 @@ pub fn table(id: &str, head: &[String], rows: &[Vec<String>]) -> String {
             .iter()
             .map(|c| format!("<td{}>{}</td>", class(c), escaped(c)))
             .collect();
-        html += &format!("<tr data-row=\"{i}\">{cells}</tr>\n");
+        let called = match id.is_empty() {
+            true => String::new(),
+            false => format!(" id=\"{id}-{i}\""),
+        };
+        html += &format!("<tr{called} data-row=\"{i}\">{cells}{}</tr>\n", more(i));
     }
     html + "</tbody></table>"
 }

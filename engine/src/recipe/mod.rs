@@ -35,5 +35,6 @@ pub use pipeline::{Pipeline, open, open_text};
 pub use read::read;
 pub(crate) use stretch::{between, values, written};
 pub use values::parse_value;
+pub(crate) use sweep_check::no_seed;
 pub use variant::vary;
 pub use written::*;

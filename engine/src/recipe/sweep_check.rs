@@ -31,8 +31,9 @@ fn one(
     catalog: &'static Catalog,
     mistakes: &mut Vec<Mistake>,
 ) {
-    if sweep.over.is_empty() && sweep.csv.is_none() && sweep.with.is_empty() {
-        let what = "a sweep needs `over`, `csv` or `with`";
+    let empty = sweep.over.is_empty() && sweep.csv.is_none() && sweep.with.is_empty();
+    if empty && sweep.replicate.is_none() {
+        let what = "a sweep needs `over`, `csv`, `with` or `replicate`";
         let what = format!("`{}`: {what}", sweep.name.value);
         wrong(mistakes, &sweep.name, what);
     }
@@ -73,6 +74,12 @@ fn one(
 }
 
 /// The recipe in each of the sweep's variants; as it is, where it names none.
+    if let Some(said) = &sweep.replicate {
+        let by_chance = |recipe: &Recipe| recipe.nodes.iter().any(|n| has_seed(n, catalog));
+        if !recipes.iter().all(by_chance) {
+            mistakes.push(Mistake::at(&said.span, no_seed(catalog)));
+        }
+    }
 fn varied(recipe: &Recipe, sweep: &Sweep, sound: bool, mistakes: &mut Vec<Mistake>) -> Vec<Recipe> {
     if sweep.with.is_empty() {
         return vec![recipe.clone()];
@@ -80,6 +87,33 @@ fn varied(recipe: &Recipe, sweep: &Sweep, sound: bool, mistakes: &mut Vec<Mistak
     let variants = recipe.variants.iter();
     let variants: Vec<&str> = variants.map(|v| v.name.value.as_str()).collect();
     let mut recipes = Vec::new();
+/// Whether a node's stage draws what a method is given by a seed; of a program, whether it has a param `seed`.
+fn has_seed(node: &Node, catalog: &'static Catalog) -> bool {
+    match importer_of(node, catalog) {
+        Some(_) => node.with.iter().any(|(name, _)| name.value == "seed"),
+        None => {
+            let stage = catalog.find(&node.stage.value);
+            stage.is_some_and(|s| s.params().iter().any(|p| p.seed))
+        }
+    }
+}
+
+/// Why replicates would all be the same, and which stages have a seed.
+pub(crate) fn no_seed(catalog: &Catalog) -> String {
+    let seeds = catalog.stages().filter_map(|stage| {
+        let seed = stage.params().into_iter().find(|p| p.seed)?;
+        Some(format!("{}.{}", stage.name(), seed.name))
+    });
+    let seeds: Vec<String> = seeds.collect();
+    let which = match seeds.is_empty() {
+        true => "no stage has one".to_owned(),
+        false => format!("stages that have one: {}", seeds.join(", ")),
+    };
+    format!(
+        "`replicate`: nothing that runs here has a seed of what is by chance, so all replicates would be the same; {which}"
+    )
+}
+
     for said in &sweep.with {
         if !variants.contains(&said.value.as_str()) {
             wrong(mistakes, said, unknown("variant", &said.value, &variants));

@@ -7,6 +7,16 @@ use stage::Value;
 
 impl Reader {
     pub(super) fn sweep(&mut self, name: Said<String>, value: &Spot<'_>) -> Sweep {
+        self.sweep_with(name, value, &[])
+    }
+
+    /// A sweep among whose keys are others, which somebody else reads.
+    pub(super) fn sweep_with(
+        &mut self,
+        name: Said<String>,
+        value: &Spot<'_>,
+        others: &[&str],
+    ) -> Sweep {
         let mut s = Sweep {
             name,
             about: String::new(),
@@ -14,6 +24,7 @@ impl Reader {
             zip: vec![],
             csv: None,
             sample: None,
+            replicate: None,
             with: vec![],
             tell: vec![],
             goal: vec![],
@@ -27,6 +38,7 @@ impl Reader {
                 "csv" => s.csv = Some(self.text(value, "`csv`")),
                 "zip" => s.zip = self.zip(value),
                 "sample" => s.sample = self.sample(value),
+                "replicate" => s.replicate = self.replicate(value),
                 "over" => {
                     for (node, params) in self.table(value, "`over`") {
                         for (param, values) in self.table(params, "the params of a node") {
@@ -35,10 +47,19 @@ impl Reader {
                         }
                     }
                 }
+                other if others.contains(&other) => {}
                 _ => self.unknown_key(
                     key,
                     &[
-                        "about", "over", "zip", "csv", "sample", "with", "tell", "goal",
+                        "about",
+                        "over",
+                        "zip",
+                        "csv",
+                        "sample",
+                        "replicate",
+                        "with",
+                        "tell",
+                        "goal",
                     ],
                 ),
             }
@@ -57,7 +78,7 @@ impl Reader {
         }
     }
 
-    fn stretch(&mut self, value: &Spot<'_>) -> Stretch {
+    pub(super) fn stretch(&mut self, value: &Spot<'_>) -> Stretch {
         let (mut ends, mut steps, mut log) = ([None, None], None, false);
         for (key, said) in self.table(value, "a range") {
             let known = ["from", "to", "steps", "log"];
@@ -110,6 +131,20 @@ impl Reader {
                 .map(|group| self.texts(group, "a param"))
                 .collect(),
             _ => vec![self.texts(value, "a param")],
+        }
+    }
+
+    fn replicate(&mut self, value: &Spot<'_>) -> Option<Said<u32>> {
+        match self.value(value).value {
+            Value::Int(n) if (2..=10_000).contains(&n) => Some(Said {
+                value: n as u32,
+                span: value.span.clone(),
+            }),
+            _ => {
+                let what = "say how often, 2 to 10000: `replicate = 8`";
+                self.wrong(&value.span, what);
+                None
+            }
         }
     }
 

@@ -135,6 +135,9 @@ pub enum Over {
     Range(Said<Stretch>),
 }
 
+/// Node (or `params`), param, and the values that it takes.
+pub type OverParam = (Said<String>, Said<String>, Over);
+
 /// Values from one number to another.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Stretch {
@@ -167,13 +170,15 @@ pub struct Sweep {
     /// The question it answers.
     pub about: String,
     /// Node (or `params`), param and the values it takes.
-    pub over: Vec<(Said<String>, Said<String>, Over)>,
+    pub over: Vec<OverParam>,
     /// Params that go side by side instead of crosswise: `node.param`.
     pub zip: Vec<Vec<Said<String>>>,
     /// A table of points: a file beside the pipeline, `node.param` at the head of each column.
     pub csv: Option<Said<String>>,
     /// A sample instead of the grid.
     pub sample: Option<Said<Sample>>,
+    /// How often each point is repeated, each time with other seeds of what is by chance.
+    pub replicate: Option<Said<u32>>,
     /// Variants to be crossed with the grid; none is the pipeline as it is.
     pub with: Vec<Said<String>>,
     /// Metrics to report: `node.metric`.

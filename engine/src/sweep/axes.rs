@@ -2,7 +2,9 @@
 
 use super::axis::{Axis, AxisError};
 use super::csv;
-use crate::recipe::{Over, Sample, Stretch, Sweep, between, parse_value, values, written};
+use crate::recipe::{
+    Over, OverParam, Sample, Stretch, Sweep, between, parse_value, values, written,
+};
 use std::path::Path;
 
 /// The axes of a declared sweep; a table of points lies in `folder`.
@@ -15,7 +17,7 @@ pub fn axes(sweep: &Sweep, folder: &Path) -> Result<Vec<Axis>, AxisError> {
         if sweep.csv.is_some() || !sweep.zip.is_empty() {
             return Err(AxisError::SampleOfTable);
         }
-        return Ok(vec![hypercube(sweep, sample.value)]);
+        return Ok(vec![hypercube(&sweep.over, sample.value)]);
     }
     let mut axes: Vec<Axis> = sweep.over.iter().map(listed).collect();
     for group in &sweep.zip {
@@ -33,13 +35,7 @@ pub fn axes(sweep: &Sweep, folder: &Path) -> Result<Vec<Axis>, AxisError> {
     Ok(axes)
 }
 
-fn listed(
-    (node, param, over): &(
-        crate::recipe::Said<String>,
-        crate::recipe::Said<String>,
-        Over,
-    ),
-) -> Axis {
+fn listed((node, param, over): &OverParam) -> Axis {
     let values = match over {
         Over::List(list) => list.iter().map(|v| v.value.clone()).collect(),
         Over::Range(said) => values(&said.value),
@@ -74,7 +70,7 @@ fn zipped(axes: Vec<Axis>) -> Result<Option<Axis>, AxisError> {
 
 /// A Latin hypercube (McKay, Beckman and Conover 1979): every param takes one value in each of as
 /// many equal slices as there are points, in an order of its own.
-fn hypercube(sweep: &Sweep, sample: Sample) -> Axis {
+pub(crate) fn hypercube(over: &[OverParam], sample: Sample) -> Axis {
     let n = sample.points;
     let mut state = sample.seed;
     // SplitMix64 (Steele, Lea and Flood 2014).
@@ -86,26 +82,22 @@ fn hypercube(sweep: &Sweep, sample: Sample) -> Axis {
         ((z ^ (z >> 31)) >> 11) as f64 / (1u64 << 53) as f64
     };
     let mut rows = vec![Vec::new(); n];
-    for (_, _, over) in &sweep.over {
+    for (_, _, values) in over {
         let mut slices: Vec<usize> = (0..n).collect();
         for i in (1..n).rev() {
             slices.swap(i, ((i + 1) as f64 * dice()) as usize);
         }
         for (row, slice) in rows.iter_mut().zip(slices) {
             let share = (slice as f64 + dice()) / n as f64;
-            row.push(match over {
+            row.push(match values {
                 Over::Range(said) => written(between(&said.value, share), said.value.whole),
                 Over::List(list) => list[(share * list.len() as f64) as usize].value.clone(),
             });
         }
     }
-    let params = |(n, p, _): &(
-        crate::recipe::Said<String>,
-        crate::recipe::Said<String>,
-        Over,
-    )| { (n.value.clone(), p.value.clone()) };
+    let params = |(n, p, _): &OverParam| (n.value.clone(), p.value.clone());
     Axis {
-        params: sweep.over.iter().map(params).collect(),
+        params: over.iter().map(params).collect(),
         rows,
     }
 }

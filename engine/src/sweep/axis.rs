@@ -33,6 +33,15 @@ pub enum AxisError {
     /// A range without the number of its values.
     #[error("`--sweep {0}`: say how many values: {0}/5 is five, with both ends")]
     HowMany(String),
+    /// Replicates of what has no seed.
+    #[error("{0}")]
+    NoSeed(String),
+    /// A seed in an axis of its own.
+    #[error("`{0}` varies by itself and by `replicate`: leave one of them out")]
+    SeedVaries(String),
+    /// More replicates than numbers.
+    #[error("`{0}` is {1} and may be {2} at most: give it a smaller number, or fewer replicates")]
+    SeedEnds(String, i64, f64),
     /// A sample of what is no range.
     #[error(
         "a sample takes values from `over`; `zip` and `csv` say which go together, so leave one of them out"

@@ -7,30 +7,47 @@
 //!
 //! ```text
 //! [sweep.NAME] ─ axes ─ points ─ whole ─ run ─ rows ─┬─ table: text, CSV, JSON
-//!   --sweep ──────┘        │                         └─ page: plots
-//!                       outlook: how many, how long
+//!   --sweep ──────┘        │                         ├─ page: plots
+//!   replicates: seeds ─────┤                         └─ told ─┬─ spread: replicates as one
+//!                       outlook: how many, how long           └─ paired: do two methods differ
 //! ```
 
 pub mod axes;
 mod axis;
 mod busy;
+mod cells;
+mod chance;
 mod csv;
 mod outlook;
 mod page;
+mod paired;
+mod plot;
 mod points;
+mod replicates;
 mod row;
 mod rows;
 mod run;
+mod said;
+mod spread;
 mod sweeping;
 mod table;
+mod told;
 pub(crate) mod whole;
 
 pub use crate::tells::{entries, untellable};
 pub use axis::{Axis, AxisError};
 pub use outlook::{Outlook, outlook};
-pub use page::page;
+pub use page::{Shown, page, pairs_page};
+pub use paired::{Pairs, of_variants, paired};
+pub use plot::{Plot, Reference, References};
 pub use points::{Point, Points};
+pub use replicates::Replicates;
 pub use row::{End, Row};
 pub use run::run;
+pub(crate) use said::{cell as spread_cell, pairs_cells};
+pub use said::{pairs_text, replicates_text};
+pub use spread::{Group, Spread, spread};
 pub use sweeping::{Errors, Sweeping};
-pub use table::{csv, json, text};
+pub(crate) use table::as_csv;
+pub use table::{csv, json, statistics, text};
+pub use told::Told;

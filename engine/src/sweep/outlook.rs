@@ -27,9 +27,14 @@ pub fn outlook(
 ) -> Outlook {
     let needed = crate::walk::needed(graph, wanted);
     let mut combinations = vec![points.variants.len() as u128; graph.nodes.len()];
-    for axis in &points.axes {
+    let again = (
+        points.replicates.params(),
+        points.replicates.count() as usize,
+    );
+    let axes = points.axes.iter().map(|a| (a.params.clone(), a.rows.len()));
+    for (params, steps) in axes.chain([again]) {
         let mut reached = vec![false; graph.nodes.len()];
-        for (node, param) in &axis.params {
+        for (node, param) in &params {
             for at in graph.holders(node, param) {
                 for i in impact::reached(graph, wanted, at) {
                     reached[i] = true;
@@ -37,7 +42,7 @@ pub fn outlook(
             }
         }
         for (count, _) in combinations.iter_mut().zip(&reached).filter(|(_, r)| **r) {
-            *count = count.saturating_mul(axis.rows.len() as u128);
+            *count = count.saturating_mul(steps as u128);
         }
     }
     let mut outlook = Outlook {

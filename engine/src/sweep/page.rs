@@ -1,61 +1,222 @@
-//! A sweep as one page: its table, each number over each param, and all of them side by side.
+//! A sweep as one page: each number over each param, maps, all of them side by side, what differs, its tables.
 
+use super::cells::{cell, columns, params, short, trouble};
+use super::paired::{Pairs, of_variants};
+use super::plot::{Plot, References, plots};
 use super::row::Row;
-use super::table::{cell, columns, params, short, summary, trouble};
+use super::said::{cell as spread_cell, pairs_head, pairs_row};
+use super::spread::{Group, spread};
+use super::table::{as_csv, summary};
+use super::told::Told;
 use crate::page;
 use serde_json::json;
 
 const SCRIPT: &str = include_str!("page.js");
 
-/// The page.
-pub fn page(name: &str, about: &str, rows: &[Row]) -> String {
+/// A sweep as it is shown: its page, and each plot with the numbers that it shows, as files.
+pub struct Shown {
+    /// The page.
+    pub page: String,
+    /// Names and texts of the plots' files: SVG, and CSV beside it.
+    pub plots: Vec<(String, String)>,
+}
+
+/// The page and its plots; `how` are commands that give what lies behind a row.
+pub fn page(
+    name: &str,
+    about: &str,
+    rows: &[Row],
+    references: &References<'_>,
+    how: &dyn Fn(&Row) -> Vec<String>,
+) -> Shown {
+    let told: Vec<Told> = rows.iter().map(Told::of).collect();
+    let repeated = told.iter().any(|t| t.replicate.is_some());
+    let groups = spread(&told);
+    let plots = plots(&groups, references);
+    let title = if about.is_empty() { name } else { about };
+    let mut body = format!(
+        "<h1>{}</h1>\n<p class=\"soft\">sweep <code>{}</code>; {}</p>\n",
+        page::escaped(title),
+        page::escaped(name),
+        page::escaped(&summary(rows)),
+    );
+    let (beside, lines): (Vec<&Plot>, Vec<&Plot>) =
+        plots.iter().partition(|p| p.file == "parallel");
+    let drawn: String = lines.iter().map(|p| figure(p)).collect();
+    let what = match (drawn.is_empty(), repeated) {
+        (true, _) => "Nothing varies, or no metric was given.".to_owned(),
+        (_, true) => "Dots are means of replicates, bars what holds them nineteen times in twenty."
+            .to_owned(),
+        _ => still(&groups),
+    };
+    body += &format!(
+        "<section><h2>Each number over each param</h2><p id=\"legend\" class=\"soft\">{}</p><div id=\"view\" class=\"plots\">{drawn}</div></section>\n",
+        page::escaped(&what)
+    );
+    for plot in beside {
+        body += &format!(
+            "<section><h2>All side by side</h2><div id=\"parallel\">{}</div></section>\n",
+            inside(plot)
+        );
+    }
+    if repeated {
+        body += &section("Replicates", &spread_table(&groups));
+        for ([first, second], pairs) in of_variants(&told) {
+            body += &pairs_section(&first, &second, &pairs);
+        }
+    }
+    body += &section("All points", &points_table(rows, how, repeated));
+    let files = |p: &Plot| {
+        let table = as_csv(p.data.clone());
+        [
+            (format!("{}.svg", p.file), p.svg.clone()),
+            (format!("{}.csv", p.file), table),
+        ]
+    };
+    Shown {
+        page: page::page(title, &body, &json!({}), SCRIPT),
+        plots: plots.iter().flat_map(files).collect(),
+    }
+}
+
+/// Sides against each other as a page: names of both and their pairs.
+pub fn pairs_page(all: &[(&str, &str, &[Pairs])]) -> String {
+    let title = all
+        .first()
+        .map_or(String::new(), |(first, _, _)| format!("Against {first}"));
+    let sections = all
+        .iter()
+        .map(|(first, second, pairs)| pairs_section(first, second, pairs));
+    let body: String = sections.collect();
+    page::page(
+        &title,
+        &format!("<h1>{}</h1>\n{body}", page::escaped(&title)),
+        &json!({}),
+        "",
+    )
+}
+
+fn pairs_section(first: &str, second: &str, pairs: &[Pairs]) -> String {
+    let rows: Vec<Vec<String>> = pairs.iter().map(pairs_row).collect();
+    let table = page::table("", &pairs_head(first, second), &rows);
+    section(
+        &format!("{second} less {first}, replicate by replicate"),
+        &table,
+    )
+}
+
+fn section(title: &str, body: &str) -> String {
+    format!(
+        "<section><h2>{}</h2>{body}</section>\n",
+        page::escaped(title)
+    )
+}
+
+/// A drawing within a page, which names no address.
+fn inside(plot: &Plot) -> String {
+    plot.svg.replace(" xmlns=\"http://www.w3.org/2000/svg\"", "")
+}
+
+fn figure(plot: &Plot) -> String {
+    let one = |(name, color): &(String, &str)| {
+        format!(
+            "<span><i style=\"background:{color}\"></i>{}</span>",
+            page::escaped(name)
+        )
+    };
+    let legend: String = plot.legend.iter().map(one).collect();
+    let legend = match legend.is_empty() {
+        true => legend,
+        false => format!("<div class=\"legend\">{legend}</div>"),
+    };
+    format!(
+        "<figure><figcaption>{}</figcaption>{}{legend}</figure>\n",
+        page::escaped(&plot.title),
+        inside(plot)
+    )
+}
+
+/// What is the same at every point, and so not drawn.
+fn still(groups: &[Group]) -> String {
+    let mut same = Vec::new();
+    for (k, spread) in groups
+        .first()
+        .map_or(&[][..], |g| &g.spreads)
+        .iter()
+        .enumerate()
+    {
+        let all = groups.iter().map(|g| g.spreads[k].mean);
+        let first = spread.mean.filter(|_| groups.len() > 1);
+        if let Some(value) = first.filter(|_| all.clone().all(|v| v == spread.mean)) {
+            same.push(format!("{} {}", spread.name, short(value)));
+        }
+    }
+    match same.is_empty() {
+        true => String::new(),
+        false => format!(
+            "The same at every point, so not drawn: {}.",
+            same.join("; ")
+        ),
+    }
+}
+
+fn spread_table(groups: &[Group]) -> String {
+    let Some(first) = groups.first() else {
+        return String::new();
+    };
+    let variant = first.variant.iter().map(|_| "variant".to_owned());
+    let params = first.params.iter().map(|(name, _)| name.clone());
+    let units = first.spreads.iter();
+    let units = units.map(|s| format!("{} {}", s.name, s.unit).trim_end().to_owned());
+    let head: Vec<String> = variant.chain(params).chain(units).collect();
+    let row = |group: &Group| -> Vec<String> {
+        let params = group.params.iter().map(|(_, value)| value.clone());
+        let cells = group.spreads.iter().map(|s| spread_cell(s, group));
+        group
+            .variant
+            .iter()
+            .cloned()
+            .chain(params)
+            .chain(cells)
+            .collect()
+    };
+    let rows: Vec<Vec<String>> = groups.iter().map(row).collect();
+    page::table("points", &head, &rows)
+}
+
+fn points_table(rows: &[Row], how: &dyn Fn(&Row) -> Vec<String>, repeated: bool) -> String {
     let columns = columns(rows);
-    let heads: Vec<String> = rows
+    let mut head: Vec<String> = rows
         .first()
         .map_or(vec![], params)
         .into_iter()
         .map(|p| p.0)
         .collect();
-    let metrics: Vec<String> = columns
-        .iter()
-        .map(|(name, unit)| match unit.is_empty() {
-            true => name.clone(),
-            false => format!("{name} [{unit}]"),
-        })
-        .collect();
-    let mut head = heads.clone();
-    head.extend(metrics.iter().cloned());
-    head.extend(["made", "time", "trouble"].map(String::from));
-    let line = |row: &Row| {
-        let mut line: Vec<String> = params(row).into_iter().map(|p| p.1).collect();
-        line.extend(
+    let units = columns.iter().map(|(name, unit)| match unit.is_empty() {
+        true => name.clone(),
+        false => format!("{name} [{unit}]"),
+    });
+    head.extend(units);
+    head.extend(["made", "time", "trouble", "how"].map(String::from));
+    let cells = |row: &Row| {
+        let mut cells: Vec<String> = params(row).into_iter().map(|p| p.1).collect();
+        cells.extend(
             columns
                 .iter()
                 .map(|(n, _)| cell(row, n).map_or(String::new(), short)),
         );
-        line.extend([row.made.to_string(), format!("{:.1} s", row.seconds)]);
-        line.push(trouble(row).unwrap_or_default());
-        line
+        cells.extend([row.made.to_string(), format!("{:.1} s", row.seconds)]);
+        cells.push(trouble(row).unwrap_or_default());
+        cells
     };
-    let lines: Vec<Vec<String>> = rows.iter().map(line).collect();
-    let data = json!({
-        "params": heads, "metrics": metrics,
-        "rows": rows.iter().map(|r| json!({
-            "name": r.point.name(name),
-            "params": params(r).into_iter().map(|p| p.1).collect::<Vec<_>>(),
-            "metrics": columns.iter().map(|(n, _)| cell(r, n)).collect::<Vec<_>>(),
-        })).collect::<Vec<_>>(),
-    });
-    let title = if about.is_empty() { name } else { about };
-    let body = format!(
-        "<h1>{}</h1>\n<p class=\"soft\">sweep <code>{}</code>; {}</p>\n\
-         <section><h2>Each number over each param</h2><p id=\"legend\" class=\"soft\"></p><div id=\"view\" class=\"plots\"></div></section>\n\
-         <section><h2>All side by side</h2><div id=\"parallel\"></div></section>\n\
-         <section><h2>All points</h2>{}</section>",
-        page::escaped(title),
-        page::escaped(name),
-        page::escaped(&summary(rows)),
-        page::table("points", &head, &lines),
-    );
-    page::page(title, &body, &data, SCRIPT)
+    let more = |i: usize| match how(&rows[i]) {
+        lines if lines.is_empty() => "<td></td>".to_owned(),
+        lines => format!(
+            "<td><details><summary>commands</summary><pre>{}</pre></details></td>",
+            page::escaped(&lines.join("\n"))
+        ),
+    };
+    let id = if repeated { "all" } else { "points" };
+    let cells: Vec<Vec<String>> = rows.iter().map(cells).collect();
+    page::table_with(id, &head, &cells, &more)
 }

@@ -1,6 +1,7 @@
 //! The points of a sweep: a grid of axes, crossed with variants; none is written out before its turn.
 
 use super::axis::Axis;
+use super::replicates::Replicates;
 use crate::graph::Graph;
 use crate::recipe::Overrides;
 use stage::Value;
@@ -12,15 +13,21 @@ pub struct Points {
     pub variants: Vec<Option<String>>,
     /// What varies, the slowest first.
     pub axes: Vec<Axis>,
+    /// How often each is repeated: the fastest, so that the replicates of a point follow each other.
+    pub replicates: Replicates,
 }
 
 /// One point.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Default)]
 pub struct Point {
     /// The variant, if there is one.
     pub variant: Option<String>,
     /// Node, param and value.
     pub values: Vec<(String, String, Value)>,
+    /// Which replicate, from 1 on; `None` where points are not repeated.
+    pub replicate: Option<u32>,
+    /// The seeds that the replicate sets.
+    pub seeds: Vec<(String, String, Value)>,
 }
 
 impl Points {
@@ -40,13 +47,20 @@ impl Points {
         Points {
             variants,
             axes: kept,
+            replicates: Replicates::default(),
         }
+    }
+
+    /// Each point again and again.
+    pub fn repeated(self, replicates: Replicates) -> Points {
+        Points { replicates, ..self }
     }
 
     /// How many.
     pub fn count(&self) -> u128 {
         let rows = self.axes.iter().map(|a| a.rows.len() as u128);
-        rows.fold(self.variants.len() as u128, u128::saturating_mul)
+        let once = rows.fold(self.variants.len() as u128, u128::saturating_mul);
+        once.saturating_mul(self.replicates.count().into())
     }
 
     /// The params that vary, in the order of the table.
@@ -60,6 +74,9 @@ impl Points {
     }
 
     fn at(&self, mut i: u128) -> Point {
+        let times = u128::from(self.replicates.count());
+        let replicate = (i % times) as u32;
+        i /= times;
         let mut rows = vec![0; self.axes.len()];
         for (axis, row) in self.axes.iter().zip(&mut rows).rev() {
             *row = (i % axis.rows.len() as u128) as usize;
@@ -71,9 +88,12 @@ impl Points {
                 values.push((node.clone(), param.clone(), value.clone()));
             }
         }
+        let variant = i as usize;
         Point {
-            variant: self.variants[i as usize].clone(),
+            variant: self.variants[variant].clone(),
             values,
+            replicate: self.replicates.times.map(|_| replicate + 1),
+            seeds: self.replicates.set(variant, replicate),
         }
     }
 }
@@ -98,14 +118,15 @@ impl Point {
     pub fn sets(&self) -> Vec<String> {
         let set =
             |(node, param, value): &(String, String, Value)| format!("{node}.{param}={value}");
-        self.values.iter().map(set).collect()
+        self.values.iter().chain(&self.seeds).map(set).collect()
     }
 
     /// What people call it: `voxel@rigid,2.0`.
     pub fn name(&self, sweep: &str) -> String {
         let mut parts: Vec<String> = self.variant.iter().cloned().collect();
         parts.extend(self.values.iter().map(|(_, _, v)| plain(v)));
-        format!("{sweep}@{}", parts.join(","))
+        let again = self.replicate.map(|n| format!("#{n}"));
+        format!("{sweep}@{}{}", parts.join(","), again.unwrap_or_default())
     }
 }
 

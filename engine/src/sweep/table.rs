@@ -1,68 +1,41 @@
 //! The rows of a sweep as text, CSV and JSON.
 
-use super::points::plain;
+use super::cells::{cell, columns, params, short, trouble};
+use super::paired::{Pairs, of_variants};
 use super::row::{End, Row};
+use super::said::{pairs_text, replicates_text};
+use super::spread::{Group, spread};
+use super::told::Told;
 use crate::cli::text::count;
 use serde_json::{Value, json};
 use std::fmt::Write;
 
-/// A column of a metric: its name and unit.
-pub(super) fn columns(rows: &[Row]) -> Vec<(String, String)> {
-    let mut columns: Vec<(String, String)> = Vec::new();
-    for (name, metric) in rows.iter().flat_map(|r| &r.metrics) {
-        let at = columns.iter().position(|(n, _)| n == name);
-        let at = at.unwrap_or_else(|| {
-            columns.push((name.clone(), String::new()));
-            columns.len() - 1
-        });
-        if let Some(metric) = metric {
-            columns[at].1 = metric.unit.clone();
+/// A table for people, and a line that sums up: replicates as one row, with what they scatter.
+pub fn text(about: &str, rows: &[Row]) -> String {
+    let mut text = String::new();
+    if !about.is_empty() {
+        let _ = writeln!(text, "{about}");
+    }
+    let told: Vec<Told> = rows.iter().map(Told::of).collect();
+    match told.iter().any(|t| t.replicate.is_some()) {
+        false => text += &of_points(rows),
+        true => {
+            text += &replicates_text(&spread(&told));
+            for ([first, second], pairs) in of_variants(&told) {
+                text += &pairs_text(&first, &second, &pairs);
+            }
+            let failed = rows.iter().filter_map(|r| Some((r, trouble(r)?)));
+            for (row, why) in failed {
+                let _ = writeln!(text, "{}: {why}", row.point.name(""));
+            }
         }
     }
-    columns
+    let _ = writeln!(text, "{}", summary(rows));
+    text
 }
 
-/// What a row tells in a column.
-pub(super) fn cell(row: &Row, column: &str) -> Option<f64> {
-    let metric = row.metrics.iter().find(|(name, _)| name == column);
-    metric.and_then(|(_, metric)| Some(metric.as_ref()?.value))
-}
-
-/// The params of a row as it names them, the variant first if there is one.
-pub(super) fn params(row: &Row) -> Vec<(String, String)> {
-    let variant = row
-        .point
-        .variant
-        .iter()
-        .map(|v| ("variant".to_owned(), v.clone()));
-    let values = row.point.values.iter();
-    variant
-        .chain(values.map(|(n, p, v)| (format!("{n}.{p}"), plain(v))))
-        .collect()
-}
-
-/// Why a row has no result.
-pub(super) fn trouble(row: &Row) -> Option<String> {
-    match &row.end {
-        End::Done => None,
-        End::Failed(node, why) => Some(format!("{node} failed: {why}")),
-        End::Wrong(why) => Some(why.clone()),
-        End::Stopped => Some("stopped".into()),
-    }
-}
-
-/// A number with as many digits as tell something.
-pub(crate) fn short(x: f64) -> String {
-    match x.abs() {
-        _ if x.fract() == 0.0 && x.abs() < 1e12 => format!("{x:.0}"),
-        a if a >= 100.0 => format!("{x:.1}"),
-        a if a >= 1.0 => format!("{x:.2}"),
-        _ => format!("{x:.4}"),
-    }
-}
-
-/// A table for people, and a line that sums up.
-pub fn text(about: &str, rows: &[Row]) -> String {
+/// A row a point.
+fn of_points(rows: &[Row]) -> String {
     let columns = columns(rows);
     let named = rows.first().map_or(vec![], params);
     let texts = named.len();
@@ -84,13 +57,7 @@ pub fn text(about: &str, rows: &[Row]) -> String {
     for column in texts..texts + columns.len() + 2 {
         crate::cli::text::to_the_right(&mut table, column);
     }
-    let mut text = String::new();
-    if !about.is_empty() {
-        let _ = writeln!(text, "{about}");
-    }
-    let _ = writeln!(text, "{}", crate::cli::text::lines(&mut table));
-    let _ = writeln!(text, "{}", summary(rows));
-    text
+    crate::cli::text::lines(&mut table) + "\n"
 }
 
 /// What it cost, and what it would have.
@@ -153,6 +120,11 @@ pub fn csv(rows: &[Row]) -> String {
         line.push(trouble(row).unwrap_or_default());
         lines.push(line);
     }
+    as_csv(lines)
+}
+
+/// Rows of equal length as CSV.
+pub(crate) fn as_csv(lines: Vec<Vec<String>>) -> String {
     let mut table = ::csv::Writer::from_writer(Vec::new());
     for line in lines {
         table
@@ -161,6 +133,75 @@ pub fn csv(rows: &[Row]) -> String {
     }
     let bytes = table.into_inner().expect("bug: memory is full");
     String::from_utf8(bytes).expect("bug: texts are UTF-8")
+}
+
+/// Replicates and comparisons of variants as tables, a line a set of params and metric; nothing without replicates.
+pub fn statistics(rows: &[Row]) -> Vec<(String, String)> {
+    let told: Vec<Told> = rows.iter().map(Told::of).collect();
+    if told.iter().all(|t| t.replicate.is_none()) {
+        return vec![];
+    }
+    let text = |x: Option<f64>| x.map_or(String::new(), |x| x.to_string());
+    let groups = spread(&told);
+    let names = groups
+        .first()
+        .map_or(vec![], |g| g.params.iter().map(|p| p.0.clone()).collect());
+    let own = |words: &[&str]| words.iter().map(|w| (*w).to_owned()).collect::<Vec<_>>();
+    let head = |before: &[&str], after: &[&str]| [own(before), names.clone(), own(after)].concat();
+    let tail = [
+        "metric", "unit", "n", "refused", "failed", "mean", "sd", "low95", "high95",
+    ];
+    let mut spreads = vec![head(&["variant"], &tail)];
+    for group in &groups {
+        let params: Vec<String> = group.params.iter().map(|p| p.1.clone()).collect();
+        for s in &group.spreads {
+            let counts = [s.n, s.refused, group.failed].map(|n| n.to_string());
+            let ends = [0, 1].map(|k| text(s.interval.map(|i| i[k])));
+            let mut line = vec![group.variant.clone().unwrap_or_default()];
+            line.extend(params.iter().cloned());
+            line.extend([s.name.clone(), s.unit.clone()]);
+            line.extend(
+                counts
+                    .into_iter()
+                    .chain([text(s.mean), text(s.sd)])
+                    .chain(ends),
+            );
+            spreads.push(line);
+        }
+    }
+    let tail = [
+        "metric",
+        "unit",
+        "pairs",
+        "only_first",
+        "only_second",
+        "neither",
+        "mean_first",
+        "mean_second",
+        "difference",
+        "low95",
+        "high95",
+        "d",
+        "p",
+        "exact",
+    ];
+    let mut pairs = vec![head(&["first", "second"], &tail)];
+    for ([first, second], all) in of_variants(&told) {
+        for p in &all {
+            let mut line = vec![first.clone(), second.clone()];
+            line.extend(p.params.iter().map(|p| p.1.clone()));
+            line.extend([p.name.clone(), p.unit.clone(), p.n.to_string()]);
+            line.extend(p.alone.map(|n| n.to_string()));
+            line.extend([0, 1].map(|k| text(p.means.map(|m| m[k]))));
+            line.push(text(p.effect.map(|e| e.0)));
+            line.extend([0, 1].map(|k| text(p.effect.and_then(|e| Some(e.1?[k])))));
+            line.extend([text(p.size), text(p.p), p.exact.to_string()]);
+            pairs.push(line);
+        }
+    }
+    let mut files = vec![("replicates.csv".to_owned(), as_csv(spreads))];
+    files.extend((pairs.len() > 1).then(|| ("paired.csv".to_owned(), as_csv(pairs))));
+    files
 }
 
 /// For other programs.
@@ -172,7 +213,8 @@ pub fn json(program: &str, name: &str, about: &str, rows: &[Row]) -> Value {
         };
         let params = params(row).into_iter().map(|(k, v)| (k, Value::from(v)));
         json!({
-            "point": row.point.name(name), "variant": row.point.variant, "set": row.point.sets(),
+            "point": row.point.name(name), "variant": row.point.variant, "replicate": row.point.replicate,
+            "set": row.point.sets(),
             "params": params.collect::<serde_json::Map<_, _>>(),
             "metrics": row.metrics.iter().map(cell).collect::<Vec<_>>(),
             "done": row.end == End::Done, "why": trouble(row),
@@ -180,8 +222,18 @@ pub fn json(program: &str, name: &str, about: &str, rows: &[Row]) -> Value {
             "alone_seconds": row.alone, "work_seconds": row.work, "engine_seconds": row.engine,
         })
     };
-    json!({
+    let mut sweep = json!({
         "program": program, "sweep": name, "about": about,
         "points": rows.iter().map(row).collect::<Vec<_>>(), "summary": summary(rows),
-    })
+    });
+    let told: Vec<Told> = rows.iter().map(Told::of).collect();
+    if told.iter().any(|t| t.replicate.is_some()) {
+        sweep["replicates"] = spread(&told).iter().map(Group::json).collect();
+        let against = |([first, second], pairs): &([String; 2], Vec<Pairs>)| {
+            let pairs: Vec<Value> = pairs.iter().map(Pairs::json).collect();
+            json!({ "first": first, "second": second, "pairs": pairs })
+        };
+        sweep["paired"] = of_variants(&told).iter().map(against).collect();
+    }
+    sweep
 }

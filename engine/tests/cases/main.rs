@@ -12,6 +12,7 @@ mod points;
 mod points_refused;
 mod power;
 mod processes;
+mod replicates;
 mod shared;
 mod shared_faults;
 mod signed;

@@ -178,6 +178,39 @@ impl Stage for Parts {
     }
 }
 
+stage::params! {
+    /// A number under noise.
+    pub struct Noisy {
+        /// A number.
+        n: i64 = 1,
+        /// Seed of the noise.
+        #[range(0..=20)]
+        #[chance(seed)]
+        seed: i64 = 1,
+    }
+}
+
+/// Tells its number and its seed; of seed 4 it refuses the sum, and it fails at 7.
+struct Noise;
+impl Stage for Noise {
+    const NAME: &'static str = "toy.noise";
+    const VERSION: u32 = 1;
+    const ABOUT: &'static str = "A number under noise.";
+    type Params = Noisy;
+    type Input = FromDocument;
+    type Output = Document;
+    const METRICS: &'static [&'static str] = &["sum"];
+    fn run(p: &Noisy, _: FromDocument, ctx: &Ctx<'_>) -> Result<Document, Stop> {
+        if p.seed == 7 {
+            return Err(std::io::Error::other("seven is not taken").into());
+        }
+        if p.seed != 4 {
+            ctx.metric("sum", (p.n * 10 + p.seed) as f64, "mm");
+        }
+        Ok(document(format!("{} {}", p.n, p.seed)))
+    }
+}
+
 const STAGES: &[&dyn AnyStage] = &[
     &erase::<Clean>(),
     &erase::<Mid>(),
@@ -185,6 +218,7 @@ const STAGES: &[&dyn AnyStage] = &[
     &erase::<Big>(),
     &erase::<Unsteady>(),
     &erase::<Parts>(),
+    &erase::<Noise>(),
 ];
 
 /// Their catalog.

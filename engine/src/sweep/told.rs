@@ -1,0 +1,81 @@
+//! What a point tells, as statistics need it: out of a row, or read back from a `sweep.json`.
+
+use super::cells::params;
+use super::row::{End, Row};
+use serde_json::Value;
+
+/// A point's numbers.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Told {
+    /// The variant, if there is one.
+    pub variant: Option<String>,
+    /// What varies, without variant and seeds: `node.param` and the value.
+    pub params: Vec<(String, String)>,
+    /// Which replicate.
+    pub replicate: Option<u32>,
+    /// Whether it came to its end.
+    pub done: bool,
+    /// Name, unit, and the number where there is one.
+    pub metrics: Vec<(String, String, Option<f64>)>,
+}
+
+impl Told {
+    /// Of a row.
+    pub fn of(row: &Row) -> Told {
+        let metric = |(name, metric): &(String, Option<stage::Metric>)| {
+            let unit = metric.as_ref().map_or(String::new(), |m| m.unit.clone());
+            (name.clone(), unit, metric.as_ref().map(|m| m.value))
+        };
+        let own = params(row).into_iter();
+        Told {
+            variant: row.point.variant.clone(),
+            params: own.filter(|(name, _)| name.contains('.')).collect(),
+            replicate: row.point.replicate,
+            done: row.end == End::Done,
+            metrics: row.metrics.iter().map(metric).collect(),
+        }
+    }
+
+    /// Of the points of a `sweep.json`; `None` where it is none.
+    pub fn read(sweep: &Value) -> Option<Vec<Told>> {
+        let point = |point: &Value| {
+            let text = |v: &Value| v.as_str().map(str::to_owned);
+            let params = point["params"].as_object()?.iter();
+            let params = params.filter(|(name, _)| name.contains('.'));
+            let metric = |m: &Value| {
+                let unit = text(&m["unit"]).unwrap_or_default();
+                Some((text(&m["name"])?, unit, m["value"].as_f64()))
+            };
+            let metrics = point["metrics"].as_array()?.iter().map(metric);
+            Some(Told {
+                variant: text(&point["variant"]),
+                params: params
+                    .map(|(k, v)| Some((k.clone(), text(v)?)))
+                    .collect::<Option<_>>()?,
+                replicate: point["replicate"].as_u64().map(|n| n as u32),
+                done: point["done"].as_bool()?,
+                metrics: metrics.collect::<Option<_>>()?,
+            })
+        };
+        sweep["points"].as_array()?.iter().map(point).collect()
+    }
+
+    /// The number of a name.
+    pub(super) fn value(&self, name: &str) -> Option<f64> {
+        let metric = self.metrics.iter().find(|(n, _, _)| n == name)?;
+        metric.2.filter(|_| self.done)
+    }
+}
+
+/// The metrics of some points: name and unit, in the order of the table.
+pub(super) fn metrics<'a>(all: impl Iterator<Item = &'a Told>) -> Vec<(String, String)> {
+    let mut known: Vec<(String, String)> = Vec::new();
+    for (name, unit, _) in all.flat_map(|t| &t.metrics) {
+        match known.iter_mut().find(|(n, _)| n == name) {
+            None => known.push((name.clone(), unit.clone())),
+            Some((_, empty)) if empty.is_empty() => unit.clone_into(empty),
+            Some(_) => {}
+        }
+    }
+    known
+}

@@ -1,0 +1,179 @@
+//! `tailor compare` over replicates: the same points by two or more methods, pair by pair.
+
+use crate::recipe::{Overrides, Pipeline};
+use crate::sweep::{
+    self, Point, Points, Replicates, Sweeping, Told, paired, pairs_page, pairs_text,
+};
+use engine::Options;
+use engine::cli::{Change, Fault, GlobalArgs, folders};
+use engine::walk::Watch;
+use serde_json::{Value, json};
+use std::path::Path;
+
+/// What each side is called, and its points.
+type Sides = Vec<(String, Vec<Told>)>;
+
+/// What two or more sides came to, and against the first.
+pub(super) struct Against {
+    sides: Sides,
+    pairs: Vec<Vec<sweep::Pairs>>,
+}
+
+/// `quick+hull.voxel_mm=2` beside what is changed for all.
+pub(super) fn changed(text: &str, all: &Change) -> Change {
+    let mut change = all.clone();
+    let mut variants: Vec<String> = change.variant.into_iter().collect();
+    for part in text.split('+').filter(|p| *p != "as-is") {
+        match part.contains('=') {
+            true => change.set.push(part.to_owned()),
+            false => variants.push(part.to_owned()),
+        }
+    }
+    change.variant = (!variants.is_empty()).then(|| variants.join(","));
+    change
+}
+
+/// Nobody listens.
+struct Nobody;
+impl Watch for Nobody {}
+
+/// Runs every side so often, replicate by replicate with the same seeds.
+pub(super) fn of_variants(
+    pipeline: &str,
+    what: &[&String],
+    (times, tell, change): (u32, &[String], &Change),
+    global: &GlobalArgs,
+) -> Result<Against, Fault> {
+    let pipeline =
+        Pipeline::read(Path::new(pipeline), global.catalog()).map_err(Fault::mistakes)?;
+    let over = |text: &str, more: Vec<String>| {
+        let change = changed(text, change);
+        Overrides {
+            variant: change.variant,
+            sets: [change.set, more].concat(),
+        }
+    };
+    let graphs = what.iter().map(|text| pipeline.graph(&over(text, vec![])));
+    let graphs = graphs
+        .collect::<Result<Vec<_>, _>>()
+        .map_err(Fault::mistakes)?;
+    for told in tell {
+        let (node, _) = told.split_once('.').unwrap_or((told, ""));
+        engine::cli::node(&graphs[0], node)?;
+    }
+    let replicates = Replicates::of(times, &graphs, &[], &[]).map_err(Fault::input)?;
+    let names = what.iter().map(|text| Some((*text).clone())).collect();
+    let points = Points::new(&graphs[0], names, vec![]).repeated(replicates);
+    let options = Options {
+        cache: global.cache.clone(),
+        threads: global.threads.map(Into::into),
+        keep_going: true,
+    };
+    let open = |point: &Point| {
+        let side = point.variant.as_deref().unwrap_or("as-is");
+        pipeline
+            .graph(&over(side, point.sets()))
+            .map_err(|m| m.to_string())
+    };
+    let sweeping = Sweeping {
+        open: &open,
+        nodes: &[],
+        folders: &folders(change)?,
+        options: &options,
+        tell,
+        errors: None,
+        watch: &Nobody,
+        cancel: global.host.cancel(),
+    };
+    let count = points.count();
+    let mut at = 0;
+    let rows = sweep::run(&sweeping, points.iter(), |row| {
+        at += 1;
+        if !global.quiet && !global.json {
+            engine::errln!("[{at:>3}/{count}] {}", row.point.name("compare"));
+        }
+    });
+    let rows = rows.map_err(Fault::input)?;
+    if global
+        .host
+        .cancel()
+        .load(std::sync::atomic::Ordering::Relaxed)
+    {
+        return Err(Fault::input("stopped; run the same command to go on"));
+    }
+    let told: Vec<Told> = rows.iter().map(Told::of).collect();
+    let own = |text: &&String| {
+        let own = told.iter().filter(|t| t.variant.as_ref() == Some(text));
+        ((*text).clone(), own.cloned().collect())
+    };
+    Ok(Against::new(what.iter().map(own).collect()))
+}
+
+/// Folders that `sweep --out` wrote; `None` where one is no such folder.
+pub(super) fn of_folders(what: &[&String]) -> Option<Result<Against, Fault>> {
+    let file = |text: &String| Path::new(text).join("sweep.json");
+    if !what.iter().all(|text| file(text).is_file()) {
+        return None;
+    }
+    let read = |text: &&String| {
+        let wrong = |why: &str| Fault::input(format!("{}: {why}", file(text).display()));
+        let bytes = std::fs::read(file(text)).map_err(|e| wrong(&e.to_string()))?;
+        let sweep: Value = serde_json::from_slice(&bytes).map_err(|e| wrong(&e.to_string()))?;
+        let told =
+            Told::read(&sweep).ok_or_else(|| wrong("this is no sweep.json of `sweep --out`"))?;
+        if told
+            .iter()
+            .any(|t| t.variant.is_some() && t.variant != told[0].variant)
+        {
+            let why = "its points are of several variants, which its own page compares; say folders of one each";
+            return Err(wrong(why));
+        }
+        Ok(((*text).clone(), told))
+    };
+    let sides: Result<Sides, Fault> = what.iter().map(read).collect();
+    Some(sides.and_then(|sides| {
+        let against = Against::new(sides);
+        match against.pairs.iter().any(Vec::is_empty) {
+            true => Err(Fault::input(
+                "these sweeps have no point in common: the same params and replicates are compared, one by one",
+            )),
+            false => Ok(against),
+        }
+    }))
+}
+
+impl Against {
+    fn new(sides: Sides) -> Against {
+        let others = sides.iter().skip(1);
+        let pairs = others.map(|(_, told)| paired(&sides[0].1, told)).collect();
+        Against { sides, pairs }
+    }
+
+    /// For people.
+    pub(super) fn text(&self) -> String {
+        let names = self.sides.iter().skip(1);
+        let each = names.zip(&self.pairs);
+        each.map(|((name, _), pairs)| pairs_text(&self.sides[0].0, name, pairs))
+            .collect()
+    }
+
+    /// For other programs.
+    pub(super) fn json(&self) -> Value {
+        let names = self.sides.iter().skip(1);
+        let each = names.zip(&self.pairs).map(|((name, _), pairs)| {
+            let pairs: Vec<Value> = pairs.iter().map(sweep::Pairs::json).collect();
+            json!({ "first": self.sides[0].0, "second": name, "pairs": pairs })
+        });
+        json!({ "paired": each.collect::<Vec<_>>() })
+    }
+
+    /// As a page.
+    pub(super) fn page(&self) -> String {
+        let names = self.sides.iter().skip(1).map(|(name, _)| name.as_str());
+        let each: Vec<(&str, &str, &[sweep::Pairs])> = names
+            .zip(&self.pairs)
+            .map(|(name, pairs)| (self.sides[0].0.as_str(), name, pairs.as_slice()))
+            .collect();
+        pairs_page(&each)
+    }
+}

@@ -1,0 +1,70 @@
+//! What the numbers of a sweep are held against on its plots: the truth, limits of a standard, what a survey allows.
+
+use crate::repeat::allowed_mm;
+use crate::score::{iso_mm, true_tapes};
+use engine::sweep::Reference;
+use std::path::Path;
+
+/// Lines across the plots of a metric: of a girth its true tape, of its error nothing, the limit of ISO 20685-1 (9 or
+/// 4 mm) and what ANSUR II allows two measurers; of other errors nothing.
+pub(crate) fn references(metric: &str, unit: &str, truth: Option<&Path>) -> Vec<Reference> {
+    let line = |label: &str, value: f64| Reference {
+        label: label.to_owned(),
+        value,
+    };
+    let own = |prefix: &str| metric.strip_prefix(prefix);
+    if let (Some(girth), "mm tape") = (own("error."), unit) {
+        let (limit, allowed) = (iso_mm(girth, None), allowed_mm(girth, None));
+        let mut lines = vec![
+            line("truth", 0.0),
+            line("ISO 20685-1", limit),
+            line("ISO 20685-1", -limit),
+        ];
+        if let Some(allowed) = allowed {
+            lines.extend([line("ANSUR II", allowed), line("ANSUR II", -allowed)]);
+        }
+        return lines;
+    }
+    if let (Some(girth), Some(truth), "cm tape") = (own("girths."), truth, unit) {
+        let tapes = true_tapes(truth).unwrap_or_default();
+        let of = tapes.get(girth).map(|mm| {
+            let limit = iso_mm(girth, None);
+            [
+                ("truth", 0.0),
+                ("ISO 20685-1", limit),
+                ("ISO 20685-1", -limit),
+            ]
+            .map(|(label, off)| line(label, (mm + off) / 10.0))
+        });
+        return of.map_or(vec![], |lines| lines.to_vec());
+    }
+    let signed =
+        metric.starts_with("error.") || metric.ends_with(" error") || metric.ends_with(" outward");
+    let mean = ["mean error", "worst error"]
+        .iter()
+        .any(|e| metric.ends_with(e));
+    match signed && !mean {
+        true => vec![line("truth", 0.0)],
+        false => vec![],
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn errors_are_held_against_nothing_and_the_limits_of_their_part() {
+        let values = |metric: &str, unit: &str| -> Vec<f64> {
+            references(metric, unit, None)
+                .iter()
+                .map(|r| r.value)
+                .collect()
+        };
+        assert_eq!(values("error.WC", "mm tape"), [0.0, 9.0, -9.0, 12.0, -12.0]);
+        assert_eq!(values("error.AC_L", "mm tape"), [0.0, 4.0, -4.0]);
+        assert_eq!(values("score.girths WC error", "%"), [0.0]);
+        assert_eq!(values("score.girths mean error", "%"), Vec::<f64>::new());
+        assert_eq!(values("girths.WC", "cm tape"), Vec::<f64>::new());
+    }
+}
