@@ -4,7 +4,7 @@ use engine::Kind;
 use io::{document_extension, files};
 use shape::{
     Aligned, Cameras, Document, Evidence, GirthId, Girths, Keypoints, Labels, Landmarks, LostParts,
-    Masks, Mesh, People, Photos, Scene, Side, Tags, Textured, Tracks, Unit, Warps,
+    Masks, Mesh, People, Photos, Scene, Side, Sigmas, Tags, Textured, Tracks, Unit, Warps,
 };
 use stage::{Artifact, Metric};
 
@@ -85,6 +85,17 @@ fn mesh_names(_: &[String]) -> Vec<String> {
         .to_vec()
 }
 
+/// What a girth tells beside its tape: along the contour, its interval and how wide that is, what repeats it, and whether it
+/// was refused (1) or given (0).
+const OF_GIRTH: [&str; 6] = [
+    "contour",
+    "width",
+    "interval.lo",
+    "interval.hi",
+    "repeat",
+    "refused",
+];
+
 /// Girths of the table, and those of the user's own among what the pipeline declares.
 fn girth_names(declared: &[String]) -> Vec<String> {
     let own = declared.iter().flat_map(|name| {
@@ -92,7 +103,15 @@ fn girth_names(declared: &[String]) -> Vec<String> {
         std::iter::once(name.clone()).chain(sides)
     });
     let girths = GirthId::all().map(GirthId::name).chain(own);
-    let all = girths.flat_map(|n| [n.clone(), format!("{n}.contour"), format!("{n}.width")]);
+    let all = girths.flat_map(|n| {
+        let own = OF_GIRTH.iter().map(|end| format!("{n}.{end}"));
+        let sigmas = Sigmas::default().named();
+        let sigmas = sigmas.map(|(part, _)| format!("{n}.sigma.{part}"));
+        std::iter::once(n.clone())
+            .chain(own)
+            .chain(sigmas)
+            .collect::<Vec<_>>()
+    });
     let beside = ["stature", "volume"].into_iter().chain(Girths::RATIOS);
     all.chain(beside.map(String::from)).collect()
 }
@@ -120,8 +139,20 @@ fn girths(girths: &Girths) -> Vec<Metric> {
         all.push(length(&format!("{}.contour", g.name), g.contour_mm));
         if let Some([lo, hi]) = g.interval_mm {
             all.push(length(&format!("{}.width", g.name), hi - lo));
+            all.push(length(&format!("{}.interval.lo", g.name), lo));
+            all.push(length(&format!("{}.interval.hi", g.name), hi));
         }
+        for (part, mm) in g.sigmas.named() {
+            all.extend(mm.map(|mm| length(&format!("{}.sigma.{part}", g.name), mm)));
+        }
+        all.extend(
+            g.repeat_mm
+                .map(|mm| length(&format!("{}.repeat", g.name), mm)),
+        );
+        all.push(metric(&format!("{}.refused", g.name), 0.0, ""));
     }
+    let refused = girths.missing.iter().map(|m| format!("{}.refused", m.name));
+    all.extend(refused.map(|name| metric(&name, 1.0, "")));
     all.extend(girths.stature_mm.map(|mm| length("stature", mm)));
     all.extend(girths.volume_l.map(|l| metric("volume", l, "l")));
     all.extend(
@@ -147,4 +178,52 @@ fn mesh(mesh: &Mesh) -> Vec<Metric> {
         metric("faces", mesh.faces.len() as f64, ""),
         metric("vertices", mesh.positions.len() as f64, ""),
     ]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use shape::{Girth, Landmark, Missing, Part, Plane, Refusal};
+
+    #[test]
+    fn a_girth_tells_its_interval_its_parts_and_whether_it_was_refused() {
+        let plane = Plane {
+            point_mm: [0.0; 3],
+            normal: [0.0, 0.0, 1.0],
+        };
+        let mark = Landmark::new(GirthId::Hip, plane, Part::Trunk);
+        let girth = Girth {
+            interval_mm: Some([790.0, 812.0]),
+            sigmas: Sigmas {
+                surface_mm: Some(2.0),
+                ..Sigmas::default()
+            },
+            ..Girth::at(&mark, 800.0)
+        };
+        let all = Girths {
+            girths: vec![girth],
+            missing: vec![Missing::new(GirthId::Waist, Refusal::NoNeck)],
+            ..Girths::default()
+        };
+        let told = girths(&all);
+        let value = |name: &str| told.iter().find(|m| m.name == name).map(|m| m.value);
+        assert_eq!(value("HC"), Some(80.0));
+        assert_eq!(
+            (value("HC.interval.lo"), value("HC.interval.hi")),
+            (Some(79.0), Some(81.2))
+        );
+        assert_eq!(
+            (value("HC.sigma.surface"), value("HC.sigma.level")),
+            (Some(0.2), None)
+        );
+        assert_eq!(
+            (value("HC.refused"), value("WC.refused")),
+            (Some(0.0), Some(1.0))
+        );
+        let names = girth_names(&[]);
+        assert!(
+            told.iter().all(|m| names.contains(&m.name)),
+            "what is told may be asked for"
+        );
+    }
 }
