@@ -111,6 +111,7 @@ pub mod recipe;
 pub mod reference;
 pub mod run_one;
 pub mod schema;
+pub mod search;
 mod session;
 #[cfg(test)]
 mod simulation;
@@ -118,6 +119,7 @@ pub mod source;
 mod stopwatch;
 pub mod store;
 pub mod strands;
+pub mod study;
 pub mod sweep;
 mod system;
 pub mod tells;

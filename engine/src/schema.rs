@@ -61,6 +61,7 @@ pub fn schema<'a>(stages: impl Iterator<Item = &'a dyn AnyStage>) -> Value {
                     "stage": of_nodes(stage), "from": of_nodes(from),
                 },
             })),
+            "search": named(search_keys(&about, &text_or_texts)),
             "sweep": named(json!({
                 "type": "object", "additionalProperties": false,
                 "properties": {
@@ -68,8 +69,8 @@ pub fn schema<'a>(stages: impl Iterator<Item = &'a dyn AnyStage>) -> Value {
                     "goal": text_or_texts,
                     "csv": { "type": "string" }, "zip": { "type": "array" },
                     "sample": { "type": "object" },
-                    "over": of_nodes(json!({ "type": "object" })),
                     "replicate": { "type": "integer", "minimum": 2, "maximum": 10000, "description": "How often each point is repeated, each time with other seeds" },
+                    "over": of_nodes(json!({ "type": "object" })),
                 },
             })),
         },
@@ -81,6 +82,24 @@ pub fn schema<'a>(stages: impl Iterator<Item = &'a dyn AnyStage>) -> Value {
         }
     }
     schema
+}
+
+/// The keys of a search.
+fn search_keys(about: &Value, text_or_texts: &Value) -> Value {
+    let of_nodes = |value: Value| json!({ "type": "object", "additionalProperties": value });
+    json!({
+        "type": "object", "additionalProperties": false, "required": ["over", "budget"],
+        "properties": {
+            "about": about, "with": text_or_texts, "tell": text_or_texts, "goal": text_or_texts,
+            "over": of_nodes(json!({ "type": "object" })), "replicate": { "type": "integer" },
+            "method": { "enum": crate::recipe::Method::ALL.map(|(word, _)| word) },
+            "budget": { "type": "integer", "minimum": 1, "description": "How many whole points may be made" },
+            "seed": { "type": "integer" },
+            "least": { "type": "string", "description": "The metric that is to be small" },
+            "most": { "type": "string", "description": "The metric that is to be large" },
+            "dear": of_nodes(json!({ "type": "object", "description": "halving: the param that makes points dear, from its least to its full value" })),
+        },
+    })
 }
 
 /// The keys of a node; those of a program go with its stage.

@@ -7,11 +7,7 @@ use super::warnings::WARNINGS;
 
 /// Sentences, `*` for what is put in, and their texts, in which that is `a` and `b`.
 #[rustfmt::skip]
-<<<<<<< HEAD
-const TOLD: [(&str, &str); 60] = [
-=======
-const FINDINGS: [(&str, &str); 56] = [
->>>>>>> a18333e (serve, texts: plainer names, comments and English texts)
+const FINDINGS: [(&str, &str); 60] = [
     ("only * % of the picture stands still: the camera, or all behind the subject, moved between the photos", "find-moved"),
     ("a turn wants one camera on a tripod and the subject on a disk; is this a walk around somebody who stands still? Then say --walk", "find-moved-mend"),
     ("the subject, which all other photos show, is not seen here", "find-empty"),

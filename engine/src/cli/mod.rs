@@ -38,17 +38,19 @@ mod progress;
 mod ran;
 mod result;
 mod run_verb;
+mod search;
 mod shared;
 mod show;
 mod size;
 mod speech;
 mod store;
 mod strands;
+mod study;
 mod sweep;
 mod sweep_asked;
+mod sweep_told;
 mod telling;
 pub mod text;
-mod sweep_told;
 
 pub use arguments::{Change, Wanted};
 pub use deliver::{check as check_out, finish, inside, lies_in, whose};
@@ -111,6 +113,10 @@ enum Own {
     Why(ahead::Why),
     /// Every point of a sweep, what they share made once: a table, plots
     Sweep(sweep_asked::SweepArgs),
+    /// The best set of params within ranges, as the pipeline declares it
+    Search(search::SearchArgs),
+    /// Tables that sweeps make, kept as pages: made again, and what moved
+    Study(study::Study),
     /// Strands of a plan (`plan --strands`), on any machine that sees the cache
     Work(strands::Work),
     /// A plan onto a cluster: what is neither done nor sent; to say it again sends nothing twice
@@ -233,7 +239,7 @@ pub fn run<A: Into<OsString> + Clone>(
     });
     speech::flush();
     let verb = program.verbs.iter().find(|verb| verb.name == name);
-    if verb.is_some_and(|verb| verb.runs) || ["run", "sweep"].contains(&name) {
+    if verb.is_some_and(|verb| verb.runs) || ["run", "sweep", "search", "study"].contains(&name) {
         budget::after_run(&global);
     }
     private::burn();
@@ -261,6 +267,8 @@ fn done(
         Own::Export(verb) => export::export(verb, global),
         Own::Why(verb) => ahead::why(verb, own.subcommand(), global),
         Own::Sweep(verb) => sweep::sweep(verb, global),
+        Own::Study(verb) => study::study(verb, global),
+        Own::Search(verb) => search::search(verb, global),
         Own::Impact(verb) => impact::impact(verb, global),
         Own::Graph(verb) => answers::graph(verb, own.subcommand(), global),
         Own::Show(verb) => show::show(verb, global),

@@ -25,6 +25,7 @@ pub(super) fn extended(under: Recipe, over: Recipe, mistakes: &mut Vec<Mistake>)
     put(&mut all.inputs, over.inputs, |i| &i.name);
     put(&mut all.variants, over.variants, |v| &v.name);
     put(&mut all.sweeps, over.sweeps, |s| &s.name);
+    put(&mut all.searches, over.searches, |s| &s.sweep.name);
     put(&mut all.params, over.params, |(name, _)| name);
     for section in over.sections {
         let same = |s: &Section| {
@@ -70,6 +71,7 @@ fn forget(recipe: &mut Recipe, node: &str) {
         s.over.iter().any(|(n, ..)| n.value == node) || s.tell.iter().any(of_node)
     };
     recipe.sweeps.retain(|s| !asks(s));
+    recipe.searches.retain(|s| !asks(&s.sweep));
 }
 
 /// Puts entries over those of the same name, or behind all.

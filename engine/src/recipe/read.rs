@@ -181,6 +181,13 @@ impl Reader {
                         recipe.sweeps.push(sweep);
                     }
                 }
+                "search" => {
+                    for (name, value) in self.table(value, "`search`") {
+                        self.name(name);
+                        let search = self.search(name.said(), value);
+                        recipe.searches.extend(search);
+                    }
+                }
                 // A stage may take it as a section; whether one does, binding tells.
                 _ if matches!(value.item, Item::Table(_)) => {
                     for (name, value) in self.table(value, "a section") {

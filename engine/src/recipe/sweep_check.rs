@@ -17,6 +17,14 @@ pub(super) fn check(recipe: &Recipe, sound: bool, catalog: &'static Catalog) -> 
     for sweep in &recipe.sweeps {
         one(recipe, sweep, sound, catalog, &mut mistakes);
     }
+    for search in &recipe.searches {
+        let of = &search.sweep;
+        one(recipe, of, sound, catalog, &mut mistakes);
+        if of.over.is_empty() {
+            let what = format!("`{}`: a search needs `over`", of.name.value);
+            wrong(&mut mistakes, &of.name, what);
+        }
+    }
     mistakes
 }
 
@@ -66,6 +74,12 @@ fn one(
             wrong(mistakes, said, unknown("node", &said.value, &names));
         }
     }
+    if let Some(said) = &sweep.replicate {
+        let by_chance = |recipe: &Recipe| recipe.nodes.iter().any(|n| has_seed(n, catalog));
+        if !recipes.iter().all(by_chance) {
+            mistakes.push(Mistake::at(&said.span, no_seed(catalog)));
+        }
+    }
     for said in &sweep.tell {
         if let Some(what) = untold_by_all(&recipes, said, &names, catalog) {
             wrong(mistakes, said, what);
@@ -73,20 +87,6 @@ fn one(
     }
 }
 
-/// The recipe in each of the sweep's variants; as it is, where it names none.
-    if let Some(said) = &sweep.replicate {
-        let by_chance = |recipe: &Recipe| recipe.nodes.iter().any(|n| has_seed(n, catalog));
-        if !recipes.iter().all(by_chance) {
-            mistakes.push(Mistake::at(&said.span, no_seed(catalog)));
-        }
-    }
-fn varied(recipe: &Recipe, sweep: &Sweep, sound: bool, mistakes: &mut Vec<Mistake>) -> Vec<Recipe> {
-    if sweep.with.is_empty() {
-        return vec![recipe.clone()];
-    }
-    let variants = recipe.variants.iter();
-    let variants: Vec<&str> = variants.map(|v| v.name.value.as_str()).collect();
-    let mut recipes = Vec::new();
 /// Whether a node's stage draws what a method is given by a seed; of a program, whether it has a param `seed`.
 fn has_seed(node: &Node, catalog: &'static Catalog) -> bool {
     match importer_of(node, catalog) {
@@ -114,6 +114,14 @@ pub(crate) fn no_seed(catalog: &Catalog) -> String {
     )
 }
 
+/// The recipe in each of the sweep's variants; as it is, where it names none.
+fn varied(recipe: &Recipe, sweep: &Sweep, sound: bool, mistakes: &mut Vec<Mistake>) -> Vec<Recipe> {
+    if sweep.with.is_empty() {
+        return vec![recipe.clone()];
+    }
+    let variants = recipe.variants.iter();
+    let variants: Vec<&str> = variants.map(|v| v.name.value.as_str()).collect();
+    let mut recipes = Vec::new();
     for said in &sweep.with {
         if !variants.contains(&said.value.as_str()) {
             wrong(mistakes, said, unknown("variant", &said.value, &variants));

@@ -29,6 +29,7 @@ fn bare(recipe: &Recipe) -> Recipe {
         sections: recipe.sections.clone(),
         variants: vec![],
         sweeps: vec![],
+        searches: vec![],
     }
 }
 

@@ -4,8 +4,8 @@ use stage::Value;
 use std::ops::Range;
 
 /// The keys of the grammar itself.
-pub(super) const KEYS: [&str; 9] = [
-    "about", "goal", "extends", "without", "params", "input", "node", "variant", "sweep",
+pub(super) const KEYS: [&str; 10] = [
+    "about", "goal", "extends", "without", "params", "input", "node", "variant", "sweep", "search",
 ];
 
 /// The keys of a node.
@@ -187,6 +187,45 @@ pub struct Sweep {
     pub goal: Vec<Said<String>>,
 }
 
+/// How a search chooses its points.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Method {
+    /// Each by itself.
+    Random,
+    /// A Latin hypercube.
+    Hypercube,
+    /// A Latin hypercube at the least of a param that makes points dear, the best third at three times as much, and so on
+    /// (successive halving: Jamieson and Talwalkar 2016).
+    Halving,
+    /// Latin hypercubes one after the other, each of ranges half as wide around the best point so far.
+    Narrowing,
+}
+
+impl Method {
+    /// All, with their words.
+    pub const ALL: [(&'static str, Method); 4] = [
+        ("random", Method::Random),
+        ("hypercube", Method::Hypercube),
+        ("halving", Method::Halving),
+        ("narrowing", Method::Narrowing),
+    ];
+}
+
+/// `[search.NAME]`: the best set of params within ranges.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Search {
+    /// Ranges, variants, metrics and replicates, as a sweep says them; its sample has the budget and the seed.
+    pub sweep: Sweep,
+    /// How points are chosen.
+    pub method: Method,
+    /// The metric that is to be small, or large.
+    pub metric: Said<String>,
+    /// Whether it is to be large.
+    pub most: bool,
+    /// What makes points of a halving dear: node, param, its least and its full value.
+    pub dear: Option<(Said<String>, Said<String>, Said<Stretch>)>,
+}
+
 /// A pipeline as written.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Recipe {
@@ -210,6 +249,8 @@ pub struct Recipe {
     pub variants: Vec<Variant>,
     /// Grids of params.
     pub sweeps: Vec<Sweep>,
+    /// Searches for the best set of params.
+    pub searches: Vec<Search>,
 }
 
 /// What the command line changes.

@@ -49,12 +49,7 @@ pub(crate) fn seen(
     }
 }
 
-<<<<<<< HEAD
-fn told(words: Words, record: &Record, look: &Value) -> Markup {
-=======
 fn report(words: Words, record: &Record, look: &Value) -> Markup {
-    let warnings = look["warnings"].as_array().into_iter().flatten();
->>>>>>> a18333e (serve, texts: plainer names, comments and English texts)
     let can = look["can"].as_object().into_iter().flatten();
     html! {
         @if !text(look, "wrong").is_empty() { p .alert { (sentence(words, record, text(look, "wrong"))) } }
@@ -63,21 +58,8 @@ fn report(words: Words, record: &Record, look: &Value) -> Markup {
             @if findings(look).next().is_none() { p .good { (words.text("seen-well")) } }
         }
         ul .findings {
-<<<<<<< HEAD
             @for (grade, line) in odd(words, record, look) {
-                li class=(grade) { strong { (words.say(&format!("grade-{grade}"))) } " " (line) }
-=======
-            @for finding in findings(look) {
-                li class=(text(finding, "grade")) {
-                    strong { (words.text(&format!("grade-{}", text(finding, "grade")))) } " "
-                    (sentence(words, record, text(finding, "what"))) " – " (sentence(words, record, text(finding, "mend")))
-                    @if let Some(names) = names(record, finding) { " " span .soft { (names) } }
-                }
-            }
-            @for warning in warnings.filter_map(Value::as_str) {
-                @let grade = if is_news(warning) { "hint" } else { "doubt" };
-                li class=(grade) { strong { (words.text(&format!("grade-{grade}"))) } " " (sentence(words, record, warning)) }
->>>>>>> a18333e (serve, texts: plainer names, comments and English texts)
+                li class=(grade) { strong { (words.text(&format!("grade-{grade}"))) } " " (line) }
             }
         }
         dl .can {
