@@ -13,9 +13,10 @@ from ._errors import Error
 from ._native import version as __version__
 from .artifacts import READERS
 from .measuring import measure
-from .pipeline import Pipeline, pipelines
+from .pipeline import Pipeline, pipelines, sweep
 from .progress import Event
 from .runs import Measured, Run
+from .sweeps import Sweep
 
 if TYPE_CHECKING:
     from .staging import Stage, stage
@@ -28,10 +29,12 @@ __all__ = [
     "READERS",
     "Run",
     "Stage",
+    "Sweep",
     "__version__",
     "measure",
     "pipelines",
     "stage",
+    "sweep",
 ]
 
 

@@ -5,7 +5,7 @@ from typing import Any, Callable, Dict, Iterator, List, Mapping, Optional, Tuple
 
 from . import _native
 from ._errors import Error, Missing
-from .frames import frame
+from .frames import flat, frame
 
 
 class Artifact:
@@ -296,8 +296,13 @@ class Named(Artifact, Mapping):
         return name in list(self)
 
     def frame(self, kind: Optional[str] = None) -> Any:
-        """As a table: a frame of pandas or polars, or a list of dicts."""
-        return frame(self.rows, kind)
+        """As a flat table (pandas, polars or a list of dicts): ``interval_cm.lo``, ``sigma_cm.surface``; what was refused has
+        ``refused`` True and its reason."""
+        given = [{**flat(row), "refused": False} for row in self.rows]
+        missing = [{**flat(row), "refused": True} for row in self.document.get("missing", [])]
+        rows = given + missing
+        keys = {key: None for row in rows for key in row}
+        return frame([{key: row.get(key) for key in keys} for row in rows], kind)
 
     __hash__ = object.__hash__
     __eq__ = object.__eq__

@@ -17,6 +17,7 @@ from .graphs import beside
 from .measuring import Path, default_cache
 from .progress import Hearing, Progress
 from .runs import Run
+from .sweeps import Sweep
 from .values import toml
 
 if TYPE_CHECKING:
@@ -351,8 +352,9 @@ class Pipeline:
         yes: bool = False,
         kind: Optional[str] = None,
         progress: Progress = None,
+        replicate: Optional[int] = None,
     ) -> Any:
-        """Runs every point of a sweep; what points share is made once.
+        """Runs every point of a sweep; what points share is made once. `tailor.sweep` gives more than the table.
 
         Parameters
         ----------
@@ -373,12 +375,28 @@ class Pipeline:
             Which table; if none is said, the first that is installed.
         progress : callable, bool or None
             Who hears how it goes on.
+        replicate : int, optional
+            How often each point is repeated, each time with other seeds of what is by chance.
 
         Returns
         -------
         table
             A row a point: its variant and params, metrics, ``made``, ``found``, ``seconds``, and ``trouble`` where it failed.
         """
+        swept = self._swept(name, over, tell, nodes, truth, yes, progress, replicate)
+        return swept.frame(kind)
+
+    def _swept(
+        self,
+        name: Optional[str],
+        over: Optional[Mapping[str, Union[str, Sequence[Any]]]],
+        tell: Sequence[str],
+        nodes: Sequence[str],
+        truth: Optional[Path],
+        yes: bool,
+        progress: Progress,
+        replicate: Optional[int],
+    ) -> Sweep:
         words = [self._file(), *([name] if name else [])]
         words += [f"--set={s}" for s in self._sets]
         words += [f"--input={k}={v}" for k, v in self._said()]
@@ -390,26 +408,36 @@ class Pipeline:
         words += [f"--nodes={','.join(nodes)}"] if nodes else []
         words += [f"--truth={os.fspath(truth)}"] if truth is not None else []
         words += ["--yes"] if yes else []
+        words += [f"--replicate={replicate}"] if replicate is not None else []
         with Hearing(progress, unit="point") as hear:
             text, _ = _native.sweep(words, self._cache, self._threads, self._allow, hear)
-        return frame([_row(point) for point in json.loads(text)["points"]], kind)
+        return Sweep(json.loads(text))
 
 
-def _row(point: dict) -> Dict[str, Any]:
-    row: Dict[str, Any] = {k: _number(v) for k, v in point["params"].items()}
-    row.update({m["name"]: m["value"] for m in point["metrics"]})
-    row.update(made=point["made"], found=point["found"], seconds=point["seconds"], trouble=point["why"])
-    return row
+def sweep(pipeline: Union[Pipeline, Path], name: Optional[str] = None, **said: Any) -> Sweep:
+    """Runs every point of a sweep of a pipeline.
 
+    Parameters
+    ----------
+    pipeline : Pipeline, path or name
+        The pipeline; a file or the name of a built-in one is opened as `tailor.Pipeline` does.
+    name : str, optional
+        A sweep that it declares.
+    **said
+        ``over``, ``tell``, ``nodes``, ``truth``, ``yes``, ``replicate``, ``progress``, as `Pipeline.sweep` takes them.
 
-def _number(text: str) -> Any:
-    """A param's value as the number that it is."""
-    for kind in (int, float):
-        try:
-            return kind(text)
-        except ValueError:
-            pass
-    return {"true": True, "false": False}.get(text, text)
+    Returns
+    -------
+    Sweep
+        Its points, replicates and comparisons as tables.
+    """
+    if not isinstance(pipeline, Pipeline):
+        pipeline = Pipeline(pipeline)
+    words = dict(over=None, tell=(), nodes=(), truth=None, yes=False, progress=None, replicate=None)
+    unknown = set(said) - set(words)
+    if unknown:
+        raise TypeError(f"sweep takes no {', '.join(sorted(unknown))}; it takes {', '.join(words)}")
+    return pipeline._swept(name, **{**words, **said})
 
 
 def pipelines() -> List[str]:
