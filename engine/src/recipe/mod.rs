@@ -14,7 +14,6 @@ mod extend;
 mod mistake;
 mod origins;
 mod pipeline;
-mod plain;
 mod read;
 mod searches;
 mod sections;

@@ -1,10 +1,6 @@
 //! What a pipeline's TOML says, as a tree: every key and value with its place in the file.
-//!
-//! Most of a large pipeline is plain: [`plain`] reads that several times as fast as a
-//! reader of all of TOML. Whatever it does not know, mistakes included, the `toml` crate reads.
 
 use super::mistake::Mistake;
-use super::plain;
 use super::tree::{Item, Key, Spot, Table};
 use std::borrow::Cow;
 use std::ops::Range;
@@ -13,14 +9,6 @@ use toml::de::{DeTable, DeValue};
 
 /// Reads all of a text; what is no TOML is reported, and left out of the tree.
 pub(super) fn tree(text: &str) -> (Table<'_>, Vec<Mistake>) {
-    match plain::tree(text) {
-        Some(table) => (table, vec![]),
-        None => whole(text),
-    }
-}
-
-/// As [`tree`], by the reader of all of TOML.
-pub(super) fn whole(text: &str) -> (Table<'_>, Vec<Mistake>) {
     let (root, errors) = DeTable::parse_recoverable(text);
     let root = table(root.into_inner());
     let mistake = |error: toml::de::Error| {
