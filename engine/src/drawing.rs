@@ -1,6 +1,5 @@
-//! A pipeline as DOT, Mermaid or SVG, coloured by what a run would do.
+//! A pipeline as DOT or Mermaid, coloured by what a run would do.
 
-use crate::drawing_svg::color;
 use crate::graph::{Bound, Graph, Source};
 use crate::plan::{Planned, State};
 use serde_json::{Map, Value, json};
@@ -35,7 +34,7 @@ pub fn json(graph: &Graph, plan: &[Option<Planned>]) -> Value {
     json!({ "inputs": inputs, "nodes": nodes })
 }
 
-/// The drawing in a format: `dot`, `mermaid` or `svg`.
+/// The drawing in a format: `dot` or `mermaid`.
 ///
 /// # Errors
 ///
@@ -50,8 +49,10 @@ pub fn draw(graph: &Graph, plan: &[Option<Planned>], format: &str) -> Result<Str
     let dot = match format {
         "dot" => true,
         "mermaid" => false,
-        "svg" => return Ok(crate::drawing_svg::svg(graph, plan)),
-        other => return Err(stage::unknown("format", other, &["dot", "mermaid", "svg"])),
+        "svg" => {
+            return Err("no picture is drawn here: say --as dot, and `dot -Tsvg` draws it".into());
+        }
+        other => return Err(stage::unknown("format", other, &["dot", "mermaid"])),
     };
     let _ = writeln!(
         text,
@@ -97,4 +98,14 @@ pub fn draw(graph: &Graph, plan: &[Option<Planned>], format: &str) -> Result<Str
         text += "}\n";
     }
     Ok(text)
+}
+
+/// The colour of a node; `None` is not asked.
+fn color(state: Option<&State>) -> &'static str {
+    match state {
+        Some(State::Cached) => "#b7e4c7",
+        Some(State::Stale(_)) => "#ffb4a2",
+        Some(State::May) => "#ffe8a3",
+        None => "#e5e5e5",
+    }
 }

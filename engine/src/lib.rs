@@ -87,8 +87,6 @@ pub mod delivery;
 pub mod differ;
 mod done;
 pub mod drawing;
-mod drawing_layout;
-mod drawing_svg;
 pub mod foreign;
 pub mod graph;
 pub mod history;

@@ -87,7 +87,8 @@ fn what_is_said_on_the_command_line_is_checked() {
         ("run small.toml --threads 0", "--threads"),
         ("cache gc --max-size lots", "lots"),
         ("cache du --cache nowhere", "there is no cache at nowhere"),
-        ("graph small.toml --as png", "dot, mermaid, svg"),
+        ("graph small.toml --as png", "dot, mermaid"),
+        ("graph small.toml --as svg", "`dot -Tsvg` draws it"),
         (
             "show body --pipeline small.toml -o x.ply",
             "run the pipeline first",

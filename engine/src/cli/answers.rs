@@ -20,7 +20,7 @@ use std::path::Path;
 pub(crate) struct Drawing {
     #[command(flatten)]
     words: Words,
-    /// dot, mermaid or svg
+    /// dot or mermaid
     #[arg(long = "as", default_value = "dot")]
     format: String,
 }
