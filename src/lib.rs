@@ -9,6 +9,7 @@ pub mod kinds;
 pub mod measured;
 pub mod over_time;
 mod photos;
+mod program;
 mod references;
 pub mod repeat;
 pub mod score;
@@ -18,8 +19,9 @@ pub mod serve;
 #[cfg_attr(not(feature = "serve"), allow(dead_code))]
 mod words;
 
-pub use cli::{Measured, check_arguments, main, measured, program, program_over};
+pub use cli::{Measured, measured};
 pub use engine;
+pub use program::{check_arguments, main, program, program_over};
 // The engine's modules, under the names by which the product knows them.
 pub(crate) use engine::page;
 pub use engine::{

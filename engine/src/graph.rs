@@ -79,6 +79,13 @@ impl Graph {
         self.nodes.iter().position(|node| node.name == name)
     }
 
+    /// The node whose result it takes to write results of this node: the first of the kind beside.
+    pub fn beside(&self, node: usize) -> Option<usize> {
+        let kind = self.catalog.kind(self.nodes[node].stage.yields())?;
+        let of_kind = |beside| self.nodes.iter().position(|n| n.stage.yields() == beside);
+        kind.beside.and_then(of_kind)
+    }
+
     /// The places of the nodes that a param reaches at once: the node that has it, or with
     /// `params` for a node all that share it.
     pub fn holders(&self, node: &str, param: &str) -> Vec<usize> {

@@ -1,6 +1,5 @@
 //! Artifacts as files for people and other programs, as their kinds write them.
 
-use crate::graph::Graph;
 use crate::kind::{Catalog, NamedFiles, WriteError};
 use stage::AnyArtifact;
 
@@ -38,13 +37,6 @@ pub fn extension(catalog: &Catalog, artifact: &AnyArtifact) -> &'static str {
     let kind = catalog.kind(artifact.kind());
     let own = kind.and_then(|kind| (kind.extension)(artifact));
     own.unwrap_or(formats(catalog, artifact.kind())[0])
-}
-
-/// The node whose result it takes to write results of this node: the first of the kind beside.
-pub fn beside(graph: &Graph, node: usize) -> Option<usize> {
-    let kind = graph.catalog.kind(graph.nodes[node].stage.yields())?;
-    let of_kind = |beside| graph.nodes.iter().position(|n| n.stage.yields() == beside);
-    kind.beside.and_then(of_kind)
 }
 
 /// Files of an artifact in a format, the usual one if none is said. `raw` gives the bytes of the

@@ -40,7 +40,7 @@ pub fn plan(
 ) -> Vec<Option<Planned>> {
     store.look_around(graph.nodes.len());
     // What is not settled has a key that no result has.
-    crate::foreign::settle(graph, &crate::done::all(graph, wanted), store, &|| false);
+    crate::permission::settle(graph, &crate::done::all(graph, wanted), store, &|| false);
     let needed = crate::done::needed(graph, wanted);
     let file_contents: Vec<Hash> = files.iter().map(stage::content).collect();
     let history = History::of(store.root(), Of::new(graph, files));

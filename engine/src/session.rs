@@ -6,6 +6,7 @@ use crate::history::{self, RunSummary};
 use crate::journal::Journal;
 use crate::outcome::Outcome;
 use crate::past;
+use crate::permission;
 use crate::run_one::{Pool, Surroundings};
 use crate::source::{self, Memo, SourceError};
 use crate::store::{Store, StoreError};
@@ -263,9 +264,9 @@ pub(crate) fn settled(
     store: &Store,
     stop: &dyn Fn() -> bool,
 ) -> Result<(), EngineError> {
-    let settled = foreign::settle(graph, nodes, store, stop);
+    let settled = permission::settle(graph, nodes, store, stop);
     if !settled.refused.is_empty() {
-        let text = foreign::listing::refusal(graph, &settled.refused);
+        let text = permission::listing::refusal(graph, &settled.refused);
         return Err(EngineError::NotAllowed(text));
     }
     match settled.unknown {

@@ -154,7 +154,7 @@ fn ten_lines_have_the_whole_command_line() {
 /// Permissions of these tests, and not of who runs them.
 fn permissions() {
     static STATE: LazyLock<tempfile::TempDir> = LazyLock::new(|| tempfile::tempdir().unwrap());
-    engine::foreign::keep_permissions_in(STATE.path().to_owned());
+    engine::permission::keep_permissions_in(STATE.path().to_owned());
 }
 
 #[test]
@@ -175,7 +175,7 @@ fn a_program_of_the_example_counts_on_what_our_stage_made() {
     let all: Vec<usize> = (0..graph.nodes.len()).collect();
     let cache = place.path().join("cache");
     permissions();
-    engine::foreign::allow(&graph, &all).unwrap();
+    engine::permission::allow(&graph, &all).unwrap();
     let options = Options {
         cache,
         threads: Some(2),

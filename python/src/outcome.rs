@@ -67,7 +67,7 @@ impl Run {
             let (blob, stage) = self.outcome.blob(node).map_err(Fault::input)?;
             let artifact = stage.read(&blob).map_err(Fault::stage)?;
             let at = engine::cli::node(&self.graph, node)?;
-            let beside = out::beside(&self.graph, at);
+            let beside = self.graph.beside(at);
             let beside = beside.and_then(|at| self.outcome.artifact(&self.graph, at));
             let (raw, catalog) = (|| blob.to_vec(), self.graph.catalog);
             out::files(catalog, artifact, raw, beside, format.as_deref()).map_err(Fault::input)
@@ -90,7 +90,7 @@ pub(crate) fn run(
     job::run(py, hear, move |host, listener| {
         // What it takes to write what is wanted must be there.
         let needed = engine::walk::all(&graph, &wanted);
-        let beside = wanted.iter().filter_map(|i| out::beside(&graph, *i));
+        let beside = wanted.iter().filter_map(|i| graph.beside(*i));
         let beside: Vec<usize> = beside.filter(|i| needed.contains(i)).collect();
         wanted.extend(beside);
         let options = Options {

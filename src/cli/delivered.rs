@@ -92,7 +92,7 @@ fn measured(graph: &Graph) -> Option<usize> {
 }
 
 /// A result as it is written: girths with the name of the folder with the photos, as `measure` calls the capture.
-pub(super) fn present(artifact: AnyArtifact, ran: &Ran<'_>) -> AnyArtifact {
+pub(crate) fn present(artifact: AnyArtifact, ran: &Ran<'_>) -> AnyArtifact {
     match folder(ran) {
         Some(folder) => named(artifact, &called(folder)),
         None => artifact,
@@ -123,7 +123,7 @@ pub(super) fn write(
         };
         let (artifact, raw) = there(graph, outcome, at)?;
         let artifact = named(artifact, name);
-        let photos = out::beside(graph, at).and_then(|at| outcome.artifact(graph, at));
+        let photos = graph.beside(at).and_then(|at| outcome.artifact(graph, at));
         let files = out::files(graph.catalog, artifact, || raw, photos, Some(format));
         let files = files.map_err(Fault::stage)?;
         delivery.put(file, &files).map_err(Fault::stage)?;

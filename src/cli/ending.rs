@@ -14,7 +14,7 @@ const ENGLISH: Words = Words {
 };
 
 /// The girths of a run with its warnings; nothing where it made none.
-pub(super) fn ending(ran: &Ran<'_>) -> Option<String> {
+pub(crate) fn ending(ran: &Ran<'_>) -> Option<String> {
     let girths = ran.last::<Girths>()?;
     let cameras = ran.get::<Cameras>("cameras");
     let cameras = cameras.or_else(|| ran.last::<Cameras>());

@@ -203,7 +203,7 @@ fn prepared(
 /// # Errors
 ///
 /// As [`measured`], before anything runs.
-pub(super) fn ahead(measure: &Measure) -> Result<Job, Fault> {
+pub(crate) fn ahead(measure: &Measure) -> Result<Job, Fault> {
     let (folders, words): (Vec<&PathBuf>, Vec<&PathBuf>) =
         measure.folders.iter().partition(|word| word.exists());
     let (capture, nodes) = match (folders.as_slice(), words.as_slice()) {

@@ -15,7 +15,7 @@ use crate::lasttime::History;
 use crate::past::Of;
 use crate::store::Store;
 use engine::cli::Fault;
-use engine::{Options, out, walk};
+use engine::{Options, walk};
 use serde_json::{Value, json};
 use std::collections::BTreeMap;
 use std::ffi::OsString;
@@ -178,10 +178,7 @@ fn run(app: &App, job: &Job, ready: &Prepared, teller: &Teller) -> Result<(), Fa
     let graph = &ready.graph;
     let store = Store::open(&app.global.cache).map_err(Fault::input)?;
     let mut wanted = ready.wanted.clone();
-    let beside: Vec<usize> = wanted
-        .iter()
-        .filter_map(|at| out::beside(graph, *at))
-        .collect();
+    let beside: Vec<usize> = wanted.iter().filter_map(|at| graph.beside(*at)).collect();
     wanted.extend(beside);
     let options = Options {
         cache: app.global.cache.clone(),

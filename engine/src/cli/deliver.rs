@@ -132,7 +132,9 @@ pub(super) fn write(
     for node in wanted.iter().filter(made) {
         let (artifact, raw) = there(graph, outcome, *node)?;
         let format = out::extension(graph.catalog, &artifact);
-        let beside = out::beside(graph, *node).and_then(|at| outcome.artifact(graph, at));
+        let beside = graph
+            .beside(*node)
+            .and_then(|at| outcome.artifact(graph, at));
         let artifact = (global.program().present)(artifact, ran);
         let files = out::files(graph.catalog, artifact, || raw, beside, None);
         let mut files = files.map_err(Fault::stage)?;

@@ -50,8 +50,8 @@ mod sweep;
 mod sweep_asked;
 mod sweep_told;
 mod telling;
-pub mod text;
 
+pub use crate::text;
 pub use arguments::{Change, Wanted};
 pub use deliver::{check as check_out, finish, inside, lies_in, whose};
 pub use fault::Fault;

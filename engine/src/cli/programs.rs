@@ -4,6 +4,7 @@ use super::fault::Fault;
 use super::program::{GlobalArgs, Walls};
 use crate::foreign;
 use crate::graph::Graph;
+use crate::permission;
 use crate::store::Store;
 use std::sync::Once;
 use std::sync::atomic::Ordering;
@@ -15,7 +16,7 @@ use std::sync::atomic::Ordering;
 /// The cache cannot be used.
 pub(crate) fn permitted(graph: &Graph, global: &GlobalArgs) -> Result<(), Fault> {
     let all: Vec<usize> = (0..graph.nodes.len()).collect();
-    if foreign::programs(graph, &all).next().is_none() {
+    if permission::programs(graph, &all).next().is_none() {
         return Ok(());
     }
     if global.sandbox == Walls::Required {
@@ -27,10 +28,10 @@ pub(crate) fn permitted(graph: &Graph, global: &GlobalArgs) -> Result<(), Fault>
     }
     let store = Store::open(&global.cache).map_err(Fault::input)?;
     if global.allow_exec {
-        foreign::allow(graph, &all).map_err(Fault::input)?;
+        permission::allow(graph, &all).map_err(Fault::input)?;
     }
     let stop = || global.host.cancel().load(Ordering::Relaxed);
-    let settled = foreign::settle(graph, &all, &store, &stop);
+    let settled = permission::settle(graph, &all, &store, &stop);
     if !settled.refused.is_empty() {
         unread(&store, global);
     }
@@ -62,7 +63,7 @@ pub(crate) fn unguarded(graph: &Graph, nodes: &[usize], global: &GlobalArgs) {
     static SAID: Once = Once::new();
     let quiet = global.quiet || global.json;
     if !quiet
-        && foreign::programs(graph, nodes).next().is_some()
+        && permission::programs(graph, nodes).next().is_some()
         && let Some(lacks) = foreign::sandbox().lacks()
     {
         SAID.call_once(|| crate::errln!("{lacks} (--sandbox required lets none run so)"));
@@ -76,15 +77,15 @@ pub(crate) fn unguarded(graph: &Graph, nodes: &[usize], global: &GlobalArgs) {
 /// The cache cannot be used.
 pub(crate) fn listed(graph: &Graph, global: &GlobalArgs) -> Result<(), Fault> {
     let all: Vec<usize> = (0..graph.nodes.len()).collect();
-    if global.quiet || global.json || foreign::programs(graph, &all).next().is_none() {
+    if global.quiet || global.json || permission::programs(graph, &all).next().is_none() {
         return Ok(());
     }
     let of = |(i, program): (usize, &std::sync::Arc<foreign::Program>)| {
-        (!foreign::is_allowed(program)).then_some(i)
+        (!permission::is_allowed(program)).then_some(i)
     };
-    let refused: Vec<usize> = foreign::programs(graph, &all).filter_map(of).collect();
+    let refused: Vec<usize> = permission::programs(graph, &all).filter_map(of).collect();
     if !refused.is_empty() {
-        crate::errln!("{}", foreign::listing::refusal(graph, &refused));
+        crate::errln!("{}", permission::listing::refusal(graph, &refused));
     }
     Ok(())
 }

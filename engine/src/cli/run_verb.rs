@@ -17,7 +17,7 @@ use crate::past::Of;
 use crate::session;
 use crate::store::Store;
 use crate::walk::{Done, Watch};
-use crate::{out, verify, walk};
+use crate::{verify, walk};
 use clap::Args;
 use stage::Hash;
 use std::path::{Path, PathBuf};
@@ -111,7 +111,7 @@ fn execute_some(
     let count = needed.iter().filter(|n| **n).count();
     // What it takes to write what is wanted must be there.
     let mut wanted = wanted.to_vec();
-    let beside = wanted.iter().filter_map(|i| out::beside(graph, *i));
+    let beside = wanted.iter().filter_map(|i| graph.beside(*i));
     let beside: Vec<usize> = beside.filter(|i| needed[*i]).collect();
     wanted.extend(beside);
     let wanted = wanted.as_slice();

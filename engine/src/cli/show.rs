@@ -212,7 +212,7 @@ pub(crate) fn show(show: &Show, global: &GlobalArgs) -> Result<(), Fault> {
         ))
     })?;
     // Of the same run if it is there.
-    let beside = out::beside(&graph, wanted).and_then(|at| {
+    let beside = graph.beside(wanted).and_then(|at| {
         let name = &graph.nodes[at].name;
         let same = result(&store, &graph, &run, name);
         Some(same.or_else(|| Some(newest(name)?.2))?.0)

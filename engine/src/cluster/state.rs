@@ -97,7 +97,7 @@ fn look(
     let graph = pipeline.graph(&overrides).map_err(WorkError::Wrong)?;
     let n = graph.nodes.len();
     let all = crate::walk::all(&graph, &wanted(&graph, &plan.wanted));
-    crate::foreign::settle(&graph, &all, store, &|| false);
+    crate::permission::settle(&graph, &all, store, &|| false);
     let input = |name: &str| {
         let found = point.inputs.iter().find(|i| plan.inputs[**i].name == name);
         found.map(|i| contents[*i])

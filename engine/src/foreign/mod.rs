@@ -3,20 +3,19 @@
 //! taken in by its kind's importer, as any input.
 //!
 //! `template` (a command with its placeholders) → `program` (a node's program, what its key holds, what
-//! the user allows) → `permit` (what this user allowed; identities, `reads`) → `stage` (the run: `layout`, `run`,
+//! the user allows) → `granted` (identities, `reads`, once it may run) → `stage` (the run: `layout`, `run`,
 //! `child`, by `start` in a `sandbox` or confined by a `launcher`, where it sees what is `installed`, with its `family`, or one that is `kept` (`resident`); `results`).
 
 mod child;
 mod error;
 mod family;
+mod granted;
 mod identity;
 mod installed;
 mod kept;
 mod launcher;
 mod layout;
 pub(crate) mod leftover;
-pub mod listing;
-mod permit;
 mod places;
 #[cfg(test)]
 mod pretended;
@@ -41,12 +40,6 @@ pub use installed::bring;
 pub(crate) use kept::Keeping;
 pub use launcher::launched;
 pub use leftover::clear;
-pub use listing::programs;
-#[cfg(test)]
-pub(crate) use permit::permissions_here;
-pub use permit::{
-    PermitError, Settled, allow, is_allowed, keep_permissions_in, permissions, settle,
-};
 #[cfg(test)]
 pub(crate) use pretended::{Pretended, pretend};
 pub use program::{Granted, Program, Script};

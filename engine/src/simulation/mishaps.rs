@@ -8,7 +8,7 @@ use super::server::spoilt;
 use super::story::{Use, What};
 use super::world::World;
 use crate::clock::simulated;
-use crate::foreign;
+use crate::permission;
 use crate::store::{Step, below};
 use std::path::Path;
 use std::sync::atomic::Ordering;
@@ -80,17 +80,17 @@ fn permission(world: &World, m: usize, what: &What) -> String {
     let graph = program(number);
     let nodes = crate::walk::all(&graph, &graph.goal);
     if allow {
-        let allowed = foreign::allow(&graph, &nodes);
+        let allowed = permission::allow(&graph, &nodes);
         if allowed.is_ok() {
             machine.known.borrow_mut().granted.insert(number);
         }
         return format!("{}", allowed.is_ok());
     }
-    let (_, asked) = foreign::programs(&graph, &nodes)
+    let (_, asked) = permission::programs(&graph, &nodes)
         .next()
         .expect("a program");
     let name = asked.permission().to_hex();
-    let folder = foreign::permissions(asked).expect("a folder");
+    let folder = permission::permissions(asked).expect("a folder");
     match what {
         What::Revoke { .. } => {
             let _ = std::fs::remove_file(folder.join(name.as_str()));

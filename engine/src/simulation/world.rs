@@ -141,7 +141,7 @@ impl World {
             1_000_000_000
         };
         let machine = &self.machines[machine];
-        crate::foreign::permissions_here(Some(machine.state.clone()));
+        crate::permission::permissions_here(Some(machine.state.clone()));
         let drift = passed.as_nanos() as i128 * i128::from(machine.setup.drift) / 1_000_000;
         let ahead_s = i128::from(machine.ahead_s.get());
         let wall_ns = (begin_s + ahead_s) * 1_000_000_000 + passed.as_nanos() as i128 + drift;

@@ -177,7 +177,7 @@ fn markdown(head: &[String], rows: &[Vec<String>]) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::cli::text::short;
+    use crate::text::short;
 
     #[test]
     fn what_moved_is_told_by_what_it_is_of_and_nothing_else() {

@@ -1,9 +1,9 @@
 //! How much a sweep is before any of it runs.
 
 use super::points::Points;
-use crate::cli::text::count;
 use crate::graph::Graph;
 use crate::impact;
+use crate::text::count;
 
 /// What a sweep would make if nothing of it were in the store.
 #[derive(Debug, Clone, PartialEq)]

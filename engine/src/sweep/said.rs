@@ -3,7 +3,7 @@
 use super::cells::short;
 use super::paired::Pairs;
 use super::spread::{Group, Spread};
-use crate::cli::text::{lines, table, to_the_right};
+use crate::text::{lines, table, to_the_right};
 
 /// Replicates: a row each set of params, mean ± standard deviation and how many tell it.
 pub fn replicates_text(groups: &[Group]) -> String {

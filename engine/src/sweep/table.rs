@@ -6,7 +6,7 @@ use super::row::{End, Row};
 use super::said::{pairs_text, replicates_text};
 use super::spread::{Group, spread};
 use super::told::Told;
-use crate::cli::text::count;
+use crate::text::count;
 use serde_json::{Value, json};
 use std::fmt::Write;
 
@@ -42,7 +42,7 @@ fn of_points(rows: &[Row]) -> String {
     let failed = rows.iter().any(|r| r.end != End::Done);
     let units = columns.iter();
     let units = units.map(|(n, u)| format!("{n} {u}").trim_end().to_owned());
-    let mut table = crate::cli::text::table();
+    let mut table = crate::text::table();
     let head = named.into_iter().map(|p| p.0).chain(units);
     let head = head.chain(["made".to_owned(), "time".to_owned()]);
     table.add_row(head.chain(failed.then(String::new)));
@@ -55,9 +55,9 @@ fn of_points(rows: &[Row]) -> String {
         table.add_row(line);
     }
     for column in texts..texts + columns.len() + 2 {
-        crate::cli::text::to_the_right(&mut table, column);
+        crate::text::to_the_right(&mut table, column);
     }
-    crate::cli::text::lines(&mut table) + "\n"
+    crate::text::lines(&mut table) + "\n"
 }
 
 /// What it cost, and what it would have.

@@ -5,7 +5,7 @@ use crate::trade::{Nobody, Pages, Place, Text, done, is_made, left, shell};
 use engine::plan::{State, plan};
 use engine::store::keeper::{Budget, gc};
 use engine::walk::Watch;
-use engine::{foreign, verify};
+use engine::{permission, verify};
 use std::os::unix::fs::PermissionsExt;
 use std::path::PathBuf;
 use std::sync::Mutex;
@@ -197,7 +197,7 @@ fn eight_threads_and_one_give_equal_contents() {
         let cache = place.path(&format!("cache{threads}"));
         let all: Vec<usize> = (0..graph.nodes.len()).collect();
         let graph = place.graph(&nodes);
-        foreign::allow(&graph, &all).unwrap();
+        permission::allow(&graph, &all).unwrap();
         let options = engine::Options {
             cache: cache.clone(),
             threads: Some(threads),

@@ -5,7 +5,7 @@ use engine::kind::{Importer, NamedFiles, WriteError};
 use engine::recipe::{Overrides, open_text};
 use engine::store::Store;
 use engine::walk::{Done, Status, Watch};
-use engine::{Catalog, Kind, Options, Outcome, foreign};
+use engine::{Catalog, Kind, Options, Outcome, permission};
 use stage::{AnyArtifact, Artifact, Corrupt, Ctx, Files, Packer, Stage, Stop, Unpacker, erase};
 use std::path::{Path, PathBuf};
 use std::sync::atomic::AtomicBool;
@@ -178,7 +178,7 @@ pub(crate) struct Place(tempfile::TempDir);
 impl Place {
     pub(crate) fn new() -> Place {
         static STATE: LazyLock<tempfile::TempDir> = LazyLock::new(|| tempfile::tempdir().unwrap());
-        foreign::keep_permissions_in(STATE.path().to_owned());
+        permission::keep_permissions_in(STATE.path().to_owned());
         let place = Place(tempfile::tempdir().unwrap());
         std::fs::create_dir(place.path("src")).unwrap();
         place.write("src/a.txt", "one two\n");
@@ -228,7 +228,7 @@ impl Place {
     }
     pub(crate) fn allow(&self, graph: &Graph) {
         let all: Vec<usize> = (0..graph.nodes.len()).collect();
-        foreign::allow(graph, &all).unwrap();
+        permission::allow(graph, &all).unwrap();
     }
     /// Runs what is allowed.
     pub(crate) fn run(

@@ -1,6 +1,6 @@
 //! Where a value stands on an axis.
 
-use crate::cli::text::short;
+use crate::text::short;
 
 /// An axis: numbers by size, or words in their order.
 #[derive(Debug, Clone)]

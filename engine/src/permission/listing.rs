@@ -1,8 +1,6 @@
 //! What a pipeline would run, for the user to look at before it does.
 
-use super::program::Program;
-use super::stage::EXEC;
-use super::template::Template;
+use crate::foreign::{EXEC, Program, Template, VERSION};
 use crate::graph::Graph;
 use crate::kind::Catalog;
 use std::fmt::Write;
@@ -57,7 +55,7 @@ pub fn lines(node: &str, program: &Program) -> Vec<String> {
 pub fn reference(catalog: &Catalog) -> String {
     let mut text = format!(
         "{EXEC} v{} → what `out` says\n  Runs a program of yours: see docs/pipelines.md.\n",
-        crate::foreign::VERSION
+        VERSION
     );
     for (key, what) in KEYS {
         let _ = writeln!(text, "  {key}  {what}");

@@ -1,10 +1,8 @@
 //! What the user allowed: remembered by content in a folder of the user's own, outside of every cache and of all
 //! that is downloaded. A program that was not allowed does not run, nor does its identity.
 
-use super::leftover;
 use super::listing::{self, programs};
-use super::program::{Grant, Program};
-use super::{reads, run};
+use crate::foreign::{Program, leftover};
 use crate::graph::Graph;
 use crate::store::Store;
 use crate::system::{is_mine, nofollow, private_folder, user_state};
@@ -133,8 +131,8 @@ pub fn settle(graph: &Graph, nodes: &[usize], store: &Store, stop: &dyn Fn() -> 
     let mut settled = Settled::default();
     let mut cleared = false;
     for (i, program) in programs(graph, nodes) {
-        if let Some(grant) = program.granted.0.get() {
-            settled.note(i, grant);
+        if let Some(wrong) = program.asked() {
+            settled.note(i, wrong);
             continue;
         }
         if !is_allowed(program) {
@@ -146,61 +144,15 @@ pub fn settle(graph: &Graph, nodes: &[usize], store: &Store, stop: &dyn Fn() -> 
         }
         let folder = store.root().canonicalize();
         let folder = folder.unwrap_or_else(|_| store.root().to_owned());
-        let grant = granted(program, folder, stop);
-        settled.note(i, &grant);
-        let _ = program.granted.0.set(grant);
+        settled.note(i, program.ask(folder, stop));
     }
     settled
 }
 
-/// What is to be known of a program before it runs.
-fn granted(program: &Program, folder: PathBuf, stop: &dyn Fn() -> bool) -> Grant {
-    let permission = program.permission();
-    let identity = (!program.identity.is_empty()).then(|| {
-        program.identities.get(permission, || {
-            let printed = run::identity(program, &folder, stop);
-            let printed = printed.map_err(|why| why.to_string())?;
-            Ok(printed.unwrap_or_default())
-        })
-    });
-    let content = |path: &String| {
-        program.identities.get(stage::hash(path.as_bytes()), || {
-            let told = |why| format!("`reads`: {path}: {why}");
-            // The cache is in nobody's key, and nobody's to see.
-            match folder.starts_with(
-                Path::new(path)
-                    .canonicalize()
-                    .map_err(|why| told(why.to_string()))?,
-            ) {
-                true => Err(told("holds the cache: name what is read of it".into())),
-                false => Ok(reads::content(path)
-                    .map_err(|why| told(why.to_string()))?
-                    .to_hex()
-                    .to_string()),
-            }
-        })
-    };
-    Grant {
-        reads: program.reads.iter().map(content).collect(),
-        stamps: program
-            .reads
-            .iter()
-            .map(|path| reads::stamps(path).ok())
-            .collect(),
-        folder,
-        identity,
-    }
-}
-
 impl Settled {
-    fn note(&mut self, node: usize, grant: &Grant) {
-        let wrong = grant
-            .identity
-            .iter()
-            .chain(&grant.reads)
-            .find_map(|known| known.as_ref().err());
+    fn note(&mut self, node: usize, wrong: Option<&str>) {
         if let (None, Some(why)) = (&self.unknown, wrong) {
-            self.unknown = Some((node, why.clone()));
+            self.unknown = Some((node, why.to_owned()));
         }
     }
 }
