@@ -48,23 +48,3 @@ pub(crate) fn references(metric: &str, unit: &str, truth: Option<&Path>) -> Vec<
         false => vec![],
     }
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn errors_are_held_against_nothing_and_the_limits_of_their_part() {
-        let values = |metric: &str, unit: &str| -> Vec<f64> {
-            references(metric, unit, None)
-                .iter()
-                .map(|r| r.value)
-                .collect()
-        };
-        assert_eq!(values("error.WC", "mm tape"), [0.0, 9.0, -9.0, 12.0, -12.0]);
-        assert_eq!(values("error.AC_L", "mm tape"), [0.0, 4.0, -4.0]);
-        assert_eq!(values("score.girths WC error", "%"), [0.0]);
-        assert_eq!(values("score.girths mean error", "%"), Vec::<f64>::new());
-        assert_eq!(values("girths.WC", "cm tape"), Vec::<f64>::new());
-    }
-}

@@ -112,18 +112,6 @@ def test_a_sweep_is_a_frame(doll):
     assert again[0]["body.volume"] == table["body.volume"][0]
 
 
-def test_replicates_are_rows_spreads_and_pairs(doll):
-    swept = tailor.sweep(doll, over={"body.cell_mm": [10, 12.0]}, tell=["photos.photos"], nodes=["photos"], replicate=2)
-    assert len(swept) == 4 and [row["replicate"] for row in swept.frame("dicts")] == [1, 2, 1, 2]
-    spreads = swept.replicates("dicts")
-    assert [(row["n"], row["refused"], row["mean"], row["sd"]) for row in spreads] == [(2, 0, 8.0, 0.0)] * 2
-    assert swept.paired("dicts") == []
-    with pytest.raises(tailor.Error, match="has a seed"):
-        doll.sweep(nodes=["body"], replicate=2)
-    with pytest.raises(TypeError, match="takes no ovr"):
-        tailor.sweep(doll, ovr={})
-
-
 def test_a_point_that_fails_has_its_trouble(doll):
     rows = doll.sweep(over={"carved.voxel_mm": [6, 50]}, nodes=["carved"], kind="dicts", progress=False)
     assert rows[0]["trouble"] is None and "carved failed" in rows[1]["trouble"]

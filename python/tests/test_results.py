@@ -123,11 +123,7 @@ def test_girths_are_the_table_that_the_command_writes(doll, shown, command, tmp_
     assert girths.document == json.loads((tmp_path / "g.json").read_text())
     assert girths["WC"]["tape_cm"] > 10 and "WC" in girths and "XX" not in girths
     frame = girths.frame()
-    given = frame[~frame["refused"]]
-    assert set(given["name"]) == set(girths)
-    rows = girths.frame("dicts")
-    assert rows[0]["interval_cm.lo"] <= rows[0]["tape_cm"] <= rows[0]["interval_cm.hi"] and "sigma_cm.surface" in rows[0]
-    assert not any(isinstance(value, (dict, list)) for row in rows for value in row.values())
+    assert set(frame["name"]) == set(girths)
     with pytest.raises(tailor.Error, match="there is no `XX`"):
         girths["XX"]
 

@@ -3,7 +3,6 @@
 use crate::chromium::Tab;
 use stage::{Metric, Value};
 use std::time::{Duration, Instant};
-use tailor::compare::{ReadGirth, Side, TechnicalErrors, compare};
 use tailor::sweep::{End, Point, Reference, Row};
 
 const DESK: [u32; 2] = [1280, 900];
@@ -141,43 +140,6 @@ fn fits(tab: &mut Tab) {
         "[...document.querySelectorAll('section')].filter((s) => s.scrollWidth > s.clientWidth + 1).map((s) => s.querySelector('h2').textContent)",
     );
     assert_eq!(out, serde_json::json!([]), "cards that scroll at 1280 px");
-}
-
-#[test]
-#[cfg_attr(not(chromium), ignore = "no Chromium is installed")]
-fn tables_of_a_comparison_fit_a_page_of_1280_pixels() {
-    let side = |name: &str, off: f64| {
-        let girth = |(label, tape): (&str, f64)| ReadGirth {
-            name: label.replace(' ', "_"),
-            label: label.into(),
-            part: Some("waist".into()),
-            contour: tape + 0.3,
-            tape: tape + off,
-            interval: Some([tape - 1.2, tape + 1.4]),
-            repeat: Some(0.5),
-            scale: Some(0.2),
-            surface: Some(0.2),
-            plane: None,
-        };
-        Side {
-            name: name.into(),
-            nodes: vec![],
-            unit: Some(shape::Unit::Metric),
-            girths: [("waist at the navel", 81.0), ("girth below the bust", 77.4)]
-                .map(girth)
-                .to_vec(),
-            mesh: None,
-            views: Default::default(),
-        }
-    };
-    let sides = vec![
-        side("rigid_once", 0.0),
-        side("weighted_median_once", 1.3),
-        side("params.cell_mm=12.0", -0.8),
-    ];
-    let page = tailor::compare::page(&compare(sides, None, &TechnicalErrors::new()), false);
-    let mut tab = Tab::open(&page, DESK, false, false);
-    fits(&mut tab);
 }
 
 #[test]

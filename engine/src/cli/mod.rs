@@ -39,6 +39,7 @@ mod ran;
 mod result;
 mod run_verb;
 mod search;
+mod search_told;
 mod shared;
 mod show;
 mod size;
@@ -114,7 +115,7 @@ enum Own {
     /// Every point of a sweep, what they share made once: a table, plots
     Sweep(sweep_asked::SweepArgs),
     /// The best set of params within ranges, as the pipeline declares it
-    Search(search::SearchArgs),
+    Search(search_told::SearchArgs),
     /// Tables that sweeps make, kept as pages: made again, and what moved
     Study(study::Study),
     /// Strands of a plan (`plan --strands`), on any machine that sees the cache

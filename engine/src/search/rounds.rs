@@ -205,6 +205,9 @@ fn random(over: &[OverParam], points: usize, seed: u64) -> Axis {
     }
 }
 
+/// A number to another.
+type Map = fn(f64) -> f64;
+
 /// A range around the best point, so wide a share of the whole; a list stays.
 fn narrower((node, param, over): &OverParam, best: Option<&Tried>, share: f64) -> OverParam {
     let here = |(n, p, v): &Set| match v {
@@ -217,7 +220,7 @@ fn narrower((node, param, over): &OverParam, best: Option<&Tried>, share: f64) -
     let narrowed = match (over, middle) {
         (Over::Range(said), Some(middle)) => {
             let s = &said.value;
-            let (f, back): (fn(f64) -> f64, fn(f64) -> f64) = match s.log {
+            let (f, back): (Map, Map) = match s.log {
                 true => (libm::log, libm::exp),
                 false => (|x| x, |x| x),
             };

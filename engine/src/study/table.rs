@@ -69,7 +69,11 @@ impl Table {
 
     /// The page.
     pub fn page(&self, program: &str) -> String {
-        let mut page = format!("# {}\n\n    tailor study run {}\n\n", self.about, self.name);
+        let called = program.split(' ').next().unwrap_or(program);
+        let mut page = format!(
+            "# {}\n\n    {called} study run {}\n\n",
+            self.about, self.name
+        );
         if let Some(first) = self.groups.first() {
             let variant = first.variant.iter().map(|_| "variant".to_owned());
             let params = first.params.iter().map(|(name, _)| name.clone());

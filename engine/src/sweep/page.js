@@ -14,4 +14,6 @@
     const sorted = [...table.tBodies[0].rows].sort((a, b) => { const [x, y] = [key(a), key(b)]; const c = typeof x === "number" && typeof y === "number" ? x - y : String(x).localeCompare(String(y)); return down ? -c : c; });
     table.tBodies[0].append(...sorted);
   })));
+  const plots = document.getElementById("view");
+  plots.dataset.drawn = String(plots.children.length);
 })();

@@ -114,7 +114,8 @@ fn section(title: &str, body: &str) -> String {
 
 /// A drawing within a page, which names no address.
 fn inside(plot: &Plot) -> String {
-    plot.svg.replace(" xmlns=\"http://www.w3.org/2000/svg\"", "")
+    plot.svg
+        .replace(" xmlns=\"http://www.w3.org/2000/svg\"", "")
 }
 
 fn figure(plot: &Plot) -> String {
@@ -136,19 +137,19 @@ fn figure(plot: &Plot) -> String {
     )
 }
 
-/// What is the same at every point, and so not drawn.
+/// What is the same at every point that tells it, and so not drawn.
 fn still(groups: &[Group]) -> String {
     let mut same = Vec::new();
-    for (k, spread) in groups
-        .first()
-        .map_or(&[][..], |g| &g.spreads)
-        .iter()
-        .enumerate()
-    {
-        let all = groups.iter().map(|g| g.spreads[k].mean);
-        let first = spread.mean.filter(|_| groups.len() > 1);
-        if let Some(value) = first.filter(|_| all.clone().all(|v| v == spread.mean)) {
-            same.push(format!("{} {}", spread.name, short(value)));
+    let spreads = groups.first().map_or(&[][..], |g| &g.spreads);
+    for (k, spread) in spreads.iter().enumerate().filter(|_| groups.len() > 1) {
+        let mut told = groups.iter().filter_map(|g| g.spreads[k].mean);
+        let Some(value) = told.next() else { continue };
+        if told.all(|v| v == value) {
+            let unit = match spread.unit.is_empty() {
+                true => String::new(),
+                false => format!(" [{}]", spread.unit),
+            };
+            same.push(format!("{}{unit} {}", spread.name, short(value)));
         }
     }
     match same.is_empty() {

@@ -55,11 +55,14 @@ impl Pairs {
     }
 }
 
+/// Params, and the points of both sides that have them.
+type Matched<'a> = (&'a [(String, String)], Vec<(&'a Told, &'a Told)>);
+
 /// The second side against the first: of each set of params with replicates one entry a metric; where no point says a
 /// replicate, all points that both have are the pairs.
 pub fn paired(first: &[Told], second: &[Told]) -> Vec<Pairs> {
     let repeated = first.iter().chain(second).any(|t| t.replicate.is_some());
-    let mut groups: Vec<(&[(String, String)], Vec<(&Told, &Told)>)> = Vec::new();
+    let mut groups: Vec<Matched<'_>> = Vec::new();
     for a in first {
         let same = |b: &&Told| b.params == a.params && b.replicate == a.replicate;
         let Some(b) = second.iter().find(same) else {
@@ -72,7 +75,7 @@ pub fn paired(first: &[Told], second: &[Told]) -> Vec<Pairs> {
         }
     }
     let metrics = metrics(first.iter().chain(second));
-    let group = |(params, pairs): &(&[(String, String)], Vec<(&Told, &Told)>)| -> Vec<Pairs> {
+    let group = |(params, pairs): &Matched<'_>| -> Vec<Pairs> {
         metrics.iter().map(|m| one(params, m, pairs)).collect()
     };
     groups.iter().flat_map(group).collect()

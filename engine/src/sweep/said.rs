@@ -109,8 +109,11 @@ pub(super) fn pairs_row(p: &Pairs) -> Vec<String> {
     ]
 }
 
+/// A pair as a row.
+pub(crate) type PairRow = fn(&Pairs) -> Vec<String>;
+
 /// Head and rows of a table of pairs.
-pub(crate) fn pairs_cells(first: &str, second: &str) -> (Vec<String>, fn(&Pairs) -> Vec<String>) {
+pub(crate) fn pairs_cells(first: &str, second: &str) -> (Vec<String>, PairRow) {
     (pairs_head(first, second), pairs_row)
 }
 
