@@ -5,6 +5,7 @@ use nalgebra::{Isometry3, Point3, Vector3};
 use serde_json::Value;
 use shape::{Mesh, Part, Plane, mesh_to_ply};
 use std::path::{Path, PathBuf};
+use std::sync::LazyLock;
 use synth::{Build, body_solid, bounds, surface};
 
 /// A made body of 1.75 m that holds its arms so, with a belt about the waist grown by so much along the radius. \[mm\]
@@ -29,6 +30,9 @@ fn body(arms_deg: f64, stature: f64, belt_mm: f64) -> Mesh {
     }
     mesh
 }
+
+/// The body that most tests begin with.
+static USUAL: LazyLock<Mesh> = LazyLock::new(|| body(42.0, 1750.0, 0.0));
 
 fn moved(mesh: &Mesh, motion: &Isometry3<f64>) -> Mesh {
     let at = |v: u32| (motion * mesh.point(v)).coords.map(|x| x as f32).into();
@@ -59,11 +63,11 @@ fn median(values: &[f64]) -> f64 {
 
 #[test]
 fn a_turned_and_moved_body_is_laid_back_from_any_side() {
-    let first = body(42.0, 1750.0, 0.0);
+    let first = &*USUAL;
     for deg in [15.0, -100.0, 180.0] {
         let motion = turned(deg);
-        let other = moved(&first, &motion);
-        let found = rigid(&first, &Target::new(&other), Halves::Both);
+        let other = moved(first, &motion);
+        let found = rigid(first, &Target::new(&other), Halves::Both);
         for p in [
             Point3::new(0.0, 0.0, 1700.0),
             Point3::new(300.0, 0.0, 900.0),
@@ -77,11 +81,11 @@ fn a_turned_and_moved_body_is_laid_back_from_any_side() {
 
 #[test]
 fn arms_in_another_pose_are_the_same_arms_and_levels_stay_where_they_were() {
-    let first = body(42.0, 1750.0, 0.0);
+    let first = &*USUAL;
     let other = moved(&body(34.0, 1750.0, 0.0), &turned(15.0));
-    let segments = segments(&first, &parts(&first));
+    let segments = segments(first, &parts(first));
     let target = Target::new(&other);
-    let laid = posed(&first, &segments, &target, Halves::Both);
+    let laid = posed(first, &segments, &target, Halves::Both);
     let off = growth(&laid.mesh, &target);
     assert!(median(&off) < 0.5, "{}", median(&off));
     // Before: the arms alone are some hundred millimetres apart at the hands.
@@ -94,17 +98,17 @@ fn arms_in_another_pose_are_the_same_arms_and_levels_stay_where_they_were() {
         point_mm: [0.0, 0.0, 1085.0],
         normal: [0.0, 0.0, 1.0],
     };
-    let there = carried(&waist, &first, &laid.mesh, |v| of[v] == Part::Trunk).unwrap();
+    let there = carried(&waist, first, &laid.mesh, |v| of[v] == Part::Trunk).unwrap();
     assert!((there.point_mm[2] - 1085.0).abs() < 0.3, "{there:?}");
     assert!(there.normal[2] > 0.999_99, "{there:?}");
-    assert_eq!(carried(&waist, &first, &laid.mesh, |_| false), None);
+    assert_eq!(carried(&waist, first, &laid.mesh, |_| false), None);
 }
 
 #[test]
 fn volumes_of_parts_are_those_of_the_whole() {
-    let mesh = body(42.0, 1750.0, 0.0);
-    let of = segments(&mesh, &parts(&mesh)).parts();
-    let all = volumes(&mesh, &of, &PARTS);
+    let mesh = &*USUAL;
+    let of = segments(mesh, &parts(mesh)).parts();
+    let all = volumes(mesh, &of, &PARTS);
     proof::near(all.iter().sum::<f64>() / mesh.volume(), 1.0, 1e-9);
     assert!(all.iter().all(|v| *v > 5e5), "{all:?}");
     // Left and right are alike.
@@ -151,7 +155,7 @@ fn capture(place: &Path, name: &str, mesh: &Mesh) -> PathBuf {
 #[test]
 fn a_belt_that_grew_is_found_at_its_level() {
     let place = tempfile::tempdir().unwrap();
-    let may = capture(place.path(), "anna-2026-05-01", &body(42.0, 1750.0, 0.0));
+    let may = capture(place.path(), "anna-2026-05-01", &USUAL);
     // Two millimetres of radius are 12.6 of girth.
     let june = capture(
         place.path(),
@@ -217,7 +221,7 @@ fn a_belt_that_grew_is_found_at_its_level() {
 #[test]
 fn somebody_else_is_noticed_and_what_cannot_be_followed_is_refused() {
     let place = tempfile::tempdir().unwrap();
-    let may = capture(place.path(), "anna-2026-05-01", &body(42.0, 1750.0, 0.0));
+    let may = capture(place.path(), "anna-2026-05-01", &USUAL);
     let small = capture(place.path(), "bert-2026-07-01", &body(42.0, 1690.0, 0.0));
     let [may, small] = [&may, &small].map(|p| p.to_str().unwrap());
     let cache = place.path().join("cache");

@@ -1,6 +1,6 @@
 //! The section of a solid by a plane, from its formula: no mesh is involved.
 
-use crate::field::Field;
+use crate::field::{Field, STEEP};
 use nalgebra::{Point3, Vector3};
 use rayon::prelude::*;
 use shape::{Plane, Solid};
@@ -30,10 +30,13 @@ pub fn contour(solid: &Solid, plane: &Plane) -> Option<Vec<Point3<f64>>> {
     let leave = |k: usize| {
         let (sin, cos) = libm::sincos(std::f64::consts::TAU * k as f64 / DIRECTIONS as f64);
         let along = u * cos + v * sin;
-        let inside = |r: f64| field.value(&(from + along * r)) < 0.0;
+        let value = |r: f64| field.value(&(from + along * r));
+        let inside = |r: f64| value(r) < 0.0;
         let mut high = STRIDE;
-        while inside(high) {
-            high += STRIDE;
+        while let Some(deep) = Some(-value(high)).filter(|deep| *deep > 0.0) {
+            // So far inside no border comes within these strides.
+            let sure = (deep / STEEP / STRIDE) as usize;
+            (0..sure.max(1)).for_each(|_| high += STRIDE);
             if high > 3000.0 {
                 return None;
             }
@@ -92,4 +95,39 @@ pub fn taut(curve: &[Point3<f64>], plane: &Plane) -> Vec<Point3<f64>> {
     let mut hull = chain(&mut sorted.iter());
     hull.extend(chain(&mut sorted.iter().rev()));
     hull
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::anatomy::{Build, body};
+
+    #[test]
+    fn strides_that_are_passed_over_hold_no_border() {
+        let solid = body(&Build {
+            stature: 1750.0,
+            stout: 1.1,
+            furrow: 14.0,
+            arms: 0.6,
+            exponent: 2.3,
+        });
+        let field = Field::new(&solid);
+        for z in [400.0, 870.0, 1000.0, 1300.0] {
+            let plane = Plane {
+                point_mm: [if z < 800.0 { 103.0 } else { 0.0 }, 14.0, z],
+                normal: [0.0, 0.1, 1.0],
+            };
+            let curve = contour(&solid, &plane).unwrap();
+            let from = Point3::from(plane.point_mm);
+            for point in curve.iter().step_by(64) {
+                let way = point - from;
+                let long = way.norm();
+                let strides = (1..).map(|k| f64::from(k) * STRIDE);
+                let passed = strides.take_while(|r| *r < long - 1e-6);
+                for r in passed {
+                    assert!(field.value(&(from + way * (r / long))) < 0.0, "{z}: {r}");
+                }
+            }
+        }
+    }
 }

@@ -4,6 +4,9 @@ use crate::bounds::bounds;
 use nalgebra::{Point3, Vector3};
 use shape::{Furrow, Level, Solid, SolidPart};
 
+/// No value grows faster than this with distance.
+pub(crate) const STEEP: f64 = 1.7;
+
 /// A solid, made ready to be asked often.
 pub struct Field<'a> {
     parts: Vec<(Ball, &'a SolidPart)>,

@@ -1,15 +1,12 @@
 //! A solid's surface as a closed mesh: dual marching cubes (Nielson 2004), vertices moved onto the surface.
 
-use crate::field::Field;
+use crate::field::{Field, STEEP};
 use nalgebra::{Point3, Vector3};
 use rayon::prelude::*;
 use shape::{Mesh, Solid};
 
 /// Cells a block has along each side.
 const BLOCK: usize = 8;
-/// No value grows faster than this with distance.
-const STEEP: f64 = 1.7;
-
 /// A cell that the surface passes.
 struct Cell {
     key: u64,
