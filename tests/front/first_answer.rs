@@ -17,7 +17,7 @@ pub(crate) fn sample() -> Place {
 }
 
 /// Half of the photos and coarse surfaces: a whole measuring within seconds.
-const COARSE: &str = "--set photos.of=2 --set photos.keep=1 --set params.cell_mm=6 --set compensated.level=2 \
+pub(crate) const COARSE: &str = "--set photos.of=2 --set photos.keep=1 --set params.cell_mm=6 --set compensated.level=2 \
     --set middle.level=2 --set middle.edge_px=8 --set middle.rounds=1 --set body.level=2 --set body.edge_px=8 \
     --set body.rounds=1 --set textured.atlas_px=256 --set textured.rounds=0";
 
@@ -101,7 +101,8 @@ fn what_reads_the_last_run_agrees_with_what_measure_wrote() {
 fn a_first_answer_whose_whole_is_stopped_says_so() {
     let place = sample();
     // The whole must still be under way when its first answer is there.
-    let mut child = place.start("measure turn --out out --set body.rounds=60");
+    let long = COARSE.replace("body.rounds=1", "body.rounds=60");
+    let mut child = place.start(&format!("measure turn --out out {long}"));
     let mut said = BufReader::new(child.stderr.take().unwrap())
         .lines()
         .map(Result::unwrap);

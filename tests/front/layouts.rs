@@ -2,7 +2,9 @@
 //! the same photos and the same plate.
 
 use crate::place::Place;
+use image::DynamicImage;
 use std::path::Path;
+use std::sync::LazyLock;
 
 /// A line of the table: patterns of files, and what to say.
 type Layout = (Vec<String>, Vec<String>);
@@ -31,25 +33,29 @@ fn layouts() -> Vec<Layout> {
 /// How many photos a layout is given.
 const COUNT: usize = 8;
 
+/// Small photos of the sample, and its small plate.
+static SMALL: LazyLock<(Vec<DynamicImage>, DynamicImage)> = LazyLock::new(|| {
+    let sample = Path::new(env!("CARGO_MANIFEST_DIR")).join("samples/mannequin/images");
+    let small = |name: &str| image::open(sample.join(name)).unwrap().thumbnail(200, 300);
+    let photos = (0..COUNT).map(|i| small(&format!("{i:04}.jpg")));
+    (photos.collect(), small("plate.jpg"))
+});
+
 /// Small photos of the sample as the patterns say, and how many plates are among them.
 fn lay_out(place: &Place, folder: &str, patterns: &[String]) -> usize {
-    let sample = Path::new(env!("CARGO_MANIFEST_DIR")).join("samples/mannequin/images");
-    let put = |from: &str, to: &str| {
-        let small = image::open(sample.join(from)).unwrap().thumbnail(200, 300);
+    let put = |photo: &DynamicImage, to: &str| {
         let path = place.path(folder).join(to);
         std::fs::create_dir_all(path.parent().unwrap()).unwrap();
-        small.save(path).unwrap();
+        photo.save(path).unwrap();
     };
+    let (photos, plate) = &*SMALL;
     let names: Vec<&str> = patterns.iter().map(|p| &p["DIR/".len()..]).collect();
     let (turn, plates): (Vec<&str>, Vec<&str>) = names.into_iter().partition(|n| n.contains('*'));
     for i in 0..COUNT {
         let pattern = turn[i * turn.len() / COUNT];
-        put(
-            &format!("{i:04}.jpg"),
-            &pattern.replace('*', &format!("IMG_{i}")),
-        );
+        put(&photos[i], &pattern.replace('*', &format!("IMG_{i}")));
     }
-    plates.iter().for_each(|plate| put("plate.jpg", plate));
+    plates.iter().for_each(|name| put(plate, name));
     plates.len()
 }
 
