@@ -4,16 +4,19 @@ use crate::place::Place;
 use serde_json::Value;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
-use std::sync::{Mutex, MutexGuard};
+use std::sync::atomic::{AtomicU32, Ordering};
 use std::time::{Duration, Instant};
-
-/// One site at a time: daemons of two would work against each other's clock.
-static ALONE: Mutex<()> = Mutex::new(());
 
 /// A site, until it is dropped, with a store on it.
 pub(crate) struct Site {
     pub(crate) place: Place,
-    _alone: MutexGuard<'static, ()>,
+}
+
+/// The first of two ports for the daemons of a site: of this process, and of this site alone.
+fn free_ports() -> u32 {
+    static SITES: AtomicU32 = AtomicU32::new(0);
+    let site = SITES.fetch_add(1, Ordering::Relaxed);
+    20_000 + (std::process::id() % 1_000 * 8 + site) * 2
 }
 
 fn script() -> PathBuf {
@@ -38,15 +41,10 @@ command = ["sh", "-c", "sleep $3; test $2 != 13 && cat $4 > $1/a.txt && echo $2 
 impl Site {
     /// With so large arrays at most.
     pub(crate) fn new(largest_array: usize) -> Site {
-        let alone = ALONE.lock().unwrap_or_else(|e| e.into_inner());
         let place = Place::new();
         std::fs::write(place.path("x.toml"), PIPELINE).unwrap();
-        let site = Site {
-            place,
-            _alone: alone,
-        };
-        // Two runs of the tests side by side have daemons of their own.
-        let port = 20_000 + std::process::id() % 10_000 * 2;
+        let site = Site { place };
+        let port = free_ports();
         let started = Command::new(script())
             .arg("start")
             .arg(site.place.path("slurm"))
