@@ -17,7 +17,7 @@ pub(crate) fn sample() -> Place {
 }
 
 /// Half of the photos and coarse surfaces: a whole measuring within seconds.
-pub(crate) const COARSE: &str = "--set photos.of=2 --set photos.keep=1 --set params.cell_mm=6 --set compensated.level=2 \
+const COARSE: &str = "--set photos.of=2 --set photos.keep=1 --set params.cell_mm=6 --set compensated.level=2 \
     --set middle.level=2 --set middle.edge_px=8 --set middle.rounds=1 --set body.level=2 --set body.edge_px=8 \
     --set body.rounds=1 --set textured.atlas_px=256 --set textured.rounds=0";
 
