@@ -89,6 +89,13 @@ pub(crate) fn result_report_and_brush(server: &Server, id: &str) {
     let waist = tab.value("document.querySelector('#result-title + div td').textContent");
     let waist = waist.as_str().unwrap();
     assert!(waist.contains(',') && waist.ends_with(" cm"), "{waist}");
+    // Every girth that was measured is there.
+    let answer = server.ask("GET", &format!("/api/captures/{id}"), &Value::Null);
+    let girths = answer.is(200).json()["girths"]["girths"]
+        .as_array()
+        .map(Vec::len);
+    let rows = tab.value("document.querySelectorAll('.girths td[data-of]').length");
+    assert_eq!(rows.as_u64().map(|n| n as usize), girths);
     // What is warned of, and why girths are missing, is in German.
     let english =
         tab.value("[...document.querySelectorAll('main [lang=en]')].map((e) => e.textContent)");
