@@ -16,8 +16,11 @@ enum Theme {
 }
 use Theme::{Disk, Network, Programs, Runs, Sharing, Sweeping, Time};
 
+/// How often something happens, what it belongs to, and what it is.
+type Kind = (usize, Theme, fn(&mut Teller) -> What);
+
 /// What may happen: how often where a story has no mixture of its own, and what it belongs to.
-const KINDS: [(usize, Theme, fn(&mut Teller) -> What); 26] = [
+const KINDS: [Kind; 26] = [
     (29, Runs, |t| What::Run {
         capture: t.below(t.captures),
         n: t.below(t.numbers),
