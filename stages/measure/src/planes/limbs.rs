@@ -157,8 +157,9 @@ pub(crate) fn thigh(limbs: &Limbs<'_>, body: &Body, side: f64) -> Result<Placed,
         })
         .max_by(|a, b| a.1.total_cmp(&b.1))
         .ok_or(Refusal::NoSection)?;
-    // The lower the legs part, the farther above may be what they hide.
-    let hidden = (EXPECTED * body.stature - top).max(0.0) / 2.0;
+    // The lower the legs part, or a web between them begins, the farther above may be what they hide.
+    let clear = top.min(web - body.ground);
+    let hidden = (EXPECTED * body.stature - clear).max(0.0) / 2.0;
     Ok((fullest.0, sure(libm::hypot(EXTREME * body.stature, hidden))))
 }
 

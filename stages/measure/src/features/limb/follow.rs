@@ -117,7 +117,7 @@ pub(crate) fn followed(cuts: &Cuts<'_>, bands: &[Point3<f64>], stature: f64) -> 
         let found: Vec<Option<Ring>> = (0..line.len())
             .map(|i| across(cuts, line[i], direction(&line, i)?, stature))
             .collect();
-        knots = joined(&line, &found);
+        knots = joined(&line, &found, stature);
         let more = onward(cuts, &knots, stature);
         knots.extend(more);
         let centres: Vec<Point3<f64>> = knots.iter().map(|k: &Knot| k.centre).collect();
@@ -136,9 +136,10 @@ pub(crate) fn followed(cuts: &Cuts<'_>, bands: &[Point3<f64>], stature: f64) -> 
     knots
 }
 
-/// Rings as knots; those that jump hold more than the limb, and are none. Hands and heels jump as they
-/// like, so the first third is not looked at; a bent elbow is cut askew and jumps for a while.
-fn joined(line: &[Point3<f64>], found: &[Option<Ring>]) -> Vec<Knot> {
+/// Rings as knots; those that jump, or whose middle is far off the line, hold more than the limb, and are none.
+/// Hands and heels jump as they like, so the first third is not looked at; a bent elbow is cut askew and jumps
+/// for a while.
+fn joined(line: &[Point3<f64>], found: &[Option<Ring>], stature: f64) -> Vec<Knot> {
     let mut knots: Vec<Knot> = Vec::new();
     let mut out = 0u32;
     for (i, ring) in found.iter().enumerate() {
@@ -147,7 +148,8 @@ fn joined(line: &[Point3<f64>], found: &[Option<Ring>]) -> Vec<Knot> {
         };
         let share = (f64::from(out) / f64::from(BEND)).min(1.0);
         let bound = JUMP + (TRUNK - JUMP) * share;
-        if i > found.len() / 3 && jumps(&knots, ring.tape, bound) {
+        let aside = (ring.centre - line[i]).norm() > OFF * stature;
+        if i > found.len() / 3 && (aside || jumps(&knots, ring.tape, bound)) {
             out += 1;
             continue;
         }
@@ -206,4 +208,33 @@ fn onward(cuts: &Cuts<'_>, knots: &[Knot], stature: f64) -> Vec<Knot> {
 pub(crate) fn away(along: Vector3<f64>, left: Vector3<f64>, side: f64) -> Option<Vector3<f64>> {
     let out = left * side + Vector3::z();
     (out - along * along.dot(&out)).try_normalize(1e-6)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_trunk_beside_the_line_is_no_section_of_the_limb() {
+        // A limb of 300 mm around, then rings of both limbs, then the trunk's: not wider than a bend allows, but aside.
+        let line: Vec<Point3<f64>> = (0..60)
+            .map(|i| Point3::new(0.0, 0.0, 9.0 * f64::from(i)))
+            .collect();
+        let ring = |tape: f64, x: f64, z: f64| Ring {
+            curve: Vec::new(),
+            area: tape * tape / (4.0 * PI),
+            tape,
+            centre: Point3::new(x, 0.0, z),
+        };
+        let found: Vec<Option<Ring>> = line
+            .iter()
+            .enumerate()
+            .map(|(i, p)| match i {
+                ..50 => Some(ring(300.0, 0.0, p.z)),
+                50..59 => Some(ring(900.0, 85.0, p.z)),
+                _ => Some(ring(500.0, 85.0, p.z)),
+            })
+            .collect();
+        assert_eq!(joined(&line, &found, 1700.0).len(), 50);
+    }
 }
