@@ -47,6 +47,7 @@ pub use girths::{FormulaGirths, FormulaInput};
 pub use jitter::{JitterInput, JitterMasks, JitterParams};
 pub use masks::{MaskInput, MaskParams, TrueMasks};
 pub use moved::{MovedCameras, MovedInput};
+pub use phone::masks::{PhoneMaskInput, PhoneMaskParams, PhoneMasks};
 pub use phone::params::PhoneParams;
 pub use phone::stage::{Phone, PhoneInput};
 pub use raster::{Seen, cast};
@@ -68,6 +69,7 @@ pub const STAGES: &[&dyn stage::AnyStage] = &[
     &stage::erase::<Phone>(),
     &stage::erase::<TrueMasks>(),
     &stage::erase::<JitterMasks>(),
+    &stage::erase::<PhoneMasks>(),
     &stage::erase::<FormulaGirths>(),
     &stage::erase::<Score>(),
 ];

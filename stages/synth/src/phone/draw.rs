@@ -36,12 +36,12 @@ pub(crate) fn draw(p: &PhoneParams, count: usize) -> (Vec<Fault>, Fault) {
         let stream = |kind: u32| Dice::new(p.seed, (kind << 20) + i as u32);
         let gain = libm::exp2(p.exposure_ev * ev[i] + p.over_ev);
         let [red, blue] = [red[i], blue[i]].map(|d| 1.0 + p.white * d);
-        let (mut shift, mut blur, mut shake) = (stream(4), stream(5), stream(6));
+        let (mut blur, mut shake) = (stream(5), stream(6));
         let angle = TAU * shake.unit();
         let along = if shaken.contains(&i) { p.shake_px } else { 0.0 };
         Fault {
             gains: [gain * red, gain, gain * blue].map(|g| g as f32),
-            shift: [shift.normal(), shift.normal()].map(|d| (p.shift_px * d) as f32),
+            shift: shift(p.seed, i as u32, p.shift_px),
             blur: (p.blur_px * (0.75 + 0.5 * blur.unit())) as f32,
             shake: [libm::cos(angle), libm::sin(angle)].map(|d| (along * d) as f32),
         }
@@ -49,6 +49,12 @@ pub(crate) fn draw(p: &PhoneParams, count: usize) -> (Vec<Fault>, Fault) {
     let faults = (0..=count).map(one).collect::<Vec<_>>();
     let (plate, photos) = (faults[count], faults[..count].to_vec());
     (photos, plate)
+}
+
+/// How far the stabiliser moves one photo, with so many pixels as standard deviation. \[px\]
+pub(crate) fn shift(seed: u32, number: u32, sigma_px: f64) -> [f32; 2] {
+    let mut dice = Dice::new(seed, (4 << 20) + number);
+    [dice.normal(), dice.normal()].map(|d| (sigma_px * d) as f32)
 }
 
 /// From -1 to 1 over the turn, and one number more for the plate, which is taken at another time: a slow

@@ -3,5 +3,6 @@
 pub(crate) mod draw;
 pub(crate) mod finish;
 pub(crate) mod lens;
+pub(crate) mod masks;
 pub(crate) mod params;
 pub(crate) mod stage;
