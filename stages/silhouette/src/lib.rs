@@ -42,9 +42,10 @@
 //! | U(body) | -ln of the mixture of the body's colours or, one time in three, of any colour | `likelihood/body.rs`, `gmm.rs` |
 //! | | ∞ below the disk's top, beside it, and beyond the user's rectangle | `likelihood/prepared.rs`, `align/rectangle.rs` |
 //! | both | … and the log-odds of a learned sense of a person, on the side that they speak against; next to what evidently is body they say nothing of a gap that the network cannot see | `likelihood/person.rs` |
+//! | both | … and the log-odds of all other photos: how deep a pixel's ray passes into the hull of their bodies, or that it misses it, worth what the photos of the capture show of such pixels; with odds, the background costs no more than what is evidently body | `label/between_photos.rs` |
 //! | γ C | (0.15 + 0.85 exp(-β d²)) / 8, d by colours, β of the photo; an edge that the scene has by itself is not one | `cut/least_cut.rs` |
 //! | λ | ∞: what the hull of all photos makes certain, two photos may dissent. 0 where this photo shows the scene to the level, or something like it over a patch of the size of a gap | `label/consensus.rs`, `consensus_in_photo.rs` |
-//! | parts | the body is the largest part; of its holes stay those that the scene explains | `label/parts.rs` |
+//! | parts | the body is the largest part; until all other photos are weighed in, of its holes stay those that the scene explains | `label/parts.rs` |
 //!
 //! Beside the energy, each with its reason in its file: a hole whose rays pass far through the hull of the others is
 //! filled (`label/see_through_holes.rs`); patches that stay in place as the body turns are background

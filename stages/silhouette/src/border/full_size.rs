@@ -85,7 +85,10 @@ pub fn fine(
     }
     let cost = |i: usize| {
         let i = settled.small(i % width, i / width);
-        [ready.cost[i], ready.explained[i]]
+        match ready.weighed {
+            true => [FLAT; 2],
+            false => [ready.cost[i], ready.explained[i]],
+        }
     };
     soft_border(pixels, image, &largest(&sides, &cost), noise)
 }

@@ -1,8 +1,10 @@
 //! The stage that cuts the border of the labels again at full size.
 
+use crate::align::cameras::where_photos_lie_alike;
 use crate::border::by_colors::fine_by_colors;
 use crate::border::full_size::fine;
 use crate::border::returned::returned;
+use crate::label::between_photos::Agreement;
 use crate::label::by_colors::ByColors;
 use crate::label::color_cut::Settings;
 use crate::label::see_through_holes::{Depths, depths_in};
@@ -49,7 +51,7 @@ pub struct Border;
 
 impl Stage for Border {
     const NAME: &'static str = "silhouette.border";
-    const VERSION: u32 = 1;
+    const VERSION: u32 = 2;
     const ABOUT: &'static str = "Cuts the border of the labels again at full size, follows narrow gaps, and says how much of each border pixel is body.";
     type Params = BorderParams;
     type Input = BorderInput;
@@ -60,6 +62,7 @@ impl Stage for Border {
         let all = Turn {
             settings: Settings::of_border(p.gamma),
             depths: depths(&input),
+            agreement: agreement(&input),
             picture: input.scene.picture_content(),
             behind,
             input: &input,
@@ -98,6 +101,8 @@ struct Turn<'a> {
     settings: Settings,
     /// How far rays pass through the hull that was found with the scene.
     depths: BTreeMap<PhotoId, Depths>,
+    /// What the labels of all photos show together of each.
+    agreement: Agreement,
     /// Of the scene's picture.
     picture: Hash,
     behind: Behind<'a>,
@@ -112,7 +117,7 @@ impl Turn<'_> {
         photo: &Photo,
         evidence: &PhotoEvidence,
         label: &Label,
-    ) -> [Hash; 5] {
+    ) -> [Hash; 6] {
         let aligned = &self.input.aligned;
         let lies = format!(
             "{:?} {:?} {:?} {:?} {}",
@@ -127,6 +132,7 @@ impl Turn<'_> {
         };
         [
             photo.content(),
+            self.agreement.content(id),
             stage::hash(lies.as_bytes()),
             self.input.scene.content_for(self.picture, id),
             evidence.content(),
@@ -167,6 +173,7 @@ impl Turn<'_> {
         let disk = disk.map(|(camera, radius)| (camera.resized(width, height), radius));
         let mut ready = Prepared::of(evidence, disk);
         ready.known.clone_from(&label.known);
+        ready.add_odds(self.agreement.odds(id));
         if let Some(found) = scene.bodies.get(id) {
             let patches = found.background_patches.iter().map(|i| *i as usize);
             ready.lay_bare(&patches.collect::<Vec<usize>>());
@@ -183,6 +190,17 @@ impl Turn<'_> {
         );
         Ok(returned(alignment, mask))
     }
+}
+
+/// What the labels of all photos show of each other, where cameras are known.
+fn agreement(input: &BorderInput) -> Agreement {
+    let known = Some(&input.aligned).filter(|_| !input.scene.is_unknown());
+    let Some(cameras) = known.and_then(|aligned| where_photos_lie_alike(aligned)) else {
+        return Agreement::default();
+    };
+    let mask = |(id, label): (PhotoId, &Label)| (id, label.body.map(|b| if *b { 255 } else { 0 }));
+    let masks: Vec<(PhotoId, Mask)> = input.labels.views.iter().map(mask).collect();
+    Agreement::of(&masks, &cameras)
 }
 
 /// How far rays pass through the hull that was found with the scene, of the cameras as they were taken.

@@ -64,6 +64,7 @@ pub(crate) fn cut_whole(
     explained: &[f32],
     person: &[f32],
     known: &[Known],
+    weighed: bool,
     settings: &Settings,
 ) -> Option<(Image<bool>, Gmm)> {
     let certain = |i: usize| match known[i] {
@@ -97,7 +98,10 @@ pub(crate) fn cut_whole(
         data: body,
     };
     let more = |i: usize| person.get(i).map_or(0.0, |p| p.max(0.0));
-    let costs = |i: usize| [background[i] + more(i), explained[i] + more(i)];
+    let costs = |i: usize| match weighed {
+        true => [FLAT; 2],
+        false => [background[i] + more(i), explained[i] + more(i)],
+    };
     Some((largest(&sides, &costs), gmm?))
 }
 
@@ -106,7 +110,16 @@ pub fn coarse(ready: &Prepared, settings: &Settings) -> Option<(Image<bool>, Gmm
     let (cost, explained) = (&ready.cost, &ready.explained);
     let settings = settings.with(ready.noise);
     let (person, known) = (&ready.person, &ready.known);
-    cut_whole(&ready.small, cost, explained, person, known, &settings)
+    let weighed = ready.weighed;
+    cut_whole(
+        &ready.small,
+        cost,
+        explained,
+        person,
+        known,
+        weighed,
+        &settings,
+    )
 }
 
 /// Cuts a window: true is body. What pixels cost as background, the log-odds of the body by a person's sense (empty where
@@ -124,7 +137,7 @@ pub(crate) fn cut(
         let keep = f64::from(background[here]);
         let of_body = body_cost(body, photo.data[i]) - settings.thinner;
         let (keep, of_body) = match person.get(here) {
-            Some(odds) => with_person(keep, of_body, *odds),
+            Some(odds) => with_person(keep.min(f64::from(EVIDENT)), of_body, *odds),
             None => (keep, of_body),
         };
         ((keep * UNIT) as i32, (of_body * UNIT) as i32)

@@ -32,6 +32,37 @@ impl Block {
         self.origin + at * self.cell
     }
 
+    /// The same space in smaller cells, so many along its greatest side.
+    pub(crate) fn finer(&self, cells: f64) -> Block {
+        let sides = self.count.map(|n| n as f64 * self.cell);
+        let cell = sides.into_iter().fold(0.0, f64::max) / cells;
+        Block {
+            origin: self.origin - nalgebra::Vector3::repeat(0.5 * (self.cell - cell)),
+            cell,
+            count: sides.map(|side| (side / cell).ceil() as usize),
+        }
+    }
+
+    /// How many steps (six ways) each cell lies from the nearest that is so, `most` at most.
+    pub(crate) fn steps_to(&self, such: &[bool], most: u8) -> Vec<u8> {
+        let [nx, ny, nz] = self.count;
+        let strides = [1, nx, nx * ny];
+        let mut steps: Vec<u8> = such.iter().map(|s| if *s { 0 } else { most }).collect();
+        for i in 0..steps.len() {
+            let at = [i % nx, i / nx % ny, i / nx / ny];
+            for a in (0..3).filter(|a| at[*a] > 0) {
+                steps[i] = steps[i].min(steps[i - strides[a]].saturating_add(1));
+            }
+        }
+        for i in (0..steps.len()).rev() {
+            let at = [i % nx, i / nx % ny, i / nx / ny];
+            for a in (0..3).filter(|a| at[*a] + 1 < [nx, ny, nz][*a]) {
+                steps[i] = steps[i].min(steps[i + strides[a]].saturating_add(1));
+            }
+        }
+        steps
+    }
+
     /// Cells that have a neighbour (six) of the other kind take its kind.
     fn spread(&self, cells: &[bool], kind: bool) -> Vec<bool> {
         let [nx, ny, nz] = self.count;
@@ -57,15 +88,6 @@ pub(crate) struct Together<'a> {
     pub(crate) block: Block,
     /// Masks that dissent, [`DISSENT`] + 1 at most.
     pub(crate) against: Vec<usize>,
-}
-
-/// What is certain of each pixel of each mask, from all masks and the cameras.
-pub(crate) fn agreed(
-    masks: &[(PhotoId, Mask)],
-    cameras: &Cameras,
-) -> BTreeMap<PhotoId, Vec<Known>> {
-    let all = Together::of(masks, cameras);
-    all.map(|all| all.known(DISSENT)).unwrap_or_default()
 }
 
 impl<'a> Together<'a> {

@@ -92,6 +92,7 @@ mod tests {
             explained: costs(4.5).collect(),
             strange: Vec::new(),
             person: Vec::new(),
+            weighed: false,
             known: vec![Known::Unknown; SIDE * SIDE],
             noise: Noise::even(1.0),
             disk: None,

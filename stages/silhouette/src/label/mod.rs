@@ -1,5 +1,6 @@
 //! Body or background, reduced photo by reduced photo, with what all say together.
 
+pub(crate) mod between_photos;
 pub(crate) mod body_hull;
 pub(crate) mod by_colors;
 pub(crate) mod color_cut;

@@ -109,12 +109,12 @@ fn has_neighbours(view: &(PhotoId, Camera), all: &[(PhotoId, Camera)]) -> bool {
 }
 
 #[cfg(test)]
-mod tests {
+pub(crate) mod tests {
     use super::*;
     use nalgebra::{Matrix3, Point3, Rotation3, Vector3};
     use shape::{Cameras, Intrinsics, Mask, Pose, Scale};
 
-    const SIZE: (usize, usize) = (240, 320);
+    pub(crate) const SIZE: (usize, usize) = (240, 320);
 
     /// A trunk on two legs, 22 mm apart, that stand on a board. \[mm\]
     fn body(x: &Point3<f64>) -> bool {
@@ -150,11 +150,11 @@ mod tests {
         }
     }
 
-    /// Pixels of the first photo of so many that are a gap, of which found, and of a hole amid the trunk.
-    fn found(photos: usize) -> Option<[usize; 4]> {
+    /// Masks of so many photos of a turn, and their cameras.
+    pub(crate) fn turn(photos: usize) -> (Vec<(PhotoId, Mask)>, Cameras) {
         let angle = |k: usize| k as f64 * std::f64::consts::TAU / photos as f64;
         let all: Vec<Camera> = (0..photos).map(|k| camera(angle(k))).collect();
-        let mut masks: Vec<(PhotoId, Mask)> = (0..photos as u32)
+        let masks: Vec<(PhotoId, Mask)> = (0..photos as u32)
             .map(PhotoId)
             .zip(all.iter().map(mask))
             .collect();
@@ -165,27 +165,37 @@ mod tests {
             rms_px: None,
             points: 0,
         };
+        let views = masks.iter().map(|m| m.0).zip(all.iter().map(view));
         let cameras = Cameras {
-            views: masks
-                .iter()
-                .map(|m| m.0)
-                .zip(all.iter().map(view))
-                .collect(),
+            views: views.collect(),
             scale: Scale::Given,
             scale_sigma: None,
             disk_radius_mm: None,
             ground_mm: 0.0,
             points: vec![],
         };
-        let hole =
-            |i: &usize| (110..126).contains(&(i % SIZE.0)) && (90..106).contains(&(i / SIZE.0));
-        let first = masks[0].1.data.clone();
-        let gap: Vec<usize> = (0..first.len())
-            .filter(|i| first[*i] == 0 && (117..123).contains(&(i % SIZE.0)))
+        (masks, cameras)
+    }
+
+    /// Whether a pixel of the first photo lies in a square amid the trunk.
+    pub(crate) fn amid(i: usize) -> bool {
+        (110..126).contains(&(i % SIZE.0)) && (90..106).contains(&(i / SIZE.0))
+    }
+
+    /// Pixels of the first photo between the legs.
+    pub(crate) fn between_legs(first: &Mask) -> Vec<usize> {
+        (0..first.data.len())
+            .filter(|i| first.data[*i] == 0 && (117..123).contains(&(i % SIZE.0)))
             .filter(|i| (170..280).contains(&(i / SIZE.0)))
-            .collect();
+            .collect()
+    }
+
+    /// Pixels of the first photo of so many that are a gap, of which found, and of a hole amid the trunk.
+    fn found(photos: usize) -> Option<[usize; 4]> {
+        let (mut masks, cameras) = turn(photos);
+        let gap = between_legs(&masks[0].1);
         (0..SIZE.0 * SIZE.1)
-            .filter(hole)
+            .filter(|i| amid(*i))
             .for_each(|i| masks[0].1.data[i] = 0);
         let together = Together::of(&masks, &cameras).expect("a hull");
         let depths = depths(&together);
@@ -193,7 +203,7 @@ mod tests {
             .get(&PhotoId(0))?
             .see_through_holes(&masks[0].1.map(|c| *c > 127));
         let in_gap = see_through_holes.iter().filter(|i| gap.contains(i)).count();
-        let in_hole = see_through_holes.iter().filter(|i| hole(i)).count();
+        let in_hole = see_through_holes.iter().filter(|i| amid(**i)).count();
         Some([gap.len(), in_gap, 256, in_hole])
     }
 

@@ -1,10 +1,9 @@
 //! The stage that labels reduced photos: body or background, all photos together.
 
 use crate::align::cameras::where_photos_lie_alike;
-use crate::cut::least_cut::Known;
+use crate::label::between_photos::Agreement;
 use crate::label::by_colors::by_colors;
 use crate::label::color_cut::{Settings, coarse};
-use crate::label::consensus::agreed;
 use crate::likelihood::gmm::Gmm;
 use crate::likelihood::prepared::Prepared;
 use crate::params::{CutError, CutParams};
@@ -49,7 +48,7 @@ const BODY_SHARE: (f64, f64) = (0.002, 0.9);
 
 impl Stage for Label {
     const NAME: &'static str = "silhouette.label";
-    const VERSION: u32 = 1;
+    const VERSION: u32 = 2;
     const ABOUT: &'static str = "Parts body and background on the reduced photos by least cuts: each alone, then again with what all photos say together.";
     type Params = LabelParams;
     type Input = LabelInput;
@@ -61,7 +60,7 @@ impl Stage for Label {
         let agreeing = scene.bodies.is_empty() && !scene.is_unknown() && p.coherence;
         let cameras = where_photos_lie_alike(&input.aligned).filter(|_| agreeing);
         let views = input.evidence.views.as_slice();
-        let passes = 1 + usize::from(cameras.is_some());
+        let passes = if cameras.is_some() { 3 } else { 1 };
         let steps = ctx.steps("photos", views.len() * passes);
         let contents: Vec<_> = views.par_iter().map(|(_, e)| e.content()).collect();
         let jobs: Vec<_> = views.iter().zip(contents).collect();
@@ -71,7 +70,7 @@ impl Stage for Label {
                 .get(id)
                 .map_or(String::new(), |p| p.name.clone())
         };
-        // First a cut of each photo alone, then again with what all of them say together.
+        // First a cut of each photo alone, then twice again with what all of them show together.
         let alone = |((id, evidence), content): &(&(PhotoId, PhotoEvidence), stage::Hash)| {
             let cut = || {
                 let ready = Prepared::of(evidence, None);
@@ -83,28 +82,32 @@ impl Stage for Label {
             let mask = masks.views.get(PhotoId(0)).cloned();
             Ok((*id, mask.ok_or_else(|| CutError::Empty(name(*id)))?))
         };
-        let together = match &cameras {
-            Some(cameras) => {
-                let first = jobs.par_iter().map(alone);
-                agreed(&first.collect::<Result<Vec<_>, Stop>>()?, cameras)
-            }
-            None => Default::default(),
-        };
+        let mut agreement = Agreement::default();
+        if let Some(cameras) = &cameras {
+            let first: Vec<_> = jobs.par_iter().map(alone).collect::<Result<_, Stop>>()?;
+            agreement = Agreement::of(&first, cameras);
+            // What bit into one photo bit into what it showed of all the rest, too.
+            let again = |((id, evidence), _): &(&(PhotoId, PhotoEvidence), stage::Hash)| {
+                let label = with_all(*id, evidence, &agreement, &settings, &name(*id))?;
+                steps.tick()?;
+                Ok((*id, label.body.map(|b| if *b { 255 } else { 0 })))
+            };
+            let second: Vec<_> = jobs.par_iter().map(again).collect::<Result<_, Stop>>()?;
+            agreement = Agreement::of(&second, cameras);
+        }
         let unknown = stage::hash(&[u8::from(scene.is_unknown())]);
         let label = |((id, evidence), content): &(&(PhotoId, PhotoEvidence), stage::Hash)| {
-            let agreed = together.get(id).map_or(&[][..], Vec::as_slice);
-            let said: Vec<u8> = agreed.iter().map(|k| *k as u8).collect();
             let found = scene.bodies.get(*id);
             let depends = [
                 *content,
-                stage::hash(&said),
+                agreement.content(*id),
                 scene.content_for(unknown, *id),
             ];
             let label = || {
                 let label = match found {
                     _ if scene.is_unknown() => colors_alone(evidence, &settings, &name(*id))?,
                     Some(found) => as_found(evidence, found, &settings, &name(*id))?,
-                    None => with_all(evidence, agreed, &settings, &name(*id))?,
+                    None => with_all(*id, evidence, &agreement, &settings, &name(*id))?,
                 };
                 Ok(one_label(label))
             };
@@ -139,15 +142,14 @@ fn one_label(label: Labelled) -> Labels {
 
 /// By the evidence of a photo, with what all photos say together.
 fn with_all(
+    id: PhotoId,
     evidence: &PhotoEvidence,
-    agreed: &[Known],
+    agreement: &Agreement,
     settings: &Settings,
     name: &str,
 ) -> Result<Labelled, CutError> {
     let mut ready = Prepared::of(evidence, None);
-    if !agreed.is_empty() {
-        ready.agree(agreed.iter(), &[]);
-    }
+    agreement.to(id, &mut ready);
     let (body, colors) = checked(coarse(&ready, settings), name)?;
     Ok(Labelled {
         body,

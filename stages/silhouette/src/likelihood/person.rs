@@ -122,6 +122,7 @@ mod tests {
             cost,
             strange: Vec::new(),
             person,
+            weighed: false,
             known: vec![Known::Unknown; SIDE * SIDE],
             noise: Noise::even(1.8),
             disk: None,

@@ -24,6 +24,8 @@ pub struct Prepared {
     pub strange: Vec<f32>,
     /// Log-odds of the body by a person's sense; empty where there is none.
     pub person: Vec<f32>,
+    /// Whether all other photos are weighed in, so that a hole needs no rule of its own.
+    pub weighed: bool,
     /// What is certain before any cut.
     pub known: Vec<Known>,
     /// How far the reduced photo and what was expected of it differ without a reason. \[levels\]
@@ -42,6 +44,7 @@ impl Prepared {
             explained: evidence.background_in_any_light.clone(),
             strange: evidence.against_disk.clone(),
             person: evidence.person.clone(),
+            weighed: false,
             known: evidence.known.clone(),
             noise: Noise::even(evidence.noise_levels),
             disk,
@@ -124,6 +127,7 @@ pub fn prepare(
         explained,
         strange: Vec::new(),
         person: Vec::new(),
+        weighed: false,
         cost,
         known,
         noise,

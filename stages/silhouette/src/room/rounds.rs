@@ -2,6 +2,7 @@
 
 use crate::align::rectangle::Rectangle;
 use crate::cut::least_cut::Known;
+use crate::label::between_photos::by_all_but_one;
 use crate::label::color_cut::Settings;
 use crate::label::color_cut::coarse;
 use crate::label::consensus::{DISSENT, Together};
@@ -231,12 +232,14 @@ impl Turn<'_> {
         let all = Together::of(&masks, self.cameras);
         let of = |dissent: usize| all.as_ref().map(|all| all.known(dissent));
         let (agreed, firm) = (of(DISSENT).unwrap_or_default(), of(1).unwrap_or_default());
+        let odds = all.as_ref().map(by_all_but_one).unwrap_or_default();
         let again = |(shot, ready): (&Shot, &mut Prepared)| {
             let firm = firm.get(&shot.id).map_or(&[][..], Vec::as_slice);
-            let before = ready.known.clone();
+            let (known, person) = (ready.known.clone(), ready.person.clone());
             ready.agree(agreed.get(&shot.id).into_iter().flatten(), firm);
+            ready.add_odds(odds.get(&shot.id).map_or(&[], Vec::as_slice));
             let cut = alone(ready);
-            ready.known = before;
+            (ready.known, ready.person, ready.weighed) = (known, person, false);
             cut
         };
         self.shots.par_iter().zip(ready).map(again).collect()

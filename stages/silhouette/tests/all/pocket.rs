@@ -158,6 +158,7 @@ fn colours_beside_yield_to_all_other_photos_and_the_room_itself_does_not() {
             explained: all([4.5, 4.5, 18.5]),
             strange: Vec::new(),
             person: Vec::new(),
+            weighed: false,
             known: vec![Known::Unknown; 30 * 9],
             noise: Noise::even(1.0),
             disk: None,
