@@ -14,7 +14,7 @@ const WANDER: f64 = 0.02;
 /// How far one step of the turn differs from the next, one standard deviation: 17°, by hand, as of steps of 15 ± 8°. \[rad\]
 const UNEVEN: f64 = 0.3;
 
-/// Places of shoulders and hips in [`Found::JOINTS`].
+/// Places of shoulders and hips in [`Found::JOINTS`], structural.
 pub(crate) const TRUNK: [usize; 4] = [11, 12, 23, 24];
 /// The trunk from hips to shoulders as a share of stature (ANSUR II: acromial less trochanterion height 0.29).
 pub(crate) const TRUNK_SHARE: f64 = 0.29;
@@ -217,7 +217,7 @@ pub fn swap(sights: &mut Sights, photo: usize) {
     }
 }
 
-/// A sight so many standard deviations off weighs half (Cauchy's weights with the usual constant).
+/// Cauchy's constant, for 95 % efficiency on normal errors (Holland and Welsch 1977).
 const CAUCHY: f64 = 2.385;
 /// Rounds in which joints settle.
 const ROUNDS: usize = 60;

@@ -161,7 +161,7 @@ fn sights(people: &People, ids: &[PhotoId], lens: &Intrinsics) -> Sights {
         .collect()
 }
 
-/// Places of wrists and fingers: hands move by themselves, and say nothing.
+/// Places of wrists and fingers, structural: hands move by themselves.
 const HANDS: std::ops::RangeInclusive<usize> = 15..=22;
 /// The motion by joints alone.
 fn by_joints(

@@ -100,7 +100,7 @@ pub struct Agreement {
     pub spread: f64,
 }
 
-/// Rays so many standard deviations off weigh half.
+/// The same of rays (Holland and Welsch 1977).
 const CAUCHY: f64 = 2.385;
 
 /// What outlines ask of steps and pitch, added to `to`; `weight` of a photo's outline as a whole, in sights, and how many

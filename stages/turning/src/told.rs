@@ -17,8 +17,8 @@ const MOST_OPEN: f64 = TAU / 6.0;
 /// whose outlines were cut out: 0.42 % where the azimuth came out 2.3° off and girths within 1 %, 0.77 % where it was 9° and
 /// a waist 16 % off; 0.1 % by true outlines.
 const MOST_LOOSE: f64 = 0.005;
-/// Turned back by more is told of. \[rad\]
-const TOLD_BACK: f64 = TAU / 12.0;
+/// Turned back by more is reported. \[rad\]
+const LEAST_TURN_BACK: f64 = TAU / 12.0;
 
 /// What is told of a motion.
 pub(crate) struct Verdict {
@@ -80,7 +80,7 @@ pub(crate) fn verdict(
             turned.abs() / TAU
         ));
     }
-    if back > TOLD_BACK {
+    if back > LEAST_TURN_BACK {
         warnings.push(format!(
             "the body turned back by {:.0}° on the way: photos were taken as they are",
             back.to_degrees()
@@ -174,7 +174,7 @@ pub(crate) fn cameras(
 
 /// The stature of somebody who gives none: only rules of some centimetres go by it. \[mm\]
 const NOBODY_MM: f64 = 1700.0;
-/// Places of heels and toes in [`shape::Found::JOINTS`].
+/// Places of heels and toes in [`shape::Found::JOINTS`], structural.
 const FEET: std::ops::RangeInclusive<usize> = 29..=32;
 /// Shoulders of a standing body as a share of its height (ANSUR II: acromial height 0.82 of stature).
 const SHOULDERS: f64 = 0.82;
