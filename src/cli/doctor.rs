@@ -129,10 +129,10 @@ pub(crate) fn doctor(args: &Doctor, global: &GlobalArgs) -> Result<(), Fault> {
         args.video,
         global,
     )?;
-    if on_the_spot(&look) {
+    let stopped = entries(&look.findings).any(|f| f["grade"] == "stop");
+    if !stopped && on_the_spot(&look) {
         look.findings["can"]["turning"] = ON_THE_SPOT.into();
     }
-    let stopped = entries(&look.findings).any(|f| f["grade"] == "stop");
     if global.json {
         let mut found = look.findings;
         found["folder"] = args.folder.display().to_string().into();

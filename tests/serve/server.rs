@@ -237,8 +237,7 @@ impl Server {
             self.send(&id, at as u32 + 1, name, &bytes).is(200);
         }
         // The mat's edge, as `capture.toml` of the sample has it.
-        let facts =
-            json!({ "plate": photos().len(), "mat_tag_mm": 60.0, "quick": true, "steps": 18 });
+        let facts = json!({ "plate": photos().len(), "mat_tag_mm": 60.0, "steps": 18 });
         self.ask("PUT", &format!("/api/captures/{id}/facts"), &facts)
             .is(204);
         id

@@ -22,13 +22,13 @@ const LEAST_TURN_BACK: f64 = TAU / 12.0;
 
 /// What is told of a motion.
 pub(crate) struct Verdict {
-    /// All the way round, either way. [rad]
+    /// All the way round, either way. \[rad\]
     pub(crate) turned: f64,
-    /// The widest stretch without a photo. [rad]
+    /// The widest stretch without a photo. \[rad\]
     pub(crate) open: f64,
     /// How far the body was off its axis, root mean square. [distance to the axis]
     pub(crate) wander: f64,
-    /// What outlines changed of azimuths, root mean square. [rad]
+    /// What outlines changed of azimuths, root mean square. \[rad\]
     pub(crate) corrected: f64,
     /// How far outlines are apart, as a share of the body's height.
     pub(crate) loose: Option<f64>,
