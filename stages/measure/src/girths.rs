@@ -74,7 +74,10 @@ impl Stage for Measure {
     fn run(p: &GirthParams, input: GirthInput, ctx: &Ctx<'_>) -> Result<Girths, Stop> {
         let (mesh, landmarks) = (&input.mesh, &input.landmarks);
         // Where the landmarks have it: of a body that stands nowhere, nothing was found.
-        let body = standing(mesh, landmarks);
+        let body = standing(mesh, landmarks).map(|body| Body {
+            carved: input.masks.is_some(),
+            ..body
+        });
         let mut girths = Girths {
             unit: input.cameras.as_ref().map_or(mesh.unit, |c| c.scale.unit()),
             missing: missing(&input),

@@ -147,6 +147,7 @@ mod tests {
             crotch: Some(850.0),
             legs_join: Some(850.0),
             whole: true,
+            carved: false,
             hip: None,
             neck: Some(1550.0),
             slices: slices.collect(),

@@ -35,6 +35,8 @@ pub struct Body {
     pub legs_join: Option<f64>,
     /// Whether it is a body from crown to soles: its legs show, or all else that shows fits one.
     pub whole: bool,
+    /// Whether the surface was carved from outlines, which leave webs in folds of the skin.
+    pub carved: bool,
     /// Where the hip is. `None` where nothing tells.
     pub hip: Option<HipAt>,
     /// Height of the narrowest of the neck. \[mm\] `None` without a neck.
@@ -96,6 +98,7 @@ pub fn body(mesh: &Mesh, ground: f64) -> Option<Body> {
         crotch: None,
         legs_join: None,
         whole: false,
+        carved: false,
         hip: None,
         neck: None,
         slices,

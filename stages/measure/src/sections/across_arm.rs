@@ -17,23 +17,23 @@ use shape::{Landmark, Mesh, Plane};
 use std::f64::consts::{PI, TAU};
 
 /// How round an arm's own section is at least: its area against a circle's of the same tape.
-const ROUND: f64 = 0.93;
+pub(super) const ROUND: f64 = 0.93;
 /// As round as this, nothing hangs on it.
-const CLEAN: f64 = 0.96;
+pub(super) const CLEAN: f64 = 0.96;
 /// How far beyond the grown section an inner half may reach, as a share of the arm's radius.
-const LOOSE: f64 = 0.03;
+pub(super) const LOOSE: f64 = 0.03;
 /// Directions of support functions.
-const WAYS: usize = 180;
+pub(super) const WAYS: usize = 180;
 /// Doubt of a girth whose inner half is told by another section, as a share of what is told.
-const DOUBT: f64 = 0.04;
+pub(super) const DOUBT: f64 = 0.04;
 
-fn way(k: usize) -> [f64; 2] {
+pub(super) fn way(k: usize) -> [f64; 2] {
     let (s, c) = libm::sincos(TAU * k as f64 / WAYS as f64);
     [c, s]
 }
 
 /// Farthest of points in a direction.
-fn support(points: &[[f64; 2]], n: [f64; 2]) -> f64 {
+pub(super) fn support(points: &[[f64; 2]], n: [f64; 2]) -> f64 {
     let reach = points.iter().map(|p| n[0] * p[0] + n[1] * p[1]);
     reach.fold(f64::MIN, f64::max)
 }
@@ -73,7 +73,7 @@ pub(crate) fn freed(here: &[[f64; 2]], clear: &[[f64; 2]], outward: [f64; 2]) ->
 
 /// How far down the arm a clear section is looked for, as a share of stature: above the elbow, which is
 /// a tenth of it from the middle of the upper arm.
-const DOWN: f64 = 0.078;
+pub(super) const DOWN: f64 = 0.078;
 
 /// Takes the section of an upper arm; the plane's normal points down the arm.
 pub(crate) fn across_arm(

@@ -1,7 +1,9 @@
 //! The section of a plane that belongs to one part of the body alone.
 
 pub(crate) mod across_arm;
+pub(crate) mod across_arm_of_hull;
 pub(crate) mod across_leg;
+pub(crate) mod arm_inferred;
 pub(crate) mod beside_trunk;
 pub(crate) mod hands;
 pub(crate) mod one;
