@@ -5,21 +5,16 @@
 //! shows, tells how far the inner half may reach.
 
 use crate::features::body::Body;
-use crate::features::limb::away;
-use crate::geometry::crop::slab;
-use crate::geometry::section::{axes, clipped, flat, hull, length, tape};
+use crate::geometry::section::{axes, clipped, hull, length, tape};
 use crate::geometry::slices::{Ring, rings};
 use crate::geometry::spline::closed_spline_length;
 use crate::sections::beside_trunk::{FreedArm, freed_of_trunk};
-use crate::sections::one::{FUSED, SectionMeasurement, Why, nearest, plain};
+use crate::sections::down_arm::{CLEAN, DownArm, round};
+use crate::sections::one::{FUSED, SectionMeasurement, Why, plain};
 use nalgebra::{Matrix3, Point3, Vector3};
 use shape::{Landmark, Mesh, Plane};
-use std::f64::consts::{PI, TAU};
+use std::f64::consts::TAU;
 
-/// How round an arm's own section is at least: its area against a circle's of the same tape.
-pub(super) const ROUND: f64 = 0.93;
-/// As round as this, nothing hangs on it.
-pub(super) const CLEAN: f64 = 0.96;
 /// How far beyond the grown section an inner half may reach, as a share of the arm's radius.
 pub(super) const LOOSE: f64 = 0.03;
 /// Directions of support functions.
@@ -71,10 +66,6 @@ pub(crate) fn freed(here: &[[f64; 2]], clear: &[[f64; 2]], outward: [f64; 2]) ->
     })
 }
 
-/// How far down the arm a clear section is looked for, as a share of stature: above the elbow, which is
-/// a tenth of it from the middle of the upper arm.
-pub(super) const DOWN: f64 = 0.078;
-
 /// Takes the section of an upper arm; the plane's normal points down the arm.
 pub(crate) fn across_arm(
     mesh: &Mesh,
@@ -83,66 +74,27 @@ pub(crate) fn across_arm(
     side: f64,
 ) -> Result<SectionMeasurement, Why> {
     let plane = &landmark.plane;
-    let down = Vector3::from(plane.normal).normalize();
-    let step = 0.004 * body.stature;
-    let last = (DOWN / 0.004) as i32;
-    let part = slab(mesh, plane, -step, f64::from(last + 1) * step);
-    let middle = Point3::from(plane.point_mm);
-    let level = body.crotch.unwrap_or(body.ground + 0.5 * body.stature) + 0.08 * body.stature;
-    let trunk = body.trunk(level).map_or(f64::MAX, |r| r.area);
-    let round = |ring: &Ring| 4.0 * PI * ring.area / (ring.tape * ring.tape);
-    // Sections down the arm that are small and about the axis; if round, too, the arm's alone.
-    let small = |k: i32| {
-        if k > last {
-            return None;
-        }
-        let point = middle + down * (f64::from(k) * step);
-        let there = Plane {
-            point_mm: point.into(),
-            ..*plane
-        };
-        let ring = nearest(&part, &there)?;
-        let near = (ring.centre - point).norm() < 0.02 * body.stature;
-        (ring.area < 0.25 * trunk && near).then_some((k, ring))
-    };
-    let alone = |k: i32| small(k).filter(|(_, ring)| round(ring) > ROUND);
-    let own = small(0).map(|(_, ring)| ring);
+    let down = DownArm::of(mesh, body, plane);
+    let own = down.small(0).map(|(_, ring)| ring);
     if let Some(ring) = own.as_ref().filter(|r| round(r) > CLEAN) {
         return plain(mesh, plane, ring.clone());
     }
-    // The roundest of the first that are.
-    let first = (1..=last).find_map(alone).ok_or(FUSED)?.0;
-    let (steps, clear) = (first..first + 10)
-        .filter_map(alone)
-        .max_by(|a, b| round(&a.1).total_cmp(&round(&b.1)))
-        .ok_or(FUSED)?;
-    let origin = match &own {
-        Some(ring) => ring.centre,
-        None => clear.centre - down * (f64::from(steps) * step),
-    };
-    let about = |p: Point3<f64>| Plane {
-        point_mm: p.into(),
-        ..*plane
-    };
-    let reference = hull(&flat(&clear.curve, &about(clear.centre)));
-    let (u, v) = axes(plane);
-    let out = away(down, body.left, side).ok_or(FUSED)?;
-    let outward = [u.dot(&out), v.dot(&out)];
-    let flat_about = |ring: &Ring| flat(&ring.curve, &about(origin));
-    let parted = |ring: &Ring| freed_of_trunk(&flat_about(ring), outward, &reference);
+    let clear = down.clear(own.as_ref(), body, side)?;
+    let (reference, outward) = (&clear.reference, clear.outward);
+    let parted = |ring: &Ring| freed_of_trunk(&clear.flat(ring, plane), outward, reference);
     let Some(ring) = own else {
-        let free = rings(&part, plane).iter().find_map(parted);
-        return Ok(completed(free.ok_or(FUSED)?, origin, plane));
+        let free = rings(&down.part, plane).iter().find_map(parted);
+        return Ok(completed(free.ok_or(FUSED)?, clear.origin, plane));
     };
-    let free = parted(&ring).or_else(|| freed(&flat_about(&ring), &reference, outward));
+    let free = parted(&ring).or_else(|| freed(&clear.flat(&ring, plane), reference, outward));
     match free.ok_or(FUSED)? {
         free if free.share == 0.0 => plain(mesh, plane, ring),
-        free => Ok(completed(free, origin, plane)),
+        free => Ok(completed(free, clear.origin, plane)),
     }
 }
 
 /// An arm's section from its freed outline about an origin.
-fn completed(free: FreedArm, origin: Point3<f64>, plane: &Plane) -> SectionMeasurement {
+pub(super) fn completed(free: FreedArm, origin: Point3<f64>, plane: &Plane) -> SectionMeasurement {
     let (u, v) = axes(plane);
     let outline = free.outline;
     let even: Vec<[f64; 2]> = outline

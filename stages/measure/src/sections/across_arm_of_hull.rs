@@ -4,16 +4,15 @@
 //! its support function agrees with the outer half, tells how far the inner half may reach.
 
 use crate::features::body::Body;
-use crate::features::limb::away;
-use crate::geometry::crop::slab;
-use crate::geometry::section::{axes, clipped, flat, hull, tape};
-use crate::geometry::slices::{Ring, rings};
-use crate::sections::across_arm::{CLEAN, DOUBT, DOWN, LOOSE, ROUND, WAYS, support, way};
-use crate::sections::arm_inferred::{InferredSection, bounded, completed, onward};
-use crate::sections::one::{FUSED, SectionMeasurement, Why, nearest, plain};
-use nalgebra::{Matrix3, Point3, Vector3};
-use shape::{Landmark, Mesh, Plane};
-use std::f64::consts::{PI, TAU};
+use crate::geometry::section::{clipped, hull, tape};
+use crate::geometry::slices::rings;
+use crate::sections::across_arm::{DOUBT, LOOSE, WAYS, completed, support, way};
+use crate::sections::arm_inferred::{InferredSection, bounded, onward};
+use crate::sections::down_arm::{CLEAN, DownArm, round};
+use crate::sections::one::{FUSED, SectionMeasurement, Why, plain};
+use nalgebra::{Matrix3, Vector3};
+use shape::{Landmark, Mesh};
+use std::f64::consts::TAU;
 
 /// How far the grown section may miss the outer half of a ring that is open to the trunk, as a share
 /// of the arm's radius, root of the mean square. Arms keep within 0.035; a web that a hull of few
@@ -124,63 +123,30 @@ pub(crate) fn across_arm_of_hull(
     side: f64,
 ) -> Result<SectionMeasurement, Why> {
     let plane = &landmark.plane;
-    let down = Vector3::from(plane.normal).normalize();
-    let step = 0.004 * body.stature;
-    let last = (DOWN / 0.004) as i32;
-    let part = slab(mesh, plane, -step, f64::from(last + 1) * step);
-    let middle = Point3::from(plane.point_mm);
-    let level = body.crotch.unwrap_or(body.ground + 0.5 * body.stature) + 0.08 * body.stature;
-    let trunk = body.trunk(level).map_or(f64::MAX, |r| r.area);
-    let round = |ring: &Ring| 4.0 * PI * ring.area / (ring.tape * ring.tape);
-    // Sections down the arm that are the arm's alone: small, round, about the axis.
-    let alone = |k: i32| {
-        if k > last {
-            return None;
-        }
-        let point = middle + down * (f64::from(k) * step);
-        let there = Plane {
-            point_mm: point.into(),
-            ..*plane
-        };
-        let ring = nearest(&part, &there)?;
-        let near = (ring.centre - point).norm() < 0.02 * body.stature;
-        (ring.area < 0.25 * trunk && near && round(&ring) > ROUND).then_some((k, ring))
-    };
-    let own = alone(0).map(|(_, ring)| ring);
+    let down = DownArm::of(mesh, body, plane);
+    let own = down.alone(0).map(|(_, ring)| ring);
     if let Some(ring) = own.as_ref().filter(|r| round(r) > CLEAN) {
         return plain(mesh, plane, ring.clone());
     }
-    // The roundest of the first that are.
-    let first = (1..=last).find_map(alone).ok_or(FUSED)?.0;
-    let (steps, clear) = (first..first + 10)
-        .filter_map(alone)
-        .max_by(|a, b| round(&a.1).total_cmp(&round(&b.1)))
-        .ok_or(FUSED)?;
-    let origin = match &own {
-        Some(ring) => ring.centre,
-        None => clear.centre - down * (f64::from(steps) * step),
-    };
-    let about = |p: Point3<f64>| Plane {
-        point_mm: p.into(),
-        ..*plane
-    };
-    let reference = hull(&flat(&clear.curve, &about(clear.centre)));
-    let (u, v) = axes(plane);
-    let out = away(down, body.left, side).ok_or(FUSED)?;
-    let outward = [u.dot(&out), v.dot(&out)];
+    let clear = down.clear(own.as_ref(), body, side)?;
+    let whole = own.is_some();
     let all = match own {
         Some(ring) => vec![ring],
-        None => rings(&part, plane),
+        None => rings(&down.part, plane),
     };
-    let flats: Vec<_> = all
-        .iter()
-        .map(|ring| flat(&ring.curve, &about(origin)))
-        .collect();
-    let tapes = (first..=last)
-        .filter_map(alone)
+    let flats: Vec<_> = all.iter().map(|ring| clear.flat(ring, plane)).collect();
+    let [first, steps] = clear.steps;
+    let tapes = (first..=down.last)
+        .filter_map(|k| down.alone(k))
         .map(|(k, r)| (f64::from(k), r.tape));
-    let beyond = || onward(&tapes.collect::<Vec<_>>(), f64::from(steps), &reference);
-    let inferred = match first_freed(&flats, &reference, outward) {
+    let beyond = || {
+        onward(
+            &tapes.collect::<Vec<_>>(),
+            f64::from(steps),
+            &clear.reference,
+        )
+    };
+    let inferred = match first_freed(&flats, &clear.reference, clear.outward) {
         Some((at, free)) if free.inferred == 0.0 => return plain(mesh, plane, all[at].clone()),
         Some((_, free)) => {
             let inferred = InferredSection {
@@ -188,14 +154,14 @@ pub(crate) fn across_arm_of_hull(
                 share: free.inferred,
                 outline: free.outline,
             };
-            match alone(0) {
-                Some(_) => inferred,
-                None => bounded(inferred, beyond()),
+            match whole {
+                true => inferred,
+                false => bounded(inferred, beyond()),
             }
         }
         None => beyond().ok_or(FUSED)?,
     };
-    Ok(completed(inferred, origin, plane))
+    Ok(completed(inferred.freed(), clear.origin, plane))
 }
 
 #[cfg(test)]

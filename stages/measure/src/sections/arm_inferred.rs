@@ -2,11 +2,8 @@
 //! clear sections farther down.
 
 use crate::features::marks::slope;
-use crate::geometry::section::{axes, length, tape};
-use crate::geometry::spline::closed_spline_length;
-use crate::sections::one::SectionMeasurement;
-use nalgebra::Point3;
-use shape::Plane;
+use crate::geometry::section::tape;
+use crate::sections::beside_trunk::FreedArm;
 
 /// An arm's section as inferred from farther ones.
 pub(crate) struct InferredSection {
@@ -15,6 +12,17 @@ pub(crate) struct InferredSection {
     pub(crate) share: f64,
     /// Standard deviation of the tape, as a share of it.
     pub(crate) doubt: f64,
+}
+
+impl InferredSection {
+    /// The same with its doubt as a length.
+    pub(crate) fn freed(self) -> FreedArm {
+        FreedArm {
+            share: self.share,
+            sigma_mm: self.doubt * tape(&self.outline),
+            outline: self.outline,
+        }
+    }
 }
 
 /// How sure a section is that was inferred from those farther down alone: what of their growth may end, and
@@ -77,33 +85,6 @@ pub(crate) fn onward(
         share: 1.0,
         doubt: libm::hypot(ONWARD.0 * (here - first) / here, ONWARD.1),
     })
-}
-
-pub(crate) fn completed(
-    inferred: InferredSection,
-    origin: Point3<f64>,
-    plane: &Plane,
-) -> SectionMeasurement {
-    let (u, v) = axes(plane);
-    let outline = inferred.outline;
-    let tape_mm = tape(&outline);
-    let even: Vec<[f64; 2]> = outline
-        .iter()
-        .step_by((outline.len() / 48).max(1))
-        .copied()
-        .collect();
-    let contour_mm = length(&outline);
-    SectionMeasurement {
-        contour: outline
-            .iter()
-            .map(|p| origin + u * p[0] + v * p[1])
-            .collect(),
-        contour_mm,
-        tape_mm,
-        spline_mm: closed_spline_length(&even).unwrap_or(contour_mm),
-        carried: inferred.share,
-        sigma_mm: inferred.doubt * tape_mm,
-    }
 }
 
 #[cfg(test)]
