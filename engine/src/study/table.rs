@@ -1,6 +1,6 @@
 //! A study's table: out of a sweep's rows, as a page, as data, and against what it was.
 
-use crate::sweep::{Group, Pairs, Row, Told, of_variants, pairs_cells, spread, spread_cell};
+use crate::sweep::{Group, Pairs, Row, Told, of_variants, pairs_cells, spread, spread_cells};
 use serde_json::{Value, json};
 use std::fmt::Write;
 
@@ -74,19 +74,9 @@ impl Table {
             "# {}\n\n    {called} study run {}\n\n",
             self.about, self.name
         );
-        if let Some(first) = self.groups.first() {
-            let variant = first.variant.iter().map(|_| "variant".to_owned());
-            let params = first.params.iter().map(|(name, _)| name.clone());
-            let units = first.spreads.iter();
-            let units = units.map(|s| format!("{} {}", s.name, s.unit).trim_end().to_owned());
-            let head: Vec<String> = variant.chain(params).chain(units).collect();
-            let row = |group: &Group| -> Vec<String> {
-                let params = group.params.iter().map(|(_, value)| value.clone());
-                let cells = group.spreads.iter().map(|s| spread_cell(s, group));
-                let variant = group.variant.iter().cloned();
-                variant.chain(params).chain(cells).collect()
-            };
-            page += &markdown(&head, &self.groups.iter().map(row).collect::<Vec<_>>());
+        if !self.groups.is_empty() {
+            let (head, rows) = spread_cells(&self.groups);
+            page += &markdown(&head, &rows);
             let n = self.groups.iter().map(|g| g.points).max().unwrap_or(1);
             if n > 1 {
                 let _ = writeln!(page, "\nMean ± standard deviation of {n} replicates.");

@@ -44,7 +44,7 @@ pub use points::{Point, Points};
 pub use replicates::Replicates;
 pub use row::{End, Row};
 pub use run::run;
-pub(crate) use said::{cell as spread_cell, pairs_cells};
+pub(crate) use said::{pairs_cells, spread_cells};
 pub use said::{pairs_text, replicates_text};
 pub use spread::{Group, Spread, spread};
 pub use sweeping::{Errors, Sweeping};

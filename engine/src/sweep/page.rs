@@ -4,7 +4,7 @@ use super::cells::{cell, columns, params, short, trouble};
 use super::paired::{Pairs, of_variants};
 use super::plot::{Plot, References, plots};
 use super::row::Row;
-use super::said::{cell as spread_cell, pairs_head, pairs_row};
+use super::said::{pairs_head, pairs_row, spread_cells};
 use super::spread::{Group, spread};
 use super::table::{as_csv, summary};
 use super::told::Told;
@@ -162,27 +162,11 @@ fn still(groups: &[Group]) -> String {
 }
 
 fn spread_table(groups: &[Group]) -> String {
-    let Some(first) = groups.first() else {
-        return String::new();
-    };
-    let variant = first.variant.iter().map(|_| "variant".to_owned());
-    let params = first.params.iter().map(|(name, _)| name.clone());
-    let units = first.spreads.iter();
-    let units = units.map(|s| format!("{} {}", s.name, s.unit).trim_end().to_owned());
-    let head: Vec<String> = variant.chain(params).chain(units).collect();
-    let row = |group: &Group| -> Vec<String> {
-        let params = group.params.iter().map(|(_, value)| value.clone());
-        let cells = group.spreads.iter().map(|s| spread_cell(s, group));
-        group
-            .variant
-            .iter()
-            .cloned()
-            .chain(params)
-            .chain(cells)
-            .collect()
-    };
-    let rows: Vec<Vec<String>> = groups.iter().map(row).collect();
-    page::table("points", &head, &rows)
+    let (head, rows) = spread_cells(groups);
+    match rows.is_empty() {
+        true => String::new(),
+        false => page::table("points", &head, &rows),
+    }
 }
 
 fn points_table(rows: &[Row], how: &dyn Fn(&Row) -> Vec<String>, repeated: bool) -> String {

@@ -31,7 +31,7 @@ pub fn replicates_text(groups: &[Group]) -> String {
 }
 
 /// `1.52 ± 0.03`, and `(7: 1 refused)` where not all tell it.
-pub(crate) fn cell(s: &Spread, group: &Group) -> String {
+fn cell(s: &Spread, group: &Group) -> String {
     let mean = s.mean.map_or("-".to_owned(), short);
     let sd = s.sd.map_or(String::new(), |sd| format!(" ± {}", short(sd)));
     let mut fewer = Vec::new();
@@ -41,6 +41,25 @@ pub(crate) fn cell(s: &Spread, group: &Group) -> String {
         true => mean + &sd,
         false => format!("{mean}{sd} ({}: {})", s.n, fewer.join(", ")),
     }
+}
+
+/// The table of groups: its head, and a row a group.
+pub(crate) fn spread_cells(groups: &[Group]) -> (Vec<String>, Vec<Vec<String>>) {
+    let Some(first) = groups.first() else {
+        return Default::default();
+    };
+    let variant = first.variant.iter().map(|_| "variant".to_owned());
+    let params = first.params.iter().map(|(name, _)| name.clone());
+    let units = first.spreads.iter();
+    let units = units.map(|s| format!("{} {}", s.name, s.unit).trim_end().to_owned());
+    let row = |group: &Group| -> Vec<String> {
+        let params = group.params.iter().map(|(_, value)| value.clone());
+        let cells = group.spreads.iter().map(|s| cell(s, group));
+        let variant = group.variant.iter().cloned();
+        variant.chain(params).chain(cells).collect()
+    };
+    let head = variant.chain(params).chain(units).collect();
+    (head, groups.iter().map(row).collect())
 }
 
 /// The head of a table of pairs.
