@@ -1,14 +1,17 @@
 //! `--out`: what is asked before a run, and what is reported after it.
 
+use super::arguments::Change;
 use super::fault::Fault;
+use super::open::folders;
 use super::program::GlobalArgs;
 use super::ran::Ran;
 use super::result::there;
 use crate::delivery::{self, Delivery, Left};
 use crate::graph::Graph;
 use crate::outcome::Outcome;
+use crate::store::Store;
 use crate::{out, pattern};
-use serde_json::Value;
+use serde_json::{Value, json};
 use std::path::{Path, PathBuf};
 
 /// A path as it is, as far as it is there yet.
@@ -154,4 +157,32 @@ pub(super) fn write(
         delivery.put(&name, &files).map_err(Fault::stage)?;
     }
     Ok(())
+}
+
+/// Writes tables and plots of a sweep or a search as a delivery: who forgets a folder that they came of hears of it.
+pub(super) fn tables(
+    out: &Path,
+    change: &Change,
+    files: impl IntoIterator<Item = (String, String)>,
+    plots: Vec<(String, String)>,
+    clean: bool,
+    global: &GlobalArgs,
+) -> Result<(), Fault> {
+    let folders = folders(change)?;
+    let of = whose(&folders);
+    let store = Store::open(&global.cache).map_err(Fault::input)?;
+    store.note_delivery(out, &of, &folders);
+    let mut delivery = Delivery::open(out, &of).map_err(Fault::stage)?;
+    delivery.begin().map_err(Fault::stage)?;
+    for (name, text) in files {
+        let file = [(String::new(), text.into_bytes())];
+        delivery.put(&name, &file).map_err(Fault::stage)?;
+    }
+    let plots = plots.into_iter().map(|(n, t)| (n, t.into_bytes()));
+    let plots: Vec<(String, Vec<u8>)> = plots.collect();
+    if !plots.is_empty() {
+        delivery.put("plots", &plots).map_err(Fault::stage)?;
+    }
+    let run = json!({ "program": global.catalog().program });
+    written(delivery, run, clean, global)
 }

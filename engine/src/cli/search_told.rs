@@ -3,13 +3,10 @@
 use super::arguments::Change;
 use super::deliver;
 use super::fault::Fault;
-use super::open::folders;
 use super::program::GlobalArgs;
 use super::text::{count, lines, short, table, to_the_right};
-use crate::delivery::Delivery;
 use crate::recipe::Search;
 use crate::search::{Found, Tried, variant};
-use crate::store::Store;
 use crate::sweep;
 use clap::Args;
 use serde_json::{Value, json};
@@ -57,13 +54,14 @@ pub(super) fn told(
     // As a file it is read from another folder.
     let whole = std::fs::canonicalize(&args.pipeline).map(|p| p.display().to_string());
     let file = variant(&whole.unwrap_or(pipeline), name, best);
-    if args.out.is_some() {
+    if let Some(out) = &args.out {
         let files = [
             ("search.json", pretty.clone()),
             ("search.csv", csv(declared, found)),
             ("best.toml", file),
         ];
-        delivered(args, files, global)?;
+        let files = files.map(|(name, text)| (name.to_owned(), text));
+        deliver::tables(out, &args.change, files, vec![], false, global)?;
     }
     if global.json {
         crate::outln!("{pretty}");
@@ -76,27 +74,6 @@ pub(super) fn told(
         found.cost()
     );
     Ok(())
-}
-
-/// Writes the files as a delivery.
-fn delivered(
-    args: &SearchArgs,
-    files: [(&str, String); 3],
-    global: &GlobalArgs,
-) -> Result<(), Fault> {
-    let Some(out) = &args.out else { return Ok(()) };
-    let folders = folders(&args.change)?;
-    let of = deliver::whose(&folders);
-    let store = Store::open(&global.cache).map_err(Fault::input)?;
-    store.note_delivery(out, &of, &folders);
-    let mut delivery = Delivery::open(out, &of).map_err(Fault::stage)?;
-    delivery.begin().map_err(Fault::stage)?;
-    for (name, text) in files {
-        let file = [(String::new(), text.into_bytes())];
-        delivery.put(name, &file).map_err(Fault::stage)?;
-    }
-    let run = json!({ "program": global.catalog().program });
-    deliver::written(delivery, run, false, global)
 }
 
 /// The best sets, best first.

@@ -8,18 +8,15 @@ use super::programs::{permitted, unguarded};
 use super::strands::written;
 use super::sweep_asked::{Asked, SweepArgs, asked, checked};
 use super::sweep_told::{how, missing_metrics};
-use crate::delivery::{self, Delivery};
+use crate::delivery;
 use crate::graph::Graph;
 use crate::lasttime::History;
 use crate::outcome::Outcome;
 use crate::past::Of;
 use crate::recipe::{Overrides, Pipeline};
-use crate::store::Store;
 use crate::strands;
 use crate::sweep::{self, End, Errors, Outlook, Point, Row, Sweeping, outlook};
 use crate::walk::Watch;
-use serde_json::json;
-use std::path::Path;
 use std::sync::atomic::Ordering;
 
 /// More points than this ask for `--yes`.
@@ -181,35 +178,6 @@ pub fn swept(
     Ok(Swept { asked, rows })
 }
 
-/// Writes the tables as a delivery: who forgets a folder that they came of hears of it.
-fn delivered(
-    out: &Path,
-    files: Vec<(String, String)>,
-    plots: Vec<(String, String)>,
-    args: &SweepArgs,
-    global: &GlobalArgs,
-) -> Result<(), Fault> {
-    let folders = folders(&args.change)?;
-    let of = deliver::whose(&folders);
-    let store = Store::open(&global.cache).map_err(Fault::input)?;
-    store.note_delivery(out, &of, &folders);
-    let mut delivery = Delivery::open(out, &of).map_err(Fault::stage)?;
-    delivery.begin().map_err(Fault::stage)?;
-    for (name, text) in files {
-        let file = [(String::new(), text.into_bytes())];
-        delivery.put(&name, &file).map_err(Fault::stage)?;
-    }
-    let plots: Vec<(String, Vec<u8>)> = plots
-        .into_iter()
-        .map(|(n, t)| (n, t.into_bytes()))
-        .collect();
-    if !plots.is_empty() {
-        delivery.put("plots", &plots).map_err(Fault::stage)?;
-    }
-    let run = json!({ "program": global.catalog().program });
-    deliver::written(delivery, run, args.clean, global)
-}
-
 /// Prints and writes what came out; a point without a result is a failure, a stop is a stop.
 fn finish(args: &SweepArgs, global: &GlobalArgs, swept: &Swept) -> Result<(), Fault> {
     let Swept { asked, rows } = swept;
@@ -229,7 +197,7 @@ fn finish(args: &SweepArgs, global: &GlobalArgs, swept: &Swept) -> Result<(), Fa
             ("sweep.html".to_owned(), shown.page),
         ];
         files.extend(sweep::statistics(rows));
-        delivered(folder, files, shown.plots, args, global)?;
+        deliver::tables(folder, &args.change, files, shown.plots, args.clean, global)?;
     }
     match global.json {
         true => crate::outln!(
