@@ -54,6 +54,23 @@ fn line(param: &ParamSpec) -> String {
     format!("{name} {default}  ({kind}{range}). {doc}")
 }
 
+/// Where the default of each numeric param comes from, and how many were set by hand.
+pub fn provenance(stages: &[&dyn AnyStage]) -> String {
+    let mut table = crate::text::table();
+    let (mut all, mut by_hand) = (0, 0);
+    for stage in stages {
+        for param in stage.params().iter().filter(|p| p.is_number()) {
+            all += 1;
+            by_hand += usize::from(param.source.is_by_hand());
+            let default = param.default.to_string();
+            let name = format!("{} {}", stage.name(), param.name);
+            table.add_row([&name, &default, param.source.word(), param.source.what()]);
+        }
+    }
+    let lines = crate::text::lines(&mut table);
+    format!("{lines}\n{by_hand} of {all} defaults are set by hand\n")
+}
+
 /// For other programs.
 pub fn json(stage: &dyn AnyStage) -> Value {
     let port = |p: &stage::PortSpec| json!({ "name": p.name, "kind": p.kind, "optional": p.optional, "doc": p.doc });
@@ -71,6 +88,9 @@ fn param(p: &ParamSpec) -> Value {
         "name": p.name, "doc": p.doc, "type": p.type_name, "choices": p.choices,
         "default": p.default.to_string(), "range": p.range, "required": p.required,
     });
+    if p.is_number() {
+        entry["source"] = json!({ "kind": p.source.word(), "what": p.source.what() });
+    }
     if let Some(fields) = &p.entry {
         entry["entry"] = fields.iter().map(param).collect();
     }

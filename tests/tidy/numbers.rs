@@ -109,3 +109,31 @@ fn a_source_is_a_year_a_fit_or_a_standard() {
         #[cfg(test)]\nconst E: f64 = 1.0;\n";
     assert_eq!(unsourced(text), ["B_MM", "D"]);
 }
+
+/// Params whose default was set by hand, by the crate of their stages (`tailor stages --provenance` lists them).
+const DEFAULTS_BY_HAND: [(&str, usize); 7] = [
+    ("capture", 1),
+    ("hull", 1),
+    ("measure", 1),
+    ("pose", 43),
+    ("refine", 38),
+    ("silhouette", 19),
+    ("turning", 2),
+];
+
+#[test]
+fn defaults_set_by_hand_only_become_fewer() {
+    let mut found: BTreeMap<&str, usize> = BTreeMap::new();
+    for stage in tailor::catalog::CATALOG.stages() {
+        let by_hand = stage.params().into_iter().filter(|p| p.is_number());
+        let by_hand = by_hand.filter(|p| p.source.is_by_hand()).count();
+        let group = stage.name().split('.').next().unwrap_or_default();
+        *found.entry(group).or_default() += by_hand;
+    }
+    found.retain(|_, count| *count > 0);
+    assert_eq!(
+        found.into_iter().collect::<Vec<_>>(),
+        DEFAULTS_BY_HAND,
+        "a default needs a source (`#[source(…)]`); where fewer are set by hand, lower the list in tests/tidy/numbers.rs"
+    );
+}

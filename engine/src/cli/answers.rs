@@ -67,7 +67,11 @@ pub(crate) fn schema(global: &GlobalArgs) -> Result<(), Fault> {
 }
 
 /// `stages`.
-pub(crate) fn stages(name: Option<&str>, global: &GlobalArgs) -> Result<(), Fault> {
+pub(crate) fn stages(
+    name: Option<&str>,
+    provenance: bool,
+    global: &GlobalArgs,
+) -> Result<(), Fault> {
     let fits = |s: &dyn stage::AnyStage| {
         name.is_none_or(|n| s.name() == n || s.name().split('.').next() == Some(n))
     };
@@ -90,6 +94,8 @@ pub(crate) fn stages(name: Option<&str>, global: &GlobalArgs) -> Result<(), Faul
                 .map(|s| crate::reference::json(*s))
                 .collect::<Value>()
         );
+    } else if provenance {
+        crate::out!("{}", crate::reference::provenance(&found));
     } else {
         found
             .iter()

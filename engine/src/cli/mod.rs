@@ -136,11 +136,14 @@ enum Own {
     Show(show::Show),
     /// Every stage with its ports, params, units, ranges and defaults
     Stages {
-        /// One stage, or all of a room
+        /// One stage, or all of a crate
         name: Option<String>,
         /// The JSON schema of a pipeline file instead, for editors
         #[arg(long)]
         json_schema: bool,
+        /// Where the default of each numeric param comes from instead
+        #[arg(long, conflicts_with = "json_schema")]
+        provenance: bool,
     },
     /// All mistakes of a pipeline at once
     Check {
@@ -273,10 +276,12 @@ fn done(
         Own::Impact(verb) => impact::impact(verb, global),
         Own::Graph(verb) => answers::graph(verb, own.subcommand(), global),
         Own::Show(verb) => show::show(verb, global),
-        Own::Stages { name, json_schema } => match json_schema {
-            true => answers::schema(global),
-            false => answers::stages(name.as_deref(), global),
-        },
+        Own::Stages {
+            json_schema: true, ..
+        } => answers::schema(global),
+        Own::Stages {
+            name, provenance, ..
+        } => answers::stages(name.as_deref(), *provenance, global),
         Own::Check { pipeline } => answers::check(pipeline, global),
         Own::Pipelines { name } => answers::pipelines(name.as_deref(), global),
         Own::Completions(verb) => {

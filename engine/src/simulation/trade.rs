@@ -48,8 +48,10 @@ stage::params! {
     pub struct Number {
         /// A number.
         #[range(0..=1_000_000)]
+        #[source(structural)]
         n: i64 = 1,
         /// How long it takes.
+        #[source(structural)]
         takes_s: u32 = 0,
     }
 }

@@ -9,6 +9,7 @@ stage::params! {
     pub struct DrawParams {
         /// How many photos are drawn, in turning order; 0 for all.
         #[range(0..=5000)]
+        #[source(structural)]
         keep: u32 = 0,
         /// Whether the turn begins at a photo by chance instead of the first.
         begin: bool = false,
@@ -17,6 +18,7 @@ stage::params! {
         /// Seed of what is drawn.
         #[range(0..=1000000)]
         #[chance(seed)]
+        #[source(structural)]
         seed: u32 = 1,
     }
 }

@@ -24,16 +24,20 @@ stage::params! {
     pub struct LoadParams {
         /// Fewest photos that are taken for a turn.
         #[range(3..=1000)]
+        #[source(derived = "three views are the fewest that carve a body from all sides")]
         fewest: u32 = 3,
         /// Of each so many photos in turning order, the first `keep` are taken: what would fewer
         /// views have done?
         #[range(1..=100)]
+        #[source(structural)]
         of: u32 = 1,
         /// How many of each `of` are taken.
         #[range(1..=100)]
+        #[source(structural)]
         keep: u32 = 1,
         /// Of more photos than this the sharpest of as many even stretches are taken.
         #[range(3..=5000)]
+        #[source(structural)]
         most: u32 = 200,
         /// Whether photos of which nothing will come as a turn are an error, and what is odd about them
         /// a warning.

@@ -23,6 +23,7 @@ stage::params! {
     pub struct RawParams {
         /// By how much all photos are brightened.
         #[range(0.1..=16.0)]
+        #[source(structural)]
         brightness: f64 = 1.0,
     }
 }

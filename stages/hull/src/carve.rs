@@ -16,21 +16,26 @@ stage::params! {
     pub struct CarveParams {
         /// Edge of a cell.
         #[range(0.25..=50.0)]
+        #[source(structural)]
         voxel_mm: f64 = 3.0,
         /// Share of the views that must show a point if it is to stay. Below 1, a body that sways,
         /// or a hole in a mask, does no harm.
         #[range(0.5..=1.0)]
+        #[source(cited = "Laurentini 1994: a hull is in all silhouettes")]
         consensus: f64 = 1.0,
         /// Most memory that carving may take.
         #[range(64.0..=65536.0)]
+        #[source(structural)]
         memory_mb: f64 = 3000.0,
         /// Height above the ground below which nothing is kept.
         #[range(-100.0..=500.0)]
+        #[source(structural)]
         ground_mm: f64 = 0.0,
         /// A mask that alone leaves out body, so deep in all others or deeper, is warned of; 0: none
         /// is. Share of the body's height. \[%\] Single views carve wedges of up to 6 % of a limb's
         /// radius on their own; 1.2 % was chosen on good masks (`contradicted.rs`).
         #[range(0.0..=20.0)]
+        #[source(by_hand = "good masks of the three cases: a wedge is up to 6 % of the radius of a limb")]
         contradicted_pct: f64 = 100.0 * DISSENT_DEPTH,
     }
 }

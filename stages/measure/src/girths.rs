@@ -30,6 +30,7 @@ stage::params! {
         /// By how much a tape presses in, as a share of its length: tapes and their intervals are
         /// shortened by it, and the files say so. Nothing unless you know it of your measurer. In %.
         #[range(0.0..=10.0)]
+        #[source(structural)]
         compression_pct: f64 = 0.0,
         /// Points picked around the body, `[[x, y, z], ...]` in millimetres in the turntable frame:
         /// the paper's procedure gives a girth through them, called PICKED.

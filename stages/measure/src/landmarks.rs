@@ -28,6 +28,7 @@ stage::params! {
         waist: Waist = Waist::Natural,
         /// How much farther forward the neck leans than its own axis tells.
         #[range(-30.0..=30.0)]
+        #[source(structural)]
         neck_lean_deg: f64 = 0.0,
         /// Girths of your own, by name: `[girth.mid_thigh]` with `part = "thigh"` and `at = 0.5`.
         girth: Named<OwnGirth> = Named::default(),

@@ -13,22 +13,28 @@ stage::params! {
     pub struct AlarmParams {
         /// Head.
         #[range(0.0..=100.0)]
+        #[source(fitted = "models/person/alarm.py: true masks of six drawn scenes, and the same without a limb")]
         head_pct: f64 = 54.0,
         /// Trunk.
         #[range(0.0..=100.0)]
+        #[source(fitted = "models/person/alarm.py: true masks of six drawn scenes, and the same without a limb")]
         trunk_pct: f64 = 16.0,
         /// Arms.
         #[range(0.0..=100.0)]
+        #[source(fitted = "models/person/alarm.py: true masks of six drawn scenes, and the same without a limb")]
         arms_pct: f64 = 13.0,
         /// Legs.
         #[range(0.0..=100.0)]
+        #[source(fitted = "models/person/alarm.py: true masks of six drawn scenes, and the same without a limb")]
         legs_pct: f64 = 9.0,
         /// Feet.
         #[range(0.0..=100.0)]
+        #[source(fitted = "models/person/alarm.py: true masks of six drawn scenes, and the same without a limb")]
         feet_pct: f64 = 91.0,
         /// How much body a mask may have beside a part of the learned one, as a share of it. By hand: true masks of ten
         /// captures have at most 12 %.
         #[range(0.0..=100.0)]
+        #[source(by_hand = "true masks of ten captures: at most 12 %")]
         added_pct: f64 = 25.0,
     }
 }

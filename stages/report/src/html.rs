@@ -25,14 +25,17 @@ stage::params! {
         blur_face: bool = false,
         /// Greatest height of a photo on the page; less where there are more than forty.
         #[range(100..=2000)]
+        #[source(structural)]
         photo_px: u32 = 900,
         /// Greatest number of faces of a surface without an atlas; finer ones are simplified.
         #[range(1000..=1000000)]
+        #[source(structural)]
         most_faces: u32 = 100000,
         /// Whether a body without an atlas takes its colours from the photos.
         paint: bool = true,
         /// Longest side of the atlas on the page; longer ones are halved.
         #[range(256..=16384)]
+        #[source(structural)]
         atlas_px: u32 = 4096,
         /// What lengths are shown in.
         unit: ShownIn = ShownIn::Cm,

@@ -10,6 +10,7 @@ stage::params! {
         gamma: f64 = 40.0,
         /// Rounds of fitting colours and cutting.
         #[range(1..=20)]
+        #[source(structural)]
         rounds: u32 = 2,
         /// Clusters of the mixture of the body's colours.
         #[range(1..=20)]
@@ -25,6 +26,7 @@ stage::params! {
         cut: CutParams = CutParams::default(),
         /// Longest side at which the first cut is made; the border is cut again at full size.
         #[range(100..=4000)]
+        #[source(structural)]
         coarse_px: u32 = 800,
         /// Height of the side of the disk below its top that is not body.
         #[range(0.0..=500.0)]

@@ -26,6 +26,7 @@ mod nearest;
 mod param_type;
 mod params;
 pub mod process;
+mod provenance;
 mod value;
 
 pub use any::AnyArtifact;
@@ -43,6 +44,7 @@ pub use param_type::ParamType;
 #[doc(hidden)]
 pub use param_type::read_one;
 pub use params::{Mistake, ParamSpec, Params};
+pub use provenance::NumberSource;
 pub use value::Value;
 
 /// One step of a pipeline: a pure function from artifacts and params to an artifact.

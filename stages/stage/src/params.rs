@@ -1,6 +1,6 @@
 //! Params: each is one spot with its name and unit, a sentence, a default and a range.
 
-use crate::Value;
+use crate::{NumberSource, Value};
 use std::collections::BTreeMap;
 
 /// One param, as the reference and the checker know it.
@@ -20,10 +20,19 @@ pub struct ParamSpec {
     pub range: Option<(f64, f64)>,
     /// Whether it must be given.
     pub required: bool,
+    /// Where its default comes from, where it is a number.
+    pub source: NumberSource,
     /// Whether it is the seed of noise in what a method is given: replicates of a sweep give each their own.
     pub seed: bool,
     /// What each entry holds, where it is a section of named entries: see [`Named`](crate::Named).
     pub entry: Option<Vec<ParamSpec>>,
+}
+
+impl ParamSpec {
+    /// Whether it is one number.
+    pub fn is_number(&self) -> bool {
+        matches!(self.default, Value::Int(_) | Value::Float(_))
+    }
 }
 
 /// What is wrong with one param.
@@ -85,7 +94,8 @@ pub trait Params: Clone + Default + Send + Sync + 'static {
 
 /// Declares a stage's params: doc, optional `#[range(lo..=hi)]`, optional `#[must(say)]` where there is
 /// no sense in a default, `#[chance(seed)]` where it is the seed of noise in what a method is given (not of a method's
-/// own dice), name, type, default.
+/// own dice), `#[source(…)]` (where the default comes from: `structural`, or `derived`, `cited`, `fitted`, `by_hand`
+/// with the evidence, as in `cited = "Lowe 2004, §4.1"`), name, type, default.
 ///
 /// `#[group(flat)]` makes a field a group that several stages share: its type is made by this macro,
 /// its params are among the other ones under their own names, with the defaults given here.
@@ -99,6 +109,7 @@ macro_rules! params {
             $(#[must($must:ident)])?
             $(#[chance($chance:ident)])?
             $(#[group($group:ident)])?
+            $(#[source($source:ident $(= $what:literal)?)])?
             $name:ident : $ty:ty = $default:expr
         ),* $(,)? }
     ) => {
@@ -121,7 +132,7 @@ macro_rules! params {
                 $( $crate::params!(
                     @specs $($group)?, _to, $name, $ty, self.$name,
                     [$($doc),*], $crate::params!(@range $($range)?), $crate::params!(@must $($must)?),
-                    $crate::params!(@chance $($chance)?)
+                    $crate::params!(@chance $($chance)?), $crate::params!(@source $($source $($what)?)?)
                 ); )*
             }
 
@@ -143,10 +154,10 @@ macro_rules! params {
     };
     (@names flat, $to:ident, $name:ident, $ty:ty) => { <$ty as $crate::Params>::names($to) };
     (@names , $to:ident, $name:ident, $ty:ty) => { $to.push(stringify!($name)) };
-    (@specs flat, $to:ident, $name:ident, $ty:ty, $value:expr, $doc:tt, $range:expr, $must:expr, $seed:expr) => {
+    (@specs flat, $to:ident, $name:ident, $ty:ty, $value:expr, $doc:tt, $range:expr, $must:expr, $seed:expr, $source:expr) => {
         $crate::Params::specs_to(&$value, $to)
     };
-    (@specs , $to:ident, $name:ident, $ty:ty, $value:expr, $doc:tt, $range:expr, $must:expr, $seed:expr) => {
+    (@specs , $to:ident, $name:ident, $ty:ty, $value:expr, $doc:tt, $range:expr, $must:expr, $seed:expr, $source:expr) => {
         $to.push($crate::ParamSpec {
             name: stringify!($name),
             doc: $doc.map(|l: &str| l.trim()).join(" ").replace("\\[", "[").replace("\\]", "]"),
@@ -155,6 +166,7 @@ macro_rules! params {
             default: $crate::ParamType::value(&$value),
             range: $range,
             required: $must,
+            source: $source,
             seed: $seed,
             entry: <$ty as $crate::ParamType>::entry(),
         })
@@ -173,6 +185,12 @@ macro_rules! params {
     (@must say) => { true };
     (@chance) => { false };
     (@chance seed) => { true };
+    (@source) => { $crate::NumberSource::Unrecorded };
+    (@source structural) => { $crate::NumberSource::Structural };
+    (@source derived $what:literal) => { $crate::NumberSource::Derived($what) };
+    (@source cited $what:literal) => { $crate::NumberSource::Cited($what) };
+    (@source fitted $what:literal) => { $crate::NumberSource::Fitted($what) };
+    (@source by_hand $what:literal) => { $crate::NumberSource::ByHand($what) };
     (@range) => { None };
     (@range $range:expr) => {{
         let range = $range;
@@ -190,6 +208,7 @@ mod tests {
         pub struct Heat {
             /// How hot.
             #[range(0..=300)]
+            #[source(cited = "the cookbook")]
             degrees: u32 = 180,
             /// Whether air is moved.
             fan: bool = false,
@@ -215,6 +234,8 @@ mod tests {
         assert_eq!(names, ["minutes", "degrees", "fan", "trays"]);
         assert_eq!(Oven::specs()[1].default, Value::Int(220));
         assert_eq!(Oven::specs()[1].range, Some((0.0, 300.0)));
+        assert_eq!(Oven::specs()[1].source, NumberSource::Cited("the cookbook"));
+        assert_eq!(Oven::specs()[0].source, NumberSource::Unrecorded);
         let given = BTreeMap::from([("fan".to_owned(), Value::Bool(true))]);
         let oven = Oven::read(&given).unwrap();
         assert_eq!((oven.heat.degrees, oven.heat.fan), (220, true));

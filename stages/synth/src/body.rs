@@ -11,6 +11,7 @@ stage::params! {
     pub struct BodyParams {
         /// Edge length of the cells; a section falls short by (cell / radius)² / 8 of its length.
         #[range(0.2..=50.0)]
+        #[source(structural)]
         cell_mm: f64 = 4.0,
     }
 }

@@ -11,13 +11,16 @@ stage::params! {
     pub struct JitterParams {
         /// Standard deviation of a border's way, right and down.
         #[range(0.0..=100.0)]
+        #[source(structural)]
         border_px: f64 = 0.5,
         /// Distance along which that way changes.
         #[range(1.0..=2000.0)]
+        #[source(structural)]
         length_px: f64 = 16.0,
         /// Seed of the ways; each photo has its own.
         #[range(0..=1000000)]
         #[chance(seed)]
+        #[source(structural)]
         seed: u32 = 1,
     }
 }

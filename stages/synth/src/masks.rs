@@ -11,6 +11,7 @@ stage::params! {
     pub struct MaskParams {
         /// Rays through each pixel along each of its sides.
         #[range(1..=15)]
+        #[source(structural)]
         rays: u32 = 4,
     }
 }

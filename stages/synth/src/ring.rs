@@ -10,45 +10,58 @@ stage::params! {
     pub struct RingParams {
         /// How many photos of one turn.
         #[range(1..=720)]
+        #[source(structural)]
         views: u32 = 18,
         /// Width of a photo in pixels.
         #[range(16..=8000)]
+        #[source(structural)]
         width: u32 = 800,
         /// Height of a photo in pixels.
         #[range(16..=8000)]
+        #[source(structural)]
         height: u32 = 1200,
         /// Focal length as if on 36 × 24 mm film, by the diagonal.
         #[range(10.0..=500.0)]
+        #[source(structural)]
         focal_35mm: f64 = 50.0,
         /// Distance of the camera from the axis.
         #[range(50.0..=20000.0)]
+        #[source(structural)]
         distance_mm: f64 = 3200.0,
         /// Height of the camera above the disk.
         #[range(-5000.0..=10000.0)]
+        #[source(structural)]
         camera_mm: f64 = 1300.0,
         /// Height on the axis that the camera looks at.
         #[range(-5000.0..=10000.0)]
+        #[source(structural)]
         look_mm: f64 = 800.0,
         /// Standard deviation of the disk's angle about the even step.
         #[range(0.0..=5.0)]
+        #[source(structural)]
         jitter_deg: f64 = 0.1,
         /// By how much the principal point lies right of and below the photo's middle, as a share
         /// of the longer side.
         #[range(-0.1..=0.1)]
+        #[source(structural)]
         off_centre: f64 = 0.002,
         /// First radial coefficient of the lens.
         #[range(-0.3..=0.3)]
+        #[source(structural)]
         k1: f64 = 0.0,
         /// Second radial coefficient of the lens.
         #[range(-0.3..=0.3)]
+        #[source(structural)]
         k2: f64 = 0.0,
         /// Whether the disk turns clockwise seen from above.
         clockwise: bool = false,
         /// Radius of the disk; 0 for no disk.
         #[range(0.0..=5000.0)]
+        #[source(structural)]
         disk_mm: f64 = 350.0,
         /// Seed of what is by chance.
         #[chance(seed)]
+        #[source(structural)]
         seed: u32 = 1,
     }
 }

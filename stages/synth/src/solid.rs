@@ -25,24 +25,31 @@ stage::params! {
         figure: Figure = Figure::Body,
         /// Height of a body, a cylinder or an ellipsoid.
         #[range(10.0..=3000.0)]
+        #[source(structural)]
         stature_mm: f64 = 1750.0,
         /// Girth of a body's trunk and limbs as a share of the usual.
         #[range(0.7..=1.4)]
+        #[source(structural)]
         stout: f64 = 1.0,
         /// Depth of the furrow down a body's back, which silhouettes cannot show.
         #[range(0.0..=60.0)]
+        #[source(structural)]
         furrow_mm: f64 = 14.0,
         /// Angle between a body's arms and its trunk.
         #[range(25.0..=80.0)]
+        #[source(structural)]
         arms_deg: f64 = 42.0,
         /// Exponent of the trunk's and the cylinder's superellipses; 2 is an ellipse.
         #[range(2.0..=4.0)]
+        #[source(structural)]
         exponent: f64 = 2.3,
         /// Half-axis along x of a cylinder or an ellipsoid; radius of a torus's ring.
         #[range(5.0..=1000.0)]
+        #[source(structural)]
         wide_mm: f64 = 160.0,
         /// Half-axis along y of a cylinder or an ellipsoid; radius of a torus's tube.
         #[range(5.0..=1000.0)]
+        #[source(structural)]
         deep_mm: f64 = 110.0,
     }
 }

@@ -11,19 +11,24 @@ stage::params! {
     pub struct SwayParams {
         /// Greatest way of the breast from rest.
         #[range(0.0..=200.0)]
+        #[source(structural)]
         sway_mm: f64 = 0.0,
         /// Height at which that is so.
         #[range(1.0..=3000.0)]
+        #[source(structural)]
         breast_mm: f64 = 1280.0,
         /// Height of the axis about which the subject leans.
         #[range(0.0..=1000.0)]
+        #[source(structural)]
         ankle_mm: f64 = 60.0,
         /// Standard deviation of where the feet stand, along each side of the floor, as of somebody who turns by small
         /// steps: 0 on a disk.
         #[range(0.0..=200.0)]
+        #[source(structural)]
         shuffle_mm: f64 = 0.0,
         /// Seed of the movement.
         #[chance(seed)]
+        #[source(structural)]
         seed: u32 = 1,
     }
 }

@@ -23,26 +23,33 @@ stage::params! {
     pub struct TurnParams {
         /// Contrast of the body's texture: 0 none, 0.05 skin, 1 a printed dress.
         #[range(0.0..=1.0)]
+        #[source(structural)]
         contrast: f64 = 0.5,
         /// Size of the finest marks on the body.
         #[range(0.5..=200.0)]
+        #[source(structural)]
         finest_mm: f64 = 4.0,
         /// Size of the coarsest marks on the body.
         #[range(1.0..=500.0)]
+        #[source(structural)]
         coarsest_mm: f64 = 64.0,
         /// Share of light that comes from all sides; the rest is a Lambert light beside the camera.
         #[range(0.0..=1.0)]
+        #[source(structural)]
         ambient: f64 = 0.5,
         /// Standard deviation of the sensor's noise, in levels of 0..=255.
         #[range(0.0..=50.0)]
+        #[source(structural)]
         noise_levels: f64 = 1.0,
         /// Whether levels are in proportion to light; else they are sRGB, as cameras write them.
         linear: bool = false,
         /// Rays through each pixel along each of its sides.
         #[range(1..=8)]
+        #[source(structural)]
         rays: u32 = 3,
         /// Quality of the JPEG files, 1 to 100; 0 writes PNG, without loss.
         #[range(0..=100)]
+        #[source(structural)]
         jpeg_quality: u32 = 93,
         /// Whether a marker mat lies on the disk; else it is wood.
         mat: bool = true,
@@ -52,18 +59,22 @@ stage::params! {
         plate: bool = true,
         /// By how much the focal length that EXIF tells is too short, as a share of it.
         #[range(-0.2..=0.2)]
+        #[source(structural)]
         exif_error: f64 = 0.004,
         /// Which room, clothes, skin, light and disk, drawn by this number; 0: a furnished room, skin all over, a disk of wood.
         /// A surface with colours of its own wears these.
         #[range(0..=1000000)]
+        #[source(structural)]
         scene: u32 = 0,
         /// How far hands are elsewhere in each photo, one standard deviation a side; the head moves half as far, and a breath
         /// lifts the chest by a quarter.
         #[range(0.0..=200.0)]
+        #[source(structural)]
         restless_mm: f64 = 0.0,
         /// Seed of textures and noise.
         #[range(0..=1000000)]
         #[chance(seed)]
+        #[source(structural)]
         seed: u32 = 1,
     }
 }

@@ -18,9 +18,11 @@ stage::params! {
     pub struct MotionParams {
         /// Rounds in which joints and outlines settle together; 0: by joints alone.
         #[range(0..=200)]
+        #[source(structural)]
         rounds: u32 = 30,
         /// Longest side to which outlines are reduced.
         #[range(100..=4000)]
+        #[source(structural)]
         outline_px: u32 = 700,
         /// How many sights of joints a photo's outline counts as.
         #[range(0.1..=1000.0)]
@@ -28,6 +30,7 @@ stage::params! {
         /// Focal length as if on 36 × 24 mm film where neither EXIF nor capture.toml tells it: of phones' main cameras
         /// 24 to 28 mm.
         #[range(10.0..=300.0)]
+        #[source(by_hand = "main cameras of phones: 24 to 28 mm")]
         focal_35mm: f64 = 26.0,
     }
 }

@@ -19,15 +19,18 @@ stage::params! {
     pub struct VideoParams {
         /// How far the subject turns from one photo to the next.
         #[range(1.0..=45.0)]
+        #[source(structural)]
         step_deg: f64 = 10.0,
         /// From which share of each step, about its middle, the sharpest frame is taken.
         #[range(0.05..=1.0)]
         window: f64 = 0.6,
         /// Photos are no longer than this on their longer side, in pixels.
         #[range(320..=8192)]
+        #[source(structural)]
         longest: u32 = 4096,
         /// Videos that are longer than so many minutes are refused.
         #[range(0.1..=120.0)]
+        #[source(structural)]
         minutes: f64 = 10.0,
     }
 }

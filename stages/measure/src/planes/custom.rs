@@ -36,6 +36,7 @@ stage::params! {
         /// from the hip's level up to the neck's.
         #[range(0.0..=1.0)]
         #[must(say)]
+        #[source(structural)]
         at: f64 = 0.5,
         /// What people call it; its name if nothing is said.
         label: String = String::new(),

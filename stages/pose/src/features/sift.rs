@@ -20,17 +20,21 @@ stage::params! {
         contrast: f64 = 1.6,
         /// Greatest ratio of curvatures: beyond, a point is on an edge.
         #[range(1.5..=100.0)]
+        #[source(cited = "Lowe 2004, §4.1")]
         edge: f64 = 10.0,
         /// Most features a photo: where the room stands still while things turn three quarters of them
         /// there, spread over what is seen; else the strongest.
         #[range(50..=100000)]
+        #[source(structural)]
         most: u32 = 6000,
         /// Longest side at which features are searched; larger photos are reduced by whole factors.
         #[range(200..=10000)]
+        #[source(structural)]
         longest_px: u32 = 3200,
         /// Photos whose longer side is at most this are searched at twice their size, too: for
         /// features of the size of a pixel.
         #[range(0..=10000)]
+        #[source(structural)]
         fine_px: u32 = 2600,
         /// Whether features are searched even where a marker mat gives the cameras.
         beside_mat: bool = false,

@@ -16,6 +16,7 @@ stage::params! {
     pub struct TracksParams {
         /// Photos within so many steps of each other are compared.
         #[range(1..=20)]
+        #[source(structural)]
         neighbours: u32 = 3,
         /// How far a feature may rise or sink from photo to photo, as a share of the photo's height.
         #[range(0.01..=1.0)]
@@ -32,11 +33,14 @@ stage::params! {
         /// Photos of which no such share of the matches agrees have nothing in common: by chance, a
         /// quarter does.
         #[range(0.0..=1.0)]
+        #[source(derived = "by chance a quarter of the matches agrees with some epipolar geometry")]
         least_share: f64 = 0.3,
         /// Most samples of a pair's RANSAC.
         #[range(10..=100000)]
+        #[source(structural)]
         rounds: u32 = 3000,
         /// Seed of RANSAC.
+        #[source(structural)]
         seed: i64 = 1,
     }
 }

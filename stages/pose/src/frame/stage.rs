@@ -27,6 +27,7 @@ stage::params! {
         contradiction: f64 = 0.2,
         /// Size to which photos are reduced before the disk is searched.
         #[range(200..=4000)]
+        #[source(structural)]
         search_px: u32 = 900,
         /// In cameras that were found without marker tags: how far a tag's corners may miss their rays, root
         /// mean square. \[px\]

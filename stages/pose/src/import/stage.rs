@@ -26,6 +26,7 @@ stage::params! {
     pub struct ImportParams {
         /// Millimetres of the file's unit; 0 for the file's own, if it has one.
         #[range(0.0..=1e9)]
+        #[source(structural)]
         unit_mm: f64 = 0.0,
         /// Which world the cameras come out in.
         world: World = World::Auto,

@@ -35,26 +35,33 @@ stage::params! {
     pub struct MatParams {
         /// The disk's diameter.
         #[range(100.0..=3000.0)]
+        #[source(structural)]
         diameter_mm: f64 = 700.0,
         /// Edge length of a tag's black square; 0 for one that suits the disk.
         #[range(0.0..=500.0)]
+        #[source(structural)]
         tag_mm: f64 = 0.0,
         /// How many tags; 0 for as many as fit.
         #[range(0..=200)]
+        #[source(structural)]
         count: u32 = 0,
         /// The first tag's number.
         #[range(0..=586)]
+        #[source(structural)]
         first_id: u32 = 0,
         /// Whether dots between the tags give photos more to hold on to.
         dots: bool = true,
         /// How thick the disk is, where its rim is to have tags, too; 0 for none.
         #[range(0.0..=1000.0)]
+        #[source(structural)]
         rim_mm: f64 = 0.0,
         /// Edge length of a rim tag's black square; 0 for as tall as the rim allows.
         #[range(0.0..=500.0)]
+        #[source(structural)]
         rim_tag_mm: f64 = 0.0,
         /// How many tags go around the rim; 0 for as many as fit, at most 48.
         #[range(0..=500)]
+        #[source(structural)]
         rim_count: u32 = 0,
         /// What it is written as.
         print: Print = Print::Pdf,

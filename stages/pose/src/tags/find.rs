@@ -13,12 +13,14 @@ stage::params! {
         /// Factor by which the photo is reduced before quads are searched; corners are refined at
         /// full size.
         #[range(1.0..=8.0)]
+        #[source(structural)]
         decimate: f64 = 1.0,
         /// Wrong bits of a tag that are corrected.
         #[range(0..=3)]
         correct_bits: u32 = 1,
         /// Most photos that are searched, spread over the turn; 0 for all.
         #[range(0..=5000)]
+        #[source(structural)]
         most: u32 = 0,
     }
 }

@@ -13,6 +13,7 @@ stage::params! {
     pub struct LinkParams {
         /// How many of a photo's largest features are compared with those of all other photos.
         #[range(50..=20000)]
+        #[source(structural)]
         preview: u32 = 1000,
         /// Fewest matches that must agree before two photos are compared in full.
         #[range(8..=1000)]
@@ -20,15 +21,19 @@ stage::params! {
         /// How many of them are compared with those of a photo that holds on; then all features are,
         /// along epipolar lines.
         #[range(100..=100000)]
+        #[source(structural)]
         search: u32 = 4000,
         /// Most photos with which a photo is compared in full: those that share most with it.
         #[range(1..=200)]
+        #[source(structural)]
         partners: u32 = 12,
         /// Photos within so many steps of each other are compared in full in any case.
         #[range(0..=20)]
+        #[source(structural)]
         neighbours: u32 = 1,
         /// The nearest description must be nearer than this share of the next one.
         #[range(0.3..=1.0)]
+        #[source(cited = "Lowe 2004, §7.1")]
         ratio: f64 = 0.8,
         /// How far a match may be off its epipolar line, in proportion more on photos of more than
         /// 2400 pixels.
@@ -48,8 +53,10 @@ stage::params! {
         least_share: f64 = 0.3,
         /// Most samples of a pair's RANSAC.
         #[range(10..=100000)]
+        #[source(structural)]
         rounds: u32 = 1500,
         /// Seed of RANSAC.
+        #[source(structural)]
         seed: i64 = 1,
     }
 }

@@ -61,17 +61,22 @@ stage::params! {
         least_photos: f64 = 0.75,
         /// Most samples of a photo's RANSAC.
         #[range(10..=100000)]
+        #[source(structural)]
         rounds: u32 = 1000,
         /// Seed of RANSAC.
+        #[source(structural)]
         seed: i64 = 1,
         /// Most points that are adjusted while cameras are added.
         #[range(100..=100000)]
+        #[source(structural)]
         grow_tracks: u32 = 3000,
         /// Most points that are adjusted at the end.
         #[range(100..=1000000)]
+        #[source(structural)]
         most_tracks: u32 = 6000,
         /// Most steps of the last adjustments.
         #[range(1..=1000)]
+        #[source(structural)]
         steps: u32 = 30,
     }
 }

@@ -35,6 +35,7 @@ stage::params! {
         turn_deg: f64 = 0.7,
         /// Rounds.
         #[range(1..=100)]
+        #[source(structural)]
         rounds: u32 = 20,
     }
 }

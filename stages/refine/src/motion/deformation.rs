@@ -32,6 +32,7 @@ stage::params! {
         differ_px: f64 = 0.3,
         /// Rounds.
         #[range(1..=100)]
+        #[source(structural)]
         rounds: u32 = 8,
     }
 }

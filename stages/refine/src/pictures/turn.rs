@@ -11,9 +11,11 @@ stage::params! {
     pub struct PhotoSize {
         /// Level of the Gaussian pyramid: photos are halved so many times, 500 pixels left.
         #[range(0..=6)]
+        #[source(structural)]
         level: u32 = 0,
         /// Photos are halved first until they have at most so many million pixels.
         #[range(0.1..=100.0)]
+        #[source(structural)]
         most_mpx: f64 = 6.0,
     }
 }

@@ -29,15 +29,19 @@ stage::params! {
         kappa: f64 = 1.0,
         /// Rings of neighbours in the median.
         #[range(1..=2)]
+        #[source(cited = "the paper, eq. 7: the neighbours of a vertex")]
         rings: u32 = 1,
         /// Time step Δt, in square pixels.
         #[range(0.00001..=1.0)]
+        #[source(cited = "the paper, experiments: 0.01")]
         time_step: f64 = 0.01,
         /// Steps.
         #[range(0..=100000)]
+        #[source(structural)]
         iterations: u32 = 100,
         /// Steps after which visibility is looked at anew.
         #[range(1..=1000)]
+        #[source(structural)]
         look_every: u32 = 10,
         /// How large photos are looked at.
         #[group(flat)]
@@ -109,12 +113,15 @@ stage::params! {
         still_px: f64 = 0.1,
         /// Rounds that begin with such a search.
         #[range(0..=100)]
+        #[source(structural)]
         searches: u32 = 1,
         /// Times that visibility is looked at anew.
         #[range(1..=100)]
+        #[source(structural)]
         rounds: u32 = 3,
         /// Most steps between two looks.
         #[range(1..=100)]
+        #[source(structural)]
         steps: u32 = 4,
     }
 }

@@ -15,9 +15,11 @@ stage::params! {
     pub struct TextureParams {
         /// Side of the atlas.
         #[range(64..=16384)]
+        #[source(structural)]
         atlas_px: u32 = 2048,
         /// Rounds in which neighbours agree on a photo.
         #[range(0..=100)]
+        #[source(structural)]
         rounds: u32 = 12,
         /// Whether brightness is evened out where photos meet.
         even: bool = true,

@@ -13,6 +13,7 @@ stage::params! {
     pub struct AlignParams {
         /// Longest side at which photos are compared and first cut; the border is cut again at full size.
         #[range(100..=4000)]
+        #[source(structural)]
         coarse_px: u32 = 800,
         /// A rectangle that holds the body on every photo, [left, top, right, bottom]; beyond it
         /// nothing is body. With it photos are cut by their colours alone where there is neither a

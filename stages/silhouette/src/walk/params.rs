@@ -6,15 +6,19 @@ stage::params! {
         /// Longest side to which photos are reduced while cells and outlines are found; the border is
         /// cut again at full size.
         #[range(100..=4000)]
+        #[source(structural)]
         coarse_px: u32 = 600,
         /// Cells along the greatest side of the block about the subject, at first; a quarter more later.
         #[range(32..=400)]
+        #[source(structural)]
         cells: u32 = 128,
         /// Rounds of fitting colours and cutting cells, before any outline.
         #[range(1..=20)]
+        #[source(structural)]
         rounds: u32 = 4,
         /// Rounds of cells from outlines and outlines from cells.
         #[range(1..=10)]
+        #[source(structural)]
         passes: u32 = 2,
         /// Clusters of the mixture of the subject's colours; the room's has half as many more.
         #[range(1..=20)]
@@ -29,6 +33,7 @@ stage::params! {
         /// cameras; of a walk without scale their mean distance is 1000. By itself it ends at the
         /// floor, or where `whole` of the photos no longer show it.
         #[range(-100000.0..=100000.0)]
+        #[source(structural)]
         bottom_mm: f64 = -100_000.0,
         /// Share of the photos that must show the subject down to where it is said to end.
         #[range(0.1..=1.0)]

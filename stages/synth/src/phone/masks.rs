@@ -12,9 +12,11 @@ stage::params! {
     pub struct PhoneMaskParams {
         /// Standard deviation of the stabiliser's shift of a photo, right and down.
         #[range(0.0..=50.0)]
+        #[source(structural)]
         shift_px: f64 = 0.0,
         /// Seed of all that is by chance.
         #[range(0..=1000000)]
+        #[source(structural)]
         seed: u32 = 1,
     }
 }
