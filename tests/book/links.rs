@@ -3,7 +3,7 @@
 use crate::{pages, place, read};
 
 /// Where a page's links lead, without those that leave the repository.
-fn links(text: &str) -> Vec<String> {
+pub(crate) fn links(text: &str) -> Vec<String> {
     let parts = text.split("](").skip(1);
     let ends = parts.filter_map(|part| part.split_once(')').map(|(link, _)| link));
     ends.filter(|l| !l.contains("://") && !l.starts_with('#'))

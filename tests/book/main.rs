@@ -7,6 +7,7 @@ mod figures;
 mod growth;
 mod links;
 mod near;
+mod plain;
 mod printed;
 mod scans;
 mod screens;
