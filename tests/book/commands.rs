@@ -61,7 +61,7 @@ fn what_sentences_say_of_show_is_understood_as_it_is_printed() {
             tailor::check_arguments(&words).unwrap_or_else(|why| panic!("{page}: {line}\n{why}"));
         }
     }
-    assert!(count > 6, "only {count} were found");
+    assert!(count > 2, "only {count} were found");
 }
 
 #[test]
