@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Captures made bodies again and again and writes what `docs/people.md` says of repetition and of a change.
+"""Captures made bodies again and again and writes what `tailor repeat` and `tailor follow` find of them.
 
     docs/tables/repeats.py [--captures 3] [--cells 8] TAILOR WORK [BODY.ply...]
 
