@@ -51,7 +51,7 @@ const TESTS: &str = "Tests: ";
 #[test]
 fn tests_that_the_page_on_security_names_are_there() {
     let root = Path::new(env!("CARGO_MANIFEST_DIR"));
-    let page = std::fs::read_to_string(root.join("docs/security.md")).unwrap();
+    let page = std::fs::read_to_string(root.join("docs/lab/security.md")).unwrap();
     let told = page.lines().filter(|line| line.starts_with(TESTS));
     let words = told.flat_map(|line| line.split('`').skip(1).step_by(2));
     let is_name = |name: &&str| name.bytes().all(|b| b.is_ascii_lowercase() || b == b'_');
