@@ -2,7 +2,7 @@
 //!
 //! WIDTH chains of ten stages that copy what they read. Each time is that of a whole process; the least of several
 //! rounds, in which the tools take turns, since other people use the machine too. `ninja` or `make` is left out where absent.
-//! `-- 100 1000 10000 --json FILE` writes what it measured, from which the table in docs/performance.md is made; TMPDIR
+//! `-- 100 1000 10000 --json FILE` writes what it measured, from which the table in docs/lab/engine.md is made; TMPDIR
 //! names the disk.
 
 mod beside;

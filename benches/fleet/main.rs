@@ -2,7 +2,7 @@
 //!
 //! Nothing is measured here: who works, what is asked of the bucket and when follow from the assumptions
 //! in `assumed.rs` and from what `engine/src/store/remote` does. Equal assumptions give equal lines.
-//! `-- --json docs/tables/fleet.json` writes what the table in docs/cluster.md is made from.
+//! `-- --json docs/tables/fleet.json` writes what the table in docs/lab/cluster.md is made from.
 
 mod assumed;
 

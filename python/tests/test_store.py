@@ -296,7 +296,7 @@ def test_what_is_wrong_is_told(s3):
 
 
 def test_the_book_names_tests_that_are_there():
-    named = set(re.findall(r"`(test_\w{20,})`", (ROOT / "docs/cluster.md").read_text()))
+    named = set(re.findall(r"`(test_\w{20,})`", (ROOT / "docs/lab/cluster.md").read_text()))
     there = "".join(file.read_text() for file in (ROOT / "python/tests").glob("test_*.py"))
     assert len(named) > 5 and [name for name in named if f"def {name}(" not in there] == []
 

@@ -239,11 +239,11 @@ fn only_the_catalog_names_rooms() {
 #[test]
 fn every_case_of_the_engine_has_a_test_that_is_there() {
     let root = Path::new(env!("CARGO_MANIFEST_DIR"));
-    let table = std::fs::read_to_string(root.join("docs/engine.md")).unwrap();
+    let table = std::fs::read_to_string(root.join("docs/lab/engine.md")).unwrap();
     let rows: Vec<&str> = table.lines().filter(|l| l.starts_with("| T")).collect();
     assert_eq!(rows.len(), 46, "T1 to T18 and T21 to T48");
     let sources = sources();
-    let faults = std::fs::read_to_string(root.join("docs/cluster.md")).unwrap();
+    let faults = std::fs::read_to_string(root.join("docs/lab/cluster.md")).unwrap();
     let faults: Vec<&str> = faults.lines().filter(|l| l.ends_with("` |")).collect();
     assert!(faults.len() > 6, "{faults:?}");
     for row in rows.into_iter().chain(faults) {

@@ -1,7 +1,6 @@
 //! How much memory the stages of this crate take beside their input, from sizes alone.
 //!
-//! What a pixel and a vertex take was read off peaks of single stages on turns of 18 photos of 1 and
-//! 4 megapixels; docs/engine.md has them beside the estimates.
+//! What a pixel and a vertex take was read off peaks of single stages on turns of 18 photos of 1 and 4 megapixels.
 
 use crate::pictures::crop::Crop;
 use crate::pictures::picture::{halved_size, pinhole};
