@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Takes a capture again through a phone's faults, one at a time, and writes what `docs/experiments.md` shows of it.
+"""Takes a capture again through a phone's faults, one at a time, and writes what `docs/lab/phone.md` shows of it.
 
     docs/tables/faults.py TAILOR CAPTURE VARIANTS CACHE [free-scale] > docs/tables/faults.json
 

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Takes surfaces of people through a modelled phone and writes what `docs/experiments.md` shows of masks, tapes and sizes.
+"""Takes surfaces of people through a modelled phone and writes what `docs/lab/phone.md` shows of masks, tapes and sizes.
 
     docs/tables/scans.py TAILOR WORK CASES SURFACE... > docs/tables/scans.json
 

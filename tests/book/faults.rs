@@ -50,7 +50,7 @@ fn faults(data: &Value) -> String {
 #[test]
 fn what_a_phones_faults_cost_without_a_plate() {
     let with_mat = faults(&json("docs/tables/faults.json"));
-    hold("docs/experiments.md", "faults", &with_mat);
+    hold("docs/lab/phone.md", "faults", &with_mat);
     let no_mat = faults(&json("docs/tables/faults-no-mat.json"));
-    hold("docs/experiments.md", "faults-no-mat", &no_mat);
+    hold("docs/lab/phone.md", "faults-no-mat", &no_mat);
 }

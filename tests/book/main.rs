@@ -5,8 +5,10 @@ mod commands;
 mod faults;
 mod figures;
 mod growth;
+mod lab;
 mod links;
 mod near;
+mod phone;
 mod plain;
 mod printed;
 mod scans;
@@ -26,7 +28,7 @@ fn read(name: &str) -> String {
     std::fs::read_to_string(place(name)).unwrap_or_else(|e| panic!("{name}: {e}"))
 }
 
-/// The pages that people read: the front page and all chapters.
+/// The pages that people read: the front page, all chapters and the laboratory.
 fn pages() -> Vec<String> {
     let docs = std::fs::read_dir(place("docs")).unwrap();
     let names = docs.map(|e| e.unwrap().file_name().into_string().unwrap());
@@ -35,6 +37,7 @@ fn pages() -> Vec<String> {
         .map(|n| format!("docs/{n}"))
         .collect();
     pages.sort();
+    pages.extend(lab::pages());
     pages.extend(["README.md", "ARCHITECTURE.md"].map(String::from));
     pages
 }

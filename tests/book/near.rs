@@ -8,11 +8,11 @@ use std::fmt::Write;
 /// Words of the front page, as `wc` counts them: a screen and a half.
 const MOST_WORDS: usize = 700;
 
-/// Scans that nobody looked at while anything was made (docs/experiments.md).
+/// Scans that nobody looked at while anything was made (docs/lab/phone.md).
 const STRANGERS: [&str; 2] = ["s24", "s26"];
 
 /// The least and the most, in millimetres.
-fn millimetres(all: &[f64]) -> String {
+pub(crate) fn millimetres(all: &[f64]) -> String {
     let least = all.iter().copied().fold(f64::INFINITY, f64::min);
     let most = all.iter().copied().fold(f64::NEG_INFINITY, f64::max);
     format!("{least:.1} to {most:.1} mm")

@@ -65,5 +65,5 @@ fn scans(data: &Value) -> String {
 #[test]
 fn what_comes_of_people_through_a_phone() {
     let table = scans(&json("docs/tables/scans.json"));
-    hold("docs/experiments.md", "scans", &table);
+    hold("docs/lab/phone.md", "scans", &table);
 }

@@ -133,8 +133,14 @@ fn errors_and_times_of_three_bodies() {
     table += &row("upper arms; thighs; calves, the worse side", &|c| {
         limbs(&c["score"])
     });
-    table += &row("masks, IoU mean", &|c| {
-        format!("{:.3}", number(&c["score"]["masks"]["iou_mean"]))
+    table += &row("masks, IoU: mean; least", &|c| {
+        let of = |key: &str| number(&c["score"]["masks"][key]);
+        format!("{:.3}; {:.3}", of("iou_mean"), of("iou_min"))
+    });
+    table += &row("cameras: size of all; focal length", &|c| {
+        let of = |key: &str| number(&c["score"]["cameras"][key]);
+        let (size, focal) = (of("scale_error_pct"), of("focal_error_pct"));
+        signed(&format!("{size:+.2}; {focal:+.2} %"))
     });
     table += &row("time; memory", &|c| {
         format!(
