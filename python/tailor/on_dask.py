@@ -1,4 +1,4 @@
-"""`tailor-dask`: what `tailor submit --engine dask=ADDRESS` asks of a Dask scheduler.
+"""`tailor-dask`: what `tailor cluster submit --engine dask=ADDRESS` asks of a Dask scheduler.
 
 One JSON object comes in: a verb (`submit`, `status`, `cancel`), the scheduler's address, the prefix of the plan's
 tasks; for `submit` its tasks (key, strands, the keys of those that it waits for) and the command that works on

@@ -158,3 +158,73 @@ fn what_a_plan_says_of_a_result_that_broke_is_what_a_run_does() {
     assert_eq!(will, did, "{plan}");
     place.sound();
 }
+
+#[test]
+fn plan_has_the_words_of_why_impact_graph_and_check_which_work_with_a_hint() {
+    let place = Place::new();
+    place.run("run small.toml").code(0);
+    let set = "--set solid.stature_mm=1500";
+    for (now, before) in [
+        (
+            format!("plan --why body small.toml {set}"),
+            format!("why body small.toml {set}"),
+        ),
+        (
+            "plan --reach stature_mm small.toml".into(),
+            "impact small.toml stature_mm".into(),
+        ),
+        (
+            "plan --reach all small.toml".into(),
+            "impact small.toml".into(),
+        ),
+        (
+            "plan --as mermaid small.toml".into(),
+            "graph --as mermaid small.toml".into(),
+        ),
+        ("plan --check small.toml".into(), "check small.toml".into()),
+    ] {
+        let (new, old) = (place.run(&now).code(0), place.run(&before).code(0));
+        assert_eq!(new.out, old.out, "{now}");
+        assert!(!new.out.is_empty() && !new.err.contains(" now; "), "{now}");
+        assert!(old.err.contains("` is `tailor plan --"), "{}", old.err);
+        let quiet = place.run(&format!("{before} --quiet")).code(0).err;
+        assert!(!quiet.contains(" now; "), "{quiet}");
+    }
+    place.photos("turn", 18);
+    let drawn = place.run("plan --as dot measure turn").code(0).out;
+    assert!(drawn.starts_with("digraph"), "{drawn}");
+    let reached = place.run("plan --reach voxel_mm measure turn").code(0).out;
+    assert!(reached.contains("girths"), "{reached}");
+    for (words, why) in [
+        ("plan --why body solid small.toml", "one too many"),
+        ("plan --check measure turn", "give its file or its name"),
+        ("plan --reach stature small.toml", "stature_mm"),
+        ("plan --why body --check small.toml", "cannot be used with"),
+        ("plan --against run.json small.toml", "--why"),
+    ] {
+        let wrong = place.run(words).code(2).err;
+        assert!(wrong.contains(why), "{words}: {wrong}");
+    }
+}
+
+#[test]
+fn the_help_has_nineteen_verbs_and_those_of_before_are_understood() {
+    let place = Place::new();
+    let help = place.run("--help").code(0).out;
+    let verbs = help.lines().skip_while(|line| *line != "Commands:").skip(1);
+    let verbs: Vec<&str> = verbs.take_while(|line| !line.is_empty()).collect();
+    let names = verbs
+        .iter()
+        .filter_map(|line| line.split_whitespace().next());
+    let names: Vec<&str> = names.filter(|name| *name != "help").collect();
+    assert_eq!(names.len(), 19, "{names:?}");
+    for before in [
+        "why", "impact", "graph", "check", "search", "work", "submit", "man",
+    ] {
+        assert!(!names.contains(&before), "{before}");
+        place.run(&format!("{before} --help")).code(0);
+    }
+    for verb in ["submit", "status", "cancel", "export", "work"] {
+        place.run(&format!("cluster {verb} --help")).code(0);
+    }
+}

@@ -1,16 +1,15 @@
 //! `graph`, `stages`, `pipelines`, `check`: answers that run nothing.
 
-use super::ahead::{looked_at, of_verb, of_words, planned};
 use super::arguments::Words;
 use super::fault::Fault;
 use super::open::open;
+use super::planned::{Answer, of_verb, of_words, planned};
 use super::program::GlobalArgs;
 use super::programs::listed;
 use super::text;
 use crate::foreign::EXEC;
 use crate::permission::listing;
 use crate::recipe::{self, Overrides, Pipeline};
-use crate::store::Store;
 use crate::{drawing, key};
 use clap::{ArgMatches, Args};
 use serde_json::{Value, json};
@@ -32,15 +31,22 @@ pub(crate) fn graph(
     verb: Option<(&str, &ArgMatches)>,
     global: &GlobalArgs,
 ) -> Result<(), Fault> {
+    drawn(&drawing.format, (&drawing.words, verb), global)
+}
+
+/// The pipeline, or what a verb of the program's own would run, as a drawing.
+pub(super) fn drawn(
+    format: &str,
+    (words, verb): (&Words, Option<(&str, &ArgMatches)>),
+    global: &GlobalArgs,
+) -> Result<(), Fault> {
     let (graph, plan) = match verb {
         Some(verb) => {
-            let job = of_verb(verb, global, &drawing.words)?;
-            let store = Store::open(&global.cache).map_err(Fault::input)?;
-            let answer = looked_at(job, store)?;
+            let answer = Answer::of_job(of_verb(verb, global, words)?, global)?;
             (answer.graph, answer.plan)
         }
         None => {
-            let wanted = of_words(&drawing.words, global)?;
+            let wanted = of_words(words, global)?;
             let (graph, _) = open(&wanted, global)?;
             // Without its inputs nobody knows what would run.
             let plan = match wanted.change.input.is_empty() && !graph.inputs.is_empty() {
@@ -50,7 +56,7 @@ pub(crate) fn graph(
             (graph, plan)
         }
     };
-    let drawn = drawing::draw(&graph, &plan, &drawing.format).map_err(Fault::input)?;
+    let drawn = drawing::draw(&graph, &plan, format).map_err(Fault::input)?;
     match global.json {
         true => crate::outln!("{}", drawing::json(&graph, &plan)),
         false => crate::out!("{drawn}"),

@@ -1,12 +1,13 @@
 //! `cache ls|du|runs|pin|unpin|pins|gc|forget|verify`; `cli/store.rs` has the rest.
 
+use super::either::print_either;
 use super::fault::Fault;
 use super::forget::{Forget, forget_folder};
+use super::pins;
 use super::program::GlobalArgs;
 use super::size::mib;
 use super::speech::CANCEL;
 use super::text::count;
-use crate::past::ago;
 use crate::past::{self, Head};
 use crate::store::keeper::{self, Budget, KEPT_RECORDS, Kept, Swept};
 use crate::store::remote::Sharing;
@@ -26,26 +27,32 @@ pub(crate) struct Cache {
 
 #[derive(Subcommand)]
 enum Verb {
-    /// The results, largest first
+    /// The results, largest first, and how much they are
     Ls,
-    /// How much the store holds
+    /// How much the store has
+    #[command(hide = true)]
     Du,
     /// The recorded runs, the newest first
     Runs,
-    /// Keep what a run made or found, whatever `gc` removes
+    /// Keep what a run made or found, whatever `gc` removes; without a name: what is pinned
     Pin {
         /// The pin's name
-        name: String,
-        /// `last`, `last~1`, …, or the id that `cache runs` tells
+        name: Option<String>,
+        /// `last`, `last~1`, …, or the id that `cache runs` prints
         #[arg(default_value = "last")]
         run: String,
+        /// No longer keep it
+        #[arg(long, requires = "name")]
+        undo: bool,
     },
-    /// Let go of what was pinned
+    /// `pin NAME --undo`
+    #[command(hide = true)]
     Unpin {
         /// The pin's name
         name: String,
     },
-    /// What is pinned
+    /// `pin`
+    #[command(hide = true)]
     Pins,
     /// Remove what is worth least until the store fits a budget
     Gc {
@@ -63,7 +70,7 @@ enum Verb {
     Forget(Forget),
     /// Read everything; put aside what is corrupt
     Verify,
-    /// What the shared store (--store) holds, how it answers, whether it keeps its word
+    /// What the shared store (--store) has, how it answers, whether it keeps its word
     Store,
     /// Upload to the shared store (--store) what waits
     Push,
@@ -86,14 +93,6 @@ enum Verb {
     },
 }
 
-/// Prints the one or the other.
-fn say(global: &GlobalArgs, json: Value, lines: impl FnOnce() -> Vec<String>) {
-    match global.json {
-        true => crate::outln!("{json}"),
-        false => lines().iter().for_each(|line| crate::outln!("{line}")),
-    }
-}
-
 /// Answers about the store that machines share, which needs none here.
 fn beside(
     verb: &Verb,
@@ -108,8 +107,8 @@ fn beside(
         } => Some(super::store::sweep(sharing, *older_days, *dry_run, global)),
         Verb::Keygen { file, days } => Some(super::store::keygen(file, *days, global)),
         Verb::Push if sharing.is_none() => {
-            let say = "`cache push`: say where to, with --store";
-            Some(Err(Fault::input(say)))
+            let why = "`cache push`: where to? Give --store";
+            Some(Err(Fault::input(why)))
         }
         // What waits goes there before the program ends.
         Verb::Push => Some(Ok(())),
@@ -140,38 +139,27 @@ pub(crate) fn cache(
         Verb::Ls => ls(&store, global),
         Verb::Du => du(&store, global),
         Verb::Runs => runs(&store, global),
-        Verb::Pin { name, run } => {
-            let run = run_of(&store, run)?;
-            store.pin(name, &run).map_err(Fault::input)?;
-            let line = format!("{name}: the results of run {run} stay");
-            say(global, json!({ "pin": name, "run": run }), || vec![line]);
-        }
-        Verb::Unpin { name } => {
-            if !store.unpin(name) {
-                let pins = store.pins();
-                let known: Vec<&str> = pins.iter().map(|(name, _)| name.as_str()).collect();
-                return Err(Fault::input(stage::unknown("pin", name, &known)));
-            }
-            say(global, json!({ "unpinned": name }), || {
-                vec![format!("{name}: no longer pinned")]
-            });
-        }
-        Verb::Pins => {
-            let pins = store.pins();
-            let one = |(name, run): &(String, String)| json!({ "pin": name, "run": run });
-            say(global, pins.iter().map(one).collect(), || {
-                pins.iter()
-                    .map(|(name, run)| format!("{name:<20} {run}"))
-                    .collect()
-            });
+        Verb::Pins | Verb::Pin { name: None, .. } => pins::list(&store, global),
+        Verb::Unpin { name }
+        | Verb::Pin {
+            name: Some(name),
+            undo: true,
+            ..
+        } => pins::unpin(&store, name, global)?,
+        Verb::Pin {
+            name: Some(name),
+            run,
+            ..
+        } => {
+            pins::pin(&store, (name, run), global)?;
         }
         Verb::Gc {
             keep_runs,
             keep_records,
             dry_run,
         } => {
-            let say = "say how much may stay: --max-size 500M, or 20G";
-            let most = global.max_size.ok_or_else(|| Fault::input(say))?;
+            let why = "give how much may stay: --max-size 500M, or 20G";
+            let most = global.max_size.ok_or_else(|| Fault::input(why))?;
             let budget = Budget {
                 most,
                 keep_runs: *keep_runs,
@@ -183,7 +171,7 @@ pub(crate) fn cache(
         Verb::Verify => {
             let bad = keeper::verify(&store);
             let results = keeper::list(&store).len();
-            say(global, json!({ "checked": results, "bad": bad }), || {
+            print_either(global, json!({ "checked": results, "bad": bad }), || {
                 let (whole, aside) = (count(results, "result"), count(bad, "file"));
                 vec![format!("whole: {whole}; put aside: {aside}")]
             });
@@ -214,21 +202,27 @@ fn ls(store: &Store, global: &GlobalArgs) {
         format!("{key} {size:>9.2} MiB {seconds:>8.2} s  {}", k.stage)
     };
     let one = |k: &Kept| json!({ "key": k.key, "content": k.content, "bytes": k.bytes, "seconds": k.seconds, "stage": k.stage });
-    say(global, kept.iter().map(one).collect(), || {
-        kept.iter().map(line).collect()
+    print_either(global, kept.iter().map(one).collect(), || {
+        let lines = kept.iter().map(line);
+        lines.chain([total(store, &kept).0]).collect()
     });
 }
 
-fn du(store: &Store, global: &GlobalArgs) {
-    let kept = keeper::list(store);
-    // Nodes may share a result.
+/// How much these results are, in words and as JSON. Nodes may share a result.
+fn total(store: &Store, kept: &[Kept]) -> (String, Value) {
     let sizes: BTreeMap<&str, u64> = kept.iter().map(|k| (&*k.content, k.bytes)).collect();
     let (total, parts) = (sizes.values().sum(), keeper::parts_size(store));
     let json = json!({ "results": kept.len(), "bytes": total, "parts_bytes": parts });
-    say(global, json, || {
-        let (results, total, parts) = (count(kept.len(), "result"), mib(total), mib(parts));
-        vec![format!("{results}, {total:.1} MiB; parts {parts:.1} MiB")]
-    });
+    let (results, total, parts) = (count(kept.len(), "result"), mib(total), mib(parts));
+    (
+        format!("{results}, {total:.1} MiB; parts {parts:.1} MiB"),
+        json,
+    )
+}
+
+fn du(store: &Store, global: &GlobalArgs) {
+    let (line, json) = total(store, &keeper::list(store));
+    print_either(global, json, || vec![line]);
 }
 
 fn runs(store: &Store, global: &GlobalArgs) {
@@ -239,7 +233,7 @@ fn runs(store: &Store, global: &GlobalArgs) {
         json!({ "run": id, "about": h.about, "pipeline": h.of.pipeline, "variant": h.of.variant,
             "seconds": h.seconds, "found": h.found, "made": h.made, "failed": h.failed })
     };
-    say(global, all.iter().map(one).collect(), || {
+    print_either(global, all.iter().map(one).collect(), || {
         let line = |(id, h): &(String, Head)| {
             let Head {
                 seconds,
@@ -257,18 +251,6 @@ fn runs(store: &Store, global: &GlobalArgs) {
     });
 }
 
-/// The id of the run that somebody means.
-fn run_of(store: &Store, text: &str) -> Result<String, Fault> {
-    let ids = past::ids(store.root());
-    let found = match ago(text) {
-        Some(ago) => ids.get(ago),
-        None => ids.iter().find(|id| *id == text),
-    };
-    let known = count(ids.len(), "run");
-    let why = format!("`{text}` is no run of this cache; `cache runs` lists its {known}");
-    found.cloned().ok_or_else(|| Fault::input(why))
-}
-
 fn report_swept(swept: &Swept, dry_run: bool, global: &GlobalArgs) {
     let results = swept.results.iter();
     let (freed, seconds) = results.fold((0, 0.0), |(b, s), k| (b + k.bytes, s + k.seconds));
@@ -277,7 +259,7 @@ fn report_swept(swept: &Swept, dry_run: bool, global: &GlobalArgs) {
         "removed": n, "bytes": freed, "rebuild_seconds": seconds, "parts_bytes": parts,
         "records": records, "dry_run": dry_run,
     });
-    say(global, json, || {
+    print_either(global, json, || {
         let verb = if dry_run { "would remove" } else { "removed" };
         let (freed, parts) = (mib(freed), mib(parts));
         vec![format!(

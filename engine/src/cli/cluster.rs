@@ -133,7 +133,10 @@ pub(crate) fn submit(args: &Submit, global: &GlobalArgs) -> Result<(), Fault> {
         false if layers.is_empty() => crate::outln!("all strands are done; nothing was sent"),
         false => {
             let program = global.program().name;
-            crate::outln!("{program} status {} tells how far it is", &name[..12]);
+            crate::outln!(
+                "{program} cluster status {} tells how far it is",
+                &name[..12]
+            );
         }
     }
     Ok(())

@@ -28,7 +28,13 @@ pub(super) fn submit(
     let program = itself::program(global)?;
     let cpus = cpus.max(1).to_string();
     let text = |path: &std::path::Path| path.to_string_lossy().into_owned();
-    let mut command = vec![text(&program), "work".into(), "--plan".into(), name.into()];
+    let mut command = vec![
+        text(&program),
+        "cluster".into(),
+        "work".into(),
+        "--plan".into(),
+        name.into(),
+    ];
     let rest = [
         "--strand",
         "{strands}",

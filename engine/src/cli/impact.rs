@@ -31,10 +31,15 @@ pub(crate) fn impact(args: &ImpactArgs, global: &GlobalArgs) -> Result<(), Fault
         return Err(Fault::input("one pipeline at a time"));
     }
     let graph = open_pipeline(files.first().map(|f| f.as_ref()), &args.change, global)?;
-    let all = impacts(&graph, &graph.goal);
+    reached(&graph, &asked, global)
+}
+
+/// Which nodes these params of a pipeline reach, and what changing them costs; none is all.
+pub(super) fn reached(graph: &Graph, asked: &[&String], global: &GlobalArgs) -> Result<(), Fault> {
+    let all = impacts(graph, &graph.goal);
     let full = |i: &Impact| format!("{}.{}", graph.nodes[i.node].name, i.param);
     let mut shown = Vec::new();
-    for name in &asked {
+    for name in asked {
         let found = all
             .iter()
             .filter(|i| full(i) == **name || i.param == **name);
@@ -50,7 +55,7 @@ pub(crate) fn impact(args: &ImpactArgs, global: &GlobalArgs) -> Result<(), Fault
         shown.extend(&all);
     }
     let history = History::of(&global.cache, Of::default());
-    let cost = |i: &Impact| seconds(&graph, i, &history);
+    let cost = |i: &Impact| seconds(graph, i, &history);
     if global.json {
         let one = |i: &&Impact| {
             let names: Vec<&str> = i

@@ -13,11 +13,13 @@
 mod ahead;
 mod answers;
 mod arguments;
+mod aspects;
 mod budget;
 mod cache;
 mod cluster;
 mod dask;
 mod deliver;
+mod either;
 mod ended;
 mod export;
 mod fault;
@@ -30,6 +32,8 @@ mod itself;
 mod known;
 mod manual;
 mod open;
+mod pins;
+mod planned;
 mod private;
 mod profiled;
 mod program;
@@ -51,6 +55,8 @@ mod sweep;
 mod sweep_asked;
 mod sweep_told;
 mod telling;
+mod verbs;
+mod why;
 
 pub use crate::text;
 pub use arguments::{Change, Wanted};
@@ -70,12 +76,12 @@ pub use sweep::{Heard, Swept, swept};
 pub use sweep_asked::SweepArgs;
 
 use crate::store::remote::Sharing;
-use clap::{ArgMatches, CommandFactory, FromArgMatches, Parser, Subcommand};
+use clap::{ArgMatches, CommandFactory, FromArgMatches, Parser};
 use ended::ended;
 use std::ffi::OsString;
-use std::path::PathBuf;
 use std::process::ExitCode;
 use std::sync::atomic::Ordering;
+use verbs::Own;
 
 /// Prints to standard output; a reader that has gone away is no fault of ours.
 #[macro_export]
@@ -101,66 +107,6 @@ struct Cli {
     global: GlobalArgs,
     #[command(subcommand)]
     verb: Own,
-}
-
-/// The engine's verbs.
-#[derive(Subcommand)]
-enum Own {
-    /// Run a pipeline
-    Run(run_verb::Run),
-    /// What would run, and why
-    Plan(ahead::PlanArgs),
-    /// Which line of what a node depends on changed: old, new, back to the root cause
-    Why(ahead::Why),
-    /// Every point of a sweep, what they share made once: a table, plots
-    Sweep(sweep_asked::SweepArgs),
-    /// The best set of params within ranges, as the pipeline declares it
-    Search(search_told::SearchArgs),
-    /// Tables that sweeps make, kept as pages: made again, and what moved
-    Study(study::Study),
-    /// Strands of a plan (`plan --strands`), on any machine that sees the cache
-    Work(strands::Work),
-    /// A plan onto a cluster: what is neither done nor sent; to say it again sends nothing twice
-    Submit(cluster::Submit),
-    /// How far a plan is: what is done by the cache, and why the rest is not
-    Status(cluster::Asked),
-    /// End the jobs of a plan; what is done stays
-    Cancel(cluster::Asked),
-    /// A plan as a Makefile or a Snakefile: one rule a strand
-    Export(export::Export),
-    /// Which nodes a param reaches, and what it would cost to change it
-    Impact(impact::ImpactArgs),
-    /// The pipeline as a drawing: DOT or Mermaid
-    Graph(answers::Drawing),
-    /// One artifact out of the cache as a file
-    Show(show::Show),
-    /// Every stage with its ports, params, units, ranges and defaults
-    Stages {
-        /// One stage, or all of a crate
-        name: Option<String>,
-        /// The JSON schema of a pipeline file instead, for editors
-        #[arg(long)]
-        json_schema: bool,
-        /// Where the default of each numeric param comes from instead
-        #[arg(long, conflicts_with = "json_schema")]
-        provenance: bool,
-    },
-    /// All mistakes of a pipeline at once
-    Check {
-        /// The pipeline file, or the name of a built-in one
-        pipeline: PathBuf,
-    },
-    /// The built-in pipelines, or one of them printed: their names stand for a file in every verb
-    Pipelines {
-        /// The one to print
-        name: Option<String>,
-    },
-    /// A script that completes arguments in a shell
-    Completions(manual::Completions),
-    /// Pages for `man`
-    Man(manual::Man),
-    /// The store: ls, du, runs, pin, unpin, pins, gc, forget, verify; store, push, sweep-store, keygen
-    Cache(cache::Cache),
 }
 
 /// Does what the arguments say. Exit codes: 0 done, 1 a stage failed, 2 input or pipeline wrong,
@@ -222,6 +168,7 @@ pub fn run<A: Into<OsString> + Clone>(
     let (name, own) = matches
         .subcommand()
         .unwrap_or_else(|| unreachable!("clap asks for a verb"));
+    verbs::hint(name, &global);
     let private = own.try_get_one::<bool>("private").ok().flatten();
     let begun = match private {
         Some(true) => private::cache().map(|cache| global.cache = cache),
@@ -261,34 +208,5 @@ fn done(
         return (verb.run)(own, global);
     }
     let cli = Cli::from_arg_matches(all).unwrap_or_else(|error| error.exit());
-    match &cli.verb {
-        Own::Run(verb) => run_verb::run(verb, global),
-        Own::Plan(verb) => ahead::plan(verb, own.subcommand(), global),
-        Own::Work(verb) => strands::work(verb, global),
-        Own::Submit(verb) => cluster::submit(verb, global),
-        Own::Status(verb) => cluster::status(verb, global),
-        Own::Cancel(verb) => cluster::cancel(verb, global),
-        Own::Export(verb) => export::export(verb, global),
-        Own::Why(verb) => ahead::why(verb, own.subcommand(), global),
-        Own::Sweep(verb) => sweep::sweep(verb, global),
-        Own::Study(verb) => study::study(verb, global),
-        Own::Search(verb) => search::search(verb, global),
-        Own::Impact(verb) => impact::impact(verb, global),
-        Own::Graph(verb) => answers::graph(verb, own.subcommand(), global),
-        Own::Show(verb) => show::show(verb, global),
-        Own::Stages {
-            json_schema: true, ..
-        } => answers::schema(global),
-        Own::Stages {
-            name, provenance, ..
-        } => answers::stages(name.as_deref(), *provenance, global),
-        Own::Check { pipeline } => answers::check(pipeline, global),
-        Own::Pipelines { name } => answers::pipelines(name.as_deref(), global),
-        Own::Completions(verb) => {
-            manual::completions(verb, command);
-            Ok(())
-        }
-        Own::Man(verb) => manual::man(verb, command),
-        Own::Cache(verb) => cache::cache(verb, global, sharing),
-    }
+    cli.verb.done(own, command, (global, sharing))
 }

@@ -4,8 +4,9 @@ use super::arguments::Change;
 use super::deliver;
 use super::fault::Fault;
 use super::program::GlobalArgs;
+use super::sweep_asked::SweepArgs;
 use super::text::{count, lines, short, table, to_the_right};
-use crate::recipe::Search;
+use crate::recipe::{Pipeline, Search};
 use crate::search::{Found, Tried, variant};
 use crate::sweep;
 use clap::Args;
@@ -27,6 +28,35 @@ pub(crate) struct SearchArgs {
     /// Write search.csv, search.json and best.toml (the best set as a variant) into this folder
     #[arg(long)]
     pub(super) out: Option<PathBuf>,
+}
+
+impl SearchArgs {
+    /// Of a `sweep` whose name is that of a search.
+    pub(super) fn declared_as(
+        sweep: &SweepArgs,
+        global: &GlobalArgs,
+    ) -> Result<Option<SearchArgs>, Fault> {
+        let Some(name) = &sweep.name else {
+            return Ok(None);
+        };
+        let pipeline =
+            Pipeline::read(&sweep.pipeline, global.catalog()).map_err(Fault::mistakes)?;
+        let mut names = pipeline.recipe().searches.iter().map(|s| &s.sweep.name);
+        if !names.any(|known| known.value == *name) {
+            return Ok(None);
+        }
+        if let Some(flag) = sweep.of_no_search() {
+            let what = format!("`{name}` is a search, which takes no {flag}");
+            return Err(Fault::input(what));
+        }
+        Ok(Some(SearchArgs {
+            pipeline: sweep.pipeline.clone(),
+            name: Some(name.clone()),
+            change: sweep.change.clone(),
+            truth: sweep.truth.clone(),
+            out: sweep.out.clone(),
+        }))
+    }
 }
 
 /// So many of the best are shown.

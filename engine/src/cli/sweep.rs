@@ -5,6 +5,8 @@ use super::fault::Fault;
 use super::open::{folders, options};
 use super::program::GlobalArgs;
 use super::programs::{permitted, unguarded};
+use super::search;
+use super::search_told::SearchArgs;
 use super::strands::written;
 use super::sweep_asked::{Asked, SweepArgs, asked, checked};
 use super::sweep_told::{how, missing_metrics};
@@ -108,6 +110,9 @@ fn cut(args: &SweepArgs, global: &GlobalArgs) -> Result<(), Fault> {
 
 /// Runs the points of a sweep and writes the table.
 pub(crate) fn sweep(args: &SweepArgs, global: &GlobalArgs) -> Result<(), Fault> {
+    if let Some(search) = SearchArgs::declared_as(args, global)? {
+        return search::search(&search, global);
+    }
     if args.strands {
         return cut(args, global);
     }

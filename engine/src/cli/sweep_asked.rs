@@ -48,6 +48,22 @@ pub struct SweepArgs {
 }
 
 impl SweepArgs {
+    /// A flag that says nothing to a search.
+    pub(super) fn of_no_search(&self) -> Option<&'static str> {
+        let given = [
+            (!self.over.is_empty(), "--sweep"),
+            (!self.tell.is_empty(), "--tell"),
+            (!self.nodes.is_empty(), "--nodes"),
+            (self.strands, "--strands"),
+            (self.clean, "--clean"),
+            (self.replicate.is_some(), "--replicate"),
+        ];
+        given
+            .into_iter()
+            .find(|(given, _)| *given)
+            .map(|(_, flag)| flag)
+    }
+
     /// From the words behind `sweep` on a command line.
     ///
     /// # Errors

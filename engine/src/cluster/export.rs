@@ -26,7 +26,7 @@ impl Rules<'_> {
     fn command(&self, strand: usize) -> String {
         let quoted = |path: &Path| super::slurm::quoted(&path.to_string_lossy());
         format!(
-            "{} work --plan {} --strand {strand} --cache {}{} --threads {} --quiet",
+            "{} cluster work --plan {} --strand {strand} --cache {}{} --threads {} --quiet",
             quoted(self.program),
             self.name,
             quoted(self.cache),

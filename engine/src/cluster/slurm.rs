@@ -133,7 +133,7 @@ impl Slurm<'_> {
              first=$(({first} + SLURM_ARRAY_TASK_ID * {pack}))\n\
              last=$((first + {pack} - 1))\n\
              if [ \"$last\" -gt {last} ]; then last={last}; fi\n\
-             exec {program} work --plan {name} --strand \"$first-$last\" --cache {cache}{flags} \\\n  \
+             exec {program} cluster work --plan {name} --strand \"$first-$last\" --cache {cache}{flags} \\\n  \
              --threads \"${{SLURM_CPUS_PER_TASK:-1}}\" --quiet\n",
             name = self.name,
             program = quoted(&wish.program.to_string_lossy()),

@@ -7,7 +7,7 @@ use std::time::Duration;
 #[derive(Debug, thiserror::Error)]
 pub enum ForeignError {
     /// Nobody allowed it.
-    #[error("this program was not allowed: look at it with `check`, then say --allow-exec")]
+    #[error("this program was not allowed: look at it with `plan`, then say --allow-exec")]
     NotAllowed,
     /// There is no sandbox, and it must run in one.
     #[error("{0}, and --sandbox required lets no program run without a sandbox")]
