@@ -11,9 +11,6 @@ pub(crate) use capture::{READ, foreign, is_photo, is_plate, is_raw, is_scan, is_
 // The layout of a mat from its tags.
 pub(crate) use pose::ringed;
 
-// Sections of surfaces, for the score.
-pub(crate) use measure::{Body, body, flat, limbs, parts, section, taken as section_at, tape};
-
 // A page that gets the name of its capture.
 pub(crate) use report::titled;
 

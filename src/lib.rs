@@ -2,17 +2,12 @@
 
 pub mod catalog;
 mod cli;
-pub mod compare;
 mod errors;
-pub mod girth_file;
 pub mod kinds;
 pub mod measured;
-pub mod over_time;
 mod photos;
 mod program;
 mod references;
-pub mod repeat;
-pub mod score;
 #[cfg(feature = "serve")]
 pub mod serve;
 // Without pages some texts are nobody's.
@@ -20,10 +15,11 @@ pub mod serve;
 mod words;
 
 pub use cli::{Measured, measured};
+pub use command;
 pub use engine;
 pub use program::{check_arguments, main, program, program_over};
+pub use study::{compare, girth_file, over_time, repeat, score};
 // The engine's modules, under the names by which the product knows them.
-pub(crate) use engine::page;
 pub use engine::{
     delivery, differ, drawing, graph, history, impact, key, lasttime, past, pattern, plan,
     provenance, recipe, reference, schema, store, sweep, verify, walk, why,

@@ -6,8 +6,8 @@ use crate::cli::{
     provenance, repeat, scoring,
 };
 use clap::{ArgMatches, Args, Command, FromArgMatches};
+use command::{Fault, Program, Verb};
 use engine::Catalog;
-use engine::cli::{Fault, Program, Verb};
 use std::process::ExitCode;
 
 /// The program.
@@ -154,7 +154,7 @@ pub fn program() -> &'static Program {
 /// Does what the arguments say. Exit codes: 0 done, 1 a stage failed, 2 input or pipeline wrong,
 /// 130 cancelled.
 pub fn main() -> ExitCode {
-    engine::cli::main(&TAILOR)
+    command::main(&TAILOR)
 }
 
 /// Whether a command line could be run, the program's name first: verbs, flags and values, not files.
@@ -163,7 +163,7 @@ pub fn main() -> ExitCode {
 ///
 /// What is wrong with it, in words.
 pub fn check_arguments(arguments: &[&str]) -> Result<(), String> {
-    engine::cli::check_arguments(&TAILOR, arguments).map_err(|e| e.to_string())
+    command::check_arguments(&TAILOR, arguments).map_err(|e| e.to_string())
 }
 
 #[cfg(test)]

@@ -120,7 +120,7 @@ pub struct Job<'a> {
 }
 
 /// The nodes that the wanted ones need, themselves included.
-pub(crate) fn needed(graph: &Graph, wanted: &[usize]) -> Vec<bool> {
+pub fn needed(graph: &Graph, wanted: &[usize]) -> Vec<bool> {
     let mut needed = vec![false; graph.nodes.len()];
     let mut open = wanted.to_vec();
     while let Some(i) = open.pop() {

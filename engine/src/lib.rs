@@ -80,7 +80,6 @@
 //! ```
 
 mod agenda;
-pub mod cli;
 pub mod clock;
 pub mod cluster;
 pub mod delivery;
@@ -104,7 +103,7 @@ pub mod past;
 pub mod pattern;
 pub mod permission;
 pub mod plan;
-mod profile;
+pub mod profile;
 pub mod provenance;
 pub mod recipe;
 pub mod reference;
@@ -129,6 +128,8 @@ pub mod why;
 
 pub use kind::{Catalog, Kind};
 pub use outcome::{Outcome, ResultError};
+pub use own::whole;
 pub use session::{
     EngineError, Options, inputs, run, run_in, run_unrecorded, runs, said_inputs, threads,
 };
+pub use system::{is_alive, private_file};

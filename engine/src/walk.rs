@@ -3,8 +3,7 @@
 use crate::agenda::Agenda;
 use crate::run_one::{self, Step, Surroundings};
 
-pub(crate) use crate::done::needed;
-pub use crate::done::{Done, Failures, Job, Status, Watch, all};
+pub use crate::done::{Done, Failures, Job, Status, Watch, all, needed};
 use std::sync::{Condvar, Mutex};
 use std::time::Duration;
 

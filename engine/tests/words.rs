@@ -111,7 +111,7 @@ fn ten_lines_have_the_whole_command_line() {
             word => word.to_owned(),
         });
         let all = ["words".to_owned()].into_iter().chain(words);
-        engine::cli::run(
+        command::run(
             &WORDS,
             all.chain(["--cache".into(), cache, "--quiet".into()]),
         )
@@ -214,7 +214,7 @@ fn the_command_line_asks_before_a_program_runs() {
             .copied()
             .chain(["--cache", cache.to_str().unwrap()]);
         let words = words.chain(more.iter().copied()).map(String::from);
-        engine::cli::run(&WORDS, words.collect::<Vec<_>>())
+        command::run(&WORDS, words.collect::<Vec<_>>())
     };
     assert_eq!(run("run", &[]), 2);
     assert_eq!(run("plan", &[]), 0);

@@ -2,7 +2,7 @@
 
 use crate::describe::describe;
 use crate::fault::guarded;
-use engine::cli::Fault;
+use command::Fault;
 use engine::out;
 use engine::store::Blob;
 use pyo3::prelude::*;

@@ -1,6 +1,6 @@
 //! What Python hands over to every verb.
 
-use engine::cli::{Fault, GlobalArgs, Host};
+use command::{Fault, GlobalArgs, Host};
 use std::path::PathBuf;
 
 /// Folders of inputs by name.

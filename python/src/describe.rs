@@ -1,6 +1,6 @@
 //! What an artifact holds beside its arrays, as JSON: the documented format where its kind has one.
 
-use engine::cli::Fault;
+use command::Fault;
 use engine::out;
 use serde_json::{Value, json};
 use shape::{Document, Person, Photo, PhotoId, Photos, Solid, Sway, Unit};

@@ -1,6 +1,6 @@
 //! Faults as `tailor.Error`; a panic is one, too.
 
-use engine::cli::Fault;
+use command::Fault;
 use pyo3::prelude::*;
 use std::any::Any;
 use std::panic::{AssertUnwindSafe, catch_unwind};

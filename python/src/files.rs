@@ -2,7 +2,7 @@
 
 use crate::artifact::Artifact;
 use crate::fault::guarded;
-use engine::cli::Fault;
+use command::Fault;
 use engine::graph::InputDecl;
 use engine::source::Memo;
 use pyo3::prelude::*;

@@ -3,7 +3,7 @@
 use crate::asked::{Folders, global};
 use crate::fault::{guarded, wrong};
 use crate::outcome::{self, Run};
-use engine::cli::{Change, Fault, GlobalArgs};
+use command::{Change, Fault, GlobalArgs};
 use engine::graph::Source;
 use engine::plan::{self, State};
 use pyo3::prelude::*;
@@ -41,7 +41,7 @@ impl Graph {
                 variant,
                 set: sets,
             };
-            let graph = engine::cli::open_pipeline(Some(&pipeline), &change, &global)?;
+            let graph = command::open_pipeline(Some(&pipeline), &change, &global)?;
             let graph = Arc::new(graph);
             Ok(Graph { graph, global })
         })
@@ -131,7 +131,7 @@ fn wanted(graph: &engine::graph::Graph, nodes: &[String]) -> Result<Vec<usize>, 
     }
     nodes
         .iter()
-        .map(|name| engine::cli::node(graph, name))
+        .map(|name| command::node(graph, name))
         .collect()
 }
 

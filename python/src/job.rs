@@ -1,7 +1,7 @@
 //! A job on a thread of its own: Python hears of it, and can stop it.
 
 use crate::fault::{bug, raised};
-use engine::cli::{Fault, Host};
+use command::{Fault, Host};
 use engine::walk::{Done, Watch};
 use pyo3::prelude::*;
 use std::sync::atomic::{AtomicBool, Ordering};

@@ -32,7 +32,7 @@ mod _native {
     /// The command line; its exit code.
     #[pyfunction]
     fn main(py: Python<'_>, words: Vec<String>) -> PyResult<u8> {
-        fault::guarded(py, || Ok(engine::cli::run(tailor::program(), words)))
+        fault::guarded(py, || Ok(command::run(tailor::program(), words)))
     }
 
     /// `tailor measure` with these arguments: the run, the folder of results, warnings.

@@ -4,7 +4,7 @@ use crate::artifact::Artifact;
 use crate::asked::{Folders, global};
 use crate::fault::guarded;
 use crate::job;
-use engine::cli::{Fault, GlobalArgs, Heard, Host, SweepArgs};
+use command::{Fault, GlobalArgs, Heard, Host, SweepArgs};
 use engine::sweep::End;
 use engine::walk::Watch;
 use engine::{Options, Outcome, out};
@@ -55,7 +55,7 @@ impl Run {
     /// Formats in which a node's result is written, the usual one first.
     fn formats(&self, py: Python<'_>, node: &str) -> PyResult<Vec<&'static str>> {
         guarded(py, || {
-            let at = engine::cli::node(&self.graph, node)?;
+            let at = command::node(&self.graph, node)?;
             let kind = self.graph.nodes[at].stage.yields();
             Ok(out::formats(self.graph.catalog, kind).to_vec())
         })
@@ -66,7 +66,7 @@ impl Run {
         let files = guarded(py, || {
             let (blob, stage) = self.outcome.blob(node).map_err(Fault::input)?;
             let artifact = stage.read(&blob).map_err(Fault::stage)?;
-            let at = engine::cli::node(&self.graph, node)?;
+            let at = command::node(&self.graph, node)?;
             let beside = self.graph.beside(at);
             let beside = beside.and_then(|at| self.outcome.artifact(&self.graph, at));
             let (raw, catalog) = (|| blob.to_vec(), self.graph.catalog);
@@ -149,7 +149,7 @@ pub(crate) fn swept(
         global.host = host;
         let args = SweepArgs::read(&words)?;
         let mut points = 0;
-        let swept = engine::cli::swept(&args, &global, &*listener, &mut |heard| match heard {
+        let swept = command::swept(&args, &global, &*listener, &mut |heard| match heard {
             Heard::Outlook(outlook) => {
                 points = usize::try_from(outlook.points).unwrap_or(usize::MAX);
                 let what = outlook.to_string();

@@ -2,8 +2,8 @@
 
 use super::measuring::Measured;
 use super::provenance::{get, warnings};
-use engine::cli::text::{lines, table, to_the_right};
-use engine::cli::{Fault, Ran};
+use command::text::{lines, table, to_the_right};
+use command::{Fault, Ran};
 use serde_json::{Value, json};
 use shape::{Cameras, Girths, Scale, Unit, csv_table};
 use std::path::Path;

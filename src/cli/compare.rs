@@ -1,13 +1,14 @@
 //! `tailor compare`: variants, runs and folders side by side.
 
 use super::compare_replicates::{Against, changed, of_folders, of_variants};
+use crate::catalog::CATALOG;
 use crate::compare::{NodeRun, Side, TechnicalErrors, compare, json, markdown, mixed, page};
 use crate::repeat::technical_errors;
 use crate::store::Store;
 use crate::{delivery, walk};
 use clap::Args;
-use engine::cli::text::count;
-use engine::cli::{Change, Fault, GlobalArgs, execute, folders, open_pipeline};
+use command::text::count;
+use command::{Change, Fault, GlobalArgs, execute, folders, open_pipeline};
 use engine::past::ago;
 use std::path::{Path, PathBuf};
 
@@ -82,7 +83,7 @@ pub(crate) fn compare_sides(args: &CompareArgs, global: &GlobalArgs) -> Result<(
             None => found(text, global)?,
             Some(graph) => {
                 if !global.quiet && !global.json {
-                    engine::errln!("{text}:");
+                    command::errln!("{text}:");
                 }
                 let again: Vec<String> = std::env::args().collect();
                 let again = again.join(" ");
@@ -96,7 +97,8 @@ pub(crate) fn compare_sides(args: &CompareArgs, global: &GlobalArgs) -> Result<(
                     &again,
                 )?;
                 let store = Store::open(&global.cache).map_err(Fault::input)?;
-                Side::from_run(text, &outcome.json(graph), &store).map_err(Fault::stage)?
+                Side::from_run(text, &outcome.json(graph), &store, &CATALOG)
+                    .map_err(Fault::stage)?
             }
         });
     }
@@ -116,8 +118,8 @@ pub(crate) fn compare_sides(args: &CompareArgs, global: &GlobalArgs) -> Result<(
         }
     }
     match global.json {
-        true => engine::outln!("{}", pretty()),
-        false => engine::out!("{}", markdown(&comparison)),
+        true => command::outln!("{}", pretty()),
+        false => command::out!("{}", markdown(&comparison)),
     }
     Ok(())
 }
@@ -136,8 +138,8 @@ fn told(against: &Against, out: Option<&Path>, global: &GlobalArgs) -> Result<()
         }
     }
     match global.json {
-        true => engine::outln!("{pretty}"),
-        false => engine::out!("{}", against.text()),
+        true => command::outln!("{pretty}"),
+        false => command::out!("{}", against.text()),
     }
     Ok(())
 }
@@ -211,7 +213,7 @@ fn found(text: &str, global: &GlobalArgs) -> Result<Side, Fault> {
                 .iter_mut()
                 .for_each(|node| node.status = "found".into());
         }
-        return Side::from_nodes(text, nodes, &store).map_err(Fault::input);
+        return Side::from_nodes(text, nodes, &store, &CATALOG).map_err(Fault::input);
     }
     let folder = Path::new(text);
     if !folder.is_dir() {

@@ -4,8 +4,8 @@ use crate::recipe::{Overrides, Pipeline};
 use crate::sweep::{
     self, Point, Points, Replicates, Sweeping, Told, paired, pairs_page, pairs_text,
 };
+use command::{Change, Fault, GlobalArgs, folders};
 use engine::Options;
-use engine::cli::{Change, Fault, GlobalArgs, folders};
 use engine::walk::Watch;
 use serde_json::{Value, json};
 use std::path::Path;
@@ -59,7 +59,7 @@ pub(super) fn of_variants(
         .map_err(Fault::mistakes)?;
     for told in tell {
         let (node, _) = told.split_once('.').unwrap_or((told, ""));
-        engine::cli::node(&graphs[0], node)?;
+        command::node(&graphs[0], node)?;
     }
     let replicates = Replicates::of(times, &graphs, &[], &[]).map_err(Fault::input)?;
     let names = what.iter().map(|text| Some((*text).clone())).collect();
@@ -90,7 +90,7 @@ pub(super) fn of_variants(
     let rows = sweep::run(&sweeping, points.iter(), |row| {
         at += 1;
         if !global.quiet && !global.json {
-            engine::errln!("[{at:>3}/{count}] {}", row.point.name("compare"));
+            command::errln!("[{at:>3}/{count}] {}", row.point.name("compare"));
         }
     });
     let rows = rows.map_err(Fault::input)?;

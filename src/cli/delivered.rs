@@ -4,7 +4,7 @@ use super::provenance::{called, completed_as, folder, get};
 use crate::delivery::{self, Delivery};
 use crate::engine::Outcome;
 use crate::graph::{Graph, Source};
-use engine::cli::{Fault, Ran, inside, lies_in, there, whose};
+use command::{Fault, Ran, inside, lies_in, there, whose};
 use engine::out;
 use shape::{Document, Girths, Mesh};
 use stage::{AnyArtifact, Artifact};

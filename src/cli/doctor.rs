@@ -7,8 +7,8 @@ use super::said::opened;
 use crate::photos::photos;
 use crate::store::Store;
 use clap::Args;
-use engine::cli::text::count;
-use engine::cli::{Fault, GlobalArgs, execute};
+use command::text::count;
+use command::{Fault, GlobalArgs, execute};
 use serde_json::Value;
 use shape::{Document, People, Photos, Tags};
 use std::path::{Path, PathBuf};
@@ -137,12 +137,12 @@ pub(crate) fn doctor(args: &Doctor, global: &GlobalArgs) -> Result<(), Fault> {
         let mut found = look.findings;
         found["folder"] = args.folder.display().to_string().into();
         found["warnings"] = look.warnings.into();
-        engine::outln!(
+        command::outln!(
             "{}",
             serde_json::to_string_pretty(&found).expect("bug: JSON")
         );
     } else {
-        engine::out!("{}", screen(&args.folder, &look));
+        command::out!("{}", screen(&args.folder, &look));
     }
     match stopped {
         true => Err(Fault::stage("")),

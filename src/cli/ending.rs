@@ -3,7 +3,7 @@
 use super::provenance::{called, folder, warnings};
 use super::screen::{Of, screen, warned};
 use crate::words::language::{Language, Words};
-use engine::cli::Ran;
+use command::Ran;
 use shape::{Cameras, Girths, Photos};
 use std::path::Path;
 

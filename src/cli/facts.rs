@@ -4,7 +4,7 @@ use super::length::{age_months, length_mm, weight_kg};
 use super::mat_file::mat_file;
 use super::said::{All, Said, place};
 use clap::Args;
-use engine::cli::Fault;
+use command::Fault;
 use std::path::PathBuf;
 
 /// What is known of the capture; each wins over what capture.toml says.

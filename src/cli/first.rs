@@ -8,7 +8,7 @@ use super::screen::{broken, in_short};
 use crate::delivery::Delivery;
 use crate::graph::Graph;
 use crate::words::language::Words;
-use engine::cli::{GlobalArgs, Ran, above, whose};
+use command::{GlobalArgs, Ran, above, whose};
 use engine::walk::{Done, Status, Watch};
 use engine::{Options, Outcome, run_unrecorded};
 use shape::{Document, Girths};
@@ -130,7 +130,7 @@ impl Answer {
         if let Some(girths) = get::<Girths>(graph, &outcome, "girths").filter(|_| !self.quiet) {
             let put = [("girths", in_short(self.words, &girths).into())];
             let told = broken(&self.words.with("screen-first", &put), 2);
-            above(|| engine::errln!("{}", told.trim_end()));
+            above(|| command::errln!("{}", told.trim_end()));
         }
         let page = self.run(graph, "report");
         let written = page.and_then(|outcome| self.write(graph, &outcome));
@@ -139,7 +139,7 @@ impl Answer {
             let page = self.out.join("report.html").display().to_string();
             let put = [("path", page.into())];
             let told = self.words.with("screen-first-report", &put);
-            above(|| engine::errln!("{told}"));
+            above(|| command::errln!("{told}"));
         }
     }
 

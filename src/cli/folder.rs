@@ -7,7 +7,7 @@ use super::source::Source;
 use crate::catalog::{READ, foreign, is_photo, is_plate};
 use crate::graph::Graph;
 use crate::pattern::{natural, stays_inside};
-use engine::cli::Fault;
+use command::Fault;
 use std::path::Path;
 
 /// What was seen.

@@ -4,7 +4,7 @@ use super::compare::known_errors;
 use crate::delivery;
 use crate::over_time::{csv, follow, json, markdown, page, series};
 use clap::Args;
-use engine::cli::{Fault, GlobalArgs};
+use command::{Fault, GlobalArgs};
 use std::path::PathBuf;
 
 /// Arguments of `tailor follow`.
@@ -44,8 +44,8 @@ pub(crate) fn following(args: &Following, global: &GlobalArgs) -> Result<(), Fau
         delivery::write(out, &files).map_err(Fault::stage)?;
     }
     match global.json {
-        true => engine::outln!("{pretty}"),
-        false => engine::out!("{}", markdown(&told)),
+        true => command::outln!("{pretty}"),
+        false => command::out!("{}", markdown(&told)),
     }
     Ok(())
 }

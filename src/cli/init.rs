@@ -4,7 +4,7 @@ use super::doctor::{Look, look};
 use super::facts::Facts;
 use crate::catalog::ringed;
 use clap::Args;
-use engine::cli::{Fault, GlobalArgs};
+use command::{Fault, GlobalArgs};
 use shape::Rig;
 use std::fmt::Write as _;
 use std::io::Write as _;
@@ -52,13 +52,13 @@ pub(crate) fn init(args: &Init, global: &GlobalArgs) -> Result<(), Fault> {
     let mut new = std::fs::File::create_new(&file).map_err(cannot)?;
     new.write_all(text.as_bytes()).map_err(cannot)?;
     if global.json {
-        engine::outln!(
+        command::outln!(
             "{}",
             serde_json::json!({ "file": shown.to_string(), "bytes": text.len() })
         );
     } else if !global.quiet {
-        engine::out!("{text}");
-        engine::outln!(
+        command::out!("{text}");
+        command::outln!(
             "\nwritten to {shown}; say what you know of it, then: tailor measure {}",
             args.folder.display()
         );

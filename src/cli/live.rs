@@ -6,7 +6,7 @@ use super::screen::broken;
 use super::source::Source;
 use crate::words::language::Words;
 use crate::words::parts::{PARTS, place_of};
-use engine::cli::Telling;
+use command::Telling;
 use engine::walk::{Done, Status};
 use std::sync::Mutex;
 

@@ -2,7 +2,7 @@
 
 use crate::catalog;
 use clap::Args;
-use engine::cli::{Fault, GlobalArgs};
+use command::{Fault, GlobalArgs};
 use shape::Document;
 use stage::{Ctx, Host, Metric, Value};
 use std::collections::BTreeMap;
@@ -86,13 +86,13 @@ pub(crate) fn mat(args: &MatArgs, global: &GlobalArgs) -> Result<(), Fault> {
     if global.json {
         let answer =
             serde_json::json!({ "file": shown, "bytes": document.bytes.len(), "facts": toml });
-        engine::outln!("{answer}");
+        command::outln!("{answer}");
     } else if !global.quiet {
         let text = |m: &Metric| format!("{} {} {}", m.name, m.value, m.unit);
         let lines: Vec<String> = metrics.iter().map(|m| text(m).trim().to_owned()).collect();
-        engine::outln!("{shown}: {}", lines.join(", "));
-        engine::outln!("print at 100 % and check that the ruler is 100 mm long");
-        engine::outln!(
+        command::outln!("{shown}: {}", lines.join(", "));
+        command::outln!("print at 100 % and check that the ruler is 100 mm long");
+        command::outln!(
             "what capture.toml needs to say of it stands at each page's foot and in {toml}; or: tailor measure DIR --mat {shown}"
         );
     }

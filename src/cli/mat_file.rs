@@ -1,6 +1,6 @@
 //! The marker mat that a file of `tailor mat` tells of: the print itself, or the TOML beside it.
 
-use engine::cli::Fault;
+use command::Fault;
 use std::path::Path;
 
 /// Tables of capture.toml that such a file may hold.

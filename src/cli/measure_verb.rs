@@ -8,7 +8,7 @@ use super::provenance::called;
 use super::said::Said;
 use crate::delivery::Delivery;
 use crate::store::Store;
-use engine::cli::{Fault, GlobalArgs, whose};
+use command::{Fault, GlobalArgs, whose};
 use serde_json::json;
 use std::path::{Path, PathBuf};
 
@@ -25,7 +25,7 @@ pub(crate) fn measure(measure: &Measure, global: &GlobalArgs) -> Result<(), Faul
     if let [capture] = measure.folders.as_slice() {
         let measured = one(measure, capture, measure.out.as_deref(), &said, global)?;
         if global.json {
-            engine::outln!("{}", pretty(&measured.run()));
+            command::outln!("{}", pretty(&measured.run()));
         }
         return Ok(());
     }
@@ -39,7 +39,7 @@ fn many(measure: &Measure, said: &[Said], global: &GlobalArgs) -> Result<(), Fau
     for (capture, out) in measure.folders.iter().zip(&places) {
         let shown = capture.display().to_string();
         if !global.json && !global.quiet {
-            engine::errln!("{shown}:");
+            command::errln!("{shown}:");
         }
         match one(measure, capture, Some(out), said, global) {
             Ok(measured) => {
@@ -53,7 +53,7 @@ fn many(measure: &Measure, said: &[Said], global: &GlobalArgs) -> Result<(), Fau
             Err(fault) if fault.code() == 130 => return Err(fault),
             Err(fault) => {
                 if !global.json {
-                    engine::errln!("{shown}: {}", fault.text());
+                    command::errln!("{shown}: {}", fault.text());
                 }
                 failed.push(shown.clone());
                 let row = cohort::Row::failed(capture, out, &fault);
@@ -71,8 +71,8 @@ fn many(measure: &Measure, said: &[Said], global: &GlobalArgs) -> Result<(), Fau
         table(measure, out, global, &cohort::csv(&rows), json.into_bytes())?;
     }
     match global.json {
-        true => engine::outln!("{}", pretty(&answers)),
-        false => engine::outln!("\n{}", cohort::text(&rows)),
+        true => command::outln!("{}", pretty(&answers)),
+        false => command::outln!("\n{}", cohort::text(&rows)),
     }
     match failed.as_slice() {
         [] => Ok(()),

@@ -14,8 +14,8 @@ use super::words;
 use crate::graph::Graph;
 use crate::photos::{photos, photos_node};
 use crate::store::Store;
+use command::{Fault, GlobalArgs, Job, Ran, check_out, execute};
 use engine::Outcome;
-use engine::cli::{Fault, GlobalArgs, Job, Ran, check_out, execute};
 use serde_json::Value;
 use shape::{Cameras, Girths};
 use std::ffi::OsString;
@@ -232,7 +232,7 @@ fn unended(measure: &Measure, ready: &Prepared, live: &Live, global: &GlobalArgs
     told.extend(live.warnings());
     let text = warned(measure.words(), &told);
     if !text.is_empty() {
-        engine::errln!("{}", text.trim_end());
+        command::errln!("{}", text.trim_end());
     }
 }
 
@@ -281,14 +281,14 @@ pub(super) fn one(
         let mut told = ready.warnings.clone();
         told.extend(sentences(&Ran::of(graph, &outcome, &[]), &girths));
         let words = measure.words();
-        engine::out!("{}{}", screen(words, &of), warned(words, &told));
+        command::out!("{}{}", screen(words, &of), warned(words, &told));
         let place = |key: &str, path: &Path| {
             words.with(key, &[("path", path.display().to_string().into())])
         };
-        engine::outln!("\n{}", place("screen-files", &ready.out));
+        command::outln!("\n{}", place("screen-files", &ready.out));
         let page = ready.out.join("report.html");
         if page.exists() {
-            engine::outln!("{}", place("screen-report", &page));
+            command::outln!("{}", place("screen-report", &page));
         }
     }
     Ok(Measured {

@@ -4,7 +4,7 @@ use super::delivered::write;
 use crate::delivery::Delivery;
 use crate::engine::Outcome;
 use crate::graph::Graph;
-use engine::cli::{Fault, GlobalArgs, finish, whose};
+use command::{Fault, GlobalArgs, finish, whose};
 use std::path::PathBuf;
 
 /// A capture that is ready to be measured: nothing has run.

@@ -3,8 +3,8 @@
 use crate::catalog::titled;
 use crate::engine::Outcome;
 use crate::graph::Graph;
-use engine::cli::Ran;
-use engine::cli::text::short;
+use command::Ran;
+use command::text::short;
 use serde_json::Value;
 use shape::Girths;
 use std::collections::BTreeSet;

@@ -4,7 +4,7 @@ use crate::delivery;
 use crate::over_time::repeated;
 use crate::repeat::{By, bland_altman_svg, captures, csv, json, markdown, page, study, study_of};
 use clap::Args;
-use engine::cli::{Fault, GlobalArgs};
+use command::{Fault, GlobalArgs};
 use std::path::PathBuf;
 
 /// Arguments of `tailor repeat`.
@@ -54,8 +54,8 @@ pub(crate) fn repeating(args: &Repeating, global: &GlobalArgs) -> Result<(), Fau
         delivery::write(out, &files).map_err(Fault::stage)?;
     }
     match global.json {
-        true => engine::outln!("{pretty}"),
-        false => engine::out!("{}", markdown(&study)),
+        true => command::outln!("{pretty}"),
+        false => command::out!("{}", markdown(&study)),
     }
     Ok(())
 }

@@ -3,7 +3,7 @@
 use crate::catalog::CATALOG;
 use crate::graph::Graph;
 use crate::recipe::{Overrides, Pipeline};
-use engine::cli::Fault;
+use command::Fault;
 
 /// The node that reads the photos, and its param that takes facts.
 const PLACE: &str = "photos.facts";

@@ -2,7 +2,7 @@
 
 use crate::score::{iso_table, paper_tables, score, text};
 use clap::Args;
-use engine::cli::{Fault, GlobalArgs};
+use command::{Fault, GlobalArgs};
 use std::path::PathBuf;
 
 /// Arguments of `tailor score`.
@@ -28,19 +28,19 @@ pub(crate) fn scoring(args: &Scoring, global: &GlobalArgs) -> Result<(), Fault> 
     let scores: Result<Vec<_>, _> = args.results.iter().map(|r| score(r, &args.truth)).collect();
     let scores = scores.map_err(Fault::input)?;
     if global.json {
-        engine::outln!(
+        command::outln!(
             "{}",
             serde_json::to_string_pretty(&scores).expect("bug: JSON")
         );
     } else {
-        scores.iter().for_each(|s| engine::out!("{}", text(s)));
+        scores.iter().for_each(|s| command::out!("{}", text(s)));
         if scores
             .iter()
             .any(|s| s.girths.values().flatten().next().is_some())
         {
-            engine::out!("\n{}", paper_tables(&scores));
+            command::out!("\n{}", paper_tables(&scores));
             if scores.len() > 1 {
-                engine::out!("\n{}", iso_table(&scores));
+                command::out!("\n{}", iso_table(&scores));
             }
         }
     }

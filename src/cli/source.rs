@@ -1,8 +1,8 @@
 //! What a capture is read from: photos, a video, raw photos; or a scan, which is none.
 
 use crate::catalog::{is_photo, is_plate, is_raw, is_scan, is_video};
-use engine::cli::Fault;
-use engine::cli::text::count;
+use command::Fault;
+use command::text::count;
 use std::path::{Path, PathBuf};
 
 /// What is read.

@@ -1,7 +1,7 @@
 //! Arguments of a verb out of words: for who does not come from the command line, and means the same.
 
 use clap::{Args, Command};
-use engine::cli::Fault;
+use command::Fault;
 use std::ffi::OsString;
 
 /// The arguments that these words mean; the folder comes last, after `--`.

@@ -3,7 +3,7 @@
 use super::guard::Guard;
 use super::home::Home;
 use super::jobs::Jobs;
-use engine::cli::GlobalArgs;
+use command::GlobalArgs;
 use std::sync::Mutex;
 use tokio::sync::Semaphore;
 

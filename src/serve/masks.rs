@@ -97,15 +97,14 @@ pub(super) async fn paint(
         let painted = read(&bytes).map_err(header)?.to_rgba8();
         let before = read(&mask(&place, number)?).map_err(header)?.to_luma8();
         all_along(&place)?;
-        let mut png = std::io::Cursor::new(vec![]);
         let after = painted_over(&before, &painted);
-        after
-            .write_to(&mut png, ImageFormat::Png)
-            .map_err(Wrong::broken)?;
-        Ok(home::write(
-            &file(&corrected(&place), number),
-            png.get_ref(),
-        )?)
+        let after = shape::Image {
+            width: after.width() as usize,
+            height: after.height() as usize,
+            data: after.into_raw(),
+        };
+        let png = shape::gray_to_png(&after);
+        Ok(home::write(&file(&corrected(&place), number), &png)?)
     })
     .await
 }

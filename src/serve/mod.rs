@@ -46,7 +46,7 @@ pub use routes::paths;
 
 use app::App;
 use clap::Args;
-use engine::cli::{CANCEL, Fault, GlobalArgs};
+use command::{CANCEL, Fault, GlobalArgs};
 use guard::Guard;
 use std::net::{IpAddr, Ipv4Addr, SocketAddr};
 use std::path::PathBuf;
@@ -140,11 +140,11 @@ async fn asked_to_stop() {
 /// Prints where the page is: standard output has its address, for programs too.
 fn print_address(url: &str, lan: Option<&str>, serve: &Serve, global: &GlobalArgs) {
     if global.json {
-        engine::outln!("{}", serde_json::json!({ "url": url, "lan": lan }));
+        command::outln!("{}", serde_json::json!({ "url": url, "lan": lan }));
     } else {
-        engine::outln!("{url}");
+        command::outln!("{url}");
         if let Some(lan) = lan {
-            engine::outln!("{lan}");
+            command::outln!("{lan}");
         }
     }
     use std::io::Write;
@@ -152,12 +152,12 @@ fn print_address(url: &str, lan: Option<&str>, serve: &Serve, global: &GlobalArg
     if global.quiet || global.json {
         return;
     }
-    engine::errln!(
+    command::errln!(
         "open this address in a browser; Ctrl-C ends it. Captures are kept in {}",
         serve.dir.display()
     );
     if let Some(lan) = lan {
-        engine::errln!(
+        command::errln!(
             "{}\nwhoever has the second address may use this page; what is sent can be read in this network",
             lan::letters(lan)
         );

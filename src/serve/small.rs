@@ -2,7 +2,6 @@
 
 use super::home;
 use super::sniff::MOST_PIXELS;
-use image::{DynamicImage, ImageDecoder, ImageReader, Limits};
 use std::path::{Path, PathBuf};
 
 /// Bytes of a pixel at most, while a photo is read.
@@ -23,8 +22,7 @@ pub(super) fn small(photo: &Path, folder: &Path, side: u32) -> Result<Vec<u8>, S
     {
         return Ok(bytes);
     }
-    let picture = upright(photo).map_err(|e| e.to_string())?;
-    let bytes = jpeg(&picture.thumbnail(side, side).to_rgb8())?;
+    let bytes = io::small(photo, side, QUALITY, BYTES * MOST_PIXELS)?;
     // Kept if it can be; the page does not need it.
     let _ = home::make(folder).and_then(|()| home::write(&kept, &bytes));
     Ok(bytes)
@@ -32,27 +30,6 @@ pub(super) fn small(photo: &Path, folder: &Path, side: u32) -> Result<Vec<u8>, S
 
 fn modified(path: &Path) -> Option<std::time::SystemTime> {
     std::fs::metadata(path).ok()?.modified().ok()
-}
-
-fn upright(photo: &Path) -> image::ImageResult<DynamicImage> {
-    let mut reader = ImageReader::open(photo)?.with_guessed_format()?;
-    let mut limits = Limits::default();
-    limits.max_alloc = Some(BYTES * MOST_PIXELS);
-    reader.limits(limits);
-    let mut decoder = reader.into_decoder()?;
-    let turn = decoder.orientation()?;
-    let mut picture = DynamicImage::from_decoder(decoder)?;
-    picture.apply_orientation(turn);
-    Ok(picture)
-}
-
-fn jpeg(picture: &image::RgbImage) -> Result<Vec<u8>, String> {
-    let mut bytes = Vec::new();
-    let encoder = image::codecs::jpeg::JpegEncoder::new_with_quality(&mut bytes, QUALITY);
-    picture
-        .write_with_encoder(encoder)
-        .map_err(|e| e.to_string())?;
-    Ok(bytes)
 }
 
 #[cfg(test)]

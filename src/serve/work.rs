@@ -14,7 +14,7 @@ use crate::cli::words::arguments;
 use crate::lasttime::History;
 use crate::past::Of;
 use crate::store::Store;
-use engine::cli::Fault;
+use command::Fault;
 use engine::{Options, walk};
 use serde_json::{Value, json};
 use std::collections::BTreeMap;

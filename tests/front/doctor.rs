@@ -4,7 +4,7 @@ use crate::place::Place;
 
 /// A turn of twelve photos of the sample, all of one half of the turn.
 fn turn() -> Place {
-    let place = Place::new();
+    let place = Place::sharing();
     place.photos("turn", 12);
     place
 }
@@ -136,7 +136,7 @@ fn init_writes_what_photos_say_once_and_measure_reads_it() {
 
 #[test]
 fn a_photo_without_the_subject_is_named_in_seconds_with_how_to_use_it() {
-    let place = Place::new();
+    let place = Place::sharing();
     place.photos("turn", 18);
     let sample = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("samples/mannequin/images");
     let plate = std::fs::read(sample.join("plate.jpg")).unwrap();
@@ -201,7 +201,7 @@ fn copies_are_named_where_too_few_photos_are_left() {
 
 #[test]
 fn feet_that_all_photos_cut_off_stop_and_what_is_worse_comes_first() {
-    let place = Place::new();
+    let place = Place::sharing();
     let bad = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("samples/bad");
     let said = place.run(&format!("doctor {}", bad.join("feet-cut-off").display()));
     let said = said.code(1).out;
@@ -226,7 +226,7 @@ fn feet_that_all_photos_cut_off_stop_and_what_is_worse_comes_first() {
 
 #[test]
 fn a_mat_that_is_too_small_in_the_picture_is_named_and_one_of_a_megapixel_is_read() {
-    let place = Place::new();
+    let place = Place::sharing();
     let sample = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("samples/person");
     let facts = std::fs::read_to_string(sample.join("capture.toml")).unwrap();
     let facts = facts.replace("views = 18", "views = 9");

@@ -35,7 +35,7 @@ fn found(place: &Place) -> (f64, String, Option<String>) {
 
 #[test]
 fn doctor_measures_noise_with_and_without_a_plate_and_warns_of_much() {
-    let place = Place::new();
+    let place = Place::sharing();
     place.photos("turn", 12);
     let plate = place.path("turn").join("plate.jpg");
     let line = |place: &Place| {

@@ -3,6 +3,7 @@
 use serde_json::Value;
 use std::path::{Path, PathBuf};
 use std::process::{Child, Command, Stdio};
+use std::sync::LazyLock;
 
 /// Cheap stages of the synthetic room: four nodes, no input.
 pub(crate) const SMALL: &str = "about = \"a doll\"\ngoal = [\"sway\", \"body\"]\n\
@@ -11,8 +12,18 @@ pub(crate) const SMALL: &str = "about = \"a doll\"\ngoal = [\"sway\", \"body\"]\
     [node.ring]\nstage = \"synth.ring\"\n\
     [node.sway]\nstage = \"synth.sway\"\nfrom = { cameras = \"ring\" }\n";
 
-/// A folder with `small.toml`, and a cache in it.
-pub(crate) struct Place(tempfile::TempDir);
+/// A folder with `small.toml`, and a cache in it, or that which tests share.
+pub(crate) struct Place(tempfile::TempDir, Option<&'static Path>);
+
+/// A cache of this process's tests, for those that ask the same of the sample's photos. What another run of tests left
+/// there is removed first.
+static SHARED: LazyLock<PathBuf> = LazyLock::new(|| {
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("front-cache");
+    match std::fs::remove_dir_all(&folder) {
+        Err(e) if e.kind() != std::io::ErrorKind::NotFound => panic!("{e}: {folder:?}"),
+        _ => folder,
+    }
+});
 
 /// What the program said.
 pub(crate) struct Said {
@@ -41,9 +52,15 @@ impl Said {
 
 impl Place {
     pub(crate) fn new() -> Place {
-        let place = Place(tempfile::tempdir().unwrap());
+        let place = Place(tempfile::tempdir().unwrap(), None);
         place.write("small.toml", SMALL);
         place
+    }
+
+    /// As [`Place::new`], with the cache that tests share: for answers that hang on no earlier run.
+    pub(crate) fn sharing() -> Place {
+        let Place(folder, _) = Place::new();
+        Place(folder, Some(&SHARED))
     }
 
     pub(crate) fn path(&self, name: &str) -> PathBuf {
@@ -74,6 +91,9 @@ impl Place {
             .env("XDG_STATE_HOME", self.path("state"))
             .env("LC_ALL", "C")
             .env_remove("TAILOR_CACHE");
+        if let Some(cache) = self.1 {
+            command.env("TAILOR_CACHE", cache);
+        }
         command
     }
 

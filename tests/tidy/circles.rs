@@ -37,7 +37,8 @@ fn crates() -> Vec<BTreeMap<String, BTreeSet<String>>> {
     let root = Path::new(env!("CARGO_MANIFEST_DIR"));
     let rooms = std::fs::read_dir(root.join("stages")).unwrap();
     let mut crates: Vec<PathBuf> = rooms.map(|e| e.unwrap().path()).collect();
-    crates.extend([root.join("engine"), root.to_owned()]);
+    let more = ["engine", "engine/command", "study", ""];
+    crates.extend(more.map(|c| root.join(c)));
     crates.sort();
     let arrows = |c: &PathBuf| Crate::read(&c.join("src")).arrows(root);
     crates.iter().map(arrows).collect()

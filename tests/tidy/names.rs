@@ -57,7 +57,7 @@ fn tests_that_the_page_on_security_names_are_there() {
     let is_name = |name: &&str| name.bytes().all(|b| b.is_ascii_lowercase() || b == b'_');
     let mut names: Vec<&str> = words.filter(is_name).collect();
     assert!(names.len() > 20, "{names:?}");
-    let mut open = ["src", "engine", "stages", "tests"]
+    let mut open = ["src", "engine", "stages", "study", "tests"]
         .map(|f| root.join(f))
         .to_vec();
     while let Some(folder) = open.pop() {

@@ -5,9 +5,11 @@ use std::path::{Path, PathBuf};
 /// Every Rust file that we wrote.
 pub(super) fn sources() -> Vec<(PathBuf, String)> {
     let root = Path::new(env!("CARGO_MANIFEST_DIR"));
-    let mut open = ["src", "engine", "stages", "tests", "benches", "python"]
-        .map(|d| root.join(d))
-        .to_vec();
+    let mut open = [
+        "src", "engine", "stages", "study", "tests", "benches", "python",
+    ]
+    .map(|d| root.join(d))
+    .to_vec();
     let mut found = Vec::new();
     while let Some(folder) = open.pop() {
         let Ok(entries) = std::fs::read_dir(&folder) else {

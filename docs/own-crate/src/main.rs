@@ -5,7 +5,8 @@ use stage::{AnyArtifact, AnyStage, Artifact, Corrupt, Ctx, Packer, Stage, Stop, 
 use std::sync::Arc;
 use tailor::catalog::{CATALOG, IMPORTERS, ROOMS};
 use tailor::engine::kind::{NamedFiles, WriteError, with_own};
-use tailor::engine::{Catalog, Kind, cli};
+use tailor::command;
+use tailor::engine::{Catalog, Kind};
 use tailor::kinds::KINDS;
 
 /// What flows out: the surface's area in slices of equal height. \[mm²\]
@@ -94,8 +95,8 @@ static MINE: Catalog = Catalog {
     importers: IMPORTERS,
     pipelines: CATALOG.pipelines,
 };
-static PROGRAM: cli::Program = tailor::program_over(&MINE);
+static PROGRAM: command::Program = tailor::program_over(&MINE);
 
 fn main() -> std::process::ExitCode {
-    cli::main(&PROGRAM)
+    command::main(&PROGRAM)
 }

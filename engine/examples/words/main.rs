@@ -11,5 +11,5 @@ mod nouns;
 mod trade;
 
 fn main() -> std::process::ExitCode {
-    engine::cli::main(&trade::WORDS)
+    command::main(&trade::WORDS)
 }

@@ -2,7 +2,7 @@
 
 use crate::nouns::{Counts, Text};
 use engine::kind::{Importer, NamedFiles, WriteError};
-use engine::{Catalog, Kind, cli};
+use engine::{Catalog, Kind};
 use stage::{AnyArtifact, Artifact, Ctx, Files, Metric, Stage, Stop, erase};
 use std::cmp::Reverse;
 use std::collections::BTreeMap;
@@ -208,7 +208,7 @@ pub(crate) static CATALOG: Catalog = Catalog {
 };
 
 /// The program.
-pub(crate) static WORDS: cli::Program = cli::Program::new(
+pub(crate) static WORDS: command::Program = command::Program::new(
     "words",
     "1",
     "How often words stand in the files of a folder.",

@@ -6,21 +6,21 @@ use super::spans::Span;
 
 /// What a span took.
 #[derive(Debug, Clone, PartialEq)]
-pub(crate) struct Cost {
+pub struct Cost {
     /// The node.
-    pub(crate) node: String,
+    pub node: String,
     /// The loop in it; `None` for the node itself.
-    pub(crate) label: Option<String>,
+    pub label: Option<String>,
     /// By the clock; the sum where a loop ran several times. \[s\]
-    pub(crate) seconds: f64,
+    pub seconds: f64,
     /// Of the processor: an even share where several nodes ran at once. `None` where the system does not tell. \[s\]
-    pub(crate) processor: Option<f64>,
+    pub processor: Option<f64>,
     /// The most memory that the process had meanwhile. \[bytes\]
-    pub(crate) resident: Option<u64>,
+    pub resident: Option<u64>,
 }
 
 /// What nodes and loops took, in the order in which they began; a loop that ran several times is one.
-pub(crate) fn costs(profile: &Profile) -> Vec<Cost> {
+pub fn costs(profile: &Profile) -> Vec<Cost> {
     let busy = busy(&profile.samples);
     let nodes: Vec<&Span> = profile.spans.iter().filter(|s| s.label.is_none()).collect();
     let running = |t: f64| {

@@ -9,6 +9,6 @@ mod sample;
 mod spans;
 mod trace;
 
-pub(crate) use cost::{Cost, costs};
-pub(crate) use profiler::{Profile, Profiler};
-pub(crate) use trace::trace;
+pub use cost::{Cost, costs};
+pub use profiler::{Profile, Profiler};
+pub use trace::trace;

@@ -8,22 +8,30 @@ use std::sync::Mutex;
 use std::time::Instant;
 
 /// Listens to a run, notes when nodes and loops began and ended, and passes it on.
-pub(crate) struct Profiler<'a> {
+pub struct Profiler<'a> {
     listener: &'a dyn Watch,
     start: Instant,
     spans: Mutex<Spans>,
 }
 
 /// What was noted of a run.
-pub(crate) struct Profile {
+pub struct Profile {
     /// Nodes and loops, in the order in which they began.
     pub(crate) spans: Vec<Span>,
     /// The process every few milliseconds; empty where the system does not tell.
     pub(crate) samples: Vec<Sample>,
 }
 
+impl Profile {
+    /// Whether nothing of the process is known.
+    pub fn is_blind(&self) -> bool {
+        self.samples.is_empty()
+    }
+}
+
 impl<'a> Profiler<'a> {
-    pub(crate) fn new(listener: &'a dyn Watch) -> Self {
+    /// Hears what a run tells, and passes it on.
+    pub fn new(listener: &'a dyn Watch) -> Self {
         Profiler {
             listener,
             start: Instant::now(),
@@ -32,7 +40,7 @@ impl<'a> Profiler<'a> {
     }
 
     /// Runs it, and looks at the process meanwhile.
-    pub(crate) fn around<T>(&self, run: impl FnOnce() -> T) -> (T, Profile) {
+    pub fn around<T>(&self, run: impl FnOnce() -> T) -> (T, Profile) {
         let (made, samples) = Sampler::around(self.start, run);
         let end = self.now();
         let mut spans = self.spans.lock().expect("bug: poisoned");

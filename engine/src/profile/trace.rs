@@ -6,7 +6,7 @@ use super::spans::Span;
 use serde_json::{Value, json};
 
 /// Nodes and loops as slices, threads that were busy and memory as curves. Times are microseconds.
-pub(crate) fn trace(profile: &Profile) -> Value {
+pub fn trace(profile: &Profile) -> Value {
     let us = |t: f64| (t * 1e6).round();
     let mut events: Vec<Value> = Vec::new();
     let lanes = lanes(&profile.spans);

@@ -48,6 +48,6 @@ pub(crate) use said::{pairs_cells, spread_cells};
 pub use said::{pairs_text, replicates_text};
 pub use spread::{Group, Spread, spread};
 pub use sweeping::{Errors, Sweeping};
-pub(crate) use table::as_csv;
+pub use table::as_csv;
 pub use table::{csv, json, statistics, text};
 pub use told::Told;

@@ -124,7 +124,7 @@ pub fn csv(rows: &[Row]) -> String {
 }
 
 /// Rows of equal length as CSV.
-pub(crate) fn as_csv(lines: Vec<Vec<String>>) -> String {
+pub fn as_csv(lines: Vec<Vec<String>>) -> String {
     let mut table = ::csv::Writer::from_writer(Vec::new());
     for line in lines {
         table

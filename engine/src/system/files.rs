@@ -15,7 +15,7 @@ pub(crate) fn private_folder(path: &Path, with_above: bool) -> Result<()> {
 }
 
 /// Has a file be made for the owner only.
-pub(crate) fn private_file(open: &mut OpenOptions) -> &mut OpenOptions {
+pub fn private_file(open: &mut OpenOptions) -> &mut OpenOptions {
     system::file_for_owner(open)
 }
 

@@ -33,9 +33,9 @@ mod state;
 
 use entries::WRITING;
 pub(crate) use entries::{FileKind, Met};
+pub use files::private_file;
 pub(crate) use files::{
-    Stamp, Use, can_start, is_mine, may_write, permit, private_file, private_folder, read_exact_at,
-    user,
+    Stamp, Use, can_start, is_mine, may_write, permit, private_folder, read_exact_at, user,
 };
 #[cfg(feature = "remote")]
 pub(crate) use files::{is_private, shared_file, shared_folders};
@@ -63,7 +63,7 @@ pub(crate) fn is_writing(name: &str) -> bool {
 }
 
 /// Whether the process that a name begins with lives.
-pub(crate) fn is_alive(id: &str) -> bool {
+pub fn is_alive(id: &str) -> bool {
     id.parse().is_ok_and(stage::process::is_alive)
 }
 

@@ -1,0 +1,153 @@
+//! `search`: the best set of params within ranges.
+
+use super::fault::Fault;
+use super::open::{folders, options};
+use super::program::GlobalArgs;
+use super::programs::permitted;
+use super::search_told::{SearchArgs, told};
+use super::text::count;
+use engine::Outcome;
+use engine::delivery;
+use engine::graph::Graph;
+use engine::recipe::{Overrides, Pipeline, Search};
+use engine::search::{Found, Round, Values, search as searched};
+use engine::sweep::{self, End, Errors, Point, Points, Replicates, Row, Sweeping};
+use engine::walk::Watch;
+use std::sync::atomic::Ordering;
+
+struct Nobody;
+impl Watch for Nobody {}
+
+/// The search of a name.
+fn declared<'a>(args: &SearchArgs, pipeline: &'a Pipeline) -> Result<&'a Search, Fault> {
+    let all = &pipeline.recipe().searches;
+    let known: Vec<&str> = all.iter().map(|s| s.sweep.name.value.as_str()).collect();
+    let found = match &args.name {
+        Some(name) => all.iter().find(|s| s.sweep.name.value == *name),
+        None if all.len() == 1 => all.first(),
+        None => None,
+    };
+    found.ok_or_else(|| match (&args.name, known.is_empty()) {
+        (_, true) => Fault::input("this pipeline declares no [search.NAME]"),
+        (None, _) => Fault::input(format!("name a search: {}", known.join(", "))),
+        (Some(name), _) => Fault::input(stage::unknown("search", name, &known)),
+    })
+}
+
+/// `search`.
+pub(crate) fn search(args: &SearchArgs, global: &GlobalArgs) -> Result<(), Fault> {
+    let all = Overrides {
+        variant: args.change.variant.clone(),
+        sets: args.change.set.clone(),
+    };
+    let pipeline = Pipeline::read(&args.pipeline, global.catalog()).map_err(Fault::mistakes)?;
+    let base = pipeline.graph(&all).map_err(Fault::mistakes)?;
+    let declared = declared(args, &pipeline)?;
+    if let Some(out) = &args.out {
+        delivery::check(out).map_err(Fault::input)?;
+    }
+    if declared.metric.value.starts_with("error.") && args.truth.is_none() {
+        let what = "needs ground truth: say --truth FOLDER";
+        return Err(Fault::input(format!("`{}` {what}", declared.metric.value)));
+    }
+    permitted(&base, global)?;
+    let found = run(args, global, (&pipeline, &all, declared))?;
+    told(args, global, declared, &found)
+}
+
+/// Round by round.
+fn run(
+    args: &SearchArgs,
+    global: &GlobalArgs,
+    (pipeline, all, declared): (&Pipeline, &Overrides, &Search),
+) -> Result<Found, Fault> {
+    let of = &declared.sweep;
+    let variants: Vec<Option<String>> = match of.with.is_empty() {
+        true => vec![None],
+        false => of.with.iter().map(|v| Some(v.value.clone())).collect(),
+    };
+    let at = |point: &Point| pipeline.graph(&point.overrides(all));
+    let point = |variant: &Option<String>| Point {
+        variant: variant.clone(),
+        ..Point::default()
+    };
+    let graphs = variants.iter().map(|v| at(&point(v)));
+    let graphs = graphs
+        .collect::<Result<Vec<Graph>, _>>()
+        .map_err(Fault::mistakes)?;
+    let nodes: Vec<String> = of.goal.iter().map(|g| g.value.clone()).collect();
+    let tell: Vec<String> = of.tell.iter().map(|t| t.value.clone()).collect();
+    let replicates = match &of.replicate {
+        None => Replicates::default(),
+        Some(times) => Replicates::of(times.value, &graphs, &nodes, &[]).map_err(Fault::input)?,
+    };
+    let options = options(global, true);
+    let against = args.truth.as_deref().map(|truth| {
+        move |graph: &Graph, outcome: &Outcome| (global.program().errors)(graph, outcome, truth)
+    });
+    let sweeping = Sweeping {
+        open: &|point| {
+            let graph = at(point).map_err(|m| m.to_string())?;
+            permitted(&graph, global).map_err(|fault| fault.text().to_owned())?;
+            Ok(graph)
+        },
+        nodes: &nodes,
+        folders: &folders(&args.change)?,
+        options: &options,
+        tell: &tell,
+        errors: against.as_ref().map(|errors| errors as &Errors<'_>),
+        watch: &Nobody,
+        cancel: global.host.cancel(),
+    };
+    let mut wrong = None;
+    let found = searched(declared, |round: &Round<'_>| -> Result<Values, Fault> {
+        let points = Points::new(&graphs[0], variants.clone(), vec![round.axis.clone()]);
+        let points = points.repeated(replicates.clone());
+        if !global.quiet && !global.json {
+            crate::errln!("round {}: {}", round.number, count(points.count(), "point"));
+        }
+        let rows = sweep::run(&sweeping, points.iter(), |_| {}).map_err(Fault::input)?;
+        if global.host.cancel().load(Ordering::Relaxed) {
+            let text = "stopped; run the same command to go on".into();
+            return Err(Fault {
+                text,
+                ..Fault::stopped()
+            });
+        }
+        let times = of.replicate.as_ref().map_or(1, |r| r.value as usize);
+        wrong = wrong.take().or(rows.iter().find_map(failed));
+        Ok(rows
+            .chunks(times)
+            .map(|own| value(own, &declared.metric.value))
+            .collect())
+    })?;
+    match found.best {
+        Some(_) => Ok(found),
+        None => Err(Fault::stage(format!(
+            "`{}` was told at none of {}{}",
+            declared.metric.value,
+            count(found.tried.len(), "point"),
+            wrong.map_or(String::new(), |why| format!(": {why}"))
+        ))),
+    }
+}
+
+/// Why a point came to nothing.
+fn failed(row: &Row) -> Option<String> {
+    match &row.end {
+        End::Failed(node, why) => Some(format!("{node} failed: {why}")),
+        End::Wrong(why) => Some(why.clone()),
+        _ => None,
+    }
+}
+
+/// The mean of a point's replicates; none where one does not tell it, for a set that is refused at times is no best one.
+fn value(own: &[Row], metric: &str) -> (Option<String>, Option<f64>) {
+    let one = |row: &Row| {
+        let (_, metric) = row.metrics.iter().find(|(n, _)| n == metric)?;
+        Some(metric.as_ref()?.value).filter(|_| row.end == End::Done)
+    };
+    let values: Option<Vec<f64>> = own.iter().map(one).collect();
+    let mean = values.map(|v| v.iter().sum::<f64>() / v.len() as f64);
+    (own[0].point.variant.clone(), mean)
+}
