@@ -130,7 +130,7 @@ pub(crate) fn name(shelf: &str, hash: Hash) -> String {
 /// What lies in a folder of the store and fits, sorted.
 fn inside(root: &Path, names: &[&str], kind: FileKind, fits: impl Fn(&str) -> bool) -> Vec<String> {
     let at = nofollow::folder(root, names);
-    at.map_or_else(|_| vec![], |at| nofollow::inside(&at, kind, fits))
+    at.map_or_else(|_| vec![], |at| nofollow::all_inside(at, kind, fits))
 }
 
 /// The plain files of a folder of the store whose names fit.
@@ -141,9 +141,15 @@ pub(crate) fn files(root: &Path, name: &str, fits: impl Fn(&str) -> bool) -> Vec
 /// All that lies on a shelf under a hash.
 pub(crate) fn shelf(root: &Path, name: &str) -> Vec<Hash> {
     let mut hashes = Vec::new();
-    for prefix in inside(root, &[name], FileKind::Folder, is_prefix) {
+    let Ok(at) = nofollow::folder(root, &[name]) else {
+        return hashes;
+    };
+    for prefix in nofollow::inside(&at, FileKind::Folder, is_prefix) {
+        let Ok(within) = nofollow::within(&at, &prefix) else {
+            continue;
+        };
         let fits = |file: &str| is_hash(file) && file.starts_with(&prefix);
-        let files = inside(root, &[name, &prefix], FileKind::File, fits);
+        let files = nofollow::all_inside(within, FileKind::File, fits);
         hashes.extend(files.iter().filter_map(|file| Hash::from_hex(file).ok()));
     }
     hashes
@@ -194,7 +200,7 @@ pub(crate) fn folders(root: &Path) -> Vec<PathBuf> {
             continue;
         };
         let path = root.join(name);
-        let within = nofollow::inside(&at, FileKind::Folder, is_prefix);
+        let within = nofollow::all_inside(at, FileKind::Folder, is_prefix);
         all.extend(within.iter().map(|name| path.join(name)));
         all.push(path);
     }

@@ -280,11 +280,11 @@ pub(crate) fn settled(
 
 /// How many threads the options mean: at most four a core.
 pub fn threads(options: &Options) -> usize {
-    let cores = || std::thread::available_parallelism().map_or(1, |n| n.get());
-    let most = THREADS_A_CORE * cores();
     if crate::clock::is_simulated() {
         return 0;
     }
+    let cores = || std::thread::available_parallelism().map_or(1, |n| n.get());
+    let most = THREADS_A_CORE * cores();
     options.threads.unwrap_or_else(cores).clamp(1, most)
 }
 

@@ -3,7 +3,7 @@
 use crate::own;
 use crate::system::{nofollow, private_file, private_folder};
 use std::fs::{self, File, OpenOptions};
-use std::io::{ErrorKind, Result, Write};
+use std::io::{Result, Write};
 use std::path::Path;
 
 /// The steps. Paths are those that the store uses; a file is written by who made it.
@@ -11,7 +11,7 @@ pub(crate) trait Disk: Send + Sync {
     /// Makes a folder, mode 0700; one that is there is as good.
     fn folder(&self, path: &Path) -> Result<()> {
         match private_folder(path, false) {
-            Err(error) if error.kind() != ErrorKind::AlreadyExists || !path.is_dir() => Err(error),
+            Err(error) if !path.is_dir() => Err(error),
             _ => Ok(()),
         }
     }

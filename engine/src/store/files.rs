@@ -41,11 +41,16 @@ pub(super) fn folder(disk: &dyn Disk, path: &Path) -> std::result::Result<(), St
 }
 
 fn made(disk: &dyn Disk, path: &Path) -> Result<()> {
-    if path.is_dir() || path.as_os_str().is_empty() {
+    if path.as_os_str().is_empty() {
         return Ok(());
     }
-    path.parent().map_or(Ok(()), |above| made(disk, above))?;
-    disk.folder(path)
+    match disk.folder(path) {
+        Err(error) if error.kind() == ErrorKind::NotFound => {
+            path.parent().map_or(Ok(()), |above| made(disk, above))?;
+            disk.folder(path)
+        }
+        done => done,
+    }
 }
 
 fn above(disk: &dyn Disk, path: &Path) -> Result<()> {

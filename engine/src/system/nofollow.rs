@@ -7,6 +7,7 @@ use rustix::fs::{
 use rustix::io::Errno;
 use std::fs::File;
 use std::io::{Read, Result, Write};
+use std::os::fd::AsFd;
 use std::path::Path;
 use std::sync::atomic::{AtomicU64, Ordering};
 
@@ -39,19 +40,42 @@ pub(crate) fn made(root: &Path, names: &[&str]) -> Result<Folder> {
     Ok(at)
 }
 
+/// A folder in another one, no link.
+pub(crate) fn within(at: &Folder, name: &str) -> Result<Folder> {
+    Ok(openat(at, name, FOLDER | OFlags::NOFOLLOW, Mode::empty())?)
+}
+
 /// What lies in a folder, is of this kind and fits by its name; sorted.
 pub(crate) fn inside(at: &Folder, wanted: FileKind, fits: impl Fn(&str) -> bool) -> Vec<String> {
+    found(Dir::read_from(at), wanted, fits)
+}
+
+/// As [`inside`], of a folder of which nothing else is wanted.
+pub(crate) fn all_inside(at: Folder, wanted: FileKind, fits: impl Fn(&str) -> bool) -> Vec<String> {
+    found(Dir::new(at), wanted, fits)
+}
+
+fn found(
+    dir: std::result::Result<Dir, Errno>,
+    wanted: FileKind,
+    fits: impl Fn(&str) -> bool,
+) -> Vec<String> {
     let wanted = match wanted {
         FileKind::File => FileType::RegularFile,
         FileKind::Folder => FileType::Directory,
     };
-    let mut found = Vec::new();
-    for entry in Dir::read_from(at).into_iter().flatten().flatten() {
+    let (mut found, Ok(mut dir)) = (Vec::new(), dir) else {
+        return vec![];
+    };
+    while let Some(Ok(entry)) = dir.read() {
         let Ok(name) = entry.file_name().to_str() else {
             continue;
         };
         let is = match entry.file_type() {
-            FileType::Unknown => self::kind(at, name).unwrap_or(FileType::Unknown),
+            FileType::Unknown => {
+                let kind = dir.fd().ok().and_then(|at| self::kind(at, name));
+                kind.unwrap_or(FileType::Unknown)
+            }
             known => known,
         };
         if is == wanted && fits(name) {
@@ -62,7 +86,7 @@ pub(crate) fn inside(at: &Folder, wanted: FileKind, fits: impl Fn(&str) -> bool)
     found
 }
 
-fn kind(at: &Folder, name: &str) -> Option<FileType> {
+fn kind(at: impl AsFd, name: &str) -> Option<FileType> {
     let stat = statat(at, name, AtFlags::SYMLINK_NOFOLLOW).ok()?;
     Some(FileType::from_raw_mode(stat.st_mode))
 }

@@ -67,6 +67,16 @@ pub(crate) fn inside(at: &Folder, wanted: FileKind, fits: impl Fn(&str) -> bool)
     found
 }
 
+/// A folder in another one, no link.
+pub(crate) fn within(at: &Folder, name: &str) -> Result<Folder> {
+    entered(at.0.join(name)).map(Folder)
+}
+
+/// As [`inside`], of a folder of which nothing else is wanted.
+pub(crate) fn all_inside(at: Folder, wanted: FileKind, fits: impl Fn(&str) -> bool) -> Vec<String> {
+    inside(&at, wanted, fits)
+}
+
 /// Removes a plain file; whether it was there.
 pub(crate) fn remove(at: &Folder, name: &str) -> bool {
     let path = at.0.join(name);
