@@ -173,6 +173,11 @@ impl Memo {
         self
     }
 
+    /// How many files are remembered.
+    pub(crate) fn len(&self) -> usize {
+        self.files.len()
+    }
+
     /// Whether there is something new since it was loaded.
     pub fn is_fresh(&self) -> bool {
         self.fresh

@@ -90,8 +90,10 @@ pub fn forget(store: &Store, folder: &Path) -> Result<Forgotten, StoreError> {
     forget_runs(store, &trace, &mut forgotten)?;
     let plans = forget_plans(store, &trace)?;
     let deliveries = store.forget_deliveries(|input| trace.has(input))?;
-    store.write("files.json", &trace.memo(store))?;
-    forgotten.known = !trace.seeds.is_empty()
+    let (memo, remembered) = trace.memo(store);
+    store.write("files.json", &memo)?;
+    forgotten.known = remembered
+        || !trace.seeds.is_empty()
         || !trace.notes.is_empty()
         || forgotten.runs + plans + deliveries > 0;
     let record = |key: &Hash| format!("{}/{}", root.display(), &own::name("ac", *key));

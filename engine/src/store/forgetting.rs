@@ -114,6 +114,45 @@ fn forgetting_that_is_killed_at_any_step_is_done_by_the_next_one() {
     }
 }
 
+/// A capture that was edited, all of it, between two runs, and that is now called otherwise: by a link that is lost, or
+/// since it was moved; what it is called.
+fn called_otherwise(story: &Story, moved: bool, dice: &mut Dice) -> PathBuf {
+    let store = story.store(&Simulated::default()).unwrap();
+    let capture = &story.captures[0];
+    story.run(&store, capture, dice).unwrap();
+    for photo in 0..3 {
+        let path = capture.folder.join(format!("{photo}.jpg"));
+        std::fs::write(path, format!("other {photo}")).unwrap();
+    }
+    story.run(&store, capture, dice).unwrap();
+    let called = story.place.path().join("elsewhere");
+    match moved {
+        true => std::fs::rename(&capture.folder, &called).unwrap(),
+        false => store.note_link(&called, &capture.folder),
+    }
+    called
+}
+
+#[test]
+fn what_leads_to_other_notes_goes_after_them() {
+    for seed in 0..12 {
+        let forgotten = |ends: usize| {
+            let (mut dice, disk) = (Dice(seed), Simulated::default());
+            let story = Story::new(&mut dice);
+            let called = called_otherwise(&story, seed % 2 == 0, &mut dice);
+            let ends = Some(ends);
+            let disk = Simulated { ends, ..disk };
+            let _ = story.store(&disk).and_then(|store| forget(&store, &called));
+            let next = forget(&story.store(&Simulated::default()).unwrap(), &called);
+            story.clean(&format!("seed {seed}, ended at step {ends:?}: {next:?}"));
+            disk.tried()
+        };
+        // Notes go in the last steps, each by itself.
+        let all = forgotten(usize::MAX);
+        (all - 40..all).for_each(|ends| _ = forgotten(ends));
+    }
+}
+
 #[test]
 fn what_was_forgotten_does_not_come_back_with_a_loss_of_power() {
     for seed in rounds(4) {

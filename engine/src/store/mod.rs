@@ -57,7 +57,7 @@ mod trace;
 #[cfg(test)]
 pub(crate) use disk::{Disk, Real};
 #[cfg(test)]
-pub(crate) use simulated::{Step, after_loss, below, laid};
+pub(crate) use simulated::{Step, after_loss, below, in_memory, laid};
 
 pub use blob::Blob;
 pub use delivered::Delivered;

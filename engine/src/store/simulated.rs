@@ -247,6 +247,16 @@ pub(crate) fn laid(left: &[(PathBuf, Option<Vec<u8>>)], root: &Path, at: &Path) 
     }
 }
 
+/// A new folder, in memory where the system has a place for that.
+pub(crate) fn in_memory() -> tempfile::TempDir {
+    let memory = Path::new("/dev/shm");
+    let place = match memory.is_dir() {
+        true => tempfile::tempdir_in(memory),
+        false => tempfile::tempdir(),
+    };
+    place.expect("a folder")
+}
+
 /// All files below a folder, in their order.
 pub(crate) fn below(folder: &Path) -> Vec<PathBuf> {
     let (mut open, mut found) = (vec![folder.to_owned()], vec![]);

@@ -16,7 +16,7 @@ pub struct Trace {
     pub(super) folders: Vec<PathBuf>,
     /// The contents of its captures, hexadecimal.
     pub(super) seeds: BTreeSet<String>,
-    /// Their notes, and what of each stays: other folders that are there.
+    /// Their notes in the order in which they go, and what of each stays: other folders that are there.
     pub(super) notes: Vec<(String, Option<Note>)>,
     /// Contents of other captures that stay, with their folders.
     pub(super) others: BTreeMap<String, Vec<String>>,
@@ -72,13 +72,15 @@ impl Trace {
         Some(plan.inputs.iter().any(of))
     }
 
-    /// What is remembered of files, without the folder's own.
-    pub(super) fn memo(&self, store: &Store) -> Vec<u8> {
+    /// What is remembered of files, without the folder's own; and whether any were.
+    pub(super) fn memo(&self, store: &Store) -> (Vec<u8>, bool) {
         let memo = Memo::load(&store.root().join("files.json"));
         let mine = |path: &Path, content: &str| {
             self.has(&path.display().to_string()) || (self.here.contains(content) && !path.exists())
         };
-        memo.without(mine).bytes()
+        let count = memo.len();
+        let memo = memo.without(mine);
+        (memo.bytes(), memo.len() < count)
     }
 }
 
@@ -160,6 +162,14 @@ impl Store {
         trace.folders.extend(moved.iter().map(PathBuf::from));
         let linked = there.into_iter().filter(|f| leads(Path::new(f), &real));
         trace.linked = linked.collect();
+        // What leads to other notes goes after them, when all goes: notes of these files, and links.
+        let rank = |note: &Option<Note>| match note {
+            Some(Note::Link { .. }) => 2,
+            Some(note) => u8::from(trace.is_of(note.files())),
+            None => 0,
+        };
+        let mut notes = notes;
+        notes.sort_by_cached_key(|(_, note)| rank(note));
         for (name, note) in notes {
             trace.sort_in(name, note);
         }
