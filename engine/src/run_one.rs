@@ -219,6 +219,7 @@ fn make(
         // Where the disk knows no locks, or two machines made it, somebody may have been first.
         let first = around.store.record(key);
         if let Some(first) = first.filter(|first| around.store.holds(first.content)) {
+            around.store.secure(key, &first, seconds)?;
             around.store.share_again(key, first.content);
             return Ok((first, content));
         }

@@ -57,7 +57,10 @@ impl Store {
                 return Ok(None);
             }
             match self.record(key) {
-                Some(first) if self.holds(first.content) => return Ok(Some(first)),
+                Some(first) if self.holds(first.content) => {
+                    self.secure(key, &first, record.seconds)?;
+                    return Ok(Some(first));
+                }
                 // Its result went away: this one counts.
                 Some(_) => break,
                 // Torn or corrupt, and put aside by now.
@@ -65,6 +68,20 @@ impl Store {
             }
         }
         self.write_record(key, record).map(|()| None)
+    }
+
+    /// Makes the result of somebody who was first, and who may have left it to the system, as safe as one that took so
+    /// long to make. \[s\]
+    ///
+    /// # Errors
+    ///
+    /// The disk refuses.
+    pub fn secure(&self, key: Hash, first: &Record, seconds: f64) -> Result<(), StoreError> {
+        if Care::worth(seconds) == Care::Durable {
+            files::secure(self.disk(), &self.place("cas", first.content))?;
+            files::secure(self.disk(), &self.place("ac", key))?;
+        }
+        Ok(())
     }
 
     /// Writes the record of a key, over what is there.

@@ -109,7 +109,10 @@ impl Store {
             files::publish(self.disk(), &self.fresh(), path, bytes, Care::Cheap).is_ok()
         };
         let blob = framed.blob.as_ref();
-        let kept = blob.is_none_or(|blob| write(&self.place("cas", framed.record.content), blob));
+        let content = framed.record.content;
+        // What is there may be synced: it is not written over.
+        let there = || self.blob_here(content).is_some();
+        let kept = blob.is_none_or(|blob| there() || write(&self.place("cas", content), blob));
         let file = framed.record.file();
         // A signature is of the bytes that came; where these cannot be written again, it says nothing any more.
         let signature = framed.signature.clone();
