@@ -246,3 +246,23 @@ fn forgetting_there_finds_what_other_machines_made_and_the_plans() {
         assert_eq!(node["status"], "found", "{node}");
     }
 }
+
+#[test]
+fn what_push_leaves_behind_is_no_success() {
+    let place = Place::new();
+    let store = shared(&place);
+    place.run(&format!("run small.toml {store}")).code(0);
+    // Another cache, whose results that store does not take: a file lies where they would.
+    fs::remove_dir_all(place.path("store/ac")).unwrap();
+    place.write("store/ac", "");
+    place
+        .run("run small.toml --set ring.views=5 --quiet")
+        .code(0);
+    let push = format!("cache push {store} --store-wait 3");
+    let said = place.run(&push).code(1);
+    assert!(said.err.contains("could not be uploaded"), "{}", said.err);
+    place.run(&format!("{push} --json")).code(1);
+    fs::remove_file(place.path("store/ac")).unwrap();
+    place.run(&push).code(0);
+    place.run(&push).code(0);
+}
