@@ -219,8 +219,7 @@ fn make(
         // Where the disk knows no locks, or two machines made it, somebody may have been first.
         let first = around.store.record(key);
         if let Some(first) = first.filter(|first| around.store.holds(first.content)) {
-            around.store.secure(key, &first, seconds)?;
-            around.store.share_again(key, first.content);
+            around.store.made_again(key, &first, seconds)?;
             return Ok((first, content));
         }
         let first = around.store.create_record(key, &record)?;

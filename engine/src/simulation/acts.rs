@@ -2,7 +2,8 @@
 
 use super::mishaps;
 use super::oracle::{self, Made, Of};
-use super::oracle_there::{self, There};
+use super::oracle_forgotten::{self, Before};
+use super::oracle_there;
 use super::process::Process;
 use super::programs::{BAD, program};
 use super::story::{Act, What};
@@ -11,20 +12,19 @@ use super::world::World;
 use crate::done::Status;
 use crate::session::EngineError;
 use crate::store::keeper::{self, Budget};
-use crate::store::remote::{drain, working_beside};
 use crate::store::{self, Store};
+use std::panic::AssertUnwindSafe;
 use std::sync::Arc;
-use std::sync::atomic::Ordering;
 
 /// One act; what came of it.
 pub(super) fn act(world: &World, act: &Act, process: &Arc<Process>) -> String {
     let machine = &world.machines[act.machine];
     let waits = machine.sweeping.get() > 0;
-    if runs(&act.what) {
+    if act.what.runs() {
         oracle_there::used(world);
     }
     match &act.what {
-        what if waits && runs(what) => "waits".into(),
+        what if waits && what.runs() => "waits".into(),
         What::Run { capture, n } => run(world, process, *capture, *n),
         What::Work { capture, n } => work(world, process, *capture, *n),
         What::Plan { capture, n } => plan(world, process, *capture, *n),
@@ -44,15 +44,6 @@ pub(super) fn act(world: &World, act: &Act, process: &Arc<Process>) -> String {
     }
 }
 
-/// Whether it runs stages.
-fn runs(what: &What) -> bool {
-    use What::{Ask, Plan, Run, Strand, Work};
-    matches!(
-        what,
-        Run { .. } | Work { .. } | Plan { .. } | Strand { .. } | Ask { .. }
-    )
-}
-
 fn with(world: &World, process: &Arc<Process>, act: impl FnOnce(&Store) -> String) -> String {
     match world.store(process) {
         Ok(store) => act(&store),
@@ -60,26 +51,16 @@ fn with(world: &World, process: &Arc<Process>, act: impl FnOnce(&Store) -> Strin
     }
 }
 
-/// Uploads what waits.
-pub(super) fn upload(world: &World, process: &Arc<Process>) -> String {
-    let link = match world.link(process) {
-        Ok(Some(link)) => link,
-        Ok(None) => return "no shared store".into(),
-        Err(why) => return why,
-    };
-    if link.is_read_only() {
-        return "read only".into();
+fn upload(world: &World, process: &Arc<Process>) -> String {
+    match world.to_upload(process) {
+        Ok(Some(to)) => {
+            oracle_there::uploaded(world, process.machine);
+            world.upload(process.machine, to);
+            "uploaded".into()
+        }
+        Ok(None) => "nobody takes it".into(),
+        Err(why) => why,
     }
-    let store = match world.opened(process, Some(link.clone())) {
-        Ok(store) => store,
-        Err(why) => return why,
-    };
-    oracle_there::uploaded(world, process.machine);
-    let uploads = &world.machines[process.machine].uploads;
-    uploads.set(uploads.get() + 1);
-    link.look_for_more();
-    working_beside(|| drain(&store, &link));
-    "uploaded".into()
 }
 
 fn gc(world: &World, process: &Arc<Process>, most: u64, keep: usize) -> String {
@@ -103,21 +84,18 @@ fn gc(world: &World, process: &Arc<Process>, most: u64, keep: usize) -> String {
 }
 
 fn forget(world: &World, process: &Arc<Process>, capture: usize) -> String {
-    let machine = &world.machines[process.machine];
+    let m = process.machine;
+    let machine = &world.machines[m];
     with(world, process, |store| {
-        let in_use = machine.working.get() > 0;
-        let lied = world.server.lies.load(Ordering::Relaxed) > 0;
-        let there = There::of(world, process.machine, capture);
+        let before = Before::of(world, m, capture);
         machine.sweeping.set(machine.sweeping.get() + 1);
-        let folder = &machine.captures[capture];
-        let forgotten = store::forget(store, folder);
-        oracle::forgotten(
-            world,
-            process.machine,
-            capture,
-            (in_use, lied, &there),
-            &forgotten,
-        );
+        let forget = || store::forget(store, machine.capture(capture));
+        let forgotten = std::panic::catch_unwind(AssertUnwindSafe(forget));
+        let forgotten = forgotten.unwrap_or_else(|killed| {
+            oracle_forgotten::cut_off(world, m, capture, &before);
+            std::panic::resume_unwind(killed)
+        });
+        oracle_forgotten::forgotten(world, m, capture, &before, &forgotten);
         match forgotten {
             Ok(f) => format!(
                 "{} results, {} runs, unread {:?}",
@@ -182,9 +160,12 @@ fn ask(world: &World, process: &Arc<Process>, number: usize, capture: usize) -> 
             if number == BAD && outcome.nodes.iter().flatten().any(executed) {
                 world.broken("a link among a program's results is taken for one");
             }
-            let folder = &machine.captures[capture];
-            let of = Of::Program(number);
-            oracle::right(world, m, Made { folder, of }, &outcome);
+            let made = Made {
+                machine: m,
+                capture,
+                of: Of::Program(number),
+            };
+            oracle::right(world, m, made, &outcome);
             came(&outcome)
         }
     }

@@ -1,9 +1,7 @@
 //! A stranger in the shared store.
 
-use super::captures;
 use super::oracle_there;
 use super::process::Process;
-use super::server::Seal;
 use super::story::NUMBERS;
 use super::trade::trade;
 use super::world::World;
@@ -17,10 +15,11 @@ pub(super) fn forge(
     (capture, n, node): (usize, usize, usize),
     signed: bool,
 ) -> Option<()> {
+    oracle_there::used(world);
     world.wanted.set((capture, n));
     let process = Process::sound(machine);
     let trade = trade();
-    let files = captures::files(&world.machines[machine].captures[capture]);
+    let files = world.machines[machine].files(capture);
     let (made, other) = (
         trade.expected(n, &files),
         trade.expected((n + 1) % NUMBERS, &files),
@@ -44,7 +43,7 @@ pub(super) fn forge(
         warnings: vec![],
     };
     let place = tempfile::tempdir_in(world.place.path()).ok()?;
-    let link = world.strangers_link(place.path(), &process, signed.then(Seal::stranger))?;
+    let link = world.strangers_link(place.path(), &process, signed)?;
     let store = Store::simulated(place.path(), Box::new(store::Real), Some(link.clone())).ok()?;
     store.keep(bytes, 1.0).ok()?;
     let hex = key.to_hex();
@@ -53,6 +52,5 @@ pub(super) fn forge(
     store.create_record(key, &record).ok()?;
     working_beside(|| drain(&store, &link));
     world.forged.set(world.forged.get() + 1);
-    oracle_there::used(world);
     Some(())
 }

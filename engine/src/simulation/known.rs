@@ -20,6 +20,8 @@ pub(super) struct Known {
     pub(super) durable: BTreeSet<(String, String)>,
     /// What the captures were when runs on them came to their end, by their place: contents, hexadecimal.
     pub(super) noted: BTreeMap<usize, BTreeSet<String>>,
+    /// Captures whose photos are elsewhere, too, in a folder that it made results of: those are not of its own folder.
+    pub(super) elsewhere: BTreeSet<usize>,
     /// Captures that it forgot, and has not been asked for since.
     pub(super) forgotten: BTreeSet<usize>,
 }

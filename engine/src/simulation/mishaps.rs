@@ -6,7 +6,7 @@ use super::oracle;
 use super::programs::program;
 use super::server::spoilt;
 use super::story::{Use, What};
-use super::world::World;
+use super::world::{World, day};
 use crate::clock::simulated;
 use crate::permission;
 use crate::store::{Step, below};
@@ -49,12 +49,11 @@ pub(super) fn happens(world: &World, m: usize, what: &What) -> String {
                 machine.uses.set(Use::Strict);
             }
         }
-        What::Edit { capture } => {
-            let path = machine.captures[*capture].join("0.jpg");
-            let mut bytes = std::fs::read(&path).expect("a photo");
-            bytes.extend(format!("needle-photo-{capture}-again ").into_bytes());
-            std::fs::write(&path, bytes).expect("a photo");
+        What::NewKey { days } => {
+            let today = simulated::time().map_or(0, |time| day(time.wall_ns));
+            world.new_key(m, Some(today + days));
         }
+        What::Edit { capture } => machine.edit(*capture),
         What::Forge {
             capture,
             n,

@@ -4,22 +4,27 @@
 //! `clock.rs`, `Objects`). At any step of a disk or request to the shared store another process may act meanwhile, the
 //! process may be killed, the disk be full, the network be cut.
 //!
-//! `story.rs` (what happens; out of a seed by `teller.rs`) → `process.rs` → `seam.rs` (where disk, shared store and stages reach the story) → `disk.rs`,
-//! `server.rs`, `trade.rs` (stages), `programs.rs` → `world.rs` (machines with `captures.rs`, `known.rs` and `gone.rs`, time, who acts), `opened.rs` → `oracle.rs`,
-//! `oracle_there.rs` (what must hold) → `acts.rs`, `working.rs`, `mishaps.rs`, `forge.rs` (what is done) → `played.rs` → `shrink.rs`.
+//! `story.rs` (what happens; out of a seed by `teller.rs`) → `process.rs` → `seam.rs` (where disk, shared store, keys and stages reach the story) →
+//! `disk.rs`, `server.rs`, `keys.rs`, `trade.rs` (stages), `programs.rs` → `machine.rs` (with `captures.rs`, `known.rs`), `world.rs` (time, who acts; `gone.rs`),
+//! `around.rs`, `opened.rs` → `oracle.rs`, `oracle_forgotten.rs`, `oracle_there.rs` (what must hold) → `acts.rs`, `working.rs`, `mishaps.rs`, `forge.rs`
+//! (what is done) → `played.rs` → `shrink.rs`.
 //!
 //! `ENGINE_STORIES=100000` takes so many stories, `ENGINE_STORIES_SEED=7` begins with that one;
 //! `ENGINE_STORY=7` tells one story step by step.
 
 mod acts;
+mod around;
 mod captures;
 mod disk;
 mod forge;
 mod gone;
+mod keys;
 mod known;
+mod machine;
 mod mishaps;
 mod opened;
 mod oracle;
+mod oracle_forgotten;
 mod oracle_there;
 mod played;
 mod process;
@@ -39,7 +44,7 @@ use std::sync::atomic::{AtomicU64, Ordering};
 use story::{Act, Setup, Story, Use, What};
 
 /// How many stories, and which is the first, if nothing else is said.
-const USUAL_STORIES: u64 = 1200;
+const USUAL_STORIES: u64 = 10_000;
 
 fn number(name: &str) -> Option<u64> {
     std::env::var(name)
@@ -113,11 +118,14 @@ fn open(acts: Vec<Act>) -> Story {
         uses: Use::Open,
         ahead_s: 0,
         drift: 0,
+        key_days: None,
     };
     Story {
         machines: vec![setup.clone(), setup],
         honest: true,
         late: true,
+        strange_days: None,
+        turn: 0,
         acts,
     }
 }
@@ -239,6 +247,44 @@ fn what_is_broken_in_the_shared_store_is_named_by_forgetting() {
         named += usize::from(log.iter().any(|line| line.contains("unread [\"sim://")));
     }
     assert!(named > 0, "nothing broken was named");
+}
+
+#[test]
+fn what_is_made_again_outlives_a_loss_of_power() {
+    for loss in 0..12 {
+        let run = |machine| act(machine, What::Run { capture: 0, n: 1 });
+        let gc = What::Gc { most: 0, keep: 0 };
+        // Brought and so not synced, its result gone, made again.
+        let story = open(vec![
+            run(0),
+            act(0, What::Upload),
+            run(1),
+            act(1, What::Run { capture: 1, n: 2 }),
+            act(1, gc),
+            run(1),
+            act(1, What::PowerLoss(loss)),
+        ]);
+        let (log, broken) = played(&story);
+        assert_eq!(broken, None, "{log:#?}");
+    }
+}
+
+#[test]
+fn what_is_brought_takes_no_safety_from_what_is_there() {
+    for loss in 0..40 {
+        let run = |n| act(1, What::Run { capture: 0, n });
+        // Another result of the very bytes that were made here and synced.
+        let forge = What::Forge {
+            capture: 0,
+            n: 0,
+            node: 3,
+            signed: false,
+        };
+        let power = What::PowerLoss(loss);
+        let story = open(vec![run(1), act(0, forge), run(0), act(1, power)]);
+        let (log, broken) = played(&story);
+        assert_eq!(broken, None, "{log:#?}");
+    }
 }
 
 #[test]

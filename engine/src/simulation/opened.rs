@@ -1,27 +1,43 @@
 //! A machine's store and its link to the shared one, as a process opens them.
 
 use super::disk::Simulated;
+use super::keys::{self, Word};
 use super::process::Process;
-use super::server::{Asked, Seal};
+use super::server::Asked;
 use super::story::Use;
 use super::world::World;
 use crate::store::Store;
-use crate::store::remote::{Link, Patience};
+use crate::store::remote::{KeysOf, Link, Patience, Seal, drain, working_beside};
 use std::sync::Arc;
+use std::sync::atomic::Ordering;
 use std::time::Duration;
 
 impl World {
-    /// The shared store as a process sees it.
-    pub(super) fn link(
-        &self,
-        process: &Arc<Process>,
-    ) -> std::result::Result<Option<Arc<Link>>, String> {
+    /// Who signs on a process's machine, and whom it believes.
+    fn seal(&self, process: &Process) -> Result<KeysOf<Word>, String> {
         let machine = &self.machines[process.machine];
-        let (own, all) = (process.machine, self.machines.len());
-        let seal = match machine.uses.get() {
+        let believed = machine.setup.uses == Use::Believing;
+        let believing = machine.uses.get() == Use::Believing;
+        process.believing.store(believing, Ordering::Relaxed);
+        let (list, of) = (machine.trust(), Some((self.keys.get(), believing)));
+        if machine.listed.replace(of) != of {
+            let machines = self.machines.iter();
+            let keys = machines.flat_map(|machine| machine.keys.borrow().clone());
+            let strange = believed.then_some(&self.strange).cloned();
+            let keys: Vec<_> = keys.chain(strange.clone()).collect();
+            let revoked: Vec<_> = strange.into_iter().filter(|_| !believing).collect();
+            keys::list(&list, &keys, &revoked);
+        }
+        let own = machine.keys.borrow().last().cloned();
+        keys::seal(&own.expect("a key"), &list)
+    }
+
+    /// The shared store as a process sees it.
+    pub(super) fn link(&self, process: &Arc<Process>) -> Result<Option<Arc<Link>>, String> {
+        let machine = &self.machines[process.machine];
+        let seal: Option<Box<dyn Seal>> = match machine.uses.get() {
             Use::Alone => return Ok(None),
-            Use::Strict => Some(Seal::of(own, all).boxed()),
-            Use::Believing => Some(Seal::of(own, all).and_strangers().boxed()),
+            Use::Strict | Use::Believing => Some(Box::new(self.seal(process)?)),
             Use::Open | Use::ReadOnly => None,
         };
         let read_only = matches!(machine.uses.get(), Use::ReadOnly | Use::Believing);
@@ -57,20 +73,41 @@ impl World {
         &self,
         root: &std::path::Path,
         process: &Arc<Process>,
-        seal: Option<Seal>,
+        signs: bool,
     ) -> Option<Arc<Link>> {
         let asked = Asked {
             server: self.server.clone(),
             process: process.clone(),
         };
         let (patience, say) = (Patience::default(), Box::new(|_: &str| ()));
-        let seal = seal.map(Seal::boxed);
+        let seal = || -> Box<dyn Seal> { Box::new(keys::strange(&self.strange)) };
+        let seal = signs.then(seal);
         let link = Link::new(root, Box::new(asked), false, seal, patience, say);
         link.ok().map(Arc::new)
     }
 
+    /// The store of a process's machine and its link, if anything is written there.
+    pub(super) fn to_upload(
+        &self,
+        process: &Arc<Process>,
+    ) -> Result<Option<(Store, Arc<Link>)>, String> {
+        let Some(link) = self.link(process)?.filter(|link| !link.is_read_only()) else {
+            return Ok(None);
+        };
+        let store = self.opened(process, Some(link.clone()))?;
+        Ok(Some((store, link)))
+    }
+
+    /// Uploads what waits.
+    pub(super) fn upload(&self, machine: usize, (store, link): (Store, Arc<Link>)) {
+        let uploads = &self.machines[machine].uploads;
+        uploads.set(uploads.get() + 1);
+        link.look_for_more();
+        working_beside(|| drain(&store, &link));
+    }
+
     /// The store of a process's machine.
-    pub(super) fn store(&self, process: &Arc<Process>) -> std::result::Result<Store, String> {
+    pub(super) fn store(&self, process: &Arc<Process>) -> Result<Store, String> {
         let link = self.link(process)?;
         self.opened(process, link)
     }
@@ -80,7 +117,7 @@ impl World {
         &self,
         process: &Arc<Process>,
         link: Option<Arc<Link>>,
-    ) -> std::result::Result<Store, String> {
+    ) -> Result<Store, String> {
         let machine = &self.machines[process.machine];
         let disk = Simulated {
             process: process.clone(),

@@ -1,19 +1,19 @@
 //! What must hold, whatever happens.
 
-use super::captures::{files, has, needles};
-use super::oracle_there::{self, There};
+use super::machine::Machine;
+use super::oracle_forgotten::clean;
+use super::oracle_there;
 use super::process::{Hasty, Process, options};
 use super::programs::makes;
 use super::story::Use;
 use super::trade::trade;
-use super::world::{Machine, World};
+use super::world::World;
 use crate::done::Status;
 use crate::outcome::Outcome;
 use crate::own;
 use crate::past;
-use crate::store::{Forgotten, Store, StoreError, below, keeper};
+use crate::store::{Store, keeper};
 use stage::Hash;
-use std::path::Path;
 use std::sync::atomic::Ordering;
 
 /// What a run makes.
@@ -25,22 +25,23 @@ pub(super) enum Of {
     Program(usize),
 }
 
-/// What a run makes, of which folder.
+/// What a run makes, of which machine's capture.
 #[derive(Clone, Copy)]
-pub(super) struct Made<'a> {
-    pub(super) folder: &'a Path,
+pub(super) struct Made {
+    pub(super) machine: usize,
+    pub(super) capture: usize,
     pub(super) of: Of,
 }
 
 /// A run's results are those of its pipeline, unless somebody is believed who is not to be.
-pub(super) fn right(world: &World, m: usize, made: Made<'_>, outcome: &Outcome) {
+pub(super) fn right(world: &World, m: usize, made: Made, outcome: &Outcome) {
     let machine = &world.machines[m];
-    let files = files(made.folder);
+    let files = world.machines[made.machine].files(made.capture);
     if outcome.inputs != [stage::content(&files)] {
         // Edited meanwhile.
         return;
     }
-    let own = machine.captures.iter().position(|own| own == made.folder);
+    let own = (made.machine == m).then_some(made.capture);
     if let Some(capture) = own.filter(|_| !machine.known.borrow().harmed) {
         let content = stage::content(&files).to_hex().to_string();
         let noted = &mut machine.known.borrow_mut().noted;
@@ -135,54 +136,6 @@ pub(super) fn swept(world: &World, machine: &Machine, before: &[Hash], in_use: b
     }
 }
 
-/// After success no byte of the capture is left, here and in the shared store.
-pub(super) fn forgotten(
-    world: &World,
-    m: usize,
-    capture: usize,
-    (in_use, lied, there): (bool, bool, &There),
-    came: &Result<Forgotten, StoreError>,
-) {
-    let machine = &world.machines[m];
-    let Ok(forgotten) = came else { return };
-    if in_use {
-        world.broken("forgotten while a run was using the store");
-    }
-    machine.known.borrow_mut().durable.clear();
-    let calm = !machine.known.borrow().harmed && machine.active.get() == 1;
-    if !forgotten.known && calm {
-        // Nothing came of it: then nothing of it is there.
-        clean(world, m, capture);
-    }
-    if !forgotten.known || !forgotten.unread.is_empty() {
-        return;
-    }
-    if machine.active.get() == 1 {
-        clean(world, m, capture);
-        machine.known.borrow_mut().gone(capture);
-    }
-    let all: usize = world.machines.iter().map(|m| m.active.get()).sum();
-    let others = all == machine.active.get();
-    let shared = matches!(machine.uses.get(), Use::Open | Use::Strict);
-    if shared && others && !lied {
-        there.gone(world, m, capture);
-    }
-}
-
-/// Nothing of a capture is on a machine's disk.
-fn clean(world: &World, m: usize, capture: usize) {
-    for path in below(&world.machines[m].root) {
-        let bytes = std::fs::read(&path).unwrap_or_default();
-        for needle in needles(m, capture)
-            .iter()
-            .filter(|needle| has(&bytes, needle))
-        {
-            let path = path.display();
-            world.broken(&format!("forgotten, and {needle} is left in {path}"));
-        }
-    }
-}
-
 /// Once all mishaps are over each machine's next run succeeds, and is right; stores are sound.
 pub(super) fn end(world: &World) {
     world.server.lies.store(0, Ordering::Relaxed);
@@ -194,56 +147,95 @@ pub(super) fn end(world: &World) {
             .for_each(|capture| clean(world, m, *capture));
         machine.full.set(false);
         machine.cut.set(false);
+        world.new_key(m, None);
     }
-    for (m, machine) in world.machines.iter().enumerate() {
-        let process = Process::sound(m);
-        let (capture, n) = world.wanted.get();
-        last(world, m, capture, n);
-        let store = match world.store(&process) {
-            Ok(store) => store,
-            Err(why) => return world.broken(&format!("machine {m} has no store: {why}")),
-        };
-        if machine.known.borrow().harmed {
-            keeper::verify(&store);
-        }
-        let bad = keeper::verify(&store);
-        let strange = own::stranger(&machine.root);
-        if bad > 0 || strange.is_some() {
-            world.broken(&format!("machine {m} is not sound: {bad} bad, {strange:?}"));
-        }
+    let (capture, n) = world.wanted.get();
+    // One that nobody did anything on is as good as any other, and asks what became of the shared store.
+    let harmed = world.server.harmed.load(Ordering::Relaxed);
+    let mut asks = harmed || world.forged.get() > 0;
+    let mut counts = |m: &usize| {
+        let machine = &world.machines[*m];
+        let idle = !machine.acted.get() && machine.uses.get() != Use::Alone;
+        machine.acted.get() || (idle && std::mem::take(&mut asks))
+    };
+    let newcomer = world.own..world.machines.len();
+    let all: Vec<usize> = (0..world.own).filter(|m| counts(m)).collect();
+    for m in &all {
+        last(world, *m, capture, n);
+    }
+    // What these machines have is there now, and a newcomer takes it.
+    for m in all.iter().filter(|_| world.forged.get() > 0) {
+        let process = Process::sound(*m);
+        world.as_process(&process, || {
+            if let Ok(Some(to)) = world.to_upload(&process) {
+                world.upload(*m, to);
+            }
+        });
+    }
+    newcomer.for_each(|m| last(world, m, capture, n));
+    // Each in its turn: one a story is enough to find what is not sound.
+    let acted = world.machines.iter().enumerate();
+    let acted: Vec<usize> = acted
+        .filter(|(_, m)| m.acted.get())
+        .map(|(m, _)| m)
+        .collect();
+    if !acted.is_empty() {
+        sound(world, acted[world.turn % acted.len()]);
+    }
+}
+
+/// A machine's store is as it should be.
+fn sound(world: &World, m: usize) {
+    let (machine, process) = (&world.machines[m], Process::sound(m));
+    let store = match world.store(&process) {
+        Ok(store) => store,
+        Err(why) => return world.broken(&format!("machine {m} has no store: {why}")),
+    };
+    if machine.known.borrow().harmed {
+        keeper::verify(&store);
+    }
+    let bad = keeper::verify(&store);
+    let strange = own::stranger(&machine.root);
+    if bad > 0 || strange.is_some() {
+        world.broken(&format!("machine {m} is not sound: {bad} bad, {strange:?}"));
     }
 }
 
 fn last(world: &World, m: usize, capture: usize, n: usize) {
     let (process, trade) = (Process::sound(m), trade());
     let machine = &world.machines[m];
-    let store = match world.store(&process) {
-        Ok(store) => store,
-        Err(why) => return world.broken(&format!("machine {m} has no store: {why}")),
-    };
     let graph = trade.graph(n);
     let folders = world.folders(m, capture);
     let (go, options) = (false.into(), options(&machine.root));
     let wanted = crate::walk::all(graph, &graph.goal);
-    let ran = crate::session::run_in(
-        store,
-        graph,
-        &folders,
-        &wanted,
-        &options,
-        &Hasty::default(),
-        &go,
-    );
+    let ran = world.as_process(&process, || {
+        let store = world.store(&process)?;
+        let ran = crate::session::run_in(
+            store,
+            graph,
+            &folders,
+            &wanted,
+            &options,
+            &Hasty::default(),
+            &go,
+        );
+        ran.map_err(|why| why.to_string())
+    });
     let outcome = match ran {
         Ok(outcome) => outcome,
         Err(why) => return world.broken(&format!("machine {m}: the last run: {why}")),
     };
-    let of = Of::Number(n);
-    let folder = &machine.captures[capture];
-    right(world, m, Made { folder, of }, &outcome);
+    let made = Made {
+        machine: m,
+        capture,
+        of: Of::Number(n),
+    };
+    right(world, m, made, &outcome);
     for (i, done) in outcome.nodes.iter().enumerate() {
         let Some(done) = done else { continue };
-        let content = done.content.filter(|content| is_there(machine, *content));
+        // That it is whole is asked of all that there is.
+        let there = |content: &Hash| own::place(&machine.root, "cas", *content).is_file();
+        let content = done.content.filter(there);
         if content.is_none() || matches!(done.status, Status::Failed(_)) {
             let why = &done.status;
             world.broken(&format!(

@@ -1,6 +1,6 @@
 //! What must hold of the store that machines share, once a capture is forgotten.
 
-use super::captures::{files, has, needles};
+use super::captures::{has, needles};
 use super::gone::Gone;
 use super::story::NUMBERS;
 use super::trade::trade;
@@ -25,7 +25,7 @@ impl There {
     /// Of a capture that a machine noted.
     pub(super) fn of(world: &World, m: usize, capture: usize) -> There {
         let machine = &world.machines[m];
-        let photos = files(&machine.captures[capture]);
+        let photos = machine.files(capture);
         let content = stage::content(&photos).to_hex();
         let note = std::fs::read(machine.root.join("captures").join(content.as_str()));
         let noted = note.is_ok_and(|note| has(&note, &needles(m, capture)[1]));
@@ -48,11 +48,13 @@ impl There {
         }
         let mut mine = BTreeSet::new();
         let mut before = usize::MAX;
-        while mine.len() != before {
+        // Where a stranger writes what results were made of, only what was made of the capture itself is surely its own.
+        while mine.len() != before && (before == usize::MAX || world.forged.get() == 0) {
             before = mine.len();
+            let contents_then = contents.clone();
             for (name, record) in &records {
                 let of_it = |(what, value): &(String, String)| {
-                    what.starts_with("from ") && contents.contains(value)
+                    what.starts_with("from ") && contents_then.contains(value)
                 };
                 if record.provenance.iter().any(of_it) && mine.insert(name.clone()) {
                     contents.insert(record.content.to_hex().to_string());
@@ -83,6 +85,16 @@ impl There {
         }
     }
 
+    /// What of it is left, if nobody else put anything there meanwhile.
+    pub(super) fn left(&self, world: &World, m: usize) -> Vec<String> {
+        if world.put_by_others(m) > self.put_by_others {
+            return vec![];
+        }
+        let objects = world.server.objects.lock().expect("one thread");
+        let left = self.mine.iter().filter(|name| objects.contains_key(*name));
+        left.cloned().collect()
+    }
+
     /// It is gone now; what could not be read is gone or was said.
     pub(super) fn gone(&self, world: &World, m: usize, capture: usize) {
         if world.put_by_others(m) > self.put_by_others {
@@ -90,7 +102,7 @@ impl There {
             return;
         }
         let objects = world.server.objects.lock().expect("one thread").clone();
-        for name in self.mine.iter().filter(|name| objects.contains_key(*name)) {
+        for name in self.left(world, m) {
             world.broken(&format!("forgotten, and left in the shared store: {name}"));
         }
         for name in self
@@ -105,7 +117,7 @@ impl There {
                 world.broken(&format!("forgotten, broken, left, and not said: {name}"));
             }
         }
-        let folder = world.machines[m].captures[capture].display().to_string();
+        let folder = world.machines[m].capture(capture).display().to_string();
         for (name, (bytes, _)) in objects
             .iter()
             .filter(|(name, _)| name.starts_with("plans/"))
@@ -113,6 +125,10 @@ impl There {
             if has(bytes, &folder) {
                 world.broken(&format!("forgotten, and a plan is left: {name}"));
             }
+        }
+        if World::is_running() {
+            // It goes on afterwards.
+            return;
         }
         let gone = Gone {
             machine: m,
@@ -125,8 +141,12 @@ impl There {
 
 /// What was forgotten has not come back by itself.
 pub(super) fn still_gone(world: &World) {
+    let all = world.forgotten_there.take();
+    if all.is_empty() {
+        return;
+    }
     let objects = world.server.objects.lock().expect("one thread").clone();
-    for gone in world.forgotten_there.take() {
+    for gone in all {
         for (name, (bytes, _)) in objects.iter().filter(|(name, _)| name.starts_with("ac/")) {
             let key = name.rsplit('/').next();
             let key = key.and_then(|hex| Hash::from_hex(hex).ok());
@@ -143,9 +163,9 @@ pub(super) fn still_gone(world: &World) {
     }
 }
 
-/// Somebody makes or puts there what may be of any capture.
+/// Somebody is about to make or put there what may be of any capture; until now nobody did.
 pub(super) fn used(world: &World) {
-    world.forgotten_there.borrow_mut().clear();
+    still_gone(world);
 }
 
 /// A machine uploads what it has: its own was forgotten.

@@ -13,12 +13,16 @@ pub(super) struct Killed;
 pub(super) struct Process {
     pub(super) machine: usize,
     pub(super) depth: usize,
+    /// Whether it runs stages.
+    pub(super) runs: bool,
     pub(super) kill: Option<u32>,
     pub(super) fail: Option<u32>,
     pub(super) lost: Option<u32>,
     pub(super) beside: Mutex<Vec<(u32, Act)>>,
     pub(super) steps: AtomicU32,
     pub(super) dead: AtomicBool,
+    /// Whether it believes a stranger.
+    pub(super) believing: AtomicBool,
 }
 
 impl Process {
@@ -28,12 +32,14 @@ impl Process {
         Arc::new(Process {
             machine: act.machine,
             depth,
+            runs: act.what.runs(),
             kill: act.kill,
             fail: act.fail,
             lost: act.lost,
             beside: Mutex::new(beside),
             steps: AtomicU32::new(0),
             dead: AtomicBool::new(false),
+            believing: AtomicBool::new(false),
         })
     }
 
@@ -42,12 +48,14 @@ impl Process {
         Arc::new(Process {
             machine,
             depth: 9,
+            runs: false,
             kill: None,
             fail: None,
             lost: None,
             beside: Mutex::default(),
             steps: AtomicU32::new(0),
             dead: AtomicBool::new(false),
+            believing: AtomicBool::new(false),
         })
     }
 

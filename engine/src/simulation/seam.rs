@@ -13,6 +13,10 @@ pub(super) trait Around {
     fn step(&self, process: &Arc<Process>, grows: bool) -> Result<()>;
     /// A stage works: time passes, and others may act; whether its process is alive.
     fn works(&self, stage: &str, takes_s: u32, text: &[u8]) -> bool;
+    /// A key signs something.
+    fn signs(&self, key: &[u8; 32]);
+    /// Something is believed for what a key signed.
+    fn believes(&self, key: &[u8; 32]);
     /// How much time has passed, if a process's network is not cut.
     fn passed(&self, process: &Process) -> Option<Duration>;
 }
@@ -43,6 +47,20 @@ pub(super) fn step(process: &Arc<Process>, grows: bool) -> Result<()> {
 pub(super) fn works(stage: &str, takes_s: u32, text: &[u8]) -> bool {
     let around = around().filter(|_| !QUIET.get());
     around.is_none_or(|around| around.works(stage, takes_s, text))
+}
+
+/// [`Around::signs`] of the story that goes on.
+pub(super) fn signed(key: &[u8; 32]) {
+    if let Some(around) = around() {
+        around.signs(key);
+    }
+}
+
+/// [`Around::believes`] of the story that goes on.
+pub(super) fn believed(key: &[u8; 32]) {
+    if let Some(around) = around() {
+        around.believes(key);
+    }
 }
 
 /// [`Around::passed`] of the story that goes on.

@@ -1,8 +1,8 @@
-//! The store that machines share: objects in memory, answers that are lost or not true, and who signs.
+//! The store that machines share: objects in memory, and answers that are lost or not true.
 
 use super::process::Process;
 use super::seam;
-use crate::store::remote::{self, Created, Got, Object, Objects, Trouble};
+use crate::store::remote::{Created, Got, Object, Objects, Trouble};
 use std::collections::BTreeMap;
 use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 use std::sync::{Arc, Mutex};
@@ -15,6 +15,8 @@ pub(super) struct Server {
     /// So many answers more are not true.
     pub(super) lies: AtomicU64,
     pub(super) how: AtomicU64,
+    /// So many were not.
+    pub(super) lied: AtomicU64,
     /// Whether anything ever went wrong with it.
     pub(super) harmed: AtomicBool,
 }
@@ -26,6 +28,7 @@ impl Server {
             honest: honest.into(),
             lies: 0.into(),
             how: 0.into(),
+            lied: 0.into(),
             harmed: false.into(),
         }
     }
@@ -33,6 +36,7 @@ impl Server {
     fn lies(&self) -> Option<u64> {
         let left = self.lies.load(Ordering::Relaxed);
         self.lies.store(left.saturating_sub(1), Ordering::Relaxed);
+        self.lied.fetch_add(u64::from(left > 0), Ordering::Relaxed);
         (left > 0).then(|| self.how.load(Ordering::Relaxed))
     }
 }
@@ -162,62 +166,5 @@ impl Objects for Asked {
             let mut objects = server.objects.lock().expect("one thread");
             objects.remove(name);
         })
-    }
-}
-
-/// Who signs: a machine, or a stranger.
-pub(super) struct Seal {
-    signer: String,
-    trusted: Vec<String>,
-}
-
-impl Seal {
-    /// A machine's, who trusts all machines.
-    pub(super) fn of(machine: usize, machines: usize) -> Seal {
-        let name = |machine: usize| format!("machine-{machine}");
-        Seal {
-            signer: name(machine),
-            trusted: (0..machines).map(name).collect(),
-        }
-    }
-
-    /// The same, who trusts the stranger, too.
-    pub(super) fn and_strangers(mut self) -> Seal {
-        self.trusted.push("stranger".into());
-        self
-    }
-
-    /// A stranger's.
-    pub(super) fn stranger() -> Seal {
-        Seal {
-            signer: "stranger".into(),
-            trusted: vec!["stranger".into()],
-        }
-    }
-
-    pub(super) fn boxed(self) -> Box<dyn remote::Seal> {
-        Box::new(self)
-    }
-}
-
-fn word(signer: &str, message: &[u8]) -> String {
-    let hash = blake3::hash(&[signer.as_bytes(), b" secret ", message].concat());
-    format!("{signer}:{}", hash.to_hex())
-}
-
-impl remote::Seal for Seal {
-    fn signer(&self) -> Option<&str> {
-        Some(&self.signer)
-    }
-    fn sign(&self, message: &[u8]) -> Option<String> {
-        Some(word(&self.signer, message))
-    }
-    fn is_strict(&self) -> bool {
-        true
-    }
-    fn believes(&self, message: &[u8], signature: &str) -> bool {
-        self.trusted
-            .iter()
-            .any(|who| word(who, message) == signature)
     }
 }

@@ -21,6 +21,8 @@ pub(super) struct Setup {
     pub(super) ahead_s: i64,
     /// Its clock gains so much. \[µs/s\]
     pub(super) drift: i64,
+    /// Its first key counts for so many days after the one on which the story begins; without, it has no last day.
+    pub(super) key_days: Option<i64>,
 }
 
 /// One thing that somebody does, or that happens.
@@ -60,6 +62,10 @@ pub(super) enum What {
     Upload,
     /// From now on it signs, and believes those who do; no stranger any more.
     Sign,
+    /// It gets another key, which all machines trust, for so many days from today.
+    NewKey {
+        days: i64,
+    },
     Gc {
         most: u64,
         keep: usize,
@@ -128,6 +134,17 @@ pub(super) enum What {
     },
 }
 
+impl What {
+    /// Whether it runs stages.
+    pub(super) fn runs(&self) -> bool {
+        use What::{Ask, Plan, Run, Strand, Work};
+        matches!(
+            self,
+            Run { .. } | Work { .. } | Plan { .. } | Strand { .. } | Ask { .. }
+        )
+    }
+}
+
 /// A story.
 #[derive(Debug, Clone)]
 pub(super) struct Story {
@@ -136,6 +153,10 @@ pub(super) struct Story {
     pub(super) honest: bool,
     /// Whether the machines' clocks say that files changed long ago.
     pub(super) late: bool,
+    /// The same of a stranger's key as of the machines' keys.
+    pub(super) strange_days: Option<i64>,
+    /// Whose turn it is to be looked at as a whole in the end.
+    pub(super) turn: usize,
     pub(super) acts: Vec<Act>,
 }
 

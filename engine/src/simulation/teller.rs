@@ -8,22 +8,26 @@ use proof::Dice;
 enum Theme {
     Runs,
     Sharing,
+    Strangers,
     Sweeping,
     Programs,
     Disk,
     Network,
     Time,
 }
-use Theme::{Disk, Network, Programs, Runs, Sharing, Sweeping, Time};
+use Theme::{Disk, Network, Programs, Runs, Sharing, Strangers, Sweeping, Time};
+
+/// How many themes there are.
+const THEMES: usize = 8;
 
 /// How often something happens, what it belongs to, and what it is.
 type Kind = (usize, Theme, fn(&mut Teller) -> What);
 
 /// What may happen: how often where a story has no mixture of its own, and what it belongs to.
-const KINDS: [Kind; 26] = [
-    (29, Runs, |t| What::Run {
-        capture: t.below(t.captures),
-        n: t.below(t.numbers),
+const KINDS: [Kind; 27] = [
+    (29, Runs, |t| {
+        let (capture, n) = t.wanted();
+        What::Run { capture, n }
     }),
     (2, Runs, |t| What::Work {
         capture: t.below(t.captures),
@@ -35,7 +39,7 @@ const KINDS: [Kind; 26] = [
     }),
     (2, Runs, |t| What::Strand { strand: t.below(4) }),
     (10, Sharing, |_| What::Upload),
-    (3, Sharing, |_| What::Sign),
+    (3, Strangers, |_| What::Sign),
     (7, Sweeping, |t| What::Gc {
         most: [0, 300, 70_000][t.below(3)],
         keep: t.below(2),
@@ -81,22 +85,29 @@ const KINDS: [Kind; 26] = [
         count: t.dice.bits() % 5,
         how: t.dice.bits(),
     }),
-    (4, Sharing, |t| match t.forges {
-        true => What::Forge {
-            capture: t.below(t.captures),
-            n: t.below(t.numbers),
-            node: t.below(4),
-            signed: t.is(0.5),
-        },
+    (4, Strangers, |t| match t.forges {
+        true => {
+            let (capture, n) = (t.below(t.captures), t.below(t.numbers));
+            t.forged = Some((t.below(t.machines), capture, n));
+            What::Forge {
+                capture,
+                n,
+                node: t.below(4),
+                signed: t.is(0.5),
+            }
+        }
         false => What::Time { s: 40 },
     }),
     (2, Time, |t| match t.is(0.6) {
         true => What::Time {
-            s: [1, 40, 4000][t.below(3)],
+            s: [1, 40, 4000, 40_000][t.below(4)],
         },
         false => What::Clock {
             s: t.below(200_000) as i64 - 100_000,
         },
+    }),
+    (1, Time, |t| What::NewKey {
+        days: t.below(3) as i64,
     }),
 ];
 
@@ -117,12 +128,21 @@ struct Teller {
     /// How many captures and numbers it knows: where there are few, acts meet.
     captures: usize,
     numbers: usize,
+    /// What a stranger made last: of a capture, with a number; and the machine that meets it.
+    forged: Option<(usize, usize, usize)>,
     weights: Vec<usize>,
 }
 
 impl Teller {
     fn below(&mut self, most: usize) -> usize {
         (self.dice.bits() % most as u64) as usize
+    }
+
+    /// Of which capture and number something is wanted: as a rule what a stranger made last.
+    fn wanted(&mut self) -> (usize, usize) {
+        let any = (self.below(self.captures), self.below(self.numbers));
+        let forged = self.forged.map(|(_, capture, n)| (capture, n));
+        forged.filter(|_| self.is(0.7)).unwrap_or(any)
     }
 
     fn is(&mut self, share: f64) -> bool {
@@ -141,7 +161,7 @@ impl Teller {
         if self.is(USUAL_SHARE) {
             return;
         }
-        let themes = [0; 7].map(|_| THEME_FACTORS[self.below(THEME_FACTORS.len())]);
+        let themes = [0; THEMES].map(|_| THEME_FACTORS[self.below(THEME_FACTORS.len())]);
         for (i, (_, theme, _)) in KINDS.iter().enumerate().skip(1) {
             let factor = KIND_FACTORS[self.below(KIND_FACTORS.len())];
             self.weights[i] *= themes[*theme as usize] * factor;
@@ -171,7 +191,9 @@ impl Teller {
             1 if self.is(0.1) => 1,
             _ => 0,
         };
-        let machine = self.below(self.machines);
+        let met = self.forged.map(|(machine, ..)| machine);
+        let any = self.below(self.machines);
+        let machine = met.filter(|_| self.is(0.5)).unwrap_or(any);
         let mut beside: Vec<(u32, Act)> = Vec::new();
         for _ in 0..count {
             let (step, mut act) = (self.step(), self.act(depth + 1));
@@ -204,9 +226,13 @@ impl Story {
             forges,
             captures: CAPTURES,
             numbers: NUMBERS,
+            forged: None,
             weights: vec![],
         };
         teller.mixed();
+        // Keys have a last day in some stories, soon or over.
+        let expires = teller.is(0.3);
+        let last_day = |teller: &mut Teller| expires.then(|| teller.below(4) as i64 - 1);
         let setup = |teller: &mut Teller| Setup {
             uses: match teller.below(10) {
                 0..2 => Use::Alone,
@@ -219,16 +245,20 @@ impl Story {
             },
             ahead_s: teller.below(20_000) as i64 - 10_000,
             drift: teller.below(200_000) as i64 - 100_000,
+            key_days: last_day(teller),
         };
         let machines = (0..machines).map(|_| setup(&mut teller)).collect();
         let honest = teller.is(0.8);
         let late = teller.is(0.5);
+        let strange_days = last_day(&mut teller);
         let count = 4 + teller.below(16);
         let acts = (0..count).map(|_| teller.act(0)).collect();
         Story {
             machines,
             honest,
             late,
+            strange_days,
+            turn: seed as usize,
             acts,
         }
     }

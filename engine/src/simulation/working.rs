@@ -35,8 +35,12 @@ pub(super) fn run(world: &World, process: &Arc<Process>, capture: usize, n: usiz
     world.wanted.set((capture, n));
     match ran(world, process, (trade.graph(n), capture)) {
         Ok(Ok(outcome)) => {
-            let (folder, of) = (&machine.captures[capture], Of::Number(n));
-            oracle::right(world, m, Made { folder, of }, &outcome);
+            let made = Made {
+                machine: m,
+                capture,
+                of: Of::Number(n),
+            };
+            oracle::right(world, m, made, &outcome);
             came(&outcome)
         }
         Ok(Err(why)) => why.to_string(),
@@ -106,6 +110,9 @@ pub(super) fn one_strand(world: &World, process: &Arc<Process>, strand: usize) -
     };
     let known = &world.machines[process.machine].known;
     known.borrow_mut().touched(planned.capture);
+    if planned.machine != process.machine {
+        known.borrow_mut().elsewhere.insert(planned.capture);
+    }
     let worked = || {
         let store = world.store(process)?;
         let read = Plan::read(&store, &planned.name);
@@ -126,9 +133,12 @@ fn made(
     let options = options(&world.machines[m].root);
     let of = (plan, strand, &trade.pipeline);
     let worked = strands::work_in(store, of, &options, &hasty, &hasty.0).map_err(text)?;
-    let folder = &world.machines[planned.machine].captures[planned.capture];
-    let of = Of::Number(planned.n);
-    oracle::right(world, m, Made { folder, of }, &worked.outcome);
+    let of = Made {
+        machine: planned.machine,
+        capture: planned.capture,
+        of: Of::Number(planned.n),
+    };
+    oracle::right(world, m, of, &worked.outcome);
     Ok(format!("[{}]", came(&worked.outcome)))
 }
 

@@ -1,47 +1,22 @@
 //! The world of a story: machines, the store that they share, time, and who acts while somebody else does.
 
-use super::captures::photos;
-use super::disk::Steps;
 use super::gone::Gone;
-use super::known::Known;
+use super::keys::Key;
+use super::machine::Machine;
 use super::process::{Killed, Process};
-use super::seam::Around;
 use super::server::Server;
-use super::story::{Act, CAPTURES, Setup, Story, Use};
+use super::story::{Act, Setup, Story, Use, What};
 use crate::clock::simulated::{self, Time};
+use crate::store::in_memory;
 use std::cell::{Cell, RefCell};
-use std::io::{Error, ErrorKind, Result};
 use std::panic::AssertUnwindSafe;
 use std::path::PathBuf;
 use std::sync::Arc;
 use std::sync::atomic::Ordering;
 use std::time::Duration;
 
-/// What a stage or a program does takes as long as so many steps of a disk: most who are killed are killed at work.
-const WORK_STEPS: u32 = 10;
-
-/// A machine.
-pub(super) struct Machine {
-    pub(super) setup: Setup,
-    pub(super) uses: Cell<Use>,
-    /// How often it began to upload.
-    pub(super) uploads: Cell<u32>,
-    /// Whether it ever believed those whom nobody is to believe.
-    pub(super) believed_all: Cell<bool>,
-    pub(super) root: PathBuf,
-    pub(super) state: PathBuf,
-    pub(super) captures: Vec<PathBuf>,
-    pub(super) steps: Steps,
-    pub(super) ahead_s: Cell<i64>,
-    pub(super) full: Cell<bool>,
-    pub(super) cut: Cell<bool>,
-    /// Processes that are alive on it.
-    pub(super) active: Cell<usize>,
-    /// How many of them run stages just now, and how many sweep.
-    pub(super) working: Cell<usize>,
-    pub(super) sweeping: Cell<usize>,
-    pub(super) known: RefCell<Known>,
-}
+/// Of a day. \[ns\]
+const DAY_NS: i128 = 86_400_000_000_000;
 
 /// A plan that a machine made.
 #[derive(Clone)]
@@ -52,15 +27,42 @@ pub(super) struct Planned {
     pub(super) n: usize,
 }
 
+/// The first second of a story: far from when the files of this test are made: before, or after.
+fn begin_s(late: bool) -> i128 {
+    match late {
+        true => 4_000_000_000,
+        false => 1_000_000_000,
+    }
+}
+
+/// The day of a time.
+pub(super) fn day(wall_ns: i128) -> i64 {
+    wall_ns.div_euclid(DAY_NS) as i64
+}
+
+/// Whether a stranger comes in it.
+fn is_of_strangers(act: &Act) -> bool {
+    let beside = act.beside.iter().any(|(_, act)| is_of_strangers(act));
+    beside || matches!(act.what, What::Forge { .. })
+}
+
 /// What does an act of a process, and says what came of it.
 type Does = fn(&World, &Act, &Arc<Process>) -> String;
 
 /// The world of a story.
 pub(super) struct World {
     pub(super) machines: Vec<Machine>,
+    /// So many are of the story, and one more may come at its end.
+    pub(super) own: usize,
     pub(super) server: Arc<Server>,
     /// How often somebody put results of their own into the shared store.
     pub(super) forged: Cell<u32>,
+    /// Whose turn it is to be looked at as a whole in the end.
+    pub(super) turn: usize,
+    /// A stranger's key.
+    pub(super) strange: Key,
+    /// How many keys machines have.
+    pub(super) keys: Cell<usize>,
     /// What was wanted last: of a capture, with a number.
     pub(super) wanted: Cell<(usize, usize)>,
     /// The plan whose strands are made.
@@ -82,40 +84,29 @@ thread_local! {
 impl World {
     /// As a story begins.
     pub(super) fn new(story: &Story, act: Does) -> World {
-        let memory = std::path::Path::new("/dev/shm");
-        let place = match memory.is_dir() {
-            true => tempfile::tempdir_in(memory),
-            false => tempfile::tempdir(),
-        };
-        let place = place.expect("a folder");
+        let place = in_memory();
+        let first = day(begin_s(story.late) * 1_000_000_000);
+        let until = |days: Option<i64>| days.map(|days| first + days);
         let machine = |(i, setup): (usize, &Setup)| {
-            let at = place.path().join(format!("machine-{i}"));
-            let captures = (0..CAPTURES).map(|c| at.join(format!("needle-name-{c}-")));
-            let machine = Machine {
-                setup: setup.clone(),
-                uses: Cell::new(setup.uses),
-                uploads: Cell::new(0),
-                believed_all: Cell::new(!matches!(setup.uses, Use::Alone | Use::Strict)),
-                root: at.join("cache"),
-                state: at.join("state"),
-                captures: captures.collect(),
-                steps: Steps::default(),
-                ahead_s: Cell::new(setup.ahead_s),
-                full: Cell::new(false),
-                cut: Cell::new(false),
-                active: Cell::new(0),
-                working: Cell::new(0),
-                sweeping: Cell::new(0),
-                known: RefCell::default(),
-            };
-            std::fs::create_dir_all(&machine.root).expect("a folder");
-            for (c, capture) in machine.captures.iter().enumerate() {
-                photos(capture, c);
-            }
-            machine
+            let key = Key::of(&format!("machine {i}"), 0, until(setup.key_days));
+            Machine::new(&place.path().join(format!("machine-{i}")), setup, key)
         };
-        let machines = story.machines.iter().enumerate().map(machine).collect();
+        // At the end a newcomer takes what the machines signed.
+        let newcomer = Setup {
+            uses: Use::Strict,
+            ahead_s: 0,
+            drift: 0,
+            key_days: None,
+        };
+        let strangers = story.acts.iter().any(is_of_strangers);
+        let setups = story.machines.iter();
+        let setups = setups.chain(strangers.then_some(&newcomer));
+        let machines: Vec<Machine> = setups.enumerate().map(machine).collect();
         let world = World {
+            own: story.machines.len(),
+            keys: Cell::new(machines.len()),
+            turn: story.turn,
+            strange: Key::of("stranger", 0, until(story.strange_days)),
             machines,
             server: Arc::new(Server::new(story.honest)),
             forged: Cell::new(0),
@@ -134,18 +125,21 @@ impl World {
 
     /// From now on it is that machine's clock that counts.
     fn enter(&self, machine: usize, passed: Duration) {
-        // Far from when the files of this test are made: before, or after.
-        let begin_s: i128 = if self.late {
-            4_000_000_000
-        } else {
-            1_000_000_000
-        };
         let machine = &self.machines[machine];
         crate::permission::permissions_here(Some(machine.state.clone()));
         let drift = passed.as_nanos() as i128 * i128::from(machine.setup.drift) / 1_000_000;
         let ahead_s = i128::from(machine.ahead_s.get());
-        let wall_ns = (begin_s + ahead_s) * 1_000_000_000 + passed.as_nanos() as i128 + drift;
+        let wall_ns =
+            (begin_s(self.late) + ahead_s) * 1_000_000_000 + passed.as_nanos() as i128 + drift;
         simulated::set(Some(Time { wall_ns, passed }));
+    }
+
+    /// A machine gets a new key, whose last day is that.
+    pub(super) fn new_key(&self, m: usize, until: Option<i64>) {
+        let mut keys = self.machines[m].keys.borrow_mut();
+        let key = Key::of(&format!("machine {m}"), keys.len(), until);
+        keys.push(key);
+        self.keys.set(self.keys.get() + 1);
     }
 
     /// How often others than a machine began to put something into the shared store.
@@ -163,12 +157,22 @@ impl World {
         simulated::time().map_or(Duration::ZERO, |time| time.passed)
     }
 
+    /// What a process does outside of what happens.
+    pub(super) fn as_process<T>(&self, process: &Arc<Process>, does: impl FnOnce() -> T) -> T {
+        self.enter(process.machine, self.passed());
+        PROCESSES.with_borrow_mut(|all| all.push(process.clone()));
+        let done = does();
+        PROCESSES.with_borrow_mut(|all| all.pop());
+        done
+    }
+
     /// Somebody does something, while others are in the middle of what they do.
     pub(super) fn perform(&self, act: &Act, depth: usize) {
         let machine = &self.machines[act.machine];
         self.enter(act.machine, self.passed());
         let process = Process::new(act, depth);
         machine.known.borrow_mut().harmed |= act.fail.is_some();
+        machine.acted.set(true);
         let before = [&machine.active, &machine.working, &machine.sweeping].map(Cell::get);
         machine.active.set(before[0] + 1);
         PROCESSES.with_borrow_mut(|all| all.push(process.clone()));
@@ -222,12 +226,27 @@ impl World {
 
     /// The input of a pipeline on a capture.
     pub(super) fn folders(&self, machine: usize, capture: usize) -> Vec<(String, PathBuf)> {
-        let folder = self.machines[machine].captures[capture].clone();
+        let folder = self.machines[machine].capture(capture).to_owned();
         vec![("turn".to_owned(), folder)]
     }
 
+    /// The process that acts just now.
+    pub(super) fn acting() -> Option<Arc<Process>> {
+        PROCESSES.with_borrow(|all| all.last().cloned())
+    }
+
+    /// Whether stages are run by a process that acts just now.
+    pub(super) fn is_running() -> bool {
+        PROCESSES.with_borrow(|all| all.iter().any(|p| p.runs))
+    }
+
+    /// Whether a step fails of a process that acts just now.
+    pub(super) fn is_unsure() -> bool {
+        PROCESSES.with_borrow(|all| all.iter().any(|p| p.fail.is_some()))
+    }
+
     /// What others do before a step.
-    fn meanwhile(&self, process: &Arc<Process>, number: u32) {
+    pub(super) fn meanwhile(&self, process: &Arc<Process>, number: u32) {
         loop {
             let next = {
                 let mut beside = process.beside.lock().expect("one thread");
@@ -240,53 +259,5 @@ impl World {
             self.perform(&act, process.depth + 1);
             self.enter(process.machine, self.passed());
         }
-    }
-}
-
-impl Around for World {
-    fn step(&self, process: &Arc<Process>, grows: bool) -> Result<()> {
-        if process.dead.load(Ordering::Relaxed) {
-            std::panic::panic_any(Killed);
-        }
-        let number = process.steps.fetch_add(1, Ordering::Relaxed);
-        simulated::pass(Duration::from_millis(1));
-        self.meanwhile(process, number);
-        if process.kill == Some(number) {
-            process.dead.store(true, Ordering::Relaxed);
-            std::panic::panic_any(Killed);
-        }
-        let full = grows && self.machines[process.machine].full.get();
-        match full || process.fail == Some(number) {
-            true => Err(Error::from(ErrorKind::StorageFull)),
-            false => Ok(()),
-        }
-    }
-
-    fn works(&self, stage: &str, takes_s: u32, text: &[u8]) -> bool {
-        let process = PROCESSES.with_borrow(|all| all.last().cloned());
-        let Some(process) = process else { return true };
-        let machine = &self.machines[process.machine];
-        let what = format!("{stage} {}", blake3::hash(text).to_hex());
-        // Who cannot make the file of a lease works without one.
-        let unsure = PROCESSES.with_borrow(|all| all.iter().any(|p| p.fail.is_some()));
-        let twice = !machine.known.borrow_mut().making.insert(what.clone());
-        if twice && !unsure && !machine.known.borrow().was_full {
-            self.broken(&format!("{stage} is made twice at a time"));
-        }
-        machine.working.set(machine.working.get() + 1);
-        simulated::pass(Duration::from_secs(takes_s.into()));
-        let begins = process.steps.fetch_add(WORK_STEPS, Ordering::Relaxed);
-        let steps = begins..begins + WORK_STEPS;
-        self.meanwhile(&process, steps.end - 1);
-        machine.working.set(machine.working.get() - 1);
-        machine.known.borrow_mut().making.remove(&what);
-        if process.kill.is_some_and(|kill| steps.contains(&kill)) {
-            process.dead.store(true, Ordering::Relaxed);
-        }
-        !process.dead.load(Ordering::Relaxed)
-    }
-
-    fn passed(&self, process: &Process) -> Option<Duration> {
-        (!self.machines[process.machine].cut.get()).then(|| World::passed(self))
     }
 }

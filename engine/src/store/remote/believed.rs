@@ -57,6 +57,15 @@ impl Link {
         }
     }
 
+    /// Warns once that the key does not sign any more.
+    pub(super) fn warn_expired(&self) {
+        if !self.unsigned.swap(true, Ordering::Relaxed) {
+            self.say(
+                "the last day of the signing key is over: what is made goes there unsigned until this is started again with a new key (`cache keygen`)",
+            );
+        }
+    }
+
     /// Says once that somebody is not believed.
     pub(super) fn say_stranger(&self, name: &str) {
         if !self.strangers.swap(true, Ordering::Relaxed) {

@@ -19,15 +19,18 @@ mod believed;
 mod bucket;
 #[cfg(feature = "remote")]
 mod clients;
-#[cfg(feature = "remote")]
+#[cfg(any(test, feature = "remote"))]
 mod day;
 mod forget;
 mod framed;
 mod handshake;
 mod inventory;
 mod joined;
-#[cfg(feature = "remote")]
+#[cfg(any(test, feature = "remote"))]
 mod key_file;
+#[cfg(any(test, feature = "remote"))]
+#[cfg_attr(not(feature = "remote"), allow(unreachable_pub))]
+mod keys;
 mod known;
 mod link;
 mod listing;
@@ -42,7 +45,7 @@ mod seal;
 #[cfg(feature = "remote")]
 mod signature;
 mod sweep;
-#[cfg(feature = "remote")]
+#[cfg(any(test, feature = "remote"))]
 mod trusted;
 mod upload;
 mod uploads;
@@ -51,12 +54,14 @@ mod waiting;
 #[cfg(feature = "remote")]
 pub use bucket::open;
 #[cfg(test)]
-pub(crate) use framed::readable;
+pub(crate) use framed::{SMALL, readable};
 pub use handshake::Honest;
 pub(super) use handshake::fresh;
 pub(super) use joined::of;
-#[cfg(feature = "remote")]
+#[cfg(any(test, feature = "remote"))]
 pub use key_file::NoKey;
+#[cfg(test)]
+pub(crate) use keys::{Keys as KeysOf, Pair};
 pub use link::{Link, Say};
 pub use objects::{Created, Got, Object, Objects, Trouble};
 pub use patience::Patience;
@@ -67,6 +72,8 @@ pub use seal::Seal;
 #[cfg(feature = "remote")]
 pub use signature::{Keys, keygen};
 pub use sweep::{Looked, SweptThere};
+#[cfg(test)]
+pub(crate) use trusted::{Public, Trusted};
 #[cfg(test)]
 pub(crate) use uploads::drain;
 pub use uploads::{Left, Manner, NoSharing, Sharing};

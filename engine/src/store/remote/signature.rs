@@ -2,11 +2,11 @@
 //!
 //! A signing key: the line `stage signing key 1`, then 32 bytes in hexadecimal, then `until` and the last day that it is
 //! good for; for its owner only. Beside it `.pub`: `ed25519 HEX until DAY`. Lists of those who are trusted: `trusted.rs`.
-//! A signature is the word `ed25519:WHO:SIGNATURE`, both hexadecimal.
+//! A signature is the word `ed25519:WHO:SIGNATURE`, both hexadecimal. Who is believed: `keys.rs`.
 
 use super::day;
-use super::key_file::{METHOD, NoKey, disk, hex, text, unhex};
-use super::seal::Seal;
+use super::key_file::{NoKey, disk, hex, text, unhex};
+use super::keys::{Lapsed, Pair};
 use super::trusted::{Public, Trusted};
 use crate::system::{is_private, private_file};
 use ring::rand::{SecureRandom, SystemRandom};
@@ -25,12 +25,16 @@ const FORMER: &str = "tailor signing key 1";
 ///
 /// One of the files is there already, or cannot be written.
 pub fn keygen(path: &Path, days: u32) -> Result<String, NoKey> {
-    let until = day::text(day::today() + i64::from(days));
+    let until = day::today() + i64::from(days);
     let mut seed = [0; 32];
     let random = SystemRandom::new().fill(&mut seed);
     random.map_err(|_| disk(path)(std::io::Error::other("this system gives no random numbers")))?;
     let pair = Ed25519KeyPair::from_seed_unchecked(&seed).expect("bug: any 32 bytes are a seed");
-    let line = format!("{METHOD} {} until {until}", hex(pair.public_key().as_ref()));
+    let public = Public {
+        key: hex(pair.public_key().as_ref()),
+        until: Some(until),
+    };
+    let (line, until) = (public.line(), day::text(until));
     let mut beside = path.as_os_str().to_owned();
     beside.push(".pub");
     let beside = PathBuf::from(beside);
@@ -52,12 +56,8 @@ fn fresh(path: &Path, text: &str) -> Result<(), NoKey> {
     written.map_err(disk(path))
 }
 
-/// Who signs, and who is believed.
-pub struct Keys {
-    pair: Option<(Ed25519KeyPair, String)>,
-    /// `None` believes everybody.
-    trusted: Option<Trusted>,
-}
+/// Who signs with ed25519, and who is believed.
+pub type Keys = super::keys::Keys<Ed25519KeyPair>;
 
 impl Keys {
     /// From the file of a signing key, and from a list of those who are trusted. Who signs trusts itself.
@@ -66,87 +66,62 @@ impl Keys {
     ///
     /// A file cannot be read, is none, or others may read what is secret; the signing key is expired or revoked.
     pub fn read(sign: Option<&Path>, trust: Option<&Path>) -> Result<Keys, NoKey> {
-        Keys::read_on(day::today(), sign, trust)
-    }
-
-    /// As [`Keys::read`], on a day.
-    fn read_on(today: i64, sign: Option<&Path>, trust: Option<&Path>) -> Result<Keys, NoKey> {
-        let pair = sign.map(|path| signing(path, today)).transpose()?;
-        let mut trusted = trust.map(|path| Trusted::read(path, today)).transpose()?;
-        if let (Some((_, own)), Some(trusted), Some(path)) = (&pair, &mut trusted, sign) {
-            if trusted.is_revoked(own) {
-                return Err(NoKey::Wrong {
-                    path: path.into(),
-                    what: "is revoked by the file `revoked` beside the list of --trust".into(),
-                });
-            }
-            trusted.add(Public {
-                key: own.clone(),
-                until: None,
-            });
-        }
-        Ok(Keys { pair, trusted })
+        let own = sign.map(signing).transpose()?;
+        let until = own.as_ref().and_then(|(_, public)| public.until);
+        let trusted = trust.map(Trusted::read).transpose()?;
+        Keys::of(own, trusted).map_err(|lapsed| NoKey::Wrong {
+            path: sign.unwrap_or(Path::new("")).into(),
+            what: match lapsed {
+                Lapsed::Expired => format!(
+                    "was good until {}: make a new one with `cache keygen`, and give its `.pub` to those who trust you",
+                    until.map_or(String::new(), day::text)
+                ),
+                Lapsed::Revoked => {
+                    "is revoked by the file `revoked` beside the list of --trust".into()
+                }
+            },
+        })
     }
 }
 
-fn signing(path: &Path, today: i64) -> Result<(Ed25519KeyPair, String), NoKey> {
+fn signing(path: &Path) -> Result<(Ed25519KeyPair, Public), NoKey> {
     let text = text(path)?;
     if !is_private(path) {
         return Err(NoKey::Open(path.into()));
     }
-    let wrong = |what: String| NoKey::Wrong {
-        path: path.into(),
-        what,
-    };
     let mut lines = text.lines();
     let seed = match (lines.next(), lines.next()) {
         (Some(HEAD | FORMER), Some(seed)) => unhex::<32>(seed.trim()),
         _ => None,
     };
     let pair = seed.and_then(|seed| Ed25519KeyPair::from_seed_unchecked(&seed).ok());
-    let none = || wrong("is no signing key: `cache keygen FILE` makes one".into());
+    let none = || NoKey::Wrong {
+        path: path.into(),
+        what: "is no signing key: `cache keygen FILE` makes one".into(),
+    };
     let pair = pair.ok_or_else(none)?;
     // Keys of earlier programs are good without end.
-    if let Some(line) = lines.next() {
-        let until = line.trim().strip_prefix("until ").ok_or_else(none)?;
-        if day::parse(until).ok_or_else(none)? < today {
-            return Err(wrong(format!(
-                "was good until {until}: make a new one with `cache keygen`, and give its `.pub` to those who trust you"
-            )));
+    let until = match lines.next() {
+        None => None,
+        Some(line) => {
+            let until = line.trim().strip_prefix("until ").ok_or_else(none)?;
+            Some(day::parse(until).ok_or_else(none)?)
         }
-    }
-    let own = hex(pair.public_key().as_ref());
-    Ok((pair, own))
+    };
+    let key = hex(pair.public_key().as_ref());
+    Ok((pair, Public { key, until }))
 }
 
-impl Seal for Keys {
-    fn signer(&self) -> Option<&str> {
-        self.pair.as_ref().map(|(_, own)| own.as_str())
+impl Pair for Ed25519KeyPair {
+    fn sign(&self, message: &[u8]) -> [u8; 64] {
+        let signature = Ed25519KeyPair::sign(self, message);
+        signature.as_ref().try_into().expect("bug: 64 bytes")
     }
 
-    fn sign(&self, message: &[u8]) -> Option<String> {
-        let (pair, own) = self.pair.as_ref()?;
-        let signature = pair.sign(message);
-        Some(format!("{METHOD}:{own}:{}", hex(signature.as_ref())))
-    }
-
-    fn is_strict(&self) -> bool {
-        self.trusted.is_some()
-    }
-
-    fn believes(&self, message: &[u8], signature: &str) -> bool {
-        let words: Vec<&str> = signature.split(':').collect();
-        let [METHOD, who, signature] = words[..] else {
-            return false;
-        };
-        let trusted = self.trusted.as_ref();
-        let (Some(key), Some(signature)) = (unhex::<32>(who), unhex::<64>(signature)) else {
-            return false;
-        };
-        trusted.is_none_or(|all| all.has(&hex(&key)))
-            && UnparsedPublicKey::new(&ED25519, key)
-                .verify(message, &signature)
-                .is_ok()
+    fn is_by(key: &[u8; 32], message: &[u8], signature: &[u8; 64]) -> bool {
+        UnparsedPublicKey::new(&ED25519, key)
+            .verify(message, signature)
+            .is_ok()
     }
 }
 

@@ -1,6 +1,19 @@
 //! Keys as files: who is believed, until when, and what is told of files that are none.
 
+use super::super::seal::Seal;
 use super::*;
+use crate::clock::simulated::{self, Time};
+use std::time::Duration;
+
+/// As on a day.
+fn on<T>(day: i64, what: impl FnOnce() -> T) -> T {
+    let wall_ns = i128::from(day) * 86_400_000_000_000;
+    let passed = Duration::ZERO;
+    simulated::set(Some(Time { wall_ns, passed }));
+    let done = what();
+    simulated::set(None);
+    done
+}
 
 #[test]
 fn what_is_signed_is_believed_of_those_who_are_trusted_and_of_nobody_else() {
@@ -75,42 +88,31 @@ fn keys_expire_and_can_be_revoked() {
     let [a, b] = ["a", "b"].map(|name| keygen(&file(name), 10).unwrap());
     std::fs::write(file("trust"), format!("{a}\n{b}\n")).unwrap();
     let (today, trust) = (day::today(), file("trust"));
-    let sign = |name: &str, day| Keys::read_on(day, Some(&file(name)), None);
-    let reader = |day| Keys::read_on(day, None, Some(&trust));
-    let told = |keys: Result<Keys, NoKey>| keys.err().map(|why| why.to_string());
+    let sign = |name: &str, day| on(day, || Keys::read(Some(&file(name)), None));
+    let reader = |day| on(day, || Keys::read(None, Some(&trust)));
+    let why = |keys: Result<Keys, NoKey>| keys.err().expect("refused").to_string();
     let signed = sign("a", today).ok().unwrap().sign(b"message").unwrap();
-    assert!(
-        reader(today + 10)
-            .ok()
-            .unwrap()
-            .believes(b"message", &signed)
-    );
+    let believed = |keys: &Keys, day| on(day, || keys.believes(b"message", &signed));
+    assert!(believed(&reader(today + 10).ok().unwrap(), today + 10));
     // A day later nobody is believed, and nobody signs.
-    assert!(
-        told(reader(today + 11))
-            .unwrap()
-            .contains("expired or revoked")
-    );
-    assert!(
-        told(sign("a", today + 11))
-            .unwrap()
-            .contains("was good until")
-    );
+    let later = today + 11;
+    assert!(why(reader(later)).contains("expired or revoked"));
+    assert!(why(sign("a", later)).contains("was good until"));
+    // Nor by who began before.
+    let (early, signer) = (reader(today).ok().unwrap(), sign("a", today).ok().unwrap());
+    assert!(believed(&early, today + 10) && !believed(&early, later));
+    assert!(on(today + 10, || signer.sign(b"message")).is_some());
+    assert!(on(later, || signer.sign(b"message")).is_none());
     std::fs::write(file("trust"), a.replace("until", "# until")).unwrap();
-    assert!(
-        reader(today + 11)
-            .ok()
-            .unwrap()
-            .believes(b"message", &signed)
-    );
+    assert!(believed(&reader(later).ok().unwrap(), later));
     std::fs::write(file("trust"), format!("{a}\n{b}\n")).unwrap();
     std::fs::write(file("revoked"), format!("# lost\n{a}\n")).unwrap();
     let strict = reader(today).ok().unwrap();
     assert!(!strict.believes(b"message", &signed));
     let other = sign("b", today).ok().unwrap().sign(b"message").unwrap();
     assert!(strict.believes(b"message", &other));
-    let both = Keys::read_on(today, Some(&file("a")), Some(&trust));
-    assert!(told(both).unwrap().contains("revoked"));
+    let both = Keys::read(Some(&file("a")), Some(&trust));
+    assert!(why(both).contains("revoked"));
     std::fs::write(file("revoked"), "nobody\n").unwrap();
-    assert!(told(reader(today)).unwrap().contains("revoked: line 1"));
+    assert!(why(reader(today)).contains("revoked: line 1"));
 }

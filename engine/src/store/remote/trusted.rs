@@ -9,12 +9,19 @@ use std::path::Path;
 
 /// A public key, and the last day that it counts.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub(super) struct Public {
-    pub(super) key: String,
-    pub(super) until: Option<i64>,
+pub(crate) struct Public {
+    pub(crate) key: String,
+    pub(crate) until: Option<i64>,
 }
 
 impl Public {
+    /// Its line in a list.
+    pub(crate) fn line(&self) -> String {
+        let until = self.until.map(day::text);
+        let until = until.map_or(String::new(), |day| format!(" until {day}"));
+        format!("{METHOD} {}{until}", self.key)
+    }
+
     /// Whether it counts on a day.
     pub(super) fn counts(&self, today: i64) -> bool {
         self.until.is_none_or(|until| today <= until)
@@ -22,10 +29,9 @@ impl Public {
 }
 
 /// Those who are trusted.
-pub(super) struct Trusted {
+pub(crate) struct Trusted {
     keys: Vec<Public>,
     revoked: Vec<String>,
-    today: i64,
 }
 
 impl Trusted {
@@ -34,7 +40,7 @@ impl Trusted {
     /// # Errors
     ///
     /// One of them cannot be read or is no such list; or no key of the first counts today.
-    pub(super) fn read(path: &Path, today: i64) -> Result<Trusted, NoKey> {
+    pub(crate) fn read(path: &Path) -> Result<Trusted, NoKey> {
         let keys = listed(path)?;
         let beside = path.with_file_name("revoked");
         let revoked = match beside.exists() {
@@ -44,11 +50,7 @@ impl Trusted {
                 .collect(),
             false => vec![],
         };
-        let trusted = Trusted {
-            keys,
-            revoked,
-            today,
-        };
+        let trusted = Trusted { keys, revoked };
         let wrong = |what: &str| NoKey::Wrong {
             path: path.into(),
             what: what.into(),
@@ -64,10 +66,8 @@ impl Trusted {
 
     /// Whether somebody is trusted today.
     pub(super) fn has(&self, key: &str) -> bool {
-        let known = self
-            .keys
-            .iter()
-            .any(|p| p.key == key && p.counts(self.today));
+        let today = day::today();
+        let known = self.keys.iter().any(|p| p.key == key && p.counts(today));
         known && !self.is_revoked(key)
     }
 

@@ -52,8 +52,10 @@ pub(super) fn upload(store: &Store, link: &Link, key: Hash) -> Result<Came, Trou
         None => false,
     };
     let signature = link.sign(key, file.as_bytes()).filter(|_| may_sign);
-    if link.signs() && !may_sign {
-        link.say_unsigned();
+    match (link.signs() && signature.is_none(), may_sign) {
+        (true, true) => link.warn_expired(),
+        (true, false) => link.say_unsigned(),
+        (false, _) => {}
     }
     let object = framed::bytes(
         &nonce,

@@ -3,7 +3,7 @@
 
 use super::link::{Link, MOST_HELD};
 use crate::own;
-use crate::store::{Store, StoreError};
+use crate::store::{Record, Store, StoreError};
 use stage::Hash;
 use std::collections::BTreeSet;
 
@@ -38,10 +38,22 @@ impl Store {
         }
     }
 
-    /// As [`Store::share`], for a result that was made though its record was known: what the shared store
-    /// lacks of it, or has wrong, goes there.
-    pub(crate) fn share_again(&self, key: Hash, content: Hash) {
-        let Some(link) = &self.link else { return };
+    /// As [`Store::share`], for a result that was made in so long though its record was known: it is as safe now as one
+    /// that nobody knew, and what the shared store lacks of it, or has wrong, goes there. \[s\]
+    ///
+    /// # Errors
+    ///
+    /// The disk refuses.
+    pub(crate) fn made_again(
+        &self,
+        key: Hash,
+        first: &Record,
+        seconds: f64,
+    ) -> Result<(), StoreError> {
+        self.secure(key, first, seconds)?;
+        let (Some(link), content) = (&self.link, first.content) else {
+            return Ok(());
+        };
         let lacks = {
             let mut queue = link.queue();
             let absent = queue.absent.remove(content.as_bytes());
@@ -51,6 +63,7 @@ impl Store {
             link.known().lose(key.as_bytes());
         }
         self.share(key);
+        Ok(())
     }
 
     /// As [`Store::will_share`], of what is made here now: whoever signs signs it, whatever was there before.
