@@ -7,6 +7,7 @@
 
 use crate::cut::least_cut::Known;
 use crate::label::consensus::{Block, DISSENT, Together, View};
+use crate::label::squares::Squares;
 use crate::likelihood::prepared::Prepared;
 use rayon::prelude::*;
 use shape::{Cameras, Mask, PhotoId};
@@ -127,27 +128,18 @@ fn classes((_, mask, camera): &View<'_>, block: &Block, against: &[usize]) -> Cl
     let depths = block.steps_to(&beyond, most);
     let loose: Vec<bool> = speaking.iter().map(|n| *n <= 1).collect();
     let coat = block.steps_to(&loose, SURFACE + 1);
-    let mut classes = vec![0; mask.data.len()];
-    let mut paint = |i: usize, size: f64, class: u8| {
-        let Some((px, depth)) = camera.project_with_depth(&block.centre(i)) else {
-            return;
-        };
-        let r = (block.cell * size * camera.lens.focal[0] / depth).ceil() as i64;
-        let (cx, cy) = (px.x.round() as i64, px.y.round() as i64);
-        for y in (cy - r).max(0)..=(cy + r).min(mask.height as i64 - 1) {
-            for x in (cx - r).max(0)..=(cx + r).min(mask.width as i64 - 1) {
-                let here = &mut classes[y as usize * mask.width + x as usize];
-                *here = class.max(*here);
-            }
-        }
-    };
+    let mut squares = Squares::on(mask.width, mask.height);
     for i in (0..coat.len()).filter(|i| coat[*i] <= SURFACE) {
-        paint(i, 0.8, 1);
+        let Some((px, depth)) = camera.project_with_depth(&block.centre(i)) else {
+            continue;
+        };
+        let px_of = |size: f64| block.cell * size * camera.lens.focal[0] / depth;
+        squares.add(&px, px_of(0.8), 1);
         if depths[i] > SURFACE {
-            paint(i, 0.45, depths[i] - SURFACE + 1);
+            squares.add(&px, px_of(0.45), depths[i] - SURFACE + 1);
         }
     }
-    classes
+    squares.painted()
 }
 
 #[cfg(test)]

@@ -2,6 +2,7 @@
 //! that passes deep through it sees body.
 
 use crate::cut::least_cut::Known;
+use crate::label::squares::Squares;
 use nalgebra::Point3;
 use rayon::prelude::*;
 use shape::{Camera, Cameras, Mask, PhotoId};
@@ -12,9 +13,9 @@ const CELLS: f64 = 160.0;
 /// Photos that may dissent: one is the photo in question, one more may be wrong.
 pub(crate) const DISSENT: usize = 2;
 /// Cells that are peeled off before what is left is certain body.
-const PEEL: usize = 2;
+const PEEL: u8 = 2;
 /// Cells that are laid on before what is not covered is certain background.
-const COAT: usize = 3;
+const COAT: u8 = 3;
 
 /// A block of cells, x fastest.
 pub(crate) struct Block {
@@ -46,36 +47,47 @@ impl Block {
     /// How many steps (six ways) each cell lies from the nearest that is so, `most` at most.
     pub(crate) fn steps_to(&self, such: &[bool], most: u8) -> Vec<u8> {
         let [nx, ny, nz] = self.count;
-        let strides = [1, nx, nx * ny];
+        let rows = ny * nz;
         let mut steps: Vec<u8> = such.iter().map(|s| if *s { 0 } else { most }).collect();
-        for i in 0..steps.len() {
-            let at = [i % nx, i / nx % ny, i / nx / ny];
-            for a in (0..3).filter(|a| at[*a] > 0) {
-                steps[i] = steps[i].min(steps[i - strides[a]].saturating_add(1));
+        // Onward, then back: by the rows beside that were gone through, then along the row.
+        for row in 0..rows {
+            let (before, here) = steps.split_at_mut(row * nx);
+            let here = &mut here[..nx];
+            if row % ny > 0 {
+                nearer(here, &before[(row - 1) * nx..]);
             }
+            if row >= ny {
+                nearer(here, &before[(row - ny) * nx..]);
+            }
+            along(here.iter_mut());
         }
-        for i in (0..steps.len()).rev() {
-            let at = [i % nx, i / nx % ny, i / nx / ny];
-            for a in (0..3).filter(|a| at[*a] + 1 < [nx, ny, nz][*a]) {
-                steps[i] = steps[i].min(steps[i + strides[a]].saturating_add(1));
+        for row in (0..rows).rev() {
+            let (here, beyond) = steps.split_at_mut((row + 1) * nx);
+            let here = &mut here[row * nx..];
+            if row % ny + 1 < ny {
+                nearer(here, beyond);
             }
+            if row + ny < rows {
+                nearer(here, &beyond[(ny - 1) * nx..]);
+            }
+            along(here.iter_mut().rev());
         }
         steps
     }
+}
 
-    /// Cells that have a neighbour (six) of the other kind take its kind.
-    fn spread(&self, cells: &[bool], kind: bool) -> Vec<bool> {
-        let [nx, ny, nz] = self.count;
-        let strides = [1, nx, nx * ny];
-        let one = |i: usize| {
-            let at = [i % nx, i / nx % ny, i / nx / ny];
-            let beside = (0..3).any(|a| {
-                let below = at[a] > 0 && cells[i - strides[a]] == kind;
-                below || at[a] + 1 < [nx, ny, nz][a] && cells[i + strides[a]] == kind
-            });
-            if beside { kind } else { cells[i] }
-        };
-        (0..cells.len()).map(one).collect()
+/// A step more than beside, where that is nearer.
+fn nearer(here: &mut [u8], beside: &[u8]) {
+    let both = here.iter_mut().zip(beside);
+    both.for_each(|(here, beside)| *here = (*here).min(beside.saturating_add(1)));
+}
+
+/// The same from each to the next.
+fn along<'a>(row: impl Iterator<Item = &'a mut u8>) {
+    let mut last = u8::MAX;
+    for here in row {
+        *here = (*here).min(last.saturating_add(1));
+        last = *here;
     }
 }
 
@@ -125,10 +137,15 @@ impl<'a> Together<'a> {
     pub(crate) fn known(&self, dissent: usize) -> BTreeMap<PhotoId, Vec<Known>> {
         let block = &self.block;
         let solid: Vec<bool> = self.against.iter().map(|c| *c <= dissent).collect();
-        let core = (0..PEEL).fold(solid.clone(), |cells, _| block.spread(&cells, false));
-        let coat = (0..COAT).fold(solid, |cells, _| block.spread(&cells, true));
-        let one =
-            |(id, mask, camera): &View<'_>| (*id, projected(mask, camera, block, &core, &coat));
+        let empty: Vec<bool> = solid.iter().map(|s| !s).collect();
+        let depths = block.steps_to(&empty, PEEL + 1);
+        let coat = block.steps_to(&solid, COAT + 1);
+        let cells = |i: &usize| coat[*i] <= COAT;
+        let cells: Vec<(usize, bool)> = (0..coat.len())
+            .filter(cells)
+            .map(|i| (i, depths[i] > PEEL))
+            .collect();
+        let one = |(id, mask, camera): &View<'_>| (*id, projected(mask, camera, block, &cells));
         let all: Vec<_> = self.views.par_iter().map(one).collect();
         all.into_iter().collect()
     }
@@ -182,7 +199,7 @@ fn block(views: &[View<'_>], ground: f64, shows: &dyn Fn(&Point3<f64>) -> bool) 
     }
     lo[2] = lo[2].max(ground);
     let cell = (0..3).map(|a| hi[a] - lo[a]).fold(0.0, f64::max) / CELLS;
-    let margin = cell * (COAT + 1) as f64;
+    let margin = cell * f64::from(COAT + 1);
     let count = [0, 1, 2].map(|a| ((hi[a] - lo[a] + 2.0 * margin) / cell) as usize + 1);
     Some(Block {
         origin: Point3::new(lo[0] - margin, lo[1] - margin, lo[2]),
@@ -191,32 +208,24 @@ fn block(views: &[View<'_>], ground: f64, shows: &dyn Fn(&Point3<f64>) -> bool) 
     })
 }
 
-/// What the block says of the pixels of one photo.
-fn projected(
-    mask: &Mask,
-    camera: &Camera,
-    block: &Block,
-    core: &[bool],
-    coat: &[bool],
-) -> Vec<Known> {
-    let mut known = vec![Known::Background; mask.data.len()];
-    let mut paint = |i: usize, size: f64, kind: Known| {
-        let Some((px, depth)) = camera.project_with_depth(&block.centre(i)) else {
-            return;
+/// What cells of the block say of the pixels of one photo; true are those in its core.
+fn projected(mask: &Mask, camera: &Camera, block: &Block, cells: &[(usize, bool)]) -> Vec<Known> {
+    let (nothing, open, core) = (0, 1, 2);
+    let mut squares = Squares::on(mask.width, mask.height);
+    for (i, in_core) in cells {
+        let Some((px, depth)) = camera.project_with_depth(&block.centre(*i)) else {
+            continue;
         };
-        let r = (block.cell * size * camera.lens.focal[0] / depth).ceil() as i64;
-        let (cx, cy) = (px.x.round() as i64, px.y.round() as i64);
-        for y in (cy - r).max(0)..=(cy + r).min(mask.height as i64 - 1) {
-            for x in (cx - r).max(0)..=(cx + r).min(mask.width as i64 - 1) {
-                known[y as usize * mask.width + x as usize] = kind;
-            }
+        let px_of = |size: f64| block.cell * size * camera.lens.focal[0] / depth;
+        squares.add(&px, px_of(0.8), open);
+        if *in_core {
+            squares.add(&px, px_of(0.45), core);
         }
+    }
+    let known = |class: u8| match class {
+        class if class == nothing => Known::Background,
+        class if class == open => Known::Unknown,
+        _ => Known::Body,
     };
-    (0..coat.len())
-        .filter(|i| coat[*i])
-        .for_each(|i| paint(i, 0.8, Known::Unknown));
-    (0..core.len())
-        .filter(|i| core[*i])
-        .for_each(|i| paint(i, 0.45, Known::Body));
-    known
+    squares.painted().into_iter().map(known).collect()
 }

@@ -57,13 +57,15 @@ impl Prepared {
             let rows = (y - 1..y + 2).flat_map(|row| (x - 1..x + 2).map(move |c| row * width + c));
             rows.map(|i| cost[i]).sum::<f32>() / 9.0 < CERTAIN
         };
-        let around = |i: usize| {
-            let (x, y) = (i % width, i / width);
-            let inside = |x: usize, y: usize| x > 0 && y > 0 && x + 1 < width && y + 1 < height;
-            (y.max(1) - 1..y + 2)
-                .any(|y| (x.max(1) - 1..x + 2).any(|x| inside(x, y) && window(x, y)))
-        };
-        (0..cost.len()).map(around).collect()
+        let mut gaps = vec![false; cost.len()];
+        for y in 1..height.saturating_sub(1) {
+            for x in 1..width.saturating_sub(1) {
+                if window(x, y) {
+                    (y - 1..y + 2).for_each(|y| gaps[y * width + x - 1..][..3].fill(true));
+                }
+            }
+        }
+        gaps
     }
 }
 

@@ -8,4 +8,5 @@ pub(crate) mod consensus;
 pub(crate) mod consensus_in_photo;
 pub(crate) mod parts;
 pub(crate) mod see_through_holes;
+pub(crate) mod squares;
 pub(crate) mod stage;
