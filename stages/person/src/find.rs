@@ -26,7 +26,7 @@ pub struct FindPeople;
 
 impl Stage for FindPeople {
     const NAME: &'static str = "silhouette.person";
-    const VERSION: u32 = 1;
+    const VERSION: u32 = 2;
     const ABOUT: &'static str = "Finds the person on each photo by two learned networks: a coarse mask and joints, and whether the photos agree that it is a person.";
     type Params = FindPeopleParams;
     type Input = FindPeopleInput;
@@ -48,12 +48,13 @@ impl Stage for FindPeople {
             Ok((*id, only.views.get(PhotoId(0)).cloned().unwrap_or_default()))
         };
         let views = all.par_iter().map(one).collect::<Result<Vec<_>, Stop>>()?;
-        let (views, person) = followed(views.into_iter().collect());
+        let all = followed(views.into_iter().collect());
         // Of things nothing is said: most captures of them are meant.
-        if person {
-            let told = odd(&views, &input.photos);
+        if all.person {
+            let told = odd(&all, &input.photos);
             told.into_iter().for_each(|w| ctx.warn(w));
         }
+        let (views, person) = (all.views, all.person);
         Ok(People { views, person })
     }
 }

@@ -4,8 +4,7 @@
 //! `masks`, `people`, `photos` → [`Alarm`] → `lost_parts`
 //!
 //! `net/` runs a network of `models/person/`; `body/` finds people on a photo with two of them, and
-//! `turn.rs` says what all photos say together, `odd.rs` what
-//! is odd about it.
+//! `turn.rs` says what all photos say together (`same.rs`: whether two finds are one person), `odd.rs` what is odd about it.
 
 mod alarm;
 mod body;
@@ -13,6 +12,7 @@ mod find;
 mod net;
 mod odd;
 mod regions;
+mod same;
 mod turn;
 
 pub use alarm::{Alarm, AlarmInput, AlarmParams};

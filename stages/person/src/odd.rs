@@ -1,24 +1,23 @@
 //! What is odd about the people on the photos of a turn, by photo.
 
-use crate::turn::{alike, present};
-use shape::{ByPhoto, Edge, Found, Photos};
+use crate::same::present;
+use crate::turn::Followed;
+use shape::{Edge, Found, PhotoId, Photos};
 use std::f32::consts::FRAC_PI_4;
 
 /// What the user should know of a turn that shows a person; of who is followed, the first on each photo.
-pub(crate) fn odd(views: &ByPhoto<Vec<Found>>, photos: &Photos) -> Vec<String> {
+pub(crate) fn odd(Followed { views, beside, .. }: &Followed, photos: &Photos) -> Vec<String> {
     let first = |f: &[Found]| f.first().filter(|f| present(f)).cloned();
     let names = |odd: &dyn Fn(&[Found], [u32; 2]) -> bool| {
-        let of = |(id, photo): (shape::PhotoId, &shape::Photo)| {
+        let of = |(id, photo): (PhotoId, &shape::Photo)| {
             let found = views.get(id).map_or(&[][..], Vec::as_slice);
             odd(found, [photo.width, photo.height]).then(|| photo.name.clone())
         };
         some(photos.iter().filter_map(of).collect())
     };
     let nobody = names(&|found, _| first(found).is_none());
-    let several = names(&|found, _| {
-        let another = |f: &&Found| present(f) && !alike(&f.crop, &found[0].crop);
-        found.iter().skip(1).any(|f| another(&f))
-    });
+    let name = |id: &PhotoId| photos.get(*id).map(|photo| photo.name.clone());
+    let several = some(beside.iter().filter_map(name).collect());
     let cut = |edge: Edge| {
         names(&|found, size| first(found).is_some_and(|f| f.edges(size).contains(&edge)))
     };

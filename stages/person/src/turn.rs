@@ -1,82 +1,147 @@
-//! What the photos of a turn say together: who is followed, and whether it is a person.
+//! What the photos of a turn show together: who is followed, and whether it is a person.
 
-use shape::{ByPhoto, Crop, Found};
+use crate::same::{alike, middle, overlap, present};
+use shape::{ByPhoto, Crop, Found, PhotoId};
 
-/// The network says that its square shows a person.
-const PRESENT: f32 = 0.5;
-/// Squares of one person share at least so much of their union: one may lie a third of its side beside the other.
-const ONE_PERSON: f32 = 0.5;
 /// So many of the photos must show the same person. By hand, between what was looked at: on the live man and woman, three
 /// made bodies, the mannequin and a marble David all photos do, on a draped statue on a pedestal 15 of 25, on a squirrel
 /// 21 of 36, on a temple 1 of 16.
 const LEAST_SHARE: f64 = 0.75;
+/// Shoulders in [`Found::JOINTS`], structural.
+const SHOULDERS: [usize; 2] = [11, 12];
 
-/// Puts the one who is followed first on each photo, whoever else is there behind; whether it is a person.
-pub(crate) fn followed(views: ByPhoto<Vec<Found>>) -> (ByPhoto<Vec<Found>>, bool) {
-    let mut views: Vec<_> = views.iter().map(|(id, f)| (id, f.clone())).collect();
-    let mut same = 0;
-    // Once with whoever is surest on each photo, once with who is followed then.
-    for _ in 0..2 {
-        let first = views.iter().filter_map(|(_, f)| f.first());
-        let squares: Vec<Crop> = first.filter(|f| present(f)).map(|f| f.crop).collect();
-        let Some(middle) = middle(&squares) else {
-            break;
+/// Who is on the photos of a turn.
+#[derive(Debug, Default)]
+pub(crate) struct Followed {
+    /// Of each photo: first the one who is followed, then whoever else is seen, if the followed one is; else nobody.
+    pub(crate) views: ByPhoto<Vec<Found>>,
+    /// Whether the one who is followed is a person.
+    pub(crate) person: bool,
+    /// Photos that show somebody else.
+    pub(crate) beside: Vec<PhotoId>,
+}
+
+/// Follows the one who turns: of those whom most photos show in the same place the one whose shoulders change most in width,
+/// as seen, from photo to photo. Whoever is beside, hangs on the wall or is on a screen shows the same side on all.
+pub(crate) fn followed(views: ByPhoto<Vec<Found>>) -> Followed {
+    let views: Vec<(PhotoId, Vec<Found>)> = views.iter().map(|(id, f)| (id, f.clone())).collect();
+    let tracks = tracks(&views);
+    let least = (LEAST_SHARE * views.len() as f64).max(1.0);
+    let often = tracks
+        .iter()
+        .filter(|track| track.seen.len() as f64 >= least);
+    let most = often.max_by(|a, b| turning(a, &views).total_cmp(&turning(b, &views)));
+    let Some(most) = most else {
+        return Followed {
+            views: views.into_iter().collect(),
+            ..Followed::default()
         };
-        let apart = |f: &Found| -overlap(&f.crop, &middle);
-        same = 0;
-        for (_, found) in &mut views {
-            let nearest = (0..found.len())
-                .filter(|i| present(&found[*i]))
-                .min_by(|a, b| apart(&found[*a]).total_cmp(&apart(&found[*b])));
-            if let Some(nearest) = nearest {
-                found[..=nearest].rotate_right(1);
-                same += usize::from(-apart(&found[0]) >= ONE_PERSON);
-            }
+    };
+    let places = places(most, &tracks, views.len());
+    let mut all = Followed {
+        person: true,
+        ..Followed::default()
+    };
+    let one = |((id, mut found), place): ((PhotoId, Vec<Found>), Option<usize>)| {
+        let near = place.map_or(most.middle, |k| found[k].crop);
+        if found.iter().any(|f| present(f) && !alike(&f.crop, &near)) {
+            all.beside.push(id);
+        }
+        match place {
+            Some(k) => found[..=k].rotate_right(1),
+            None => found.clear(),
+        }
+        (id, found)
+    };
+    all.views = views.into_iter().zip(places).map(one).collect();
+    all
+}
+
+/// Where the one who is followed is among those who are found, photo by photo. Whoever is never seen on a photo with that
+/// one is the same, elsewhere: cut off, or upside down.
+fn places(most: &Track, tracks: &[Track], photos: usize) -> Vec<Option<usize>> {
+    let mut places = vec![None; photos];
+    for track in std::iter::once(most).chain(tracks) {
+        if track.seen.iter().all(|(photo, _)| places[*photo].is_none()) {
+            track
+                .seen
+                .iter()
+                .for_each(|(photo, k)| places[*photo] = Some(*k));
         }
     }
-    let person = !views.is_empty() && same as f64 >= LEAST_SHARE * views.len() as f64;
-    (views.into_iter().collect(), person)
+    places
 }
 
-/// Whether two squares are one person's.
-pub(crate) fn alike(a: &Crop, b: &Crop) -> bool {
-    overlap(a, b) >= ONE_PERSON
+/// Somebody whom photos show in the same place.
+struct Track {
+    middle: Crop,
+    /// Photo, and the place among those who are found on it.
+    seen: Vec<(usize, usize)>,
 }
 
-/// Whether the network that looked from near says that it is a person.
-pub(crate) fn present(found: &Found) -> bool {
-    found.presence >= PRESENT
+/// Everybody, each from the surest square on that nobody has yet.
+fn tracks(views: &[(PhotoId, Vec<Found>)]) -> Vec<Track> {
+    let mut open: Vec<(usize, usize)> = (0..views.len())
+        .flat_map(|photo| (0..views[photo].1.len()).map(move |k| (photo, k)))
+        .filter(|(photo, k)| present(&views[*photo].1[*k]))
+        .collect();
+    let crop = |(photo, k): &(usize, usize)| views[*photo].1[*k].crop;
+    let mut tracks = vec![];
+    while let Some(first) = open.first() {
+        let mut track = Track {
+            middle: crop(first),
+            seen: vec![],
+        };
+        // Once around the first, once around the middle of those.
+        for _ in 0..2 {
+            track.seen = nearest(&open, &crop, &track.middle);
+            let squares: Vec<Crop> = track.seen.iter().map(crop).collect();
+            track.middle = middle(&squares).unwrap_or(track.middle);
+        }
+        let first = *first;
+        open.retain(|one| *one != first && !track.seen.contains(one));
+        tracks.push(track);
+    }
+    tracks
 }
 
-/// The square in the middle of all, number by number; its turn is left out.
-fn middle(squares: &[Crop]) -> Option<Crop> {
-    let middle = |of: fn(&Crop) -> f32| {
-        let mut all: Vec<f32> = squares.iter().map(of).collect();
-        all.sort_by(f32::total_cmp);
-        all.get(all.len() / 2).copied()
+/// Of each photo the square that is most alike to another, if it is one person's.
+fn nearest(
+    open: &[(usize, usize)],
+    crop: &dyn Fn(&(usize, usize)) -> Crop,
+    to: &Crop,
+) -> Vec<(usize, usize)> {
+    let mut seen: Vec<(usize, usize)> = vec![];
+    for one in open.iter().filter(|one| alike(&crop(one), to)) {
+        match seen.last_mut() {
+            Some(last) if last.0 == one.0 => {
+                if overlap(&crop(one), to) > overlap(&crop(last), to) {
+                    *last = *one;
+                }
+            }
+            _ => seen.push(*one),
+        }
+    }
+    seen
+}
+
+/// How much the width of somebody's shoulders changes over the photos: its standard deviation, left for right
+/// or not, for of a back the network may take one for the other. \[px\]
+fn turning(track: &Track, views: &[(PhotoId, Vec<Found>)]) -> f64 {
+    let wide = |(photo, k): &(usize, usize)| {
+        let [left, right] = SHOULDERS.map(|j| views[*photo].1[*k].joints[j].at_px[0]);
+        f64::from((left - right).abs())
     };
-    Some(Crop {
-        centre_px: [middle(|c| c.centre_px[0])?, middle(|c| c.centre_px[1])?],
-        side_px: middle(|c| c.side_px)?,
-        angle: 0.0,
-    })
-}
-
-/// What two squares share of their union, however they are turned.
-fn overlap(a: &Crop, b: &Crop) -> f32 {
-    let along = |k: usize| {
-        let half = |c: &Crop| c.side_px / 2.0;
-        let end = (a.centre_px[k] + half(a)).min(b.centre_px[k] + half(b));
-        (end - (a.centre_px[k] - half(a)).max(b.centre_px[k] - half(b))).max(0.0)
-    };
-    let shared = along(0) * along(1);
-    shared / (a.side_px * a.side_px + b.side_px * b.side_px - shared).max(f32::MIN_POSITIVE)
+    let all: Vec<f64> = track.seen.iter().map(wide).collect();
+    let count = all.len().max(1) as f64;
+    let mean = all.iter().sum::<f64>() / count;
+    (all.iter().map(|w| (w - mean) * (w - mean)).sum::<f64>() / count).sqrt()
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use shape::{Image, Joint, PhotoId};
+    use shape::{Image, Joint};
 
     fn found(x: f32, side: f32, score: f32, presence: f32) -> Found {
         let joint = Joint {
@@ -111,23 +176,60 @@ mod tests {
             ],
             _ => vec![found(400.0 + i as f32, 800.0, 0.9, 0.99)],
         });
-        let (views, person) = followed(views);
+        let Followed {
+            views,
+            person,
+            beside,
+        } = followed(views);
         assert!(person);
         assert!(views.values().all(|f| f[0].crop.centre_px[0] < 420.0));
         assert_eq!(views.get(PhotoId(3)).unwrap().len(), 2);
+        assert_eq!(beside, [PhotoId(3), PhotoId(4)]);
+    }
+
+    /// Somebody whose shoulders are so wide. \[px\]
+    fn faces(x: f32, score: f32, wide: f32) -> Found {
+        let mut found = found(x, 800.0, score, 0.99);
+        found.joints[11].at_px[0] = x + wide / 2.0;
+        found.joints[12].at_px[0] = x - wide / 2.0;
+        found
+    }
+
+    #[test]
+    fn the_one_who_turns_is_followed_past_one_who_is_surer_on_all_photos() {
+        let turned = |i: u32| 160.0 * (i as f32 * std::f32::consts::TAU / 12.0).cos();
+        // The one beside is seen from behind: the network takes his left for his right on every second photo.
+        let beside = |i: u32| faces(1300.0, 0.99, if i % 2 == 0 { 150.0 } else { -158.0 });
+        let views = turn(|i| match i {
+            5 => vec![beside(i)],
+            _ => vec![beside(i), faces(400.0, 0.7, turned(i))],
+        });
+        let Followed {
+            views,
+            person,
+            beside,
+        } = followed(views);
+        assert!(person && beside.len() == 12);
+        let first = |i: u32| views.get(PhotoId(i)).unwrap().first();
+        assert!(first(5).is_none(), "who is not followed is nobody");
+        assert!(
+            (0..12)
+                .filter_map(first)
+                .all(|f| f.crop.centre_px[0] < 420.0)
+        );
     }
 
     #[test]
     fn what_is_seen_here_and_there_is_no_person() {
         let jumps = turn(|i| vec![found(100.0 * (i % 5) as f32, 300.0, 0.9, 0.9)]);
-        assert!(!followed(jumps).1);
+        assert!(!followed(jumps).person);
         let seldom = turn(|i| match i % 2 {
             0 => vec![found(400.0, 800.0, 0.9, 0.99)],
             _ => vec![],
         });
-        assert!(!followed(seldom).1);
+        assert!(!followed(seldom).person);
         let unsure = turn(|_| vec![found(400.0, 800.0, 0.9, 0.2)]);
-        assert!(!followed(unsure).1);
-        assert!(!followed(ByPhoto::default()).1);
+        assert!(!followed(unsure).person);
+        assert!(!followed(ByPhoto::default()).person);
     }
 }

@@ -1,9 +1,9 @@
 //! Heads, and from them hips and size of everybody on a photo.
 
 use super::place::around;
-use super::sample::sampled;
+use super::sample::sampled_without;
 use crate::net::{Network, Tensor};
-use shape::{Crop, Rgb};
+use shape::{Crop, Found, Rgb};
 
 /// Whoever scores less is nobody (MediaPipe).
 const LEAST_SCORE: f32 = 0.5;
@@ -33,23 +33,28 @@ struct Guess {
     numbers: [f32; 8],
 }
 
-/// Everybody on a photo, the surest first. Where nobody is, it is turned to its sides and over: photos lose the note of
-/// how the camera was turned.
-pub(super) fn detections(network: &Network, photo: &Rgb) -> Vec<Detection> {
+/// Everybody on a photo but those who are hidden, the surest first. Where nobody is, it is turned to its sides and over:
+/// photos lose the note of how the camera was turned.
+pub(super) fn detections(network: &Network, photo: &Rgb, hidden: &[Found]) -> Vec<Detection> {
+    if !hidden.is_empty() {
+        return turned(network, photo, 0.0, hidden);
+    }
     let turns = [0.0, 1.0, -1.0, 2.0].map(|turn| turn * std::f32::consts::FRAC_PI_2);
-    let mut seen = turns.iter().map(|angle| turned(network, photo, *angle));
+    let mut seen = turns
+        .iter()
+        .map(|angle| turned(network, photo, *angle, &[]));
     seen.find(|seen| !seen.is_empty()).unwrap_or_default()
 }
 
 /// Everybody on a photo that is looked at turned.
-fn turned(network: &Network, photo: &Rgb, angle: f32) -> Vec<Detection> {
+fn turned(network: &Network, photo: &Rgb, angle: f32, hidden: &[Found]) -> Vec<Detection> {
     let side = network.input()[0];
     let whole = Crop {
         centre_px: [photo.width, photo.height].map(|n| (n as f32 - 1.0) / 2.0),
         side_px: photo.width.max(photo.height) as f32,
         angle,
     };
-    let mut input = sampled(photo, &whole, side);
+    let mut input = sampled_without(photo, &whole, side, hidden);
     input.iter_mut().for_each(|v| *v = *v * (2.0 / 255.0) - 1.0);
     let out = network.run(&input);
     let (boxes, scores) = out.split_at(out.len() / 2);

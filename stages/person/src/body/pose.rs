@@ -2,7 +2,7 @@
 
 use super::detect::Detection;
 use super::place::around;
-use super::sample::sampled;
+use super::sample::sampled_without;
 use crate::net::{Network, Tensor};
 use shape::{Crop, Found, Image, Joint, Rgb};
 
@@ -12,14 +12,15 @@ const NUMBERS: usize = 5;
 const HIPS: usize = 33;
 const ABOVE: usize = 34;
 
-/// Somebody, seen from near.
-pub(super) fn pose(network: &Network, photo: &Rgb, seen: &Detection) -> Found {
-    let first = look(network, photo, &seen.crop);
+/// Somebody, seen from near; without those who are hidden.
+pub(super) fn pose(network: &Network, photo: &Rgb, seen: &Detection, hidden: &[Found]) -> Found {
+    let look = |crop: &Crop| look(network, photo, crop, hidden);
+    let first = look(&seen.crop);
     let crop = around(first.point(HIPS).at_px, first.point(ABOVE).at_px);
     // A square of no size, or no number, is none.
     let sound = crop.side_px >= 1.0 && crop.side_px < 1e6 && crop.angle.is_finite();
     let near = match sound {
-        true => look(network, photo, &crop),
+        true => look(&crop),
         false => first,
     };
     Found {
@@ -56,9 +57,9 @@ impl Look {
     }
 }
 
-fn look(network: &Network, photo: &Rgb, crop: &Crop) -> Look {
+fn look(network: &Network, photo: &Rgb, crop: &Crop, hidden: &[Found]) -> Look {
     let side = network.input()[0];
-    let mut input = sampled(photo, crop, side);
+    let mut input = sampled_without(photo, crop, side, hidden);
     input.iter_mut().for_each(|v| *v *= 1.0 / 255.0);
     Look {
         crop: *crop,

@@ -1,6 +1,10 @@
 //! A square of a photo in few pixels.
 
-use shape::{Crop, Rgb};
+use nalgebra::Point2;
+use shape::{Crop, Found, Rgb};
+
+/// Around whoever is painted over so many of the network's pixels go, too: derived from how right its outline is ([`Found::pixel_px`]).
+const BESIDE: f32 = 2.0;
 
 /// The colours of the square in `side` × `side` pixels, 0 to 255, each the mean of what lies in it; black outside of the
 /// photo.
@@ -34,6 +38,53 @@ pub(super) fn sampled(photo: &Rgb, crop: &Crop, side: usize) -> Vec<f32> {
         }
     }
     samples
+}
+
+/// The same with people painted over: along each row from what is left of them to what is right.
+pub(super) fn sampled_without(photo: &Rgb, crop: &Crop, side: usize, hidden: &[Found]) -> Vec<f32> {
+    let mut samples = sampled(photo, crop, side);
+    if hidden.is_empty() {
+        return samples;
+    }
+    let covered = covered(crop, side, hidden);
+    for (row, covered) in samples.chunks_mut(3 * side).zip(covered.chunks(side)) {
+        let mut x = 0;
+        while let Some(start) = (x..side).find(|x| covered[*x]) {
+            let end = (start..side).find(|x| !covered[*x]).unwrap_or(side);
+            let color = |x: usize| -> [f32; 3] { std::array::from_fn(|c| row[3 * x + c]) };
+            let left = start.checked_sub(1).map(color);
+            let right = (end < side).then(|| color(end));
+            let [left, right] = [left.or(right), right.or(left)].map(Option::unwrap_or_default);
+            for x in start..end {
+                let part = (x + 1 - start) as f32 / (end + 1 - start) as f32;
+                (0..3).for_each(|c| row[3 * x + c] = left[c] + part * (right[c] - left[c]));
+            }
+            x = end;
+        }
+    }
+    samples
+}
+
+/// Which pixels of the square show one of these people, or are beside one.
+fn covered(crop: &Crop, side: usize, hidden: &[Found]) -> Vec<bool> {
+    let mut covered = vec![false; side * side];
+    for found in hidden {
+        let reach = (BESIDE * found.pixel_px() * side as f32 / crop.side_px).ceil() as usize;
+        let body = |i: &usize| {
+            let at = |v: usize| (v as f32 + 0.5) / side as f32;
+            let [x, y] = crop.on_photo([at(i % side), at(i / side)]);
+            let odds = found.log_odds(Point2::new(f64::from(x), f64::from(y)));
+            odds.is_some_and(|odds| odds > 0.0)
+        };
+        for i in (0..side * side).filter(body) {
+            let (x, y) = (i % side, i / side);
+            let columns = x.saturating_sub(reach)..(x + reach + 1).min(side);
+            for y in y.saturating_sub(reach)..(y + reach + 1).min(side) {
+                covered[y * side..][columns.clone()].fill(true);
+            }
+        }
+    }
+    covered
 }
 
 /// The colour between pixels; black outside.
