@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Fits how much of a part of the body a mask may leave out before it is named.
 
-    cargo run --release -p person --example alarm -- PHOTOS MASKS [PHOTOS MASKS]... > lost.jsonl
+    cargo run --release -p person --features tables --example alarm -- PHOTOS MASKS [PHOTOS MASKS]... > lost.jsonl
     models/person/alarm.py lost.jsonl [HELD_OUT.jsonl]
 
 By part: the middle between the most that a true mask leaves out, and what nine in ten masks leave out that lack a limb of that part (of

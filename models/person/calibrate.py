@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Fits how far the network's log-odds of the body are to be believed.
 
-    cargo run --release -p person --example calibrate -- PHOTOS MASKS [PHOTOS MASKS]... > counts.jsonl
+    cargo run --release -p person --features tables --example calibrate -- PHOTOS MASKS [PHOTOS MASKS]... > counts.jsonl
     models/person/calibrate.py counts.jsonl [HELD_OUT.jsonl]
 
 Logistic calibration (Platt 1999): log-odds of the body = base + slope * the network's, by maximum likelihood, every capture with the

@@ -1,7 +1,7 @@
 //! What the program reads on the arms of made bodies, as a table that `pipelines/fit-levels.toml` fits on.
 //!
 //! ```sh
-//! cargo run --release -p measure --example arm_features -- MADE > models/tables/arms.csv
+//! cargo run --release -p measure --features tables --example arm_features -- MADE > models/tables/arms.csv
 //! ```
 //!
 //! `MADE` is the folder that `models/made/make_bodies.py` wrote. A row an arm. Ways are along the straight line

@@ -1,7 +1,7 @@
 //! What the program reads on made bodies, as the table that `pipelines/fit-levels.toml` fits on.
 //!
 //! ```sh
-//! cargo run --release -p measure --example feature_table -- MADE > models/tables/made-bodies.csv
+//! cargo run --release -p measure --features tables --example feature_table -- MADE > models/tables/made-bodies.csv
 //! ```
 //!
 //! `MADE` is the folder that `models/made/make_bodies.py` wrote.

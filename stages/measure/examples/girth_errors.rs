@@ -1,7 +1,7 @@
 //! Girths of made bodies end to end against their truth, as the table that coverage is tested on.
 //!
 //! ```sh
-//! cargo run --release -p measure --example girth_errors -- MADE > models/tables/girths.csv
+//! cargo run --release -p measure --features tables --example girth_errors -- MADE > models/tables/girths.csv
 //! ```
 //!
 //! `MADE` is the folder that `models/made/make_bodies.py` wrote. A row a girth that was told: `tape`, its 90 %

@@ -1,7 +1,7 @@
 //! What the program reads on the necks of made bodies, as a table that `pipelines/fit-levels.toml` fits on.
 //!
 //! ```sh
-//! cargo run --release -p measure --example neck_features -- MADE > models/tables/neck.csv
+//! cargo run --release -p measure --features tables --example neck_features -- MADE > models/tables/neck.csv
 //! ```
 //!
 //! `MADE` is the folder that `models/made/make_bodies.py` wrote. Offsets are along the neck's axis from its

@@ -1,6 +1,6 @@
 //! How far masks and the learned one disagree by part of the body, on true masks and on true masks that lack a limb: for `models/person/alarm.py`.
 //!
-//! `cargo run --release -p person --example alarm -- PHOTOS MASKS [PHOTOS MASKS]...` prints a line of JSON a photo and mask: what was taken
+//! `cargo run --release -p person --features tables --example alarm -- PHOTOS MASKS [PHOTOS MASKS]...` prints a line of JSON a photo and mask: what was taken
 //! out of the true mask (nothing, a forearm with its hand, a shank with its foot, a foot, the head, a side of the trunk), and by part
 //! in the order of `BodyPart::ALL` which share of it is lost and added.
 

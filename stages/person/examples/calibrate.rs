@@ -1,6 +1,6 @@
 //! How often what the network calls body, with such log-odds, is body: for `models/person/calibrate.py`.
 //!
-//! `cargo run --release -p person --example calibrate -- PHOTOS MASKS [PHOTOS MASKS]...` prints a line of JSON a pair of folders:
+//! `cargo run --release -p person --features tables --example calibrate -- PHOTOS MASKS [PHOTOS MASKS]...` prints a line of JSON a pair of folders:
 //! by step of log-odds (sixteenths of a nat, -127 to 127), how many pixels of all photos are background, and how many body.
 
 use person::Networks;
