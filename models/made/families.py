@@ -1,7 +1,5 @@
 """What bodies each family holds: shape and pose, drawn from a seed of the family and the body's number."""
 import numpy as np
-import torch
-from anny.shape_distribution import SimpleShapeDistribution
 
 SEEDS = {"range": 1101, "survey": 1102, "poses": 1103, "reach": 1104, "again": 1105}
 COUNTS = {"range": 400, "survey": 400, "poses": 76, "reach": 60}
@@ -81,6 +79,9 @@ def stream(family, number):
 
 def phenotype(body, rng, children=0.25):
     """anny's own distribution over age, height and weight; sex continuous, cup, firmness and races even."""
+    import torch
+    from anny.shape_distribution import SimpleShapeDistribution
+
     torch.manual_seed(int(rng.integers(2**31)))
     shapes = SimpleShapeDistribution(body.anny)
     years = rng.uniform(1.0, 18.0) if rng.random() < children else rng.uniform(18.0, 85.0)

@@ -45,13 +45,17 @@ def upright(v):
 
 
 class Plain(Template):
-    """The middle body of a sex, so tall [mm]: `base_v` and `base_h` are its vertices and bone heads at rest."""
+    """The middle body of a sex, so tall [mm]: `base_v` and `base_h` are its vertices and bone heads at rest.
 
-    def __init__(self, wheel, sex, stature):
+    `shape` gives another body: its targets and their shares, and those of both ends of the height's slider.
+    """
+
+    def __init__(self, wheel, sex, stature, shape=None):
+        shares, ends = shape or (middle(sex), [[(name, 1.0)] for name in heights(sex)])
         with zipfile.ZipFile(wheel) as self.wheel:
             v, uv, groups, quads = self._object()
-            v = v + sum(share * self._target(name, len(v)) for name, share in middle(sex))
-            low, high = (upright(v + self._target(name, len(v))) for name in heights(sex))
+            v = v + sum(share * self._target(name, len(v)) for name, share in shares)
+            low, high = (upright(v + sum(share * self._target(name, len(v)) for name, share in end)) for end in ends)
             rig = json.loads(self._read("mpfb2/rigs/standard/rig.default.json"))
             weights = json.loads(self._read("mpfb2/rigs/standard/weights.default.json"))["weights"]
             waist = self._waist()

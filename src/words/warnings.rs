@@ -2,7 +2,7 @@
 //! `words/` that mean the same in the reader's language.
 
 #[rustfmt::skip]
-pub(crate) const WARNINGS: [(&str, &str); 140] = [
+pub(crate) const WARNINGS: [(&str, &str); 144] = [
     ("frames of a video are not at even steps: `step_deg` was passed over (how many are taken: --set frames.step_deg=)", "warn-video-steps"),
     ("* is the same file as * and was left out: if another photo should be in its place, put it there", "warn-same-file"),
     ("* is the same file as * and was left out", "warn-same-raw"),
@@ -39,6 +39,8 @@ pub(crate) const WARNINGS: [(&str, &str); 140] = [
     ("*: pieces that do not hang together with the body are left out: *", "warn-scan-pieces"),
     ("*: small holes closed by flat covers: *, up to * mm around", "warn-scan-holes"),
     ("*: its faces look inward; they were turned", "warn-scan-inward"),
+    ("*: faces that disagreed with those around them about which side is outside were turned: *", "warn-scan-mixed"),
+    ("the legs join on the surface * below the crotch that stature and hip suggest, so the thighs are measured lower than they may be fullest, and their intervals are wider: place the feet farther apart", "warn-thighs-low"),
     ("where the buttocks reach farthest back does not show, so the hip's level is estimated from the rest of the body and its interval is wider: does a skirt or coat hide it?", "warn-hip-hidden"),
     ("no feet tell which way the body faces, so the hip's and the neck's levels may be wrong: do shoes or a long coat hide them?", "warn-front"),
     ("this body* lies outside the range of adults that the waist and chest model was fitted on (a child, a small figure, an unusual build, or a wrong stature): where waist and chest lie comes from synthetic bodies, and their intervals are wider", "warn-made-levels"),
@@ -105,6 +107,8 @@ pub(crate) const WARNINGS: [(&str, &str); 140] = [
     ("* shows the same as *, nothing turned between them: remove one of them", "warn-shows-same"),
     ("and so on, * more photos", "warn-and-more"),
     ("the surface shows no two legs: is the body cut off, or do masks lack a leg? Stand with the feet apart, without coat or skirt", "warn-no-legs"),
+    ("the surface has more than two legs: is it a chair, an animal, or two people who touch? One person alone is wanted", "warn-many-legs"),
+    ("a large part of the surface is one plane: is the body cut through, so that only a part of it is here?", "warn-cut-through"),
     ("no neck was found between head and shoulders: does hair or a collar hide it, or do the photos cut the head off?", "warn-no-neck"),
     ("the neck is too short on this surface for a tape: lift the chin", "warn-neck-groove"),
     ("the top of the surface is flat, not a crown: the head is missing or cut off by the photos' border", "warn-no-head"),

@@ -13,6 +13,7 @@ mod plain;
 mod printed;
 mod scans;
 mod screens;
+mod strangers;
 mod tables;
 
 use std::path::{Path, PathBuf};

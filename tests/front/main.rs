@@ -21,9 +21,11 @@ mod place;
 mod privacy;
 mod profile;
 mod reports;
+mod scans;
 mod screens;
 mod shown;
 mod stops;
 #[cfg(feature = "remote")]
 mod strangers;
+mod things;
 mod words;

@@ -1,7 +1,7 @@
 //! The stage that takes a surface from elsewhere: a scan, or any mesh as PLY, OBJ, STL, OFF, GLB or 3MF.
 
 pub use crate::scan::Unit;
-use crate::scan::{MOST_FACES, Read, closed, pieces, read, turned, unit, up};
+use crate::scan::{MOST_FACES, Read, agreed, announced, closed, pieces, read, turned, unit, up};
 use shape::Mesh;
 use stage::{Ctx, Files, FilesError, Stage, Stop};
 use std::sync::Arc;
@@ -99,7 +99,7 @@ pub struct Surface;
 
 impl Stage for Surface {
     const NAME: &'static str = "capture.surface";
-    const VERSION: u32 = 3;
+    const VERSION: u32 = 4;
     const ABOUT: &'static str =
         "Takes a closed surface from elsewhere, such as a scan: PLY, OBJ, STL, OFF, GLB or 3MF.";
     type Params = SurfaceParams;
@@ -112,6 +112,10 @@ impl Stage for Surface {
             return Err(SurfaceError::Count(entries.len()).into());
         };
         let bytes = input.files.read(entry).map_err(SurfaceError::from)?;
+        let many = announced(&entry.name, &bytes);
+        if many > MOST_FACES {
+            return Err(SurfaceError::Faces(entry.name.clone(), many).into());
+        }
         let read =
             read(&entry.name, &bytes).map_err(|why| SurfaceError::Read(entry.name.clone(), why))?;
         Ok(upright(read, p, &entry.name, ctx)?)
@@ -173,6 +177,12 @@ fn body(mesh: Mesh, name: &str, ctx: &Ctx<'_>) -> Result<Mesh, SurfaceError> {
         ));
     }
     let mut mesh = found.body;
+    let mixed = agreed(&mut mesh);
+    if mixed > 0 {
+        ctx.warn(format!(
+            "{name}: faces that disagreed with those around them about which side is outside were turned: {mixed}"
+        ));
+    }
     if mesh.volume() < 0.0 {
         mesh.faces.iter_mut().for_each(|f| f.swap(1, 2));
         ctx.warn(format!("{name}: its faces look inward; they were turned"));

@@ -66,7 +66,7 @@ const EVEN: f64 = 0.1;
 
 impl Stage for Measure {
     const NAME: &'static str = "measure.girths";
-    const VERSION: u32 = 27;
+    const VERSION: u32 = 28;
     const ABOUT: &'static str = "Measures girths at landmarks: along the skin, as a tape, and as the paper's closed spline (eq. 8).";
     type Params = GirthParams;
     type Input = GirthInput;

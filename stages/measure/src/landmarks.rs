@@ -57,7 +57,7 @@ pub struct FindLandmarks;
 
 impl Stage for FindLandmarks {
     const NAME: &'static str = "measure.landmarks";
-    const VERSION: u32 = 25;
+    const VERSION: u32 = 26;
     const ABOUT: &'static str = "Finds neck, chest, waist, hip, arms and legs from marks on the outline: buttocks, hollow of the back, bust, shoulders, ears.";
     type Params = LandmarkParams;
     type Input = LandmarkInput;
@@ -129,7 +129,8 @@ impl Stage for FindLandmarks {
         let word = arm_joints(&mut limbs, &model);
         word.iter().for_each(|word| ctx.warn(*word));
         arms(&limbs, &body, &mut found);
-        legs(&limbs, &body, &mut found);
+        let word = legs(&limbs, &body, &mut found);
+        word.iter().for_each(|word| ctx.warn(word));
         own(&body, told.as_ref(), &limbs, &p.girth.0, &mut found)?;
         found.found.retain(|l| p.set.holds(l.by));
         found

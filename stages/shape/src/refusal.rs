@@ -9,6 +9,10 @@ use std::fmt;
 pub enum Refusal {
     /// No two legs: cut off, or under a skirt or coat.
     NoLegs,
+    /// More than two legs: a chair, an animal, two people.
+    ManyLegs,
+    /// A large part of the surface is one plane: a body that is cut through.
+    CutThrough,
     /// No neck between head and shoulders.
     NoNeck,
     /// The neck is a groove between head and shoulders, not a tube.
@@ -51,8 +55,10 @@ pub enum Refusal {
 
 impl Refusal {
     /// All of them, in the order of the declaration.
-    pub const ALL: [Refusal; 20] = [
+    pub const ALL: [Refusal; 22] = [
         Refusal::NoLegs,
+        Refusal::ManyLegs,
+        Refusal::CutThrough,
         Refusal::NoNeck,
         Refusal::NeckGroove,
         Refusal::NoHead,
@@ -79,6 +85,12 @@ impl Refusal {
         match self {
             Refusal::NoLegs => {
                 "the surface shows no two legs: is the body cut off, or do masks lack a leg? Stand with the feet apart, without coat or skirt"
+            }
+            Refusal::ManyLegs => {
+                "the surface has more than two legs: is it a chair, an animal, or two people who touch? One person alone is wanted"
+            }
+            Refusal::CutThrough => {
+                "a large part of the surface is one plane: is the body cut through, so that only a part of it is here?"
             }
             Refusal::NoNeck => {
                 "no neck was found between head and shoulders: does hair or a collar hide it, or do the photos cut the head off?"
@@ -143,6 +155,8 @@ impl Refusal {
     pub fn code(self) -> &'static str {
         match self {
             Refusal::NoLegs => "no_legs",
+            Refusal::ManyLegs => "many_legs",
+            Refusal::CutThrough => "cut_through",
             Refusal::NoNeck => "no_neck",
             Refusal::NeckGroove => "neck_groove",
             Refusal::NoHead => "no_head",

@@ -13,7 +13,7 @@ pub fn is_scan(name: &str) -> bool {
     ending(name).is_some()
 }
 
-fn ending(name: &str) -> Option<&'static str> {
+pub(super) fn ending(name: &str) -> Option<&'static str> {
     let (_, own) = name.rsplit_once('.')?;
     SCANS.into_iter().find(|e| own.eq_ignore_ascii_case(e))
 }
@@ -26,8 +26,8 @@ fn ending(name: &str) -> Option<&'static str> {
 pub(crate) fn read(name: &str, bytes: &[u8]) -> Result<Read, String> {
     let plain = |mesh| Read { mesh, unit: None };
     let read = match ending(name) {
-        Some("obj") => plain(obj(&text(bytes)?)?),
-        Some("off") => plain(off(&text(bytes)?)?),
+        Some("obj") => plain(obj(text(bytes)?)?),
+        Some("off") => plain(off(text(bytes)?)?),
         Some("stl") => plain(stl(bytes)?),
         // The format knows metres alone.
         Some("glb") => Read {
@@ -42,9 +42,8 @@ pub(crate) fn read(name: &str, bytes: &[u8]) -> Result<Read, String> {
     Ok(Read { mesh, ..read })
 }
 
-fn text(bytes: &[u8]) -> Result<String, String> {
-    let text = std::str::from_utf8(bytes);
-    text.map(str::to_owned).map_err(|_| "no text".to_owned())
+fn text(bytes: &[u8]) -> Result<&str, String> {
+    std::str::from_utf8(bytes).map_err(|_| "no text".to_owned())
 }
 
 /// A number in a line.

@@ -1,5 +1,7 @@
 //! Surfaces from elsewhere: their files, their holes, and how they are oriented.
 
+mod announced;
+mod facing;
 mod file;
 mod given;
 mod glb;
@@ -7,6 +9,8 @@ mod holes;
 mod pose;
 mod three_mf;
 
+pub(crate) use announced::announced;
+pub(crate) use facing::agreed;
 pub(crate) use file::read;
 pub use file::{SCANS, is_scan};
 pub use given::Unit;

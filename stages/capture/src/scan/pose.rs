@@ -5,6 +5,12 @@ use std::collections::BTreeMap;
 
 /// A stature that most grown people are near. \[mm\]
 const USUAL_MM: f64 = 1700.0;
+/// Adults are no taller: the mean of 4 082 men and 3.5 standard deviations (ANSUR II, 1756 and 69 mm). \[mm\]
+const TALLEST_MM: f64 = 2000.0;
+/// Nobody's arms span more than so many statures (structural), so what is longer than that against all else is the height.
+const SPAN: f64 = 1.2;
+/// Third centile of girls' length at birth (WHO 2006).
+const SMALLEST_MM: f64 = 456.0;
 /// A second piece with so much of the volume of the first is another body, or the other half of this one (by hand: eyes,
 /// teeth and specks of scans have less than a hundredth).
 const SECOND: f64 = 0.25;
@@ -64,7 +70,8 @@ pub(crate) fn up(mesh: &Mesh) -> Option<(usize, bool)> {
     let mut axes = [0, 1, 2];
     axes.sort_by(|a, b| long[*b].total_cmp(&long[*a]));
     let odd = |axis: usize| unlike(mesh, axis, low[axis], high[axis]);
-    let axis = match odd(axes[0]) >= odd(axes[1]) {
+    let alone = long[axes[0]] > SPAN * long[axes[1]];
+    let axis = match alone || odd(axes[0]) >= odd(axes[1]) {
         true => axes[0],
         false => axes[1],
     };
@@ -82,7 +89,8 @@ pub(crate) fn up(mesh: &Mesh) -> Option<(usize, bool)> {
 /// Bins along an axis in which a body is compared with its mirror image.
 const BINS: usize = 40;
 
-/// How unlike its mirror image along an axis a surface is: the area that is on one side alone, as a share.
+/// How unlike its mirror image along an axis a surface is: the area that is on one side alone, as a share; about the middle
+/// that makes it least, for an arm that reaches out shifts that of the box.
 fn unlike(mesh: &Mesh, axis: usize, low: f64, high: f64) -> f64 {
     let mut areas = [0.0; BINS];
     for f in 0..mesh.faces.len() {
@@ -92,8 +100,16 @@ fn unlike(mesh: &Mesh, axis: usize, low: f64, high: f64) -> f64 {
         areas[(at.max(0.0) as usize).min(BINS - 1)] += mesh.area_vector(f).norm();
     }
     let all: f64 = areas.iter().sum();
-    let off = (0..BINS).map(|i| (areas[i] - areas[BINS - 1 - i]).abs());
-    off.sum::<f64>() / all.max(1e-12)
+    let off = |shift: usize| {
+        let about = BINS / 2 + shift;
+        let other = |i: usize| about.checked_sub(i).and_then(|k| areas.get(k));
+        let mirrored = |i: usize| other(i).copied().unwrap_or(0.0);
+        let beside: f64 = (0..BINS).map(|i| (areas[i] - mirrored(i)).abs()).sum();
+        // What has its mirror image outside of the box.
+        beside + all - (0..BINS).map(mirrored).sum::<f64>()
+    };
+    let least = (BINS / 4..=3 * BINS / 4).map(off).fold(f64::MAX, f64::min);
+    least / all.max(1e-12)
 }
 
 /// Turned so that an axis points up: turned, never mirrored.
@@ -111,9 +127,33 @@ pub(crate) fn turned(mesh: &mut Mesh, (axis, negative): (usize, bool)) {
     }
 }
 
-/// The unit in which a height is nearest to a grown person's, as a ratio; of units with their millimetres.
+/// The unit in which a height is nearest to a grown person's, as a ratio; of units with their millimetres. One in which it
+/// would be that of a giant gives way to one in which it is a child's.
 pub(crate) fn unit<T: Copy>(height: f64, units: &[(T, f64)]) -> Option<T> {
     let off = |mm: f64| libm::log(height * mm / USUAL_MM).abs();
-    let nearest = units.iter().min_by(|a, b| off(a.1).total_cmp(&off(b.1)));
+    let usual = |mm: f64| (SMALLEST_MM..=TALLEST_MM).contains(&(height * mm));
+    let rank = |u: &(T, f64)| (!usual(u.1), off(u.1));
+    let nearest = units.iter().min_by(|a, b| {
+        let (a, b) = (rank(a), rank(b));
+        a.0.cmp(&b.0).then(a.1.total_cmp(&b.1))
+    });
     nearest.map(|u| u.0)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn children_and_tall_people_are_read_in_the_unit_of_their_file() {
+        let units = [("mm", 1.0), ("cm", 10.0), ("m", 1000.0), ("in", 25.4)];
+        for mm in [820.0, 1000.0, 1300.0, 1700.0, 1990.0, 2150.0] {
+            for (name, of) in units {
+                // 84 inches may be those of a giant or the centimetres of a small child.
+                if (name, mm) != ("in", 2150.0) {
+                    assert_eq!(unit(mm / of, &units), Some(name), "{mm} mm in {name}");
+                }
+            }
+        }
+    }
 }

@@ -59,7 +59,7 @@ impl Body {
     }
 
     /// Slices between two heights that are shares of the stature.
-    fn shares(&self, (low, high): (f64, f64)) -> impl Iterator<Item = &Slice> {
+    pub(crate) fn shares(&self, (low, high): (f64, f64)) -> impl Iterator<Item = &Slice> {
         self.between(
             self.ground + low * self.stature,
             self.ground + high * self.stature,
@@ -140,7 +140,8 @@ fn legs_join(body: &Body) -> Option<f64> {
         }
         top = z;
     }
-    Some(top)
+    // Legs that go on beyond are not those of a whole body: its trunk is cut off.
+    (high - top > 0.015 * body.stature).then_some(top)
 }
 
 /// The narrowest ring between head and shoulders: from the crown down, the least after the head's

@@ -15,6 +15,8 @@ pub struct Marks {
     pub hip: f64,
     /// Whether that shows; else it is what the rest of the body tells.
     pub hip_shows: bool,
+    /// Standard deviation of the heights at which they reach about as far.
+    pub hip_spread: f64,
     /// The narrowest of the neck, cut level.
     pub neck: f64,
     /// The hollow of the back: farthest within the line from buttocks to shoulder blades.
@@ -61,6 +63,10 @@ pub fn marks(body: &Body) -> Option<Marks> {
     Some(Marks {
         hip: hip - ground,
         hip_shows: matches!(body.hip, Some(HipAt::Between(..))),
+        hip_spread: match body.hip {
+            Some(HipAt::Between(low, high)) => back_spread(body, low, high)?,
+            _ => 0.0,
+        },
         neck: neck - ground,
         hollow: hollow - ground,
         bust: bust - ground,
@@ -105,6 +111,21 @@ pub(crate) fn farthest_back(body: &Body, low: f64, high: f64) -> Option<(f64, bo
     let reach = smoothed(body, low, high, back);
     let most = (0..reach.len()).max_by(|a, b| reach[*a].1.total_cmp(&reach[*b].1))?;
     Some((reach[most].0, most > 0 && most + 1 < reach.len()))
+}
+
+/// Half a millimetre on a grown person, a share of stature: what a surface moves from scan to scan (structural).
+const SAME: f64 = 0.0003;
+
+/// Standard deviation of the heights at which the back reaches as far but for what a surface moves by itself. \[mm\]
+fn back_spread(body: &Body, low: f64, high: f64) -> Option<f64> {
+    let back = |s: &Slice| depth(body, s.rings.first()?).map(|e| -e.0);
+    let reach = smoothed(body, low, high, back);
+    let most = reach.iter().map(|r| r.1).reduce(f64::max)?;
+    let weight = |r: &(f64, f64)| libm::exp((r.1 - most) / (SAME * body.stature));
+    let sum = |of: &dyn Fn(f64) -> f64| reach.iter().map(|r| weight(r) * of(r.0)).sum::<f64>();
+    let all = sum(&|_| 1.0);
+    let mean = sum(&|z| z) / all;
+    Some((sum(&|z| (z - mean).powi(2)) / all).sqrt())
 }
 
 /// Where a profile lies farthest from the straight line between its ends; above it for `side` 1.

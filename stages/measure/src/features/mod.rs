@@ -3,6 +3,7 @@
 pub(crate) mod arms;
 pub(crate) mod body;
 pub(crate) mod extent;
+pub(crate) mod flat;
 pub(crate) mod ground;
 pub(crate) mod limb;
 pub(crate) mod marks;

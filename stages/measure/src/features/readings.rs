@@ -70,18 +70,33 @@ impl Reading {
 
 /// A body's readings; what does not show is not there.
 #[derive(Debug, Clone, PartialEq, Default)]
-pub struct Readings([Option<f64>; Reading::ALL.len()]);
+pub struct Readings {
+    values: [Option<f64>; Reading::ALL.len()],
+    spread: [f64; Reading::ALL.len()],
+}
 
 impl Readings {
     /// One of them.
     pub fn get(&self, reading: Reading) -> Option<f64> {
-        self.0[reading as usize]
+        self.values[reading as usize]
+    }
+
+    /// How far a reading may be elsewhere on this very surface: a standard deviation, nought where it is sharp.
+    pub fn spread(&self, reading: Reading) -> f64 {
+        self.spread[reading as usize]
     }
 
     /// With one of them set, or taken away.
     #[must_use]
     pub fn with(mut self, reading: Reading, value: Option<f64>) -> Self {
-        self.0[reading as usize] = value.filter(|v| v.is_finite());
+        self.values[reading as usize] = value.filter(|v| v.is_finite());
+        self
+    }
+
+    /// With one of them so far spread.
+    #[must_use]
+    pub fn spread_by(mut self, reading: Reading, spread: f64) -> Self {
+        self.spread[reading as usize] = spread;
         self
     }
 }
@@ -107,6 +122,7 @@ pub fn readings(body: &Body, marks: &Marks, absolute: bool) -> Option<Readings> 
     let depth = marks.reach.front(0.6667) - marks.reach.back(0.6667);
     let read = by_neck(body, absolute)?
         .with(Reading::Buttock, marks.hip_shows.then_some(marks.hip / s))
+        .spread_by(Reading::Buttock, marks.hip_spread / s)
         .with(Reading::HipTape, tape(0.0).filter(|_| marks.hip_shows))
         .with(Reading::BellyTape, tape(0.25))
         .with(Reading::WaistTape, tape(0.4))

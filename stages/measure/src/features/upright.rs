@@ -2,6 +2,7 @@
 //! and under a coat, levels mean nothing.
 
 use crate::features::body::{Body, body};
+use crate::features::flat::flat_share;
 use crate::geometry::slices::Slice;
 use nalgebra::{Point3, Vector3};
 use shape::{Mesh, Refusal};
@@ -16,13 +17,33 @@ const OVER: f64 = 0.12;
 /// or skirt is more.
 const HEM: f64 = 1.7;
 
+/// A share of the surface in one plane from which on it is cut through: of six scans at most 0.026, of halves of two of them, cut
+/// lengthwise and covered, at least 0.16 (2026).
+const CUT: f64 = 0.08;
+
 /// Why a body is none that stands: a reason. `None` for one that does.
 pub(crate) fn unfit(mesh: &Mesh, body: &Body) -> Option<Refusal> {
     let upside_down = || (body.crotch.is_none() || body.neck.is_none()) && stands_on_its_head(mesh);
+    if many_legs(body) {
+        return Some(Refusal::ManyLegs);
+    }
+    if flat_share(mesh) > CUT {
+        return Some(Refusal::CutThrough);
+    }
     if lies(mesh, body.stature) || sits(body) || upside_down() {
         return Some(Refusal::NotUpright);
     }
     hem(body).then_some(Refusal::NoLegs)
+}
+
+/// Heights of shins, as shares of stature (structural: above ankles, below what hands reach).
+const SHINS: (f64, f64) = (0.12, 0.3);
+
+/// Whether more than two rings of like size are there where a body has its shins.
+fn many_legs(body: &Body) -> bool {
+    let many = |s: &&Slice| s.rings.len() > 2 && s.rings[2].area > 0.4 * s.rings[0].area;
+    let (shins, all) = (body.shares(SHINS), body.shares(SHINS).count());
+    2 * shins.filter(many).count() > all
 }
 
 /// Whether a surface reaches farther across than up.

@@ -42,8 +42,22 @@ impl Normal {
     /// The distribution of variable `target` given the values of others. `None` where the observed
     /// covariance is singular or a value is not finite.
     pub(crate) fn given(&self, observed: &[(usize, f64)], target: usize) -> Option<Conditional> {
+        self.given_noisy(observed, &[], target)
+    }
+
+    /// The same where observed values have variances of their own beside those of the distribution.
+    pub(crate) fn given_noisy(
+        &self,
+        observed: &[(usize, f64)],
+        more: &[f64],
+        target: usize,
+    ) -> Option<Conditional> {
         let n = observed.len();
-        let among = DMatrix::from_fn(n, n, |i, j| self.covariance[(observed[i].0, observed[j].0)]);
+        let own = |i: usize| more.get(i).copied().unwrap_or(0.0);
+        let among = DMatrix::from_fn(n, n, |i, j| {
+            let shared = self.covariance[(observed[i].0, observed[j].0)];
+            shared + if i == j { own(i) } else { 0.0 }
+        });
         let cross = DVector::from_fn(n, |i, _| self.covariance[(observed[i].0, target)]);
         let off = DVector::from_fn(n, |i, _| observed[i].1 - self.mean[observed[i].0]);
         let factor = among.cholesky()?;
@@ -106,6 +120,19 @@ mod tests {
         // Var(b | a) = 4 − 0.25.
         proof::near(found.variance, 3.75 + 0.25, 1e-12);
         proof::near(found.distance, 0.0, 1e-12);
+    }
+
+    #[test]
+    fn a_value_with_a_variance_of_its_own_weighs_less_and_leaves_more_open() {
+        let seen = [(0, 1.5), (1, 1.0)];
+        let (sharp, noisy) = (
+            known().given(&seen, 2).unwrap(),
+            known().given_noisy(&seen, &[3.0], 2).unwrap(),
+        );
+        assert!(noisy.weights[0] < 0.5 * sharp.weights[0]);
+        assert!(noisy.variance > 2.0 * sharp.variance);
+        let gone = known().given_noisy(&seen, &[1e12], 2).unwrap();
+        proof::near(gone.mean, known().given(&seen[1..], 2).unwrap().mean, 1e-6);
     }
 
     #[test]

@@ -92,6 +92,15 @@ impl LevelModel {
             .collect()
     }
 
+    /// By how much the variance of each observed reading is above what it is of made bodies: on this surface it is spread.
+    fn spread_more(&self, readings: &Readings, observed: &[(usize, f64)]) -> Vec<f64> {
+        let more = |(k, _): &(usize, f64)| {
+            let spread = readings.spread(self.readings[*k]);
+            (spread * spread - self.reading_sigma[*k].powi(2)).max(0.0)
+        };
+        observed.iter().map(more).collect()
+    }
+
     /// One of the model's variables from readings.
     fn told(&self, readings: &Readings, stature_mm: f64, target: usize) -> Option<LevelEstimate> {
         let observed = self.observed(readings);
@@ -100,12 +109,13 @@ impl LevelModel {
             Some(n) => *self.limit.get(n)?,
             None => f64::INFINITY,
         };
+        let more = self.spread_more(readings, &observed);
         let answers = |scope: Scope| -> Vec<Answer<'_>> {
             self.populations
                 .iter()
                 .filter(|p| p.scope == scope)
                 .filter_map(|population| {
-                    let given = population.normal.given(&observed, target)?;
+                    let given = population.normal.given_noisy(&observed, &more, target)?;
                     Some(Answer { population, given })
                 })
                 .collect()
@@ -121,7 +131,7 @@ impl LevelModel {
             (false, false) => (made, Cover::Outside),
         };
         let (mean, variance) = mixture(&from)?;
-        let repeat = self.repeat_variance(&observed, &from);
+        let repeat = self.repeat_variance(&observed, &more, &from);
         // Where nobody knows the body, errors grow as it lies farther away.
         let nearest = from.iter().map(|a| a.given.distance).reduce(f64::min)?;
         let wider = (nearest / limit).max(1.0).sqrt();
@@ -156,13 +166,19 @@ impl LevelModel {
 
     /// The variance of the level that the scatter of readings alone makes, by the population that fits
     /// best.
-    fn repeat_variance(&self, observed: &[(usize, f64)], answers: &[Answer<'_>]) -> Option<f64> {
+    fn repeat_variance(
+        &self,
+        observed: &[(usize, f64)],
+        more: &[f64],
+        answers: &[Answer<'_>],
+    ) -> Option<f64> {
         let repeat = self.repeat.as_ref()?;
         let best = answers
             .iter()
             .max_by(|a, b| a.given.log_density.total_cmp(&b.given.log_density))?;
         let weights = &best.given.weights;
-        let mut sum = 0.0;
+        let own = weights.iter().zip(more);
+        let mut sum: f64 = own.map(|(weight, more)| weight * weight * more).sum();
         for (i, (a, _)) in observed.iter().enumerate() {
             for (j, (b, _)) in observed.iter().enumerate() {
                 sum += weights[i] * repeat[(*a, *b)] * weights[j];

@@ -4,8 +4,10 @@ use crate::features::body::Body;
 use crate::features::extent::extent;
 use crate::features::limb::follow::Knot;
 use crate::features::limb::{Limb, Limbs, Segment};
+use crate::features::marks::hip;
 use crate::geometry::section::{flat, length, tape};
 use crate::geometry::slices::{Ring, level};
+use crate::planes::crotch::Hidden;
 use nalgebra::{Point3, Vector3};
 use shape::{Mesh, Part, Plane, PlaneSigma, Refusal};
 
@@ -27,8 +29,6 @@ const BELOW: f64 = 0.012;
 const CLEAR: f64 = 0.025;
 /// A girth that grows by no more than this over 15 thousandths of stature has stopped growing.
 const FLAT: f64 = 1.01;
-/// Where crotches that show are lower than this share of stature, the thigh's fullest is above them.
-const EXPECTED: f64 = 0.46;
 /// How sure the level of a greatest girth is, as a share of stature.
 const EXTREME: f64 = 0.006;
 
@@ -111,9 +111,13 @@ pub(crate) fn webbed(body: &Body, ring: &Ring, side: f64) -> bool {
     length(&half) - tape(&half) > WEB * ring.tape
 }
 
-/// A thigh where it is fullest below the crotch (ISO 8559-1 5.3.20): level, or square to a leg that
-/// leans.
-pub(crate) fn thigh(limbs: &Limbs<'_>, body: &Body, side: f64) -> Result<Placed, Refusal> {
+/// A thigh where it is fullest below the crotch (ISO 8559-1 5.3.20): level, or square to a leg that leans; and what of it
+/// may be hidden.
+pub(crate) fn thigh(
+    limbs: &Limbs<'_>,
+    body: &Body,
+    side: f64,
+) -> Result<(Placed, Hidden), Refusal> {
     let leg = limbs.leg(side)?;
     let down = -leg.axis(Segment::Thigh).ok_or(Refusal::NoLimb)?.along;
     let upright = -down.z > UPRIGHT;
@@ -159,8 +163,10 @@ pub(crate) fn thigh(limbs: &Limbs<'_>, body: &Body, side: f64) -> Result<Placed,
         .ok_or(Refusal::NoSection)?;
     // The lower the legs part, or a web between them begins, the farther above may be what they hide.
     let clear = top.min(web - body.ground);
-    let hidden = (EXPECTED * body.stature - clear).max(0.0) / 2.0;
-    Ok((fullest.0, sure(libm::hypot(EXTREME * body.stature, hidden))))
+    let buttock = hip(body).ok_or(Refusal::ThighsOne)? - body.ground;
+    let hidden = Hidden::of(buttock / body.stature, clear / body.stature);
+    let sigma = libm::hypot(EXTREME, hidden.rms) * body.stature;
+    Ok(((fullest.0, sure(sigma)), hidden))
 }
 
 /// Whether a ring reaches the line of the other leg. `None` if that is not known.

@@ -136,8 +136,9 @@ pub(crate) fn arms(limbs: &Limbs<'_>, body: &Body, found: &mut Landmarks) {
     }
 }
 
-/// Thigh and calf of both legs.
-pub(crate) fn legs(limbs: &Limbs<'_>, body: &Body, found: &mut Landmarks) {
+/// Thigh and calf of both legs; a warning if the upper end of a thigh is hidden.
+pub(crate) fn legs(limbs: &Limbs<'_>, body: &Body, found: &mut Landmarks) -> Option<String> {
+    let mut hidden = 0.0f64;
     // Legs that join below the crotch show no thigh.
     let joined = (body.hip != body.about_crotch()).then_some(match body.legs_join {
         Some(_) => Refusal::ThighsOne,
@@ -145,14 +146,28 @@ pub(crate) fn legs(limbs: &Limbs<'_>, body: &Body, found: &mut Landmarks) {
     });
     for side in Side::BOTH {
         let (part, sign) = (Part::leg(side), side.sign());
+        let mut parted = || {
+            let (placed, above) = thigh(limbs, body, sign)?;
+            if above.likely() {
+                hidden = hidden.max(above.above * body.stature);
+            }
+            Ok(placed)
+        };
         let [thigh, calf] = match body.whole {
             false => [Err(unlike(body)), Err(unlike(body))],
             true => [
-                joined.map_or_else(|| thigh(limbs, body, sign), Err),
+                joined.map_or_else(&mut parted, Err),
                 calf(limbs, body, sign),
             ],
         };
         limb(found, GirthId::Thigh(side), part, thigh);
         limb(found, GirthId::Calf(side), part, calf);
     }
+    let far = found.unit.words(hidden);
+    (hidden > 0.0).then(|| {
+        format!(
+            "the legs join on the surface {far} below the crotch that stature and hip suggest, so the thighs are measured lower than they \
+             may be fullest, and their intervals are wider: place the feet farther apart"
+        )
+    })
 }

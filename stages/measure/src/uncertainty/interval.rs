@@ -4,7 +4,7 @@ use crate::features::body::Body;
 use crate::sections::one::SectionMeasurement;
 use crate::sections::taken::taken;
 use nalgebra::{Point3, Rotation3, Unit, Vector3};
-use shape::{Landmark, Mesh, Plane, PlaneRule};
+use shape::{GirthId, Landmark, Mesh, Plane, PlaneRule};
 
 /// Nine times in ten, in standard deviations.
 pub(crate) const NINE_IN_TEN: f64 = 1.645;
@@ -79,7 +79,7 @@ impl Beside<'_> {
         (!known.is_empty()).then(|| square.sqrt().min(0.2 * self.here.tape_mm))
     }
 
-    /// Along the normal, to either side.
+    /// Along the normal, to either side; of a thigh, whose upper end is no thigh's any more, by its slope down the leg alone.
     fn moved(&self, mm: f64) -> Option<f64> {
         let plane = self.landmark.plane;
         let n = Vector3::from(plane.normal);
@@ -87,7 +87,10 @@ impl Beside<'_> {
             point_mm: (Point3::from(plane.point_mm) + n * mm).into(),
             ..plane
         };
-        self.pair([by(-mm), by(mm)])
+        match self.landmark.id {
+            GirthId::Thigh(_) => self.pair([by(mm), by(mm)]),
+            _ => self.pair([by(-mm), by(mm)]),
+        }
     }
 
     /// About the body's left, either way.
