@@ -8,19 +8,12 @@ use crate::{Image, Mask};
 /// The border is half-way between a pixel centre inside and one outside, moved by coverage: the
 /// distance is that to the nearest pixel of the other side less half a pixel.
 pub fn signed_distance(mask: &Mask) -> Image<f32> {
-    let inside = squared(mask, |c| c <= 127);
-    let outside = squared(mask, |c| c > 127);
-    let data = inside
-        .iter()
-        .zip(&outside)
-        .map(|(i, o)| {
-            if *i > 0.0 {
-                i.sqrt() - 0.5
-            } else {
-                0.5 - o.sqrt()
-            }
-        })
-        .collect();
+    let far = squared(mask);
+    let signed = |(far, cover): (&f32, &u8)| match body(*cover) {
+        true => far.sqrt() - 0.5,
+        false => 0.5 - far.sqrt(),
+    };
+    let data = far.iter().zip(&mask.data).map(signed).collect();
     let mut field = Image {
         width: mask.width,
         height: mask.height,
@@ -50,39 +43,54 @@ pub fn signed_distance(mask: &Mask) -> Image<f32> {
     field
 }
 
-/// Squared distance of each pixel to the nearest one that `to` names.
-fn squared(mask: &Mask, to: impl Fn(u8) -> bool) -> Vec<f32> {
+/// Whether a pixel shows the body.
+fn body(cover: u8) -> bool {
+    cover > 127
+}
+
+/// Squared distance of each pixel to the nearest one of the other side.
+fn squared(mask: &Mask) -> Vec<f32> {
     let (w, h) = (mask.width, mask.height);
     const FAR: f32 = 1e6;
     // Along columns, down and up, a row at a time.
-    let start = |c: &u8| if to(*c) { 0.0 } else { FAR };
-    let mut field: Vec<f32> = mask.data.iter().map(start).collect();
-    let nearer = |here: &mut [f32], beside: &[f32]| {
-        let both = here.iter_mut().zip(beside);
-        both.for_each(|(here, beside)| *here = here.min(beside + 1.0));
+    let mut field = vec![FAR; mask.data.len()];
+    let nearer = |here: &mut [f32], beside: &[f32], y: usize, other: usize| {
+        let sides = mask.row(y).iter().zip(mask.row(other));
+        let steps = sides
+            .zip(beside)
+            .map(|((a, b), far)| match body(*a) == body(*b) {
+                true => far + 1.0,
+                false => 1.0,
+            });
+        let both = here.iter_mut().zip(steps);
+        both.for_each(|(here, step)| *here = here.min(step));
     };
     for y in 1..h {
         let (above, here) = field.split_at_mut(y * w);
-        nearer(&mut here[..w], &above[(y - 1) * w..]);
+        nearer(&mut here[..w], &above[(y - 1) * w..], y, y - 1);
     }
     for y in (1..h).rev() {
         let (here, below) = field.split_at_mut(y * w);
-        nearer(&mut here[(y - 1) * w..], &below[..w]);
+        nearer(&mut here[(y - 1) * w..], &below[..w], y - 1, y);
     }
     field.iter_mut().for_each(|d| *d *= *d);
-    let mut work = Envelope::default();
-    for row in field.chunks_mut(w.max(1)) {
-        // A pixel of distance 0 hides what is behind it, so each run between two is a line of its own.
+    let (mut work, mut line) = (Envelope::default(), Vec::new());
+    for y in 0..h {
+        // Pixels of the other side are 0 away and hide what is behind them, so each run is a line of its own.
+        let (sides, row) = (mask.row(y), &mut field[y * w..][..w]);
         let mut first = 0;
-        while first + 1 < w {
-            if row[first] == 0.0 && row[first + 1] == 0.0 {
-                first += 1;
-                continue;
-            }
-            let zero = row[first + 1..].iter().position(|d| *d == 0.0);
-            let last = zero.map_or(w - 1, |z| first + 1 + z);
-            work.lower(&mut row[first..=last]);
-            first = last;
+        while first < w {
+            let side = body(sides[first]);
+            let run = sides[first..].iter().take_while(|c| body(**c) == side);
+            let end = first + run.count();
+            let (before, after) = (usize::from(first > 0), usize::from(end < w));
+            line.clear();
+            line.resize(before, 0.0);
+            line.extend_from_slice(&row[first..end]);
+            line.resize(line.len() + after, 0.0);
+            work.lower(&mut line);
+            row[first..end].copy_from_slice(&line[before..][..end - first]);
+            first = end;
         }
     }
     field
@@ -154,12 +162,12 @@ mod tests {
         mask.data
             .iter_mut()
             .for_each(|c| *c = if dice.unit() < 0.8 { 255 } else { 0 });
-        let got = squared(&mask, |c| c == 0);
+        let got = squared(&mask);
         for i in 0..mask.data.len() {
             let (x, y) = ((i % 23) as i32, (i / 23) as i32);
             let far = |j: usize| (x - (j % 23) as i32).pow(2) + (y - (j / 23) as i32).pow(2);
             let best = (0..mask.data.len())
-                .filter(|j| mask.data[*j] == 0)
+                .filter(|j| mask.data[*j] != mask.data[i])
                 .map(far)
                 .min()
                 .unwrap();
