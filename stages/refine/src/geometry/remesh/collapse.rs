@@ -1,18 +1,22 @@
 //! Collapses short edges into their middles where the surface stays a manifold and no face turns.
 
-use super::edge::{area, edges, middle};
+use super::edge::{area, middle};
 use shape::{Adjacency, Mesh};
 
 /// Collapses edges shorter than `least` mm, none of them next to another, where no edge becomes
 /// longer than `most`. Whether there were any.
 pub(super) fn collapse(mesh: &mut Mesh, least: f64, most: f64) -> bool {
     let (around, normals) = (Adjacency::new(mesh), mesh.normals());
-    let mut short: Vec<(f64, u32, u32)> = edges(mesh)
-        .into_iter()
-        .map(|(a, b)| ((mesh.point(a) - mesh.point(b)).norm(), a, b))
-        .filter(|e| e.0 < least)
-        .collect();
-    short.sort_by(|p, q| p.0.total_cmp(&q.0).then((p.1, p.2).cmp(&(q.1, q.2))));
+    // A length that is not negative is in the order of its bits.
+    let length = |a: u32, b: u32| (mesh.point(a) - mesh.point(b)).norm();
+    let from = |a: u32| {
+        let beyond = around.vertices(a).iter().filter(move |b| **b > a);
+        let each = beyond.map(move |b| (length(a, *b), a, *b));
+        each.filter(move |e| e.0 < least)
+    };
+    let all = (0..mesh.positions.len() as u32).flat_map(from);
+    let mut short: Vec<(u64, u32, u32)> = all.map(|(l, a, b)| (l.to_bits(), a, b)).collect();
+    short.sort_unstable();
     let mut taken = vec![false; mesh.positions.len()];
     let mut into: Vec<u32> = (0..mesh.positions.len() as u32).collect();
     let mut any = false;
