@@ -122,7 +122,6 @@ fn most<T>(all: &[T], like: impl Fn(&T, &T) -> bool) -> Option<&T> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use std::sync::Arc;
 
     fn photo(name: &str, device: &str, focal_35mm: Option<f64>) -> Photo {
         Photo {
@@ -133,7 +132,7 @@ mod tests {
             focal_35mm,
             device: device.into(),
             time_s: None,
-            file: Arc::from([]),
+            file: Vec::new().into(),
         }
     }
 

@@ -123,7 +123,7 @@ mod tests {
             focal_35mm: None,
             device: String::new(),
             time_s: None,
-            file: png.into(),
+            file: png.to_vec().into(),
         };
         photo.decode().unwrap().data
     }

@@ -63,13 +63,13 @@ fn picture(k: usize) -> Picture {
         }
     }
     Picture {
-        gray,
+        gray: gray.into(),
         whole: SIZE,
         corner: [0; 2],
         projection: lens * pose,
         centre,
         focal,
-        inside: Some(inside),
+        inside: Some(inside.into()),
         noise: 1.0,
     }
 }

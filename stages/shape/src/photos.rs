@@ -3,10 +3,9 @@
 //! Eighteen photos of 24 megapixels are 1.3 GB of pixels and 80 MB of files; a stage decodes
 //! the photo it works on and lets it go.
 
-use crate::{PhotoId, Rgb, Rig};
+use crate::{PhotoFile, PhotoId, Rgb, Rig};
 use serde::{Deserialize, Serialize};
 use stage::{Artifact, Corrupt, Hash, Packer, Unpacker};
-use std::sync::Arc;
 
 /// One photo.
 #[derive(Debug, Clone, PartialEq)]
@@ -26,7 +25,7 @@ pub struct Photo {
     /// When it was taken, from EXIF, seconds since the first photo. \[s\]
     pub time_s: Option<f64>,
     /// The file.
-    pub file: Arc<[u8]>,
+    pub file: PhotoFile,
 }
 
 /// A photo that cannot be decoded.

@@ -158,7 +158,6 @@ impl Groups {
 mod tests {
     use super::*;
     use nalgebra::{Point3, Vector3};
-    use std::sync::Arc;
 
     fn photo(width: u32, height: u32, orientation: u8) -> Photo {
         Photo {
@@ -169,7 +168,7 @@ mod tests {
             focal_35mm: Some(26.0),
             device: "Phone 3".into(),
             time_s: None,
-            file: Arc::from([]),
+            file: Vec::new().into(),
         }
     }
 

@@ -115,7 +115,7 @@ fn from(rig: Rig, cameras: &[Camera], tags: Tags) -> Cameras {
         focal_35mm: None,
         device: String::new(),
         time_s: None,
-        file: Arc::from([]),
+        file: Vec::new().into(),
     };
     let photos = Photos {
         photos: (0..cameras.len()).map(photo).collect(),

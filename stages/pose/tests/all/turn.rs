@@ -98,7 +98,7 @@ fn shown(
         focal_35mm: None,
         device: String::new(),
         time_s: None,
-        file: Arc::from(file(i)),
+        file: file(i).into(),
     };
     let photos = Photos {
         photos: (0..cameras.len()).map(photo).collect(),

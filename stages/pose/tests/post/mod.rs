@@ -61,7 +61,7 @@ pub(crate) fn photo(name: &str, gray: &shape::Image<u8>) -> Photo {
         focal_35mm: None,
         device: String::new(),
         time_s: None,
-        file: Arc::from(shape::gray_to_png(gray)),
+        file: shape::gray_to_png(gray).into(),
     }
 }
 

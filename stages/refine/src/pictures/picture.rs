@@ -5,12 +5,23 @@ use crate::pictures::halving::halved;
 use crate::pictures::resample::resampled;
 use nalgebra::{Matrix3x4, Point3, Vector2, Vector3};
 use shape::{Camera, Gray, Intrinsics, Mask, Warp, signed_distance};
+use std::sync::Arc;
+
+/// What a photo shows at one level of the pyramid, wherever it was taken from: of one with a silhouette only the part that
+/// shows the body.
+pub struct Shown {
+    gray: Arc<Gray>,
+    whole: [usize; 2],
+    corner: [usize; 2],
+    inside: Option<Arc<Gray>>,
+    noise: f32,
+}
 
 /// A photo's brightness at one level of the pyramid, its pinhole camera, and its silhouette; of a photo with a silhouette
 /// only the part that shows the body.
 pub struct Picture {
     /// Brightness, 0..=255, as a lens without distortion would show it.
-    pub gray: Gray,
+    pub gray: Arc<Gray>,
     /// Width and height of the whole photo at this level. \[px\]
     pub whole: [usize; 2],
     /// Where this picture begins on it: column and row of its first pixel. \[px\]
@@ -22,17 +33,17 @@ pub struct Picture {
     /// Focal length. \[px of this level\]
     pub focal: f64,
     /// Signed distance to the silhouette's border, positive inside. \[px of this level\]
-    pub inside: Option<Gray>,
+    pub inside: Option<Arc<Gray>>,
     /// Standard deviation of the noise, estimated from the photo itself. \[grey levels\]
     pub noise: f32,
 }
 
-impl Picture {
-    /// Prepares a photo, halved `halvings` times: what is the body by its silhouette and what is close around
-    /// it, all of it where there is none.
-    pub fn new(gray: Gray, camera: &Camera, mask: Option<&Mask>, halvings: u32) -> Self {
+impl Shown {
+    /// Prepares a photo with this lens, halved `halvings` times: what is the body by its silhouette and what is close
+    /// around it, all of it where there is none.
+    pub fn new(gray: Gray, lens: &Intrinsics, mask: Option<&Mask>, halvings: u32) -> Self {
         let noise = noise(&gray);
-        let (lens, whole) = (&camera.lens, halved_size(&camera.lens, halvings));
+        let whole = halved_size(lens, halvings);
         let level = pinhole(lens, whole);
         let crop = match mask {
             Some(mask) => Crop::around(mask, lens, &level),
@@ -60,16 +71,39 @@ impl Picture {
         if lens.radial != [0.0; 2] || mask.is_some() {
             gray = straightened(&gray, &read, &shown);
         }
-        Picture {
-            gray,
+        Shown {
+            gray: Arc::new(gray),
             whole,
             corner: crop.corner,
-            projection: projection(&shown, camera),
-            centre: camera.centre(),
-            focal: focal(&shown),
-            inside,
+            inside: inside.map(Arc::new),
             // A halving by [1 3 3 1]/8 along both sides leaves 5/16 of white noise's deviation.
             noise: (noise * 0.3125f32.powi(halvings as i32)).max(0.25),
+        }
+    }
+}
+
+impl Picture {
+    /// Prepares a photo as [`Shown::new`] does.
+    pub fn new(gray: Gray, camera: &Camera, mask: Option<&Mask>, halvings: u32) -> Self {
+        Self::of(&Shown::new(gray, &camera.lens, mask, halvings), camera)
+    }
+
+    /// What a photo shows, taken by a camera whose lens it was prepared for.
+    pub fn of(shown: &Shown, camera: &Camera) -> Self {
+        let crop = Crop {
+            corner: shown.corner,
+            size: [shown.gray.width, shown.gray.height],
+        };
+        let lens = crop.lens(&pinhole(&camera.lens, shown.whole));
+        Picture {
+            gray: Arc::clone(&shown.gray),
+            whole: shown.whole,
+            corner: shown.corner,
+            projection: projection(&lens, camera),
+            centre: camera.centre(),
+            focal: focal(&lens),
+            inside: shown.inside.clone(),
+            noise: shown.noise,
         }
     }
 
@@ -78,11 +112,11 @@ impl Picture {
         let whole = halved_size(&camera.lens, halvings);
         let lens = pinhole(&camera.lens, whole);
         Picture {
-            gray: Gray {
+            gray: Arc::new(Gray {
                 width: whole[0],
                 height: whole[1],
                 data: vec![],
-            },
+            }),
             whole,
             corner: [0; 2],
             projection: projection(&lens, camera),
@@ -101,8 +135,8 @@ impl Picture {
         let of_photo = |k: usize, i: usize| ((k + self.corner[i]) as f64 + 0.5) / scale - 0.5;
         let columns: Vec<f64> = (0..width).map(|x| of_photo(x, 0)).collect();
         let rows = warp.rows_at(&columns);
-        let drawn = |image: &Gray| -> Gray {
-            resampled(
+        let drawn = |image: &Arc<Gray>| -> Arc<Gray> {
+            let drawn = resampled(
                 image,
                 (width, height),
                 #[inline(always)]
@@ -112,7 +146,8 @@ impl Picture {
                         to_y[x] = (y as f64 + offset[1] * scale) as f32;
                     });
                 },
-            )
+            );
+            Arc::new(drawn)
         };
         Picture {
             gray: drawn(&self.gray),

@@ -1,8 +1,10 @@
 //! The pictures of a turn, made ready from photos, cameras and masks.
 
-use crate::pictures::picture::Picture;
+use crate::pictures::picture::{Picture, Shown};
 use rayon::prelude::*;
-use shape::{Cameras, Masks, Mesh, PhotoError, PhotoId, Photos, View, Warps};
+use shape::{Cameras, Intrinsics, Mask, Masks, Mesh, PhotoError, PhotoId, Photos, View, Warps};
+use stage::Hash;
+use std::sync::Arc;
 
 /// Why a surface cannot be refined.
 #[derive(Debug, thiserror::Error)]
@@ -63,7 +65,8 @@ pub fn posed<'a>(photos: &Photos, cameras: &'a Cameras) -> Vec<(PhotoId, &'a Vie
 }
 
 /// The photos that have a camera, at one level: each halved until it has at most `most_mpx`
-/// million pixels, then `level` times more, 500 pixels left. `check` fails when the user asked to stop.
+/// million pixels, then `level` times more, 500 pixels left. What a photo shows is kept beside its file for the stages that
+/// look at it next, but at level 0. `check` fails when the user asked to stop.
 ///
 /// # Errors
 ///
@@ -98,14 +101,28 @@ pub fn pictures<E: From<RefineError> + From<PhotoError> + Send>(
             let mask = masks.and_then(|m| m.views.get(*id));
             let mask =
                 mask.filter(|m| (m.width as u32, m.height as u32) == (lens.width, lens.height));
-            Ok(Picture::new(
-                photo.decode()?.gray(),
-                &view.camera,
-                mask,
-                halvings,
-            ))
+            let by = made_by(lens, mask, halvings);
+            if let Some(shown) = photo.file.kept::<Shown>(by) {
+                return Ok(Picture::of(&shown, &view.camera));
+            }
+            let shown = Shown::new(photo.decode()?.gray(), lens, mask, halvings);
+            let shown = Arc::new(shown);
+            // At full size it would take as much again as the stage that looks at it.
+            if level > 0 {
+                photo.file.keep(by, &shown);
+            }
+            Ok(Picture::of(&shown, &view.camera))
         })
         .collect()
+}
+
+/// The hash of all that what a photo shows is made by, but for the photo.
+fn made_by(lens: &Intrinsics, mask: Option<&Mask>, halvings: u32) -> Hash {
+    let mut by = format!("{halvings} {lens:?}").into_bytes();
+    if let Some(mask) = mask {
+        by.extend_from_slice(stage::hash(&mask.data).as_bytes());
+    }
+    stage::hash(&by)
 }
 
 /// Takes out of [`pictures`] of the same photos and cameras how the body deformed.

@@ -70,7 +70,7 @@ impl TurnInput {
         };
         let blanks: Vec<Picture> = views.iter().map(|(_, view)| blank(view)).collect();
         let footprint = footprint(&self.mesh, &blanks);
-        let (pictures, surface) = rayon::join(|| self.pictures(size, go_on), || surface(footprint));
+        let (pictures, surface) = rayon::join(|| self.drawn(size, go_on), || surface(footprint));
         Ok((pictures?, surface, footprint))
     }
 
@@ -85,6 +85,15 @@ impl TurnInput {
         go_on: impl Fn() -> Result<(), E> + Sync,
     ) -> Result<Vec<Picture>, E> {
         check(&self.mesh)?;
+        self.drawn(size, go_on)
+    }
+
+    /// The same where the mesh was checked.
+    fn drawn<E: From<RefineError> + From<PhotoError> + Send>(
+        &self,
+        size: &PhotoSize,
+        go_on: impl Fn() -> Result<(), E> + Sync,
+    ) -> Result<Vec<Picture>, E> {
         let (photos, cameras, masks) = (&self.photos, &self.cameras, self.masks.as_deref());
         pictures(photos, cameras, masks, size.level, size.most_mpx, go_on)
     }

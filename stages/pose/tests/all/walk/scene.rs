@@ -26,7 +26,7 @@ pub(crate) fn photo(i: usize) -> Photo {
         focal_35mm: Some((FOCAL / 2000.0 * 43.27 * 1.1).round()),
         device: "Phone 3".into(),
         time_s: None,
-        file: Arc::from([]),
+        file: Vec::new().into(),
     }
 }
 
