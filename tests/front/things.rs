@@ -159,7 +159,7 @@ pub(crate) fn open_half(mesh: &Mesh, axis: usize, at: f32, above: bool) -> Mesh 
         .faces
         .iter()
         .copied()
-        .filter(|f| f.iter().all(|v| inside(v)))
+        .filter(|f| f.iter().all(&inside))
         .collect();
     Mesh::packed(&mesh.positions, &faces)
 }

@@ -197,9 +197,15 @@ mod tests {
 
     #[test]
     fn the_one_who_turns_is_followed_past_one_who_is_surer_on_all_photos() {
-        let turned = |i: u32| 160.0 * (i as f32 * std::f32::consts::TAU / 12.0).cos();
+        let turned = |i: u32| 160.0 * libm::cosf(i as f32 * std::f32::consts::TAU / 12.0);
         // The one beside is seen from behind: the network takes his left for his right on every second photo.
-        let beside = |i: u32| faces(1300.0, 0.99, if i % 2 == 0 { 150.0 } else { -158.0 });
+        let beside = |i: u32| {
+            faces(
+                1300.0,
+                0.99,
+                if i.is_multiple_of(2) { 150.0 } else { -158.0 },
+            )
+        };
         let views = turn(|i| match i {
             5 => vec![beside(i)],
             _ => vec![beside(i), faces(400.0, 0.7, turned(i))],

@@ -101,6 +101,10 @@ pub(crate) fn cameras(path: &Path, unit: f64) -> Result<BTreeMap<String, Seen>, 
 }
 
 /// The true tapes of a folder of truth by the girths' names. \[mm\]
+///
+/// # Errors
+///
+/// A file that cannot be read, or is no table of girths.
 pub fn true_tapes(truth: &Path) -> Result<BTreeMap<String, f64>, Unreadable> {
     let known = girths(&truth.join("measurements.json"))?.into_iter();
     Ok(known
