@@ -88,7 +88,7 @@ pub fn forget(store: &Store, folder: &Path) -> Result<Forgotten, StoreError> {
     keeper::remove_parts(store)?;
     keeper::sweep(store)?;
     forget_runs(store, &trace, &mut forgotten)?;
-    let plans = forget_plans(store, &trace)?;
+    let plans = forget_plans(store, &trace, &mut forgotten)?;
     let deliveries = store.forget_deliveries(|input| trace.has(input))?;
     let (memo, remembered) = trace.memo(store);
     store.write("files.json", &memo)?;
@@ -156,11 +156,16 @@ fn forget_blobs(
 }
 
 /// Removes the plans that name the folder or its files, or cannot be read; how many name it.
-fn forget_plans(store: &Store, trace: &Trace) -> Result<usize, StoreError> {
+fn forget_plans(
+    store: &Store,
+    trace: &Trace,
+    forgotten: &mut Forgotten,
+) -> Result<usize, StoreError> {
     let (root, mut count) = (store.root(), 0);
     for name in own::files(root, "plans", own::is_hash) {
         let bytes = std::fs::read(root.join("plans").join(&name)).unwrap_or_default();
-        let named = trace.is_in_plan(&bytes);
+        let named = trace.is_in_plan(&name, &bytes);
+        forgotten.broken += usize::from(named.is_none());
         count += usize::from(named == Some(true));
         if named != Some(false) {
             store.gone(&["plans"], &name)?;

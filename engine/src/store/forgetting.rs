@@ -153,6 +153,27 @@ fn what_leads_to_other_notes_goes_after_them() {
     }
 }
 
+/// A flipped bit in the folder that a plan names leaves JSON that names another one.
+#[test]
+fn a_plan_whose_bytes_changed_goes_and_counts_as_broken() {
+    let (mut dice, disk) = (Dice(1), Simulated::default());
+    let story = Story::new(&mut dice);
+    let store = story.store(&disk).unwrap();
+    let capture = &story.captures[0];
+    story.run(&store, capture, &mut dice).unwrap();
+    let names = own::files(store.root(), "plans", own::is_hash);
+    let [name] = names.as_slice() else {
+        panic!("{names:?}");
+    };
+    let plan = store.root().join("plans").join(name);
+    let place = story.place.path().display().to_string();
+    let text = std::fs::read_to_string(&plan).unwrap();
+    std::fs::write(&plan, text.replace(&place, "/elsewhere")).unwrap();
+    let forgotten = forget(&store, &capture.folder).unwrap();
+    assert_eq!(forgotten.broken, 1);
+    story.clean(&format!("{forgotten:?}"));
+}
+
 #[test]
 fn what_was_forgotten_does_not_come_back_with_a_loss_of_power() {
     for seed in rounds(4) {

@@ -56,8 +56,12 @@ impl Trace {
         both > 0 && (2 * both >= files.len() || 2 * both >= self.here.len())
     }
 
-    /// Whether a plan's file names the folder or its files; `None` if it is not a plan that can be read.
-    pub(super) fn is_in_plan(&self, plan: &[u8]) -> Option<bool> {
+    /// Whether a plan's file names the folder or its files; `None` if it is not the plan of its name, or none that can be
+    /// read.
+    pub(super) fn is_in_plan(&self, name: &str, plan: &[u8]) -> Option<bool> {
+        if stage::hash(plan).to_hex().as_str() != name {
+            return None;
+        }
         let plan: Plan = serde_json::from_slice(plan).ok()?;
         let of = |input: &Input| {
             let hashes: Vec<String> = input

@@ -1,7 +1,7 @@
 //! A store with captures in it, made up: what runs leave, and what goes wrong on a disk.
 
 use super::super::record::Record;
-use super::super::simulated::{Simulated, below};
+use super::super::simulated::{Simulated, below, in_memory};
 use super::super::{Store, StoreError};
 use proof::Dice;
 use stage::{FileEntry, Files, Hash};
@@ -27,7 +27,7 @@ fn hex(hash: Hash) -> String {
 
 impl Story {
     pub(super) fn new(dice: &mut Dice) -> Story {
-        let place = tempfile::tempdir().unwrap();
+        let place = in_memory();
         let count = 2 + dice.bits() as usize % 2;
         let capture = |i: usize| Capture {
             folder: place.path().join(format!("needle-name-{i}")),

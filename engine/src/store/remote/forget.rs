@@ -143,7 +143,7 @@ impl Link {
             let file = plans::object(&name);
             let found = self.ask(&|| whole(&*self.objects, &file, plans::MOST))?;
             let found = found.filter(|_| own::is_hash(&name));
-            match found.and_then(|bytes| trace.is_in_plan(&bytes)) {
+            match found.and_then(|bytes| trace.is_in_plan(&name, &bytes)) {
                 Some(false) => {}
                 Some(true) => {
                     self.ask(&|| self.objects.remove(&file))?;
