@@ -71,27 +71,12 @@ def make(body, family, number, survey, kept=None):
         levels = levels(truths.landmarks(body, v, heads))
     clean, stature, marks, planes = truths.truth(body, v, heads, levels)
     if kept is None:
-        w, g, part = written(body, clean, how, marks)
+        w, g, part = surfaces.written(body, clean, how, marks)
     else:
         w, g = kept
         part = surfaces.parts_from(w, g, clean.v, clean.f, body.face_part)
     row = truths.row(clean, truths.Surface(w, g, part), stature, marks, planes)
     return w, g, {"family": family, "number": number, "finish": how, "pose": rounded(pose), **rounded(about), **row}
-
-
-def written(body, clean, how, marks):
-    """The surface as written and the part of each face."""
-    f = body.compact[body.faces]
-    v = clean.v[body.used]
-    if "voxel" in how:
-        half = 1.1 * max(abs(marks["acromion_l"][0]), abs(marks["acromion_r"][0]))
-        box = ([-half, -1e3, marks["crotch"][2] - 150], [half, 1e3, marks["acromion_l"][2]])
-        w, g = surfaces.remeshed(v, f, how["voxel"], how["web"], box)
-        return w, g, surfaces.parts_from(w, g, v, f, body.face_part)
-    if "subdivide" in how:
-        w, g = surfaces.subdivided(v, f)
-        return w, g, np.tile(body.face_part, 4)
-    return v, f, body.face_part
 
 
 def rounded(x):

@@ -113,7 +113,7 @@ def make(wheel, number, people):
     v, heads = posed(body, body.base_v, body.base_h, pose)
     clean, stature, marks, planes = truths.truth(body, v, heads)
     how = finish(rng, number)
-    w, g, part = written(body, clean, how, marks)
+    w, g, part = surfaces.written(body, clean, how, marks)
     row = truths.row(clean, truths.Surface(w, g, part), stature, marks, planes)
     return w, g, {"family": "strangers", "number": number, "finish": how, "pose": pose, **row}
 
@@ -122,20 +122,6 @@ def finish(rng, number):
     """Of four, two are remeshed as a reconstruction would leave them, one subdivided, one as it is."""
     voxel, web = float(rng.uniform(4.0, 8.0)), float(rng.uniform(0.0, 20.0))
     return ({"voxel": voxel, "web": web}, {"subdivide": True}, {"voxel": voxel, "web": 0.0}, {})[number % 4]
-
-
-def written(body, clean, how, marks):
-    """The surface as written and the part of each face."""
-    f, v = body.compact[body.faces], clean.v[body.used]
-    if "voxel" in how:
-        half = 1.1 * max(abs(marks["acromion_l"][0]), abs(marks["acromion_r"][0]))
-        box = ([-half, -1e3, marks["crotch"][2] - 150], [half, 1e3, marks["acromion_l"][2]])
-        w, g = surfaces.remeshed(v, f, how["voxel"], how["web"], box)
-        return w, g, surfaces.parts_from(w, g, v, f, body.face_part)
-    if "subdivide" in how:
-        w, g = surfaces.subdivided(v, f)
-        return w, g, np.tile(body.face_part, 4)
-    return v, f, body.face_part
 
 
 def main():

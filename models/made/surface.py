@@ -136,3 +136,17 @@ def write_ply(path, v, f):
     rows = np.zeros(len(f), dtype=[("n", "u1"), ("i", "<i4", (3,))])
     rows["n"], rows["i"] = 3, f
     path.write_bytes(head.encode() + v.astype("<f4").tobytes() + rows.tobytes())
+
+
+def written(body, clean, how, marks):
+    """The surface as written and the part of each face."""
+    f, v = body.compact[body.faces], clean.v[body.used]
+    if "voxel" in how:
+        half = 1.1 * max(abs(marks["acromion_l"][0]), abs(marks["acromion_r"][0]))
+        box = ([-half, -1e3, marks["crotch"][2] - 150], [half, 1e3, marks["acromion_l"][2]])
+        w, g = remeshed(v, f, how["voxel"], how["web"], box)
+        return w, g, parts_from(w, g, v, f, body.face_part)
+    if "subdivide" in how:
+        w, g = subdivided(v, f)
+        return w, g, np.tile(body.face_part, 4)
+    return v, f, body.face_part
