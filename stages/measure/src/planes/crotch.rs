@@ -10,6 +10,12 @@ const SIGMA: f64 = 0.0104;
 /// `models/tables/thighs.csv` (a test below), thighs of made bodies: half of them had no web.
 const FULLEST: f64 = 0.2;
 
+/// Deviations on either side of the middle that hold nine in ten of a normal distribution.
+const NINE_IN_TEN: f64 = 1.645;
+/// Most that two tapes around a thigh may differ by: the allowable observer error of ANSUR II (Measurer's Handbook,
+/// NATICK/TR-11/017, appendix G).
+const ALLOWED_MM: f64 = 6.0;
+
 /// What may be hidden of a thigh between where legs join on a surface and the crotch; shares of stature.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Hidden {
@@ -34,9 +40,10 @@ impl Hidden {
         }
     }
 
-    /// Whether the crotch of nineteen in twenty such people is higher than where the legs join.
-    pub(crate) fn likely(&self) -> bool {
-        self.above > 1.645 * SIGMA
+    /// Whether more of a thigh is hidden, nine times in ten at most, than a survey allows two tapes to differ by: of a body of
+    /// such a stature, on a thigh whose tape grows so much upward, mm a mm, below where the legs join.
+    pub(crate) fn matters(&self, stature: f64, growth: f64) -> bool {
+        self.above > 0.0 && NINE_IN_TEN * self.rms * stature * growth > ALLOWED_MM
     }
 }
 
@@ -95,10 +102,11 @@ mod tests {
     fn what_is_hidden_grows_from_little_to_the_whole_gap() {
         let at = |join: f64| Hidden::of(0.5, join);
         let crotch = CROTCH[0] + 0.5 * CROTCH[1];
-        assert!(at(crotch + 0.03).rms < 1e-3 && !at(crotch).likely());
+        assert!(at(crotch + 0.03).rms < 1e-3 && !at(crotch + 0.03).matters(1750.0, 1.0));
         proof::near(at(crotch).rms, FULLEST * SIGMA / 2f64.sqrt(), 1e-12);
         let deep = at(crotch - 0.08);
         proof::near(deep.rms, FULLEST * libm::hypot(0.08, SIGMA), 1e-6);
-        assert!(deep.likely());
+        // 81 thousandths of 1.75 m, of which a fifth counts, at a fifth and at a tenth of a mm a mm.
+        assert!(deep.matters(1750.0, 0.2) && !deep.matters(1750.0, 0.1));
     }
 }

@@ -112,12 +112,12 @@ pub(crate) fn webbed(body: &Body, ring: &Ring, side: f64) -> bool {
 }
 
 /// A thigh where it is fullest below the crotch (ISO 8559-1 5.3.20): level, or square to a leg that leans; and what of it
-/// may be hidden.
+/// may be hidden, if that is more than a survey allows.
 pub(crate) fn thigh(
     limbs: &Limbs<'_>,
     body: &Body,
     side: f64,
-) -> Result<(Placed, Hidden), Refusal> {
+) -> Result<(Placed, Option<Hidden>), Refusal> {
     let leg = limbs.leg(side)?;
     let down = -leg.axis(Segment::Thigh).ok_or(Refusal::NoLimb)?.along;
     let upright = -down.z > UPRIGHT;
@@ -166,7 +166,18 @@ pub(crate) fn thigh(
     let buttock = hip(body).ok_or(Refusal::ThighsOne)? - body.ground;
     let hidden = Hidden::of(buttock / body.stature, clear / body.stature);
     let sigma = libm::hypot(EXTREME, hidden.rms) * body.stature;
-    Ok(((fullest.0, sure(sigma)), hidden))
+    let growth = growth(&found, fullest, hidden.above * body.stature);
+    let matters = hidden.matters(body.stature, growth);
+    Ok(((fullest.0, sure(sigma)), matters.then_some(hidden)))
+}
+
+/// How much a tape grows upward over so long a way up to its fullest place. \[mm a mm\]
+fn growth(tapes: &[(Plane, f64)], fullest: &(Plane, f64), way: f64) -> f64 {
+    let down = |f: &(Plane, f64)| fullest.0.point_mm[2] - f.0.point_mm[2];
+    let off = |f: &(Plane, f64)| (down(f) - way).abs();
+    let lower = tapes.iter().min_by(|a, b| off(a).total_cmp(&off(b)));
+    let lower = lower.filter(|f| down(f) > 0.0);
+    lower.map_or(0.0, |f| (fullest.1 - f.1) / down(f))
 }
 
 /// Whether a ring reaches the line of the other leg. `None` if that is not known.

@@ -136,7 +136,7 @@ pub(crate) fn arms(limbs: &Limbs<'_>, body: &Body, found: &mut Landmarks) {
     }
 }
 
-/// Thigh and calf of both legs; a warning if the upper end of a thigh is hidden.
+/// Thigh and calf of both legs; a warning if so much of a thigh's upper end may be hidden that it matters.
 pub(crate) fn legs(limbs: &Limbs<'_>, body: &Body, found: &mut Landmarks) -> Option<String> {
     let mut hidden = 0.0f64;
     // Legs that join below the crotch show no thigh.
@@ -148,7 +148,7 @@ pub(crate) fn legs(limbs: &Limbs<'_>, body: &Body, found: &mut Landmarks) -> Opt
         let (part, sign) = (Part::leg(side), side.sign());
         let mut parted = || {
             let (placed, above) = thigh(limbs, body, sign)?;
-            if above.likely() {
+            if let Some(above) = above {
                 hidden = hidden.max(above.above * body.stature);
             }
             Ok(placed)
