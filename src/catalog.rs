@@ -3,7 +3,7 @@
 use crate::kinds::KINDS;
 use engine::Catalog;
 use engine::kind::Importer;
-use stage::{AnyStage, erase};
+use stage::{AnyStage, Template, erase};
 
 // What a folder has besides photos, and what capture.toml has.
 pub(crate) use capture::{READ, foreign, is_photo, is_plate, is_raw, is_scan, is_video};
@@ -99,6 +99,22 @@ pub static CATALOG: Catalog = Catalog {
         ("fit-levels", include_str!("../pipelines/fit-levels.toml")),
     ],
 };
+
+/// Every kind of message, crate by crate.
+#[cfg_attr(not(feature = "serve"), allow(dead_code))]
+pub(crate) const KINDS_OF_MESSAGES: [&[&[Template]]; 11] = [
+    capture::MESSAGES,
+    hull::MESSAGES,
+    measure::MESSAGES,
+    person::MESSAGES,
+    pose::MESSAGES,
+    refine::MESSAGES,
+    report::MESSAGES,
+    shape::MESSAGES,
+    silhouette::MESSAGES,
+    turning::MESSAGES,
+    crate::MESSAGES,
+];
 
 /// Every stage.
 pub fn stages() -> impl Iterator<Item = &'static dyn AnyStage> {

@@ -24,3 +24,13 @@ pub use engine::{
     delivery, differ, drawing, graph, history, impact, key, lasttime, past, pattern, plan,
     provenance, recipe, reference, schema, store, sweep, verify, walk, why,
 };
+
+/// Every kind of message of this program; those of stages are in their crates.
+#[cfg_attr(not(feature = "serve"), allow(dead_code))]
+pub(crate) const MESSAGES: &[&[stage::Template]] = &[
+    cli::MESSAGES[0],
+    cli::MESSAGES[1],
+    cli::MESSAGES[2],
+    #[cfg(feature = "serve")]
+    serve::MESSAGES,
+];

@@ -2,6 +2,7 @@
 
 use crate::provenance::PackedProvenance;
 use serde::Deserialize;
+use stage::Message;
 use std::collections::HashMap;
 
 /// A node of a run, as `run.json` has it.
@@ -25,7 +26,7 @@ pub struct NodeRun {
     pub bytes: u64,
     /// What the user should know.
     #[serde(default)]
-    pub warnings: Vec<String>,
+    pub warnings: Vec<Message>,
 }
 
 /// All nodes by their names.

@@ -1,7 +1,7 @@
 //! What a walk is given, what becomes of a node, and who hears of it.
 
 use crate::graph::{Graph, Source};
-use stage::{Files, Hash, Metric};
+use stage::{Files, Hash, Message, Metric};
 use std::collections::BTreeMap;
 use std::sync::Mutex;
 
@@ -12,8 +12,8 @@ pub enum Status {
     Hit,
     /// Its stage ran.
     Executed,
-    /// Its stage failed; the text says why. Not cached.
-    Failed(String),
+    /// Its stage failed, and why. Not cached.
+    Failed(Message),
     /// It could not run since a node that it reads did not.
     Skipped,
     /// The user asked to stop.
@@ -51,7 +51,7 @@ pub struct Done {
     /// Numbers beside the result.
     pub metrics: Vec<Metric>,
     /// What the user should know.
-    pub warnings: Vec<String>,
+    pub warnings: Vec<Message>,
 }
 
 impl Done {
@@ -88,19 +88,33 @@ pub trait Watch: Sync {
 
 /// Why keys came to nothing in this process: none of them is tried twice. \[key, why\]
 #[derive(Debug, Default)]
-pub struct Failures(Mutex<BTreeMap<[u8; 32], String>>);
+pub struct Failures(Mutex<BTreeMap<[u8; 32], Message>>);
 
 impl Failures {
     /// Why a key came to nothing, if it did.
-    pub(crate) fn of(&self, key: Hash) -> Option<String> {
+    pub(crate) fn of(&self, key: Hash) -> Option<Message> {
         let known = self.0.lock().expect("bug: poisoned");
         known.get(key.as_bytes()).cloned()
     }
 
-    pub(crate) fn note(&self, key: Hash, why: &str) {
+    pub(crate) fn note(&self, key: Hash, why: &Message) {
         let mut known = self.0.lock().expect("bug: poisoned");
-        known.insert(*key.as_bytes(), why.into());
+        known.insert(*key.as_bytes(), why.clone());
     }
+}
+
+/// An error as a message: its own, or its words with those of its causes.
+pub(crate) fn why(error: &(dyn std::error::Error + 'static)) -> Message {
+    if let Some(message) = error.downcast_ref::<Message>() {
+        return message.clone();
+    }
+    let mut text = error.to_string();
+    let mut cause = error.source();
+    while let Some(error) = cause {
+        text += &format!(": {error}");
+        cause = error.source();
+    }
+    text.into()
 }
 
 /// What to walk.

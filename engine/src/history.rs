@@ -7,7 +7,7 @@ use crate::key;
 use crate::past::{FileLists, Head, Of, run_file};
 use crate::store::{Store, StoreError};
 use serde::Serialize;
-use stage::{FileEntry, Files, Hash};
+use stage::{FileEntry, Files, Hash, Message};
 use std::borrow::Cow;
 
 /// A run with its provenance, for `run.json` and the store.
@@ -26,13 +26,13 @@ struct NodeRecord<'a> {
     stage: &'static str,
     version: u32,
     status: &'static str,
-    why: Option<&'a str>,
+    why: Option<&'a Message>,
     key: Option<String>,
     provenance: Cow<'a, [(String, String)]>,
     seconds: f64,
     bytes: u64,
     metrics: Vec<MetricRecord<'a>>,
-    warnings: &'a [String],
+    warnings: &'a [Message],
 }
 
 #[derive(Serialize)]

@@ -112,7 +112,7 @@ impl Watch for Journal<'_> {
                 "status": done.status.word(), "seconds": done.seconds, "bytes": done.bytes,
             });
             if let Status::Failed(why) = &done.status {
-                more["why"] = why.as_str().into();
+                more["why"] = json!(why);
             }
             self.write(&mut log, "done", node, more);
         }

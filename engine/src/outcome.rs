@@ -5,7 +5,7 @@ use crate::graph::{Bound, Graph};
 use crate::history::RunSummary;
 use crate::store::{Blob, InUse, Store};
 use serde_json::Value;
-use stage::{AnyArtifact, AnyStage, Artifact, Corrupt, Hash};
+use stage::{AnyArtifact, AnyStage, Artifact, Corrupt, Hash, Message};
 use std::sync::Arc;
 
 /// A run that came to an end.
@@ -110,15 +110,15 @@ impl Outcome {
     }
 
     /// The first failure: node and why.
-    pub fn failure<'a>(&'a self, graph: &'a Graph) -> Option<(&'a str, &'a str)> {
+    pub fn failure<'a>(&'a self, graph: &'a Graph) -> Option<(&'a str, &'a Message)> {
         self.failures(graph).into_iter().next()
     }
 
     /// All failures: node and why.
-    pub fn failures<'a>(&'a self, graph: &'a Graph) -> Vec<(&'a str, &'a str)> {
+    pub fn failures<'a>(&'a self, graph: &'a Graph) -> Vec<(&'a str, &'a Message)> {
         let nodes = self.nodes.iter().zip(&graph.nodes);
         let why = |(done, node): (&'a Option<Done>, &'a Bound)| match &done.as_ref()?.status {
-            Status::Failed(why) => Some((node.name.as_str(), why.as_str())),
+            Status::Failed(why) => Some((node.name.as_str(), why)),
             _ => None,
         };
         nodes.filter_map(why).collect()

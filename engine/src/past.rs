@@ -10,7 +10,7 @@ use crate::system::{FileKind, nofollow};
 use serde::de::DeserializeOwned;
 use serde::{Deserialize, Serialize};
 use serde_json::{Value, json};
-use stage::Files;
+use stage::{Files, Message};
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs::File;
 use std::io::{BufRead, BufReader, Lines};
@@ -83,7 +83,7 @@ pub struct NodeLine {
     #[serde(alias = "fate")]
     pub status: String,
     /// Why it failed.
-    pub why: Option<String>,
+    pub why: Option<Message>,
     /// The key of its result.
     pub key: Option<String>,
     /// What the key was made of.
@@ -96,7 +96,7 @@ pub struct NodeLine {
     /// Numbers beside the result.
     pub metrics: Vec<Value>,
     /// What the user should know.
-    pub warnings: Vec<String>,
+    pub warnings: Vec<Message>,
 }
 
 /// The files of each input: name and hash.

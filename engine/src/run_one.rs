@@ -1,12 +1,12 @@
 //! One node: found in the store, or its stage is run and the result published.
 
-use crate::done::{Done, Failures, Job, Status, Watch};
+use crate::done::{Done, Failures, Job, Status, Watch, why};
 use crate::graph::{Bound, Source};
 use crate::key::{self, Digest};
 use crate::memory::Memory;
 use crate::stopwatch::timed;
 use crate::store::{Claim, Record, Store};
-use stage::{AnyArtifact, AnyStage, Ctx, Hash, Host, Metric, Stop};
+use stage::{AnyArtifact, AnyStage, Ctx, Hash, Host, Message, Metric, Stop};
 use std::panic::AssertUnwindSafe;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Mutex, OnceLock};
@@ -65,7 +65,7 @@ struct Hosting<'a> {
     node: &'a str,
     stage: &'static dyn AnyStage,
     metrics: Mutex<Vec<Metric>>,
-    warnings: Mutex<Vec<String>>,
+    warnings: Mutex<Vec<Message>>,
 }
 
 impl Host for Hosting<'_> {
@@ -84,11 +84,11 @@ impl Host for Hosting<'_> {
         );
         self.metrics.lock().expect("bug: poisoned").push(metric);
     }
-    fn warn(&self, text: &str) {
+    fn warn(&self, message: &Message) {
         self.warnings
             .lock()
             .expect("bug: poisoned")
-            .push(text.into());
+            .push(message.clone());
     }
     fn recall(&self, key: Hash) -> Option<Vec<u8>> {
         self.around.store.recall(key)
@@ -102,7 +102,7 @@ impl Host for Hosting<'_> {
 /// What came of a node's turn.
 pub(crate) enum Step {
     /// It is done; the artifact if it was made now.
-    Done(Done, Option<AnyArtifact>),
+    Done(Box<Done>, Option<AnyArtifact>),
     /// Another process makes it just now.
     Busy,
     /// These results that it reads are gone from the store.
@@ -144,10 +144,10 @@ pub(crate) fn run_one(
     };
     // Who held the lease before may have made it; and it may equal what another node made.
     if let Some(done) = find(job, node, inputs, there, around.store) {
-        return Step::Done(done, None);
+        return Step::Done(Box::new(done), None);
     }
     if let Some(why) = around.failures.of(key) {
-        return Step::Done(failed(key, provenance, why), None);
+        return Step::Done(Box::new(Done::failed(key, provenance, why)), None);
     }
     let artifacts = match load(job, node, inputs, at_hand, around.store) {
         Ok(artifacts) => artifacts,
@@ -163,7 +163,7 @@ pub(crate) fn run_one(
         around.failures.note(key, why);
     }
     drop(lease);
-    Step::Done(done, artifact)
+    Step::Done(Box::new(done), artifact)
 }
 
 /// Runs the stage and publishes its result.
@@ -174,7 +174,7 @@ fn make(
     artifacts: Vec<Option<AnyArtifact>>,
     around: &Surroundings<'_>,
 ) -> (Done, Option<AnyArtifact>) {
-    let failed = |why: String| failed(key, provenance.clone(), why);
+    let failed = |why: Message| failed(key, provenance.clone(), why);
     let mut recipe = Digest::default();
     key::tell_recipe(bound, &mut recipe);
     let (metrics, warnings) = Default::default();
@@ -194,7 +194,7 @@ fn make(
     let (made, seconds) = match std::panic::catch_unwind(AssertUnwindSafe(run)) {
         Ok((Ok(made), took)) => (made, took.as_secs_f64()),
         Ok((Err(Stop::Cancelled), _)) => return (Done::nothing(Status::Cancelled), None),
-        Ok((Err(Stop::Failed(error)), _)) => return (failed(chain(error.as_ref())), None),
+        Ok((Err(Stop::Failed(error)), _)) => return (failed(why(error.as_ref())), None),
         Err(panic) => {
             let text = panic.downcast_ref::<String>().map(String::as_str);
             let text = text
@@ -202,7 +202,7 @@ fn make(
                 .unwrap_or("no message");
             let stage = bound.stage.name();
             return (
-                failed(format!("bug in {stage}: {text}; please report it")),
+                failed(format!("bug in {stage}: {text}; please report it").into()),
                 None,
             );
         }
@@ -231,11 +231,11 @@ fn make(
             (done(Status::Executed, key, record), None)
         }
         Ok((record, _)) => (done(Status::Executed, key, record), Some(made.artifact)),
-        Err(error) => (failed(error.to_string()), None),
+        Err(error) => (failed(error.to_string().into()), None),
     }
 }
 
-fn failed(key: Hash, provenance: key::Provenance, why: String) -> Done {
+fn failed(key: Hash, provenance: key::Provenance, why: Message) -> Done {
     Done {
         key: Some(key),
         provenance: provenance.0,
@@ -286,15 +286,4 @@ fn load(
     } else {
         Err(gone)
     }
-}
-
-/// An error with its causes.
-fn chain(error: &(dyn std::error::Error + 'static)) -> String {
-    let mut text = error.to_string();
-    let mut cause = error.source();
-    while let Some(error) = cause {
-        text += &format!(": {error}");
-        cause = error.source();
-    }
-    text
 }

@@ -143,7 +143,7 @@ fn work(
         let skipped = match step {
             Step::Done(done, artifact) => {
                 held.stop |= matches!(done.status, Status::Failed(_)) && !job.keep_going;
-                held.finish(node, done, artifact)
+                held.finish(node, *done, artifact)
             }
             Step::Busy => {
                 around.watch.waits(name(node));
@@ -157,7 +157,7 @@ fn work(
                     "the result of `{from}` goes out of the cache as soon as it is made; \
                      give it room, or another place with --cache"
                 );
-                let done = Done::nothing(Status::Failed(why));
+                let done = Done::nothing(Status::Failed(why.into()));
                 tell(node, &done);
                 held.stop |= !job.keep_going;
                 held.finish(node, done, None)

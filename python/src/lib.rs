@@ -35,7 +35,7 @@ mod _native {
         fault::guarded(py, || Ok(command::run(tailor::program(), words)))
     }
 
-    /// `tailor measure` with these arguments: the run, the folder of results, warnings.
+    /// `tailor measure` with these arguments: the run, the folder of results, warnings as JSON.
     #[pyfunction]
     fn measure(
         py: Python<'_>,

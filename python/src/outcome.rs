@@ -10,6 +10,7 @@ use engine::walk::Watch;
 use engine::{Options, Outcome, out};
 use pyo3::prelude::*;
 use pyo3::types::PyBytes;
+use stage::Message;
 use std::path::PathBuf;
 use std::sync::Arc;
 
@@ -45,10 +46,10 @@ impl Run {
         there.map(|(node, _)| node.name.clone()).collect()
     }
 
-    /// Nodes that failed, and why.
+    /// Nodes that failed, and why: a message as JSON.
     fn failures(&self) -> Vec<(String, String)> {
         let all = self.outcome.failures(&self.graph).into_iter();
-        all.map(|(node, why)| (node.to_owned(), why.to_owned()))
+        all.map(|(node, why)| (node.to_owned(), json(why)))
             .collect()
     }
 
@@ -114,6 +115,11 @@ pub(crate) fn run(
     })
 }
 
+/// A message for Python.
+fn json(message: &Message) -> String {
+    serde_json::to_string(message).expect("bug: JSON")
+}
+
 /// `tailor measure`.
 pub(crate) fn measured(
     py: Python<'_>,
@@ -130,7 +136,11 @@ pub(crate) fn measured(
             graph: Arc::new(measured.graph),
             outcome: measured.outcome,
         };
-        Ok((run, measured.out, measured.warnings))
+        Ok((
+            run,
+            measured.out,
+            measured.warnings.iter().map(json).collect(),
+        ))
     })
 }
 

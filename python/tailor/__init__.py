@@ -13,6 +13,7 @@ from ._errors import Error
 from ._native import version as __version__
 from .artifacts import READERS
 from .measuring import measure
+from .message import Message
 from .pipeline import Pipeline, pipelines, sweep
 from .progress import Event
 from .runs import Measured, Run
@@ -25,6 +26,7 @@ __all__ = [
     "Error",
     "Event",
     "Measured",
+    "Message",
     "Pipeline",
     "READERS",
     "Run",

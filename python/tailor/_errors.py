@@ -3,6 +3,8 @@
 import json
 from typing import List, Tuple
 
+from .message import Message
+
 
 class Error(Exception):
     """Something is wrong with what was handed over, or a stage failed: what, where, what to do.
@@ -11,7 +13,7 @@ class Error(Exception):
     ----------
     code : int
         As the command's exit code: 1 a stage failed, 2 the input or the pipeline is wrong.
-    failures : list of (str, str)
+    failures : list of (str, Message)
         The nodes that failed, each with why.
     details : dict
         What the command tells with ``--json``.
@@ -23,8 +25,8 @@ class Error(Exception):
         self.details = json.loads(details)
 
     @property
-    def failures(self) -> List[Tuple[str, str]]:
-        return [(f["node"], f["why"]) for f in self.details.get("failures", [])]
+    def failures(self) -> List[Tuple[str, Message]]:
+        return [(f["node"], Message(f["why"])) for f in self.details.get("failures", [])]
 
     def __reduce__(self):
         return (Error, (str(self), self.code, json.dumps(self.details)))

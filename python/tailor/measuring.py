@@ -6,6 +6,7 @@ import warnings
 from typing import Any, List, Optional, Union
 
 from . import _native
+from .message import Message
 from .progress import Hearing, Progress
 from .runs import Measured
 
@@ -77,7 +78,7 @@ def measure(
     with Hearing(progress) as hear:
         run, where, seen = _native.measure(said + words(facts), place, threads, hear)
     for warning in seen:
-        warnings.warn(warning, stacklevel=2)
+        warnings.warn(Message.of_json(warning), stacklevel=2)
     return Measured(run, where, seen, held)
 
 

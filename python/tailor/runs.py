@@ -9,6 +9,7 @@ from . import _native
 from ._errors import Error, Missing
 from .artifacts import read
 from .frames import frame
+from .message import Message
 
 
 class Run(Mapping):
@@ -59,14 +60,15 @@ class Run(Mapping):
         return [n["node"] for n in self.record["nodes"] if n["status"] == "found"]
 
     @property
-    def failures(self) -> List[Tuple[str, str]]:
+    def failures(self) -> List[Tuple[str, Message]]:
         """The nodes that failed, each with why; only with ``keep_going``."""
-        return self._native.failures()
+        return [(node, Message.of_json(why)) for node, why in self._native.failures()]
 
     @property
-    def warnings(self) -> List[str]:
-        """What stages warn of: ``node: text``."""
-        return [f"{n['node']}: {w}" for n in self.record["nodes"] for w in n["warnings"]]
+    def warnings(self) -> List[Message]:
+        """What stages warn of: ``node: text``, each with its ``code`` and ``fields``."""
+        nodes = self.record["nodes"]
+        return [Message(w, f"{n['node']}: ") for n in nodes for w in n["warnings"]]
 
     @property
     def metrics(self) -> Dict[str, float]:
@@ -124,7 +126,7 @@ class Measured(Run):
     def __init__(self, native: "_native.Run", out: Union[str, Path], seen: List[str], keep: Any = None) -> None:
         super().__init__(native, keep)
         self.out = Path(out)
-        self._seen = seen
+        self._seen = [Message.of_json(text) for text in seen]
 
     @property
     def girths(self) -> Any:
@@ -132,6 +134,6 @@ class Measured(Run):
         return self["girths"]
 
     @property
-    def warnings(self) -> List[str]:
+    def warnings(self) -> List[Message]:
         """What was seen in the folder, and what stages warn of."""
         return [*self._seen, *super().warnings]

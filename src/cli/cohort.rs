@@ -6,6 +6,7 @@ use command::text::{lines, table, to_the_right};
 use command::{Fault, Ran};
 use serde_json::{Value, json};
 use shape::{Cameras, Girths, Scale, Unit, csv_table};
+use stage::Message;
 use std::path::Path;
 use std::sync::Arc;
 
@@ -21,7 +22,7 @@ pub(super) struct Row {
 struct Came {
     girths: Arc<Girths>,
     scale: Scale,
-    warnings: Vec<String>,
+    warnings: Vec<Message>,
 }
 
 impl Row {
@@ -126,11 +127,10 @@ pub(super) fn csv(rows: &[Row]) -> Vec<u8> {
             .girths()
             .map(|g| g.missing.iter().map(|m| m.name.as_str()));
         line.push(missing.map_or(String::new(), |m| m.collect::<Vec<_>>().join(" ")));
-        line.push(
-            row.came
-                .as_ref()
-                .map_or(String::new(), |c| c.warnings.join("; ")),
-        );
+        line.push(row.came.as_ref().map_or(String::new(), |c| {
+            let all: Vec<&str> = c.warnings.iter().map(|w| w.as_str()).collect();
+            all.join("; ")
+        }));
         line.push(row.came.as_ref().err().cloned().unwrap_or_default());
         all.push(line);
     }

@@ -33,7 +33,7 @@ fn row(capture: &str, scale: Scale, girths: Vec<Girth>, warnings: &[&str]) -> Ro
         came: Ok(Came {
             girths: girths.into(),
             scale,
-            warnings: warnings.iter().map(|w| (*w).to_owned()).collect(),
+            warnings: warnings.iter().map(|w| (*w).into()).collect(),
         }),
     }
 }

@@ -9,10 +9,16 @@ use crate::store::Store;
 use clap::Args;
 use command::text::count;
 use command::{Fault, GlobalArgs, execute};
-use serde_json::Value;
+use serde_json::{Value, json};
 use shape::{Document, People, Photos, Tags};
+use stage::Message;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
+
+stage::messages! {
+    /// Where [`on_the_spot`] holds.
+    ON_THE_SPOT = "find-can-turning": "a person turns before a fixed camera: without a disk, give --turning --stature CM";
+}
 
 /// Arguments of `tailor doctor`.
 #[derive(Args)]
@@ -29,12 +35,15 @@ pub(crate) struct Doctor {
     facts: Facts,
 }
 
+/// Findings, each with the warning that it makes superfluous.
+const SAME: [(&str, &str); 1] = [("find-feet", "warn-cut-lower")];
+
 /// What was seen.
 pub(super) struct Look {
     /// What the stage found.
     pub(super) findings: Value,
     /// What nodes warned of, and what was odd about the folder.
-    pub(super) warnings: Vec<String>,
+    pub(super) warnings: Vec<Message>,
     /// The photos, with what is known of them.
     pub(super) photos: Arc<Photos>,
     /// Tags of a few of them.
@@ -53,7 +62,7 @@ pub(super) struct Look {
 ///
 /// What is said of the capture, or the folder, is wrong; or nothing can be seen in it.
 #[cfg(feature = "serve")]
-pub(crate) fn seen(args: &Doctor, global: &GlobalArgs) -> Result<(Value, Vec<String>), Fault> {
+pub(crate) fn seen(args: &Doctor, global: &GlobalArgs) -> Result<(Value, Vec<Message>), Fault> {
     let (recursive, video) = (args.recursive, args.video);
     // Nobody typed a command that could be repeated.
     let look = looked(&args.folder, &args.facts, recursive, video, global, "")?;
@@ -104,9 +113,8 @@ fn looked(
         warnings.extend(done.warnings.iter().cloned());
     }
     // What is found to stop all need not be warned of, too.
-    let same = |warning: &String, found: &Value| {
-        let what = found["what"].as_str();
-        what.is_some_and(|what| warning.starts_with(what))
+    let same = |warning: &Message, found: &Value| {
+        SAME.contains(&(message(&found["what"]).code(), warning.code()))
     };
     warnings.retain(|warning| !entries(&findings).any(|found| same(warning, found)));
     Ok(Look {
@@ -131,12 +139,12 @@ pub(crate) fn doctor(args: &Doctor, global: &GlobalArgs) -> Result<(), Fault> {
     )?;
     let stopped = entries(&look.findings).any(|f| f["grade"] == "stop");
     if !stopped && on_the_spot(&look) {
-        look.findings["can"]["turning"] = ON_THE_SPOT.into();
+        look.findings["can"]["turning"] = json!(stage::message!(ON_THE_SPOT));
     }
     if global.json {
         let mut found = look.findings;
         found["folder"] = args.folder.display().to_string().into();
-        found["warnings"] = look.warnings.into();
+        found["warnings"] = json!(look.warnings);
         command::outln!(
             "{}",
             serde_json::to_string_pretty(&found).expect("bug: JSON")
@@ -150,16 +158,17 @@ pub(crate) fn doctor(args: &Doctor, global: &GlobalArgs) -> Result<(), Fault> {
     }
 }
 
-/// What is said where [`on_the_spot`] holds.
-const ON_THE_SPOT: &str =
-    "a person turns before a fixed camera: without a disk, say --turning --stature CM";
-
 /// Whether a person turns before a camera that stands, and nothing tells of a disk.
 fn on_the_spot(look: &Look) -> bool {
     let rig = &look.photos.rig;
     let disk = rig.tagged() || rig.disk_diameter_mm.is_some();
     let tags = look.tags.views.values().any(|tags| !tags.is_empty());
     look.people.person && look.findings["motion"] == "turn" && !disk && !tags
+}
+
+/// What a document holds of a message: with a code, or as a sentence.
+pub(crate) fn message(value: &Value) -> Message {
+    serde_json::from_value(value.clone()).unwrap_or_default()
 }
 
 fn entries(found: &Value) -> impl Iterator<Item = &Value> {
@@ -199,11 +208,11 @@ pub(crate) const GRADES: [&str; 3] = ["stop", "doubt", "hint"];
 /// A line for all that is odd, the worst first; warnings are doubts.
 fn odd(look: &Look) -> Vec<String> {
     let found = entries(&look.findings).map(|f| {
-        let word = |key: &str| f[key].as_str().unwrap_or_default();
-        let text = format!("{}{} - {}", some(&f["photos"]), word("what"), word("mend"));
-        (word("grade"), text)
+        let [what, mend] = ["what", "mend"].map(|key| message(&f[key]));
+        let text = format!("{}{what} - {mend}", some(&f["photos"]));
+        (f["grade"].as_str().unwrap_or_default(), text)
     });
-    let warned = look.warnings.iter().map(|w| ("doubt", w.clone()));
+    let warned = look.warnings.iter().map(|w| ("doubt", w.to_string()));
     let mut all: Vec<(&str, String)> = found.chain(warned).collect();
     all.sort_by_key(|(grade, _)| GRADES.iter().position(|g| g == grade));
     let line = |(grade, text): (&str, String)| format!("  {grade:<6} {text}\n");
@@ -238,7 +247,7 @@ fn screen(folder: &Path, look: &Look) -> String {
             found["still_pct"].as_f64().unwrap_or(0.0)
         ),
         _ => format!(
-            "the camera moved ({:.0} % of the picture stand still)\n",
+            "the camera moved ({:.0} % of the picture do not move)\n",
             found["still_pct"].as_f64().unwrap_or(0.0)
         ),
     };
@@ -250,7 +259,7 @@ fn screen(folder: &Path, look: &Look) -> String {
     }
     said += "\nwhat can be measured\n";
     for (what, how) in found["can"].as_object().into_iter().flatten() {
-        said += &format!("  {what:<8} {}\n", how.as_str().unwrap_or_default());
+        said += &format!("  {what:<8} {}\n", message(how));
     }
     said
 }

@@ -8,7 +8,13 @@ use crate::catalog::{READ, foreign, is_photo, is_plate};
 use crate::graph::Graph;
 use crate::pattern::{natural, stays_inside};
 use command::Fault;
+use stage::{Message, message};
 use std::path::Path;
+
+stage::messages! {
+    TOO_FEW = "fail-few-no-mat": "{folder} has {count} photos: without a marker mat features are followed from photo to photo, which needs a full turn at steps of 30° or less; take 18 to 36 photos, or lay a mat on the disk (`tailor mat`; then give --mat), or give the step between them, such as --step 20";
+    NOT_READ = "warn-not-read": "{files}: not read; if they belong to the turn: ({way})";
+}
 
 /// What was seen.
 pub(super) struct Looked {
@@ -27,9 +33,9 @@ pub(super) struct Looked {
     /// What follows from the folder, as if it were said.
     pub(super) more: Vec<Said>,
     /// What the user should know.
-    pub(super) warnings: Vec<String>,
+    pub(super) warnings: Vec<Message>,
     /// Why photos are too few to be measured, if they are.
-    pub(super) few: Option<String>,
+    pub(super) few: Option<Message>,
 }
 
 /// Fewer photos than this and features cannot be followed from one to the next.
@@ -117,16 +123,13 @@ pub(super) fn look(
 }
 
 /// Why so many photos are too few.
-fn too_few(capture: &Path, photos: usize) -> String {
-    format!(
-        "{} holds {photos} photos: without a marker mat features are followed from photo to photo, which needs a full turn at steps of 30° or less; \
-         take 18 to 36 photos, or lay a mat on the disk (`tailor mat`; then say --mat), or say the step between them, such as --step 20",
-        capture.display()
-    )
+fn too_few(capture: &Path, photos: usize) -> Message {
+    let folder = capture.display().to_string();
+    message!(TOO_FEW, folder = folder, count = photos)
 }
 
 /// What lies in the folder and is not read; an error where there is nothing else.
-fn unread(capture: &Path, names: &[String], nothing_else: bool) -> Result<Vec<String>, Fault> {
+fn unread(capture: &Path, names: &[String], nothing_else: bool) -> Result<Vec<Message>, Fault> {
     let (shown, strange) = (capture.display(), foreign(names));
     if nothing_else && !strange.is_empty() {
         let each = strange
@@ -139,11 +142,8 @@ fn unread(capture: &Path, names: &[String], nothing_else: bool) -> Result<Vec<St
         )));
     }
     let beside = strange.iter().map(|f| {
-        format!(
-            "{}: not read; if they belong to the turn: (cd {shown} && {})",
-            f.words(),
-            f.way
-        )
+        let (files, way) = (f.words(), format!("cd {shown} && {}", f.way));
+        message!(NOT_READ, files = files, way = way)
     });
     Ok(beside.collect())
 }

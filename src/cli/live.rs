@@ -8,6 +8,7 @@ use crate::words::language::Words;
 use crate::words::parts::{PARTS, place_of};
 use command::Telling;
 use engine::walk::{Done, Status};
+use stage::Message;
 use std::sync::Mutex;
 
 /// The nodes that read what is measured: photos, or a scan.
@@ -21,7 +22,7 @@ pub(super) struct Live {
     plate: bool,
     /// Whether there is a mat, and how many tags it has.
     mat: Option<Option<u64>>,
-    warnings: Mutex<Vec<String>>,
+    warnings: Mutex<Vec<Message>>,
 }
 
 impl Live {
@@ -39,7 +40,7 @@ impl Live {
     }
 
     /// What was warned of so far: for a run that does not come to its end.
-    pub(super) fn warnings(&self) -> Vec<String> {
+    pub(super) fn warnings(&self) -> Vec<Message> {
         self.warnings.lock().expect("bug: poisoned").clone()
     }
 

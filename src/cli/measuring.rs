@@ -18,6 +18,7 @@ use command::{Fault, GlobalArgs, Job, Ran, check_out, execute};
 use engine::Outcome;
 use serde_json::Value;
 use shape::{Cameras, Girths};
+use stage::Message;
 use std::ffi::OsString;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -121,7 +122,7 @@ pub struct Measured {
     /// What came of it.
     pub outcome: Outcome,
     /// What was seen in the capture's folder before anything ran.
-    pub warnings: Vec<String>,
+    pub warnings: Vec<Message>,
 }
 
 impl Measured {
@@ -177,7 +178,7 @@ fn prepared(
         .clone()
         .filter(|_| !measure.walk && !measure.turning)
     {
-        return Err(Fault::input(few));
+        return Err(Fault::coded(&few));
     }
     folder::widen(&mut graph, &looked);
     check_out(&out, &graph, &folders)?;
@@ -228,8 +229,7 @@ fn unended(measure: &Measure, ready: &Prepared, live: &Live, global: &GlobalArgs
     if global.json || global.quiet {
         return;
     }
-    let mut told = ready.warnings.clone();
-    told.extend(live.warnings());
+    let told = [ready.warnings.clone(), live.warnings()].concat();
     let text = warned(measure.words(), &told);
     if !text.is_empty() {
         command::errln!("{}", text.trim_end());

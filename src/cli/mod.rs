@@ -28,3 +28,8 @@ mod source;
 pub(crate) mod words;
 
 pub use measuring::{Measured, measured};
+
+/// Every kind of message of these files.
+#[cfg_attr(not(feature = "serve"), allow(dead_code))]
+pub(crate) const MESSAGES: [&[stage::Template]; 3] =
+    [doctor::MESSAGES, folder::MESSAGES, source::MESSAGES];

@@ -5,6 +5,7 @@ use crate::delivery::Delivery;
 use crate::engine::Outcome;
 use crate::graph::Graph;
 use command::{Fault, GlobalArgs, finish, whose};
+use stage::Message;
 use std::path::PathBuf;
 
 /// A capture that is ready to be measured: nothing has run.
@@ -16,7 +17,7 @@ pub(crate) struct Prepared {
     /// The nodes whose results are written, or give files their names.
     pub(crate) wanted: Vec<usize>,
     /// What the user should know of the folder.
-    pub(crate) warnings: Vec<String>,
+    pub(crate) warnings: Vec<Message>,
     /// What was handed over.
     pub(super) capture: PathBuf,
     /// Where results will lie.

@@ -7,6 +7,7 @@ use command::Ran;
 use command::text::short;
 use serde_json::Value;
 use shape::Girths;
+use stage::Message;
 use std::collections::BTreeSet;
 use std::path::Path;
 
@@ -46,30 +47,32 @@ fn escaped(text: &str) -> String {
 }
 
 /// What the stages warned of, without what the table says anyway.
-pub(super) fn warnings(ran: &Ran<'_>, girths: Option<&Girths>) -> Vec<String> {
+pub(super) fn warnings(ran: &Ran<'_>, girths: Option<&Girths>) -> Vec<Message> {
     let all = by_node(ran, girths).into_iter();
-    all.map(|(node, warning)| format!("{node}: {warning}"))
+    all.map(|(node, warning)| warning.from_where(&node))
         .collect()
 }
 
 /// The same without the nodes, which say nothing to people who know none of them.
-pub(super) fn sentences(ran: &Ran<'_>, girths: &Girths) -> Vec<String> {
+pub(super) fn sentences(ran: &Ran<'_>, girths: &Girths) -> Vec<Message> {
     let all = by_node(ran, Some(girths)).into_iter();
     all.map(|(_, warning)| warning).collect()
 }
 
-fn by_node(ran: &Ran<'_>, girths: Option<&Girths>) -> Vec<(String, String)> {
+fn by_node(ran: &Ran<'_>, girths: Option<&Girths>) -> Vec<(String, Message)> {
     let missing = girths.iter().flat_map(|g| &g.missing);
-    let whys: Vec<String> = missing.map(|m| format!(": {}", m.why)).collect();
+    let whys: Vec<String> = missing.map(|m| m.why.to_string()).collect();
     let warnings = ran.warnings().into_iter();
-    let new = warnings.filter(|(_, warning)| !whys.iter().any(|why| warning.ends_with(why)));
+    let why = |w: &Message| w.fields().get("why").map(ToString::to_string);
+    let in_table = |w: &Message| why(w).is_some_and(|why| whys.contains(&why));
+    let new = warnings.filter(|(_, warning)| !in_table(warning));
     each_once(new)
 }
 
 /// Warnings by node without those that a node before it has in the same words.
-fn each_once(all: impl Iterator<Item = (String, String)>) -> Vec<(String, String)> {
+fn each_once(all: impl Iterator<Item = (String, Message)>) -> Vec<(String, Message)> {
     let mut seen = BTreeSet::new();
-    all.filter(|(_, warning)| seen.insert(warning.clone()))
+    all.filter(|(_, warning)| seen.insert(warning.to_string()))
         .collect()
 }
 
@@ -82,7 +85,7 @@ pub(crate) fn completed(page: &[u8], ran: &Ran<'_>) -> Vec<u8> {
 pub(super) fn completed_as(page: &[u8], ran: &Ran<'_>, name: Option<&str>) -> Vec<u8> {
     let girths = ran.last::<Girths>();
     let warnings = by_node(ran, girths.as_deref()).into_iter();
-    let paragraph = |(_, w): (_, String)| format!("<p class=\"warn\">{}</p>", escaped(&w));
+    let paragraph = |(_, w): (_, Message)| format!("<p class=\"warn\">{}</p>", escaped(&w));
     let warnings: String = warnings.map(paragraph).collect();
     let page = String::from_utf8_lossy(page).replacen("<!--warnings-->", &warnings, 1);
     let page = match name {
@@ -138,7 +141,7 @@ fn table(record: &Value) -> String {
 mod tests {
     #[test]
     fn what_two_nodes_warn_of_in_the_same_words_is_told_once() {
-        let pair = |node: &str, warning: &str| (node.to_owned(), warning.to_owned());
+        let pair = |node: &str, warning: &str| (node.to_owned(), warning.into());
         let (first, again) = (pair("placed", "no length"), pair("cameras", "no length"));
         let other = pair("cameras", "few features");
         let told = super::each_once([first.clone(), again, other.clone()].into_iter());

@@ -1,8 +1,9 @@
 //! The last screen of `tailor measure`: what was measured, what was not, and where it lies.
 
-use crate::words::findings::{listed as listed_in, translated};
 use crate::words::language::{Language, Words};
-use shape::{Cameras, Girth, Girths, Scale, Score, Unit, by_reason, listed};
+use crate::words::messages::{in_words, read};
+use shape::{Cameras, Girth, Girths, Scale, Score, Unit, by_reason, girth_names};
+use stage::Message;
 
 /// Lines are broken before this column: a terminal's as it comes, and what a page of text takes.
 const WIDTH: usize = 80;
@@ -63,7 +64,7 @@ pub(crate) fn screen(words: Words, of: &Of<'_>) -> String {
     // One reason is shown once, for all that it is the reason of.
     for (why, all) in by_reason(&girths.missing) {
         let why = told(words, why);
-        let all = listed_in(words, &listed(&all));
+        let all = read(words, &girth_names(&all));
         text += &broken(&format!("  {all}: {why}"), 4);
     }
     text
@@ -134,7 +135,7 @@ pub(crate) fn in_short(words: Words, girths: &Girths) -> String {
 }
 
 /// What was warned of on the way, once more and counted.
-pub(crate) fn warned(words: Words, warnings: &[String]) -> String {
+pub(crate) fn warned(words: Words, warnings: &[Message]) -> String {
     if warnings.is_empty() {
         return String::new();
     }
@@ -154,11 +155,11 @@ fn ratio(words: Words, name: &str) -> String {
     }
 }
 
-/// A sentence of a stage. The English texts of pages speak of their fields where stages speak of flags.
-fn told(words: Words, text: &str) -> String {
+/// A message of a stage. The English texts of pages speak of their fields where stages speak of flags.
+fn told(words: Words, message: &Message) -> String {
     match words.language {
-        Language::En => text.to_owned(),
-        Language::De => translated(words, text).unwrap_or_else(|| text.to_owned()),
+        Language::En => message.to_string(),
+        Language::De => in_words(words, message),
     }
 }
 

@@ -2,8 +2,12 @@
 
 use crate::catalog::{is_photo, is_plate, is_raw, is_scan, is_video};
 use command::Fault;
-use command::text::count;
+use stage::{Message, message};
 use std::path::{Path, PathBuf};
+
+stage::messages! {
+    ONLY_VIDEO = "warn-only-video": "the video is read, not what is beside it: {count} {count|photo|photos} ({first}, …)";
+}
 
 /// What is read.
 #[derive(Debug, Clone, PartialEq)]
@@ -98,16 +102,13 @@ impl Source {
     }
 
     /// What lies beside it in the folder and is not read.
-    pub(super) fn left_out(&self, names: &[String]) -> Option<String> {
+    pub(super) fn left_out(&self, names: &[String]) -> Option<Message> {
         let photo = |name: &str| is_photo(name) || is_raw(name);
         let video = matches!(self, Source::Video(..));
         let other = |name: &&String| video && photo(name) && !is_plate(name);
         let first = names.iter().find(other)?;
         let photos = names.iter().filter(other).count();
-        Some(format!(
-            "the video is read, not what is beside it: {} ({first}, …)",
-            count(photos, "photo")
-        ))
+        Some(message!(ONLY_VIDEO, count = photos, first = first))
     }
 }
 

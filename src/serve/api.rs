@@ -209,7 +209,10 @@ pub(super) async fn measure(
     let place = place(&app, &id)?;
     let new = aside(move || {
         let record = place.record()?;
-        work::measure(&app, &place).map_err(|why| Wrong::unfit(plain(words, &record, &why)))
+        work::measure(&app, &place).map_err(|why| {
+            let lines: Vec<String> = why.iter().map(|w| plain(words, &record, w)).collect();
+            Wrong::unfit(lines.join("\n"))
+        })
     });
     let new = new.await?;
     let status = if new {

@@ -43,6 +43,7 @@ mod work;
 
 pub use handed::OPENAPI;
 pub use routes::paths;
+pub(crate) use work::MESSAGES;
 
 use app::App;
 use clap::Args;

@@ -3,6 +3,7 @@
 use super::record::Ended;
 use engine::walk::{Done, Status, Watch};
 use serde::Serialize;
+use stage::Message;
 use std::collections::BTreeMap;
 use std::time::Instant;
 use tokio::sync::watch;
@@ -31,9 +32,9 @@ pub(super) struct Progress {
     /// Every node that is needed, in the pipeline's order.
     pub(super) steps: Vec<Step>,
     /// Why it failed.
-    pub(super) why: Vec<String>,
+    pub(super) why: Vec<Message>,
     /// What the user should know.
-    pub(super) warnings: Vec<String>,
+    pub(super) warnings: Vec<Message>,
     /// How long it took, if it is over. \[s\]
     pub(super) seconds: f64,
     /// Stage and content of results that can be shown, by node.

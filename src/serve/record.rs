@@ -3,6 +3,7 @@
 use super::facts::{Facts, Plate};
 use crate::catalog::is_plate;
 use serde::{Deserialize, Serialize};
+use stage::Message;
 use std::collections::BTreeMap;
 
 /// A file of a capture.
@@ -87,9 +88,9 @@ pub(super) struct Ended {
     /// `begun`, `done`, `failed` or `stopped`. A `begun` that nobody works on was interrupted.
     pub(super) state: String,
     /// Why it failed.
-    pub(super) why: Vec<String>,
+    pub(super) why: Vec<Message>,
     /// What the user should know.
-    pub(super) warnings: Vec<String>,
+    pub(super) warnings: Vec<Message>,
     /// How long it took. \[s\]
     pub(super) seconds: f64,
     /// The content of each node's result that can be shown, with its stage.

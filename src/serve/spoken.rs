@@ -1,32 +1,36 @@
-//! Stages' messages in calls: in the reader's language, of the files as their owner calls them.
+//! Stages' messages in calls: in the reader's language, of the files as their owner calls them, with their codes and fields.
 
 use super::pages::plain;
 use super::progress::Progress;
 use super::record::Record;
+use crate::cli::doctor::message;
 use crate::words::language::Words;
-use serde_json::Value;
+use serde_json::{Value, json};
+use stage::Message;
+
+/// A message in the reader's language.
+fn spoken(words: Words, record: &Record, message: &Message) -> Message {
+    let text = plain(words, record, message);
+    message.clone().in_words(text)
+}
 
 /// What was seen of a capture. Photos keep the names of their files, which `files` has.
 pub(super) fn look(words: Words, record: &Record, mut look: Value) -> Value {
-    let translate = |value: &mut Value| {
-        if let Some(text) = value.as_str() {
-            *value = plain(words, record, text).into();
-        }
+    let translate = |value: &mut Value| *value = json!(spoken(words, record, &message(value)));
+    let each = |list: &mut Value| {
+        let all = list.as_array_mut().into_iter().flatten();
+        all.for_each(translate);
     };
-    if let Some(wrong) = look.get_mut("wrong") {
-        translate(wrong);
+    match look.get_mut("wrong") {
+        Some(one) if one.is_string() => translate(one),
+        Some(several) => each(several),
+        None => {}
     }
-    let lists = ["warnings", "findings"].map(|key| look[key].as_array().cloned());
-    let [mut warnings, mut findings] = lists.map(Option::unwrap_or_default);
-    warnings.iter_mut().for_each(translate);
-    for finding in &mut findings {
+    look.get_mut("warnings").into_iter().for_each(each);
+    let findings = look.get_mut("findings").and_then(Value::as_array_mut);
+    for finding in findings.into_iter().flatten() {
         for key in ["what", "mend"] {
             translate(&mut finding[key]);
-        }
-    }
-    for (key, list) in [("warnings", warnings), ("findings", findings)] {
-        if look[key].is_array() {
-            look[key] = list.into();
         }
     }
     if let Some(can) = look.get_mut("can").and_then(Value::as_object_mut) {
@@ -37,9 +41,8 @@ pub(super) fn look(words: Words, record: &Record, mut look: Value) -> Value {
 
 /// How far a measuring is.
 pub(super) fn progress(words: Words, record: &Record, mut progress: Progress) -> Progress {
-    for text in progress.why.iter_mut().chain(&mut progress.warnings) {
-        let lines: Vec<String> = text.lines().map(|l| plain(words, record, l)).collect();
-        *text = lines.join("\n");
+    for message in progress.why.iter_mut().chain(&mut progress.warnings) {
+        *message = spoken(words, record, message);
     }
     progress
 }

@@ -17,11 +17,16 @@ use crate::store::Store;
 use command::Fault;
 use engine::{Options, walk};
 use serde_json::{Value, json};
+use stage::{Message, message};
 use std::collections::BTreeMap;
 use std::ffi::OsString;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::Arc;
 use std::sync::atomic::Ordering;
+
+stage::messages! {
+    BROKE_OFF = "fail-bug": "a bug: the program broke off; what is done is kept";
+}
 
 /// The words for what is known of a capture.
 fn words(record: &Record) -> Vec<OsString> {
@@ -38,18 +43,13 @@ fn folder(words: &mut Vec<OsString>, place: &Place) {
 }
 
 /// Why something came to nothing, without what only a terminal has: names of nodes, commands, where the capture is.
-fn reason(place: &Place, fault: Fault) -> String {
-    let text = fault.text().to_owned();
-    let json = fault.json();
-    let failures = json["failures"].as_array().into_iter().flatten();
-    let whys: Vec<&str> = failures.filter_map(|f| f["why"].as_str()).collect();
-    let text = if whys.is_empty() {
-        text
-    } else {
-        whys.join("\n")
-    };
+fn reasons(place: &Place, fault: &Fault) -> Vec<Message> {
     let folder = place.photos().display().to_string();
-    text.replace(&folder, "this capture")
+    let named = |why: Message| match why.code() {
+        "" => why.replace(&folder, "this capture").into(),
+        _ => why,
+    };
+    fault.messages().into_iter().map(named).collect()
 }
 
 /// Looks at a capture; keeps and returns what was seen, or `wrong`: why nothing can be.
@@ -69,10 +69,10 @@ pub(super) fn look(app: &App, place: &Place) -> std::io::Result<Value> {
     let found = arguments::<Doctor>(words).and_then(|doctor| seen(&doctor, &app.quiet()));
     let look = match found {
         Ok((mut found, warnings)) => {
-            found["warnings"] = warnings.into();
+            found["warnings"] = json!(warnings);
             found
         }
-        Err(fault) => json!({ "wrong": reason(place, fault) }),
+        Err(fault) => json!({ "wrong": reasons(place, &fault) }),
     };
     place.keep_look(&look)?;
     Ok(look)
@@ -100,7 +100,7 @@ pub(super) fn prepared(place: &Place) -> Result<Prepared, Fault> {
 /// # Errors
 ///
 /// The capture's facts are wrong, or the disk refuses: in words, which are on its page as well.
-pub(super) fn measure(app: &Arc<App>, place: &Place) -> Result<bool, String> {
+pub(super) fn measure(app: &Arc<App>, place: &Place) -> Result<bool, Vec<Message>> {
     let (job, new) = app.jobs.begin(&place.id);
     if !new {
         return Ok(false);
@@ -115,8 +115,8 @@ pub(super) fn measure(app: &Arc<App>, place: &Place) -> Result<bool, String> {
         Ok(ready)
     };
     let ready = begun().map_err(|fault| {
-        let why = reason(place, fault);
-        end(place, &job, "failed", vec![why.clone()], &None);
+        let why = reasons(place, &fault);
+        end(place, &job, "failed", why.clone(), &None);
         why
     })?;
     let (app, place) = (Arc::clone(app), place.clone());
@@ -134,11 +134,10 @@ fn work(app: &App, place: &Place, job: &Job, ready: &Prepared) {
     match ran {
         None => end(place, job, "stopped", vec![], &teller),
         Some(Err(_)) => {
-            let why = "a bug: the program broke off; what is done is kept".to_owned();
-            end(place, job, "failed", vec![why], &teller);
+            end(place, job, "failed", vec![message!(BROKE_OFF)], &teller);
         }
         Some(Ok(Err(fault))) if fault.code() == 130 => end(place, job, "stopped", vec![], &teller),
-        Some(Ok(Err(fault))) => end(place, job, "failed", vec![reason(place, fault)], &teller),
+        Some(Ok(Err(fault))) => end(place, job, "failed", reasons(place, &fault), &teller),
         Some(Ok(Ok(()))) => end(place, job, "done", vec![], &teller),
     }
 }
@@ -198,8 +197,7 @@ fn run(app: &App, job: &Job, ready: &Prepared, teller: &Teller) -> Result<(), Fa
     let outcome = outcome.map_err(Fault::input)?;
     let failures = outcome.failures(graph);
     if !failures.is_empty() {
-        let lines: Vec<&str> = failures.iter().map(|(_, why)| *why).collect();
-        return Err(Fault::stage(lines.join("\n")));
+        return Err(Fault::failed(&failures, ""));
     }
     if outcome.cancelled() || job.cancel.load(Ordering::Relaxed) {
         return Err(Fault::stopped());
@@ -214,7 +212,7 @@ fn run(app: &App, job: &Job, ready: &Prepared, teller: &Teller) -> Result<(), Fa
 }
 
 /// Keeps and announces how it ended.
-fn end(place: &Place, job: &Job, state: &'static str, why: Vec<String>, teller: &Option<Teller>) {
+fn end(place: &Place, job: &Job, state: &'static str, why: Vec<Message>, teller: &Option<Teller>) {
     let progress = job.sender.borrow().clone();
     let ended = Ended {
         state: state.to_owned(),
@@ -229,7 +227,7 @@ fn end(place: &Place, job: &Job, state: &'static str, why: Vec<String>, teller: 
     job.sender.send_modify(|p| {
         (p.state, p.seconds) = (state, seconds);
         p.why.extend(why);
-        p.why.extend(kept.err().map(|e| e.to_string()));
+        p.why.extend(kept.err().map(|e| e.to_string().into()));
     });
 }
 

@@ -100,17 +100,21 @@ impl Words {
 
     /// A text with what is put in: texts, and whole numbers, which choose the plural.
     pub(crate) fn with(self, key: &str, put: &[(&str, FluentValue<'_>)]) -> String {
+        let text = self.with_all(key, put);
+        text.unwrap_or_else(|| panic!("bug: no text of the key {key}, or not all that it takes"))
+    }
+
+    /// A text with what is put in, as far as all of that is given.
+    pub(crate) fn with_all(self, key: &str, put: &[(&str, FluentValue<'_>)]) -> Option<String> {
         let bundle = self.language.bundle();
-        let pattern = bundle.get_message(key).and_then(|message| message.value());
-        let pattern = pattern.unwrap_or_else(|| panic!("bug: no text of the key {key}"));
+        let pattern = bundle.get_message(key)?.value()?;
         let mut args = FluentArgs::new();
         for (name, value) in put {
             args.set((*name).to_owned(), value.clone());
         }
         let mut wrong = vec![];
         let text = bundle.format_pattern(pattern, Some(&args), &mut wrong);
-        assert!(wrong.is_empty(), "bug: {key}: {wrong:?}");
-        text.into_owned()
+        wrong.is_empty().then(|| text.into_owned())
     }
 
     /// Whether there is such a text.

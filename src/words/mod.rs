@@ -4,10 +4,8 @@
 //! |---|---|
 //! | `parts.rs` | the parts of a measuring, and the nodes of each |
 //! | `language.rs`, `en.ftl`, `de.ftl` | texts and numbers in a language |
-//! | `findings.rs`, `warnings.rs`, `errors.rs` | sentences of stages, and the texts that mean the same |
+//! | `messages.rs` | messages of stages by their codes |
 
-mod errors;
-pub(crate) mod findings;
 pub(crate) mod language;
+pub(crate) mod messages;
 pub(crate) mod parts;
-mod warnings;

@@ -21,7 +21,8 @@ fn what_is_odd_is_told_by_photo_and_what_can_be_measured() {
         warned.contains("numbers 0 to 11") && warned.contains("--mat-tag"),
         "{warned}"
     );
-    let lengths = |told: &serde_json::Value| told["can"]["lengths"].as_str().unwrap().to_owned();
+    let lengths =
+        |told: &serde_json::Value| told["can"]["lengths"]["text"].as_str().unwrap().to_owned();
     assert!(lengths(&told).starts_with("relative"), "{told}");
     let known = place
         .run("doctor turn --json --mat-tag 60 --stature 81")
@@ -83,7 +84,7 @@ fn a_shuffled_turn_is_stopped_in_seconds_by_measure_too() {
     }
     let told = place.run("doctor turn --json").code(1).json();
     assert_eq!(told["findings"][0]["grade"], "stop", "{told}");
-    assert!(told["can"]["girths"] == "no", "{told}");
+    assert!(told["can"]["girths"]["text"] == "no", "{told}");
     let said = place.run("measure turn").code(1).err;
     for says in [
         "photos failed",
@@ -114,7 +115,7 @@ fn init_writes_what_photos_say_once_and_measure_reads_it() {
     assert_eq!(file["mat"]["tag_size_mm"].as_float(), Some(59.7));
     for says in [
         "marker tags 0 to 11, 12 on a ring",
-        "EXIF says 50 mm",
+        "EXIF has 50 mm",
         "# weight_kg",
         "# plate",
     ] {

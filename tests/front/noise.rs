@@ -26,7 +26,7 @@ fn add_noise(path: &std::path::Path, seed: u64, levels: f64) {
 fn found(place: &Place) -> (f64, String, Option<String>) {
     let told = place.run("doctor turn --json").code(0).json();
     let findings = told["findings"].as_array().unwrap().iter();
-    let words = findings.filter_map(|f| f["what"].as_str());
+    let words = findings.filter_map(|f| f["what"]["text"].as_str());
     let warned = words.map(str::to_owned).find(|w| w.contains("noise"));
     let against = told["noise_against"].as_str().map(str::to_owned);
     let levels = told["noise_levels"].as_f64();

@@ -173,7 +173,7 @@ fn cameras_come_from_features_alone_though_the_subject_sways() {
         let (outcome, _) = run(&graph, place.path(), &[found, truth, placed]);
         // Only masks show the stature that is given: until then nothing is said against it.
         let placed = outcome.nodes[placed].as_ref().unwrap();
-        assert_eq!(placed.warnings, Vec::<String>::new());
+        assert_eq!(placed.warnings, Vec::<stage::Message>::new());
         let cameras = |node| {
             let any = outcome.artifact(&graph, node).unwrap();
             any.downcast::<Cameras>().unwrap()
@@ -211,7 +211,7 @@ fn a_synthetic_turn_leaves_as_a_capture_that_is_read_back() {
     let outcome = engine::run(&body, &folders, &[node], &options, &log, &cancel).unwrap();
     assert_eq!(outcome.failure(&body), None);
     let warnings = &outcome.nodes[node].as_ref().unwrap().warnings;
-    assert_eq!(warnings, &Vec::<String>::new());
+    assert_eq!(warnings, &Vec::<stage::Message>::new());
     let again = outcome.artifact(&body, node).unwrap();
     let again = again.downcast::<Photos>().unwrap();
     let bytes = |p: &Photos| -> Vec<_> { p.photos.iter().map(|p| p.file.clone()).collect() };

@@ -159,13 +159,28 @@ fn a_mat_that_was_recognised_is_no_doubt_and_findings_name_no_flag() {
     let id = server.capture("mat");
     let photo = std::fs::read(&photos()[0]).unwrap();
     server.send(&id, 1, "IMG%201.jpg", &photo).is(200);
-    let known =
-        "the mat was recognised: 12 tags, numbers 0 to 11, on a ring with a radius of 187 mm";
-    let strange = "marker tags (family 36h11, numbers 0 to 11) are seen on 4 of 4 photos that were searched, but nothing is said of \
-        them, so they are not used; they lie as a mat of `tailor mat` (12 tags on a ring of 3.1 times a tag's size): say the edge \
-        length of a printed tag's black square as you measure it, such as --mat-tag 60, or hand over the mat's own file with --mat";
+    let number = |value: f64, unit: &str| json!({ "value": value, "digits": 1, "unit": unit });
+    let count = |value: u32| json!({ "value": value });
+    let known = json!({
+        "code": "warn-mat-known", "text": "the mat was recognised …",
+        "fields": { "count": count(12), "first": count(0), "last": count(11), "radius": number(187.0, "mm") },
+    });
+    let layout = json!({
+        "code": "warn-tags-mat", "text": "they are as on a mat of `tailor mat` …, such as --mat-tag 60",
+        "fields": { "count": count(12), "ring": number(3.1, "") },
+    });
+    let strange = json!({
+        "code": "warn-tags-unused", "text": "marker tags …; …, such as --mat-tag 60",
+        "fields": { "first": count(0), "last": count(11), "seen": count(4), "photos": count(4), "layout": layout },
+    });
+    let late = json!({
+        "code": "warn-order", "text": "0001.jpg was taken before 0002.jpg: names should be in turning order",
+        "fields": { "early": "0001.jpg", "late": "0002.jpg" },
+    });
+    // As a page of an earlier version kept it.
+    let old = "0001.jpg is odd; give --mat-tag";
     let look = json!({ "photos": 1, "width": 800, "height": 1200, "views": [], "findings": [], "can": {},
-        "warnings": [known, strange, "0001.jpg was taken before 0002.jpg: names should be in turning order"] });
+        "warnings": [known, strange, late, old] });
     let file = server.path(&format!("captures/captures/{id}/look.json"));
     std::fs::write(file, look.to_string()).unwrap();
     let page = server.ask("GET", &format!("/captures/{id}"), &Value::Null);
@@ -189,9 +204,11 @@ fn a_mat_that_was_recognised_is_no_doubt_and_findings_name_no_flag() {
     );
     assert!(page.contains("IMG 1.jpg was taken before"), "{page}");
     let answer = server.ask("GET", &format!("/api/captures/{id}"), &Value::Null);
-    let warnings = answer.is(200).json()["look"]["warnings"].to_string();
+    let look = answer.is(200).json()["look"].clone();
+    let warnings = look["warnings"].to_string();
     assert!(
         !warnings.contains("--mat") && warnings.contains("IMG 1.jpg"),
         "{warnings}"
     );
+    assert_eq!(look["warnings"][2]["code"], "warn-order");
 }

@@ -2,6 +2,7 @@
 
 use engine::recipe::Mistakes;
 use serde_json::{Map, Value, json};
+use stage::Message;
 
 /// Why a verb came to nothing: what to print (nothing if its answer has said it), and the exit code.
 pub struct Fault {
@@ -21,6 +22,15 @@ impl Fault {
             text: text.to_string(),
             more: Map::new(),
             mistakes: None,
+        }
+    }
+
+    /// The input is wrong, in a way that has a code.
+    pub fn coded(why: &Message) -> Fault {
+        let more = [("message".to_owned(), json!(why))];
+        Fault {
+            more: more.into_iter().collect(),
+            ..Fault::input(why)
         }
     }
 
@@ -50,10 +60,10 @@ impl Fault {
     }
 
     /// Nodes failed: each with why; `again` is the command that repeats it, if there is one.
-    pub fn failed(failures: &[(&str, &str)], again: &str) -> Fault {
-        let line = |(node, why): &(&str, &str)| format!("{node} failed: {why}");
+    pub fn failed(failures: &[(&str, &Message)], again: &str) -> Fault {
+        let line = |(node, why): &(&str, &Message)| format!("{node} failed: {why}");
         let mut lines: Vec<String> = failures.iter().map(line).collect();
-        let one = |(node, why): &(&str, &str)| json!({ "node": node, "why": why });
+        let one = |(node, why): &(&str, &Message)| json!({ "node": node, "why": why });
         let mut more = Map::new();
         more.insert("failures".into(), failures.iter().map(one).collect());
         if !again.is_empty() {
@@ -74,6 +84,20 @@ impl Fault {
     /// The exit code.
     pub fn code(&self) -> u8 {
         self.code
+    }
+
+    /// Why, as messages: of each node that failed, else of the whole.
+    pub fn messages(&self) -> Vec<Message> {
+        let failures = self.more.get("failures").and_then(Value::as_array);
+        let whys = failures.into_iter().flatten().map(|f| &f["why"]);
+        let all = whys.chain(self.more.get("message"));
+        let all: Vec<Message> = all
+            .filter_map(|why| serde_json::from_value(why.clone()).ok())
+            .collect();
+        match all.is_empty() {
+            true => vec![self.text.as_str().into()],
+            false => all,
+        }
     }
 
     /// What `--json` tells.

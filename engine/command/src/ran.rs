@@ -3,7 +3,7 @@
 use engine::Outcome;
 use engine::graph::Graph;
 use serde_json::Value;
-use stage::{AnyArtifact, Artifact};
+use stage::{AnyArtifact, Artifact, Message};
 use std::borrow::Cow;
 use std::path::PathBuf;
 use std::sync::Arc;
@@ -74,14 +74,17 @@ impl<'a> Ran<'a> {
     }
 
     /// What its nodes warned of, each with the node's name.
-    pub fn warnings(&self) -> Vec<(String, String)> {
+    pub fn warnings(&self) -> Vec<(String, Message)> {
         let record = self.record();
         let nodes = record["nodes"].as_array().into_iter().flatten();
         let of = |node: &Value| {
             let name = node["node"].as_str().unwrap_or_default().to_owned();
             let all = node["warnings"].as_array().cloned().unwrap_or_default();
-            let texts = all.into_iter().filter_map(|w| Some(w.as_str()?.to_owned()));
-            texts.map(|text| (name.clone(), text)).collect::<Vec<_>>()
+            let all = all
+                .into_iter()
+                .filter_map(|w| serde_json::from_value(w).ok());
+            all.map(|message| (name.clone(), message))
+                .collect::<Vec<_>>()
         };
         nodes.flat_map(of).collect()
     }

@@ -91,7 +91,7 @@ mod tests {
         }
 
         fn heard(&self, _: &str, done: &Done) -> Vec<String> {
-            done.warnings.clone()
+            done.warnings.iter().map(String::from).collect()
         }
 
         fn over(&self, step: usize, found: bool) -> String {

@@ -16,7 +16,7 @@
 use super::metrics::MetricText;
 use super::record::Record;
 use crate::system;
-use stage::Hash;
+use stage::{Hash, Message};
 use std::collections::HashMap;
 use std::hash::{BuildHasherDefault, Hasher};
 use std::path::Path;
@@ -85,7 +85,7 @@ impl Entry {
 }
 
 /// What was noted of a result: its metrics and warnings.
-type Notes = (Vec<MetricText>, Vec<String>);
+type Notes = (Vec<MetricText>, Vec<Message>);
 
 /// A key is a hash: its first bits are as good as any.
 #[derive(Default)]

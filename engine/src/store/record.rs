@@ -2,7 +2,7 @@
 
 use super::metrics::MetricText;
 use serde::{Deserialize, Serialize};
-use stage::{Hash, Metric};
+use stage::{Hash, Message, Metric};
 
 /// What was made under a key.
 #[derive(Debug, Clone, PartialEq)]
@@ -18,7 +18,7 @@ pub struct Record {
     /// Numbers beside the result.
     pub metrics: Vec<Metric>,
     /// What the user should know.
-    pub warnings: Vec<String>,
+    pub warnings: Vec<Message>,
 }
 
 /// Where a record was made. No key and no result has any of it, and no other store gets it.
@@ -49,13 +49,17 @@ struct Written {
     bytes: u64,
     seconds: f64,
     metrics: Vec<MetricText>,
-    warnings: Vec<String>,
+    /// Before version 4 sentences only.
+    warnings: Vec<Message>,
     /// Since version 3; without it, it is not known where it was made.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     origin: Option<Origin>,
 }
 
-const VERSION: u32 = 3;
+const VERSION: u32 = 4;
+
+/// Without a warning that has a code, programs read it that know none.
+const WITHOUT_CODES: u32 = 3;
 
 /// What other stores get, which says nothing of where it was made.
 const SHARED_VERSION: u32 = 2;
@@ -80,12 +84,18 @@ impl Record {
 
     /// The bytes of its file in a shared store, as they are signed.
     pub(super) fn file(&self) -> String {
-        self.written(SHARED_VERSION, None)
+        self.written(self.version(SHARED_VERSION), None)
     }
 
     /// The bytes of its file here.
     pub(super) fn file_of(&self, origin: Option<Origin>) -> String {
-        self.written(VERSION, origin)
+        self.written(self.version(WITHOUT_CODES), origin)
+    }
+
+    /// The version that it is written as, where that without codes of warnings is another.
+    fn version(&self, without_codes: u32) -> u32 {
+        let coded = self.warnings.iter().any(|w| !w.code().is_empty());
+        if coded { VERSION } else { without_codes }
     }
 
     fn written(&self, version: u32, origin: Option<Origin>) -> String {

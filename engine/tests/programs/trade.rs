@@ -260,7 +260,7 @@ impl Place {
         let graph = self.graph(nodes);
         let outcome = self.made(&graph);
         let (_, why) = outcome.failure(&graph).expect("it fails");
-        why.to_owned()
+        why.to_string()
     }
 }
 

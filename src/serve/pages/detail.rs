@@ -81,7 +81,7 @@ fn measuring(words: Words, content: &Content, stopped: bool) -> Markup {
             data-events=[goes_on.then(|| format!("/api/captures/{}/events", place.id))] {
             h2 #measuring-title { (words.text("measuring-title")) }
             p #sentence role="status" { (progress::sentence(words, progress, nothing)) }
-            @for why in progress.why.iter().flat_map(|w| w.lines()) { p .alert role="alert" { (sentence(words, record, why)) } }
+            @for why in &progress.why { p .alert role="alert" { (sentence(words, record, why)) } }
             @if stopped && !goes_on && progress.state == "none" { p .alert { (words.text("measure-stopped")) } }
             div .bar {
                 @if goes_on {

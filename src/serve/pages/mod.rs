@@ -10,9 +10,10 @@ pub(super) mod result;
 pub(super) mod seen;
 
 use super::record::Record;
-use crate::words::findings::translated;
 use crate::words::language::{Language, Words};
+use crate::words::messages::translated;
 use maud::{DOCTYPE, Markup, html};
+use stage::Message;
 
 /// A page: its title, its address (to come back to after a change of language), its scripts, its content.
 pub(super) fn page(
@@ -88,16 +89,16 @@ const FLAGS: [(&str, &str); 8] = [
 ];
 
 /// A stage's message, in the reader's language where it is known, of the files as their owner calls them.
-pub(super) fn sentence(words: Words, record: &Record, text: &str) -> Markup {
-    match translated(words, text) {
+pub(super) fn sentence(words: Words, record: &Record, message: &Message) -> Markup {
+    match translated(words, message) {
         Some(text) => html! { (record.named(&text)) },
-        None => html! { span lang="en" { (record.named(&with_fields(words, text))) } },
+        None => html! { span lang="en" { (record.named(&with_fields(words, message))) } },
     }
 }
 
 /// The same as text.
-pub(super) fn plain(words: Words, record: &Record, text: &str) -> String {
-    let text = translated(words, text).unwrap_or_else(|| with_fields(words, text));
+pub(super) fn plain(words: Words, record: &Record, message: &Message) -> String {
+    let text = translated(words, message).unwrap_or_else(|| with_fields(words, message));
     record.named(&text)
 }
 

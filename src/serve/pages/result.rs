@@ -3,9 +3,11 @@
 use super::super::home::Place;
 use super::super::record::Record;
 use super::sentence;
+use crate::cli::doctor::message;
 use crate::words::language::Words;
 use maud::{Markup, html};
 use serde_json::Value;
+use stage::Message;
 
 /// The girths in tables of captures.
 pub(crate) const MAIN: [&str; 2] = ["WC", "HC"];
@@ -80,15 +82,21 @@ fn score(score: &Value) -> Option<(f64, f64)> {
 /// What could not be measured, and why: a reason once.
 fn missing(words: Words, record: &Record, girths: &Value) -> Markup {
     let all = girths["missing"].as_array().into_iter().flatten();
-    let mut reasons: Vec<(&str, Vec<String>)> = Vec::new();
+    let mut reasons: Vec<(Message, Vec<String>)> = Vec::new();
     let mut count = 0;
     for one in all {
         let text = |key: &str| one[key].as_str().unwrap_or_default();
         let name = label(words, text("name"), text("name"));
         count += 1;
-        match reasons.iter_mut().find(|(why, _)| *why == text("why")) {
+        let mut coded = one.clone();
+        coded["text"] = one["why"].clone();
+        let why = match one["code"].is_string() {
+            true => message(&coded),
+            false => text("why").into(),
+        };
+        match reasons.iter_mut().find(|(known, _)| *known == why) {
             Some((_, names)) => names.push(name),
-            None => reasons.push((text("why"), vec![name])),
+            None => reasons.push((why, vec![name])),
         }
     }
     html! {
@@ -215,8 +223,8 @@ mod tests {
             language: Language::De,
             inches: false,
         };
-        let one = |name: &str, reason: &str, why: &str| json!({ "name": name, "reason": reason, "why": why });
-        let why = shape::Refusal::NoLegs.why();
+        let one = |name: &str, reason: &str, why: &Message| json!({ "name": name, "reason": reason, "why": why.as_str(), "code": why.code(), "fields": {} });
+        let why = &shape::Refusal::NoLegs.message();
         let mut girths = json!({
             "unit": "relative",
             "missing": [one("HC", "no_legs", why), one("WC", "no_legs", why)],
@@ -225,7 +233,7 @@ mod tests {
         assert_eq!(html.matches("keine zwei Beine").count(), 1, "{html}");
         assert!(html.contains("Hüfte; Taille: "), "{html}");
         assert!(!disputed(&girths));
-        girths["missing"] = json!([one("BMI", "disputed", "")]);
+        girths["missing"] = json!([one("BMI", "disputed", &"".into())]);
         assert!(disputed(&girths));
     }
 }

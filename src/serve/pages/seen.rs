@@ -2,11 +2,12 @@
 
 use super::super::record::{Kept, Record};
 use super::sentence;
-use crate::cli::doctor::GRADES;
-use crate::words::findings::is_news;
+use crate::cli::doctor::{GRADES, message};
 use crate::words::language::Words;
+use crate::words::messages::is_news;
 use maud::{Markup, html};
 use serde_json::Value;
+use stage::Message;
 
 /// What was found odd.
 fn findings(look: &Value) -> impl Iterator<Item = &Value> {
@@ -17,9 +18,18 @@ fn text<'a>(value: &'a Value, key: &str) -> &'a str {
     value[key].as_str().unwrap_or_default()
 }
 
+/// Why nothing could be seen.
+fn wrong(look: &Value) -> Vec<Message> {
+    match &look["wrong"] {
+        Value::Null => vec![],
+        Value::Array(all) => all.iter().map(message).collect(),
+        one => vec![message(one)],
+    }
+}
+
 /// Whether nothing will come of it.
 pub(crate) fn stops(look: &Value) -> bool {
-    !text(look, "wrong").is_empty() || findings(look).any(|f| f["grade"] == "stop")
+    !wrong(look).is_empty() || findings(look).any(|f| f["grade"] == "stop")
 }
 
 /// What was seen, and the photos.
@@ -52,8 +62,8 @@ pub(crate) fn seen(
 fn report(words: Words, record: &Record, look: &Value) -> Markup {
     let can = look["can"].as_object().into_iter().flatten();
     html! {
-        @if !text(look, "wrong").is_empty() { p .alert { (sentence(words, record, text(look, "wrong"))) } }
-        @else {
+        @for why in &wrong(look) { p .alert { (sentence(words, record, why)) } }
+        @if wrong(look).is_empty() {
             p { (facts(words, look)) }
             @if findings(look).next().is_none() { p .good { (words.text("seen-well")) } }
         }
@@ -65,7 +75,7 @@ fn report(words: Words, record: &Record, look: &Value) -> Markup {
         dl .can {
             @for (what, how) in can {
                 dt { (words.text(&format!("can-{what}"))) }
-                dd { (sentence(words, record, how.as_str().unwrap_or_default())) }
+                dd { (sentence(words, record, &message(how))) }
             }
         }
     }
@@ -75,17 +85,17 @@ fn report(words: Words, record: &Record, look: &Value) -> Markup {
 fn odd<'a>(words: Words, record: &Record, look: &'a Value) -> Vec<(&'a str, Markup)> {
     let finding = |finding: &'a Value| {
         let line = html! {
-            (sentence(words, record, text(finding, "what"))) " – " (sentence(words, record, text(finding, "mend")))
+            (sentence(words, record, &message(&finding["what"]))) " – " (sentence(words, record, &message(&finding["mend"])))
             @if let Some(names) = names(record, finding) { " " span .soft { (names) } }
         };
         (text(finding, "grade"), line)
     };
     let warnings = look["warnings"].as_array().into_iter().flatten();
-    let warning = |warning: &'a str| {
-        let grade = if is_news(warning) { "hint" } else { "doubt" };
-        (grade, html! { (sentence(words, record, warning)) })
-    };
-    let warned = warnings.filter_map(Value::as_str).map(warning);
+    let warned = warnings.map(|warning| {
+        let warning = message(warning);
+        let grade = if is_news(&warning) { "hint" } else { "doubt" };
+        (grade, html! { (sentence(words, record, &warning)) })
+    });
     let mut all: Vec<_> = findings(look).map(finding).chain(warned).collect();
     all.sort_by_key(|(grade, _)| GRADES.iter().position(|g| g == grade));
     all

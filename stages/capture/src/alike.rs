@@ -2,6 +2,14 @@
 
 use crate::error::CaptureError;
 use shape::Photo;
+use stage::{Message, message};
+
+stage::messages! {
+    TWO_TURNS = "warn-two-turns": "between {last} and {first} passed {pause:.0 s}, else {usual:.0 s}: are these two turns? Put each into a folder of its own, or list the photos of the turn: `images = [\"…\"]` in capture.toml, or --images";
+    LATE = "warn-order": "{early} was taken before {late}: names should be in turning order";
+    OTHER_CAMERA = "warn-other-camera": "{name} was taken with another camera ({camera}) than most photos ({usual}): one camera must take all of a turn; take it again, or remove it";
+    ZOOMED = "warn-zoomed": "{name} was taken at {focal:.1 mm}, most photos at {usual:.1 mm}: do not zoom during a turn; take it again, or remove it";
+}
 
 /// All of one size, the plate, too.
 pub(crate) fn one_size(photos: &[Photo], plate: Option<&Photo>) -> Result<(), CaptureError> {
@@ -39,7 +47,7 @@ pub(crate) fn one_size(photos: &[Photo], plate: Option<&Photo>) -> Result<(), Ca
 const SHOWN: usize = 4;
 
 /// What speaks against photos being one turn of one camera, in order.
-pub(crate) fn not_one_turn(photos: &[Photo]) -> Vec<String> {
+pub(crate) fn not_one_turn(photos: &[Photo]) -> Vec<Message> {
     let mut warnings = other_cameras(photos);
     warnings.extend(out_of_order(photos));
     warnings.extend(two_turns(photos));
@@ -52,7 +60,7 @@ const PAUSE: (f64, f64) = (6.0, 45.0);
 const TURN: usize = 8;
 
 /// Where the folder may hold two turns: a long pause with enough photos before and after it.
-fn two_turns(photos: &[Photo]) -> Option<String> {
+fn two_turns(photos: &[Photo]) -> Option<Message> {
     let times: Vec<f64> = photos.iter().map(|p| p.time_s).collect::<Option<_>>()?;
     let pauses: Vec<f64> = times.windows(2).map(|w| w[1] - w[0]).collect();
     let mut sorted = pauses.clone();
@@ -63,31 +71,32 @@ fn two_turns(photos: &[Photo]) -> Option<String> {
         .position(|pause| *pause > (PAUSE.0 * usual).max(PAUSE.1))?;
     let (before, after) = (at + 1, photos.len() - at - 1);
     (before.min(after) >= TURN).then(|| {
-        format!(
-            "between {} and {} passed {:.0} s, else {usual:.0} s: are these two turns? Put each into a folder of its own, or say which photos are \
-             the turn: `images = [\"…\"]` in capture.toml, or --images",
-            photos[at].name, photos[at + 1].name, pauses[at]
+        let [last, first] = [at, at + 1].map(|i| &photos[i].name);
+        message!(
+            TWO_TURNS,
+            last = last,
+            first = first,
+            pause = pauses[at],
+            usual = usual
         )
     })
 }
 
 /// The first photo that was taken before the one in front of it; photos without a time are
 /// passed over.
-fn out_of_order(photos: &[Photo]) -> Option<String> {
+fn out_of_order(photos: &[Photo]) -> Option<Message> {
     let timed = photos.iter().filter_map(|p| Some((&p.name, p.time_s?)));
     let timed: Vec<_> = timed.collect();
     let late = timed.windows(2).find(|w| w[0].1 > w[1].1)?;
     let (a, b) = (late[0].0, late[1].0);
-    Some(format!(
-        "{b} was taken before {a}: names should be in turning order"
-    ))
+    Some(message!(LATE, early = b, late = a))
 }
 
 /// Focal lengths that differ by more than this share are two.
 const ZOOM: f64 = 0.01;
 
 /// Photos that another camera took than most, or the same one zoomed otherwise, by EXIF.
-fn other_cameras(photos: &[Photo]) -> Vec<String> {
+fn other_cameras(photos: &[Photo]) -> Vec<Message> {
     let devices: Vec<&str> = photos.iter().map(|p| p.device.as_str()).collect();
     let usual = most(&devices, |a, b| a == b);
     let focals: Vec<f64> = photos.iter().filter_map(|p| p.focal_35mm).collect();
@@ -97,16 +106,18 @@ fn other_cameras(photos: &[Photo]) -> Vec<String> {
         let (name, device) = (&photo.name, photo.device.as_str());
         if let Some(usual) = usual.filter(|u| !device.is_empty() && !u.is_empty() && **u != device)
         {
-            warnings.push(format!(
-                "{name} was taken with another camera ({device}) than most photos ({usual}): one camera must take all of a turn; take it again, or remove it"
+            let (camera, usual) = (device, *usual);
+            warnings.push(message!(
+                OTHER_CAMERA,
+                name = name,
+                camera = camera,
+                usual = usual
             ));
         }
         if let (Some(own), Some(focal)) = (photo.focal_35mm, focal)
             && (own / focal - 1.0).abs() > ZOOM
         {
-            warnings.push(format!(
-                "{name} was taken at {own:.1} mm, most photos at {focal:.1} mm: do not zoom during a turn; take it again, or remove it"
-            ));
+            warnings.push(message!(ZOOMED, name = name, focal = own, usual = focal));
         }
     }
     warnings

@@ -13,9 +13,6 @@ pub(crate) enum Day {
     Exif,
 }
 
-/// The warning where photos were asked for their day and have none.
-pub(crate) const NO_DAY: &str = "`date = \"exif\"`: the photos tell no day";
-
 const WANTS: &str = "a day such as \"2026-05-01\", or \"exif\" to take the photos' own";
 
 /// The key `date` of `capture.toml`.

@@ -7,6 +7,13 @@
 use crate::glance::{Glance, Together};
 use crate::verdict::{Findings, Grade, Seen, camera_is_fixed};
 use rayon::prelude::*;
+use stage::message;
+
+stage::messages! {
+    NOT_SEEN = "find-empty": "the subject, which all other photos show, is not seen here";
+    AS_PLATE = "find-empty-plate": "if this is the empty scene, set plate = \"{name}\" in capture.toml, or give --plate {name}; else leave it out, or take it again";
+    LEAVE_OUT = "find-empty-mend": "leave it out, or take it again";
+}
 
 /// Fewer photos are too far apart to compare.
 const LEAST: usize = 10;
@@ -29,13 +36,10 @@ pub(crate) fn absent(seen: &Seen<'_>, findings: &mut Findings<'_>) {
     for i in without_subject(seen.glances, seen.together) {
         let name = &seen.photos.photos[i].name;
         let mend = match seen.photos.plate.is_some() || name.contains('#') {
-            true => "leave it out, or take it again".to_owned(),
-            false => format!(
-                "if this is the empty scene, say plate = {name:?} in capture.toml, or --plate {name}; else leave it out, or take it again"
-            ),
+            true => message!(LEAVE_OUT),
+            false => message!(AS_PLATE, name = name),
         };
-        let what = "the subject, which all other photos show, is not seen here";
-        findings.put(Grade::Hopeless, what, &mend, &[i]);
+        findings.put(Grade::Hopeless, message!(NOT_SEEN), mend, &[i]);
     }
 }
 

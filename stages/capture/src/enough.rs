@@ -16,11 +16,7 @@ pub(crate) fn as_many_as_promised(
 ) -> Result<(), CaptureError> {
     match promised.filter(|promised| *promised != found) {
         None => Ok(()),
-        Some(promised) => Err(CaptureError::Count {
-            promised,
-            found,
-            copies: listed(copies),
-        }),
+        Some(promised) => Err(CaptureError::count(promised, found, &listed(copies))),
     }
 }
 

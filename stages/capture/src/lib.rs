@@ -59,13 +59,43 @@ pub use surface::{Surface, SurfaceError, SurfaceInput, SurfaceParams, Unit, Up};
 pub use verdict::{Finding, Grade};
 pub use video::{Video, VideoError, VideoInput, VideoParams};
 
+/// Every kind of message of this crate.
+pub const MESSAGES: &[&[stage::Template]] = &[
+    alike::MESSAGES,
+    cut_off::MESSAGES,
+    empty::MESSAGES,
+    load::MESSAGES,
+    noise::MESSAGES,
+    odd::MESSAGES,
+    raw::MESSAGES,
+    rig_tags::MESSAGES,
+    surface::MESSAGES,
+    verdict::MESSAGES,
+    video::MESSAGES[0],
+    video::MESSAGES[1],
+    error::MESSAGES,
+    CaptureError::MESSAGES,
+    ProgramError::MESSAGES,
+    RawError::MESSAGES,
+    VideoError::MESSAGES,
+];
+
 /// Every stage of this crate, in the order in which data flows through it.
 pub const STAGES: &[&dyn stage::AnyStage] = &[
-    &stage::erase::<Video>(),
-    &stage::erase::<Raw>(),
-    &stage::erase::<Load>(),
-    &stage::erase::<Draw>(),
-    &stage::erase::<Look>(),
-    &stage::erase::<Personal>(),
-    &stage::erase::<Surface>(),
+    &stage::erase::<Video>().failing(CODED),
+    &stage::erase::<Raw>().failing(CODED),
+    &stage::erase::<Load>().failing(CODED),
+    &stage::erase::<Draw>().failing(CODED),
+    &stage::erase::<Look>().failing(CODED),
+    &stage::erase::<Personal>().failing(CODED),
+    &stage::erase::<Surface>().failing(CODED),
+];
+
+/// The errors that have codes.
+const CODED: &[stage::Recognise] = &[
+    stage::recognise::<CaptureError>,
+    stage::recognise::<ProgramError>,
+    stage::recognise::<RawError>,
+    stage::recognise::<VideoError>,
+    stage::recognise::<shape::PhotoError>,
 ];

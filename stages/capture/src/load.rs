@@ -1,7 +1,7 @@
 //! The stage that reads the photos of a turn.
 
 use crate::alike::{not_one_turn, one_size};
-use crate::date::{Day, NO_DAY, day_of};
+use crate::date::{Day, day_of};
 use crate::enough::{as_many_as_promised, enough};
 use crate::error::CaptureError;
 use crate::facts::Facts;
@@ -16,8 +16,17 @@ use crate::sharpness::{best, sharpness};
 use crate::verdict::{Grade, Seen, against_the_middle};
 use rayon::prelude::*;
 use shape::{Photo, Photos};
-use stage::{Ctx, FileEntry, Files, Stage, Stop};
+use stage::{Ctx, FileEntry, Files, Stage, Stop, message};
 use std::sync::Arc;
+
+stage::messages! {
+    TOML = "warn-capture-toml": "capture.toml: {what}";
+    NO_DAY = "warn-no-day": "the photos have no date, so the day of the capture is unknown: give it in place of `date = \"exif\"`";
+    UNEVEN_STEPS = "warn-video-steps": "frames of a video are not at even steps: `step_deg` was passed over (how many are taken: --set frames.step_deg=)";
+    SAME_FILE = "warn-same-file": "{copy} is the same file as {first} and was left out: if another photo should be in its place, put it there";
+    OTHER_PLATE = "warn-video-plate": "{name} is {size} pixels, unlike the turn, and was left out: film the empty scene as the turn, and call that plate.mp4";
+    TOO_MANY = "warn-too-many": "{count} photos are more than are of use: the sharpest of each of {most} even stretches are taken (`most`); steps between them are no longer even";
+}
 
 stage::params! {
     /// What may be a turn.
@@ -79,7 +88,7 @@ impl Stage for Load {
     fn run(p: &LoadParams, input: LoadInput, ctx: &Ctx<'_>) -> Result<Photos, Stop> {
         let files = &input.files;
         let known = known(files, p)?;
-        let warn = |key: &String| ctx.warn(format!("capture.toml: {key}"));
+        let warn = |key: &String| ctx.warn(message!(TOML, what = key));
         known.unknown.iter().for_each(warn);
         crate::rig_tags::doubts(&known.rig)
             .iter()
@@ -116,11 +125,12 @@ impl Stage for Load {
         let mut rig = known.rig;
         if known.day == Some(Day::Exif) {
             rig.date = day;
-            let silent = rig.date.is_none().then_some(NO_DAY);
-            silent.iter().for_each(|w| ctx.warn(*w));
+            if rig.date.is_none() {
+                ctx.warn(message!(NO_DAY));
+            }
         }
         if !p.even && rig.step.take().is_some() {
-            ctx.warn("frames of a video are not at even steps: `step_deg` was passed over (how many are taken: --set frames.step_deg=)");
+            ctx.warn(message!(UNEVEN_STEPS));
         }
         // Steps are equal only where one of each so many is left.
         rig.step = rig.step.zip(even).map(|(step, of)| step * of as f64);
@@ -151,9 +161,9 @@ fn looked_at(photos: &Photos, seen: Vec<(Glance, f64)>, ctx: &Ctx<'_>) -> Result
     let noise = of_photos(photos, &together).ok().flatten();
     findings.extend(noise.and_then(|(levels, _)| noisy(levels)));
     let of = |grade: Grade| findings.iter().filter(move |f| f.grade == grade);
-    of(Grade::Doubt).for_each(|f| ctx.warn(f.sentence()));
+    of(Grade::Doubt).for_each(|f| ctx.warn(f.message()));
     match of(Grade::Hopeless).next() {
-        Some(f) => Err(CaptureError::Hopeless(f.sentence())),
+        Some(f) => Err(CaptureError::Hopeless(f.message())),
         None => Ok(()),
     }
 }
@@ -180,9 +190,7 @@ fn of_files(p: &LoadParams, files: &Files, known: &RigFile, ctx: &Ctx<'_>) -> Re
     let (mut turn, plate): Sorted<'_> = sorted(files, known)?;
     let copies = twins(&mut turn);
     for (copy, first) in &copies {
-        ctx.warn(format!(
-            "{copy} is the same file as {first} and was left out: if another photo should be in its place, put it there"
-        ));
+        ctx.warn(message!(SAME_FILE, copy = copy, first = first));
     }
     let sharp = |entry: &&FileEntry| -> Result<f64, Stop> {
         let photo = header(&entry.name, &entry.name, files.read(entry)?)?;
@@ -217,10 +225,8 @@ fn of_frames(
     let plate = match file {
         // Phones film less of the scene than their photos show.
         Some(plate) if photos.first().is_some_and(|f| size(f) != size(&plate)) => {
-            ctx.warn(format!(
-                "{} is {}×{} pixels, unlike the turn, and was left out: film the empty scene as the turn, and call that plate.mp4",
-                plate.name, plate.width, plate.height
-            ));
+            let size = format!("{}×{}", plate.width, plate.height);
+            ctx.warn(message!(OTHER_PLATE, name = plate.name, size = size));
             frames.plate.clone()
         }
         Some(plate) => Some(plate),
@@ -269,10 +275,7 @@ fn chosen<T: Sync>(
     };
     let sharp: Vec<f64> = in_order(turn.par_iter().map(sharp))?;
     let places = best(&sharp, most);
-    ctx.warn(format!(
-        "{} photos are more than are of use: the sharpest of each of {most} even stretches are taken (`most`); steps between them are no longer even",
-        turn.len()
-    ));
+    ctx.warn(message!(TOO_MANY, count = turn.len(), most = most));
     let taken = turn.into_iter().enumerate();
     let taken = taken
         .filter(|(i, _)| places.contains(i))

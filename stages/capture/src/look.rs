@@ -40,7 +40,7 @@ pub struct Look;
 
 impl Stage for Look {
     const NAME: &'static str = "capture.look";
-    const VERSION: u32 = 7;
+    const VERSION: u32 = 8;
     const ABOUT: &'static str = "Looks at photos at a glance: order, gaps, blur, exposure, noise, tags, frame, feet, and what can be measured with them.";
     type Params = LookParams;
     type Input = LookInput;
@@ -84,7 +84,7 @@ impl Stage for Look {
         ctx.metric("findings", findings.len() as f64, "");
         let can: Map<String, Value> = can(&seen, &findings)
             .into_iter()
-            .map(|(what, how)| (what.to_owned(), how.into()))
+            .map(|(what, how)| (what.to_owned(), json!(how)))
             .collect();
         let round = |x: f64, tens: f64| (x * tens).round() / tens;
         let views: Vec<Value> = photos
@@ -106,7 +106,7 @@ impl Stage for Look {
         let file = json!({
             "photos": views.len(), "width": first.width, "height": first.height,
             "camera": first.device, "focal_35mm": rig.focal_35mm, "plate": photos.plate.as_ref().map(|p| &p.name),
-            "step_deg": rig.step.map(f64::to_degrees), "lengths_from": lengths(rig),
+            "step_deg": rig.step.map(f64::to_degrees), "lengths_from": lengths(rig).map(|from| from.english),
             "still_pct": (1e3 * together.still).round() / 10.0,
             "noise_levels": noise.map(|(levels, _)| round(levels, 1e2)), "noise_against": noise.map(|(_, against)| against),
             "motion": if camera_is_fixed(&together) { "turn" } else { "walk" },

@@ -64,10 +64,8 @@ fn named<'a>(files: &'a Files, name: &str) -> Result<&'a FileEntry, CaptureError
     near.extend(stage::nearest(name, &all).or_else(|| stage::nearest(base, &all)));
     near.sort_unstable();
     near.dedup();
-    Err(CaptureError::NoPlate {
-        name: name.into(),
-        near: near.into_iter().map(str::to_owned).collect(),
-    })
+    let near = near.into_iter().map(str::to_owned).collect();
+    Err(CaptureError::no_plate(name, near))
 }
 
 /// The files that `images` names, in its order, none twice.
@@ -81,11 +79,9 @@ fn listed<'a>(
         let fit = |e: &&&FileEntry| other(e) && fits(pattern, &e.name);
         let fitting: Vec<_> = pictures.iter().filter(fit).copied().collect();
         if fitting.is_empty() {
-            return Err(CaptureError::NoImages {
-                pattern: pattern.clone(),
-                found: pictures.iter().take(3).map(|e| e.name.clone()).collect(),
-                count: pictures.len(),
-            });
+            let first = pictures.iter().take(3).map(|e| e.name.clone());
+            let first = first.collect();
+            return Err(CaptureError::no_images(pattern, first, pictures.len()));
         }
         for entry in fitting {
             if !turn.iter().any(|e| e.name == entry.name) {

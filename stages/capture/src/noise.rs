@@ -5,6 +5,12 @@ use crate::ordered::in_order;
 use crate::verdict::{Finding, Grade, camera_is_fixed};
 use rayon::prelude::*;
 use shape::{Photo, PhotoError, Photos, Rgb};
+use stage::message;
+
+stage::messages! {
+    NOISE = "find-noise": "the photos have noise of {levels:.1} grey levels";
+    LESS_NOISE = "find-noise-mend": "masks may lose parts where clothes have the background's colour: take them in more light, at a lower ISO, or in clothes that differ more from the background";
+}
 
 /// Pictures are looked at in squares of so many pixels across. \[px\]
 const SQUARE: usize = 16;
@@ -100,8 +106,8 @@ pub(crate) fn of_photos(
 pub(crate) fn noisy(levels: f64) -> Option<Finding> {
     (levels >= NOISY).then(|| Finding {
         grade: Grade::Doubt,
-        what: format!("the photos have noise of {levels:.1} grey levels"),
-        mend: "masks may lose parts where clothes have the background's colour: take them in more light, at a lower ISO, or in clothes that differ more from the background".into(),
+        what: message!(NOISE, levels = levels),
+        mend: message!(LESS_NOISE),
         photos: vec![],
     })
 }

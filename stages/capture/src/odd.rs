@@ -3,7 +3,46 @@
 use crate::empty::absent;
 use crate::glance::Glance;
 use crate::verdict::{Finding, Findings, Grade, Seen, camera_is_fixed, lengths};
+use stage::message;
 use std::collections::BTreeSet;
+
+stage::messages! {
+    MOVED_CAMERA = "find-moved": "only {still:.0 %} of the picture stay still: the camera, or all behind the subject, moved between the photos";
+    MOVED_MEND = "find-moved-mend": "a turn wants one camera on a tripod and the subject on a disk; is this a walk around somebody who does not move? Then give --walk";
+    OUT_OF_ORDER = "find-shuffled": "photos are more like photos far away in order than like their neighbours: they are not in turning order";
+    SHUFFLED_MEND = "find-shuffled-mend": "name photos in turning order, or list them with `images = [...]`; `tailor run pipelines/any-order.toml` finds cameras without an order";
+    STRANGER = "find-stranger": "far more like one far away in order than like its neighbours";
+    STRANGER_MEND = "find-stranger-mend": "look whether these photos are in their place";
+    SAME = "find-same": "nothing turned between these photos and the next";
+    SAME_MEND = "find-same-mend": "leave one of each two out";
+    GAP = "find-gap": "the next photo differs by far more than other photos do";
+    GAP_MEND = "find-gap-mend": "look whether a photo is missing there";
+    BLURRED_PHOTO = "find-blurred": "blurred compared with the other photos";
+    BLURRED_MEND = "find-blurred-mend": "take them again, or leave them out";
+    BURNT = "find-burnt": "overexposed over a tenth of the picture or more";
+    BLACK = "find-black": "black over a tenth of the picture or more";
+    LOST_MEND = "find-lost-mend": "take them again with a fixed exposure";
+    UNEVEN = "find-uneven": "exposed from {low:+.2 EV} to {high:+.2 EV} against the middle";
+    UNEVEN_MEND = "find-uneven-mend": "fix exposure and white balance (on phones: press and hold until AE/AF lock shows)";
+    PIXELS = "find-pixels": "photos of {width}×{height} pixels are small";
+    PIXELS_MEND = "find-pixels-mend": "hand over the camera's own files";
+    HEAD = "find-head": "what moves reaches the upper border: the head may be cut off";
+    HEAD_MEND = "find-head-mend": "leave space above the head";
+    ARMS = "find-arms": "what moves reaches both sides: arms may be cut off, or people walk behind the subject";
+    ARMS_MEND = "find-arms-mend": "step back, and keep the background still";
+    FEW_PHOTOS = "find-few": "{count} photos are few: without a mat features are followed over steps of 30° at most";
+    FEW_MEND = "find-few-mend": "take 18 to 36 photos of a full turn, or lay a mat on the disk";
+    FOCAL = "find-focal": "the focal length is unknown";
+    FOCAL_MEND = "find-focal-mend": "keep EXIF in the photos, or give --focal";
+    LENGTH = "find-length": "no length is known: lengths will be relative";
+    LENGTH_MEND = "find-length-mend": "give --stature, or --disk-diameter, or lay a mat on the disk";
+    PLATE = "find-plate": "there is no photo of the empty scene";
+    PLATE_MEND = "find-plate-mend": "take one without the subject and call it plate.jpg: silhouettes become surer";
+    MAT = "find-mat": "a mat is given, but none of its tags was found";
+    MAT_MEND = "find-mat-mend": "is it in view, in good light, and flat?";
+    TAGS = "find-tags": "of the mat's {all} tags only {read} can be read on a photo";
+    TAGS_MEND = "find-tags-mend": "they are too small in the picture, blurred or hidden: hand over the camera's own files, come nearer, or print a mat with fewer, larger tags";
+}
 
 /// Less than this of the picture does not move: nothing will come of it without a mat.
 const MOVED: f64 = 0.03;
@@ -63,11 +102,8 @@ fn order(seen: &Seen<'_>, findings: &mut Findings<'_>) {
         };
         findings.put(
             grade,
-            format!(
-                "only {:.0} % of the picture stands still: the camera, or all behind the subject, moved between the photos",
-                100.0 * together.still
-            ),
-            "a turn wants one camera on a tripod and the subject on a disk; is this a walk around somebody who stands still? Then say --walk",
+            message!(MOVED_CAMERA, still = 100.0 * together.still),
+            message!(MOVED_MEND),
             &[],
         );
         return;
@@ -80,12 +116,7 @@ fn order(seen: &Seen<'_>, findings: &mut Findings<'_>) {
         } else {
             Grade::Hopeless
         };
-        findings.put(
-            grade,
-            "photos are more like others far away in order than like their neighbours: they are not in turning order",
-            "name photos in turning order, or list them with `images = [...]`; `tailor run pipelines/any-order.toml` finds cameras without an order",
-            &[],
-        );
+        findings.put(grade, message!(OUT_OF_ORDER), message!(SHUFFLED_MEND), &[]);
         return;
     }
     let strangers: Vec<usize> = (0..count)
@@ -94,8 +125,8 @@ fn order(seen: &Seen<'_>, findings: &mut Findings<'_>) {
     if !strangers.is_empty() {
         findings.put(
             Grade::Doubt,
-            "far more like one far away in order than like its neighbours",
-            "look whether these photos are in their place",
+            message!(STRANGER),
+            message!(STRANGER_MEND),
             &strangers,
         );
     }
@@ -110,21 +141,11 @@ fn order(seen: &Seen<'_>, findings: &mut Findings<'_>) {
     };
     let same = of(&|r| r < STEPS.0);
     if !same.is_empty() {
-        findings.put(
-            Grade::Doubt,
-            "nothing turned between these photos and the next",
-            "leave one of each two out",
-            &same,
-        );
+        findings.put(Grade::Doubt, message!(SAME), message!(SAME_MEND), &same);
     }
     let wide = of(&|r| r > STEPS.1);
     if !wide.is_empty() {
-        findings.put(
-            Grade::Doubt,
-            "the next photo differs by far more than others do",
-            "look whether a photo is missing there",
-            &wide,
-        );
+        findings.put(Grade::Doubt, message!(GAP), message!(GAP_MEND), &wide);
     }
 }
 
@@ -145,27 +166,19 @@ fn pictures(seen: &Seen<'_>, findings: &mut Findings<'_>) {
     if !blurred.is_empty() {
         findings.put(
             Grade::Doubt,
-            "blurred beside the others",
-            "take them again, or leave them out",
+            message!(BLURRED_PHOTO),
+            message!(BLURRED_MEND),
             &blurred,
         );
     }
     for (what, share) in [
-        (
-            "overexposed over a tenth of the picture or more",
-            (|g| g.burnt) as fn(&Glance) -> f64,
-        ),
-        ("black over a tenth of the picture or more", |g| g.black),
+        (message!(BURNT), (|g| g.burnt) as fn(&Glance) -> f64),
+        (message!(BLACK), |g| g.black),
     ] {
         // A background that is white or black by design is in all of them.
         let lost = places(&|i| share(&seen.glances[i]) > LOST);
         if !lost.is_empty() && lost.len() < seen.glances.len() {
-            findings.put(
-                Grade::Doubt,
-                what,
-                "take them again with the exposure held",
-                &lost,
-            );
+            findings.put(Grade::Doubt, what, message!(LOST_MEND), &lost);
         }
     }
     let ev = &seen.together.exposure_ev;
@@ -174,12 +187,8 @@ fn pictures(seen: &Seen<'_>, findings: &mut Findings<'_>) {
         let span = |pick: fn(f64, f64) -> f64| ev.iter().copied().reduce(pick).unwrap_or(0.0);
         findings.put(
             Grade::Doubt,
-            format!(
-                "exposed from {:+.2} to {:+.2} EV against the middle",
-                span(f64::min),
-                span(f64::max)
-            ),
-            "hold exposure and white balance (on phones: press and hold until AE/AF lock shows)",
+            message!(UNEVEN, low = span(f64::min), high = span(f64::max)),
+            message!(UNEVEN_MEND),
             &uneven,
         );
     }
@@ -187,11 +196,8 @@ fn pictures(seen: &Seen<'_>, findings: &mut Findings<'_>) {
     if f64::from(first.width) * f64::from(first.height) < SMALL {
         findings.put(
             Grade::Hint,
-            format!(
-                "photos of {}×{} pixels are small",
-                first.width, first.height
-            ),
-            "hand over the camera's own files",
+            message!(PIXELS, width = first.width, height = first.height),
+            message!(PIXELS_MEND),
             &[],
         );
     }
@@ -204,20 +210,10 @@ fn frame(seen: &Seen<'_>, findings: &mut Findings<'_>) {
     }
     let [top, _, left, right] = seen.together.reached;
     if top {
-        findings.put(
-            Grade::Doubt,
-            "what moves reaches the upper border: the head may be cut off",
-            "leave room above the head",
-            &[],
-        );
+        findings.put(Grade::Doubt, message!(HEAD), message!(HEAD_MEND), &[]);
     }
     if left && right {
-        findings.put(
-            Grade::Doubt,
-            "what moves reaches both sides: arms may be cut off, or people walk behind the subject",
-            "step back, and keep the background still",
-            &[],
-        );
+        findings.put(Grade::Doubt, message!(ARMS), message!(ARMS_MEND), &[]);
     }
 }
 
@@ -228,34 +224,19 @@ fn facts(seen: &Seen<'_>, findings: &mut Findings<'_>) {
     if count < FEW && !rig.tagged() && rig.step.is_none() {
         findings.put(
             Grade::Doubt,
-            format!("{count} photos are few: without a mat features are followed over steps of 30° at most"),
-            "take 18 to 36 photos of a full turn, or lay a mat on the disk",
+            message!(FEW_PHOTOS, count = count),
+            message!(FEW_MEND),
             &[],
         );
     }
     if rig.focal_35mm.is_none() && rig.focal_px.is_none() && !rig.tagged() {
-        findings.put(
-            Grade::Doubt,
-            "nothing tells of the focal length",
-            "keep EXIF in the photos, or say --focal",
-            &[],
-        );
+        findings.put(Grade::Doubt, message!(FOCAL), message!(FOCAL_MEND), &[]);
     }
     if lengths(rig).is_none() {
-        findings.put(
-            Grade::Doubt,
-            "nothing of known length is given: lengths will be relative",
-            "say --stature, or --disk-diameter, or lay a mat on the disk",
-            &[],
-        );
+        findings.put(Grade::Doubt, message!(LENGTH), message!(LENGTH_MEND), &[]);
     }
     if seen.photos.plate.is_none() && camera_is_fixed(seen.together) {
-        findings.put(
-            Grade::Hint,
-            "there is no photo of the empty scene",
-            "take one without the subject and call it plate.jpg: silhouettes become surer",
-            &[],
-        );
+        findings.put(Grade::Hint, message!(PLATE), message!(PLATE_MEND), &[]);
     }
 }
 
@@ -271,18 +252,13 @@ fn mat(seen: &Seen<'_>, findings: &mut Findings<'_>) {
     let ids: BTreeSet<u32> = tags.views.values().flatten().map(|t| t.id).collect();
     let all = rig.mat.map_or(ids.len(), |mat| mat.count as usize);
     if ids.is_empty() {
-        findings.put(
-            Grade::Doubt,
-            "a mat is told of, but no tag of it was found",
-            "is it in view, in good light, and flat?",
-            &[],
-        );
+        findings.put(Grade::Doubt, message!(MAT), message!(MAT_MEND), &[]);
     } else if 2 * read < all {
         // Feet hide some; where most cannot be read it is not the feet.
         findings.put(
             Grade::Doubt,
-            format!("of the mat's {all} tags only {read} can be read on a photo"),
-            "they are too small in the picture, blurred or hidden: hand over the camera's own files, come nearer, or print a mat with fewer, larger tags",
+            message!(TAGS, all = all, read = read),
+            message!(TAGS_MEND),
             &[],
         );
     }

@@ -79,16 +79,10 @@ pub(crate) fn photo(photo: Photo) -> Result<(Photo, Rgb), CaptureError> {
         white += usize::from(p.iter().all(|c| *c >= 254));
     }
     let flat = (0..3).all(|c| hi[c] - lo[c] < 8);
-    let what = match (flat, white * 10 > pixels.data.len() * 9) {
-        (true, _) => Some("of one colour"),
-        (_, true) => Some("overexposed nearly everywhere"),
-        _ => None,
-    };
-    match what {
-        Some(what) => Err(CaptureError::Blank {
-            name: photo.name.clone(),
-            what,
-        }),
-        None => Ok((photo, pixels)),
+    let name = || photo.name.clone();
+    match (flat, white * 10 > pixels.data.len() * 9) {
+        (true, _) => Err(CaptureError::OneColour { name: name() }),
+        (_, true) => Err(CaptureError::Overexposed { name: name() }),
+        _ => Ok((photo, pixels)),
     }
 }

@@ -19,39 +19,35 @@ pub(crate) struct Program {
     pub(crate) package: &'static str,
 }
 
-/// What went wrong with a program.
-#[derive(Debug, thiserror::Error)]
-pub enum ProgramError {
-    /// It is not there.
-    #[error("{name} is not installed, and {what} cannot be read without it: apt install {package}")]
-    Missing {
-        /// The program.
-        name: &'static str,
-        /// The package that it is in.
-        package: &'static str,
-        /// What it was to read.
-        what: String,
-    },
-    /// It cannot be started, or its answer cannot be read.
-    #[error("{name} cannot be run: {why}")]
-    Broken {
-        /// The program.
-        name: &'static str,
-        /// The system's message.
-        why: String,
-    },
-    /// It takes too long.
-    #[error(
-        "{name} was ended after {seconds} s with {what}: is the file far longer than one turn, or damaged?"
-    )]
-    TooLong {
-        /// The program.
-        name: &'static str,
-        /// How long it was let run. \[s\]
-        seconds: u64,
-        /// What it was reading.
-        what: String,
-    },
+stage::failures! {
+    /// Why a program gave nothing.
+    pub enum ProgramError {
+        /// It is not there.
+        Missing {
+            /// The program.
+            name: &'static str,
+            /// The package that it is in.
+            package: &'static str,
+            /// What it was to read.
+            what: String,
+        } = "fail-not-installed": "{name} is not installed, and {what} cannot be read without it: apt install {package}",
+        /// It cannot be started, or its answer cannot be read.
+        Broken {
+            /// The program.
+            name: &'static str,
+            /// The system's message.
+            why: String,
+        } = "fail-not-run": "{name} cannot be run: {why}",
+        /// It takes too long.
+        TooLong {
+            /// The program.
+            name: &'static str,
+            /// How long it was let run. \[s\]
+            seconds: u64,
+            /// What it was reading.
+            what: String,
+        } = "fail-program-long": "{name} was ended after {seconds:.0 s} with {what}: is the file far longer than one turn, or damaged?",
+    }
 }
 
 /// A process with all its children: killed when nobody holds it any more.

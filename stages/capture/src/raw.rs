@@ -12,11 +12,15 @@ use crate::program::{Program, ProgramError, Run};
 use crate::rig::RigFile;
 use rayon::prelude::*;
 use shape::{Photo, Photos, Rgb, Rig, rgb_to_jpeg};
-use stage::{Ctx, FileEntry, Files, Stage, Stop};
+use stage::{Ctx, FileEntry, Files, Stage, Stop, message};
 use std::ffi::OsString;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::time::Duration;
+
+stage::messages! {
+    SAME_RAW = "warn-same-raw": "{copy} is the same file as {first} and was left out";
+}
 
 stage::params! {
     /// How they are developed.
@@ -36,22 +40,21 @@ stage::inputs! {
     }
 }
 
-/// What is wrong with a raw photo.
-#[derive(Debug, thiserror::Error)]
-pub enum RawError {
-    /// It cannot be developed.
-    #[error(
-        "{name} is no raw photo that dcraw_emu can read ({why}): hand over JPEGs of the camera instead, or remove it"
-    )]
-    Unreadable {
-        /// The file.
-        name: String,
-        /// The program's message.
-        why: String,
-    },
-    /// The program.
-    #[error(transparent)]
-    Program(#[from] ProgramError),
+stage::failures! {
+    /// What is wrong with a raw photo.
+    pub enum RawError {
+        /// It cannot be developed.
+        Unreadable {
+            /// The file.
+            name: String,
+            /// The program's message.
+            why: String,
+        } = "fail-raw-unreadable": "{name} is no raw photo that dcraw_emu can read ({why}): hand over JPEGs of the camera instead, or remove it",
+    }
+    passes {
+        /// The program.
+        Program(ProgramError),
+    }
 }
 
 /// `capture.raw`: files → photos.
@@ -93,9 +96,7 @@ impl Stage for Raw {
             .find(|e| crate::names::is_plate(&e.name));
         let (mut turn, _) = sorted(&files, &RigFile::default())?;
         for (copy, first) in twins(&mut turn) {
-            ctx.warn(format!(
-                "{copy} is the same file as {first} and was left out"
-            ));
+            ctx.warn(message!(SAME_RAW, copy = copy, first = first));
         }
         if turn.is_empty() {
             return Err(CaptureError::TooFew { found: 0, least: 3 }.into());

@@ -2,7 +2,13 @@
 
 use crate::keys::{Keys, RigError};
 use shape::{Mat, Rig, Rim};
+use stage::{Message, message};
 use toml::Value;
+
+stage::messages! {
+    WIDE_MAT = "warn-wide-mat": "capture.toml: the tags of `[mat]` reach {reach:.0 mm} from the disk's middle, but the disk ends at {disk:.0 mm}: measure a printed tag, the ring and the disk, and correct what is wrong";
+    WIDE_RIM = "warn-wide-rim": "capture.toml: the strip of `[rim]` has a radius of {rim:.0 mm}, the disk one of {disk:.0 mm}: measure the disk, and correct what is wrong";
+}
 
 /// A number that must be there.
 fn need(keys: &mut Keys<'_>, key: &'static str, lo: f64, hi: f64) -> Result<f64, RigError> {
@@ -91,7 +97,7 @@ pub(crate) fn read_rim(keys: &mut Keys<'_>, rig: &Rig) -> Result<Rim, RigError> 
 }
 
 /// What cannot be true at once of disk, mat and rim.
-pub(crate) fn doubts(rig: &Rig) -> Vec<String> {
+pub(crate) fn doubts(rig: &Rig) -> Vec<Message> {
     let mut doubts = Vec::new();
     let Some(radius) = rig.disk_diameter_mm.map(|d| d / 2.0) else {
         return doubts;
@@ -99,18 +105,13 @@ pub(crate) fn doubts(rig: &Rig) -> Vec<String> {
     if let Some(mat) = &rig.mat {
         let reach = libm::hypot(mat.ring_mm + mat.tag_mm / 2.0, mat.tag_mm / 2.0);
         if reach > 1.005 * radius {
-            doubts.push(format!(
-                "capture.toml: the tags of `[mat]` reach {reach:.0} mm from the disk's middle, but the disk ends at {radius:.0} mm: measure a printed tag, the ring and the disk, and correct what is wrong"
-            ));
+            doubts.push(message!(WIDE_MAT, reach = reach, disk = radius));
         }
     }
     if let Some(rim) = &rig.rim
         && (rim.radius_mm / radius - 1.0).abs() > 0.02
     {
-        doubts.push(format!(
-            "capture.toml: the strip of `[rim]` has a radius of {:.0} mm, the disk one of {radius:.0} mm: measure the disk, and correct what is wrong",
-            rim.radius_mm
-        ));
+        doubts.push(message!(WIDE_RIM, rim = rim.radius_mm, disk = radius));
     }
     doubts
 }
@@ -172,7 +173,7 @@ mod tests {
     #[test]
     fn a_mat_wider_than_its_disk_is_reported() {
         let doubts_of = |text: &str| doubts(&read(text).unwrap().rig);
-        assert_eq!(doubts_of(MAT), Vec::<String>::new());
+        assert!(doubts_of(MAT).is_empty());
         let wide = doubts_of(&MAT.replace("187.0", "205.7"));
         assert!(wide[0].contains("reach 238 mm"), "{wide:?}");
         let strip =

@@ -3,8 +3,17 @@
 pub use crate::scan::Unit;
 use crate::scan::{MOST_FACES, Read, agreed, announced, closed, pieces, read, turned, unit, up};
 use shape::Mesh;
-use stage::{Ctx, Files, FilesError, Stage, Stop};
+use stage::{Ctx, Files, FilesError, Stage, Stop, message};
 use std::sync::Arc;
+
+stage::messages! {
+    HOLES = "warn-scan-holes": "{name}: small holes closed by flat covers: {count}, up to {around:.0 mm} around";
+    FAULT = "warn-surface-fault": "{name}: {fault}; sections across it may be missing";
+    PIECES = "warn-scan-pieces": "{name}: pieces that do not hang together with the body are left out: {count}";
+    MIXED = "warn-scan-mixed": "{name}: faces that disagreed with those around them about which side is outside were turned: {count}";
+    INWARD = "warn-scan-inward": "{name}: its faces look inward; they were turned";
+    TAKEN_AS = "warn-scan": "{name} is taken as {unit} with {axis} up, {height:.0 cm} tall: if that is wrong, give --unit-of-file and --up";
+}
 
 /// Units that are recognised, their millimetres and what they are called.
 const UNITS: [(Unit, f64, &str); 4] = [
@@ -137,18 +146,14 @@ fn upright(read: Read, p: &SurfaceParams, name: &str, ctx: &Ctx<'_>) -> Result<M
     let (holes, longest) = if p.scan { closed(&mut mesh) } else { (0, 0.0) };
     let (unit, mm) = oriented(&mut mesh, p, (name, unit), ctx);
     if holes > 0 {
-        ctx.warn(format!(
-            "{name}: small holes closed by flat covers: {holes}, up to {:.0} mm around",
-            longest * mm
-        ));
+        let around = longest * mm;
+        ctx.warn(message!(HOLES, name = name, count = holes, around = around));
     }
     match mesh.validate_closed() {
         Ok(()) => {}
         // Holes and seams are borne: sections that do not close are refused where they matter.
         Err(fault @ (shape::MeshFault::Open(..) | shape::MeshFault::Pinched(_))) => {
-            ctx.warn(format!(
-                "{name}: {fault}; sections across it may be missing"
-            ));
+            ctx.warn(message!(FAULT, name = name, fault = fault.to_string()));
         }
         Err(fault) => return Err(SurfaceError::Fault(name.into(), fault)),
     }
@@ -171,21 +176,16 @@ fn body(mesh: Mesh, name: &str, ctx: &Ctx<'_>) -> Result<Mesh, SurfaceError> {
         return Err(SurfaceError::Pieces(name.into()));
     }
     if found.left_out > 0 {
-        ctx.warn(format!(
-            "{name}: pieces that do not hang together with the body are left out: {}",
-            found.left_out
-        ));
+        ctx.warn(message!(PIECES, name = name, count = found.left_out));
     }
     let mut mesh = found.body;
     let mixed = agreed(&mut mesh);
     if mixed > 0 {
-        ctx.warn(format!(
-            "{name}: faces that disagreed with those around them about which side is outside were turned: {mixed}"
-        ));
+        ctx.warn(message!(MIXED, name = name, count = mixed));
     }
     if mesh.volume() < 0.0 {
         mesh.faces.iter_mut().for_each(|f| f.swap(1, 2));
-        ctx.warn(format!("{name}: its faces look inward; they were turned"));
+        ctx.warn(message!(INWARD, name = name));
     }
     Ok(mesh)
 }
@@ -228,9 +228,13 @@ fn oriented(
     if p.up == Up::Auto || p.unit == Unit::Auto {
         let axes = [["x", "y", "z"], ["-x", "-y", "-z"]];
         let axis = axes[usize::from(way.1)][way.0];
-        ctx.warn(format!(
-            "{name} is taken as {word} with {axis} up, {:.0} cm tall: if that is wrong, say --unit-of-file and --up",
-            tall(mesh) / 10.0
+        let height = tall(mesh) / 10.0;
+        ctx.warn(message!(
+            TAKEN_AS,
+            name = name,
+            unit = word,
+            axis = axis,
+            height = height
         ));
     }
     (word, mm)

@@ -1,7 +1,24 @@
 //! What can be measured with a capture as it is; how what is odd about it is reported.
 
 use crate::glance::{Glance, Together};
-use shape::{Photos, Rig, Tags};
+use shape::{Photos, Rig, Tags, some_photos};
+use stage::{Message, Template, message};
+
+stage::messages! {
+    BY_MAT = "find-from-mat": "the marker mat";
+    BY_REFERENCE = "find-from-reference": "the reference length";
+    BY_DISK = "find-from-disk": "the disk's diameter, if its edge is seen";
+    BY_STATURE = "find-from-stature": "the stature";
+    STOPPED = "find-can-stopped": "no, as it is: see above";
+    MAT_CAMERAS = "find-can-mat": "from the mat, photo by photo";
+    FEATURE_CAMERAS = "find-can-features": "from what turns with the subject: clothes with a pattern, a patterned cloth on the disk";
+    WALKED = "find-can-walked": "not as a turn";
+    IN_CM = "find-can-cm": "in centimetres, from {source}";
+    RELATIVE = "find-can-relative": "relative: ratios hold, no centimetres";
+    NO_GIRTHS = "find-can-no": "no";
+    WITH_BMI = "find-can-bmi": "yes, with ratios and the body mass index";
+    WITH_RATIOS = "find-can-ratios": "yes, with ratios; the body mass index wants --weight and --stature";
+}
 
 /// How bad something is.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, serde::Serialize)]
@@ -22,22 +39,21 @@ pub struct Finding {
     /// How bad it is.
     pub grade: Grade,
     /// What was seen.
-    pub what: String,
+    pub what: Message,
     /// What would mend it.
-    pub mend: String,
+    pub mend: Message,
     /// The photos that it is about; empty for all.
     pub photos: Vec<String>,
 }
 
 impl Finding {
-    /// As a sentence: which photos, what, and what would mend it.
-    pub(crate) fn sentence(&self) -> String {
-        let names = match self.photos.len() {
-            0 => String::new(),
-            1..=5 => format!("{}: ", self.photos.join(", ")),
-            more => format!("{}, … ({more} photos): ", self.photos[..3].join(", ")),
-        };
-        format!("{names}{}; {}", self.what, self.mend)
+    /// As one message: which photos, what, and what would mend it.
+    pub(crate) fn message(&self) -> Message {
+        let message = self.what.clone().with_remedy(&self.mend);
+        match some_photos(&self.photos) {
+            Some(names) => message.of_what(names),
+            None => message,
+        }
     }
 }
 
@@ -49,12 +65,12 @@ pub(crate) struct Findings<'a> {
 
 impl Findings<'_> {
     /// One more.
-    pub(crate) fn put(&mut self, grade: Grade, what: impl Into<String>, mend: &str, of: &[usize]) {
+    pub(crate) fn put(&mut self, grade: Grade, what: Message, mend: Message, of: &[usize]) {
         let names = of.iter().map(|i| self.photos.photos[*i].name.clone());
         self.all.push(Finding {
             grade,
-            what: what.into(),
-            mend: mend.into(),
+            what,
+            mend,
             photos: names.collect(),
         });
     }
@@ -88,48 +104,55 @@ pub(crate) fn camera_is_fixed(together: &Together) -> bool {
 }
 
 /// Where centimetres will come from.
-pub(crate) fn lengths(rig: &Rig) -> Option<&'static str> {
+pub(crate) fn lengths(rig: &Rig) -> Option<&'static Template> {
     match rig {
         Rig { mat: Some(_), .. }
         | Rig {
             tag_mm: Some(_), ..
-        } => Some("the marker mat"),
+        } => Some(&BY_MAT),
         Rig {
             reference: Some(_), ..
-        } => Some("the reference length"),
+        } => Some(&BY_REFERENCE),
         Rig {
             disk_diameter_mm: Some(_),
             ..
-        } => Some("the disk's diameter, if its edge is seen"),
+        } => Some(&BY_DISK),
         Rig {
             stature_mm: Some(_),
             ..
-        } => Some("the stature"),
+        } => Some(&BY_STATURE),
         _ => None,
     }
 }
 
 /// What can be measured: a name and how.
-pub(crate) fn can(seen: &Seen<'_>, findings: &[Finding]) -> Vec<(&'static str, String)> {
+pub(crate) fn can(seen: &Seen<'_>, findings: &[Finding]) -> Vec<(&'static str, Message)> {
     let rig = &seen.photos.rig;
     let stopped = findings.iter().any(|f| f.grade == Grade::Hopeless);
-    let cameras = match (stopped, rig.tagged() && seen.tags.is_some_and(|t| t.views.values().any(|v| !v.is_empty())), camera_is_fixed(seen.together)) {
-        (true, ..) => "no, as it is: see above".to_owned(),
-        (_, true, _) => "from the mat, photo by photo".into(),
-        (_, _, true) => "from what turns with the subject: clothes with a pattern, a patterned cloth on the disk".into(),
-        (_, _, false) => "not as a turn".into(),
+    let tags = seen
+        .tags
+        .is_some_and(|t| t.views.values().any(|v| !v.is_empty()));
+    let cameras = match (
+        stopped,
+        rig.tagged() && tags,
+        camera_is_fixed(seen.together),
+    ) {
+        (true, ..) => message!(STOPPED),
+        (_, true, _) => message!(MAT_CAMERAS),
+        (_, _, true) => message!(FEATURE_CAMERAS),
+        (_, _, false) => message!(WALKED),
     };
     let lengths = match lengths(rig) {
-        Some(from) => format!("in centimetres, from {from}"),
-        None => "relative: ratios hold, no centimetres".into(),
+        Some(from) => message!(IN_CM, source = Message::new(from, [])),
+        None => message!(RELATIVE),
     };
     let girths = match (
         stopped || !camera_is_fixed(seen.together),
         rig.stature_mm.zip(rig.weight_kg),
     ) {
-        (true, _) => "no".to_owned(),
-        (_, Some(_)) => "yes, with ratios and the body mass index".into(),
-        (_, None) => "yes, with ratios; the body mass index wants --weight and --stature".into(),
+        (true, _) => message!(NO_GIRTHS),
+        (_, Some(_)) => message!(WITH_BMI),
+        (_, None) => message!(WITH_RATIOS),
     };
     vec![
         ("cameras", cameras),

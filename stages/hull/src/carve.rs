@@ -8,8 +8,16 @@ use crate::surface::{largest, surface};
 use nalgebra::{Point3, Vector3};
 use rayon::prelude::*;
 use shape::{Cameras, DISSENT_DEPTH, Mask, Masks, Mesh, Silhouette, View, coherence, seen_by_half};
-use stage::{Cancelled, Ctx, Stage, Stop};
+use stage::{Cancelled, Ctx, Message, Stage, Stop, message};
 use std::sync::Arc;
+
+stage::messages! {
+    EMPTY = "mask-empty": "empty";
+    FULL = "mask-full": "full, or inverted";
+    OTHER_SIZE = "mask-other-size": "of another size than the photo";
+    ENDED = "warn-hull-cut": "the hull is cut off where the search for it ended: the photos do not see around the body, or masks and cameras do not belong together";
+    CUTS_BODY = "warn-contradicted": "its mask leaves out body that all other photos show ({share:.1 %} of it): look at this mask and correct it";
+}
 
 stage::params! {
     /// How finely, and how strictly, space is carved.
@@ -50,50 +58,39 @@ stage::inputs! {
     }
 }
 
-/// Why there is no hull.
-#[derive(Debug, thiserror::Error)]
-pub enum CarveError {
-    /// Too few views.
-    #[error("only {0} photos have both a mask and a camera, but a hull needs at least 3")]
-    TooFew(usize),
-    /// A bad mask.
-    #[error("the mask of {name} is {what}: correct or remove it")]
-    Mask {
-        /// The photo.
-        name: String,
-        /// What it is.
-        what: &'static str,
-    },
-    /// No cell is left.
-    #[error(
-        "no point of space is body on {0:.0} % of the photos: do masks and cameras belong together? a lower `consensus` may help"
-    )]
-    Nothing(f64),
-    /// Some outlines contradict those of all other photos.
-    #[error(
-        "no point of space is body on all photos: the outline on {names} cuts away up to {percent:.0} % of what nearly all others show; look at \
-         this mask, correct it, or leave the photo out"
-    )]
-    Contradicted {
-        /// The photos.
-        names: String,
-        /// How much the first of them cuts away.
-        percent: f64,
-    },
-    /// Too fine.
-    #[error(
-        "cells of {voxel_mm} mm would need about {need:.0} MB, but {most:.0} MB may be taken: {fits:.1} mm fits, or raise `memory_mb`"
-    )]
-    Memory {
-        /// The cell.
-        voxel_mm: f64,
-        /// What it needs. \[MB\]
-        need: f64,
-        /// What may be taken. \[MB\]
-        most: f64,
-        /// A cell that fits. \[mm\]
-        fits: f64,
-    },
+stage::failures! {
+    /// Why there is no hull.
+    pub enum CarveError {
+        /// Too few views.
+        TooFew(count: usize) = "fail-hull-few": "only {count} photos have both a mask and a camera, but a hull needs at least 3",
+        /// A bad mask.
+        Mask {
+            /// The photo.
+            name: String,
+            /// What it is.
+            what: Message,
+        } = "fail-mask-empty": "the mask of {name} is {what}: correct or remove it",
+        /// No cell is left.
+        Nothing(share: f64) = "fail-hull-nothing": "no point of space is body on {share:.0 %} of the photos: do masks and cameras belong together? a lower `consensus` may help",
+        /// Some outlines contradict those of all other photos.
+        Contradicted {
+            /// The photos.
+            names: String,
+            /// How much the first of them cuts away.
+            percent: f64,
+        } = "fail-hull-contradicted": "no point of space is body on all photos: the outline on {names} cuts away up to {percent:.0 %} of what nearly all other photos show; look at this mask, correct it, or leave the photo out",
+        /// Too fine.
+        Memory {
+            /// The cell.
+            voxel_mm: f64,
+            /// What it needs. \[MB\]
+            need: f64,
+            /// What may be taken. \[MB\]
+            most: f64,
+            /// A cell that fits. \[mm\]
+            fits: f64,
+        } = "fail-hull-memory": "cells of {voxel_mm} mm would need about {need:.0 MB}, but {most:.0 MB} may be taken: {fits:.1 mm} fits, or raise `memory_mb`",
+    }
 }
 
 /// `hull.carve`: masks, cameras → mesh.
@@ -166,9 +163,7 @@ impl Stage for Carve {
         }
         let ended = (0..mesh.positions.len() as u32).any(|v| inward(&mesh.point(v)) < p.voxel_mm);
         if ended {
-            ctx.warn(
-                "the hull is cut off where the search for it ended: the photos do not see around the body, or masks and cameras do not belong together",
-            );
+            ctx.warn(message!(ENDED));
         }
         if let Some(word) = left_out(mesh.volume(), &rest) {
             ctx.warn(word);
@@ -209,9 +204,7 @@ fn warn_of_contradicted(names: &[&str], shares: &[f64], ctx: &Ctx<'_>) {
         .for_each(|w| ctx.metric("contradicted", *w, "%"));
     for (name, share) in names.iter().zip(shares) {
         if *share >= CONTRADICTED {
-            ctx.warn(format!(
-                "{name}: its mask leaves out body that all other photos show ({share:.1} % of it): look at this mask and correct it"
-            ));
+            ctx.warn(message!(CUTS_BODY, share = *share).of_what(*name));
         }
     }
 }
@@ -221,11 +214,11 @@ fn sound(mask: &Mask, view: &View) -> Result<(), CarveError> {
     let share = mask.area() as f64 / mask.data.len().max(1) as f64;
     let lens = &view.camera.lens;
     let what = if share < 1e-4 {
-        "empty"
+        message!(EMPTY)
     } else if share > 0.95 || framed(mask) > 0.9 {
-        "full, or inverted"
+        message!(FULL)
     } else if (mask.width as u32, mask.height as u32) != (lens.width, lens.height) {
-        "of another size than the photo"
+        message!(OTHER_SIZE)
     } else {
         return Ok(());
     };

@@ -1,27 +1,25 @@
 //! The warning of parts of a hull that are apart from it.
 
+use stage::{Message, message};
+
+stage::messages! {
+    PIECES = "warn-hull-pieces": "the hull is in pieces: only the largest was kept, and {left_out:.1 %} of the volume left out; look where the masks cut the body through";
+    PARTS = "warn-hull-parts": "smaller parts left out: {count}, {left_out:.1 %} of the volume in all; if a part of the body is missing, look at the masks";
+}
 /// Other parts than the largest are warned of from this share of the volume on.
 const WARNED_SHARE: f64 = 0.01;
 /// From this share on the body itself is in pieces (by hand: a leg is a sixth of a body, Dempster 1955).
 const IN_PIECES_SHARE: f64 = 0.15;
 
 /// The warning of the parts that were left out, beside the one that was kept. \[mm³\]
-pub(crate) fn left_out(kept: f64, rest: &[f64]) -> Option<String> {
+pub(crate) fn left_out(kept: f64, rest: &[f64]) -> Option<Message> {
     let small: f64 = rest.iter().map(|v| v.abs()).sum();
     let share = small / (kept + small);
     let percent = 100.0 * share;
     if share > IN_PIECES_SHARE {
-        return Some(format!(
-            "the hull is in pieces: only the largest was kept, and {percent:.1} % of the volume left out; look where the masks cut the body \
-             through"
-        ));
+        return Some(message!(PIECES, left_out = percent));
     }
-    (share > WARNED_SHARE).then(|| {
-        format!(
-            "smaller parts left out: {}, {percent:.1} % of the volume in all; if a part of the body is missing, look at the masks",
-            rest.len()
-        )
-    })
+    (share > WARNED_SHARE).then(|| message!(PARTS, count = rest.len(), left_out = percent))
 }
 
 #[cfg(test)]

@@ -17,4 +17,11 @@ pub use silhouettes::{bounds, consensus};
 pub use surface::{largest, surface};
 
 /// Every stage of this crate, in the order in which data flows through it.
-pub const STAGES: &[&dyn stage::AnyStage] = &[&stage::erase::<Carve>()];
+pub const STAGES: &[&dyn stage::AnyStage] = &[&stage::erase::<Carve>().failing(CODED)];
+
+/// Every kind of message of this crate.
+pub const MESSAGES: &[&[stage::Template]] =
+    &[carve::MESSAGES, left_out::MESSAGES, CarveError::MESSAGES];
+
+/// The errors that have codes.
+const CODED: &[stage::Recognise] = &[stage::recognise::<CarveError>];

@@ -174,7 +174,7 @@ pub fn girths_to_fhir(girths: &Girths) -> Result<String, WriteError> {
     for (name, value, note) in ratios {
         let mut rest = Map::new();
         if !note.is_empty() {
-            rest.insert("note".into(), json!([{ "text": note }]));
+            rest.insert("note".into(), json!([{ "text": note.as_str() }]));
         }
         entries.push(entry(
             girths,

@@ -126,7 +126,13 @@ fn mean_of_arms(girths: &Girths) -> Option<Row> {
 }
 
 pub(crate) fn missed(m: &Missing) -> Value {
-    json!({ "name": m.name, "reason": m.reason.code(), "why": m.why })
+    let mut file = json!({ "name": m.name, "reason": m.reason.code(), "why": m.why.as_str() });
+    if let Value::Object(coded) = json!(m.why) {
+        for key in ["code", "fields"] {
+            file[key] = coded.get(key).cloned().unwrap_or_default();
+        }
+    }
+    file
 }
 
 /// One girth of `girths.json`.

@@ -97,7 +97,7 @@ pub fn girths_to_csv(girths: &Girths) -> String {
         let empty = std::iter::repeat_n(String::new(), columns.len() + 1);
         let row = [missing.name.clone()].into_iter().chain(empty);
         let row = row.chain(capture_cells.iter().cloned());
-        table.push(row.chain([missing.why.clone()]).collect());
+        table.push(row.chain([missing.why.to_string()]).collect());
     }
     csv_table(table)
 }

@@ -4,6 +4,18 @@ use shape::{
     BodyPart, CONTRADICTION, Cameras, GIVEN_STATURE, Girths, Length, LostParts, Masks, Mesh,
     PhotoId, Refusal, Rig, Scale, Unit, coherence,
 };
+use stage::{Field, Message, Template, message};
+
+stage::messages! {
+    AND_MORE = "photos-and-more": "{names} and {count} more";
+    EMPTY_PHOTOS = "warn-empty-photos": "next to no subject is seen on {names}: leave such photos out, or correct their masks";
+    MOSTLY_LOST = "warn-mostly-lost": "{count} of {of} masks leave out a part of the body that this needs: correct these masks, or take a photo of the empty scene as the plate";
+    OUTLINE_CUTS = "warn-outline-cuts": "the outline on {names} cuts away up to {share:.0 %} of what nearly all other photos show as body: look at this mask; correct it, or leave the photo out";
+    APART = "warn-hangs-apart": "the surface holds {share:.0 %} of what all outlines show as body, the rest hangs apart from it and was left out: look where the masks cut the body through";
+    SHORT = "warn-short": "the surface is {height:.0 cm} high, the stature was given as {stature:.0 cm}: {missing:.0 %} of the height are missing; look whether the masks have legs and head";
+    LIGHT = "warn-light": "the surface holds {holds:.1 l}, a body of {weight:.1 kg} fills about {fills:.1 l}: {missing:.0 %} of the volume are missing; look at the masks, and check scale and weight";
+    SURFACE_UNIT = "length-surface-unit": "the unit of the surface";
+}
 
 /// A photo whose outline has less than this share of the usual area shows no subject (by hand).
 const EMPTY: f64 = 0.05;
@@ -56,7 +68,7 @@ pub(crate) fn explain(girths: &mut Girths, input: &Evidence<'_>) {
 }
 
 /// The cause, and a sentence.
-fn cause(unit: Unit, input: &Evidence<'_>) -> Option<(Refusal, String)> {
+fn cause(unit: Unit, input: &Evidence<'_>) -> Option<(Refusal, Message)> {
     let photos = input.cameras.zip(input.masks);
     let by_photos = photos.and_then(|(cameras, masks)| {
         empty(cameras, masks)
@@ -68,18 +80,17 @@ fn cause(unit: Unit, input: &Evidence<'_>) -> Option<(Refusal, String)> {
 }
 
 /// Names of photos, some at most.
-fn named(cameras: &Cameras, photos: &[PhotoId]) -> String {
+fn named(cameras: &Cameras, photos: &[PhotoId]) -> Field {
     let name = |id: &PhotoId| cameras.views.get(*id).map(|v| v.name.as_str());
     let names: Vec<&str> = photos.iter().filter_map(name).take(NAMED).collect();
-    let more = match photos.len() > NAMED {
-        true => format!(" and {} more", photos.len() - NAMED),
-        false => String::new(),
-    };
-    names.join(", ") + &more
+    match photos.len() > NAMED {
+        true => message!(AND_MORE, names = names, count = photos.len() - NAMED).into(),
+        false => names.into(),
+    }
 }
 
 /// Photos with next to nothing in their outline.
-fn empty(cameras: &Cameras, masks: &Masks) -> Option<(Refusal, String)> {
+fn empty(cameras: &Cameras, masks: &Masks) -> Option<(Refusal, Message)> {
     let areas: Vec<(PhotoId, f64)> = cameras
         .views
         .join(&masks.views)
@@ -92,15 +103,13 @@ fn empty(cameras: &Cameras, masks: &Masks) -> Option<(Refusal, String)> {
     let none: Vec<PhotoId> = none.map(|(id, _)| *id).collect();
     let named = named(cameras, &none);
     (!none.is_empty()).then(|| {
-        let why = format!(
-            "next to no subject is seen on {named}: leave such photos out, or correct their masks"
-        );
+        let why = message!(EMPTY_PHOTOS, names = named);
         (Refusal::EmptyPhoto, why)
     })
 }
 
 /// A part of the body that most masks leave out.
-fn lost(parts: &LostParts) -> Option<(Refusal, String)> {
+fn lost(parts: &LostParts) -> Option<(Refusal, Message)> {
     let first = BodyPart::ALL
         .into_iter()
         .find_map(|part| left_out(parts, part));
@@ -108,67 +117,59 @@ fn lost(parts: &LostParts) -> Option<(Refusal, String)> {
 }
 
 /// Why nothing around a part can be measured, where most masks leave it out.
-pub(crate) fn left_out(parts: &LostParts, part: BodyPart) -> Option<String> {
-    parts.mostly(part).then(|| {
-        format!(
-            "{} of {} masks leave out a part of the body that this needs: correct these masks, or take a photo of the empty scene as the plate",
-            parts.of(part).len(),
-            parts.photos
-        )
-    })
+pub(crate) fn left_out(parts: &LostParts, part: BodyPart) -> Option<Message> {
+    parts
+        .mostly(part)
+        .then(|| message!(MOSTLY_LOST, count = parts.of(part).len(), of = parts.photos))
 }
 
 /// Outlines that contradict those of all others, or a surface that kept only a part of what they share.
-fn outlines(input: &Evidence<'_>, cameras: &Cameras, masks: &Masks) -> Option<(Refusal, String)> {
+fn outlines(input: &Evidence<'_>, cameras: &Cameras, masks: &Masks) -> Option<(Refusal, Message)> {
     let seen = coherence(cameras, masks)?;
     let beyond: Vec<(PhotoId, f64)> = seen.contradicting().collect();
     if let Some((_, most)) = beyond.first() {
         let ids: Vec<PhotoId> = beyond.iter().map(|(id, _)| *id).collect();
-        let why = format!(
-            "the outline on {} cuts away up to {:.0} % of what nearly all other photos show as body: look at this mask; \
-             correct it, or leave the photo out",
-            named(cameras, &ids),
-            100.0 * most
+        let why = message!(
+            OUTLINE_CUTS,
+            names = named(cameras, &ids),
+            share = 100.0 * most
         );
         return Some((Refusal::Outlines, why));
     }
     let kept = input.mesh.volume() / seen.shared;
     (kept < KEPT).then(|| {
-        let why = format!(
-            "the surface holds {:.0} % of what all outlines show as body, the rest hangs apart from it and was left out: look where \
-             the masks cut the body through",
-            100.0 * kept
-        );
+        let why = message!(APART, share = 100.0 * kept);
         (Refusal::Incomplete, why)
     })
 }
 
 /// A surface that is shorter than the stature that was given.
-fn short(input: &Evidence<'_>) -> Option<(Refusal, String)> {
+fn short(input: &Evidence<'_>) -> Option<(Refusal, Message)> {
     let said = input.rig.stature_mm?;
     let (low, high) = input.mesh.bounds()?;
     let tall = high.z - low.z;
     (tall < (1.0 - CONTRADICTION * GIVEN_STATURE) * said).then(|| {
-        let why = format!(
-            "the surface is {:.0} cm high, the stature was given as {:.0} cm: {:.0} % of the height are missing; look whether the masks \
-             have legs and head",
-            tall / 10.0,
-            said / 10.0,
-            100.0 * (1.0 - tall / said)
+        let why = message!(
+            SHORT,
+            height = tall / 10.0,
+            stature = said / 10.0,
+            missing = 100.0 * (1.0 - tall / said)
         );
         (Refusal::Incomplete, why)
     })
 }
 
 /// A surface that holds less than the weight that was given.
-fn light(input: &Evidence<'_>) -> Option<(Refusal, String)> {
+fn light(input: &Evidence<'_>) -> Option<(Refusal, Message)> {
     let kg = input.rig.weight_kg?;
     let (holds, fills) = (input.mesh.volume() * 1e-6, kg / DENSITY);
     (holds < (1.0 - LACKS) * fills).then(|| {
-        let why = format!(
-            "the surface holds {holds:.1} l, a body of {kg:.1} kg fills about {fills:.1} l: {:.0} % of the volume are missing; look at the \
-             masks, and check scale and weight",
-            100.0 * (1.0 - holds / fills)
+        let why = message!(
+            LIGHT,
+            holds = holds,
+            weight = kg,
+            fills = fills,
+            missing = 100.0 * (1.0 - holds / fills)
         );
         (Refusal::Incomplete, why)
     })
@@ -185,13 +186,13 @@ pub(crate) struct Tall {
 
 /// Two lengths that contradict each other beyond what both can err, in words: those of the cameras, or the unit of the cameras and
 /// the stature, where the one that was given is not the one that was measured.
-pub(crate) fn disputed(input: &Evidence<'_>, tall: Tall, unit: Unit) -> Option<[&'static str; 2]> {
+pub(crate) fn disputed(input: &Evidence<'_>, tall: Tall, unit: Unit) -> Option<[Template; 2]> {
     if let Some(Scale::Disputed(pair)) = input.cameras.map(|c| c.scale) {
-        return Some(pair.map(Length::word));
+        return Some(pair.map(Length::template));
     }
     let (said, mm) = input.rig.stature_mm.zip(tall.mm)?;
     let errs = tall.sigma_mm.unwrap_or(0.0) / mm;
     let far = CONTRADICTION * libm::hypot(GIVEN_STATURE, errs);
     let apart = unit == Unit::Metric && (said / mm - 1.0).abs() > far;
-    apart.then_some(["the unit of the surface", Length::Stature.word()])
+    apart.then_some([SURFACE_UNIT, Length::Stature.template()])
 }

@@ -3,6 +3,17 @@
 use crate::features::arms::arm_ring;
 use crate::features::body::Body;
 use shape::{GirthId, Girths, Mesh, Missing, Profile, Refusal, Sex, Unit};
+use stage::{Message, Template, message};
+
+stage::messages! {
+    WHO_MEN = "note-who-men": "WHO 2008: raised risk from 0.90 (men); no diagnosis";
+    WHO_WOMEN = "note-who-women": "WHO 2008: raised risk from 0.85 (women); no diagnosis";
+    WHO_ALL = "note-who": "WHO 2008: raised risk from 0.90 (men), 0.85 (women); no diagnosis";
+    NICE = "note-nice": "waist to height: NICE 2022 names 0.5 as a boundary to keep below; no diagnosis";
+    DENSITY = "note-density": "experimental; includes air in the lungs; 1 % error in volume means 1 % error in density";
+    WITHHELD = "warn-withheld": "{one} and {other} contradict each other, so what depends on them is not given: correct one of them, or leave one out";
+    NO_BODY = "warn-density": "weight / volume = {density:.2 kg/l}, but bodies have 0.93 to 1.1: unless this is a dummy, scale, weight or surface is wrong (is the body cut off?); look at the masks";
+}
 
 /// What is known of a body besides its girths.
 #[derive(Debug, Clone, Copy)]
@@ -29,36 +40,33 @@ pub(crate) fn derive(girths: &mut Girths, mesh: &Mesh, known: &Known) {
     let [waist_skin, hip_skin] = [waist, hip].map(|g| g.map(|g| g.contour_mm));
     let stature = given_mm.filter(|_| metric).or(measured_mm);
     let mut ratios = Vec::new();
-    let mut add = |name: &str, value: Option<f64>, note: &str| {
+    let mut add = |name: &str, value: Option<f64>, note: Option<Template>| {
         if let Some(value) = value.filter(|v| v.is_finite()) {
-            ratios.push((name.to_owned(), value, note.to_owned()));
+            let note = note.map_or(Message::default(), |kind| Message::new(&kind, []));
+            ratios.push((name.to_owned(), value, note));
         }
     };
     let over = |a: Option<f64>, b: Option<f64>| a.zip(b).map(|(a, b)| a / b);
     // Whose thresholds are meant hangs on how tall the body is.
     girths.stature_mm = measured_mm;
     let who = match (girths.is_adult(), girths.sex) {
-        (false, _) => "",
-        (_, Some(Sex::Male)) => "WHO 2008: raised risk from 0.90 (men); no diagnosis",
-        (_, Some(Sex::Female)) => "WHO 2008: raised risk from 0.85 (women); no diagnosis",
-        (_, None) => "WHO 2008: raised risk from 0.90 (men), 0.85 (women); no diagnosis",
+        (false, _) => None,
+        (_, Some(Sex::Male)) => Some(WHO_MEN),
+        (_, Some(Sex::Female)) => Some(WHO_WOMEN),
+        (_, None) => Some(WHO_ALL),
     };
     add("WHR", over(waist_skin, hip_skin), who);
     add("WHR_tape", over(waist_tape, hip_tape), who);
     // NICE names it for adults, and for children from 5 years on.
     let from_five = girths.age_months.is_some_and(|months| months >= 60.0);
     let half = match girths.is_adult() || from_five {
-        true => "waist to height: NICE 2022 names 0.5 as a boundary to keep below; no diagnosis",
-        false => "",
+        true => Some(NICE),
+        false => None,
     };
     add("WHtR", over(waist_tape, stature), half);
     let volume_l = Some(mesh.volume() * 1e-6).filter(|_| metric);
     let density = kg.zip(volume_l).map(|(kg, litres)| kg / litres);
-    add(
-        "density_kg_l",
-        density.filter(|d| *d > 0.0),
-        "experimental; includes air in the lungs; 1 % error in volume means 1 % error in density",
-    );
+    add("density_kg_l", density.filter(|d| *d > 0.0), Some(DENSITY));
     girths.ratios = ratios;
     girths.weight_kg = kg;
     let metres = stature.filter(|_| metric).map(|mm| mm / 1000.0);
@@ -81,11 +89,9 @@ pub(crate) fn compress(girths: &mut Girths, percent: f64) {
 
 /// Takes back what depends on lengths that contradict each other, and says why it is not there: all that takes stature or a
 /// volume; and all centimetres, where lengths are not relative already. Ratios of girths stay, for they have no unit.
-pub(crate) fn withhold(girths: &mut Girths, between: [&str; 2]) {
-    let [one, other] = between;
-    let why = format!(
-        "{one} and {other} contradict each other, so what depends on them is not given: correct one of them, or leave one out"
-    );
+pub(crate) fn withhold(girths: &mut Girths, between: [Template; 2]) {
+    let [one, other] = between.map(|kind| Message::new(&kind, []));
+    let why = message!(WITHHELD, one = one, other = other);
     let number = |name: &str| Missing::number(name, Refusal::Disputed, &why);
     let mut missing = Vec::new();
     if girths.unit == Unit::Metric {
@@ -112,15 +118,10 @@ pub(crate) fn withhold(girths: &mut Girths, between: [&str; 2]) {
 const DENSITIES: std::ops::RangeInclusive<f64> = 0.8..=1.2;
 
 /// What is said where volume and the weight that was given do not make a living body.
-pub(crate) fn no_density(girths: &Girths) -> Option<String> {
+pub(crate) fn no_density(girths: &Girths) -> Option<Message> {
     let mut ratios = girths.ratios.iter();
     let (_, density, _) = ratios.find(|(name, ..)| name == "density_kg_l")?;
-    (!DENSITIES.contains(density)).then(|| {
-        format!(
-            "weight / volume = {density:.2} kg/l, but bodies have 0.93 to 1.1: unless this is a dummy, scale, weight or surface is \
-             wrong (is the body cut off?); look at the masks"
-        )
-    })
+    (!DENSITIES.contains(density)).then(|| message!(NO_BODY, density = density))
 }
 
 /// The trunk's tape over height above the ground, from the hip to the chest, while the arms are
@@ -188,7 +189,7 @@ mod tests {
                 ..known(None, None)
             };
             derive(&mut girths, &cube, &known);
-            let notes: Vec<String> = girths.ratios.into_iter().map(|r| r.2).collect();
+            let notes: Vec<String> = girths.ratios.iter().map(|r| r.2.to_string()).collect();
             notes.join("; ")
         };
         let figure = notes(Some(812.0), None);
@@ -219,7 +220,7 @@ mod tests {
             let mut girths = Girths::default();
             derive(&mut girths, &cube, &known(None, kg));
             let known =
-                |(name, ..): &(String, f64, String)| Girths::RATIOS.contains(&name.as_str());
+                |(name, ..): &(String, f64, Message)| Girths::RATIOS.contains(&name.as_str());
             assert!(girths.ratios.iter().all(known));
             assert_eq!(girths.ratios.is_empty(), kg.is_none());
             no_density(&girths)

@@ -16,9 +16,14 @@ use shape::{
     BodyPart, Cameras, GirthId, Girths, Landmark, Landmarks, LostParts, Masks, Mesh, Missing,
     Person, Photos, Refusal,
 };
-use stage::{Ctx, Stage, Stop};
+use stage::{Ctx, Message, Stage, Stop, message};
 use std::f64::consts::TAU;
 use std::sync::Arc;
+
+stage::messages! {
+    NO_DAY = "warn-born-no-day": "the day of birth is given, but not that of the capture, so the age is not known: set `date` in capture.toml, or give --date";
+    BORN_LATER = "warn-born-later": "the capture is before the day of birth: correct `born` or `date` in capture.toml";
+}
 
 stage::params! {
     /// How sure the surface is, and points picked by hand.
@@ -161,12 +166,10 @@ fn grown(girths: &mut Girths, person: Option<&Person>, ctx: &Ctx<'_>) {
     let age = person.age_on(girths.date.as_deref());
     girths.age_months = age.filter(|months| *months >= 0.0);
     if age.is_none() && person.born.is_some() {
-        ctx.warn("the day of birth is told, but not that of the capture, so the age is not known: say `date` in capture.toml, or --date");
+        ctx.warn(message!(NO_DAY));
     }
     if age.is_some_and(|months| months < 0.0) {
-        ctx.warn(
-            "the capture lies before the day of birth: correct `born` or `date` in capture.toml",
-        );
+        ctx.warn(message!(BORN_LATER));
     }
 }
 
@@ -199,7 +202,7 @@ fn missing(input: &GirthInput) -> Vec<Missing> {
     let without = |landmark: &Landmark| {
         lost(input, landmark).map(|why| Missing {
             name: landmark.name.clone(),
-            ..Missing::because(landmark.id, Refusal::Incomplete, &why)
+            ..Missing::because(landmark.id, Refusal::Incomplete, why)
         })
     };
     let landmarks = &input.landmarks;
@@ -208,7 +211,7 @@ fn missing(input: &GirthInput) -> Vec<Missing> {
 }
 
 /// Why a girth around a part that most masks leave out is not given.
-fn lost(input: &GirthInput, landmark: &Landmark) -> Option<String> {
+fn lost(input: &GirthInput, landmark: &Landmark) -> Option<Message> {
     let part = BodyPart::of(landmark.region)?;
     left_out(input.lost_parts.as_deref()?, part)
 }

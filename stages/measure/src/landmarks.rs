@@ -16,8 +16,16 @@ use crate::planes::place::{across_neck, arms, legs, trunk};
 use crate::planes::trunk::Trunk;
 use crate::planes::wanted::{Waist, Wanted};
 use shape::{Cameras, GirthId, Landmarks, Mesh, Missing, Refusal, Side, Unit};
-use stage::{Ctx, Files, Mistake, Named, Stage, Stop};
+use stage::{Ctx, Field, Files, Message, Mistake, Named, Stage, Stop, message};
 use std::sync::Arc;
+
+stage::messages! {
+    NO_FRONT = "warn-front": "no feet show which way the body faces, so the hip's and the neck's levels may be wrong: do shoes or a long coat hide them?";
+    HIP_HIDDEN = "warn-hip-hidden": "where the buttocks reach farthest back does not show, so the hip's level is estimated from the rest of the body and its interval is wider: does a skirt or coat hide it?";
+    TALL = "warn-tall": " ({height:.0 cm} tall)";
+    MADE_LEVELS = "warn-made-levels": "this body{tall} is outside the range of adults that the waist and chest model was fitted on (a child, a small figure, an unusual build, or a wrong stature): the levels of waist and chest come from synthetic bodies, and their intervals are wider";
+    GUESSED_LEVELS = "warn-guessed-levels": "this body{tall} is outside the range that the waist and chest model knows: the levels of waist and chest are rough estimates, and their intervals are wide accordingly; check the stature, and that the whole body is visible and upright";
+}
 
 stage::params! {
     /// Which definitions are used.
@@ -47,10 +55,13 @@ stage::inputs! {
     }
 }
 
-/// A mesh that is no body.
-#[derive(Debug, thiserror::Error)]
-#[error("the surface is empty or lies below the ground, so there is no body to measure")]
-pub struct NoBody;
+stage::failures! {
+    /// Why nothing can be measured.
+    pub enum LandmarkError {
+        /// A mesh that is no body.
+        NoBody = "fail-no-body": "the surface is empty or below the ground, so there is no body to measure",
+    }
+}
 
 /// `measure.landmarks`: mesh → landmarks.
 pub struct FindLandmarks;
@@ -69,7 +80,7 @@ impl Stage for FindLandmarks {
 
     fn run(p: &LandmarkParams, input: LandmarkInput, ctx: &Ctx<'_>) -> Result<Landmarks, Stop> {
         let mesh = &input.mesh;
-        let stands = standing(mesh, input.cameras.as_deref()).ok_or(NoBody)?;
+        let stands = standing(mesh, input.cameras.as_deref()).ok_or(LandmarkError::NoBody)?;
         let mut body = stands.body;
         let mut found = Landmarks {
             unit: input.cameras.as_ref().map_or(mesh.unit, |c| c.scale.unit()),
@@ -101,10 +112,7 @@ impl Stage for FindLandmarks {
         let front = ("front".to_owned(), body.front.into());
         found.points.push(front);
         if !body.front_is_sure {
-            ctx.warn(
-                "no feet tell which way the body faces, so the hip's and the neck's levels may be wrong: \
-                 do shoes or a long coat hide them?",
-            );
+            ctx.warn(message!(NO_FRONT));
         }
         let marks = marks(&body);
         let told = marks
@@ -116,18 +124,15 @@ impl Stage for FindLandmarks {
             ctx.warn(word);
         }
         if body.whole && matches!(body.hip, Some(HipAt::Hidden(..))) {
-            ctx.warn(
-                "where the buttocks reach farthest back does not show, so the hip's level is estimated from the rest of the body and its interval \
-                 is wider: does a skirt or coat hide it?",
-            );
+            ctx.warn(message!(HIP_HIDDEN));
         }
         trunk(p.waist, &body, told.as_ref(), &mut found);
         let notch = model.law(Place::Notch);
         let word = across_neck(p.neck_lean_deg, mesh, &body, notch, &mut found);
-        word.iter().for_each(|word| ctx.warn(*word));
+        word.iter().for_each(|word| ctx.warn(word));
         let mut limbs = limbs(mesh, &body);
         let word = arm_joints(&mut limbs, &model);
-        word.iter().for_each(|word| ctx.warn(*word));
+        word.iter().for_each(|word| ctx.warn(word));
         arms(&limbs, &body, &mut found);
         let word = legs(&limbs, &body, &mut found);
         word.iter().for_each(|word| ctx.warn(word));
@@ -153,7 +158,7 @@ fn nothing(p: &LandmarkParams, why: Refusal) -> Vec<Missing> {
     let all = all.chain(limbs(GirthId::Thigh)).chain(limbs(GirthId::Calf));
     let wanted = all.filter(|id| p.set.holds(*id));
     let mut missing: Vec<Missing> = wanted.map(|id| Missing::new(id, why)).collect();
-    missing.push(Missing::number("stature", why, why.why()));
+    missing.push(Missing::number("stature", why, why.message()));
     missing
 }
 
@@ -173,18 +178,14 @@ fn level_model(files: Option<&Files>) -> Result<LevelModel, Stop> {
 }
 
 /// What is said of a body that the measured people do not cover, so tall where lengths are known. \[mm\]
-fn word(cover: Cover, tall: Option<f64>) -> Option<String> {
-    let tall = tall.map(|mm| format!(" ({:.0} cm tall)", mm / 10.0));
-    let tall = tall.unwrap_or_default();
+fn word(cover: Cover, tall: Option<f64>) -> Option<Message> {
+    let tall = match tall {
+        Some(mm) => Field::from(message!(TALL, height = mm / 10.0)),
+        None => Field::from(""),
+    };
     match cover {
         Cover::People => None,
-        Cover::Made => Some(format!(
-            "this body{tall} lies outside the range of adults that the waist and chest model was fitted on (a child, a small figure, an \
-             unusual build, or a wrong stature): where waist and chest lie comes from synthetic bodies, and their intervals are wider"
-        )),
-        Cover::Outside => Some(format!(
-            "this body{tall} lies outside the range that the waist and chest model knows: where waist and chest lie is a rough estimate, and \
-             their intervals are wide accordingly; check the stature, and that the whole body is visible and upright"
-        )),
+        Cover::Made => Some(message!(MADE_LEVELS, tall = tall)),
+        Cover::Outside => Some(message!(GUESSED_LEVELS, tall = tall)),
     }
 }

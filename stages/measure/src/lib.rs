@@ -42,7 +42,7 @@ pub use girths::{GirthInput, GirthParams, Measure};
 pub use import::file::ImportError;
 pub use import::girths::{GirthsFileInput, ImportGirths};
 pub use import::landmarks::{ImportLandmarks, LandmarksFileInput};
-pub use landmarks::{FindLandmarks, LandmarkInput, LandmarkParams, NoBody};
+pub use landmarks::{FindLandmarks, LandmarkError, LandmarkInput, LandmarkParams};
 pub use model::error::ModelError;
 pub use model::file::LevelModel;
 pub use model::fit_error::FitError;
@@ -65,9 +65,26 @@ pub use uncertainty::silhouette::{Support, Tangent, support_girth, tangents};
 
 /// Every stage of this room, in the order in which data flows through it.
 pub const STAGES: &[&dyn stage::AnyStage] = &[
-    &stage::erase::<FindLandmarks>(),
-    &stage::erase::<Measure>(),
-    &stage::erase::<FitLevels>(),
-    &stage::erase::<ImportLandmarks>(),
-    &stage::erase::<ImportGirths>(),
+    &stage::erase::<FindLandmarks>().failing(CODED),
+    &stage::erase::<Measure>().failing(CODED),
+    &stage::erase::<FitLevels>().failing(CODED),
+    &stage::erase::<ImportLandmarks>().failing(CODED),
+    &stage::erase::<ImportGirths>().failing(CODED),
 ];
+
+/// Every kind of message of this crate.
+pub const MESSAGES: &[&[stage::Template]] = &[
+    causes::MESSAGES,
+    derive::MESSAGES,
+    features::ground::MESSAGES,
+    features::whole::MESSAGES,
+    girths::MESSAGES,
+    landmarks::MESSAGES,
+    planes::joints::MESSAGES,
+    planes::place::MESSAGES,
+    remarks::MESSAGES,
+    LandmarkError::MESSAGES,
+];
+
+/// The errors that have codes.
+const CODED: &[stage::Recognise] = &[stage::recognise::<LandmarkError>];

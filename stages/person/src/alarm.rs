@@ -1,11 +1,19 @@
 //! The stage that holds masks against where a person was seen.
 
-use crate::odd::some;
 use crate::regions::{Disagreement, disagreement};
 use rayon::prelude::*;
-use shape::{BodyPart, LostParts, Masks, People, PhotoId, Photos};
-use stage::{Ctx, Stage, Stop};
+use shape::{BodyPart, LostParts, Masks, People, PhotoId, Photos, some_photos};
+use stage::{Ctx, Message, Stage, Stop, Template, message};
 use std::sync::Arc;
+
+stage::messages! {
+    LOST_HEAD = "warn-lost-head": "masks leave out the head or a part of it on {names}, where a learned sense of a person sees it: look at these masks";
+    LOST_TRUNK = "warn-lost-trunk": "masks leave out a part of the trunk on {names}, where a learned sense of a person sees it: look at these masks";
+    LOST_ARM = "warn-lost-arm": "masks leave out an arm or a part of it on {names}, where a learned sense of a person sees it: look at these masks";
+    LOST_LEG = "warn-lost-leg": "masks leave out a leg or a part of it on {names}, where a learned sense of a person sees it: look at these masks";
+    LOST_FOOT = "warn-lost-foot": "masks leave out a foot or a part of it on {names}, where a learned sense of a person sees it: look at these masks";
+    ADDED = "warn-kept-body": "masks have body on {names} where a learned sense of a person sees none: look at these masks";
+}
 
 stage::params! {
     /// How much of a part of the body a mask may leave out, of what lies deeper inside of the learned body than the
@@ -100,29 +108,27 @@ impl Stage for Alarm {
         };
         let names = |ids: &[PhotoId]| {
             let of = ids.iter().filter_map(|id| input.photos.get(*id));
-            some(of.map(|photo| photo.name.clone()).collect())
+            some_photos(&of.map(|photo| photo.name.clone()).collect::<Vec<_>>())
         };
         for part in BodyPart::ALL {
             if let Some(names) = names(parts.of(part)) {
-                ctx.warn(left_out(part, &names));
+                ctx.warn(Message::new(&left_out(part), [("names", names)]));
             }
         }
         if let Some(names) = names(&parts.added) {
-            ctx.warn(format!("masks have body on {names} where a learned sense of a person sees none: look at these masks"));
+            ctx.warn(message!(ADDED, names = names));
         }
         Ok(parts)
     }
 }
 
-/// What is said of a part that masks leave out.
-fn left_out(part: BodyPart, names: &str) -> String {
-    let mut told = Vec::with_capacity(1);
+/// The warning of a part that masks leave out.
+fn left_out(part: BodyPart) -> Template {
     match part {
-        BodyPart::Head => told.push(format!("masks leave out the head or a part of it on {names}, where a learned sense of a person sees it: look at these masks")),
-        BodyPart::Trunk => told.push(format!("masks leave out a part of the trunk on {names}, where a learned sense of a person sees it: look at these masks")),
-        BodyPart::Arms => told.push(format!("masks leave out an arm or a part of it on {names}, where a learned sense of a person sees it: look at these masks")),
-        BodyPart::Legs => told.push(format!("masks leave out a leg or a part of it on {names}, where a learned sense of a person sees it: look at these masks")),
-        BodyPart::Feet => told.push(format!("masks leave out a foot or a part of it on {names}, where a learned sense of a person sees it: look at these masks")),
+        BodyPart::Head => LOST_HEAD,
+        BodyPart::Trunk => LOST_TRUNK,
+        BodyPart::Arms => LOST_ARM,
+        BodyPart::Legs => LOST_LEG,
+        BodyPart::Feet => LOST_FOOT,
     }
-    told.concat()
 }

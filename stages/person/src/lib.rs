@@ -22,5 +22,13 @@ pub use net::{Network, Tensor, Unreadable};
 pub use regions::{Disagreement, disagreement};
 
 /// Every stage of this crate.
-pub const STAGES: &[&dyn stage::AnyStage] =
-    &[&stage::erase::<FindPeople>(), &stage::erase::<Alarm>()];
+pub const STAGES: &[&dyn stage::AnyStage] = &[
+    &stage::erase::<FindPeople>().failing(CODED),
+    &stage::erase::<Alarm>().failing(CODED),
+];
+
+/// Every kind of message of this crate.
+pub const MESSAGES: &[&[stage::Template]] = &[alarm::MESSAGES, odd::MESSAGES];
+
+/// The errors that have codes.
+const CODED: &[stage::Recognise] = &[stage::recognise::<shape::PhotoError>];

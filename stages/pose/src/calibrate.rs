@@ -8,8 +8,12 @@ use crate::mat::{self, recognise::recognised, solve::MatError};
 use crate::ring;
 use crate::ring::error::TracksError;
 use shape::{Cameras, Photos, Tags, Tracks};
-use stage::{Ctx, Stage, Stop};
+use stage::{Ctx, Stage, Stop, message};
 use std::sync::Arc;
+
+stage::messages! {
+    NO_MAT = "warn-mat": "a mat is given, but none was found in the photos: cameras follow from features alone; is it in view, in good light, and flat?";
+}
 
 stage::inputs! {
     /// What was seen.
@@ -23,30 +27,22 @@ stage::inputs! {
     }
 }
 
-/// Why there are no cameras.
-#[derive(Debug, thiserror::Error)]
-pub enum CalibrateError {
-    /// Neither tags nor tracks.
-    #[error(
-        "no marker tags of a mat that is told of were found, and no features that turn with the disk, so nothing tells where the camera stood: are the photos in turning order, at steps below 30°? A patterned cloth or a marker mat (`tailor mat`) on the disk helps"
-    )]
-    Nothing,
-    /// The mat's upward direction runs to the photos' bottom edge.
-    #[error(
-        "the photos stand on their head: up from the mat runs to their bottom edge. Turn them by 180°, for instance with `exiftool -n -Orientation=3 DIR/images/*.jpg`, or in a viewer that saves them"
-    )]
-    UpsideDown,
-    /// The axis of the turn runs along the photos' rows.
-    #[error(
-        "the photos lie on their side: up from the disk runs to their left or right edge. Turn them by 90°, for instance with `exiftool -n -Orientation=6 DIR/images/*.jpg` (8 for the other way), or in a viewer that saves them"
-    )]
-    OnTheirSide,
-    /// The mat path failed.
-    #[error(transparent)]
-    Mat(#[from] MatError),
-    /// The path without a mat failed.
-    #[error(transparent)]
-    Tracks(#[from] TracksError),
+stage::failures! {
+    /// Why there are no cameras.
+    pub enum CalibrateError {
+        /// Neither a mat nor features.
+        Nothing = "fail-no-texture": "no marker tags of a given mat were found, and no features that turn with the disk, so the camera's place is not known: are the photos in turning order, at steps below 30°? A patterned cloth or a marker mat (`tailor mat`) on the disk helps",
+        /// Up is down.
+        UpsideDown = "fail-upside-down": "the photos are upside down: up from the mat runs to their bottom edge. Turn them by 180°, for instance with `exiftool -n -Orientation=3 DIR/images/*.jpg`, or in a viewer that saves them",
+        /// Up is to a side.
+        OnTheirSide = "fail-on-side": "the photos are on their side: up from the disk runs to their left or right edge. Turn them by 90°, for instance with `exiftool -n -Orientation=6 DIR/images/*.jpg` (8 for the other way), or in a viewer that saves them",
+    }
+    passes {
+        /// The mat path failed.
+        Mat(MatError),
+        /// The path without a mat failed.
+        Tracks(TracksError),
+    }
 }
 
 /// `pose.calibrate`: photos, tags, tracks → cameras.
@@ -89,7 +85,7 @@ impl Stage for Calibrate {
             }
             (_, _, Some(tracks)) => {
                 if photos.rig.tagged() {
-                    ctx.warn("a mat is told of, but none was found in the photos: cameras follow from features alone; is it in view, in good light, and flat?");
+                    ctx.warn(message!(NO_MAT));
                 }
                 // Cameras that are added one at a time do not ask for it.
                 let turns = p.motion != Motion::Any;

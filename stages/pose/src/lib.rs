@@ -85,15 +85,46 @@ pub use walk::world::{World as WalkWorld, world as walk_world};
 
 /// Every stage of this crate, in the order in which data flows through it.
 pub const STAGES: &[&dyn stage::AnyStage] = &[
-    &stage::erase::<Sift>(),
-    &stage::erase::<Follow>(),
-    &stage::erase::<FindTags>(),
-    &stage::erase::<Calibrate>(),
-    &stage::erase::<LinkUp>(),
-    &stage::erase::<Walk>(),
-    &stage::erase::<Frame>(),
-    &stage::erase::<Import>(),
-    &stage::erase::<ImportTags>(),
-    &stage::erase::<ImportTracks>(),
-    &stage::erase::<PrintMat>(),
+    &stage::erase::<Sift>().failing(CODED),
+    &stage::erase::<Follow>().failing(CODED),
+    &stage::erase::<FindTags>().failing(CODED),
+    &stage::erase::<Calibrate>().failing(CODED),
+    &stage::erase::<LinkUp>().failing(CODED),
+    &stage::erase::<Walk>().failing(CODED),
+    &stage::erase::<Frame>().failing(CODED),
+    &stage::erase::<Import>().failing(CODED),
+    &stage::erase::<ImportTags>().failing(CODED),
+    &stage::erase::<ImportTracks>().failing(CODED),
+    &stage::erase::<PrintMat>().failing(CODED),
+];
+
+/// Every kind of message of this crate.
+pub const MESSAGES: &[&[stage::Template]] = &[
+    calibrate::MESSAGES,
+    calibration::trust::MESSAGES,
+    features::tracks::MESSAGES,
+    frame::lengths::MESSAGES,
+    frame::stage::MESSAGES,
+    frame::two_points::MESSAGES,
+    import::stage::MESSAGES,
+    mat::recognise::MESSAGES,
+    mat::rim::MESSAGES,
+    ring::cameras::MESSAGES,
+    ring::places::MESSAGES,
+    ring::solve::MESSAGES,
+    tags::find::MESSAGES,
+    walk::stage::MESSAGES,
+    CalibrateError::MESSAGES,
+    MatError::MESSAGES,
+    TracksError::MESSAGES,
+    WalkError::MESSAGES,
+    frame::stage::FrameError::MESSAGES,
+];
+
+/// The errors that have codes.
+const CODED: &[stage::Recognise] = &[
+    stage::recognise::<CalibrateError>,
+    stage::recognise::<frame::stage::FrameError>,
+    stage::recognise::<WalkError>,
+    stage::recognise::<shape::PhotoError>,
 ];

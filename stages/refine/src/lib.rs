@@ -38,9 +38,22 @@ pub use texture::stage::{Texture, TextureInput, TextureParams};
 
 /// Every stage of this crate, in the order in which data flows through it.
 pub const STAGES: &[&dyn stage::AnyStage] = &[
-    &stage::erase::<CompensateMotion>(),
-    &stage::erase::<EstimateDeformation>(),
-    &stage::erase::<OptimizeSurface>(),
-    &stage::erase::<Evolve>(),
-    &stage::erase::<Texture>(),
+    &stage::erase::<CompensateMotion>().failing(CODED),
+    &stage::erase::<EstimateDeformation>().failing(CODED),
+    &stage::erase::<OptimizeSurface>().failing(CODED),
+    &stage::erase::<Evolve>().failing(CODED),
+    &stage::erase::<Texture>().failing(CODED),
+];
+
+/// Every kind of message of this crate.
+pub const MESSAGES: &[&[stage::Template]] = &[
+    surface::evolve::MESSAGES,
+    surface::optimize::MESSAGES,
+    RefineError::MESSAGES,
+];
+
+/// The errors that have codes.
+const CODED: &[stage::Recognise] = &[
+    stage::recognise::<RefineError>,
+    stage::recognise::<shape::PhotoError>,
 ];

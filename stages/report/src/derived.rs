@@ -96,7 +96,7 @@ pub(crate) fn derived(girths: &Girths, lengths: Lengths) -> String {
     rows.extend(for_age(girths));
     rows.extend(waist(girths, lengths));
     for (name, value, note) in &girths.ratios {
-        rows.push((in_words(name), format!("{value:.3}"), note.clone()));
+        rows.push((in_words(name), format!("{value:.3}"), note.to_string()));
     }
     if let Some(litres) = girths.volume_l {
         rows.push((

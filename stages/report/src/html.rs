@@ -7,8 +7,13 @@ use crate::overlay::{self, Shown};
 use crate::page::{self, Content};
 use crate::paint::Paint;
 use shape::{Cameras, Document, Girths, Landmarks, Masks, Mesh, Photos, Textured};
-use stage::{Ctx, Stage, Stop};
+use stage::{Ctx, Stage, Stop, message};
 use std::sync::Arc;
+
+stage::messages! {
+    HEAVY = "warn-page-weight": "the page has {size:.1 MB}, more than {most:.0 MB}: lower photo_px, most_faces or atlas_px";
+    NO_FACE = "warn-no-face": "left out, for its face could not be placed";
+}
 
 /// What a page may weigh. \[MB\]
 const MOST_MB: f64 = 15.0;
@@ -134,9 +139,7 @@ impl Stage for Html {
         let size = page.len() as f64 / 1e6;
         ctx.metric("size", size, "MB");
         if size > MOST_MB {
-            ctx.warn(format!(
-                "the page weighs {size:.1} MB, more than {MOST_MB} MB: lower photo_px, most_faces or atlas_px"
-            ));
+            ctx.warn(message!(HEAVY, size = size, most = MOST_MB));
         }
         Ok(Document {
             media: "text/html".into(),
@@ -176,10 +179,7 @@ fn figures(
         if p.photos {
             let at_px = camera.map(|c| face::on_photo(head, c)).unwrap_or_default();
             if p.blur_face && at_px.is_empty() {
-                ctx.warn(format!(
-                    "{}: left out, for where its face is cannot be told",
-                    photo.name
-                ));
+                ctx.warn(message!(NO_FACE).of_what(&photo.name));
             } else {
                 let mut pixels = photo.decode()?;
                 if p.blur_face {

@@ -37,7 +37,13 @@ pub use take::{Take, TakeError, TakeInput};
 
 /// Every stage of this crate, in the order in which data flows through it.
 pub const STAGES: &[&dyn stage::AnyStage] = &[
-    &stage::erase::<RingPicture>(),
-    &stage::erase::<Html>(),
-    &stage::erase::<Take>(),
+    &stage::erase::<RingPicture>().failing(CODED),
+    &stage::erase::<Html>().failing(CODED),
+    &stage::erase::<Take>().failing(CODED),
 ];
+
+/// Every kind of message of this crate.
+pub const MESSAGES: &[&[stage::Template]] = &[html::MESSAGES];
+
+/// The errors that have codes.
+const CODED: &[stage::Recognise] = &[stage::recognise::<shape::PhotoError>];

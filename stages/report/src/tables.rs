@@ -2,6 +2,7 @@
 
 use crate::lengths::Lengths;
 use shape::{Cameras, Girth, Girths, NamedGirth, Rig, Scale, Unit, by_reason, listed};
+use stage::Message;
 use std::fmt::Write;
 
 /// Text that may be in HTML.
@@ -96,7 +97,7 @@ pub(crate) fn weight(kg: f64, lengths: Lengths) -> String {
 /// What is not measured, and why; the same reason once, with the short names that commands take.
 fn missing(girths: &Girths) -> String {
     let reasons = by_reason(&girths.missing);
-    let line = |(why, all): &(&str, Vec<NamedGirth<'_>>)| {
+    let line = |(why, all): &(&Message, Vec<NamedGirth<'_>>)| {
         let names = all.iter().map(|(_, name)| *name).collect::<Vec<_>>();
         let (listed, names) = (listed(all), names.join(", "));
         let names = match names == listed {

@@ -2,7 +2,15 @@
 
 use crate::{ByPhoto, Camera, Unit};
 use serde::{Deserialize, Serialize};
-use stage::{Artifact, Corrupt, Packer, Unpacker};
+use stage::{Artifact, Corrupt, Packer, Template, Unpacker};
+
+stage::messages! {
+    MAT = "length-mat": "the mat";
+    TAGS = "length-tags": "the marker tags";
+    REFERENCE = "length-reference": "the reference length";
+    DISK = "length-disk": "the disk's diameter";
+    STATURE = "length-stature": "the stature";
+}
 
 /// Where the millimetres come from.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
@@ -52,12 +60,17 @@ impl Length {
 
     /// What messages call it.
     pub fn word(self) -> &'static str {
+        self.template().english
+    }
+
+    /// The same with its code.
+    pub fn template(self) -> Template {
         match self {
-            Length::Mat => "the mat",
-            Length::Tags => "the marker tags",
-            Length::Reference => "the reference length",
-            Length::Disk => "the disk's diameter",
-            Length::Stature => "the stature",
+            Length::Mat => MAT,
+            Length::Tags => TAGS,
+            Length::Reference => REFERENCE,
+            Length::Disk => DISK,
+            Length::Stature => STATURE,
         }
     }
 }

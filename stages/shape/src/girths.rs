@@ -2,7 +2,7 @@
 
 use crate::{GirthId, Growth, Landmark, Missing, Note, Plane, Region, Sex, Sigmas, Split, Unit};
 use serde::{Deserialize, Serialize};
-use stage::{Artifact, Corrupt, Packer, Unpacker};
+use stage::{Artifact, Corrupt, Message, Packer, Unpacker};
 
 /// One girth.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -82,7 +82,7 @@ impl Girth {
             let parts = unknown.join(" and ");
             format!("no interval: it is unknown how sure the {parts} is")
         });
-        let notes = self.notes.iter().map(Note::sentence);
+        let notes = self.notes.iter().map(|note| note.message().to_string());
         split.into_iter().chain(unknown).chain(notes).collect()
     }
 }
@@ -116,7 +116,7 @@ pub struct Girths {
     /// What could not be measured.
     pub missing: Vec<Missing>,
     /// Ratios and other derived numbers: WHR, WHtR, … with a note each (empty, or `experimental`).
-    pub ratios: Vec<(String, f64, String)>,
+    pub ratios: Vec<(String, f64, Message)>,
     /// Crown above the ground. \[mm\]
     pub stature_mm: Option<f64>,
     /// Weight, as the user gave it. \[kg\]
@@ -171,7 +171,7 @@ impl Girths {
 
 impl Artifact for Girths {
     const KIND: &'static str = "girths";
-    const FORMAT: u32 = 4;
+    const FORMAT: u32 = 5;
 
     fn pack(&self, to: &mut Packer) {
         to.meta(self);

@@ -133,7 +133,7 @@ pub struct Landmarks {
 
 impl Artifact for Landmarks {
     const KIND: &'static str = "landmarks";
-    const FORMAT: u32 = 4;
+    const FORMAT: u32 = 5;
 
     fn pack(&self, to: &mut Packer) {
         let heights = (self.stature_mm, self.stature_sigma_mm, self.ground_mm);

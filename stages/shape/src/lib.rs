@@ -56,6 +56,7 @@ mod runs;
 mod scene;
 mod silhouette;
 mod solid;
+mod some_photos;
 mod sureness;
 mod sway;
 pub mod tag36h11;
@@ -92,7 +93,7 @@ pub use landmarks::{Landmark, Landmarks, Part, Plane, PlaneSigma};
 pub use lost_parts::{BodyPart, LostParts};
 pub use masks::{Mask, Masks};
 pub use mesh::{Adjacency, Mesh, MeshFault, rows};
-pub use missing::{Missing, NamedGirth, by_reason, listed};
+pub use missing::{Missing, NamedGirth, by_reason, girth_names, listed};
 pub use people::{Found, Joint, People};
 pub use person::{Growth, Person, Score, Sex};
 pub use photo_file::PhotoFile;
@@ -107,6 +108,7 @@ pub use rig::{CONTRADICTION, GIVEN_STATURE, Mat, Reference, Rig, Rim, SeenEnds};
 pub use scene::{FoundBody, HullCells, InPhoto, Scene, Seen};
 pub use silhouette::{DISSENT_DEPTH, MIN_DISSENT_PHOTOS, Silhouette, deep_dissent, sole_dissent};
 pub use solid::{Furrow, Level, Part as SolidPart, Solid};
+pub use some_photos::some_photos;
 pub use sureness::{Note, Sigmas, Split};
 pub use sway::Sway;
 pub use tags::{Tag, Tags};
@@ -115,3 +117,14 @@ pub use thin::thinned;
 pub use tracks::{Observation, Tracks};
 pub use unit::Unit;
 pub use warps::{Warp, Warps};
+
+/// Every kind of message of this crate.
+pub const MESSAGES: &[&[stage::Template]] = &[
+    cameras::MESSAGES,
+    missing::MESSAGES,
+    photos::MESSAGES,
+    refusal::MESSAGES,
+    some_photos::MESSAGES,
+    sureness::MESSAGES,
+    unit::MESSAGES,
+];

@@ -5,7 +5,7 @@
 
 use crate::{PhotoFile, PhotoId, Rgb, Rig};
 use serde::{Deserialize, Serialize};
-use stage::{Artifact, Corrupt, Hash, Packer, Unpacker};
+use stage::{Artifact, Coded, Corrupt, Hash, Message, Packer, Unpacker, message};
 
 /// One photo.
 #[derive(Debug, Clone, PartialEq)]
@@ -28,15 +28,32 @@ pub struct Photo {
     pub file: PhotoFile,
 }
 
+stage::messages! {
+    NOT_DECODED = "fail-not-decoded": "{name} cannot be decoded: {why}; export it again as JPEG, PNG or TIFF";
+}
+
 /// A photo that cannot be decoded.
-#[derive(Debug, thiserror::Error)]
-#[error("{name} cannot be decoded: {why}; export it again as JPEG, PNG or TIFF")]
+#[derive(Debug)]
 pub struct PhotoError {
     /// Its file name.
     pub name: String,
     /// The decoder's message.
     pub why: String,
 }
+
+impl Coded for PhotoError {
+    fn message(&self) -> Message {
+        message!(NOT_DECODED, name = &self.name, why = &self.why)
+    }
+}
+
+impl std::fmt::Display for PhotoError {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.write_str(&self.message())
+    }
+}
+
+impl std::error::Error for PhotoError {}
 
 impl Photo {
     /// The pixels, upright.

@@ -1,7 +1,33 @@
 //! Why a girth is not given: a reason that code can compare and a sentence that people can read.
 
 use serde::{Deserialize, Serialize};
+use stage::{Message, Template};
 use std::fmt;
+
+stage::messages! {
+    NO_LEGS = "warn-no-legs": "the surface shows no two legs: is the body cut off, or do masks lack a leg? Stand with the feet apart, without coat or skirt";
+    MANY_LEGS = "warn-many-legs": "the surface has more than two legs: is it a chair, an animal, or two people who touch? One person alone is wanted";
+    CUT_THROUGH = "warn-cut-through": "a large part of the surface is one plane: is the body cut through, so that only a part of it is here?";
+    NO_NECK = "warn-no-neck": "no neck was found between head and shoulders: does hair or a collar hide it, or do the photos cut the head off?";
+    NECK_GROOVE = "warn-neck-groove": "the neck is too short on this surface for a tape: lift the chin";
+    NO_HEAD = "warn-no-head": "the top of the surface is flat, not a crown: the head is missing or cut off by the photos' border";
+    NOT_UPRIGHT = "warn-not-upright": "trunk and legs are not those of an upright body: is it lying, sitting, bent over, or upside down?";
+    NO_GROUND = "warn-no-ground": "no feet end on the ground, so heights are not known: is the body cut off, do trousers or a coat hide the feet, or is the ground of the cameras wrong?";
+    NO_LIMB = "warn-no-limb": "this limb could not be followed from its end to the trunk: hold it away from the body";
+    FUSED = "warn-fused": "limb and trunk are one on the surface there: hold the limb farther away";
+    NO_ARMS = "warn-no-arms": "no arm is clear of the trunk anywhere, so it is not known whether arms are in this section: keep them away from the body";
+    HAND = "warn-hand": "a hand or forearm is one with the body on the surface there: hold the hands farther away";
+    THIGHS_ONE = "warn-thighs-one": "the thighs are one on the surface well below the crotch, so where they are fullest does not show: place the feet farther apart";
+    NO_PEAK = "warn-no-peak": "nothing between the joints is fullest there: does a hem, a boot or a bandage hide it?";
+    NO_SECTION = "warn-no-section": "the surface has no closed section there";
+    NO_EXTREME = "warn-no-extreme": "this body is nowhere narrowest or fullest between the marks of this definition: choose another";
+    OUT_OF_RANGE = "warn-out-of-range": "the body is outside of what the level model was fitted on, so the level is not known well enough";
+    TOO_UNCERTAIN = "warn-too-uncertain": "the interval would be wider than 25 % to either side, so no number is given";
+    EMPTY_PHOTO = "warn-empty-photo": "a photo shows no subject: leave it out, or correct its mask";
+    OUTLINES = "warn-outlines": "the outlines of some photos contradict those of all other photos: look at these masks";
+    INCOMPLETE = "warn-incomplete": "a large part of the body is missing on the surface: look at the masks";
+    DISPUTED = "warn-lengths": "known lengths contradict each other: correct one of them, or leave one out";
+}
 
 /// Why a girth, or a height, is not given.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize, Deserialize)]
@@ -82,70 +108,39 @@ impl Refusal {
 
     /// A sentence: what is wrong and what would help.
     pub fn why(self) -> &'static str {
+        self.template().english
+    }
+
+    /// The same as a message.
+    pub fn message(self) -> Message {
+        Message::new(&self.template(), [])
+    }
+
+    /// The message's kind.
+    fn template(self) -> Template {
         match self {
-            Refusal::NoLegs => {
-                "the surface shows no two legs: is the body cut off, or do masks lack a leg? Stand with the feet apart, without coat or skirt"
-            }
-            Refusal::ManyLegs => {
-                "the surface has more than two legs: is it a chair, an animal, or two people who touch? One person alone is wanted"
-            }
-            Refusal::CutThrough => {
-                "a large part of the surface is one plane: is the body cut through, so that only a part of it is here?"
-            }
-            Refusal::NoNeck => {
-                "no neck was found between head and shoulders: does hair or a collar hide it, or do the photos cut the head off?"
-            }
-            Refusal::NeckGroove => {
-                "the neck is too short on this surface for a tape: lift the chin"
-            }
-            Refusal::NoHead => {
-                "the top of the surface is flat, not a crown: the head is missing or cut off by the photos' border"
-            }
-            Refusal::NotUpright => {
-                "trunk and legs are not those of an upright body: does it lie, sit, bend over, or stand on its head?"
-            }
-            Refusal::NoGround => {
-                "no feet end on the ground, so nothing tells heights: is the body cut off, do trousers or a coat hide the feet, \
-                 or is the ground of the cameras wrong?"
-            }
-            Refusal::NoLimb => {
-                "this limb could not be followed from its end to the trunk: hold it away from the body"
-            }
-            Refusal::Fused => {
-                "limb and trunk are one on the surface there: hold the limb farther away"
-            }
-            Refusal::NoArms => {
-                "no arm stands clear of the trunk anywhere, so nothing tells whether arms are in this section: hold them away from the body"
-            }
-            Refusal::Hand => {
-                "a hand or forearm is one with the body on the surface there: hold the hands farther away"
-            }
-            Refusal::ThighsOne => {
-                "the thighs are one on the surface well below the crotch, so where they are fullest does not show: stand with the feet farther apart"
-            }
-            Refusal::NoPeak => {
-                "nothing between the joints is fullest there: does a hem, a boot or a bandage hide it?"
-            }
-            Refusal::NoSection => "the surface has no closed section there",
-            Refusal::NoExtreme => {
-                "this body is nowhere narrowest or fullest between the marks of this definition: choose another"
-            }
-            Refusal::OutOfRange => {
-                "the body lies outside of what the level model was fitted on, so the level is not known well enough"
-            }
-            Refusal::TooUncertain => {
-                "the interval would be wider than 25 % to either side, so no number is given"
-            }
-            Refusal::EmptyPhoto => "a photo shows no subject: leave it out, or correct its mask",
-            Refusal::Outlines => {
-                "the outlines of some photos contradict those of all others: look at these masks"
-            }
-            Refusal::Incomplete => {
-                "a large part of the body is missing on the surface: look at the masks"
-            }
-            Refusal::Disputed => {
-                "known lengths contradict each other: correct one of them, or leave one out"
-            }
+            Refusal::NoLegs => NO_LEGS,
+            Refusal::ManyLegs => MANY_LEGS,
+            Refusal::CutThrough => CUT_THROUGH,
+            Refusal::NoNeck => NO_NECK,
+            Refusal::NeckGroove => NECK_GROOVE,
+            Refusal::NoHead => NO_HEAD,
+            Refusal::NotUpright => NOT_UPRIGHT,
+            Refusal::NoGround => NO_GROUND,
+            Refusal::NoLimb => NO_LIMB,
+            Refusal::Fused => FUSED,
+            Refusal::NoArms => NO_ARMS,
+            Refusal::Hand => HAND,
+            Refusal::ThighsOne => THIGHS_ONE,
+            Refusal::NoPeak => NO_PEAK,
+            Refusal::NoSection => NO_SECTION,
+            Refusal::NoExtreme => NO_EXTREME,
+            Refusal::OutOfRange => OUT_OF_RANGE,
+            Refusal::TooUncertain => TOO_UNCERTAIN,
+            Refusal::EmptyPhoto => EMPTY_PHOTO,
+            Refusal::Outlines => OUTLINES,
+            Refusal::Incomplete => INCOMPLETE,
+            Refusal::Disputed => DISPUTED,
         }
     }
 }

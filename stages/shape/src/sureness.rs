@@ -1,6 +1,13 @@
 //! How sure a girth is, part by part, and what is odd about it.
 
 use serde::{Deserialize, Serialize};
+use stage::{Message, message};
+
+stage::messages! {
+    OPEN = "note-open": "no photo shows the outline along part of this section (hands in front, or too few photos): up to {share:.1 %} of the tape may not be body; take more photos, or hold the hands farther away";
+    SPLINE_LEFT = "warn-spline-left": "the smooth curve through the surface's points (the spline) is {off:+.0 %} off the exact section: the surface is too coarse there; take the tape or the contour";
+    FOLDS = "warn-folds": "the skin is {share:.0 %} longer than a tape, which points to a hole in the surface or to an arm that touches it: look at the section";
+}
 
 /// What a girth's uncertainty is made of: standard deviations of the tape; `None` is unknown,
 /// 0 is "none". \[mm\]
@@ -94,24 +101,12 @@ pub enum Note {
 }
 
 impl Note {
-    /// A sentence.
-    pub fn sentence(&self) -> String {
+    /// As people read it.
+    pub fn message(&self) -> Message {
         match self {
-            Note::Open { share } => format!(
-                "no photo shows the outline along part of this section (hands in front, or too few photos): up to {:.1} % of the tape \
-                 may not be body; take more photos, or hold the hands farther away",
-                100.0 * share
-            ),
-            Note::SplineLeft { share } => format!(
-                "the smooth curve through the surface's points (the spline) is {:+.0} % off the exact section: the surface is too coarse \
-                 there; take the tape or the contour",
-                100.0 * share
-            ),
-            Note::Folds { share } => format!(
-                "the skin is {:.0} % longer than a tape, which points to a hole in the surface or to an arm that touches it: look \
-                 at the section",
-                100.0 * share
-            ),
+            Note::Open { share } => message!(OPEN, share = 100.0 * share),
+            Note::SplineLeft { share } => message!(SPLINE_LEFT, off = 100.0 * share),
+            Note::Folds { share } => message!(FOLDS, share = 100.0 * share),
         }
     }
 }

@@ -1,6 +1,11 @@
 //! What lengths mean: millimetres, or shares of something of unknown size.
 
 use serde::{Deserialize, Serialize};
+use stage::{Field, message};
+
+stage::messages! {
+    OF_RING = "length-relative": "{length:.4} of the camera ring's radius";
+}
 
 /// What the numbers mean.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
@@ -31,9 +36,14 @@ impl Unit {
 
     /// A length in a sentence: `12 mm`, or `0.0120 of the camera ring's radius`.
     pub fn words(self, mm: f64) -> String {
+        self.field(mm).to_string()
+    }
+
+    /// The same in a message.
+    pub fn field(self, mm: f64) -> Field {
         match self {
-            Unit::Metric => format!("{mm:.0} mm"),
-            Unit::Relative => format!("{:.4} of the camera ring's radius", mm / 1000.0),
+            Unit::Metric => Field::number(mm, 0, "mm"),
+            Unit::Relative => message!(OF_RING, length = mm / 1000.0).into(),
         }
     }
 }

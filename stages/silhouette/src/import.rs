@@ -1,8 +1,12 @@
 //! The stage that takes masks that somebody else made.
 
 use shape::{Mask, Masks, PhotoId, Photos, gray_from_file};
-use stage::{Ctx, FileEntry, Files, FilesError, Stage, Stop};
+use stage::{Ctx, FileEntry, Files, FilesError, Stage, Stop, message};
 use std::sync::Arc;
+
+stage::messages! {
+    NO_MASK = "warn-no-mask": "{name} has no mask and is left out: put its mask beside the other masks, under the name of the photo";
+}
 
 stage::choice! {
     /// Which shade is the body.
@@ -92,7 +96,7 @@ impl Stage for Import {
         for (id, photo) in input.photos.iter() {
             ctx.check()?;
             let Some(entry) = of_photo(&input.files, &photo.name)? else {
-                ctx.warn(format!("{} has no mask and is left out: put its mask beside the others, under the name of the photo", photo.name));
+                ctx.warn(message!(NO_MASK, name = &photo.name));
                 continue;
             };
             let mask = gray_from_file(&input.files.read(entry)?)

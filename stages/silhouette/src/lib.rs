@@ -101,13 +101,29 @@ pub use walk::{Walk, WalkCutError, WalkInput, WalkParams};
 
 /// Every stage of this crate, in the order in which data flows through it.
 pub const STAGES: &[&dyn stage::AnyStage] = &[
-    &stage::erase::<Align>(),
-    &stage::erase::<Plate>(),
-    &stage::erase::<Room>(),
-    &stage::erase::<Likelihood>(),
-    &stage::erase::<Label>(),
-    &stage::erase::<Border>(),
-    &stage::erase::<GrabCut>(),
-    &stage::erase::<Import>(),
-    &stage::erase::<Walk>(),
+    &stage::erase::<Align>().failing(CODED),
+    &stage::erase::<Plate>().failing(CODED),
+    &stage::erase::<Room>().failing(CODED),
+    &stage::erase::<Likelihood>().failing(CODED),
+    &stage::erase::<Label>().failing(CODED),
+    &stage::erase::<Border>().failing(CODED),
+    &stage::erase::<GrabCut>().failing(CODED),
+    &stage::erase::<Import>().failing(CODED),
+    &stage::erase::<Walk>().failing(CODED),
+];
+
+/// Every kind of message of this crate.
+pub const MESSAGES: &[&[stage::Template]] = &[
+    import::MESSAGES,
+    room::stage::MESSAGES,
+    walk::MESSAGES,
+    CutError::MESSAGES,
+    walk::WalkCutError::MESSAGES,
+];
+
+/// The errors that have codes.
+const CODED: &[stage::Recognise] = &[
+    stage::recognise::<CutError>,
+    stage::recognise::<walk::WalkCutError>,
+    stage::recognise::<shape::PhotoError>,
 ];

@@ -40,30 +40,20 @@ stage::params! {
     }
 }
 
-/// Why there are no masks.
-#[derive(Debug, thiserror::Error)]
-pub enum CutError {
-    /// Neither plate nor cameras.
-    #[error(
-        "there is no plate, and without cameras the body cannot be told from the room: take one photo of the same scene without the subject and call it plate.jpg, hand in masks (silhouette.import), or say where the body is (`box_px`)"
-    )]
-    NoPlate,
-    /// No plate, and nothing that stands still.
-    #[error(
-        "there is no plate, and only {0:.0} % of the photos' pixels stand still over the turn: did the camera move? take a plate with a fixed camera, hand in masks (silhouette.import), or say where the body is (`box_px`)"
-    )]
-    Moves(f64),
-    /// No pixel is body.
-    #[error(
-        "{0}: nothing in it differs from the empty scene: is the subject in it, or was the camera moved after the plate?"
-    )]
-    Empty(String),
-    /// Nearly all pixels are body.
-    #[error(
-        "{0}: nearly all of it differs from the empty scene: was the camera moved, or the light changed, while photos and plate were taken?"
-    )]
-    Full(String),
-    /// A rectangle that is none.
-    #[error(transparent)]
-    Rectangle(#[from] RectangleError),
+stage::failures! {
+    /// Why photos cannot be cut.
+    pub enum CutError {
+        /// Neither plate nor cameras.
+        NoPlate = "fail-no-plate": "there is no plate, and without cameras the body cannot be separated from the background: take one photo of the same scene without the subject and call it plate.jpg, hand in masks (silhouette.import), or give the body's place (`box_px`)",
+        /// No plate, and nothing that does not move.
+        Moves(still: f64) = "fail-plate-moves": "there is no plate, and only {still:.0 %} of the photos' pixels do not move over the turn: did the camera move? take a plate with a fixed camera, hand in masks (silhouette.import), or give the body's place (`box_px`)",
+        /// No pixel is body.
+        Empty(name: String) = "fail-no-subject": "{name}: nothing in it differs from the empty scene: is the subject in it, or was the camera moved after the plate?",
+        /// Nearly all pixels are body.
+        Full(name: String) = "fail-all-differs": "{name}: nearly all of it differs from the empty scene: was the camera moved, or the light changed, while photos and plate were taken?",
+    }
+    wraps {
+        /// A rectangle that is none.
+        Rectangle(RectangleError),
+    }
 }

@@ -1,6 +1,6 @@
 //! What a stage may ask of its surroundings while it runs; none of it can enter a key.
 
-use crate::{Artifact, Cancelled, Hash, Stop, from_bytes, to_bytes};
+use crate::{Artifact, Cancelled, Hash, Message, Stop, from_bytes, to_bytes};
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 /// A number reported beside the result: kept with it, and reported again when the result is found.
@@ -25,7 +25,7 @@ pub trait Host: Sync {
     /// A number beside the result.
     fn metric(&self, _metric: Metric) {}
     /// Something that the user should know about the result; kept with it.
-    fn warn(&self, _text: &str) {}
+    fn warn(&self, _message: &Message) {}
     /// What was remembered under a key, if it is still there and whole.
     fn recall(&self, _key: Hash) -> Option<Vec<u8>> {
         None
@@ -98,9 +98,10 @@ impl<'a> Ctx<'a> {
         });
     }
 
-    /// Tells the user something about the result. Call it outside of [`Ctx::part`].
-    pub fn warn(&self, text: impl AsRef<str>) {
-        self.host.warn(text.as_ref());
+    /// Warns the user of something about the result: a [`message!`](crate::message!), which other languages and programs can
+    /// read, or a sentence as it is. Call it outside of [`Ctx::part`].
+    pub fn warn(&self, message: impl Into<Message>) {
+        self.host.warn(&message.into());
     }
 
     /// Part of the work, such as one photo's, remembered on its own: it is found again when

@@ -1,8 +1,8 @@
 //! Every cast of the house: typed stages on the one side, what the engine sees on the other.
 
 use crate::{
-    AnyArtifact, Artifact, Corrupt, Ctx, Input, Mistake, ParamSpec, Params, PortSpec, Stage, Stop,
-    Value, from_bytes, to_bytes,
+    AnyArtifact, Artifact, Corrupt, Ctx, Input, Mistake, ParamSpec, Params, PortSpec, Recognise,
+    Stage, Stop, Value, from_bytes, to_bytes,
 };
 use std::any::Any;
 use std::collections::BTreeMap;
@@ -86,11 +86,27 @@ pub trait AnyStage: Sync {
 }
 
 /// A typed stage behind the engine's view of it. Made by [`erase`].
-pub struct Erased<S>(PhantomData<fn() -> S>);
+pub struct Erased<S>(PhantomData<fn() -> S>, &'static [Recognise]);
 
 /// The engine's view of a stage, for a crate's list: `&erase::<Carve>()`.
 pub const fn erase<S: Stage>() -> Erased<S> {
-    Erased(PhantomData)
+    Erased(PhantomData, &[])
+}
+
+impl<S> Erased<S> {
+    /// The same of a crate whose errors have codes: each is handed on as its message.
+    pub const fn failing(self, coded: &'static [Recognise]) -> Erased<S> {
+        Erased(PhantomData, coded)
+    }
+
+    /// Why it stopped, as a message where that is known.
+    fn coded(&self, stop: Stop) -> Stop {
+        let Stop::Failed(error) = stop else {
+            return stop;
+        };
+        let message = self.1.iter().find_map(|recognise| recognise(&*error));
+        Stop::Failed(message.map_or(error, |message| Box::new(message)))
+    }
 }
 
 impl<S: Stage> AnyStage for Erased<S> {
@@ -152,7 +168,8 @@ impl<S: Stage> AnyStage for Erased<S> {
             .downcast_ref()
             .expect("bug: params of another stage");
         // What came out is whole, so it is kept even if the user asked to stop meanwhile.
-        let output = S::run(params, S::Input::take(inputs)?, ctx)?;
+        let output =
+            S::run(params, S::Input::take(inputs)?, ctx).map_err(|stop| self.coded(stop))?;
         let bytes = to_bytes(&output);
         Ok(Made {
             artifact: AnyArtifact::new(output),

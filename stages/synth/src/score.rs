@@ -117,7 +117,7 @@ impl Stage for Score {
         let rows: Vec<Value> = table.iter().map(Row::json).collect();
         let missing = input.girths.iter().flat_map(|g| &g.missing);
         let missing: Vec<Value> = missing
-            .map(|m| json!({ "name": m.name, "why": m.why }))
+            .map(|m| json!({ "name": m.name, "why": m.why.as_str() }))
             .collect();
         told.insert("table".into(), json!(rows));
         told.insert("missing".into(), json!(missing));

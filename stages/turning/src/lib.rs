@@ -24,6 +24,16 @@ pub use score::{ScoreInput, ScoreMotion, TooFew};
 
 /// Every stage of this crate, in the order in which data flows through it.
 pub const STAGES: &[&dyn ::stage::AnyStage] = &[
-    &::stage::erase::<FindMotion>(),
-    &::stage::erase::<ScoreMotion>(),
+    &::stage::erase::<FindMotion>().failing(CODED),
+    &::stage::erase::<ScoreMotion>().failing(CODED),
+];
+
+/// Every kind of message of this crate.
+pub const MESSAGES: &[&[stage::Template]] =
+    &[motion::MESSAGES, told::MESSAGES, MotionError::MESSAGES];
+
+/// The errors that have codes.
+const CODED: &[stage::Recognise] = &[
+    stage::recognise::<MotionError>,
+    stage::recognise::<shape::PhotoError>,
 ];

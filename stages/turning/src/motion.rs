@@ -10,8 +10,12 @@ use crate::told::{cameras, verdict};
 use nalgebra::Point2;
 use rayon::prelude::*;
 use shape::{Cameras, Found, Intrinsics, Mask, Masks, People, PhotoId, Photos, film_to_px};
-use stage::{Cancelled, Ctx, Stage, Stop};
+use stage::{Cancelled, Ctx, Stage, Stop, message};
 use std::sync::Arc;
+
+stage::messages! {
+    NO_FOCAL = "warn-turning-focal": "neither the photos nor capture.toml have the focal length: {focal:.0 mm}, as of phones' main cameras, was taken; give --focal";
+}
 
 stage::params! {
     /// How the motion of somebody who turns on the spot is found.
@@ -134,10 +138,7 @@ fn lens(p: &MotionParams, photos: &Photos, ctx: &Ctx<'_>) -> Result<Intrinsics, 
     let told = photos.rig.focal_px;
     let told = told.or(photos.rig.focal_35mm.or(first.focal_35mm).map(film));
     if told.is_none() {
-        ctx.warn(format!(
-            "neither the photos nor capture.toml tell the focal length: {:.0} mm, as of phones' main cameras, was taken; say --focal",
-            p.focal_35mm
-        ));
+        ctx.warn(message!(NO_FOCAL, focal = p.focal_35mm));
     }
     let mut lens = Intrinsics::simple(width, height, told.unwrap_or_else(|| film(p.focal_35mm)));
     if let Some(centre) = photos.rig.centre_px {

@@ -6,7 +6,14 @@ use crate::joints::{Articulated, Sights, TRUNK, TRUNK_SHARE};
 use crate::outlines::Agreement;
 use nalgebra::{Rotation3, Vector3};
 use shape::{Camera, Cameras, Intrinsics, PhotoId, Photos, Pose, Scale, View};
+use stage::{Message, message};
 use std::f64::consts::TAU;
+
+stage::messages! {
+    SEVERAL_TURNS = "warn-turning-twice": "the body turned {count:.0} times: all photos were taken together; one turn is enough";
+    TURNED_BACK = "warn-turning-back": "the body turned back by {by:.0 °} on the way: photos were taken as they are";
+    FITS_NOWHERE = "warn-turning-odd": "the outline on {names} fits nowhere in the turn and was left out: is somebody else in the picture, or is the mask wrong?";
+}
 
 /// A motion, how outlines agree with it, and the photos whose outlines do not.
 pub(crate) type Found = (Articulated, Option<Agreement>, Vec<usize>);
@@ -33,7 +40,7 @@ pub(crate) struct Verdict {
     /// How far outlines are apart, as a share of the body's height.
     pub(crate) loose: Option<f64>,
     /// What the user should know.
-    pub(crate) warnings: Vec<String>,
+    pub(crate) warnings: Vec<Message>,
 }
 
 /// Looks at a motion; outlines must agree where they are `cut` at full size.
@@ -75,23 +82,15 @@ pub(crate) fn verdict(
     let back: f64 = ways.iter().map(|w| (-w * turned.signum()).max(0.0)).sum();
     let mut warnings = Vec::new();
     if turned.abs() > 1.5 * TAU {
-        warnings.push(format!(
-            "the body turned {:.0} times: all photos were taken together; one turn is enough",
-            turned.abs() / TAU
-        ));
+        let count = turned.abs() / TAU;
+        warnings.push(message!(SEVERAL_TURNS, count = count));
     }
     if back > LEAST_TURN_BACK {
-        warnings.push(format!(
-            "the body turned back by {:.0}° on the way: photos were taken as they are",
-            back.to_degrees()
-        ));
+        warnings.push(message!(TURNED_BACK, by = back.to_degrees()));
     }
     if cut && !odd.is_empty() {
         let names: Vec<String> = odd.iter().map(|i| name(*i)).collect();
-        warnings.push(format!(
-            "the outline on {} fits nowhere in the turn and was left out: is somebody else in the picture, or is the mask wrong?",
-            names.join(", ")
-        ));
+        warnings.push(message!(FITS_NOWHERE, names = names));
     }
     let rms = |of: &dyn Fn(usize) -> f64| {
         ((0..count).map(|i| of(i) * of(i)).sum::<f64>() / count as f64).sqrt()

@@ -105,7 +105,7 @@ impl Story {
                 seconds: if dice.unit() < 0.8 { 0.1 } else { 5.0 },
                 metrics: vec![],
                 warnings: match from == made[0].0 {
-                    true => vec![format!("{} is odd", capture.name)],
+                    true => vec![format!("{} is odd", capture.name).into()],
                     false => vec![],
                 },
                 provenance,

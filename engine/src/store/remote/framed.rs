@@ -111,7 +111,7 @@ fn is_plain(record: &Record) -> bool {
     };
     let metrics = record.metrics.iter();
     let mut names = metrics.flat_map(|m| [m.name.as_str(), m.unit.as_str()]);
-    record.warnings.iter().all(|w| plain(w)) && names.all(plain)
+    record.warnings.iter().all(|w| w.all_texts(&plain)) && names.all(plain)
 }
 
 #[cfg(test)]

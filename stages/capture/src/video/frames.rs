@@ -7,6 +7,13 @@ use crate::video::filters::Wanted;
 use crate::video::probe::Clip;
 use crate::video::seen::{Seen, seen};
 use shape::{Photo, Rgb, rgb_to_jpeg};
+use stage::{Message, message};
+
+stage::messages! {
+    CUT_SHORT = "warn-video-cut": "{name}: {read} of {promised} frames can be read: was it copied whole?";
+    CUT_SHORT_FOR = "warn-video-cut-for": "{name}: {read} of {promised} frames can be read ({why}): was it copied whole?";
+    DAMAGED = "warn-video-damaged": "{name} is damaged somewhere: {why}";
+}
 
 /// Frames are looked at on so many pixels on the longer side. \[px\]
 const LOOKED_AT: u32 = 960;
@@ -32,7 +39,7 @@ pub(crate) struct Looked {
     /// When they were taken; none before the one in front of it. \[s\]
     pub(crate) times: Vec<f64>,
     /// What is wrong with the file, if anything.
-    pub(crate) wrong: Option<String>,
+    pub(crate) wrong: Option<Message>,
 }
 
 /// What the file's head names, if it is not too long.
@@ -45,7 +52,7 @@ pub(crate) fn probed<E: From<VideoError>>(
     match clip.seconds.filter(|s| *s > 60.0 * most_minutes) {
         Some(seconds) => Err(VideoError::Long {
             name: source.name.to_owned(),
-            seconds,
+            minutes: (seconds / 60.0).ceil(),
             most: most_minutes,
         }
         .into()),
@@ -86,7 +93,7 @@ pub(crate) fn looked_at<E: From<VideoError>>(
             let most = most_minutes;
             return Err(VideoError::Long {
                 name: name(),
-                seconds,
+                minutes: (seconds / 60.0).ceil(),
                 most,
             }
             .into());
@@ -105,11 +112,20 @@ pub(crate) fn looked_at<E: From<VideoError>>(
     let missing = clip.frames.filter(|f| (frames as f64) < WHOLE * *f as f64);
     let name = source.name;
     let wrong = match (missing, wrong) {
-        (Some(promised), why) => Some(format!(
-            "{name}: {frames} of {promised} frames can be read{}: was it copied whole?",
-            why.map_or(String::new(), |w| format!(" ({w})"))
+        (Some(promised), None) => Some(message!(
+            CUT_SHORT,
+            name = name,
+            read = frames,
+            promised = promised
         )),
-        (None, why) => why.map(|why| format!("{name} is damaged somewhere: {why}")),
+        (Some(promised), Some(why)) => Some(message!(
+            CUT_SHORT_FOR,
+            name = name,
+            read = frames,
+            promised = promised,
+            why = why
+        )),
+        (None, why) => why.map(|why| message!(DAMAGED, name = name, why = why)),
     };
     // Frames without a time, or with the one before, follow each other evenly.
     times.truncate(frames);

@@ -18,3 +18,6 @@ mod turn;
 
 pub use error::VideoError;
 pub use stage::{Video, VideoInput, VideoParams};
+
+/// Every kind of message of these files.
+pub(crate) const MESSAGES: [&[::stage::Template]; 2] = [frames::MESSAGES, stage::MESSAGES];

@@ -11,8 +11,15 @@ use crate::video::seen::{Seen, sharp};
 use crate::video::speed::motion;
 use crate::video::turn::{Turn, turn};
 use shape::{Photo, Photos, Rig};
-use stage::{Ctx, FileEntry, Files, Stage, Stop};
+use stage::{Ctx, FileEntry, Files, Stage, Stop, message};
 use std::sync::Arc;
+
+stage::messages! {
+    OPEN = "warn-video-open": "from {from:.1 s} to {to:.1 s} something turns, but at its end it does not look as at its beginning: is this a whole turn? All of it was taken; film from before the turn until after it";
+    FAST = "warn-video-fast": "{empty} of {steps} steps of the turn have no frame of their own: turn more slowly";
+    BLURRED = "warn-video-blurred": "no sharp frame at {times} s: turn evenly, in more light";
+    STILL = "warn-video-still": "hardly anything moves: is the subject on a disk that turns, and in view?";
+}
 
 stage::params! {
     /// Which frames are taken.
@@ -78,7 +85,7 @@ impl Stage for Video {
             videos.into_iter().partition(|e| is_plate(&e.name));
         let [entry] = turns.as_slice() else {
             let found = turns.iter().map(|e| e.name.clone()).collect();
-            return Err(VideoError::Count { found }.into());
+            return Err(VideoError::count(found).into());
         };
         let path = files.path(entry)?;
         let source = Source {
@@ -192,35 +199,23 @@ fn reported(
     ctx.metric("turn from", at(from), "s");
     ctx.metric("turn to", at(to), "s");
     if !turn.closed {
-        ctx.warn(format!(
-            "{name}: from {:.1} to {:.1} s something turns, but at its end it does not look as at its beginning: is this a whole turn? \
-             All of it was taken; film from before the turn until after it",
-            at(from),
-            at(to)
-        ));
+        let (from, to) = (at(from), at(to));
+        ctx.warn(message!(OPEN, from = from, to = to).of_what(name));
     }
     if !picked.empty.is_empty() {
-        ctx.warn(format!(
-            "{name}: {} of {} steps of the turn have no frame of their own: turn more slowly",
-            picked.empty.len(),
-            picked.empty.len() + picked.frames.len()
-        ));
+        let steps = picked.empty.len() + picked.frames.len();
+        ctx.warn(message!(FAST, empty = picked.empty.len(), steps = steps).of_what(name));
     }
     if !picked.blurred.is_empty() {
-        let times: Vec<String> = picked
+        let times: Vec<f64> = picked
             .blurred
             .iter()
-            .map(|i| format!("{:.1}", times[*i]))
+            .map(|i| (10.0 * times[*i]).round() / 10.0)
             .collect();
-        ctx.warn(format!(
-            "{name}: no sharp frame at {} s: turn evenly, in more light",
-            times.join(", ")
-        ));
+        ctx.warn(message!(BLURRED, times = times).of_what(name));
     }
     if !moves.iter().any(|m| *m) {
-        ctx.warn(format!(
-            "{name}: hardly anything moves: is the subject on a disk that turns, and in view?"
-        ));
+        ctx.warn(message!(STILL).of_what(name));
     }
     picked.frames.clone()
 }

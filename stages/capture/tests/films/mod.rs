@@ -108,7 +108,7 @@ pub(crate) struct Collected {
 }
 
 impl Host for Collected {
-    fn warn(&self, text: &str) {
+    fn warn(&self, text: &stage::Message) {
         self.warnings.lock().unwrap().push(text.into());
     }
     fn cancelled(&self) -> bool {

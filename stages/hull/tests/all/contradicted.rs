@@ -65,7 +65,7 @@ struct Heard {
 }
 
 impl Host for Heard {
-    fn warn(&self, text: &str) {
+    fn warn(&self, text: &stage::Message) {
         self.warnings.lock().unwrap().push(text.into());
     }
     fn metric(&self, metric: Metric) {

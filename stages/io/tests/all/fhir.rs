@@ -32,7 +32,7 @@ fn girths() -> Girths {
         bmi: Some(22.16),
         ratios: vec![
             ("WHR".into(), 0.8434, "no diagnosis".into()),
-            ("density_kg_l".into(), 1.01, String::new()),
+            ("density_kg_l".into(), 1.01, "".into()),
         ],
         ..Girths::default()
     }

@@ -45,7 +45,7 @@ fn girths() -> Girths {
             girth(GirthId::UpperArm(Side::Right), None),
         ],
         missing: vec![missing],
-        ratios: vec![("WHR".into(), 0.9, String::new())],
+        ratios: vec![("WHR".into(), 0.9, "".into())],
         stature_mm: Some(1720.0),
         ..Girths::default()
     }

@@ -26,7 +26,7 @@ fn a_table_names_its_capture_on_every_row() {
         stature_mm: Some(1720.0),
         stature_sigma_mm: Some(3.5),
         weight_kg: Some(64.2),
-        ratios: vec![("WHR".into(), 0.9, String::new())],
+        ratios: vec![("WHR".into(), 0.9, "".into())],
         ..Girths::default()
     };
     let csv = girths_to_csv(&table);

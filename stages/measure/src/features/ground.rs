@@ -2,6 +2,13 @@
 
 use crate::features::soles::{Soles, soles};
 use shape::{Mesh, Refusal, Unit};
+use stage::{Message, message};
+
+stage::messages! {
+    FEET_LOST = "warn-feet-lost": "the surface ends {end} above the ground without feet: they are lost, and heights are measured from the ground";
+    BELOW_SOLES = "warn-ground-below": "the ground from the cameras is {far} below the soles on the surface: the body is not on it; heights and stature are measured from the soles";
+    ABOVE_SOLES = "warn-ground-above": "the ground from the cameras is {far} above the soles on the surface: the body is not on it; heights and stature are measured from the soles";
+}
 
 /// A ground that cameras tell.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -24,7 +31,7 @@ pub struct Ground {
     /// Its standard deviation. \[mm\]
     pub sigma_mm: f64,
     /// What the user should know: a sentence.
-    pub word: Option<String>,
+    pub word: Option<Message>,
 }
 
 /// Soles and a ground that is only said agree within this, as a share of the body's height.
@@ -46,7 +53,7 @@ const UNSEEN: f64 = 0.004;
 pub fn ground(mesh: &Mesh, told: Option<&GivenGround>) -> Result<Ground, Refusal> {
     let (low, high) = mesh.bounds().ok_or(Refusal::NoGround)?;
     let (tall, found) = (high.z - low.z, soles(mesh));
-    let by_soles = |s: &Soles, word: Option<String>| Ground {
+    let by_soles = |s: &Soles, word: Option<Message>| Ground {
         height_mm: s.height,
         sigma_mm: s.sigma,
         word,
@@ -55,7 +62,7 @@ pub fn ground(mesh: &Mesh, told: Option<&GivenGround>) -> Result<Ground, Refusal
         let sure = found.filter(|s| s.sure).ok_or(Refusal::NoGround)?;
         return Ok(by_soles(&sure, None));
     };
-    let as_told = |more: f64, word: Option<String>| Ground {
+    let as_told = |more: f64, word: Option<Message>| Ground {
         height_mm: told.height_mm,
         sigma_mm: libm::hypot(told.sigma_mm, more),
         word,
@@ -76,21 +83,17 @@ pub fn ground(mesh: &Mesh, told: Option<&GivenGround>) -> Result<Ground, Refusal
         (false, false) if off.abs() <= AGREE * tall => Ok(as_told(found.sigma, None)),
         (true, false) if (0.0..=LOST * tall).contains(&off) => Ok(as_told(
             UNSEEN * tall,
-            Some(format!(
-                "the surface ends {} above the ground without feet: they are lost, and heights are told from the ground",
-                told.unit.words(off)
-            )),
+            Some(message!(FEET_LOST, end = told.unit.field(off))),
         )),
         _ => Err(Refusal::NoGround),
     }
 }
 
 /// What is said of a ground that the body does not touch.
-fn apart(off: f64, unit: Unit) -> String {
-    let side = if off > 0.0 { "below" } else { "above" };
-    format!(
-        "the ground that the cameras tell lies {} {side} the soles on the surface: the body does not stand on it; heights \
-         and stature are told from the soles",
-        unit.words(off.abs())
-    )
+fn apart(off: f64, unit: Unit) -> Message {
+    let far = unit.field(off.abs());
+    match off > 0.0 {
+        true => message!(BELOW_SOLES, far = far),
+        false => message!(ABOVE_SOLES, far = far),
+    }
 }

@@ -3,7 +3,7 @@
 use crate::features::limb::limbs;
 use crate::features::standing::standing;
 use crate::import::file::{FilePlane, FileUnit, ImportError, once, read, region, word};
-use crate::landmarks::NoBody;
+use crate::landmarks::LandmarkError;
 use crate::planes::limbs::parts;
 use serde::Deserialize;
 use shape::{Cameras, GirthId, Landmark, Landmarks, Mesh, Part, PlaneSigma, Unit};
@@ -104,7 +104,7 @@ impl Stage for ImportLandmarks {
             })
         });
         let found = found.collect::<Result<Vec<_>, _>>()?;
-        let stands = standing(mesh, input.cameras.as_deref()).ok_or(NoBody)?;
+        let stands = standing(mesh, input.cameras.as_deref()).ok_or(LandmarkError::NoBody)?;
         let mut all = Landmarks {
             unit,
             found,

@@ -4,6 +4,11 @@ use crate::features::limb::{ArmSeen, Joint, Kind, Limb, Limbs};
 use crate::model::file::LevelModel;
 use crate::model::law::Place;
 use shape::Refusal;
+use stage::{Message, message};
+
+stage::messages! {
+    ARM_UNLIKE = "warn-arm-unlike": "an arm is unlike those that its joints' places were fitted on, so its intervals are wider: is it bare, does it hang or reach aside, and is the stature right?";
+}
 
 /// How sure the wrist is, against the wrist's joint of made bodies: `wrist` in `models/tables/arms.csv`; a
 /// share of stature.
@@ -11,7 +16,7 @@ const WRIST_SD: f64 = 0.0033;
 
 /// Tells the joints of both arms; an arm on which they cannot be told is refused. Says so if an arm is a
 /// stranger to the laws.
-pub fn arm_joints(limbs: &mut Limbs<'_>, model: &LevelModel) -> Option<&'static str> {
+pub fn arm_joints(limbs: &mut Limbs<'_>, model: &LevelModel) -> Option<Message> {
     let mut strange = false;
     for arm in limbs.arms_mut() {
         let Ok(limb) = arm.as_mut() else { continue };
@@ -20,10 +25,7 @@ pub fn arm_joints(limbs: &mut Limbs<'_>, model: &LevelModel) -> Option<&'static 
             Err(why) => *arm = Err(why),
         }
     }
-    strange.then_some(
-        "an arm is unlike those that its joints' places were fitted on, so its intervals are wider: is it bare, does it hang or reach \
-         aside, and is the stature right?",
-    )
+    strange.then(|| message!(ARM_UNLIKE))
 }
 
 /// Fills in an arm's joints; whether it is like those that the laws were fitted on.

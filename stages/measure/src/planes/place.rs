@@ -11,6 +11,12 @@ use crate::planes::neck_level::neck_level;
 use crate::planes::trunk::{Placed, Trunk, hip_plane, longest_hip_plane, unlike};
 use crate::planes::wanted::Waist;
 use shape::{GirthId, Landmark, Landmarks, Mesh, Missing, Part, Plane, PlaneSigma, Refusal, Side};
+use stage::{Message, message};
+
+stage::messages! {
+    NECK_UNLIKE = "warn-neck-unlike": "this neck is unlike those that its level was fitted on, so its interval is wider: is the head straight, and the neck bare?";
+    THIGHS_LOW = "warn-thighs-low": "the legs join on the surface {far} below the crotch that stature and hip suggest, so the thighs are measured lower than they may be fullest, and their intervals are wider: place the feet farther apart";
+}
 
 /// Hip, waists and chest; the waist of the user's choice is called WC, the other definitions stand
 /// beside it under their own names.
@@ -70,7 +76,7 @@ pub(crate) fn across_neck(
     body: &Body,
     law: &Law,
     found: &mut Landmarks,
-) -> Option<&'static str> {
+) -> Option<Message> {
     if !body.whole {
         // A body that is cut off: nothing tells that this is its neck.
         let missing = Missing::new(GirthId::Neck, unlike(body));
@@ -95,10 +101,7 @@ pub(crate) fn across_neck(
     match placed {
         Ok((neck, inside)) => {
             found.found.push(neck);
-            (!inside).then_some(
-                "this neck is unlike those that its level was fitted on, so its interval is wider: is the head held straight, and the \
-                 neck bare?",
-            )
+            (!inside).then(|| message!(NECK_UNLIKE))
         }
         Err(reason) => {
             found.missing.push(Missing::new(GirthId::Neck, reason));
@@ -137,7 +140,7 @@ pub(crate) fn arms(limbs: &Limbs<'_>, body: &Body, found: &mut Landmarks) {
 }
 
 /// Thigh and calf of both legs; a warning if so much of a thigh's upper end may be hidden that it matters.
-pub(crate) fn legs(limbs: &Limbs<'_>, body: &Body, found: &mut Landmarks) -> Option<String> {
+pub(crate) fn legs(limbs: &Limbs<'_>, body: &Body, found: &mut Landmarks) -> Option<Message> {
     let mut hidden = 0.0f64;
     // Legs that join below the crotch show no thigh.
     let joined = (body.hip != body.about_crotch()).then_some(match body.legs_join {
@@ -163,11 +166,5 @@ pub(crate) fn legs(limbs: &Limbs<'_>, body: &Body, found: &mut Landmarks) -> Opt
         limb(found, GirthId::Thigh(side), part, thigh);
         limb(found, GirthId::Calf(side), part, calf);
     }
-    let far = found.unit.words(hidden);
-    (hidden > 0.0).then(|| {
-        format!(
-            "the legs join on the surface {far} below the crotch that stature and hip suggest, so the thighs are measured lower than they \
-             may be fullest, and their intervals are wider: place the feet farther apart"
-        )
-    })
+    (hidden > 0.0).then(|| message!(THIGHS_LOW, far = found.unit.field(hidden)))
 }

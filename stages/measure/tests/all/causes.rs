@@ -77,8 +77,8 @@ fn halved(masks: &mut Masks, one: Option<u32>) {
 struct Heard(Mutex<Vec<String>>);
 
 impl Host for Heard {
-    fn warn(&self, text: &str) {
-        self.0.lock().unwrap().push(text.to_owned());
+    fn warn(&self, text: &stage::Message) {
+        self.0.lock().unwrap().push(text.to_string());
     }
 }
 
@@ -135,7 +135,10 @@ fn told((girths, warned): (Girths, Vec<String>)) -> Missing {
             missing.name
         );
     }
-    let times = warned.iter().filter(|w| w.contains(&first.why)).count();
+    let times = warned
+        .iter()
+        .filter(|w| w.contains(first.why.as_str()))
+        .count();
     assert_eq!(times, 1, "{warned:#?}");
     assert!(
         !warned.iter().any(|w| w.contains("two legs")) || first.reason == Refusal::NoLegs,

@@ -234,8 +234,8 @@ fn without_a_scale_lengths_are_relative_and_nothing_needs_centimetres() {
 struct Heard(Mutex<Vec<String>>);
 
 impl Host for Heard {
-    fn warn(&self, text: &str) {
-        self.0.lock().unwrap().push(text.to_owned());
+    fn warn(&self, text: &stage::Message) {
+        self.0.lock().unwrap().push(text.to_string());
     }
 }
 

@@ -43,7 +43,7 @@ fn neck(mesh: Mesh) -> Result<(Landmark, f64), String> {
     let why = landmarks.missing.iter().find(|m| m.name == "NC");
     match (found, girths.get("NC")) {
         (Some(landmark), Some(girth)) => Ok((landmark.clone(), girth.tape_mm)),
-        _ => Err(why.map_or("no reason".into(), |m| m.why.clone())),
+        _ => Err(why.map_or("no reason".into(), |m| m.why.to_string())),
     }
 }
 

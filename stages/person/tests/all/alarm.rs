@@ -10,8 +10,8 @@ use std::sync::{Arc, Mutex};
 struct Heard(Mutex<Vec<String>>);
 
 impl Host for Heard {
-    fn warn(&self, text: &str) {
-        self.0.lock().unwrap().push(text.to_owned());
+    fn warn(&self, text: &stage::Message) {
+        self.0.lock().unwrap().push(text.to_string());
     }
 }
 

@@ -35,8 +35,8 @@ fn found(photos: Vec<Photo>) -> (People, Vec<String>) {
     #[derive(Default)]
     struct Heard(Mutex<Vec<String>>);
     impl Host for Heard {
-        fn warn(&self, text: &str) {
-            self.0.lock().unwrap().push(text.to_owned());
+        fn warn(&self, text: &stage::Message) {
+            self.0.lock().unwrap().push(text.to_string());
         }
     }
     let heard = Heard::default();

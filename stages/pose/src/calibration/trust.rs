@@ -6,6 +6,21 @@ use crate::adjust::scene::{PointObservation, Scene};
 use crate::calibration::prior::knows_focal;
 use nalgebra::Vector3;
 use shape::{Camera, Cameras, PhotoId, Photos, Pose, View};
+use stage::{Message, message};
+
+stage::messages! {
+    FEW_TAGS = "warn-few-tags": "shows fewer than two tags";
+    SHARES_LITTLE = "warn-shares-little": "shares too little with the other photos";
+    NO_CAMERA = "warn-lost": "{name} (photo {number}) {why} and has no camera";
+    FOCAL = "warn-focal": "the focal length came out {off:.1 %} from the one in EXIF or capture.toml: check `focal_35mm` or `focal_px`";
+    OFF_CIRCLE = "warn-off-circle": "its camera is {off:.1 %} off the circle of the other cameras: did camera or disk move?";
+    UNDETERMINED = "warn-degenerate": "the photos do not determine all of the cameras, so their standard deviations are not to be trusted: lay a mat on the disk, or take more photos";
+    NUDGED = "warn-nudged": "its camera looks {off:.1 °} away from where the other cameras look: did the camera move?";
+    UNEVEN = "warn-uneven-turn": "the disk turned unevenly, now this way, now that: photos should be in turning order";
+    NOT_TURNED = "warn-not-turned": "between {before} and {after} the disk did not turn: remove one of them";
+    MISFIT = "warn-misfit": "its features are {off:.1 px} from where they should be, {usual:.1 px} on most photos: did camera or subject move?";
+    OTHER_STEP = "warn-other-step": "between {before} and {after} the disk turned by {turn:.0 °}, by {usual:.0 °} between most photos: is a photo missing there, or out of its place?";
+}
 
 /// Median distance between observations and projections. \[px\]
 pub(crate) fn median_px(scene: &Scene, observations: &[PointObservation]) -> f64 {
@@ -57,26 +72,25 @@ pub(crate) fn warnings(
     scene: &Scene,
     fit: &Fit,
     prior: &LensPrior,
-) -> Vec<String> {
+) -> Vec<Message> {
     let mut warnings = Vec::new();
     for (id, photo) in photos.iter().filter(|(id, _)| !ids.contains(id)) {
         let n = id.0;
         let why = match photos.rig.mat.is_some() {
-            true => "shows fewer than two tags",
-            false => "shares too little with the others",
+            true => message!(FEW_TAGS),
+            false => message!(SHARES_LITTLE),
         };
-        warnings.push(format!(
-            "{} (photo {n}) {why} and has no camera",
-            photo.name
+        warnings.push(message!(
+            NO_CAMERA,
+            name = &photo.name,
+            number = n,
+            why = why
         ));
     }
     let off = (scene.lens.focal[0] / prior.mean[0] - 1.0).abs();
     let sure = prior.sigma[0] / prior.mean[0];
     if knows_focal(&photos.rig) && off > (3.0 * sure).max(0.03) {
-        warnings.push(format!(
-            "the focal length came out {:.1} % from what EXIF or capture.toml says: check `focal_35mm` or `focal_px`",
-            off * 100.0
-        ));
+        warnings.push(message!(FOCAL, off = off * 100.0));
     }
     // A fixed camera and a turning disk: centres are on a circle around the axis.
     let ring: Vec<(f64, f64)> = scene
@@ -94,25 +108,20 @@ pub(crate) fn warnings(
         let out = libm::hypot(r - radius, z - height) / radius;
         if out > 0.02 {
             let name = photos.get(*id).map_or("", |p| p.name.as_str());
-            warnings.push(format!(
-                "{name}: its camera stands {:.1} % off the circle of the others: did camera or disk move?",
-                out * 100.0
-            ));
+            warnings.push(message!(OFF_CIRCLE, off = out * 100.0).of_what(name));
         }
     }
     if fit.sigma_mm.iter().flatten().any(|s| !s.is_finite()) {
-        warnings.push("the photos do not tell all of the cameras, so how sure they are is not to be trusted: lay a mat on the disk, or take more photos".into());
+        warnings.push(message!(UNDETERMINED));
     }
     warnings
 }
 
 /// Photos on which the camera looks elsewhere than on the rest.
-pub(crate) fn nudged(photos: &Photos, ids: &[PhotoId], poses: &[Pose]) -> Vec<String> {
+pub(crate) fn nudged(photos: &Photos, ids: &[PhotoId], poses: &[Pose]) -> Vec<Message> {
     let warning = |(i, degrees): (usize, f64)| {
         let name = photos.get(ids[i]).map_or("", |p| p.name.as_str());
-        format!(
-            "{name}: its camera looks {degrees:.1}° away from where the others look: did the camera move?"
-        )
+        message!(NUDGED, off = degrees).of_what(name)
     };
     turned(poses).into_iter().map(warning).collect()
 }
@@ -142,7 +151,7 @@ const STILL_DEG: f64 = 0.5;
 
 /// Between which photos the disk, seen by its mat, did not turn or turned otherwise than between
 /// most: photos saved twice, missing, or out of their place.
-pub(crate) fn uneven(photos: &Photos, ids: &[PhotoId], poses: &[Pose]) -> Vec<String> {
+pub(crate) fn uneven(photos: &Photos, ids: &[PhotoId], poses: &[Pose]) -> Vec<Message> {
     let turns: Vec<f64> = poses
         .windows(2)
         .map(|w| {
@@ -160,21 +169,20 @@ pub(crate) fn uneven(photos: &Photos, ids: &[PhotoId], poses: &[Pose]) -> Vec<St
         off && (even || turn * usual < 0.0)
     };
     if 3 * turns.iter().filter(|t| odd(**t)).count() > turns.len() {
-        return vec![
-            "the disk turned unevenly, now this way, now that: photos should be in turning order"
-                .into(),
-        ];
+        return vec![message!(UNEVEN)];
     }
     let name = |i: usize| photos.get(ids[i]).map_or("", |p| p.name.as_str());
     let warning = |(i, turn): (usize, &f64)| {
         let (a, b) = (name(i), name(i + 1));
         let followed = ids[i].0 + 1 == ids[i + 1].0;
         match turn.abs() < STILL_DEG {
-            true => Some(format!(
-                "between {a} and {b} the disk did not turn: remove one of them"
-            )),
-            false if odd(*turn) && followed => Some(format!(
-                "between {a} and {b} the disk turned by {turn:.0}°, by {usual:.0}° between most photos: is a photo missing there, or out of its place?"
+            true => Some(message!(NOT_TURNED, before = a, after = b)),
+            false if odd(*turn) && followed => Some(message!(
+                OTHER_STEP,
+                before = a,
+                after = b,
+                turn = turn,
+                usual = usual
             )),
             false => None,
         }
@@ -183,7 +191,7 @@ pub(crate) fn uneven(photos: &Photos, ids: &[PhotoId], poses: &[Pose]) -> Vec<St
 }
 
 /// Photos whose features fit far worse than those of most.
-pub(crate) fn misfits(cameras: &Cameras) -> Vec<String> {
+pub(crate) fn misfits(cameras: &Cameras) -> Vec<Message> {
     let known: Vec<(&str, f64)> = cameras
         .views
         .values()
@@ -193,11 +201,8 @@ pub(crate) fn misfits(cameras: &Cameras) -> Vec<String> {
     all.sort_by(f64::total_cmp);
     let usual = all.get(all.len() / 2).copied().unwrap_or(0.0);
     let worse = |(_, px): &&(&str, f64)| *px > 4.0 * usual && *px > 2.0;
-    let warning = |(name, px): &(&str, f64)| {
-        format!(
-            "{name}: its features lie {px:.1} px from where they should, {usual:.1} on most photos: did camera or subject move?"
-        )
-    };
+    let warning =
+        |(name, px): &(&str, f64)| message!(MISFIT, off = *px, usual = usual).of_what(*name);
     known.iter().filter(worse).map(warning).collect()
 }
 
@@ -238,7 +243,7 @@ mod tests {
             uneven(&photos, &ids, &poses)
         };
         let even: Vec<f64> = (0..18).map(f64::from).collect();
-        assert_eq!(found(&even), Vec::<String>::new());
+        assert_eq!(found(&even), Vec::<Message>::new());
         let (mut twice, mut missing, mut shuffled) = (even.clone(), even.clone(), even);
         twice.insert(4, 4.001);
         let warnings = found(&twice);

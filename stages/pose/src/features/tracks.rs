@@ -7,9 +7,16 @@ use crate::two_view::epipolar::{agreeing, agreeing_through};
 use crate::two_view::five_point::Both;
 use rayon::prelude::*;
 use shape::{Features, Intrinsics, Keypoints, Observation, PhotoId, Photos, Tracks};
-use stage::{Ctx, Stage, Stop};
+use stage::{Ctx, Message, Stage, Stop, message};
 use std::collections::BTreeMap;
 use std::sync::Arc;
+
+stage::messages! {
+    FEW_FEATURES = "warn-few-features": "only {seen} features are seen on other photos, too: lay a mat or a patterned cloth on the disk, or turn by smaller steps";
+    BACKGROUND_MOVED = "warn-room-moved": "between {before} and {after} the background moved by {by:.0 px} in the photo: the camera was moved; leave out what was taken before or after, or take the turn again";
+    SHOWS_SAME = "warn-shows-same": "{after} shows the same as {before}, nothing turned between them: remove one of them";
+    MORE = "warn-and-more": "and so on, {count} more photos";
+}
 
 stage::params! {
     /// Which features are one point.
@@ -139,9 +146,7 @@ impl Stage for Follow {
                 .count();
             if seen < 20 {
                 let name = input.photos.get(*id).map_or("", |p| p.name.as_str());
-                ctx.warn(format!(
-                    "{name}: only {seen} features are seen on other photos, too: lay a mat or a patterned cloth on the disk, or turn by smaller steps"
-                ));
+                ctx.warn(message!(FEW_FEATURES, seen = seen).of_what(name));
             }
         }
         Ok(tracks)
@@ -166,27 +171,25 @@ fn warnings<'a>(
     pairs: &[(usize, usize)],
     all: &[Common],
     name: &dyn Fn(usize) -> &'a str,
-) -> Vec<String> {
+) -> Vec<Message> {
     let next = || pairs.iter().zip(all).filter(|((i, j), _)| *j == i + 1);
     let mut stood: Vec<usize> = next().map(|(_, c)| c.still).collect();
     stood.sort_unstable();
     let usual = stood.get(stood.len() / 2).copied().unwrap_or(0);
-    let mut warnings: Vec<String> = Vec::new();
+    let mut warnings: Vec<Message> = Vec::new();
     for ((i, j), c) in next() {
         let (a, b) = (name(*i), name(*j));
         if let Some(px) = c.background_px {
-            warnings.push(format!("between {a} and {b} the room moved by {px:.0} px in the photo: the camera was moved; leave out what was taken before or after, or take the turn again"));
+            warnings.push(message!(BACKGROUND_MOVED, before = a, after = b, by = px));
         }
         if c.matches.is_empty() && c.still > 100 && c.still > usual * 11 / 10 {
-            warnings.push(format!(
-                "{b} shows the same as {a}, nothing turned between them: remove one of them"
-            ));
+            warnings.push(message!(SHOWS_SAME, after = b, before = a));
         }
     }
     if warnings.len() > 5 {
         let more = warnings.len() - 4;
         warnings.truncate(4);
-        warnings.push(format!("and so on, {more} more photos"));
+        warnings.push(message!(MORE, count = more));
     }
     warnings
 }

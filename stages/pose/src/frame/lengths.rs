@@ -6,10 +6,20 @@ use crate::frame::tag_scale::{Known, TagScale, tag_scale};
 use crate::frame::two_points::{NoLength, between};
 use crate::mat::recognise::printed;
 use shape::{Cameras, GIVEN_STATURE, Length, Reference, Rig, Scale, Tags};
+use stage::{Message, Template, message};
+
+stage::messages! {
+    BY_STATURE = "find-from-reference-stature": "the reference length (stature)";
+    BY_DISK = "find-from-reference-disk": "the reference length (disk)";
+    BY_TAG = "find-from-reference-tag": "the reference length (tag size)";
+    BY_POINTS = "find-from-reference-points": "the reference length (two points)";
+    UNKNOWN_KIND = "warn-reference": "the reference of kind `{kind}` is not known here: `points`, `subject_height`, `disk_diameter` and `tag_size` are";
+    TWO_TAGS = "warn-two-tags": "[mat] has tags of {mat} mm, [reference] of {reference} mm: [mat] was taken; measure a printed tag and correct the other";
+}
 
 /// A length that is known, and what it makes of a unit.
 pub(crate) struct Measure {
-    pub(crate) what: &'static str,
+    pub(crate) what: Template,
     pub(crate) scale: Scale,
     pub(crate) mm_per_unit: f64,
     pub(crate) sigma: Option<f64>,
@@ -59,7 +69,7 @@ pub(crate) fn measures(
     cameras: &Cameras,
     rig: &Rig,
     seen: &Seen,
-    warn: impl Fn(String),
+    warn: impl Fn(Message),
 ) -> Vec<Measure> {
     let mut measures = printed_marks(cameras, seen);
     let tall = |mm: f64, what, scale| {
@@ -97,31 +107,29 @@ pub(crate) fn measures(
     if let Some(reference) = &rig.reference {
         let mm = reference.length_mm;
         measures.extend(match reference.kind.as_str() {
-            "subject_height" => tall(mm, "the reference length (stature)", Scale::Reference),
-            "disk_diameter" => round(mm, "the reference length (disk)", Scale::Reference),
+            "subject_height" => tall(mm, BY_STATURE, Scale::Reference),
+            "disk_diameter" => round(mm, BY_DISK, Scale::Reference),
             "points" => pointed(cameras, reference)
-                .map_err(|why| warn(why.to_string()))
+                .map_err(|why| warn(why.message()))
                 .ok(),
             "tag_size" => tag_size(mm, rig, measures.first(), &warn),
             other => {
-                warn(format!(
-                    "the reference of kind `{other}` is not known here: `points`, `subject_height`, `disk_diameter` and `tag_size` are"
-                ));
+                warn(message!(UNKNOWN_KIND, kind = other));
                 None
             }
         });
     }
     let disk = rig.disk_diameter_mm;
-    measures.extend(disk.and_then(|mm| round(mm, "the disk's diameter", Scale::Disk)));
+    measures.extend(disk.and_then(|mm| round(mm, Length::Disk.template(), Scale::Disk)));
     let stature = rig.stature_mm;
-    measures.extend(stature.and_then(|mm| tall(mm, "the stature", Scale::Stature)));
+    measures.extend(stature.and_then(|mm| tall(mm, Length::Stature.template(), Scale::Stature)));
     measures
 }
 
 /// What marks of known size give: the mat that made the cameras, or tags that did not.
 fn printed_marks(cameras: &Cameras, seen: &Seen) -> Vec<Measure> {
     let mat = (cameras.scale == Scale::Mat).then_some(Measure {
-        what: "the mat",
+        what: Length::Mat.template(),
         scale: Scale::Mat,
         mm_per_unit: 1.0,
         sigma: cameras.scale_sigma,
@@ -130,7 +138,7 @@ fn printed_marks(cameras: &Cameras, seen: &Seen) -> Vec<Measure> {
         slip: 0.0,
     });
     let tags = seen.tags.map(|tags| Measure {
-        what: "the marker tags",
+        what: Length::Tags.template(),
         scale: Scale::Tags,
         mm_per_unit: tags.mm_per_unit,
         sigma: Some(tags.sigma),
@@ -146,17 +154,15 @@ fn tag_size(
     mm: f64,
     rig: &Rig,
     marks: Option<&Measure>,
-    warn: &impl Fn(String),
+    warn: &impl Fn(Message),
 ) -> Option<Measure> {
     let tag = rig.mat?.tag_mm;
     if (mm / tag - 1.0).abs() <= 0.002 {
         return None;
     }
-    warn(format!(
-        "[mat] says that tags are {tag} mm, [reference] that they are {mm} mm: [mat] was taken; measure a printed tag and correct the other"
-    ));
+    warn(message!(TWO_TAGS, mat = tag, reference = mm));
     Some(Measure {
-        what: "the reference length (tag size)",
+        what: BY_TAG,
         scale: Scale::Reference,
         mm_per_unit: marks?.mm_per_unit * mm / tag,
         sigma: Some(RULER_MM / mm),
@@ -170,7 +176,7 @@ fn tag_size(
 fn pointed(cameras: &Cameras, reference: &Reference) -> Result<Measure, NoLength> {
     let found = between(cameras, reference)?;
     Ok(Measure {
-        what: "the reference length (two points)",
+        what: BY_POINTS,
         scale: Scale::Reference,
         mm_per_unit: reference.length_mm / found.length,
         sigma: Some(found.sigma),

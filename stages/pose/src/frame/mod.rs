@@ -12,4 +12,4 @@ pub(crate) mod placed_tag;
 pub(crate) mod stage;
 pub(crate) mod stature;
 pub(crate) mod tag_scale;
-mod two_points;
+pub(crate) mod two_points;

@@ -7,8 +7,16 @@ use crate::frame::lengths::{Measure, Seen, by_tags, floor, measures};
 use crate::frame::stature::{Stature, stature};
 use nalgebra::{Point3, Rotation3};
 use shape::{CONTRADICTION, Cameras, Length, Masks, Photos, Scale, Tags};
-use stage::{Ctx, Stage, Stop};
+use stage::{Ctx, Message, Stage, Stop, Template, message};
 use std::sync::Arc;
+
+stage::messages! {
+    NO_EDGE = "warn-no-edge": "neither the disk's edge nor soles were seen: the ground is put at the lowest feature, so heights and stature may be off; keep feet and disk in view";
+    NO_LENGTH = "warn-relative": "no length is known (no mat or tags of known size, reference, disk or stature that could be seen): lengths are relative to the camera ring's radius, called 1000 mm";
+    DISAGREE = "warn-disagree": "{first} and {other} disagree by {off:.1 %}: {first} was taken; check both in capture.toml";
+    CONTRADICT = "warn-disputed-layout": "{other} and {first} contradict each other by {off:.0 %}, more than either can err: lengths are relative, without centimetres; correct one of the two, or leave out the one that you are less sure of";
+    CONTRADICT_CM = "warn-disputed": "{other} was given as {given:.1 cm}, but by {first} it is {seen:.1 cm}, and neither can err by so much: lengths are relative, without centimetres; correct one of the two, leave out the one that you are less sure of, or look whether the masks lack legs or head";
+}
 
 stage::params! {
     /// What is taken for a disk's edge, and how far scales may disagree.
@@ -53,17 +61,19 @@ stage::inputs! {
 /// `pose.frame`: cameras, photos, masks → cameras.
 pub struct Frame;
 
-/// Two known lengths that cannot both be what they are called.
-#[derive(Debug, thiserror::Error)]
-#[error(
-    "{first} and {other} contradict each other by {percent:.0} %, so nothing tells how large the body is: capture.toml is wrong about one of them \
-     (correct it, or leave out the one you are less sure of), or the silhouettes lack legs or head (`tailor show masks --as sheet` shows them), or the \
-     cameras are wrong (take more photos, or put a mat on the disk)"
-)]
-struct Contradiction {
-    first: &'static str,
-    other: &'static str,
-    percent: f64,
+stage::failures! {
+    /// Two known lengths that cannot both be what they are called.
+    pub(crate) enum FrameError {
+        /// They contradict each other so far that cameras or masks may be wrong.
+        Contradict {
+            /// One.
+            first: Message,
+            /// The other.
+            other: Message,
+            /// How far. \[%\]
+            off: f64,
+        } = "fail-contradict": "{first} and {other} contradict each other by {off:.0 %}, so the body's size is not known: capture.toml is wrong about one of them (correct it, or leave out the one you are less sure of), or the silhouettes lack legs or head (`tailor show masks --as sheet` shows them), or the cameras are wrong (take more photos, or put a mat on the disk)",
+    }
 }
 
 impl Stage for Frame {
@@ -141,7 +151,7 @@ impl Stage for Frame {
             return Ok(cameras.clone());
         }
         if edge.is_none() && body.is_none() && floor.is_none() {
-            ctx.warn("neither the disk's edge nor soles were seen: the ground lies at the lowest feature, so heights and stature may be off; keep feet and disk in view");
+            ctx.warn(message!(NO_EDGE));
         }
         let size = first.mm_per_unit;
         let disk = rig.disk_diameter_mm.map(|d| d / 2.0);
@@ -157,7 +167,7 @@ impl Stage for Frame {
 /// Cameras whose unit nothing tells; before there are masks, a stature that is given cannot be seen yet.
 fn unscaled(input: &FrameInput, ground: f64, ctx: &Ctx<'_>) -> Cameras {
     if input.masks.is_some() || input.photos.rig.stature_mm.is_none() {
-        ctx.warn("nothing tells of millimetres (no mat or tags of known size, reference, disk or stature that could be seen): lengths are relative to the camera ring's radius, called 1000 mm");
+        ctx.warn(message!(NO_LENGTH));
     }
     on_ground(&input.cameras, ground, 1.0)
 }
@@ -179,17 +189,17 @@ fn compare(
     scale: Scale,
     p: &FrameParams,
     ctx: &Ctx<'_>,
-) -> Result<bool, Contradiction> {
+) -> Result<bool, FrameError> {
     let off = other.mm_per_unit / first.mm_per_unit - 1.0;
-    let bare = |what: &'static str| what.strip_prefix("the ").unwrap_or(what);
+    let bare = |what: Template| what.english.strip_prefix("the ").unwrap_or(what.english);
     let name = format!("{} and {}: difference", bare(other.what), bare(first.what));
     ctx.metric(&name, (off * 1e4).round() / 100.0, "%");
     let settled = matches!(scale, Scale::Mat | Scale::Disputed(_));
     if !settled && off.abs() > p.contradiction {
-        return Err(Contradiction {
-            first: first.what,
-            other: other.what,
-            percent: off * 100.0,
+        return Err(FrameError::Contradict {
+            first: Message::new(&first.what, []),
+            other: Message::new(&other.what, []),
+            off: off * 100.0,
         });
     }
     let far = |errs: f64| off.abs() > p.disagreement.max(CONTRADICTION * errs);
@@ -198,31 +208,30 @@ fn compare(
         return Ok(true);
     }
     if far(both(first.sigma, other.sigma)) {
-        ctx.warn(format!(
-            "{} and {} disagree by {:.1} %: {} was taken; check what capture.toml says of both",
-            first.what,
-            other.what,
-            off * 100.0,
-            first.what
+        ctx.warn(message!(
+            DISAGREE,
+            first = Message::new(&first.what, []),
+            other = Message::new(&other.what, []),
+            off = off * 100.0
         ));
     }
     Ok(false)
 }
 
 /// The warning on two lengths that cannot both be right.
-fn disputed(first: &Measure, other: &Measure, off: f64) -> String {
-    let (what, by) = (other.what, first.what);
-    let percent = 100.0 * off.abs();
+fn disputed(first: &Measure, other: &Measure, off: f64) -> Message {
+    let [by, what] = [first.what, other.what].map(|what| Message::new(&what, []));
     let Some(mm) = other.given else {
-        return format!(
-            "{what} and {by} contradict each other by {percent:.0} %, more than either can err: lengths are relative, without \
-             centimetres; correct one of the two, or leave out the one that you are less sure of"
-        );
+        let percent = 100.0 * off.abs();
+        return message!(CONTRADICT, other = what, first = by, off = percent);
     };
     let (given, seen) = (mm / 10.0, mm / 10.0 / (1.0 + off));
-    format!(
-        "{what} was given as {given:.1} cm, but by {by} it is {seen:.1} cm, and neither can err by so much: lengths are relative, without \
-         centimetres; correct one of the two, leave out the one that you are less sure of, or look whether the masks lack legs or head"
+    message!(
+        CONTRADICT_CM,
+        other = what,
+        given = given,
+        first = by,
+        seen = seen
     )
 }
 

@@ -3,6 +3,14 @@
 use crate::two_view::triangulate::triangulate;
 use nalgebra::{Matrix3, Point3};
 use shape::{Camera, Cameras, Reference};
+use stage::{Message, message};
+
+stage::messages! {
+    NO_PHOTO = "warn-points-photo": "the two points of [reference] are given for {name}, which is no photo of the capture, or one without a camera: correct the name, or point at another; the length was passed over";
+    FEW_PHOTOS = "warn-points-few": "the two points of [reference] are seen in {count} {count|photo|photos} with a camera, from too much the same side: point at them in photos that were taken some steps apart; the length was passed over";
+    MISS = "warn-points-miss": "the two points of [reference] miss each other by {off:.0 px} from photo to photo: are they the same two in each, in the same order, at full size, and do they move with the subject? The length was passed over";
+    UNSURE = "warn-points-unsure": "the length between the two points of [reference] has a standard deviation of {sigma:.0 %}: point at two that are farther apart, in more photos; the length was passed over";
+}
 
 /// Standard deviation of a pointed pixel, of each coordinate (by hand). \[px\]
 const POINTED_PX: f64 = 2.0;
@@ -22,28 +30,28 @@ pub(crate) struct Between {
 }
 
 /// Why two points have no length.
-#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[derive(Debug, Clone, PartialEq)]
 pub(crate) enum NoLength {
     /// A name that no photo has.
-    #[error(
-        "the two points of [reference] are told for {0}, which is no photo of the capture, or one without a camera: correct the name, or point at another; the length was passed over"
-    )]
     Photo(String),
     /// Too few photos, or from one side only.
-    #[error(
-        "the two points of [reference] are seen in {0} photos with a camera, from too much the same side: point at them in photos that were taken some steps apart; the length was passed over"
-    )]
     Few(usize),
     /// Rays that do not meet.
-    #[error(
-        "the two points of [reference] miss each other by {0:.0} px from photo to photo: are they the same two in each, in the same order, at full size, and do they move with the subject? The length was passed over"
-    )]
     Miss(f64),
     /// A length lost in its own doubt.
-    #[error(
-        "the length between the two points of [reference] is sure to {0:.0} % only: point at two that lie farther apart, in more photos; the length was passed over"
-    )]
     Unsure(f64),
+}
+
+impl NoLength {
+    /// As people read it.
+    pub(crate) fn message(&self) -> Message {
+        match self {
+            NoLength::Photo(name) => message!(NO_PHOTO, name = name),
+            NoLength::Few(count) => message!(FEW_PHOTOS, count = count),
+            NoLength::Miss(px) => message!(MISS, off = px),
+            NoLength::Unsure(percent) => message!(UNSURE, sigma = percent),
+        }
+    }
 }
 
 /// How long the way is between the two points of a reference.

@@ -6,8 +6,14 @@ use crate::import::foreign::{Foreign, ForeignError, Model};
 use crate::import::text::{from_json, from_middlebury};
 use nalgebra::{Point2, Point3, Rotation3, Vector3};
 use shape::{Camera, Cameras, Intrinsics, Photos, Scale, View};
-use stage::{Ctx, Files, FilesError, Stage, Stop};
+use stage::{Ctx, Files, FilesError, Stage, Stop, message};
 use std::sync::Arc;
+
+stage::messages! {
+    NO_CAMERA = "warn-no-camera": "{count} {count|photo has|photos have} no camera in the file and {count|is|are} left out";
+    NO_CIRCLE = "warn-no-circle": "the cameras are on no circle: the file's world was kept; if they are of one turn, check the file";
+    NO_UNIT = "warn-no-unit": "the file names no unit and `unit_mm` is 0: lengths are relative";
+}
 
 stage::choice! {
     /// Which world the cameras come out in.
@@ -92,9 +98,7 @@ impl Stage for Import {
         let cameras = placed(&model, &input.photos, unit)?;
         let missing = input.photos.photos.len() - cameras.views.len();
         if missing > 0 {
-            ctx.warn(format!(
-                "{missing} photos have no camera in the file and are left out"
-            ));
+            ctx.warn(message!(NO_CAMERA, count = missing));
         }
         let keep = match p.world {
             World::Auto => model.ground.is_some(),
@@ -106,7 +110,7 @@ impl Stage for Import {
         } else {
             match camera_circle(&cameras) {
                 None => {
-                    ctx.warn("the cameras stand on no circle: the file's world was kept; if they are of one turn, check the file");
+                    ctx.warn(message!(NO_CIRCLE));
                     cameras
                 }
                 Some(circle) => {
@@ -121,7 +125,7 @@ impl Stage for Import {
             }
         };
         if unit.is_none() {
-            ctx.warn("the file says nothing of its unit and `unit_mm` is 0: lengths are relative");
+            ctx.warn(message!(NO_UNIT));
         }
         ctx.metric("cameras", cameras.views.len() as f64, "");
         Ok(cameras)

@@ -11,8 +11,16 @@ use crate::mat::layout::mat_for;
 use crate::mat::planar::homography;
 use nalgebra::{Matrix3, Vector2, Vector3};
 use shape::{Mat, Tag, Tags};
+use stage::{Message, message};
 use std::collections::{BTreeMap, BTreeSet};
 use std::f64::consts::TAU;
+
+stage::messages! {
+    FOUND = "warn-mat-known": "the mat was recognised: {count} tags, numbers {first} to {last}, on a ring with a radius of {radius:.1 mm}";
+    ABOUT = "warn-mat-about": "the mat was recognised: {count} tags, numbers {first} to {last}, on a ring with a radius of {radius:.1 mm}, to within {open:.0 mm} ({share:.2 %} of all lengths): measure it from the middle to a tag's middle and give --mat-ring and --mat-ids {first}-{last}, or hand over the mat's file with --mat";
+    ODD_RING = "warn-mat-odd": "the tags are on a ring with a radius of {radius:.1 mm} if they are {tag} mm wide, and `tailor mat` lays out none like that: measure a printed tag again, or describe the mat in `[mat]` of capture.toml; the tags are not used";
+    NO_RING = "warn-mat-no-ring": "the tags in the photos are not on a ring as a mat of `tailor mat` has them: describe the mat in `[mat]` of capture.toml; the tags are not used";
+}
 
 /// A ring of tags.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -214,35 +222,38 @@ pub fn recognised(
     tags: &Tags,
     tag_mm: f64,
     disk_mm: Option<f64>,
-    report: impl Fn(&str),
+    report: impl Fn(Message),
 ) -> Option<Mat> {
     let ring = ringed(tags);
     let mat = ring.and_then(|ring| as_printed(&ring, tag_mm, disk_mm));
     match (ring, mat) {
         (_, Some((mat, open_mm))) => {
             let last = mat.first_id + mat.count - 1;
-            let sure = match open_mm > 0.0 {
-                true => format!(
-                    ", to within {open_mm:.0} mm ({:.2} % of all lengths): measure it from the middle to a tag's middle and say --mat-ring and --mat-ids {}-{last}, \
-                     or hand over the mat's file with --mat",
-                    100.0 * open_mm / mat.ring_mm,
-                    mat.first_id
+            let (count, first, radius) = (mat.count, mat.first_id, mat.ring_mm);
+            report(match open_mm > 0.0 {
+                true => message!(
+                    ABOUT,
+                    count = count,
+                    first = first,
+                    last = last,
+                    radius = radius,
+                    open = open_mm,
+                    share = 100.0 * open_mm / mat.ring_mm
                 ),
-                false => String::new(),
-            };
-            report(&format!(
-                "the mat was recognised: {} tags, numbers {} to {last}, on a ring with a radius of {:.1} mm{sure}",
-                mat.count, mat.first_id, mat.ring_mm
-            ));
+                false => message!(
+                    FOUND,
+                    count = count,
+                    first = first,
+                    last = last,
+                    radius = radius
+                ),
+            });
         }
-        (Some(ring), None) => report(&format!(
-            "the tags lie on a ring with a radius of {:.1} mm if they are {tag_mm} mm wide, and `tailor mat` lays out none like that: measure a printed tag \
-             again, or tell of the mat in `[mat]` of capture.toml; the tags are not used",
-            ring.ring * tag_mm
-        )),
-        (None, None) => report(
-            "the tags in the photos do not lie on a ring as a mat of `tailor mat` has them: tell of the mat in `[mat]` of capture.toml; the tags are not used",
-        ),
+        (Some(ring), None) => {
+            let radius = ring.ring * tag_mm;
+            report(message!(ODD_RING, radius = radius, tag = tag_mm));
+        }
+        (None, None) => report(message!(NO_RING)),
     }
     mat.map(|(mat, _)| mat)
 }

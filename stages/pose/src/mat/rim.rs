@@ -10,7 +10,13 @@ use crate::calibration::params::CalibrateParams;
 use crate::mat::bloom::{adjust_tags, scatter_px};
 use nalgebra::{Point3, Vector2};
 use shape::{Camera, Rim, Tag};
+use stage::{Message, message};
 use std::collections::BTreeMap;
+
+stage::messages! {
+    UNSEEN = "warn-rim-few": "capture.toml has tags on the disk's rim, but only {count} observations of them are good for anything: check `[rim]` (ids, count, radius), the light on the rim, and that it is in view";
+    MISFIT = "warn-rim-off": "the tags on the disk's rim are {rim:.2 px} from where they should be, those on the disk {mat:.2 px}: they were left out; measure a printed tag and the disk, and check `tag_size_mm` and `radius_mm` of `[rim]`";
+}
 
 /// How far along the rim and how deep a tag may sit from where it seems to at first. \[mm\]
 pub(crate) const GLUE_MM: f64 = 5.0;
@@ -33,16 +39,20 @@ pub(crate) struct Better {
 }
 
 /// Why the rim is of no use.
-#[derive(Debug, thiserror::Error)]
+#[derive(Debug)]
 pub(crate) enum RimError {
-    #[error(
-        "capture.toml tells of tags on the disk's rim, but only {0} observations of them are good for anything: check `[rim]` (ids, count, radius), the light on the rim, and that it is in view"
-    )]
     Unseen(usize),
-    #[error(
-        "the tags on the disk's rim lie {rim:.2} px from where they should be, those on the disk {mat:.2} px: they were left out; measure a printed tag and the disk, and check `tag_size_mm` and `radius_mm` of `[rim]`"
-    )]
     Misfit { rim: f64, mat: f64 },
+}
+
+impl RimError {
+    /// As people read it.
+    pub(crate) fn message(&self) -> Message {
+        match self {
+            RimError::Unseen(count) => message!(UNSEEN, count = count),
+            RimError::Misfit { rim, mat } => message!(MISFIT, rim = rim, mat = mat),
+        }
+    }
 }
 
 /// Adjusts cameras that follow from the mat once more, to mat and rim. `tags`: those of each camera.

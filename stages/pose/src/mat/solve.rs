@@ -24,27 +24,22 @@ use shape::{
     View,
 };
 
-/// Why a mat gives no cameras.
-#[derive(Debug, thiserror::Error)]
-pub enum MatError {
-    /// Too few photos show it.
-    #[error(
-        "only {seen} of {of} photos show two tags of the mat: check `[mat]` in capture.toml (family, ids, count), the light on the disk, and that it is in view"
-    )]
-    Unseen {
-        /// How many do.
-        seen: usize,
-        /// How many photos there are.
-        of: usize,
-    },
-    /// Its tags are elsewhere than in the mat's layout.
-    #[error(
-        "the mat does not fit what `[mat]` in capture.toml says: its tags are seen {rms:.1} px from where they should be; check tag size, ring radius and ids"
-    )]
-    Misfit {
-        /// Root mean square. \[px\]
-        rms: f64,
-    },
+stage::failures! {
+    /// Why a mat gives no cameras.
+    pub enum MatError {
+        /// Too few photos show it.
+        Unseen {
+            /// How many do.
+            seen: usize,
+            /// How many photos there are.
+            of: usize,
+        } = "fail-mat-unseen": "only {seen} of {of} photos show two tags of the mat: check `[mat]` in capture.toml (family, ids, count), the light on the disk, and that it is in view",
+        /// Its tags are elsewhere than in the mat's layout.
+        Misfit {
+            /// Root mean square. \[px\]
+            rms: f64,
+        } = "fail-mat-misfit": "the mat does not fit `[mat]` in capture.toml: its tags are seen {rms:.1 px} from where they should be; check tag size, ring radius and ids",
+    }
 }
 
 /// A photo, its camera as its tags alone give it, and those tags.
@@ -83,7 +78,7 @@ pub(crate) fn calibrate(
                 rim_tags = better.tags;
                 (scene, observations, fit) = (better.scene, better.observations, better.fit);
             }
-            Err(why) => rim_warning = Some(why.to_string()),
+            Err(why) => rim_warning = Some(why.message()),
         }
     }
     let ids: Vec<PhotoId> = placed.iter().map(|(id, ..)| *id).collect();

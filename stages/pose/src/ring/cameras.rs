@@ -11,6 +11,13 @@ use crate::frame::circle::{camera_circle, in_ring_frame};
 use crate::ring::error::TracksError;
 use crate::ring::trial::RING_MM;
 use shape::{ByPhoto, Cameras, PhotoId, Photos, Scale, View};
+use stage::message;
+
+stage::messages! {
+    FEW_HOLD = "warn-few-hold": "{name} has only {count} features in common with other photos: its camera follows from those of the other photos; is it in its place in the turning order?";
+    FEW_FIT = "warn-few-fit": "only {share:.0 %} of the features fit the cameras: look at the camera ring before you trust it";
+    NO_FOCAL = "warn-no-focal": "the focal length is unknown and the photos hardly determine it: give `focal_35mm` in capture.toml";
+}
 
 /// An adjusted scene without a scale.
 pub(crate) struct Solved {
@@ -75,19 +82,13 @@ pub(crate) fn to_cameras(
     }
     warnings.extend(misfits(&cameras));
     for view in cameras.views.values().filter(|v| v.points < 30) {
-        warnings.push(format!(
-            "{} holds on to only {} features: its camera follows from those of the others; is it in its place in the turning order?",
-            view.name, view.points
-        ));
+        warnings.push(message!(FEW_HOLD, name = &view.name, count = view.points));
     }
     if share < 0.5 {
-        warnings.push(format!(
-            "only {:.0} % of the features fit the cameras: look at the camera ring before you trust it",
-            share * 100.0
-        ));
+        warnings.push(message!(FEW_FIT, share = share * 100.0));
     }
     if !knows_focal(&photos.rig) && fit.lens_sigma[0] > 0.02 * scene.lens.focal[0] {
-        warnings.push("the focal length is unknown and the photos hardly tell it: give `focal_35mm` in capture.toml".into());
+        warnings.push(message!(NO_FOCAL));
     }
     Ok(Found {
         cameras,

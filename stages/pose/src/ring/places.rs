@@ -4,6 +4,13 @@
 //! it on, fits the rest far better some whole steps elsewhere is tried, the best change first.
 
 use crate::ring::start::{Pair, Start, essential, robust};
+use stage::{Message, message};
+
+stage::messages! {
+    LARGE_STEP = "warn-large-step": "between {before} and {after} the disk turned by {turn:.0 °}, not {usual:.0 °}: is a photo missing there?";
+    NO_STEP = "warn-no-step": "between {before} and {after} the disk did not turn: remove one of them";
+    WRONG_PLACE = "warn-wrong-place": "{after} comes before {before} in the turn, not behind it: put the photos into turning order";
+}
 
 /// Changes by so many steps are tried.
 const MOVES: [i32; 6] = [-3, -2, -1, 1, 2, 3];
@@ -100,27 +107,24 @@ fn gain(
 }
 
 /// What the user should know of photos that are not in their place.
-pub(crate) fn out_of_place(names: &[&str], places: &[i32], step_deg: f64) -> Vec<String> {
+pub(crate) fn out_of_place(names: &[&str], places: &[i32], step_deg: f64) -> Vec<Message> {
     let mut warnings = Vec::new();
     for (i, w) in places.windows(2).enumerate() {
         let turn = w[1] - w[0];
         if turn == 1 {
             continue;
         }
+        let (before, after) = (names[i], names[i + 1]);
         warnings.push(match turn {
-            2.. => format!(
-                "between {} and {} the disk turned by {:.0}°, not {step_deg:.0}°: is a photo missing there?",
-                names[i], names[i + 1], f64::from(turn) * step_deg
+            2.. => message!(
+                LARGE_STEP,
+                before = before,
+                after = after,
+                turn = f64::from(turn) * step_deg,
+                usual = step_deg
             ),
-            0 => format!(
-                "between {} and {} the disk did not turn: remove one of them",
-                names[i],
-                names[i + 1]
-            ),
-            _ => format!(
-                "{} stands before {} in the turn, not behind it: put the photos into turning order",
-                names[i + 1], names[i]
-            ),
+            0 => message!(NO_STEP, before = before, after = after),
+            _ => message!(WRONG_PLACE, after = after, before = before),
         });
     }
     warnings
@@ -207,7 +211,7 @@ mod tests {
             proof::near(found.angles[9], f64::from(places[9]) * STEP, 1e-9);
             let warnings = out_of_place(&names, &at, 20.0);
             match begins {
-                None => assert_eq!(warnings, Vec::<String>::new()),
+                None => assert_eq!(warnings, Vec::<Message>::new()),
                 Some(begins) => assert!(
                     warnings[0].starts_with(begins) || warnings[1].starts_with(begins),
                     "{warnings:?}"

@@ -16,6 +16,11 @@ use crate::ring::start::{Known, Pair, starts};
 use crate::ring::trial::tried_out;
 use crate::ring::trusted::Trusted;
 use shape::{ByPhoto, Intrinsics, PhotoId, Photos, Placed, Tracks};
+use stage::message;
+
+stage::messages! {
+    SWAYED = "warn-swayed": "the subject moved against the disk (free cameras would follow it): lens and steps are those of EXIF and capture.toml, and the standard deviations of the cameras are unknown";
+}
 
 /// Photos are taken for shifted where features are nearer by this factor once that is taken out (by hand).
 const STEADIER: f64 = 0.95;
@@ -97,9 +102,7 @@ pub(crate) fn calibrate(
         .warnings
         .extend(out_of_place(&names, &places, step_deg));
     if swaying {
-        found.warnings.push(
-            "the subject moved against the disk (free cameras would follow it): lens and steps were kept at what EXIF and capture.toml have, and how sure the cameras are is unknown".into(),
-        );
+        found.warnings.push(message!(SWAYED));
     }
     Ok(found)
 }

@@ -4,8 +4,14 @@ use crate::mat::recognise::ringed;
 use crate::tags::corners::refined;
 use rayon::prelude::*;
 use shape::{ByPhoto, Photo, PhotoId, Photos, Tag, Tags};
-use stage::{Ctx, Stage, Stop};
+use stage::{Ctx, Message, Stage, Stop, message};
 use std::sync::Arc;
+
+stage::messages! {
+    UNUSED = "warn-tags-unused": "marker tags (family 36h11, numbers {first} to {last}) are seen on {seen} of {photos} photos that were searched, but none are given, so they are not used; {layout}";
+    AS_MAT = "warn-tags-mat": "they are as on a mat of `tailor mat` ({count} tags on a ring of {ring:.2} times a tag's size): give the edge length of a printed tag's black square as you measure it, such as --mat-tag 60, or hand over the mat's own file with --mat";
+    NO_MAT = "warn-tags-strange": "they are not as on a mat of `tailor mat`: describe them in `[mat]` of capture.toml, or cover them";
+}
 
 stage::params! {
     /// How tags are searched.
@@ -130,21 +136,21 @@ fn glanced(all: &[(PhotoId, &Photo)], p: &TagsParams, ctx: &Ctx<'_>) -> Result<b
 }
 
 /// The warning on tags that were not given.
-fn unused_tags(tags: &Tags) -> Option<String> {
+fn unused_tags(tags: &Tags) -> Option<Message> {
     let seen = tags.views.values().filter(|v| !v.is_empty()).count();
     let ids = || tags.views.values().flatten().map(|t| t.id);
     let (first, last) = (ids().min()?, ids().max()?);
     let layout = match ringed(tags) {
-        Some(ring) => format!(
-            "they lie as a mat of `tailor mat` ({} tags on a ring of {:.2} times a tag's size): say the edge length of a printed tag's black square \
-             as you measure it, such as --mat-tag 60, or hand over the mat's own file with --mat",
-            ring.count, ring.ring
-        ),
-        None => "they do not lie as a mat of `tailor mat` does: tell of them in `[mat]` of capture.toml, or cover them".into(),
+        Some(ring) => message!(AS_MAT, count = ring.count, ring = ring.ring),
+        None => message!(NO_MAT),
     };
-    Some(format!(
-        "marker tags (family 36h11, numbers {first} to {last}) are seen on {seen} of {} photos that were searched, but nothing is said of them, so they are not used; {layout}",
-        tags.views.len()
+    Some(message!(
+        UNUSED,
+        first = first,
+        last = last,
+        seen = seen,
+        photos = tags.views.len(),
+        layout = layout
     ))
 }
 

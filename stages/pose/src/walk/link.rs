@@ -201,7 +201,7 @@ fn hangs_together(
     Err(WalkError::Apart {
         most,
         of: photos,
-        others: alone.len(),
+        rest: alone.len(),
         names: alone
             .iter()
             .take(5)

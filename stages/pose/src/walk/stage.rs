@@ -12,8 +12,13 @@ use crate::walk::rules::Growth;
 use crate::walk::world::{nearby, on_side, turn, world};
 use nalgebra::Point3;
 use shape::{ByPhoto, Camera, Cameras, PhotoId, Photos, Scale, Tracks, View};
-use stage::{Ctx, Stage, Stop};
+use stage::{Ctx, Stage, Stop, message};
 use std::sync::Arc;
+
+stage::messages! {
+    NO_CAMERA = "warn-walk-lost": "{name} (photo {number}) shares too little with the other photos and has no camera";
+    SIDEWAYS = "warn-sideways": "the photos are on their side; which end of the subject is up was guessed from where the cameras look down: turn the photos upright to be sure";
+}
 
 stage::params! {
     /// What is believed before anything is seen, and what holds a camera.
@@ -135,10 +140,8 @@ impl Stage for Walk {
             .into());
         }
         for id in &missing {
-            ctx.warn(format!(
-                "{} (photo {}) shares too little with the others and has no camera",
-                photos.photos[id.0 as usize].name, id.0
-            ));
+            let name = &photos.photos[id.0 as usize].name;
+            ctx.warn(message!(NO_CAMERA, name = name, number = id.0));
         }
         let cameras = placed(photos, &done, ctx)?;
         ctx.metric("cameras", cameras.views.len() as f64, "");
@@ -232,7 +235,7 @@ fn placed(photos: &Photos, done: &Finished, ctx: &Ctx<'_>) -> Result<Cameras, Wa
     let points: Vec<Point3<f64>> = model.spots.iter().map(|s| s.at).collect();
     let world = world(&list, &points).ok_or(WalkError::NoBeginning)?;
     if on_side(&list) {
-        ctx.warn("the photos lie on their side; which end of the subject is up was guessed from where the cameras look down: turn the photos upright to be sure");
+        ctx.warn(message!(SIDEWAYS));
     }
     let cameras = Cameras {
         views,

@@ -132,7 +132,7 @@ fn sample() -> (shape::Tags, Vec<String>) {
 struct Heard(std::sync::Mutex<Vec<String>>);
 
 impl stage::Host for Heard {
-    fn warn(&self, text: &str) {
+    fn warn(&self, text: &stage::Message) {
         self.0.lock().unwrap().push(text.into());
     }
 }

@@ -6,31 +6,33 @@ use shape::{Cameras, Intrinsics, Mask, Masks, Mesh, PhotoError, PhotoId, Photos,
 use stage::Hash;
 use std::sync::Arc;
 
-/// Why a surface cannot be refined.
-#[derive(Debug, thiserror::Error)]
-pub enum RefineError {
-    /// Too few photos.
-    #[error("only {0} photos have a camera, but a surface needs at least 2 that see it")]
-    TooFew(usize),
-    /// A mesh with holes, or that touches itself.
-    #[error("the mesh cannot be refined; repair it, or start from `hull.carve`")]
-    Mesh(#[from] shape::MeshFault),
-    /// A mesh without faces.
-    #[error("the mesh has no face")]
-    Empty,
-    /// Photos and cameras that do not belong together.
-    #[error("photo {name} is {photo:?} pixels, but its camera was calibrated for {camera:?}")]
-    Size {
-        /// The photo.
-        name: String,
-        /// Its size.
-        photo: [u32; 2],
-        /// The camera's.
-        camera: [u32; 2],
-    },
-    /// No part of the mesh is seen twice.
-    #[error("no part of the mesh is seen by two photos: do mesh and cameras belong together?")]
-    Unseen,
+stage::failures! {
+    /// Why a mesh cannot be refined.
+    pub enum RefineError {
+        /// Too few photos.
+        TooFew(count: usize) = "fail-surface-few": "only {count} photos have a camera, but a surface needs at least 2 that see it",
+        /// A mesh with holes, or that touches itself.
+        Mesh(fault: String) = "fail-surface-fault": "the mesh cannot be refined ({fault}); repair it, or start from `hull.carve`",
+        /// A mesh without faces.
+        Empty = "fail-surface-empty": "the mesh has no face",
+        /// Photos and cameras that do not belong together.
+        Size {
+            /// The photo.
+            name: String,
+            /// Its size.
+            photo: String,
+            /// The camera's.
+            camera: String,
+        } = "fail-photo-size": "photo {name} is {photo} pixels, but its camera was calibrated for {camera}",
+        /// No part of the mesh is seen twice.
+        Unseen = "fail-surface-unseen": "no part of the mesh is seen by two photos: do mesh and cameras belong together?",
+    }
+}
+
+impl From<shape::MeshFault> for RefineError {
+    fn from(fault: shape::MeshFault) -> Self {
+        RefineError::Mesh(fault.to_string())
+    }
 }
 
 /// Checks a mesh before anything is done to it.
@@ -92,8 +94,8 @@ pub fn pictures<E: From<RefineError> + From<PhotoError> + Send>(
             if [photo.width, photo.height] != [lens.width, lens.height] {
                 return Err(RefineError::Size {
                     name: photo.name.clone(),
-                    photo: [photo.width, photo.height],
-                    camera: [lens.width, lens.height],
+                    photo: format!("{}×{}", photo.width, photo.height),
+                    camera: format!("{}×{}", lens.width, lens.height),
                 }
                 .into());
             }

@@ -14,7 +14,11 @@ use crate::surface::progress::Progress;
 use crate::surface::smooth::medians;
 use rayon::prelude::*;
 use shape::{Adjacency, Mesh};
-use stage::{Ctx, Stage, Stop};
+use stage::{Ctx, Stage, Stop, message};
+
+stage::messages! {
+    WORSE = "warn-evolve": "the evolution made the photos agree less; the mesh is handed on as it came: look at masks and cameras";
+}
 
 /// A surface, such as a hull, and the photos that it is compared with.
 pub type EvolveInput = TurnInput;
@@ -80,7 +84,7 @@ impl Stage for Evolve {
             steps.tick()?;
         }
         if state.score <= state.first && p.iterations > 0 {
-            ctx.warn("the evolution made the photos agree less; the mesh is handed on as it came: look at masks and cameras");
+            ctx.warn(message!(WORSE));
         }
         ctx.metric("consistency before", state.first, "");
         ctx.metric("consistency", state.score, "");

@@ -10,8 +10,14 @@ use crate::surface::params::OptimizeSurfaceParams;
 use crate::surface::round::{RoundStats, one_round};
 use crate::surface::sweep::Search;
 use shape::{Cameras, Masks, Mesh, Photos, Warps};
-use stage::{Ctx, Stage, Stop};
+use stage::{Ctx, Stage, Stop, message};
 use std::sync::Arc;
+
+stage::messages! {
+    LITTLE_SEEN = "warn-seen-by-two": "only {share:.0 %} of the surface is seen by two photos or more: take more photos of the turn, or look at the masks";
+    AGREE_LESS = "warn-agree-less": "the photos agree less on the optimized surface than on the one that came in: look at masks and cameras before you trust girths to a millimetre";
+    CROSSING = "warn-crossing": "{count} {count|pair|pairs} of faces pass through each other: look at the surface there before you take a girth across";
+}
 
 stage::inputs! {
     /// A surface and the photos it is held against.
@@ -110,20 +116,17 @@ impl Stage for OptimizeSurface {
             mut mesh, stats, ..
         } = state;
         if stats.seen < 0.5 {
-            ctx.warn(format!(
-                "only {:.0} % of the surface is seen by two photos or more: take more photos of the turn, or look at the masks",
-                stats.seen * 100.0
-            ));
+            ctx.warn(message!(LITTLE_SEEN, share = stats.seen * 100.0));
         }
         if stats.consistency < stats.before - 0.02 {
-            ctx.warn("the photos agree less on the optimized surface than on the one that came in: look at masks and cameras before you trust girths to a millimetre");
+            ctx.warn(message!(AGREE_LESS));
         }
         if p.neck_edges > 0 {
             pinch(&mut mesh, p.neck_edges as usize);
         }
         let crossed = mend(&mut mesh);
         if crossed > 0 {
-            ctx.warn(format!("{crossed} pairs of faces pass through each other: look at the surface there before you take a girth across"));
+            ctx.warn(message!(CROSSING, count = crossed));
         }
         ctx.metric("consistency", stats.consistency, "");
         ctx.metric("seen twice", stats.seen, "");

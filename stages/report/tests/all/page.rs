@@ -248,7 +248,7 @@ fn surfaces_that_are_equal_share_a_button_and_optional_ones_get_theirs() {
 fn what_is_missing_for_one_reason_is_named_once() {
     let mut input = input();
     let missing = &mut Arc::make_mut(&mut input.girths).missing;
-    let why = missing[0].why.clone();
+    let why = missing[0].why.to_string();
     missing.push(Missing::because(GirthId::Chest, Refusal::NoNeck, &why));
     let page = page_of(&HtmlParams::default(), input);
     assert!(page.contains("<li><b>neck, chest</b> (NC, CC): there is no neck</li>"));

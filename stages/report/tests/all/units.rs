@@ -214,7 +214,7 @@ fn a_child_is_compared_with_the_growth_reference_and_no_threshold_of_adults() {
     let figure = |age_months| {
         page_for(|g| {
             (g.stature_mm, g.age_months) = (Some(812.0), age_months);
-            g.ratios = vec![("WHtR".into(), 0.537, String::new())];
+            g.ratios = vec![("WHtR".into(), 0.537, "".into())];
         })
     };
     let unsaid = figure(None);

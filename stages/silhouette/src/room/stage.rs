@@ -10,8 +10,14 @@ use crate::room::full_size::{Views, at_full_size, shots};
 use crate::room::rounds::{Cuts, standing, without_plate};
 use crate::scene::still_and_disk::Shot;
 use shape::{Aligned, Cameras, FoundBody, Image, InPhoto, People, Photo, PhotoId, Photos, Scene};
-use stage::{Ctx, Stage, Stop};
+use stage::{Ctx, Message, Stage, Stop, message};
 use std::sync::Arc;
+
+stage::messages! {
+    BY_COLOURS = "warn-by-colour": "{why}; so photos are cut by colours alone";
+    NO_PLATE = "warn-no-plate": "there is no plate: the empty scene is guessed from what does not move, and may cost parts of the body; look at the masks, or take one photo without the subject and call it plate.jpg";
+    PATCH = "warn-patch": "a patch of a colour that the body has nowhere else counts as body where no photo shows the empty scene: is it a bit of wall beside arm or trunk? girths there may be too large; look at these masks";
+}
 
 stage::params! {
     /// How the empty scene is found together with the body.
@@ -79,7 +85,7 @@ impl Stage for Room {
             if !boxed {
                 return Err(why.into());
             }
-            ctx.warn(format!("{why}; so photos are cut by colours alone"));
+            ctx.warn(message!(BY_COLOURS, why = why.to_string()));
             return Ok(Scene::unknown());
         }
         let people = input.people.as_deref();
@@ -177,14 +183,12 @@ fn people_on(shots: &[Shot], people: Option<&People>, factor: usize) -> Vec<Sens
 }
 
 /// What to look at, photos by name.
-fn warnings(doubted: &[PhotoId], photos: &Photos) -> Vec<String> {
-    let all = "there is no plate: the empty scene is guessed from what stands still, and may cost parts of the body; look at the masks, or take one photo without the subject and call it plate.jpg";
-    let one = "a patch of a colour that the body has nowhere else counts as body where no photo shows the empty room: is it a bit of wall beside arm or trunk? girths there may be too large; look at these masks";
+fn warnings(doubted: &[PhotoId], photos: &Photos) -> Vec<Message> {
     let name = |id: &PhotoId| photos.get(*id).map(|p| p.name.as_str());
     let names: Vec<&str> = doubted.iter().filter_map(name).collect();
-    let mut warnings = vec![all.to_owned()];
+    let mut warnings = vec![message!(NO_PLATE)];
     if !names.is_empty() {
-        warnings.push(format!("{}: {one}", names.join(", ")));
+        warnings.push(message!(PATCH).of_what(names));
     }
     warnings
 }

@@ -7,6 +7,15 @@ use crate::walk::floor_cut::FloorCut;
 use crate::walk::params::{WalkCutError, WalkParams};
 use crate::walk::space::Scene;
 use shape::{Image, Photos};
+use stage::{Message, message};
+
+stage::messages! {
+    LACKING = "warn-amid": "{share:.0 %} of the features amid the cameras are in no outline: is a part of the subject lacking, or is something beside it? look at the masks (`tailor show masks --as sheet`)";
+    BORDER_CUT = "warn-border": "the subject runs over the border of {names}: what is cut off is lacking";
+    SAME_COLOURS = "warn-same-colours": "subject and background have nearly the same colours there; look at the masks (`tailor show masks --as sheet`)";
+    ODD_OUTLINE = "warn-unlike": "the outline is not what the other photos show; look at the masks (`tailor show masks --as sheet`)";
+    BOTTOM = "warn-bottom": "what is under the subject is taken for part of it, down to {height:.0 mm}, where photos begin to cut it off; give its lower end (`--set masks.bottom_mm=…`, in the frame of the cameras)";
+}
 
 /// All that is judged; lists are by shot.
 pub(crate) struct Judged<'a> {
@@ -30,8 +39,6 @@ pub(crate) struct Judged<'a> {
 const NAMED: f64 = 0.1;
 /// Share of a photo's border that a mask may touch.
 const BORDER: f64 = 0.002;
-/// What to do about it.
-const LOOK: &str = "look at the masks (`tailor show masks --as sheet`)";
 /// Names that are listed.
 const NAMES: usize = 6;
 
@@ -102,7 +109,7 @@ pub(crate) struct Judgement {
     /// Names and values. \[%\]
     pub(crate) metrics: [(&'static str, f64); 4],
     /// What is doubtful.
-    pub(crate) warnings: Vec<String>,
+    pub(crate) warnings: Vec<Message>,
 }
 
 /// Whether the masks are to be believed.
@@ -154,19 +161,15 @@ fn names(all: &Judged<'_>, which: &[usize]) -> String {
 }
 
 /// What is told though it is no reason to stop.
-fn warnings(p: &WalkParams, all: &Judged<'_>, found: &Measured, cut_off: &[usize]) -> Vec<String> {
-    let mut said = vec![];
+fn warnings(p: &WalkParams, all: &Judged<'_>, found: &Measured, cut_off: &[usize]) -> Vec<Message> {
+    let mut warnings = vec![];
     if found.lacking > p.most_lacking / LACKING_TOLD {
-        said.push(format!(
-            "{:.0} % of the features that stand amid the cameras are in no outline: is a part of the subject lacking, or does something stand beside it? {LOOK}",
-            100.0 * found.lacking
-        ));
+        let share = 100.0 * found.lacking;
+        warnings.push(message!(LACKING, share = share));
     }
     if !cut_off.is_empty() {
         let list = names(all, cut_off);
-        said.push(format!(
-            "the subject runs over the border of {list}: what is cut off is lacking"
-        ));
+        warnings.push(message!(BORDER_CUT, names = list));
     }
     let which = |is: &dyn Fn(usize) -> bool| -> Vec<usize> {
         (0..found.told.len()).filter(|k| is(*k)).collect()
@@ -174,23 +177,17 @@ fn warnings(p: &WalkParams, all: &Judged<'_>, found: &Measured, cut_off: &[usize
     let alike = which(&|k| found.told[k] < p.least_told - NAMED);
     if !alike.is_empty() {
         let list = names(all, &alike);
-        said.push(format!(
-            "{list}: subject and room have nearly the same colours there; {LOOK}"
-        ));
+        warnings.push(message!(SAME_COLOURS).of_what(list));
     }
     let odd = which(&|k| found.agree[k].min(all.settled[k]) < p.least_agreement - NAMED);
     if !odd.is_empty() {
         let list = names(all, &odd);
-        said.push(format!(
-            "{list}: the outline is not what the other photos show; {LOOK}"
-        ));
+        warnings.push(message!(ODD_OUTLINE).of_what(list));
     }
     let (height, cell) = (all.cutter.height, all.subject.block.cell);
     let on_floor = all.scene.space.floor.is_some_and(|f| height <= f + cell);
     if !on_floor && height > p.bottom_mm {
-        said.push(format!(
-            "what the subject stands on is taken for part of it, down to {height:.0} mm, where photos begin to cut it off; say where it ends (`--set masks.bottom_mm=…`, in the frame of the cameras)"
-        ));
+        warnings.push(message!(BOTTOM, height = height));
     }
-    said
+    warnings
 }

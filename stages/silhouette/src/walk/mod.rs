@@ -23,3 +23,6 @@ mod voxels;
 
 pub use params::{WalkCutError, WalkParams};
 pub use stage::{Walk, WalkInput};
+
+/// Every kind of message of these files.
+pub(crate) const MESSAGES: &[::stage::Template] = judged::MESSAGES;

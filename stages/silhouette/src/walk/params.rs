@@ -55,52 +55,26 @@ stage::params! {
     }
 }
 
-/// Why there are no masks.
-#[derive(Debug, thiserror::Error)]
-pub enum WalkCutError {
-    /// Too few cameras.
-    #[error(
-        "only {0} photos have a camera, but to tell a subject from its room by a walk around it takes at least {1}: take more photos, all the way round, or hand in masks"
-    )]
-    Few(usize, usize),
-    /// Cameras on one side.
-    #[error(
-        "the cameras leave {0:.0}° around the subject open: walk all the way round, or hand in masks"
-    )]
-    OneSide(f64),
-    /// Nothing that all see.
-    #[error(
-        "there is no place that nearly all cameras look at: keep the subject amid the photos, or hand in masks"
-    )]
-    NoMiddle,
-    /// Nothing found.
-    #[error(
-        "nothing amid the cameras differs from the room by its colours: is the subject in the middle of the photos? hand in masks, or take the photos before another background"
-    )]
-    Nothing,
-    /// Colours alike.
-    #[error(
-        "subject and room have nearly the same colours: beside the outline only {0:.0} % of the pixels lie on the side that their colour tells ({1:.0} % are asked for, `least_told`), so the masks would be guesses: hand in masks, or take the photos before another background"
-    )]
-    Alike(f64, f64),
-    /// Masks that change.
-    #[error(
-        "the outlines do not settle: those of the last two passes share only {0:.0} % ({1:.0} % are asked for, `least_agreement`): hand in masks"
-    )]
-    Unsettled(f64, f64),
-    /// Masks that contradict each other.
-    #[error(
-        "the outlines contradict each other: each shares only {0:.0} % with what all together show ({1:.0} % are asked for, `least_agreement`): did the subject move, or stand aside? hand in masks"
-    )]
-    Contradict(f64, f64),
-    /// Parts are lacking.
-    #[error(
-        "{0:.0} % of the features that stand amid the cameras are in no outline (at most {1:.0} % may be, `most_lacking`): a part of the subject has the room's colours, or more than the subject stands there: hand in masks, or take the photos before another background"
-    )]
-    Lacking(f64, f64),
-    /// Cut off.
-    #[error(
-        "the subject runs over the border of {0} of {1} photos ({2}): take photos that show it whole, or hand in masks"
-    )]
-    CutOff(usize, usize, String),
+stage::failures! {
+    /// Why a walk gives no masks.
+    pub enum WalkCutError {
+        /// Too few cameras.
+        Few(found: usize, least: usize) = "fail-walk-views": "only {found} photos have a camera, but to separate a subject from the background by a walk around it takes at least {least}: take more photos, all the way round, or hand in masks",
+        /// Cameras on one side.
+        OneSide(gap: f64) = "fail-walk-open": "the cameras leave {gap:.0 °} around the subject open: walk all the way round, or hand in masks",
+        /// Nothing that all see.
+        NoMiddle = "fail-walk-nowhere": "there is no place that nearly all cameras look at: keep the subject amid the photos, or hand in masks",
+        /// Nothing found.
+        Nothing = "fail-walk-nothing": "nothing amid the cameras differs from the background by its colours: is the subject in the middle of the photos? hand in masks, or take the photos before another background",
+        /// Colours alike.
+        Alike(share: f64, least: f64) = "fail-walk-colours": "subject and background have nearly the same colours: beside the outline only {share:.0 %} of the pixels are on the side of their colour ({least:.0 %} are asked for, `least_told`), so the masks would be guesses: hand in masks, or take the photos before another background",
+        /// Masks that change.
+        Unsettled(share: f64, least: f64) = "fail-walk-unsettled": "the outlines do not settle: those of the last two passes share only {share:.0 %} ({least:.0 %} are asked for, `least_agreement`): hand in masks",
+        /// Masks that contradict each other.
+        Contradict(share: f64, least: f64) = "fail-walk-contradict": "the outlines contradict each other: each shares only {share:.0 %} with what all together show ({least:.0 %} are asked for, `least_agreement`): did the subject move, or step aside? hand in masks",
+        /// Parts are lacking.
+        Lacking(share: f64, most: f64) = "fail-walk-lacking": "{share:.0 %} of the features amid the cameras are in no outline (at most {most:.0 %} may be, `most_lacking`): a part of the subject has the background's colours, or more than the subject is there: hand in masks, or take the photos before another background",
+        /// Cut off.
+        CutOff(count: usize, of: usize, names: String) = "fail-walk-border": "the subject runs over the border of {count} of {of} photos ({names}): take photos that show it whole, or hand in masks",
+    }
 }

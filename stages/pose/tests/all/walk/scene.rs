@@ -134,7 +134,7 @@ pub(crate) fn tracks(cameras: &[Camera], noise_px: f64) -> Tracks {
 pub(crate) struct Listening(pub(crate) Mutex<Vec<String>>);
 
 impl Host for Listening {
-    fn warn(&self, text: &str) {
+    fn warn(&self, text: &stage::Message) {
         self.0.lock().unwrap().push(text.into());
     }
     fn metric(&self, _: Metric) {}

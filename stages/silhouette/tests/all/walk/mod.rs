@@ -14,7 +14,7 @@ use std::sync::{Arc, Mutex};
 struct Listening(Mutex<Vec<String>>);
 
 impl Host for Listening {
-    fn warn(&self, text: &str) {
+    fn warn(&self, text: &stage::Message) {
         self.0.lock().unwrap().push(text.into());
     }
 }
@@ -105,7 +105,7 @@ fn where_skin_has_the_floor_s_colour_what_is_lacking_is_told() {
     let (mean, _) = against(&came.masks.unwrap(), &came.truth);
     assert!(mean > 0.8, "{mean}");
     let told =
-        |said: &String| said.contains("features that stand amid the cameras are in no outline");
+        |said: &String| said.contains("features amid the cameras are in no outline");
     assert!(came.said.iter().any(told), "{:?}", came.said);
 }
 
