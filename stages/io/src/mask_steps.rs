@@ -83,7 +83,7 @@ pub fn evidence_to_png(evidence: &Evidence, photos: &Photos) -> NamedFiles {
     views.map(one).collect()
 }
 
-/// Each reduced photo in four shades: black and white what all photos together make certain, dark and light gray what
+/// Each reduced photo in four shades: black and white what is certain before any cut, dark and light gray what
 /// the cut decided.
 pub fn labels_to_png(labels: &Labels, photos: &Photos) -> NamedFiles {
     let one = |(id, label): (PhotoId, &shape::Label)| {
@@ -143,7 +143,6 @@ mod tests {
             factor: 1,
             photo: Rgb::filled(2, 1, [60; 3]),
             background: vec![4.5, 28.5],
-            background_in_any_light: vec![4.5, 28.5],
             against_disk: vec![],
             person: vec![],
             known: vec![Known::Unknown; 2],

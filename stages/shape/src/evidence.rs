@@ -43,8 +43,6 @@ pub struct PhotoEvidence {
     pub photo: Rgb,
     /// -ln p(pixel | background), up to a constant that is the same for all pixels. \[nats\]
     pub background: Vec<f32>,
-    /// The same in any light: as far as a hole amid the body may trust it. \[nats\]
-    pub background_in_any_light: Vec<f32>,
     /// By how much the disk's grain speaks against the bare disk; empty where nobody asked. \[nats\]
     pub against_disk: Vec<f32>,
     /// Log-odds of the body by a learned sense of a person; empty where the photos show none, or nobody asked. \[nats\]
@@ -59,12 +57,7 @@ impl PhotoEvidence {
     /// Hash of all of it: for [`stage::Ctx::part`].
     pub fn content(&self) -> Hash {
         let known: Vec<u8> = self.known.iter().map(|k| *k as u8).collect();
-        let costs = [
-            &self.background,
-            &self.background_in_any_light,
-            &self.against_disk,
-            &self.person,
-        ];
+        let costs = [&self.background, &self.against_disk, &self.person];
         let mut bytes = format!("{} {}", self.factor, self.noise_levels).into_bytes();
         let mut add = |part: &[u8]| bytes.extend_from_slice(stage::hash(part).as_bytes());
         add(self.photo.data.as_flattened());
@@ -98,17 +91,11 @@ pub struct Evidence {
 type Row = (u32, [u32; 2], u32, f32);
 
 /// The sections of a photo's costs.
-const COSTS: [&str; 4] = ["background", "in any light", "against disk", "person"];
-
-/// Bits of one that differ from those of the other: mostly none.
-fn differing(a: &[f32], b: &[f32]) -> Vec<f32> {
-    let bits = a.iter().zip(b).map(|(a, b)| a.to_bits() ^ b.to_bits());
-    bits.map(f32::from_bits).collect()
-}
+const COSTS: [&str; 3] = ["background", "against disk", "person"];
 
 impl Artifact for Evidence {
     const KIND: &'static str = "evidence";
-    const FORMAT: u32 = 1;
+    const FORMAT: u32 = 2;
 
     fn pack(&self, to: &mut Packer) {
         let row = |(id, e): (PhotoId, &PhotoEvidence)| -> Row {
@@ -119,8 +106,7 @@ impl Artifact for Evidence {
         for (PhotoId(id), e) in self.views.iter() {
             to.section(format!("photo {id}"), &e.photo.data);
             to.section(format!("known {id}"), &Known::bytes(&e.known));
-            let light = differing(&e.background_in_any_light, &e.background);
-            let costs = [&e.background, &light, &e.against_disk, &e.person];
+            let costs = [&e.background, &e.against_disk, &e.person];
             for (name, cost) in COSTS.iter().zip(costs) {
                 let (lengths, kept) = repeats(cost);
                 to.section(format!("{name} {id} lengths"), &lengths);
@@ -139,7 +125,6 @@ impl Artifact for Evidence {
                 repeated(&lengths, &from.section(&format!("{name} {id}"))?, count)
             };
             let background = cost(COSTS[0], count)?;
-            let light = cost(COSTS[1], count)?;
             // Where nobody asked there is none.
             let if_asked = |name: &str| -> Result<Vec<f32>, Corrupt> {
                 let asked: Vec<u32> = from.section(&format!("{name} {id} lengths"))?;
@@ -151,10 +136,9 @@ impl Artifact for Evidence {
             }
             let evidence = PhotoEvidence {
                 factor,
-                background_in_any_light: differing(&light, &background),
                 background,
-                against_disk: if_asked(COSTS[2])?,
-                person: if_asked(COSTS[3])?,
+                against_disk: if_asked(COSTS[1])?,
+                person: if_asked(COSTS[2])?,
                 known: Known::from_bytes(&from.section(&format!("known {id}"))?, count)?,
                 photo,
                 noise_levels,
@@ -176,7 +160,6 @@ mod tests {
             factor: 3,
             photo: Rgb::filled(3, 2, [4, 5, 6]),
             background: vec![4.5, 4.5, 4.5, 4.5, 4.5, 28.5],
-            background_in_any_light: vec![4.5, 4.5, 4.25, 4.5, 4.5, 9.0],
             against_disk,
             person: vec![],
             known: vec![

@@ -14,7 +14,7 @@ pub type MixtureRow = [f64; 13];
 pub struct Label {
     /// True is body.
     pub body: Image<bool>,
-    /// What was certain when it was labelled, by all photos together.
+    /// What was certain when it was labelled.
     pub known: Vec<Known>,
     /// The mixture of the body's colours.
     pub body_colors: Vec<MixtureRow>,

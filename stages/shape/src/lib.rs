@@ -105,7 +105,7 @@ pub use refusal::Refusal;
 pub use register::register;
 pub use registered::{median, registered};
 pub use rig::{CONTRADICTION, GIVEN_STATURE, Mat, Reference, Rig, Rim, SeenEnds};
-pub use scene::{FoundBody, HullCells, InPhoto, Scene, Seen};
+pub use scene::{FoundBody, InPhoto, Scene, Seen};
 pub use silhouette::{DISSENT_DEPTH, MIN_DISSENT_PHOTOS, Silhouette, deep_dissent, sole_dissent};
 pub use solid::{Furrow, Level, Part as SolidPart, Solid};
 pub use some_photos::some_photos;

@@ -44,23 +44,6 @@ pub struct FoundBody {
     pub background_patches: Vec<u32>,
 }
 
-/// Cells of the body's hull, x fastest.
-#[derive(Debug, Clone, PartialEq)]
-pub struct HullCells {
-    /// Centre of the first cell, in the turntable frame. \[mm\]
-    pub origin_mm: [f64; 3],
-    /// Side of a cell. \[mm\]
-    pub cell_mm: f64,
-    /// Cells along each axis.
-    pub count: [u32; 3],
-    /// Which are body.
-    pub solid: Vec<bool>,
-    /// Height of the body. \[mm\]
-    pub height_mm: f64,
-    /// The middle of the block. \[mm\]
-    pub middle_mm: [f64; 3],
-}
-
 /// The scene without the body: what does not move, and the top of the disk, which turns.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Scene {
@@ -73,8 +56,6 @@ pub struct Scene {
     pub views: ByPhoto<InPhoto>,
     /// The body on each photo, where scene and body were found together.
     pub bodies: ByPhoto<FoundBody>,
-    /// The hull of the bodies, where there is one.
-    pub hull: Option<HullCells>,
 }
 
 impl Scene {
@@ -85,7 +66,6 @@ impl Scene {
             disk: None,
             views: ByPhoto::default(),
             bodies: ByPhoto::default(),
-            hull: None,
         }
     }
 
@@ -106,7 +86,6 @@ impl Scene {
             disk: self.disk.clone(),
             views: ByPhoto::default(),
             bodies: ByPhoto::default(),
-            hull: self.hull.clone(),
         })
     }
 
@@ -124,34 +103,22 @@ fn size<T>(image: &Image<T>) -> Size {
 
 /// Photo, has tones, the disk's turn.
 type ViewRow = (u32, bool, Option<f64>);
-/// Origin, cell, count, height, middle.
-type HullRow = ([f64; 3], f64, [u32; 3], f64, [f64; 3]);
-/// Size of the still picture, side of the disk's map, views, bodies, hull.
-type Meta = (
-    Size,
-    Option<Size>,
-    Vec<ViewRow>,
-    Vec<(u32, Size)>,
-    Option<HullRow>,
-);
+/// Size of the still picture, side of the disk's map, views, bodies.
+type Meta = (Size, Option<Size>, Vec<ViewRow>, Vec<(u32, Size)>);
 
 impl Artifact for Scene {
     const KIND: &'static str = "scene";
-    const FORMAT: u32 = 1;
+    const FORMAT: u32 = 2;
 
     fn pack(&self, to: &mut Packer) {
         let views = self.views.iter();
         let views = views.map(|(id, v)| (id.0, v.tones.is_some(), v.disk_turn));
         let bodies = self.bodies.iter().map(|(id, b)| (id.0, size(&b.body)));
-        let hull = |h: &HullCells| -> HullRow {
-            (h.origin_mm, h.cell_mm, h.count, h.height_mm, h.middle_mm)
-        };
         let meta: Meta = (
             size(&self.still.image),
             self.disk.as_ref().map(|disk| size(&disk.image)),
             views.collect(),
             bodies.collect(),
-            self.hull.as_ref().map(hull),
         );
         to.meta(&meta);
         for (name, seen) in [("still", Some(&self.still)), ("disk", self.disk.as_ref())] {
@@ -170,13 +137,10 @@ impl Artifact for Scene {
             let patches = format!("background patches {}", id.0);
             to.section(patches, &found.background_patches);
         }
-        if let Some(hull) = &self.hull {
-            to.section("hull", &sides(&hull.solid));
-        }
     }
 
     fn unpack(from: &Unpacker<'_>) -> Result<Self, Corrupt> {
-        let (still, disk, views, bodies, hull): Meta = from.meta()?;
+        let (still, disk, views, bodies): Meta = from.meta()?;
         let view = |(id, toned, disk_turn): ViewRow| {
             let tones = toned.then(|| tones(from, &format!("tones {id}")));
             let tones = tones.transpose()?;
@@ -198,17 +162,6 @@ impl Artifact for Scene {
             };
             Ok((PhotoId(id), found))
         };
-        let cells = |(origin_mm, cell_mm, along, height_mm, middle_mm): HullRow| {
-            let solid = from_sides(&from.section("hull")?, count(&along))?;
-            Ok::<_, Corrupt>(HullCells {
-                origin_mm,
-                cell_mm,
-                count: along,
-                solid,
-                height_mm,
-                middle_mm,
-            })
-        };
         Ok(Scene {
             still: seen(from, "still", still)?,
             disk: disk.map(|side| seen(from, "disk", side)).transpose()?,
@@ -220,7 +173,6 @@ impl Artifact for Scene {
                 .into_iter()
                 .map(body)
                 .collect::<Result<_, Corrupt>>()?,
-            hull: hull.map(cells).transpose()?,
         })
     }
 }
@@ -264,14 +216,6 @@ mod tests {
             disk: Some(Seen::whole(Rgb::filled(2, 2, [1; 3]))),
             views: [(PhotoId(3), view)].into_iter().collect(),
             bodies: [(PhotoId(3), found)].into_iter().collect(),
-            hull: Some(HullCells {
-                origin_mm: [-1.0, 0.0, 2.0],
-                cell_mm: 8.5,
-                count: [1, 2, 1],
-                solid: vec![false, true],
-                height_mm: 1700.0,
-                middle_mm: [0.0, 1.0, 850.0],
-            }),
         }
     }
 

@@ -97,7 +97,7 @@ fn main() {
     let one = || {
         let ready = prepare(&photo, &without, None, 800, 150.0);
         let (sides, gmm): (Image<bool>, _) = coarse(&ready, &settings).expect("a body");
-        fine(&photo, &without, &ready, &sides, &gmm, None, &settings).area()
+        fine(&photo, &without, &ready, &sides, &gmm, &settings).area()
     };
     let (took, area) = least(3, one);
     println!("mask of a photo of 1600×2400: {took:.0} ms, {area:.0} pixels");

@@ -26,8 +26,8 @@
 //! A labelling gives each pixel p of each photo a side, body or background, so that
 //!
 //! ```text
-//! E = Σ U_p(side)  +  γ Σ C_pq [sides differ]  +  λ Σ [side of p against what all photos say of it]     [nats]
-//!     pixels          neighbours (8)              pixels on whose ray all photos agree
+//! E = Σ U_p(side)  +  γ Σ C_pq [sides differ]     [nats]
+//!     pixels          neighbours (8)
 //! ```
 //!
 //! is least. It is found by least cuts, photo by photo (`cut/least_cut.rs`, `maxflow.rs`; Boykov and Kolmogorov 2004),
@@ -42,13 +42,11 @@
 //! | U(body) | -ln of the mixture of the body's colours or, one time in three, of any colour | `likelihood/body.rs`, `gmm.rs` |
 //! | | ∞ below the disk's top, beside it, and beyond the user's rectangle | `likelihood/prepared.rs`, `align/rectangle.rs` |
 //! | both | … and the log-odds of a learned sense of a person, on the side that they speak against; next to what evidently is body they say nothing of a gap that the network cannot see | `likelihood/person.rs` |
-//! | both | … and the log-odds of all other photos: how deep a pixel's ray passes into the hull of their bodies, or that it misses it, worth what the photos of the capture show of such pixels; with odds, the background costs no more than what is evidently body | `label/between_photos.rs` |
+//! | both | … and the log-odds of all other photos: how deep a pixel's ray passes into the hull of their bodies, or how far beside it, and whether the photo from the other side shows background there, worth what the photos of the capture show of such pixels; with odds, the background costs no more than what no scene foresees, by how often the photo shows such where all other photos see the background | `label/between_photos.rs` |
 //! | γ C | (0.15 + 0.85 exp(-β d²)) / 8, d by colours, β of the photo; an edge that the scene has by itself is not one | `cut/least_cut.rs` |
-//! | λ | ∞: what the hull of all photos makes certain, two photos may dissent. 0 where this photo shows the scene to the level, or something like it over a patch of the size of a gap | `label/consensus.rs`, `consensus_in_photo.rs` |
 //! | parts | the body is the largest part; until all other photos are weighed in, of its holes stay those that the scene explains | `label/parts.rs` |
 //!
-//! Beside the energy, each with its reason in its file: a hole whose rays pass far through the hull of the others is
-//! filled (`label/see_through_holes.rs`); patches that stay in place as the body turns are background
+//! Beside the energy, each with its reason in its file: patches that stay in place as the body turns are background
 //! (`room/background_patches.rs`); narrow ends of gaps are followed at full size (`border/narrow_gaps.rs`). The scene of a
 //! turn is a labelling of its own: of all levels that recur at a pixel (`room/recurring_levels.rs`) those that go over
 //! smoothly into each other (`room/scene_labelling.rs`, by `message_passing.rs`; Kolmogorov 2006).

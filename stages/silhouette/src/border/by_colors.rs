@@ -44,5 +44,5 @@ pub(crate) fn fine_by_colors(
         height: photo.height,
         data: fine,
     };
-    coverage(&largest(&fine, &|_| [0.0; 2]))
+    coverage(&largest(&fine, &|_| 0.0))
 }

@@ -6,7 +6,6 @@ use crate::border::tiles::{band, tiles};
 use crate::cut::least_cut::{Known, Window};
 use crate::label::color_cut::{Settings, cut};
 use crate::label::parts::largest;
-use crate::label::see_through_holes::Depths;
 use crate::likelihood::background::{FLAT, Likeness, Noise};
 use crate::likelihood::gmm::Gmm;
 use crate::likelihood::grounds::Grounds;
@@ -18,15 +17,13 @@ use std::ops::Range;
 /// Half the side of neighbourhoods. \[px\]
 const REACH: usize = 2;
 
-/// The border of a coarse cut again at full size, window by window so that memory stays small. `depths`
-/// says how far the rays of coarse pixels pass through the hull of the other photos, if anything does.
+/// The border of a coarse cut again at full size, window by window so that memory stays small.
 pub fn fine(
     pixels: &Rgb,
     without: &Backdrop,
     ready: &Prepared,
     coarse: &Image<bool>,
     gmm: &Gmm,
-    depths: Option<&Depths>,
     settings: &Settings,
 ) -> Mask {
     let factor = ready.factor;
@@ -60,7 +57,7 @@ pub fn fine(
         let rows = window.y..window.y + window.height;
         let of_window: Vec<f32> = rows
             .flat_map(|y| &cost[y * width + window.x..][..window.width])
-            .copied()
+            .map(|cost| ready.foreseen_or_not(*cost))
             .collect();
         let known = |i: usize| settled.at(i % width, i / width);
         let person = settled.within(&ready.person, &window);
@@ -78,18 +75,8 @@ pub fn fine(
             sides.data[y * width..][left..right].copy_from_slice(&body[from..][..right - left]);
         }
     }
-    let before = depths.map(|_| sides.clone());
     follow(&mut sides, &likeness, without, gmm);
-    if let (Some(before), Some(depths)) = (before, depths) {
-        settled.close_see_through_holes(&mut sides, &before, depths);
-    }
-    let cost = |i: usize| {
-        let i = settled.small(i % width, i / width);
-        match ready.weighed {
-            true => [FLAT; 2],
-            false => [ready.cost[i], ready.explained[i]],
-        }
-    };
+    let cost = |i: usize| ready.of_hole(settled.small(i % width, i / width));
     soft_border(pixels, image, &largest(&sides, &cost), noise)
 }
 
@@ -137,33 +124,6 @@ impl Settled {
 
     fn at(&self, x: usize, y: usize) -> Known {
         self.known.data[self.small(x, y)]
-    }
-
-    /// Gives back to the body what a gap was followed into, where no gap can be.
-    fn close_see_through_holes(
-        &self,
-        sides: &mut Image<bool>,
-        before: &Image<bool>,
-        depths: &Depths,
-    ) {
-        let mut open = vec![0; self.known.data.len()];
-        let width = sides.width;
-        for i in (0..sides.data.len()).filter(|i| !sides.data[*i]) {
-            open[self.small(i % width, i / width)] += 1;
-        }
-        let most = self.factor * self.factor;
-        let mut closed = vec![false; open.len()];
-        let cut = Image {
-            width: self.known.width,
-            height: self.known.height,
-            data: open.iter().map(|open| 2 * open < most).collect(),
-        };
-        for i in depths.see_through_holes(&cut) {
-            closed[i] = true;
-        }
-        for i in 0..sides.data.len() {
-            sides.data[i] |= before.data[i] && closed[self.small(i % width, i / width)];
-        }
     }
 
     /// Whether a pixel or one of its neighbours is open.
@@ -282,7 +242,7 @@ mod tests {
             thinner: 0.0,
         };
         let skin = Gmm::fit(&skin, 1).expect("one cluster");
-        let mask = fine(&pixels, &without, &ready, &coarse, &skin, None, &settings);
+        let mask = fine(&pixels, &without, &ready, &coarse, &skin, &settings);
         let body: f64 = mask.data.iter().map(|c| f64::from(*c) / 255.0).sum();
         body / SIDE as f64
     }

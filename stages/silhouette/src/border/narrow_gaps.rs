@@ -4,7 +4,6 @@
 //! narrower than what a photo is believed against them. At full size it is not: from where the background
 //! is, neighbourhoods that show it to the level, in colours that the body has not, are background.
 
-use crate::label::consensus_in_photo::CERTAIN;
 use crate::likelihood::background::{FLAT, Ground, Likeness};
 use crate::likelihood::body::body_cost;
 use crate::likelihood::colors_beside::{APART, UNLIKE};
@@ -12,6 +11,8 @@ use crate::likelihood::gmm::Gmm;
 use crate::scene::backdrop::Backdrop;
 use shape::{Image, Rgb};
 
+/// A neighbourhood that costs the background no more than this shows it beyond doubt.
+const CERTAIN: f32 = FLAT + 2.0;
 /// How far away colours of the background are asked where nobody saw it, as a share of the photo's height.
 const REACH: f64 = 0.027;
 /// So many places are asked along a row or column to each side.

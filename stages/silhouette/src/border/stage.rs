@@ -7,18 +7,15 @@ use crate::border::returned::returned;
 use crate::label::between_photos::Agreement;
 use crate::label::by_colors::ByColors;
 use crate::label::color_cut::Settings;
-use crate::label::see_through_holes::{Depths, depths_in};
 use crate::likelihood::behind::Behind;
 use crate::likelihood::gmm::Gmm;
 use crate::likelihood::prepared::Prepared;
 use crate::params::CutError;
 use rayon::prelude::*;
 use shape::{
-    Aligned, Camera, Evidence, Label, Labels, Mask, Masks, Photo, PhotoEvidence, PhotoId, Photos,
-    Scene,
+    Aligned, Evidence, Label, Labels, Mask, Masks, Photo, PhotoEvidence, PhotoId, Photos, Scene,
 };
 use stage::{Ctx, Hash, Stage, Stop};
-use std::collections::BTreeMap;
 use std::sync::Arc;
 
 stage::params! {
@@ -51,7 +48,7 @@ pub struct Border;
 
 impl Stage for Border {
     const NAME: &'static str = "silhouette.border";
-    const VERSION: u32 = 2;
+    const VERSION: u32 = 3;
     const ABOUT: &'static str = "Cuts the border of the labels again at full size, follows narrow gaps, and says how much of each border pixel is body.";
     type Params = BorderParams;
     type Input = BorderInput;
@@ -61,7 +58,6 @@ impl Stage for Border {
         let behind = Behind::of(&input.scene, &input.aligned);
         let all = Turn {
             settings: Settings::of_border(p.gamma),
-            depths: depths(&input),
             agreement: agreement(&input),
             picture: input.scene.picture_content(),
             behind,
@@ -99,8 +95,6 @@ impl Stage for Border {
 /// What all photos share.
 struct Turn<'a> {
     settings: Settings,
-    /// How far rays pass through the hull that was found with the scene.
-    depths: BTreeMap<PhotoId, Depths>,
     /// What the labels of all photos show together of each.
     agreement: Agreement,
     /// Of the scene's picture.
@@ -120,12 +114,11 @@ impl Turn<'_> {
     ) -> [Hash; 6] {
         let aligned = &self.input.aligned;
         let lies = format!(
-            "{:?} {:?} {:?} {:?} {}",
+            "{:?} {:?} {:?} {:?}",
             aligned.of(id),
             aligned.camera(id),
             aligned.taken(id),
             aligned.disk_radius_mm(),
-            self.depths.contains_key(&id),
         );
         let labels = Labels {
             views: [(PhotoId(0), label.clone())].into_iter().collect(),
@@ -178,16 +171,7 @@ impl Turn<'_> {
             let patches = found.background_patches.iter().map(|i| *i as usize);
             ready.lay_bare(&patches.collect::<Vec<usize>>());
         }
-        let (depths, settings) = (self.depths.get(&id), &self.settings);
-        let mask = fine(
-            &pixels,
-            &without,
-            &ready,
-            &label.body,
-            &own,
-            depths,
-            settings,
-        );
+        let mask = fine(&pixels, &without, &ready, &label.body, &own, &self.settings);
         Ok(returned(alignment, mask))
     }
 }
@@ -201,17 +185,4 @@ fn agreement(input: &BorderInput) -> Agreement {
     let mask = |(id, label): (PhotoId, &Label)| (id, label.body.map(|b| if *b { 255 } else { 0 }));
     let masks: Vec<(PhotoId, Mask)> = input.labels.views.iter().map(mask).collect();
     Agreement::of(&masks, &cameras)
-}
-
-/// How far rays pass through the hull that was found with the scene, of the cameras as they were taken.
-fn depths(input: &BorderInput) -> BTreeMap<PhotoId, Depths> {
-    let Some(hull) = &input.scene.hull else {
-        return BTreeMap::new();
-    };
-    let view = |(id, found): (PhotoId, &shape::FoundBody)| {
-        let (width, height) = (found.body.width as u32, found.body.height as u32);
-        Some((id, input.aligned.taken(id)?.resized(width, height)))
-    };
-    let views: Vec<(PhotoId, Camera)> = input.scene.bodies.iter().filter_map(view).collect();
-    depths_in(hull, &views)
 }

@@ -1,35 +1,40 @@
 //! What all other photos show of each pixel of one: log-odds of the body by how deep its ray passes into the hull of
-//! all other photos, or that it misses it.
+//! all other photos, or how far beside it.
 //!
-//! How much that is worth is counted on the capture itself: of all pixels whose rays pass so deep, how many did the cuts of
-//! their own photos, made of each alone, call body? A gap that few photos see is shallow in that hull,
-//! for its neighbours look into it from both sides; a garment of the wall's colour is deep. A reflection misses it.
+//! How much that is worth is counted on the capture itself: of all pixels whose rays pass so, how many did the cuts of
+//! their own photos, made of each alone, call body? A garment of the wall's colour is deep in that hull. A thumb that the
+//! other photos lost is just beside it, a reflection farther off.
+//!
+//! A gap between the legs is one event, and few photos can see it: those from the sides look through the legs, so that their
+//! body is no evidence against it. The photo from the other side can. Where it shows background within a hull that all
+//! others leave, either it lost a piece, or both look through a gap: such pixels are classes of their own.
+//!
+//! And how much a photo may contradict the others is counted, too: how often it shows, where all of them are sure of the
+//! background, what its scene did not foresee.
 
 use crate::cut::least_cut::Known;
 use crate::label::consensus::{Block, DISSENT, Together, View};
 use crate::label::squares::Squares;
+use crate::likelihood::body::{ANY_COLOR, EVIDENT};
+use crate::likelihood::person::SURE;
 use crate::likelihood::prepared::Prepared;
 use rayon::prelude::*;
-use shape::{Cameras, Mask, PhotoId};
+use shape::{Cameras, Mask, PhotoId, signed_distance};
 use stage::Hash;
 use std::collections::BTreeMap;
 
-/// Cells along the greatest side of the block.
-const CELLS: f64 = 220.0;
-/// Depths that are counted apart, in cells; what is deeper counts as the last. \[cells\]
+/// Depths that are counted apart, and distances beside the hull, in cells; what is deeper or farther counts as the last.
+/// \[cells\]
 const DEPTHS: usize = 12;
 /// Nearer to the surface than this, within or beyond, cells show nothing: their own size and a coat. \[cells\]
 const SURFACE: u8 = 1;
-
-/// Where a ray passes, by class: 0 misses the hull of all other photos though one of them may dissent, 1 is near its surface,
-/// from there on by depth.
-type Classes = Vec<u8>;
+/// The class of what passes near the surface. Below it are those beside the hull, above it those within, and above these
+/// those within of which the photo from the other side shows background.
+const NEAR: usize = DEPTHS;
 
 /// What all photos show together of each.
 #[derive(Default)]
 pub(crate) struct Agreement {
-    /// What is certain.
-    known: BTreeMap<PhotoId, Vec<Known>>,
     /// Log-odds of the body, by all other photos. \[nats\]
     odds: BTreeMap<PhotoId, Vec<f32>>,
 }
@@ -37,21 +42,10 @@ pub(crate) struct Agreement {
 impl Agreement {
     /// Nothing for less than six masks, or if they have nothing in common.
     pub(crate) fn of(masks: &[(PhotoId, Mask)], cameras: &Cameras) -> Self {
-        let Some(all) = Together::of(masks, cameras) else {
-            return Agreement::default();
-        };
+        let all = Together::of(masks, cameras);
         Agreement {
-            known: all.known(DISSENT),
-            odds: by_all_but_one(&all),
+            odds: all.as_ref().map(by_all_but_one).unwrap_or_default(),
         }
-    }
-
-    /// Gives a photo its part.
-    pub(crate) fn to(&self, id: PhotoId, ready: &mut Prepared) {
-        if let Some(known) = self.known.get(&id) {
-            ready.agree(known.iter(), &[]);
-        }
-        ready.add_odds(self.odds(id));
     }
 
     /// Log-odds of the body at each pixel of a photo; empty where there is nothing. \[nats\]
@@ -61,37 +55,29 @@ impl Agreement {
 
     /// Of all that a photo gets.
     pub(crate) fn content(&self, id: PhotoId) -> Hash {
-        let known = self.known.get(&id).into_iter().flatten();
         let odds = self.odds(id).iter().flat_map(|o| o.to_le_bytes());
-        let bytes: Vec<u8> = known.map(|k| *k as u8).chain(odds).collect();
-        stage::hash(&bytes)
+        stage::hash(&odds.collect::<Vec<u8>>())
     }
 }
 
 /// Log-odds of the body at each pixel of each photo, by all other photos. \[nats\]
-pub(crate) fn by_all_but_one(all: &Together<'_>) -> BTreeMap<PhotoId, Vec<f32>> {
-    let block = all.block.finer(CELLS);
-    let count: usize = block.count.iter().product();
-    let against: Vec<usize> = (0..count)
-        .into_par_iter()
-        .map(|i| all.against(&block.centre(i)))
-        .collect();
-    let classes = |view: &View<'_>| classes(view, &block, &against);
-    let of: Vec<Classes> = all.views.par_iter().map(classes).collect();
-    let mut counts = [[0.5_f64; 2]; DEPTHS + 1];
-    for ((_, mask, _), classes) in all.views.iter().zip(&of) {
+fn by_all_but_one(all: &Together<'_>) -> BTreeMap<PhotoId, Vec<f32>> {
+    let views = &all.views;
+    let classes = |view: &View<'_>| classes(view, all);
+    let of: Vec<Vec<usize>> = views.par_iter().map(classes).collect();
+    let mut counts = [[0.5_f64; 2]; NEAR + 2 * DEPTHS];
+    for ((_, mask, _), classes) in views.iter().zip(&of) {
         for (cover, class) in mask.data.iter().zip(classes) {
-            counts[usize::from(*class)][usize::from(*cover > 127)] += 1.0;
+            counts[*class][usize::from(*cover > 127)] += 1.0;
         }
     }
     let odds = |class: usize| match class {
-        1 => 0.0,
+        NEAR => 0.0,
         _ => libm::log(counts[class][1] / counts[class][0]) as f32,
     };
-    let odds: Vec<f32> = (0..=DEPTHS).map(odds).collect();
-    let views = all.views.iter().zip(of);
-    views
-        .map(|((id, _, _), of)| (*id, of.iter().map(|c| odds[usize::from(*c)]).collect()))
+    let odds: Vec<f32> = (0..counts.len()).map(odds).collect();
+    let both = views.iter().zip(of);
+    both.map(|((id, _, _), of)| (*id, of.into_iter().map(|class| odds[class]).collect()))
         .collect()
 }
 
@@ -101,7 +87,7 @@ impl Prepared {
         if odds.is_empty() {
             return;
         }
-        self.weighed = true;
+        self.unforeseen = Some(self.unforeseen_by(odds));
         if self.person.is_empty() {
             self.person = vec![0.0; self.cost.len()];
         }
@@ -109,23 +95,80 @@ impl Prepared {
             *person += odds;
         }
     }
+
+    /// -ln p(pixel | background, but not as any scene foresees it), such as a reflection of the body: any colour, as often as this
+    /// photo shows such where all other photos are sure of the background. \[nats\]
+    fn unforeseen_by(&self, odds: &[f32]) -> f32 {
+        let open = |i: &usize| self.known[*i] == Known::Unknown && odds[*i] < -SURE;
+        let (mut all, mut unforeseen) = (1.0, 0.5);
+        for i in (0..odds.len()).filter(open) {
+            all += 1.0;
+            unforeseen += f64::from(u8::from(self.cost[i] > EVIDENT));
+        }
+        (ANY_COLOR - libm::log(unforeseen / all)) as f32
+    }
 }
 
-/// The classes of one photo's pixels. A cell against which one photo more speaks than this one lets pass is none of their
+/// The class of each of one photo's pixels.
+fn classes(view: &View<'_>, all: &Together<'_>) -> Vec<usize> {
+    let (_, mask, camera) = view;
+    let passes = passes(view, opposite(view, &all.views), &all.block, &all.against);
+    let hull = Mask {
+        width: mask.width,
+        height: mask.height,
+        data: passes
+            .iter()
+            .map(|p| if *p > 0 { 255 } else { 0 })
+            .collect(),
+    };
+    let middle = camera.project_with_depth(&all.block.centre(all.against.len() / 2));
+    let away = middle.map_or(f64::MAX, |(_, depth)| depth);
+    let cell_px = all.block.cell * camera.lens.focal[0] / away;
+    let class = |(pass, inward): (&u8, &f32)| match pass {
+        0 => NEAR - 1 - ((f64::from(-inward) / cell_px) as usize).min(DEPTHS - 1),
+        pass => NEAR - 1 + usize::from(*pass),
+    };
+    let inward = signed_distance(&hull).data;
+    passes.iter().zip(&inward).map(class).collect()
+}
+
+/// The photo from the other side: of all photos the one that was taken most nearly against the direction of this one.
+fn opposite<'a, 'b>(view: &View<'b>, all: &'a [View<'b>]) -> &'a View<'b> {
+    let from = |view: &View<'_>| view.2.centre().coords.xy().normalize();
+    let here = from(view);
+    let along = |other: &View<'_>| from(other).dot(&here);
+    let farther = |best: &'a View<'b>, other: &'a View<'b>| match along(other) < along(best) {
+        true => other,
+        false => best,
+    };
+    all.iter().fold(&all[0], farther)
+}
+
+/// Where the ray of each of one photo's pixels passes: 0 misses the hull of all other photos though one of them may
+/// dissent, 1 is near its surface, from there on in cells of depth, and beyond [`DEPTHS`] in cells of depth in what all but
+/// the photo from the other side leave. A cell against which one photo more speaks than this one lets pass is none of their
 /// hull.
-fn classes((_, mask, camera): &View<'_>, block: &Block, against: &[usize]) -> Classes {
-    let speaking = |i: usize| {
-        if !(1..=DISSENT).contains(&against[i]) {
-            return against[i];
-        }
+fn passes(view: &View<'_>, other_side: &View<'_>, block: &Block, against: &[usize]) -> Vec<u8> {
+    let (_, mask, camera) = view;
+    let open = |(_, mask, camera): &View<'_>, i: usize| {
         let shown = camera.project(&block.centre(i));
-        let own = shown.is_some_and(|px| camera.holds(px) && !mask.shows(px));
-        against[i] - usize::from(own)
+        shown.is_some_and(|px| camera.holds(px) && !mask.shows(px))
+    };
+    let speaking = |i: usize| match against[i] {
+        count @ 1..=DISSENT => count - usize::from(open(view, i)),
+        count => count,
     };
     let speaking: Vec<usize> = (0..against.len()).map(speaking).collect();
+    let alone = |i: usize| speaking[i] == 1 && open(other_side, i);
+    let alone: Vec<bool> = (0..against.len()).map(alone).collect();
     let most = SURFACE + DEPTHS as u8 - 1;
-    let beyond: Vec<bool> = speaking.iter().map(|n| *n > 0).collect();
-    let depths = block.steps_to(&beyond, most);
+    let depths_of = |lets: &dyn Fn(usize) -> bool| {
+        let beyond: Vec<bool> = (0..speaking.len())
+            .map(|i| speaking[i] > 0 && !lets(i))
+            .collect();
+        block.steps_to(&beyond, most)
+    };
+    let (depths, without) = (depths_of(&|_| false), depths_of(&|i| alone[i]));
     let loose: Vec<bool> = speaking.iter().map(|n| *n <= 1).collect();
     let coat = block.steps_to(&loose, SURFACE + 1);
     let mut squares = Squares::on(mask.width, mask.height);
@@ -138,42 +181,12 @@ fn classes((_, mask, camera): &View<'_>, block: &Block, against: &[usize]) -> Cl
         if depths[i] > SURFACE {
             squares.add(&px, px_of(0.45), depths[i] - SURFACE + 1);
         }
+        if alone[i] && without[i] > SURFACE {
+            squares.add(&px, px_of(0.45), DEPTHS as u8 + without[i] - SURFACE);
+        }
     }
     squares.painted()
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::label::see_through_holes::tests::{SIZE, amid, between_legs, turn};
-    use crate::likelihood::person::SURE;
-
-    #[test]
-    fn a_hole_amid_the_trunk_is_body_by_all_other_photos_and_a_gap_or_a_reflection_is_not() {
-        let (mut masks, cameras) = turn(18);
-        let gap = between_legs(&masks[0].1);
-        let reflected = |i: usize| (30..50).contains(&(i % SIZE.0)) && i / SIZE.0 >= 300;
-        for i in 0..SIZE.0 * SIZE.1 {
-            if amid(i) {
-                masks[0].1.data[i] = 0;
-            } else if reflected(i) {
-                masks[0].1.data[i] = 255;
-            }
-        }
-        let all = Together::of(&masks, &cameras).expect("a hull");
-        let odds = &by_all_but_one(&all)[&PhotoId(0)];
-        let share = |of: &dyn Fn(usize) -> bool, such: &dyn Fn(f32) -> bool| {
-            let of: Vec<usize> = (0..odds.len()).filter(|i| of(*i)).collect();
-            of.iter().filter(|i| such(odds[**i])).count() as f64 / of.len() as f64
-        };
-        let [hole, open, false_body] = [
-            share(&amid, &|o| o > SURE),
-            share(&|i| gap.contains(&i), &|o| o <= 0.0),
-            share(&reflected, &|o| o < -SURE),
-        ];
-        assert!(
-            hole > 0.9 && open > 0.9 && false_body > 0.9,
-            "{hole} {open} {false_body}"
-        );
-    }
-}
+mod tests;

@@ -61,7 +61,7 @@ pub(crate) fn by_colors(small: &Rgb, known: &[Known], settings: &Settings) -> Op
         data: body,
     };
     // No hole is filled for its colours: they are all that is known.
-    let sides = largest(&sides, &|_| [0.0; 2]);
+    let sides = largest(&sides, &|_| 0.0);
     sides
         .data
         .contains(&true)

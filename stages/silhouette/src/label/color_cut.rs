@@ -55,41 +55,32 @@ impl Settings {
 
 /// Neighbours that cost the background no more than this are its own.
 const OWN: f32 = FLAT + 1.5;
-/// Which pixels are body: `background` is -ln p(pixel | background), `explained` the same as far as
-/// holes may trust it, `known` what is certain.
-/// Returns the sides and the mixture of the body's colours. `None` if nothing can be body.
-pub(crate) fn cut_whole(
-    photo: &Rgb,
-    background: &[f32],
-    explained: &[f32],
-    person: &[f32],
-    known: &[Known],
-    weighed: bool,
-    settings: &Settings,
-) -> Option<(Image<bool>, Gmm)> {
+
+/// The coarse cut: which pixels are body, and the mixture of the body's colours. `None` if nothing can be body.
+pub fn coarse(ready: &Prepared, settings: &Settings) -> Option<(Image<bool>, Gmm)> {
+    let (photo, person, known) = (&ready.small, &ready.person, &ready.known);
+    let settings = settings.with(ready.noise);
+    let sure = |i: usize| person.get(i).is_some_and(|p| *p > SURE);
     let certain = |i: usize| match known[i] {
-        Known::Unknown => background[i] > EVIDENT || person.get(i).is_some_and(|p| *p > SURE),
+        Known::Unknown => ready.cost[i] > EVIDENT || sure(i),
         other => other == Known::Body,
     };
     let mut body: Vec<bool> = (0..known.len()).map(certain).collect();
+    let cost = |cost: &f32| ready.foreseen_or_not(*cost);
+    let background: Vec<f32> = ready.cost.iter().map(cost).collect();
+    let window = Window {
+        x: 0,
+        y: 0,
+        width: photo.width,
+        height: photo.height,
+    };
     let mut gmm = None;
     for _ in 0..settings.rounds.max(1) {
-        let colors: Vec<[u8; 3]> = body
-            .iter()
-            .zip(&photo.data)
-            .filter(|(b, _)| **b)
-            .map(|(_, c)| *c)
-            .step_by(7)
-            .collect();
+        let own = body.iter().zip(&photo.data).filter(|(b, _)| **b);
+        let colors: Vec<[u8; 3]> = own.map(|(_, c)| *c).step_by(7).collect();
         let fitted = Gmm::fit(&colors, settings.clusters)?;
-        let window = Window {
-            x: 0,
-            y: 0,
-            width: photo.width,
-            height: photo.height,
-        };
-        let costs = [background, person];
-        body = cut(photo, costs, &window, &fitted, settings, &|i| known[i]);
+        let costs: [&[f32]; 2] = [&background, person];
+        body = cut(photo, costs, &window, &fitted, &settings, &|i| known[i]);
         gmm = Some(fitted);
     }
     let sides = Image {
@@ -97,29 +88,7 @@ pub(crate) fn cut_whole(
         height: photo.height,
         data: body,
     };
-    let more = |i: usize| person.get(i).map_or(0.0, |p| p.max(0.0));
-    let costs = |i: usize| match weighed {
-        true => [FLAT; 2],
-        false => [background[i] + more(i), explained[i] + more(i)],
-    };
-    Some((largest(&sides, &costs), gmm?))
-}
-
-/// The coarse cut. `None` if nothing can be body.
-pub fn coarse(ready: &Prepared, settings: &Settings) -> Option<(Image<bool>, Gmm)> {
-    let (cost, explained) = (&ready.cost, &ready.explained);
-    let settings = settings.with(ready.noise);
-    let (person, known) = (&ready.person, &ready.known);
-    let weighed = ready.weighed;
-    cut_whole(
-        &ready.small,
-        cost,
-        explained,
-        person,
-        known,
-        weighed,
-        &settings,
-    )
+    Some((largest(&sides, &|i| ready.of_hole(i)), gmm?))
 }
 
 /// Cuts a window: true is body. What pixels cost as background, the log-odds of the body by a person's sense (empty where
@@ -137,7 +106,7 @@ pub(crate) fn cut(
         let keep = f64::from(background[here]);
         let of_body = body_cost(body, photo.data[i]) - settings.thinner;
         let (keep, of_body) = match person.get(here) {
-            Some(odds) => with_person(keep.min(f64::from(EVIDENT)), of_body, *odds),
+            Some(odds) => with_person(keep, of_body, *odds),
             None => (keep, of_body),
         };
         ((keep * UNIT) as i32, (of_body * UNIT) as i32)

@@ -1,21 +1,15 @@
-//! What all photos say together: a ray that misses the hull of the others sees background, and one
-//! that passes deep through it sees body.
+//! The cells around the body, and how many photos say of each that it is none of it.
 
-use crate::cut::least_cut::Known;
-use crate::label::squares::Squares;
 use nalgebra::Point3;
 use rayon::prelude::*;
 use shape::{Camera, Cameras, Mask, PhotoId};
-use std::collections::BTreeMap;
 
 /// Cells along the greatest side of the block that is carved.
-const CELLS: f64 = 160.0;
+const CELLS: f64 = 210.0;
 /// Photos that may dissent: one is the photo in question, one more may be wrong.
 pub(crate) const DISSENT: usize = 2;
-/// Cells that are peeled off before what is left is certain body.
-const PEEL: u8 = 2;
-/// Cells that are laid on before what is not covered is certain background.
-const COAT: u8 = 3;
+/// Cells around all that is shown.
+const MARGIN: f64 = 4.0;
 
 /// A block of cells, x fastest.
 pub(crate) struct Block {
@@ -31,17 +25,6 @@ impl Block {
         let at =
             nalgebra::Vector3::new((i % nx) as f64, (i / nx % ny) as f64, (i / nx / ny) as f64);
         self.origin + at * self.cell
-    }
-
-    /// The same space in smaller cells, so many along its greatest side.
-    pub(crate) fn finer(&self, cells: f64) -> Block {
-        let sides = self.count.map(|n| n as f64 * self.cell);
-        let cell = sides.into_iter().fold(0.0, f64::max) / cells;
-        Block {
-            origin: self.origin - nalgebra::Vector3::repeat(0.5 * (self.cell - cell)),
-            cell,
-            count: sides.map(|side| (side / cell).ceil() as usize),
-        }
     }
 
     /// How many steps (six ways) each cell lies from the nearest that is so, `most` at most.
@@ -127,28 +110,6 @@ impl<'a> Together<'a> {
             against,
         })
     }
-
-    /// How many masks say that a point is none of the body, [`DISSENT`] + 1 at most.
-    pub(crate) fn against(&self, x: &Point3<f64>) -> usize {
-        against(&self.views, x)
-    }
-
-    /// What is certain of each pixel of each mask if so many photos may dissent.
-    pub(crate) fn known(&self, dissent: usize) -> BTreeMap<PhotoId, Vec<Known>> {
-        let block = &self.block;
-        let solid: Vec<bool> = self.against.iter().map(|c| *c <= dissent).collect();
-        let empty: Vec<bool> = solid.iter().map(|s| !s).collect();
-        let depths = block.steps_to(&empty, PEEL + 1);
-        let coat = block.steps_to(&solid, COAT + 1);
-        let cells = |i: &usize| coat[*i] <= COAT;
-        let cells: Vec<(usize, bool)> = (0..coat.len())
-            .filter(cells)
-            .map(|i| (i, depths[i] > PEEL))
-            .collect();
-        let one = |(id, mask, camera): &View<'_>| (*id, projected(mask, camera, block, &cells));
-        let all: Vec<_> = self.views.par_iter().map(one).collect();
-        all.into_iter().collect()
-    }
 }
 
 /// How many masks say that a point is none of the body, at most one more than may.
@@ -199,33 +160,11 @@ fn block(views: &[View<'_>], ground: f64, shows: &dyn Fn(&Point3<f64>) -> bool) 
     }
     lo[2] = lo[2].max(ground);
     let cell = (0..3).map(|a| hi[a] - lo[a]).fold(0.0, f64::max) / CELLS;
-    let margin = cell * f64::from(COAT + 1);
+    let margin = cell * MARGIN;
     let count = [0, 1, 2].map(|a| ((hi[a] - lo[a] + 2.0 * margin) / cell) as usize + 1);
     Some(Block {
         origin: Point3::new(lo[0] - margin, lo[1] - margin, lo[2]),
         cell,
         count,
     })
-}
-
-/// What cells of the block say of the pixels of one photo; true are those in its core.
-fn projected(mask: &Mask, camera: &Camera, block: &Block, cells: &[(usize, bool)]) -> Vec<Known> {
-    let (nothing, open, core) = (0, 1, 2);
-    let mut squares = Squares::on(mask.width, mask.height);
-    for (i, in_core) in cells {
-        let Some((px, depth)) = camera.project_with_depth(&block.centre(*i)) else {
-            continue;
-        };
-        let px_of = |size: f64| block.cell * size * camera.lens.focal[0] / depth;
-        squares.add(&px, px_of(0.8), open);
-        if *in_core {
-            squares.add(&px, px_of(0.45), core);
-        }
-    }
-    let known = |class: u8| match class {
-        class if class == nothing => Known::Background,
-        class if class == open => Known::Unknown,
-        _ => Known::Body,
-    };
-    squares.painted().into_iter().map(known).collect()
 }

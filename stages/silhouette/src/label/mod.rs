@@ -1,12 +1,9 @@
 //! Body or background, reduced photo by reduced photo, with what all say together.
 
 pub(crate) mod between_photos;
-pub(crate) mod body_hull;
 pub(crate) mod by_colors;
 pub(crate) mod color_cut;
 pub(crate) mod consensus;
-pub(crate) mod consensus_in_photo;
 pub(crate) mod parts;
-pub(crate) mod see_through_holes;
 pub(crate) mod squares;
 pub(crate) mod stage;

@@ -8,16 +8,10 @@ use shape::Image;
 /// A hole whose median pixel costs the background more than this is no hole.
 const EXPLAINED: f32 = FLAT + 1.5;
 
-/// A hole that the background only likely explains is at least this part of the body: gaps between arm
-/// and trunk were 0.7 to 1 %, a grey waistband taken for a grey wall 0.2 %.
-pub(crate) const LIKELY_HOLE: usize = 250;
-
 /// The largest connected part, with those of its holes filled that are small or that the background
 /// does not explain: a gap between arm and trunk shows the background to the level, a blue fish on
-/// a shirt only something like it. What a pixel costs as background is given twice, as it was seen and
-/// as it is likely: a hole that is only likely must be of the size of such a gap, for a hole in one
-/// photo is a tunnel through the hull.
-pub(crate) fn largest(sides: &Image<bool>, background: &dyn Fn(usize) -> [f32; 2]) -> Image<bool> {
+/// a shirt only something like it. `background` is what a pixel costs as such.
+pub(crate) fn largest(sides: &Image<bool>, background: &dyn Fn(usize) -> f32) -> Image<bool> {
     let whole = Parts::of(sides, true);
     let Some(best) = (0..whole.sizes.len()).max_by_key(|i| (whole.sizes[*i], usize::MAX - i))
     else {
@@ -27,34 +21,24 @@ pub(crate) fn largest(sides: &Image<bool>, background: &dyn Fn(usize) -> [f32; 2
     let mut kept = Image::filled(sides.width, sides.height, false);
     let own = whole.runs.iter().filter(|run| run.part == best);
     own.for_each(|run| kept.data[run.start..run.end].fill(true));
-    let (least, most, likely_least) = (size / 2000, size / 10, size / LIKELY_HOLE);
+    let (least, most) = (size / 2000, size / 10);
     let holes = Parts::of(&kept, false);
-    let mut costs: Vec<[Vec<f32>; 2]> = vec![Default::default(); holes.sizes.len()];
+    let mut costs: Vec<Vec<f32>> = vec![vec![]; holes.sizes.len()];
     for run in holes
         .runs
         .iter()
         .filter(|run| holes.sizes[run.part] <= most)
     {
-        for i in run.start..run.end {
-            let [seen, likely] = background(i);
-            costs[run.part][0].push(seen);
-            costs[run.part][1].push(likely);
-        }
+        costs[run.part].extend((run.start..run.end).map(background));
     }
     let fill: Vec<bool> = costs
         .iter_mut()
         .zip(&holes.sizes)
         .map(|(costs, size)| {
-            let explained = |costs: &mut Vec<f32>| {
-                costs.sort_by(f32::total_cmp);
-                costs
-                    .get(costs.len() / 2)
-                    .is_some_and(|middle| *middle <= EXPLAINED)
-            };
-            let [seen, likely] = costs;
-            let open =
-                *size >= least && explained(seen) || *size >= likely_least && explained(likely);
-            *size <= most && !open
+            costs.sort_by(f32::total_cmp);
+            let middle = costs.get(costs.len() / 2);
+            let explained = middle.is_some_and(|middle| *middle <= EXPLAINED);
+            *size <= most && !(*size >= least && explained)
         })
         .collect();
     let filled = holes.runs.iter().filter(|run| fill[run.part]);

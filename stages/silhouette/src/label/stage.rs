@@ -48,7 +48,7 @@ const BODY_SHARE: (f64, f64) = (0.002, 0.9);
 
 impl Stage for Label {
     const NAME: &'static str = "silhouette.label";
-    const VERSION: u32 = 2;
+    const VERSION: u32 = 3;
     const ABOUT: &'static str = "Parts body and background on the reduced photos by least cuts: each alone, then again with what all photos say together.";
     type Params = LabelParams;
     type Input = LabelInput;
@@ -149,7 +149,7 @@ fn with_all(
     name: &str,
 ) -> Result<Labelled, CutError> {
     let mut ready = Prepared::of(evidence, None);
-    agreement.to(id, &mut ready);
+    ready.add_odds(agreement.odds(id));
     let (body, colors) = checked(coarse(&ready, settings), name)?;
     Ok(Labelled {
         body,

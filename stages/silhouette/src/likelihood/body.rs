@@ -5,7 +5,7 @@ use crate::likelihood::gmm::Gmm;
 use shape::Image;
 
 /// -ln of an even density over all colours: anything can be body.
-const ANY_COLOR: f64 = 16.6;
+pub(crate) const ANY_COLOR: f64 = 16.6;
 /// A pixel that costs the background more than this is evidently body.
 pub(crate) const EVIDENT: f32 = 22.0;
 /// What the body costs where its mixture tells nothing: a colour that it has not.

@@ -20,12 +20,6 @@ const BESIDE: f32 = 2.0;
 /// doubt.
 pub(crate) const APART: f32 = 6.0;
 
-/// What the background costs as far as it may contradict the others: that it shows a colour of the
-/// room beside and one that the body has not. Both are -ln p.
-pub(crate) fn beside(background: f32, body: f32) -> f32 {
-    FLAT + (background + APART - body).max(0.0)
-}
-
 /// The room seen close to each pixel that nobody saw.
 pub(crate) struct Nearby<'a> {
     room: &'a Backdrop,

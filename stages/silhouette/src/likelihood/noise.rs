@@ -46,14 +46,6 @@ impl Noise {
         }
     }
 
-    /// The same where nothing is known of the light.
-    pub(crate) fn in_any_light(self) -> Self {
-        Noise {
-            light: SHADED_LIGHT,
-            ..self
-        }
-    }
-
     pub(crate) fn on(&self, ground: Ground) -> f32 {
         match ground {
             Ground::Disk => self.disk,

@@ -17,15 +17,12 @@ pub struct Prepared {
     pub small: Rgb,
     /// -ln p(pixel | background) of the reduced photo.
     pub cost: Vec<f32>,
-    /// The same in any light where the background was seen. Where it was not, and colours are compared with
-    /// those beside: by how much less it costs than the body does.
-    pub explained: Vec<f32>,
     /// What it costs more to call each pixel the bare disk, by its grain; empty where nobody asked.
     pub strange: Vec<f32>,
     /// Log-odds of the body by a person's sense; empty where there is none.
     pub person: Vec<f32>,
-    /// Whether all other photos are weighed in, so that a hole needs no rule of its own.
-    pub weighed: bool,
+    /// What the background costs a pixel at most, by what no scene foresees; `None` until all other photos are weighed in. \[nats\]
+    pub unforeseen: Option<f32>,
     /// What is certain before any cut.
     pub known: Vec<Known>,
     /// How far the reduced photo and what was expected of it differ without a reason. \[levels\]
@@ -41,13 +38,35 @@ impl Prepared {
             factor: evidence.factor as usize,
             small: evidence.photo.clone(),
             cost: evidence.background.clone(),
-            explained: evidence.background_in_any_light.clone(),
             strange: evidence.against_disk.clone(),
             person: evidence.person.clone(),
-            weighed: false,
+            unforeseen: None,
             known: evidence.known.clone(),
             noise: Noise::even(evidence.noise_levels),
             disk,
+        }
+    }
+
+    /// A cost as background, if nothing was foreseen at most. \[nats\]
+    pub(crate) fn foreseen_or_not(&self, cost: f32) -> f32 {
+        cost.min(self.unforeseen.unwrap_or(f32::MAX))
+    }
+
+    /// What a pixel of a hole costs as background. Once all other photos are weighed in, a hole needs no rule of its own.
+    /// \[nats\]
+    pub(crate) fn of_hole(&self, i: usize) -> f32 {
+        let more = self.person.get(i).map_or(0.0, |p| p.max(0.0));
+        match self.unforeseen {
+            Some(_) => FLAT,
+            None => self.cost[i] + more,
+        }
+    }
+
+    /// Takes it that pixels show the background.
+    pub(crate) fn lay_bare(&mut self, pixels: &[usize]) {
+        for i in pixels {
+            self.known[*i] = Known::Background;
+            self.cost[*i] = FLAT;
         }
     }
 
@@ -57,7 +76,6 @@ impl Prepared {
             factor: self.factor as u32,
             photo: self.small,
             background: self.cost,
-            background_in_any_light: self.explained,
             against_disk: self.strange,
             person: self.person,
             known: self.known,
@@ -69,7 +87,6 @@ impl Prepared {
     pub(crate) fn raise(&mut self, i: usize, beyond: f32) {
         if beyond > 0.0 {
             self.cost[i] = self.cost[i].max(FLAT + beyond);
-            self.explained[i] = self.explained[i].max(FLAT + beyond);
         }
     }
 }
@@ -105,15 +122,12 @@ pub fn prepare(
     let on = |x: usize, y: usize| grounds.at(x, y);
     let noise = Noise::measure(&small, &expected, &on, COARSE_REACH);
     let all = [0, 0, small.width, small.height];
-    let cost_by = |noise| background_cost(&small, &expected, noise, &on, COARSE_REACH, all);
-    let mut cost = cost_by(noise);
-    // A gap between arm and trunk may lie in shadow.
-    let mut explained = cost_by(noise.in_any_light());
-    for (i, (cost, explained)) in cost.iter_mut().zip(&mut explained).enumerate() {
+    let mut cost = background_cost(&small, &expected, noise, &on, COARSE_REACH, all);
+    for (i, cost) in cost.iter_mut().enumerate() {
         let (x, y) = (i % small.width * factor, i / small.width * factor);
         let rows = |y: usize| (x..x + factor).all(|x| without.seen.at(x, y));
         if !(y..y + factor).all(rows) {
-            (*cost, *explained) = (UNSEEN, UNSEEN);
+            *cost = UNSEEN;
         }
     }
     let known = certain(
@@ -124,10 +138,9 @@ pub fn prepare(
     Prepared {
         factor,
         small,
-        explained,
         strange: Vec::new(),
         person: Vec::new(),
-        weighed: false,
+        unforeseen: None,
         cost,
         known,
         noise,

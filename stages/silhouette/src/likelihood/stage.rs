@@ -42,7 +42,7 @@ pub struct Likelihood;
 
 impl Stage for Likelihood {
     const NAME: &'static str = "silhouette.likelihood";
-    const VERSION: u32 = 1;
+    const VERSION: u32 = 2;
     const ABOUT: &'static str = "Weighs each reduced pixel against the empty scene, in nats: its colour, its neighbourhood, the grain of the disk, and what cannot be body.";
     type Params = LikelihoodParams;
     type Input = LikelihoodInput;
@@ -116,7 +116,6 @@ fn of_nothing(photo: &Photo, aligned: &Aligned) -> Result<PhotoEvidence, Stop> {
     Ok(PhotoEvidence {
         factor: factor as u32,
         background: vec![UNSEEN; known.len()],
-        background_in_any_light: vec![UNSEEN; known.len()],
         against_disk: vec![],
         person: vec![],
         known,

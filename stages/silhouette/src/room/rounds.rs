@@ -2,14 +2,12 @@
 
 use crate::align::rectangle::Rectangle;
 use crate::cut::least_cut::Known;
-use crate::label::between_photos::by_all_but_one;
+use crate::label::between_photos::Agreement;
 use crate::label::color_cut::Settings;
 use crate::label::color_cut::coarse;
-use crate::label::consensus::{DISSENT, Together};
 use crate::label::parts::parts;
-use crate::label::see_through_holes::{Depths, depths};
 use crate::likelihood::body::{EVIDENT, STRANGE, body_cost, evident as shown};
-use crate::likelihood::colors_beside::{Nearby, beside};
+use crate::likelihood::colors_beside::Nearby;
 use crate::likelihood::disk_colors::{body_colors, disk_colors, disk_cost, mixture, on_the_disk};
 use crate::likelihood::gmm::Gmm;
 use crate::likelihood::grain::missed;
@@ -23,14 +21,11 @@ use crate::scene::backdrop::{Backdrop, SHY, still, thinned};
 use crate::scene::still_and_disk::{Scene, Shot, scene};
 use rayon::prelude::*;
 use shape::{Cameras, Image, Mask, PhotoId, Rgb};
-use std::collections::BTreeMap;
 
 /// The cuts of reduced photos, with what they follow from that a photo alone cannot tell.
 pub struct Cuts {
     /// True is body; `None` where a photo shows nothing that moves.
     pub cuts: Vec<Option<Image<bool>>>,
-    /// How far rays pass through the hull of the other photos.
-    pub(crate) depths: BTreeMap<PhotoId, Depths>,
     /// Of each photo the pixels that were found to be bits of the room.
     pub(crate) background_patches: Vec<Vec<usize>>,
 }
@@ -99,20 +94,8 @@ pub fn without_plate(
             .collect();
     }
     let background_patches = turn.laid_bare(&mut ready, &mut cuts);
-    let depths = turn.depths(&cuts);
-    for ((shot, background_patches), cut) in shots.iter().zip(&background_patches).zip(&mut cuts) {
-        if let Some((cut, depths)) = cut.as_mut().zip(depths.get(&shot.id)) {
-            let mut filled = cut.clone();
-            background_patches
-                .iter()
-                .for_each(|i| filled.data[*i] = true);
-            let see_through_holes = depths.see_through_holes(&filled);
-            see_through_holes.iter().for_each(|i| cut.data[*i] = true);
-        }
-    }
     Cuts {
         cuts,
-        depths,
         background_patches,
     }
 }
@@ -172,8 +155,6 @@ impl Turn<'_> {
                     ready.cost[i] = ready.cost[i].min(as_disk);
                 } else if let Some(cost) = nearby.cost(&shot.small, i) {
                     ready.cost[i] = ready.cost[i].min(cost);
-                    let of_body = evident.as_ref().map_or(0.0, |b| body_cost(b, color));
-                    ready.explained[i] = beside(ready.cost[i], of_body as f32);
                 }
             }
         });
@@ -229,28 +210,15 @@ impl Turn<'_> {
         let alone = |ready: &Prepared| coarse(ready, self.settings).map(|(sides, _)| sides);
         let first: Vec<Option<Image<bool>>> = ready.par_iter().map(alone).collect();
         let masks = self.masks(&first);
-        let all = Together::of(&masks, self.cameras);
-        let of = |dissent: usize| all.as_ref().map(|all| all.known(dissent));
-        let (agreed, firm) = (of(DISSENT).unwrap_or_default(), of(1).unwrap_or_default());
-        let odds = all.as_ref().map(by_all_but_one).unwrap_or_default();
+        let agreement = Agreement::of(&masks, self.cameras);
         let again = |(shot, ready): (&Shot, &mut Prepared)| {
-            let firm = firm.get(&shot.id).map_or(&[][..], Vec::as_slice);
-            let (known, person) = (ready.known.clone(), ready.person.clone());
-            ready.agree(agreed.get(&shot.id).into_iter().flatten(), firm);
-            ready.add_odds(odds.get(&shot.id).map_or(&[], Vec::as_slice));
+            let person = ready.person.clone();
+            ready.add_odds(agreement.odds(shot.id));
             let cut = alone(ready);
-            (ready.known, ready.person, ready.weighed) = (known, person, false);
+            (ready.person, ready.unforeseen) = (person, None);
             cut
         };
         self.shots.par_iter().zip(ready).map(again).collect()
-    }
-
-    /// How far rays pass through what the cuts of the other photos say together.
-    fn depths(&self, cuts: &[Option<Image<bool>>]) -> BTreeMap<PhotoId, Depths> {
-        let masks = self.masks(cuts);
-        let all = Together::of(&masks, self.cameras);
-        let depths = all.map(|all| depths(&all));
-        depths.unwrap_or_default()
     }
 
     fn masks(&self, cuts: &[Option<Image<bool>>]) -> Vec<(PhotoId, Mask)> {

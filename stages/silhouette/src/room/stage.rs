@@ -2,7 +2,6 @@
 
 use crate::align::rectangle::Rectangle;
 use crate::label::color_cut::Settings;
-use crate::label::see_through_holes::cells;
 use crate::likelihood::person::Sense;
 use crate::params::{CutError, CutParams};
 use crate::room::doubtful_patches::doubtful;
@@ -56,7 +55,7 @@ const MAX_DOUBTFUL_PERCENT: f64 = 0.5;
 
 impl Stage for Room {
     const NAME: &'static str = "silhouette.room";
-    const VERSION: u32 = 2;
+    const VERSION: u32 = 3;
     const ABOUT: &'static str = "Finds the empty scene, where no plate shows it, out of all photos of the turn: in rounds with the body's outlines on which the photos agree.";
     type Params = RoomParams;
     type Input = RoomInput;
@@ -124,7 +123,6 @@ fn found(
     let settings = Settings::of(&p.cut);
     let Cuts {
         cuts,
-        depths,
         background_patches,
     } = without_plate(
         shots,
@@ -167,7 +165,6 @@ fn found(
         disk,
         views: ids().map(|id| (id, InPhoto::default())).collect(),
         bodies: ids().zip(bodies).collect(),
-        hull: cells(&depths),
     };
     Ok((scene, doubted))
 }

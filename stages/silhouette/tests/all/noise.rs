@@ -53,7 +53,7 @@ fn lost_and_kept(noise: f64, seed: u64) -> (f64, f64) {
     };
     let ready = prepare(&photo, &plate, None, COARSE_PX, 0.0);
     let (sides, colors) = coarse(&ready, &settings).expect("a body");
-    let mask = fine(&photo, &plate, &ready, &sides, &colors, None, &settings);
+    let mask = fine(&photo, &plate, &ready, &sides, &colors, &settings);
     let share = |columns: std::ops::Range<usize>, body: bool| {
         let all = (150..290).flat_map(|y| columns.clone().map(move |x| (x, y)));
         let wrong = all.filter(|(x, y)| (mask.at(*x, *y) > 127) != body).count();

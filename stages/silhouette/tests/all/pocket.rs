@@ -2,7 +2,7 @@
 
 use nalgebra::{Point2, Point3, Rotation3, Vector3};
 use shape::{Camera, Cameras, Image, Intrinsics, PhotoId, Pose, Rgb, Scale, View as PhotoView};
-use silhouette::{Cuts, Known, Noise, Prepared, Settings, Shot, without_plate};
+use silhouette::{Cuts, Settings, Shot, without_plate};
 use std::collections::BTreeMap;
 
 const SIZE: (usize, usize) = (120, 160);
@@ -143,31 +143,4 @@ fn a_picture_on_the_wall_that_few_photos_see_is_cut_out_though_nothing_beside_is
     }
     let seen = through(&turn(16, &wall, &mut dice));
     assert!(free(&seen), "{seen:?}");
-}
-
-#[test]
-fn colours_beside_yield_to_all_other_photos_and_the_room_itself_does_not() {
-    // Left: the room was seen, and it is it. Amid: a colour of the room beside. Right: neither.
-    let part = |i: usize, values: [f32; 3]| values[i % 30 / 10];
-    let all = |values| (0..30 * 9).map(|i| part(i, values)).collect();
-    let agree = |firm: &[Known]| {
-        let mut ready = Prepared {
-            factor: 1,
-            small: Rgb::filled(30, 9, [0; 3]),
-            cost: all([4.5, 8.0, 18.5]),
-            explained: all([4.5, 4.5, 18.5]),
-            strange: Vec::new(),
-            person: Vec::new(),
-            weighed: false,
-            known: vec![Known::Unknown; 30 * 9],
-            noise: Noise::even(1.0),
-            disk: None,
-        };
-        ready.agree([Known::Body; 30 * 9].iter(), firm);
-        [4, 14, 26].map(|x| ready.known[4 * 30 + x])
-    };
-    use Known::{Body, Unknown};
-    assert_eq!(agree(&[]), [Unknown, Unknown, Body]);
-    assert_eq!(agree(&[Unknown; 30 * 9]), [Unknown, Unknown, Body]);
-    assert_eq!(agree(&[Body; 30 * 9]), [Unknown, Body, Body]);
 }
