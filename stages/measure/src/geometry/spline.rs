@@ -25,12 +25,12 @@ pub fn fitted_plane(points: &[Point3<f64>]) -> Option<Plane> {
 /// Eq. 8: points of the mesh near a curve's plane are added and the plane is fitted again until it
 /// stands still. Returns the plane and the points.
 pub fn grown(mesh: &Mesh, curve: &[Point3<f64>]) -> Option<(Plane, Vec<Point3<f64>>)> {
-    settled(&beside(mesh, curve), mesh.mean_edge(), curve)
+    let edge = mesh.mean_edge();
+    settled(&beside(mesh, edge, curve), edge, curve)
 }
 
-/// Points of the mesh in the box of a curve, three mean edges larger.
-fn beside(mesh: &Mesh, curve: &[Point3<f64>]) -> Vec<Point3<f64>> {
-    let threshold = mesh.mean_edge();
+/// Points of the mesh in the box of a curve, three times a threshold larger.
+fn beside(mesh: &Mesh, threshold: f64, curve: &[Point3<f64>]) -> Vec<Point3<f64>> {
     let lo = curve.iter().fold([f64::MAX; 3], |l, p| {
         [0, 1, 2].map(|i| l[i].min(p[i] - 3.0 * threshold))
     });
@@ -155,14 +155,15 @@ pub fn closed_spline_length(knots: &[[f64; 2]]) -> Option<f64> {
 /// The spline's length for a curve of a mesh: plane grown from the curve, then the spline. Only
 /// points near the curve are added: beside a short neck the plane meets chin and shoulders too. \[mm\]
 pub fn paper_girth(mesh: &Mesh, curve: &[Point3<f64>]) -> Option<f64> {
-    let reach = 1.5 * mesh.mean_edge();
+    let edge = mesh.mean_edge();
+    let reach = 1.5 * edge;
     let close = |p: &Point3<f64>| {
         let n = curve.len();
         (0..n).any(|i| from_piece(p, &curve[i], &curve[(i + 1) % n]) < reach)
     };
-    let mut near = beside(mesh, curve);
+    let mut near = beside(mesh, edge, curve);
     near.retain(close);
-    let (plane, points) = settled(&near, mesh.mean_edge(), curve)?;
+    let (plane, points) = settled(&near, edge, curve)?;
     spline_length(&points, &plane)
 }
 

@@ -3,8 +3,12 @@
 use measure::{FindLandmarks, GirthInput, LandmarkInput, Measure};
 use shape::{Girths, Landmarks, Mesh, Solid};
 use stage::{Ctx, Stage};
-use std::sync::Arc;
+use std::collections::HashMap;
+use std::sync::{Arc, LazyLock, Mutex};
 use synth::{Build, body_solid, bounds, surface};
+
+/// Surfaces that a test has made, by what they are of: many ask for the same body.
+static MADE: LazyLock<Mutex<HashMap<String, Mesh>>> = LazyLock::new(Mutex::default);
 
 /// A standing body whose arms are so far from its sides.
 pub(crate) fn built(stature: f64, stout: f64, arms_deg: f64) -> Solid {
@@ -19,8 +23,14 @@ pub(crate) fn built(stature: f64, stout: f64, arms_deg: f64) -> Solid {
 
 /// Its surface.
 pub(crate) fn meshed(solid: &Solid, cell_mm: f64) -> Mesh {
-    let (low, high) = bounds(solid);
-    surface(solid, low, high, cell_mm)
+    let of = format!("{solid:?} {cell_mm}");
+    let known = MADE.lock().unwrap().get(&of).cloned();
+    known.unwrap_or_else(|| {
+        let (low, high) = bounds(solid);
+        let mesh = surface(solid, low, high, cell_mm);
+        MADE.lock().unwrap().insert(of, mesh.clone());
+        mesh
+    })
 }
 
 /// Landmarks and girths of a surface alone, without cameras and photos.
