@@ -1,8 +1,9 @@
 """Puts a body in a pose: limbs to given directions, soles flat on the ground, by linear blend skinning.
 
 A pose names angles in degrees: `arm_l`, `arm_r` (upper arm from straight down, in the frontal plane), `elbow_l`,
-`elbow_r` (0 is straight), `swing_l`, `swing_r` (upper arm forward), `knee` (flexion, both), `lean`, `turn`, `nod`; and
-`feet`, the distance between the ankles in millimetres.
+`elbow_r` (0 is straight), `roll_l`, `roll_r` (forearm about the upper arm, inward), `swing_l`, `swing_r` (upper arm
+forward), `knee` (flexion, both), `knee_l`, `knee_r`, `step_l`, `step_r` (leg forward), `lean`, `turn`, `nod`; and `feet`, the
+distance between the ankles in millimetres.
 """
 import numpy as np
 from scipy.spatial.transform import Rotation
@@ -51,15 +52,15 @@ def rotations(body, heads, pose):
         raised = between(first @ upper, goal) @ first
         turned[f"upperarm01.{side}"] = raised
         hinge = unit(np.cross(raised @ upper, raised @ fore))
-        bent = about(hinge, pose[f"elbow_{low}"]) @ goal
+        bent = about(-s * goal, pose.get(f"roll_{low}", 0.0)) @ about(hinge, pose[f"elbow_{low}"]) @ goal
         turned[f"lowerarm01.{side}"] = between(raised @ fore, bent) @ raised
         leg = at["foot"] - at["upperleg01"]
         wanted = np.arcsin(np.clip((pose["feet"] / 2 - s * at["upperleg01"][0]) / np.linalg.norm(leg), -0.9, 0.9))
         has = np.arctan2(s * leg[0], -leg[2])
         side_step = about([0, -s, 0], np.degrees(wanted - has))
-        k = pose["knee"]
-        turned[f"upperleg01.{side}"] = side_step @ about([1, 0, 0], -k / 2)
-        turned[f"lowerleg01.{side}"] = side_step @ about([1, 0, 0], k / 2)
+        k, step = pose.get(f"knee_{low}", pose["knee"]), pose.get(f"step_{low}", 0.0)
+        turned[f"upperleg01.{side}"] = side_step @ about([1, 0, 0], -k / 2 - step)
+        turned[f"lowerleg01.{side}"] = side_step @ about([1, 0, 0], k / 2 - step)
         turned[f"foot.{side}"] = np.eye(3)
     return {body.bone(n): r for n, r in turned.items()}
 
