@@ -10,8 +10,13 @@ pub fn arm_ring<'a>(body: &Body, rings: &'a [Ring], side: f64) -> Option<&'a Rin
     let out = |r: &Ring| (r.centre - trunk.centre).dot(&body.left) * side;
     rings[1..]
         .iter()
-        .filter(|r| out(r) > 0.0 && r.area < 0.35 * trunk.area)
+        .filter(|r| out(r) > 0.0 && small(r.area, trunk.area))
         .max_by(|a, b| out(a).total_cmp(&out(b)))
+}
+
+/// Whether the area of a section is an arm's beside a trunk's.
+pub(crate) fn small(area: f64, trunk: f64) -> bool {
+    area < 0.35 * trunk
 }
 
 /// How far a trunk's section jumps outward, as a share of stature, where an arm beside it becomes part

@@ -8,6 +8,7 @@ use crate::geometry::slices::{Ring, rings};
 use crate::geometry::spline::closed_spline_length;
 use crate::planes::limbs::webbed;
 use crate::sections::hands::holds_hand;
+use crate::sections::lobe::lobe;
 use crate::sections::one::{FUSED, HAND, NOTHING, SectionMeasurement, Why, nearest, plain};
 use nalgebra::{Point3, Vector3};
 use shape::{GirthId, Landmark, Mesh, Plane};
@@ -30,7 +31,7 @@ pub(crate) fn across_leg(
     side: f64,
 ) -> Result<SectionMeasurement, Why> {
     let ring = nearest(mesh, &landmark.plane).ok_or(NOTHING)?;
-    if holds_hand(body, &ring, side) {
+    if holds_hand(body, &ring, side) || lobe(body, &ring, side).is_some() {
         return Err(HAND);
     }
     let out = |r: &Ring| extent(r, &(body.left * side));

@@ -31,14 +31,15 @@ const STRAIGHT: f64 = 5.0 * TAU / 360.0;
 /// bodies whose trunks were widened into them by 6, 15 and 28 mm.
 const BRIDGED: f64 = 0.3;
 
-/// Where an arm ends: an index, and the outline's way there, away from the arm.
-struct Fold {
-    steps: usize,
+/// Where an arm ends: an index, the outline's way there, away from the arm, and how far it has turned until there.
+pub(super) struct Fold {
+    pub(super) steps: usize,
+    pub(super) turned: f64,
     way: [f64; 2],
 }
 
 /// Follows an outline from a point of it, `at` of so many steps, to where it turns back. `None` if it never does.
-fn fold(at: &impl Fn(usize) -> [f64; 2], count: usize, turn: f64) -> Option<Fold> {
+pub(super) fn fold(at: &impl Fn(usize) -> [f64; 2], count: usize, turn: f64) -> Option<Fold> {
     let way = |k: usize| {
         let (a, b) = (at(k + count - REACH), at(k + REACH));
         let (x, y) = (b[0] - a[0], b[1] - a[1]);
@@ -65,6 +66,7 @@ fn fold(at: &impl Fn(usize) -> [f64; 2], count: usize, turn: f64) -> Option<Fold
             let steps = turned.iter().position(|t| *t >= most - STRAIGHT)?;
             return Some(Fold {
                 steps,
+                turned: most,
                 way: way(steps),
             });
         }

@@ -7,6 +7,7 @@ pub(crate) mod arm_inferred;
 pub(crate) mod beside_trunk;
 pub(crate) mod down_arm;
 pub(crate) mod hands;
+pub(crate) mod lobe;
 pub(crate) mod one;
 pub(crate) mod picked;
 pub(crate) mod split;

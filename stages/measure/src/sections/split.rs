@@ -15,7 +15,7 @@ pub struct Parted {
 }
 
 /// Points that an outline is resampled to.
-const SAMPLES: usize = 720;
+pub(super) const SAMPLES: usize = 720;
 /// Samples to either side of one that tell the way of the outline there.
 const REACH: usize = 5;
 /// The trunk has turned at least so far before an arm begins. \[rad\]

@@ -12,12 +12,14 @@ use crate::sections::across_arm::across_arm;
 use crate::sections::across_arm_of_hull::across_arm_of_hull;
 use crate::sections::across_leg::across_leg;
 use crate::sections::hands::{holds, holds_hand};
+use crate::sections::lobe::lobe;
 use crate::sections::one::{
     FUSED, HAND, NO_ARMS, NOTHING, SectionMeasurement, Why, nearest, plain,
 };
 use crate::sections::split::parted;
 use nalgebra::{Point3, Vector3};
 use shape::{Landmark, Mesh, Part, Plane, Region};
+use std::f64::consts::PI;
 
 /// Takes the section of a landmark.
 ///
@@ -129,28 +131,48 @@ fn trunk(mesh: &Mesh, body: &Body, landmark: &Landmark) -> Result<SectionMeasure
     let z = plane.point_mm[2];
     let ring = rings(mesh, plane).into_iter().next().ok_or(NOTHING)?;
     let arms = beside(body);
-    if landmark.region == Region::Chest && arms.len() < 2 {
-        return Err(NO_ARMS);
-    }
     let fused: Vec<&Beside> = arms
         .iter()
         .filter(|arm| z > arm.axis.point.z)
         .filter(|arm| holds(&ring, arm.axis.at(z)) || !stands_clear(body, z, arm.side))
         .collect();
+    // Arms that stand clear nowhere, or touch below where they do. About the chest the trunk's own sides swell, too: there
+    // what hangs is narrower where it hangs.
+    let least = match landmark.region {
+        Region::Chest => PI,
+        _ => 0.0,
+    };
+    let known = |side: f64| fused.iter().any(|arm| arm.side == side);
+    let hangs = |side: &f64| {
+        let hidden = !known(*side) && !stands_clear(body, z, *side);
+        hidden && lobe(body, &ring, *side).is_some_and(|turned| turned > least)
+    };
+    let hanging: Vec<f64> = [1.0, -1.0].into_iter().filter(hangs).collect();
+    let seen = |side: f64| hanging.contains(&side) || arms.iter().any(|arm| arm.side == side);
+    if landmark.region == Region::Chest && !(seen(1.0) && seen(-1.0)) {
+        return Err(NO_ARMS);
+    }
     if fused.is_empty() {
-        let sides = [1.0, -1.0];
-        if sides.iter().any(|side| holds_hand(body, &ring, *side)) {
+        let mut rest = [1.0, -1.0].into_iter().filter(|s| !hanging.contains(s));
+        if rest.clone().any(|side| holds_hand(body, &ring, side)) {
             return Err(HAND);
         }
         // Hands end beside the hip, where it widens: there a jump tells nothing.
         let beside_hands = landmark.region == Region::Hip;
-        if !beside_hands && sides.iter().any(|side| merged(body, z, *side)) {
+        if !beside_hands && rest.any(|side| merged(body, z, side)) {
             return Err(FUSED);
         }
-        return plain(mesh, plane, ring);
+        if hanging.is_empty() {
+            return plain(mesh, plane, ring);
+        }
     }
-    if let Some(free) = cut_off(body, &fused, &ring) {
+    let sides = fused.iter().map(|arm| arm.side);
+    let sides: Vec<f64> = sides.chain(hanging.iter().copied()).collect();
+    if let Some(free) = cut_off(body, &sides, &ring) {
         return Ok(free);
+    }
+    if !hanging.is_empty() {
+        return Err(FUSED);
     }
     // The highest slice below in which these arms stand clear, a little lower: above, the gap is
     // filled already.
@@ -173,13 +195,12 @@ fn trunk(mesh: &Mesh, body: &Body, landmark: &Landmark) -> Result<SectionMeasure
 }
 
 /// The trunk with its arms cut off at the seams that its own outline shows.
-fn cut_off(body: &Body, fused: &[&Beside], ring: &Ring) -> Option<SectionMeasurement> {
+fn cut_off(body: &Body, sides: &[f64], ring: &Ring) -> Option<SectionMeasurement> {
     let (u, v) = (&body.left, &body.front);
     let arms = body.trunk(ring.centre.z).map_or(ring.centre, |r| r.centre);
     let flat = |p: &Point3<f64>| [(p - arms).dot(u), (p - arms).dot(v)];
     let outline: Vec<[f64; 2]> = ring.curve.iter().map(flat).collect();
-    let sides: Vec<f64> = fused.iter().map(|arm| arm.side).collect();
-    let free = parted(&outline, [0.0, 0.0], &sides)?;
+    let free = parted(&outline, [0.0, 0.0], sides)?;
     let knots: Vec<[f64; 2]> = free.points.iter().step_by(8).copied().collect();
     let contour_mm = length(&free.points);
     Some(SectionMeasurement {

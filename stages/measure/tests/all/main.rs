@@ -1,5 +1,6 @@
 //! All tests of `measure` in one program: each takes long to link.
 
+mod arms_at_sides;
 mod bad_input;
 mod bodies;
 mod causes;
