@@ -6,13 +6,31 @@
 use crate::features::body::Body;
 use crate::geometry::section::{clipped, hull, tape};
 use crate::geometry::slices::rings;
-use crate::sections::across_arm::{DOUBT, LOOSE, WAYS, completed, support, way};
+use crate::sections::across_arm::completed;
 use crate::sections::arm_inferred::{InferredSection, bounded, onward};
 use crate::sections::down_arm::{CLEAN, DownArm, round};
 use crate::sections::one::{FUSED, SectionMeasurement, Why, plain};
 use nalgebra::{Matrix3, Vector3};
 use shape::{Landmark, Mesh};
 use std::f64::consts::TAU;
+
+/// How far beyond the grown section an inner half may reach, as a share of the arm's radius.
+const LOOSE: f64 = 0.03;
+/// Directions of support functions.
+const WAYS: usize = 180;
+/// Doubt of a girth whose inner half is given by another section, as a share of what is given.
+const DOUBT: f64 = 0.04;
+
+fn way(k: usize) -> [f64; 2] {
+    let (s, c) = libm::sincos(TAU * k as f64 / WAYS as f64);
+    [c, s]
+}
+
+/// Farthest of points in a direction.
+fn support(points: &[[f64; 2]], n: [f64; 2]) -> f64 {
+    let reach = points.iter().map(|p| n[0] * p[0] + n[1] * p[1]);
+    reach.fold(f64::MIN, f64::max)
+}
 
 /// How far the grown section may miss the outer half of a ring that is open to the trunk, as a share
 /// of the arm's radius, root of the mean square. Arms keep within 0.035; a web that a hull of few

@@ -3,6 +3,8 @@
 use crate::made;
 
 use made::{built, measured, meshed};
+use shape::SolidPart;
+use synth::{contour, length, taut};
 
 #[test]
 fn arms_that_are_one_with_the_trunk_are_no_part_of_its_girths() {
@@ -27,5 +29,32 @@ fn arms_that_are_one_with_the_trunk_are_no_part_of_its_girths() {
             "{:?}",
             girths.missing
         );
+    }
+}
+
+/// Upper arms that are flat at the shoulder and deep above the elbow, as muscles make them.
+#[test]
+fn an_arm_that_stands_clear_is_taken_whole_whether_round_or_not() {
+    let mut solid = built(1750.0, 1.0, 35.0);
+    for part in &mut solid.parts {
+        if let SolidPart::Limb {
+            from,
+            half_from,
+            half_to,
+            ..
+        } = part
+            && from[0].abs() > 130.0
+            && from[2] > 1300.0
+        {
+            (*half_from, *half_to) = ([58.0, 36.0], [34.0, 48.0]);
+        }
+    }
+    let girths = measured(meshed(&solid, 5.0)).1;
+    for name in ["AC_L", "AC_R"] {
+        let girth = girths.get(name).unwrap();
+        let own = contour(&solid, &girth.plane).unwrap();
+        let own = length(&taut(&own, &girth.plane));
+        assert!(girth.split.is_none(), "{name}");
+        proof::near(girth.tape_mm / own, 1.0, 0.01);
     }
 }
