@@ -7,12 +7,12 @@
 //! `MADE` is the folder that `models/made/make_bodies.py` wrote. Offsets are along the neck's axis from its
 //! tightest section, as shares of its diameter `unit_mm`; `notch` and `larynx` are carried template vertices, `rig_lean`
 //! \[rad\] the forward lean of the line of the rig's joints; `t00`… are tapes square to the axis, as shares of
-//! the tightest; `refused` is 1 where the program takes no girth, for the neck is a groove.
+//! the tightest; `refused` is 1 where the neck is a groove, of which no level is estimated.
 
 mod made_bodies;
 
 use made_bodies::{Fault, folder, read, truths};
-use measure::{NeckFeatures, neck_features, plane_at};
+use measure::{NeckFeatures, is_groove, neck_features};
 use nalgebra::{Point3, Vector3};
 use rayon::prelude::*;
 use serde_json::Value;
@@ -67,7 +67,7 @@ fn row(path: &Path) -> Result<Option<Vec<String>>, Fault> {
         .as_f64()
         .ok_or("a truth without stature")?;
     row.extend([format!("{stature:.0}"), format!("{d:.2}")]);
-    row.push(u8::from(plane_at(&neck, 0.0).is_err()).to_string());
+    row.push(u8::from(is_groove(&neck)).to_string());
     row.extend(["suprasternale", "larynx"].map(|mark| number(Some(offset(mark)))));
     row.push(number(rig_lean(&made.truth, &neck)));
     row.extend(neck.values().map(|v| format!("{v:.4}")));

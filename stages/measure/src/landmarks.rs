@@ -82,6 +82,7 @@ impl Stage for FindLandmarks {
         let mesh = &input.mesh;
         let stands = standing(mesh, input.cameras.as_deref()).ok_or(LandmarkError::NoBody)?;
         let mut body = stands.body;
+        body.carved = input.cameras.is_some();
         let mut found = Landmarks {
             unit: input.cameras.as_ref().map_or(mesh.unit, |c| c.scale.unit()),
             ..Landmarks::default()

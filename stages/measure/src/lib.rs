@@ -54,7 +54,7 @@ pub use model::table::TableError;
 pub use planes::custom::{BadName, OwnGirth, OwnPart};
 pub use planes::joints::arm_joints;
 pub use planes::limbs::{parts, share};
-pub use planes::neck::{NeckPlane, plane_at};
+pub use planes::neck::{NeckPlane, is_groove, plane_at};
 pub use planes::neck_level::{NeckLevel, neck_level};
 pub use planes::wanted::{Waist, Wanted};
 pub use sections::one::{SectionMeasurement, Why};

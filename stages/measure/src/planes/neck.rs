@@ -13,8 +13,8 @@ const BESIDE: f64 = 0.2;
 /// Steps in which a plane slides towards the tightest section, as a share of the diameter.
 const SLIDE: f64 = 0.01;
 
-/// A tube shorter than this, as a share of its diameter, is a groove: there tapes err by a tenth and more in
-/// the middle, elsewhere by less than a fortieth (a test holds that, on `models/tables/neck.csv`).
+/// A tube shorter than this, as a share of its diameter, is a groove, where a tape comes to rest at its tightest. At the
+/// estimated level tapes err there by a tenth in the middle, elsewhere by less than a fortieth (a test, on `models/tables/neck.csv`).
 const TUBE: f64 = 0.27;
 
 /// A plane across a neck.
@@ -26,17 +26,51 @@ pub struct NeckPlane {
     pub share: f64,
     /// The tape around the section. \[mm\]
     pub tape_mm: f64,
+    /// Standard deviation of that offset beside what the level's is; all of it where the neck is a groove.
+    pub(crate) off: Off,
+}
+
+/// How far from the estimated level a plane is, as a share of the neck's diameter.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) enum Off {
+    /// It slid so far.
+    Slid(f64),
+    /// The neck is a groove: anywhere in it, so far in standard deviations.
+    Groove(f64),
+}
+
+impl Off {
+    /// Standard deviation of the plane's offset, of a level that is so sure.
+    pub(crate) fn with(self, level: f64) -> f64 {
+        match self {
+            Off::Slid(far) => libm::hypot(level, far),
+            Off::Groove(sigma) => sigma,
+        }
+    }
+}
+
+/// Whether a neck is a groove: too short for a tape to lie anywhere but at its tightest.
+pub fn is_groove(f: &NeckFeatures) -> bool {
+    long(f) < TUBE
+}
+
+/// How long the tube is, as a share of its diameter.
+fn long(f: &NeckFeatures) -> f64 {
+    let (up, low) = f.tube.ends;
+    (up - low) / f.diameter_mm()
 }
 
 /// The plane square to the neck's axis at an offset from its tightest section (a share of its diameter),
-/// or the nearest to it that goes around the neck alone and passes under the chin.
+/// or the nearest to it that goes around the neck alone and passes under the chin; of a groove the tightest section.
 ///
 /// # Errors
-/// [`Refusal::NeckGroove`] for a neck too short for a tape, [`Refusal::NoSection`] where no plane does.
+/// [`Refusal::NeckGroove`] for a groove without a section, [`Refusal::NoSection`] where no plane goes around the neck.
 pub fn plane_at(f: &NeckFeatures, share: f64) -> Result<NeckPlane, Refusal> {
-    let (up, low) = f.tube.ends;
-    if up - low < TUBE * f.diameter_mm() {
-        return Err(Refusal::NeckGroove);
+    if is_groove(f) {
+        // The standard deviation of what is anywhere in it.
+        let off = Off::Groove(long(f) / 12f64.sqrt());
+        let tightest = across(f, 0.0).ok_or(Refusal::NeckGroove)?;
+        return Ok(NeckPlane { off, ..tightest });
     }
     let angle = f.throat.angle.0 / f.diameter_mm();
     let want = if share > 0.0 {
@@ -48,6 +82,10 @@ pub fn plane_at(f: &NeckFeatures, share: f64) -> Result<NeckPlane, Refusal> {
     (0..=steps)
         .map(|k| want - want.signum() * (f64::from(k) * SLIDE).min(want.abs()))
         .find_map(|s| across(f, s))
+        .map(|at| NeckPlane {
+            off: Off::Slid((at.share - share).abs()),
+            ..at
+        })
         .ok_or(Refusal::NoSection)
 }
 
@@ -65,6 +103,7 @@ fn across(f: &NeckFeatures, share: f64) -> Option<NeckPlane> {
         },
         share,
         tape_mm: ring.tape,
+        off: Off::Slid(0.0),
     })
 }
 
@@ -84,8 +123,8 @@ pub(crate) fn tilted(f: &NeckFeatures, at: NeckPlane, more: f64) -> Result<NeckP
             point_mm: ring.centre.into(),
             normal: normal.into(),
         },
-        share: at.share,
         tape_mm: ring.tape,
+        ..at
     })
 }
 
@@ -98,8 +137,8 @@ mod tests {
     use crate::model::necks::necks;
     use crate::model::table::Table;
 
-    /// Median of the tape's error by the told level alone, of necks with a tube of some lengths.
-    fn middle(from: f64, to: f64) -> f64 {
+    /// Medians of the tape's error of necks with a tube of some lengths: at the estimated level, and at the tightest section.
+    fn middles(from: f64, to: f64) -> [f64; 2] {
         let table = Table::checked_in("neck.csv");
         let model = LevelModel::built_in();
         let column = |name: &str| table.optional(name).unwrap();
@@ -111,27 +150,32 @@ mod tests {
             let at = NeckFeatures::NAMES.iter().position(|n| *n == name)?;
             features[at][row]
         };
-        let error = |row: usize| {
+        let errors = |row: usize| {
             let read = Place::Notch.features().into_iter().map(|f| of(row, f));
             let read: Option<Vec<f64>> = read.collect();
             let told = model.law(Place::Notch).estimate(&read?)?;
             let told = larynx(told, of(row, "angle")?).value;
             let tape = |at: f64| necks[row].tapes.at(at);
-            Some((tape(told)? / tape(necks[row].larynx?)? - 1.0).abs())
+            let own = tape(necks[row].larynx?)?;
+            Some([tape(told)?, tape(0.0)?].map(|t| (t / own - 1.0).abs()))
         };
         let long = |row: &usize| {
             let tube = of(*row, "up").unwrap() - of(*row, "low").unwrap();
             (from..to).contains(&tube)
         };
-        let mut all: Vec<f64> = (0..table.len()).filter(long).filter_map(error).collect();
+        let all: Vec<[f64; 2]> = (0..table.len()).filter(long).filter_map(errors).collect();
         assert!(all.len() > 10);
-        all.sort_by(f64::total_cmp);
-        all[all.len() / 2]
+        [0, 1].map(|k| {
+            let mut all: Vec<f64> = all.iter().map(|e| e[k]).collect();
+            all.sort_by(f64::total_cmp);
+            all[all.len() / 2]
+        })
     }
 
     #[test]
-    fn a_groove_tells_no_girth_and_a_tube_does() {
-        let (groove, tube) = (middle(0.0, TUBE), middle(TUBE, 9.0));
-        assert!(groove > 0.08 && tube < 0.025, "{groove} {tube}");
+    fn a_groove_is_taken_at_its_tightest_and_a_tube_at_its_level() {
+        let (groove, tube) = (middles(0.0, TUBE), middles(TUBE, 9.0));
+        assert!(groove[0] > 0.08 && groove[1] < 0.05, "{groove:?}");
+        assert!(tube[0] < 0.025 && tube[1] > tube[0], "{tube:?}");
     }
 }

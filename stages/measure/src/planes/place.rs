@@ -6,7 +6,7 @@ use crate::features::neck::neck_features;
 use crate::model::law::Law;
 use crate::model::level::Level;
 use crate::planes::limbs::{calf, thigh, upper_arm};
-use crate::planes::neck::{plane_at, tilted};
+use crate::planes::neck::{is_groove, plane_at, tilted};
 use crate::planes::neck_level::neck_level;
 use crate::planes::trunk::{Placed, Trunk, hip_plane, longest_hip_plane, unlike};
 use crate::planes::wanted::Waist;
@@ -85,11 +85,15 @@ pub(crate) fn across_neck(
     }
     let neck = neck_features(mesh, body).ok_or(Refusal::NoNeck);
     let placed = neck.and_then(|f| {
+        // Outlines do not show the bottom of a groove.
+        if body.carved && is_groove(&f) {
+            return Err(Refusal::NeckGroove);
+        }
         let level = neck_level(&f, law).ok_or(Refusal::NoNeck)?;
         let at = plane_at(&f, level.share)?;
         let at = tilted(&f, at, lean_deg.to_radians())?;
         // A plane that had to slide is as unsure as it slid far.
-        let off = libm::hypot(level.sigma, at.share - level.share) * f.diameter_mm();
+        let off = at.off.with(level.sigma) * f.diameter_mm();
         let sigma = PlaneSigma {
             level_mm: Some(off),
             tilt_rad: Some(level.tilt),
