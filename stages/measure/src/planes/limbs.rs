@@ -27,7 +27,7 @@ const THIGH: f64 = 0.8;
 const BELOW: f64 = 0.012;
 /// An upper arm shows at least so much of itself above the elbow, as a share of stature.
 const CLEAR: f64 = 0.025;
-/// A girth that grows by no more than this over 15 thousandths of stature has stopped growing.
+/// A girth that grows by no more than this up to the knee has stopped growing; one that falls by half as much has narrowed.
 const FLAT: f64 = 1.01;
 /// How sure the level of a greatest girth is, as a share of stature.
 const EXTREME: f64 = 0.006;
@@ -216,16 +216,24 @@ pub(crate) fn calf(limbs: &Limbs<'_>, body: &Body, side: f64) -> Result<Placed, 
         .collect();
     let most = |i: usize| found[i..=i + NEAR].iter().map(|f| f.1).fold(0.0, f64::max);
     let inner = NEAR..found.len().saturating_sub(NEAR);
+    // Between a calf and what is larger above it, the shank narrows.
+    let narrows = |i: usize| {
+        let (own, above) = (found[i].1, &found[i..]);
+        let larger = above.iter().position(|f| f.1 > own);
+        let least = |k: usize| above[..k].iter().map(|f| f.1).fold(own, f64::min);
+        larger.is_none_or(|k| (1.0 + FLAT) / 2.0 * least(k) <= own)
+    };
     // Greatest of those that nothing near exceeds, to either side.
     let peak = inner
         .clone()
-        .filter(|i| most(*i - NEAR).max(most(*i)) <= found[*i].1)
+        .filter(|i| most(*i - NEAR).max(most(*i)) <= found[*i].1 && narrows(*i))
         .max_by(|a, b| found[*a].1.total_cmp(&found[*b].1));
     if let Some(peak) = peak {
         return Ok((found[peak].0, sure(EXTREME * body.stature)));
     }
-    // A leg that hardly narrows below its knee: where it stops growing.
-    let flat = inner.into_iter().find(|i| most(*i) <= FLAT * found[*i].1);
+    // A leg that hardly narrows below its knee: where it stops growing for good.
+    let above = |i: usize| found[i..].iter().map(|f| f.1).fold(0.0, f64::max);
+    let flat = inner.into_iter().find(|i| above(*i) <= FLAT * found[*i].1);
     let at = flat.ok_or(Refusal::NoPeak)?;
     Ok((found[at].0, sure(2.0 * EXTREME * body.stature)))
 }

@@ -3,7 +3,7 @@
 use crate::made;
 
 use made::{built, measured, meshed};
-use shape::{Plane, Solid};
+use shape::{Level, Plane, Solid, SolidPart};
 use synth::{contour, length, taut};
 
 /// The height between two at which a measure of a solid's level section is greatest. \[mm\]
@@ -44,5 +44,40 @@ fn the_hip_is_where_the_buttocks_reach_farthest_and_the_calf_where_it_is_fullest
     for name in ["CFC_L", "CFC_R"] {
         let off = told(name) - calf;
         assert!(off.abs() < 0.012 * stature, "{name} {off} mm off");
+    }
+}
+
+/// Shanks that grow from the ankle to the knee, with a stretch on the way where they hardly do.
+#[test]
+fn a_shank_that_goes_on_growing_above_an_even_stretch_has_no_calf_there() {
+    let mut solid = built(1700.0, 1.0, 32.0);
+    let shank = [
+        (100.0, 36.0),
+        (200.0, 45.0),
+        (280.0, 46.0),
+        (360.0, 47.0),
+        (480.0, 60.0),
+    ];
+    for part in &mut solid.parts {
+        let SolidPart::Stack { levels, .. } = part else {
+            continue;
+        };
+        if levels[0].z > 100.0 {
+            continue;
+        }
+        let [x, y] = levels[2].centre;
+        let above = levels.split_off(4);
+        levels.truncate(1);
+        levels.extend(shank.map(|(z, half)| Level {
+            z,
+            centre: [x, y],
+            half: [half; 2],
+        }));
+        levels.extend(above);
+    }
+    let girths = measured(meshed(&solid, 8.0)).1;
+    for name in ["CFC_L", "CFC_R"] {
+        let z = girths.get(name).map(|g| g.plane.point_mm[2]);
+        assert!(z.is_none_or(|z| z > 380.0), "{name} at {z:?}");
     }
 }
