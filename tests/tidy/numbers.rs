@@ -12,7 +12,7 @@ const UNSOURCED: [(&str, usize); 14] = [
     ("follow", 16),
     ("hull", 12),
     ("io", 24),
-    ("measure", 165),
+    ("measure", 164),
     ("person", 19),
     ("pose", 163),
     ("refine", 24),

@@ -29,8 +29,9 @@ const BELOW: f64 = 0.012;
 const CLEAR: f64 = 0.025;
 /// A girth that grows by no more than this up to the knee has stopped growing; one that falls by half as much has narrowed.
 const FLAT: f64 = 1.01;
-/// How sure the level of a greatest girth is, as a share of stature.
-const EXTREME: f64 = 0.006;
+/// How sure the level of a greatest girth is, as a share of stature: fitted on thighs and calves of the first fifty bodies of
+/// `models/made/strangers.py`, of whose intervals nine in ten then contain the truth.
+const EXTREME: f64 = 0.0033;
 
 fn sure(level: f64) -> PlaneSigma {
     PlaneSigma {
