@@ -3,10 +3,11 @@
 
     docs/tables/strangers.py TAILOR BODIES SCANS [FROM TO] > docs/tables/strangers.json
 
-BODIES is the folder that `models/made/strangers.py` wrote, of which those from FROM to before TO (50, 100) are measured: the first fifty
+BODIES is the folder that `models/made/strangers.py` wrote, of which those from FROM to before TO (100, 150) are measured: the first hundred
 were looked at while the program was made. SCANS has PLY files of people (mm, soles at z = 0, facing -y) and levels.json, heights of WC and CC
 set by eye with a half width: the true tape is the program's own girth there, arms parted as it parts them, and at both ends of what the eye
-leaves open. Of a drawn neck the tape is taken twice: in the rig's plane, and through the same larynx in the direction of ours (`NC_ours`).
+leaves open. Of a drawn neck the tape is taken twice: in the rig's plane, which may
+run through shoulders or chin, and through the same larynx as a tape comes to rest that is free to tilt: where it is shortest (`NC_rest`).
 Wants numpy, scipy and trimesh.
 """
 
@@ -55,9 +56,10 @@ def drawn(tailor, truth_file):
         if r["girth"] in LEVEL and "tape" in r:
             r["level"] = round(given[r["girth"]]["plane"]["point_mm"][2] - truth["planes"][PLANES[r["girth"]]]["point"][2], 1)
     if "NC" in given:
-        plane = given["NC"]["plane"]
-        tape = around(trimesh.load(truth_file.with_suffix(".ply"), process=False), truth["marks"]["larynx"], plane["normal"], plane["point_mm"])
-        rows.append(row("NC", given, missing, tape) | {"girth": "NC_ours"})
+        mesh, larynx = trimesh.load(truth_file.with_suffix(".ply"), process=False), truth["marks"]["larynx"]
+        leans = np.radians(np.arange(-20, 61, 4))
+        tape = min(around(mesh, larynx, [0, -np.sin(a), np.cos(a)], given["NC"]["plane"]["point_mm"]) for a in leans)
+        rows.append(row("NC", given, missing, tape) | {"girth": "NC_rest"})
     return {"body": truth["number"], "touching": truth["pose"]["arm_l"] < 15, "remeshed": "voxel" in truth["finish"], "rows": rows}
 
 
@@ -93,7 +95,7 @@ def scanned(tailor, surface, levels):
     return {"scan": surface.stem, "rows": rows}
 
 
-def main(tailor, bodies, scans, first="50", end="100"):
+def main(tailor, bodies, scans, first="100", end="150"):
     """All bodies, and all scans."""
     files = [f for f in sorted(pathlib.Path(bodies).glob("**/[0-9]*.json")) if int(first) <= int(f.stem) < int(end)]
     made = []

@@ -13,6 +13,7 @@ mod plain;
 mod printed;
 mod scans;
 mod screens;
+mod stances;
 mod strangers;
 mod tables;
 

@@ -41,7 +41,11 @@ fn cells(rows: &[&Value]) -> String {
         .collect();
     let level = match levels.len() {
         0 => String::new(),
-        n => signed(&format!("{:+.0}", levels.iter().sum::<f64>() / n as f64)),
+        n => {
+            let mean = levels.iter().sum::<f64>() / n as f64;
+            let square = levels.iter().map(|l| (l - mean).powi(2)).sum::<f64>() / n as f64;
+            format!("{}; {:.0}", signed(&format!("{mean:+.0}")), square.sqrt())
+        }
     };
     format!(
         "{} of {} | {level} | {} | {}; {} | {} | {share:.2} |",
@@ -64,14 +68,18 @@ fn intervals_on_bodies_that_nothing_was_fitted_to() {
         rows.filter(ours).cloned().collect()
     };
     let mut table = String::from(
-        "| | given | level, mean, mm | tape, mean, % | middle; nine in ten, % | half an interval, % | 90 % interval holds |\n|---|---|---|---|---|---|---|\n",
+        "| | given | level, mean; deviation, mm | tape, mean, % | middle; nine in ten, % | half an interval, % | 90 % interval holds |\n|---|---|---|---|---|---|---|\n",
     );
     for (head, all, names) in [
         ("hip", "bodies", &["HC"][..]),
         ("chest (the rig's nipples)", "bodies", &["CC"]),
         ("waist at the navel (the rig's)", "bodies", &["WC_navel"]),
         ("neck (the rig's plane)", "bodies", &["NC"]),
-        ("neck (our plane's direction)", "bodies", &["NC_ours"]),
+        (
+            "neck (as a tape comes to rest at the rig's larynx)",
+            "bodies",
+            &["NC_rest"],
+        ),
         ("upper arm", "bodies", &["AC_L", "AC_R"]),
         ("thigh", "bodies", &["TC_L", "TC_R"]),
         ("calf", "bodies", &["CFC_L", "CFC_R"]),
