@@ -85,6 +85,10 @@ pub static CATALOG: Catalog = Catalog {
         ),
         ("turning", include_str!("../pipelines/turning.toml")),
         (
+            "turning-own-masks",
+            include_str!("../pipelines/turning-own-masks.toml"),
+        ),
+        (
             "turning-synth",
             include_str!("../pipelines/turning-synth.toml"),
         ),

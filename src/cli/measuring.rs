@@ -69,13 +69,14 @@ fn pipeline(
     let mut folders = source.inputs();
     let masks = source.folder().join(MASKS);
     let name = match (measure.walk, masks.is_dir()) {
-        _ if measure.turning => "turning",
+        (_, true) if measure.turning => "turning-own-masks",
+        (_, false) if measure.turning => "turning",
         (true, true) => "walk-own-masks",
         (true, false) => "walk",
         (false, true) => "own-masks",
         (false, false) => "body",
     };
-    if masks.is_dir() && !measure.turning {
+    if masks.is_dir() {
         folders.push((MASKS.to_owned(), masks));
     }
     sets.extend(first.map(|answer| format!("report.answer={answer}")));

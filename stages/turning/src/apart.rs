@@ -75,6 +75,7 @@ mod tests {
             let one = |i: usize| Step {
                 azimuth: i as f64 * 0.4 + if i == 3 { wrong } else { 0.0 },
                 off: [0.01 * (i % 3) as f64, 0.02 * (i % 4) as f64],
+                ..Step::default()
             };
             (0..16).map(one).collect()
         };

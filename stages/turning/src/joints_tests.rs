@@ -29,6 +29,7 @@ fn turned(photos: usize, ways: impl Fn(f64) -> f64) -> (Sights, Vec<f64>) {
         let step = Step {
             azimuth: ways(i as f64 / photos as f64),
             off: [0.01 * libm::sin(2.0 * i as f64), 0.0],
+            ..Step::default()
         };
         truth.push(step.azimuth);
         for (j, at) in places {
@@ -59,7 +60,7 @@ fn joints_alone_tell_the_azimuth_to_a_degree_or_two_whichever_way_it_goes() {
         swapped.for_each(|i| swap(&mut sights, i));
         let step = |a: &Faces| Step {
             azimuth: a.azimuth,
-            off: [0.0; 2],
+            ..Step::default()
         };
         let steps = first.iter().map(step).collect();
         let motion = Motion { pitch: 0.0, steps };

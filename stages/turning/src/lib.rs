@@ -14,9 +14,14 @@ mod error;
 pub mod joints;
 mod motion;
 pub mod outlines;
+mod points;
+mod rays;
+mod read;
 pub mod scene;
 mod score;
+mod together;
 mod told;
+mod trunk;
 
 pub use error::MotionError;
 pub use motion::{FindMotion, MotionInput, MotionParams};
@@ -30,7 +35,7 @@ pub const STAGES: &[&dyn ::stage::AnyStage] = &[
 
 /// Every kind of message of this crate.
 pub const MESSAGES: &[&[stage::Template]] =
-    &[motion::MESSAGES, told::MESSAGES, MotionError::MESSAGES];
+    &[read::MESSAGES, told::MESSAGES, MotionError::MESSAGES];
 
 /// The errors that have codes.
 const CODED: &[stage::Recognise] = &[

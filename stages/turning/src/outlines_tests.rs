@@ -2,6 +2,7 @@
 
 use super::*;
 use crate::joints::Equations;
+use crate::scene::{PER_STEP, Step};
 use nalgebra::Point2;
 use std::f64::consts::TAU;
 
@@ -27,6 +28,7 @@ fn motion(photos: usize, wrong: impl Fn(usize) -> [f64; 3]) -> Motion {
                 0.008 * libm::sin(3.0 * i as f64) + right,
                 0.008 * libm::sin(5.0 * i as f64) + back,
             ],
+            ..Step::default()
         }
     };
     Motion {
@@ -70,7 +72,7 @@ fn outlines_bring_a_motion_that_joints_tell_roughly_under_one_degree() {
     let outlines: Vec<Outline> = truth
         .steps
         .iter()
-        .map(|s| Outline::of(&mask(s), &lens))
+        .map(|s| Outline::of(&mask(s), &lens, |_| 1.0))
         .collect();
     let wrong = |i: usize| {
         let by = |k: f64| libm::sin(k * (i as f64 + 1.0));
@@ -88,26 +90,27 @@ fn outlines_bring_a_motion_that_joints_tell_roughly_under_one_degree() {
     };
     let before = off(&found);
     for round in 0..20 {
-        let mut all = Equations::none(3 * 24 + 1);
+        let mut all = Equations::none(PER_STEP * 24 + 1);
         equations(
             &outlines,
             &found,
-            (20.0, crate::motion::lax(round)),
+            (20.0, crate::together::lax(round)),
             &mut all,
         )
         .unwrap();
         // A level camera, a body that is expected where it is, and azimuths as joints tell them.
-        all.add(&[(72, 1.0)], found.pitch, 1e6);
+        all.add(&[(PER_STEP * 24, 1.0)], found.pitch, 1e6);
         for (i, step) in found.steps.iter().enumerate() {
-            all.add(&[(3 * i, 1.0)], step.azimuth - rough[i], 400.0);
-            (0..2).for_each(|k| all.add(&[(3 * i + 1 + k, 1.0)], step.off[k], 1e3));
+            let at = PER_STEP * i;
+            all.add(&[(at, 1.0)], step.azimuth - rough[i], 400.0);
+            (0..2).for_each(|k| all.add(&[(at + 1 + k, 1.0)], step.off[k], 1e3));
+            (0..2).for_each(|k| all.add(&[(at + 3 + k, 1.0)], step.lean[k], 1e6));
         }
         let by = all.solved(1e-3).unwrap();
         for (i, step) in found.steps.iter_mut().enumerate() {
-            step.azimuth += by[3 * i];
-            (0..2).for_each(|k| step.off[k] += by[3 * i + 1 + k]);
+            step.stepped(&by.as_slice()[PER_STEP * i..]);
         }
-        found.pitch += by[72];
+        found.pitch += by[PER_STEP * 24];
     }
     let after = off(&found);
     assert!(

@@ -3,7 +3,7 @@
 //! The camera is the origin, z is up, and it looks along y, downward by its pitch. Lengths are shares of the
 //! distance from the camera to the axis, which is (0, 1).
 
-use nalgebra::{Matrix2x3, Matrix3, Rotation3, Vector2, Vector3};
+use nalgebra::{Matrix2x3, Matrix3, Point3, Rotation3, Vector2, Vector3};
 use shape::{Camera, Intrinsics, Pose};
 
 /// Where the body is on a photo.
@@ -13,7 +13,12 @@ pub struct Step {
     pub azimuth: f64,
     /// How far it is beside the axis, to the camera's right, and behind it. \[distance to the axis\]
     pub off: [f64; 2],
+    /// How far it leans, as a turn about the camera's right and about its view, at the camera's height. \[rad\]
+    pub lean: [f64; 2],
 }
+
+/// Unknowns of a step, structural: its azimuth, where it is, how it leans.
+pub const PER_STEP: usize = 5;
 
 /// The whole motion.
 #[derive(Debug, Clone, PartialEq)]
@@ -25,28 +30,38 @@ pub struct Motion {
 }
 
 impl Step {
+    /// room_from_body.
+    pub fn pose(&self) -> Pose {
+        let lean = Rotation3::new(Vector3::new(self.lean[0], self.lean[1], 0.0));
+        let turn = Rotation3::from_axis_angle(&Vector3::z_axis(), self.azimuth);
+        Pose {
+            rotation: lean * turn,
+            translation: Vector3::new(self.off[0], 1.0 + self.off[1], 0.0),
+        }
+    }
+
     /// From the body to the room.
     pub fn to_room(&self, x: &Vector3<f64>) -> Vector3<f64> {
-        let (s, c) = libm::sincos(self.azimuth);
-        Vector3::new(
-            c * x.x - s * x.y + self.off[0],
-            s * x.x + c * x.y + 1.0 + self.off[1],
-            x.z,
-        )
+        self.pose().apply(&Point3::from(*x))
     }
 
-    /// From the room to the body.
-    pub fn to_body(&self, x: &Vector3<f64>) -> Vector3<f64> {
-        let (s, c) = libm::sincos(self.azimuth);
-        let (dx, dy) = (x.x - self.off[0], x.y - 1.0 - self.off[1]);
-        Vector3::new(c * dx + s * dy, c * dy - s * dx, x.z)
+    /// How a point of the body moves in the room by azimuth, by each of the offsets, and by each lean.
+    pub fn slopes(&self, x: &Vector3<f64>) -> [Vector3<f64>; PER_STEP] {
+        let at = self.pose().rotation * x;
+        [
+            Vector3::z().cross(&at),
+            Vector3::x(),
+            Vector3::y(),
+            Vector3::x().cross(&at),
+            Vector3::y().cross(&at),
+        ]
     }
 
-    /// How a point of the body moves in the room by azimuth, and by each of the offsets.
-    pub fn slopes(&self, x: &Vector3<f64>) -> [Vector3<f64>; 3] {
-        let (s, c) = libm::sincos(self.azimuth);
-        let by_azimuth = Vector3::new(-s * x.x - c * x.y, c * x.x - s * x.y, 0.0);
-        [by_azimuth, Vector3::x(), Vector3::y()]
+    /// Goes by what was solved for its unknowns.
+    pub fn stepped(&mut self, by: &[f64]) {
+        self.azimuth += by[0];
+        (0..2).for_each(|k| self.off[k] += by[1 + k]);
+        (0..2).for_each(|k| self.lean[k] += by[3 + k]);
     }
 }
 
@@ -76,15 +91,20 @@ impl Motion {
     pub fn cameras(&self, lens: Intrinsics) -> impl Iterator<Item = Camera> {
         let fixed = Rotation3::from_matrix_unchecked(looking(self.pitch));
         self.steps.iter().map(move |step| {
-            let turn = Rotation3::from_axis_angle(&Vector3::z_axis(), step.azimuth);
-            let axis = Vector3::new(step.off[0], 1.0 + step.off[1], 0.0);
+            let body = step.pose();
             Camera {
                 lens,
                 pose: Pose {
-                    rotation: fixed * turn,
-                    translation: fixed * axis,
+                    rotation: fixed * body.rotation,
+                    translation: fixed * body.translation,
                 },
             }
         })
+    }
+
+    /// camera_from_body of a photo.
+    pub fn camera_from_body(&self, photo: usize) -> (Matrix3<f64>, Vector3<f64>) {
+        let (turn, body) = (looking(self.pitch), self.steps[photo].pose());
+        (turn * body.rotation.matrix(), turn * body.translation)
     }
 }

@@ -4,6 +4,7 @@ use crate::azimuth::wrapped;
 use crate::error::MotionError;
 use crate::joints::{Articulated, Sights, TRUNK, TRUNK_SHARE};
 use crate::outlines::Agreement;
+use crate::points::Fit;
 use nalgebra::{Rotation3, Vector3};
 use shape::{Camera, Cameras, Intrinsics, PhotoId, Photos, Pose, Scale, View};
 use stage::{Message, message};
@@ -15,8 +16,29 @@ stage::messages! {
     FITS_NOWHERE = "warn-turning-odd": "the outline on {names} fits nowhere in the turn and was left out: is somebody else in the picture, or is the mask wrong?";
 }
 
-/// A motion, how outlines agree with it, and the photos whose outlines do not.
-pub(crate) type Found = (Articulated, Option<Agreement>, Vec<usize>);
+/// What was found.
+pub(crate) struct Found {
+    /// A motion.
+    pub(crate) body: Articulated,
+    /// How outlines agree with it.
+    pub(crate) agreement: Option<Agreement>,
+    /// How features do.
+    pub(crate) fit: Option<Fit>,
+    /// The photos whose outlines do not.
+    pub(crate) odd: Vec<usize>,
+}
+
+impl Found {
+    /// By joints alone.
+    pub(crate) fn by_joints(body: Articulated) -> Found {
+        Found {
+            body,
+            agreement: None,
+            fit: None,
+            odd: vec![],
+        }
+    }
+}
 
 /// Widest stretch of the turn without a photo: what girths by outlines may leave open, too. \[rad\]
 const MOST_OPEN: f64 = TAU / 6.0;
@@ -50,10 +72,11 @@ pub(crate) struct Verdict {
 /// A part of the turn is missing, or outlines contradict each other.
 pub(crate) fn verdict(
     joints: &Articulated,
-    (body, agreement, odd): &Found,
+    found: &Found,
     (ids, photos): (&[PhotoId], &Photos),
     cut: bool,
 ) -> Result<Verdict, MotionError> {
+    let Found { body, odd, .. } = found;
     let steps = &body.motion.steps;
     let name = |i: usize| photos.get(ids[i]).map_or(String::new(), |p| p.name.clone());
     let count = steps.len();
@@ -68,7 +91,7 @@ pub(crate) fn verdict(
             most: MOST_OPEN.to_degrees(),
         });
     }
-    let loose = agreement.map(|a| a.spread / height(body));
+    let loose = found.agreement.map(|a| a.spread / height(body));
     if let Some(loose) = loose.filter(|loose| cut && *loose > MOST_LOOSE) {
         return Err(MotionError::Loose {
             percent: 100.0 * loose,
@@ -133,11 +156,12 @@ fn height(body: &Articulated) -> f64 {
 /// The cameras as the body saw them: its axis amid shoulders and hips, it faces −y, and the floor is at 0. Millimetres by the
 /// stature as far as joints tell it, [`NOBODY_MM`] where nobody does: whoever has outlines scales them anew.
 pub(crate) fn cameras(
-    (body, agreement, _): &Found,
+    found: &Found,
     sights: &Sights,
     (ids, photos): (&[PhotoId], &Photos),
     lens: Intrinsics,
 ) -> Cameras {
+    let body = &found.body;
     let trunk = TRUNK.map(|j| body.places[j]);
     let middle = trunk.iter().sum::<Vector3<f64>>() / 4.0;
     let left = trunk[0] - trunk[1] + trunk[2] - trunk[3];
@@ -155,7 +179,7 @@ pub(crate) fn cameras(
             name: photos.get(ids[k]).map_or(String::new(), |p| p.name.clone()),
             camera: Camera { lens, pose },
             sigma_mm: None,
-            rms_px: agreement.map(|a| a.spread * lens.focal[0]),
+            rms_px: found.agreement.map(|a| a.spread * lens.focal[0]),
             points: sights.iter().filter(|of| of[k].is_some()).count() as u32,
         };
         (ids[k], view)

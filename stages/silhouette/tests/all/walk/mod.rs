@@ -104,8 +104,7 @@ fn where_skin_has_the_floor_s_colour_what_is_lacking_is_told() {
     );
     let (mean, _) = against(&came.masks.unwrap(), &came.truth);
     assert!(mean > 0.8, "{mean}");
-    let told =
-        |said: &String| said.contains("features amid the cameras are in no outline");
+    let told = |said: &String| said.contains("features amid the cameras are in no outline");
     assert!(came.said.iter().any(told), "{:?}", came.said);
 }
 
