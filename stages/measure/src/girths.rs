@@ -37,6 +37,9 @@ stage::params! {
         #[range(0.0..=10.0)]
         #[source(structural)]
         compression_pct: f64 = 0.0,
+        /// Whether the surface is a hull that nothing made rounder: its tapes are too long by corners between outlines,
+        /// which are taken off.
+        hull: bool = false,
         /// Points picked around the body, `[[x, y, z], ...]` in millimetres in the turntable frame:
         /// the paper's procedure gives a girth through them, called PICKED.
         points: Vec<Vec<f64>> = vec![],
@@ -264,5 +267,6 @@ fn sure<'a>(
         surface_mm: libm::hypot(p.surface_mm, even * input.mesh.mean_edge()),
         off_mm: square.sqrt(),
         cameras: input.cameras.as_deref(),
+        hull: p.hull,
     }
 }

@@ -32,6 +32,8 @@ pub(crate) struct Sure<'a> {
     pub(crate) off_mm: f64,
     /// How sure cameras and scale are.
     pub(crate) cameras: Option<&'a Cameras>,
+    /// Whether the surface is a hull, whose tapes are too long by its corners.
+    pub(crate) hull: bool,
 }
 
 impl Sure<'_> {
@@ -86,7 +88,16 @@ impl Sure<'_> {
             let shared = self.cameras.map_or(0.0, |c| shared_border(c, at));
             (s.girth, libm::hypot(s.sigma, shared))
         });
-        let (mean, width) = together((here.tape_mm, TAU * surface), outline);
+        let (tape_mm, (mean, width)) = match self.hull {
+            true => {
+                let round = round(here.tape_mm, TAU * surface, outline, seen);
+                (round.0, round)
+            }
+            false => (
+                here.tape_mm,
+                together((here.tape_mm, TAU * surface), outline),
+            ),
+        };
         let width = libm::hypot(width, seen.left_out_mm);
         let sigmas = Sigmas {
             level_mm: level.against_definition,
@@ -94,12 +105,12 @@ impl Sure<'_> {
             scale_mm: self.scale(here.tape_mm),
             split_mm: Some(here.sigma_mm),
             // Where outlines tell the girth, they tell of corners, too.
-            cover_mm: match seen.support {
-                Some(_) => Some(0.0),
-                None => seen.open_mm,
+            cover_mm: match seen.support.is_some() || self.hull {
+                true => Some(0.0),
+                false => seen.open_mm,
             },
         };
-        let interval_mm = told(here.tape_mm, mean, &sigmas)?;
+        let interval_mm = told(tape_mm, mean, &sigmas)?;
         let again = level
             .again
             .map(|mm| libm::hypot(libm::hypot(mm, width), here.sigma_mm));
@@ -119,9 +130,22 @@ impl Sure<'_> {
                 .iter()
                 .map(|p| [p.x as f32, p.y as f32, p.z as f32])
                 .collect(),
-            ..Girth::at(landmark, here.tape_mm)
+            ..Girth::at(landmark, tape_mm)
         })
     }
+}
+
+/// A tape of a hull without its corners, and its standard deviation: the girth by outlines, which has none; else with round
+/// arcs for corners that no outline confirms. It may err by half of what is cut off. \[mm\]
+fn round(tape: f64, surface: f64, outline: Option<(f64, f64)>, seen: &Seen) -> (f64, f64) {
+    let (round, sigma) = match outline {
+        Some((girth, sigma)) => (girth.min(tape), sigma),
+        None => (tape - seen.open_mm.unwrap_or(0.0), 0.0),
+    };
+    (
+        round,
+        libm::hypot(libm::hypot(surface, sigma), (tape - round) / 2.0),
+    )
 }
 
 /// The interval of a tape: none where a part of it is unknown, a refusal where it is too wide. `mean`
@@ -166,6 +190,26 @@ fn notes(landmark: &Landmark, here: &SectionMeasurement, seen: &Seen) -> Vec<Not
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_hulls_tape_is_that_of_its_outlines_or_lacks_the_corners_that_none_confirms() {
+        let seen = |open: f64| Seen {
+            support: None,
+            open_mm: Some(open),
+            left_out_mm: 0.0,
+        };
+        let (tape, sigma) = round(1000.0, 3.0, Some((980.0, 1.0)), &seen(40.0));
+        assert_eq!(tape, 980.0);
+        assert!((10.0..11.0).contains(&sigma), "{sigma}");
+        let (tape, sigma) = round(1000.0, 3.0, None, &seen(40.0));
+        assert_eq!(tape, 960.0);
+        assert!((20.0..21.0).contains(&sigma), "{sigma}");
+        // Outlines that reach beyond the hull are wrong somewhere else.
+        assert_eq!(
+            round(1000.0, 0.0, Some((1010.0, 0.0)), &seen(0.0)),
+            (1000.0, 0.0)
+        );
+    }
 
     #[test]
     fn an_unknown_part_gives_no_interval_an_unknown_scale_one_in_the_given_unit() {
