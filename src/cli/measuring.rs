@@ -283,9 +283,8 @@ pub(super) fn one(
         told.extend(sentences(&Ran::of(graph, &outcome, &[]), &girths));
         let words = measure.words();
         command::out!("{}{}", screen(words, &of), warned(words, &told));
-        let place = |key: &str, path: &Path| {
-            words.with(key, &[("path", path.display().to_string().into())])
-        };
+        let shown = |path: &Path| path.display().to_string();
+        let place = |key, path: &Path| words.with(key, &[("path", shown(path).into())]);
         command::outln!("\n{}", place("screen-files", &ready.out));
         let page = ready.out.join("report.html");
         if page.exists() {

@@ -37,6 +37,9 @@ stage::params! {
         #[range(0.0..=10.0)]
         #[source(structural)]
         compression_pct: f64 = 0.0,
+        /// How far an interval may reach to either side of its tape, in % of it: a girth with a wider one is refused.
+        #[range(1.0..=100.0)]
+        widest_pct: f64 = 25.0,
         /// Whether the surface is a hull that nothing made rounder: its tapes are too long by corners between outlines,
         /// which are taken off.
         hull: bool = false,
@@ -268,5 +271,6 @@ fn sure<'a>(
         off_mm: square.sqrt(),
         cameras: input.cameras.as_deref(),
         hull: p.hull,
+        widest: p.widest_pct / 100.0,
     }
 }

@@ -1,7 +1,8 @@
 //! Photos whose outline fits nowhere near where its joints put it: sought all around, and left out if it fits nowhere.
 
 use crate::joints::median;
-use crate::outlines::{Outline, depths};
+use crate::outline::Outline;
+use crate::outlines::depths;
 use crate::scene::Motion;
 use rayon::prelude::*;
 use std::f64::consts::TAU;

@@ -11,8 +11,9 @@ pub type Sights = Vec<Vec<Option<Vector2<f64>>>>;
 /// deviation, as a share of the distance to the camera (50 mm of 2.5 m).
 const WANDER: f64 = 0.02;
 
-/// How far the trunk leans from photo to photo, one standard deviation: 0.6°, by hand, 13 mm at an adult's breast. \[rad\]
-const LEAN: f64 = 0.01;
+/// How far the trunk leans, one standard deviation, derived of [`WANDER`]: soles, 0.4 of the distance below the camera, are
+/// off by a fifth of it. \[rad\]
+const LEAN: f64 = WANDER / 2.0;
 
 /// How far one step of the turn differs from the next, one standard deviation: 17°, by hand, as of steps of 15 ± 8°. \[rad\]
 const UNEVEN: f64 = 0.3;

@@ -11,8 +11,10 @@ mod again;
 mod apart;
 pub mod azimuth;
 mod error;
+mod given;
 pub mod joints;
 mod motion;
+mod outline;
 pub mod outlines;
 mod points;
 mod rays;
@@ -24,7 +26,8 @@ mod told;
 mod trunk;
 
 pub use error::MotionError;
-pub use motion::{FindMotion, MotionInput, MotionParams};
+pub use given::{MotionInput, MotionParams};
+pub use motion::FindMotion;
 pub use score::{ScoreInput, ScoreMotion, TooFew};
 
 /// Every stage of this crate, in the order in which data flows through it.

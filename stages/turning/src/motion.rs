@@ -2,62 +2,17 @@
 
 use crate::azimuth::{Faces, azimuths};
 use crate::error::MotionError;
+use crate::given::{MotionInput, MotionParams};
 use crate::joints::{Articulated, Sights, TRUNK_SHARE, median, swap};
 use crate::read::{followed, lens, sights, without_hands};
 use crate::scene::{Motion, Step};
-use crate::together::by_outlines;
-use crate::told::{Found, cameras, verdict};
-use shape::{Cameras, Masks, People, PhotoId, Photos, Tracks};
+use crate::together::{GoesOn, by_outlines};
+use crate::told::{Found, MOST_OPEN, cameras, closed, verdict};
+use shape::{Cameras, PhotoId, Photos};
 use stage::{Ctx, Stage, Stop};
-use std::sync::Arc;
-
-stage::params! {
-    /// How the motion of somebody who turns on the spot is found.
-    pub struct MotionParams {
-        /// Rounds in which joints and outlines settle together; 0: by joints alone.
-        #[range(0..=200)]
-        #[source(structural)]
-        rounds: u32 = 30,
-        /// Longest side to which outlines are reduced.
-        #[range(100..=4000)]
-        #[source(structural)]
-        outline_px: u32 = 700,
-        /// How many sights of joints a photo's outline counts as.
-        #[range(0.1..=1000.0)]
-        outline_weight: f64 = 100.0,
-        /// What a point of an outline counts for that is an arm's, a leg's or the head's: they move by themselves.
-        #[range(0.0..=1.0)]
-        limb_weight: f64 = 0.4,
-        /// How many sights of joints a photo's features count as.
-        #[range(0.0..=10000.0)]
-        feature_weight: f64 = 100.0,
-        /// Focal length as if on 36 × 24 mm film where neither EXIF nor capture.toml tells it: of phones' main cameras
-        /// 24 to 28 mm.
-        #[range(10.0..=300.0)]
-        #[source(by_hand = "main cameras of phones: 24 to 28 mm")]
-        focal_35mm: f64 = 26.0,
-    }
-}
-
-stage::inputs! {
-    /// Photos of somebody who turns.
-    pub struct MotionInput {
-        /// The photos, for lens and names.
-        photos: Arc<Photos>,
-        /// Joints, and a coarse mask where there is no other.
-        people: Arc<People>,
-        /// Silhouettes, where they are known.
-        masks: Option<Arc<Masks>>,
-        /// Features of skin and clothes, where they are followed.
-        tracks: Option<Arc<Tracks>>,
-    }
-}
 
 /// `turning.motion`: photos, people, masks → cameras.
 pub struct FindMotion;
-
-/// Photos that are needed at least: one every 45°.
-pub(crate) const LEAST_PHOTOS: usize = 8;
 
 impl Stage for FindMotion {
     const NAME: &'static str = "turning.motion";
@@ -79,12 +34,22 @@ impl Stage for FindMotion {
     fn run(p: &MotionParams, input: MotionInput, ctx: &Ctx<'_>) -> Result<Cameras, Stop> {
         let (photos, people) = (&*input.photos, &*input.people);
         let mut ids = followed(&input)?;
-        let lens = lens(p, photos, ctx)?;
+        let (lens, unknown) = lens(p, photos)?;
+        unknown.into_iter().for_each(|w| ctx.warn(w));
         let mut sights = sights(people, &ids, &lens);
         let joints = by_joints(&mut sights, &ids, photos)?;
+        // Outlines of half a turn can be had by many motions: joints tell that it is one.
+        let faces: Vec<f64> = joints.motion.steps.iter().map(|s| s.azimuth).collect();
+        let name = |i: usize| photos.get(ids[i]).map_or(String::new(), |p| p.name.clone());
+        closed(&faces, 1.5 * MOST_OPEN, name)?;
         let mut found = match p.rounds {
             0 => Found::by_joints(joints.clone()),
-            _ => by_outlines(p, &input, (&ids, &lens), (&sights, joints.clone()), ctx)?,
+            _ => {
+                let steps = ctx.steps("rounds", p.rounds as usize);
+                let goes_on: GoesOn<'_> = (&|| ctx.check(), &|| steps.tick());
+                let joints = (&sights, joints.clone());
+                by_outlines(p, &input, (&ids, &lens), joints, goes_on)?
+            }
         };
         let cut = input.masks.is_some();
         let seen = verdict(&joints, &found, (&ids, photos), cut)?;

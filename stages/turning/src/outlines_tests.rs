@@ -2,8 +2,10 @@
 
 use super::*;
 use crate::joints::Equations;
+use crate::outline::border;
 use crate::scene::{PER_STEP, Step};
-use nalgebra::Point2;
+use nalgebra::{Point2, Vector2, Vector3};
+use shape::{Intrinsics, Mask};
 use std::f64::consts::TAU;
 
 const LENS: (u32, u32, f64) = (240, 160, 260.0);

@@ -108,9 +108,9 @@ fn without_point(point: &[Sight], weights: &[f64], photos: usize, to: &mut Equat
             to.add(&slopes, s.miss[c], *w);
         }
     }
-    let held = &side * free;
+    let moved = &side * free;
     for a in 0..unknowns {
-        let row = [0, 1, 2].map(|c| held[(a, c)]);
+        let row = [0, 1, 2].map(|c| moved[(a, c)]);
         to.vector[place(a)] += (0..3).map(|c| row[c] * pull[c]).sum::<f64>();
         for b in 0..unknowns {
             let both = (0..3).map(|c| row[c] * side[(b, c)]).sum::<f64>();
@@ -163,13 +163,13 @@ fn seen_at(
     let sight = |(photo, sight): &(usize, Vector2<f64>)| {
         let step = &motion.steps[*photo];
         let pose = step.pose();
-        let room = pose.rotation * at + pose.translation;
-        let (seen, by_room, by_pitch) = seen(motion.pitch, &room)?;
+        let there = pose.rotation * at + pose.translation;
+        let (seen, by_place, by_pitch) = seen(motion.pitch, &there)?;
         Some(Sight {
             photo: *photo,
             miss: seen - sight,
-            by_point: by_room * pose.rotation.matrix(),
-            by_step: step.slopes(at).map(|s| by_room * s),
+            by_point: by_place * pose.rotation.matrix(),
+            by_step: step.slopes(at).map(|s| by_place * s),
             by_pitch,
         })
     };

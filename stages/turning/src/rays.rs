@@ -1,6 +1,6 @@
 //! One ray of an outline in all other photos' silhouettes: how deep it is in them, and what moves that.
 
-use crate::outlines::Outline;
+use crate::outline::Outline;
 use crate::scene::{Motion, PER_STEP, Step, looking};
 use nalgebra::{Matrix3, Vector2, Vector3};
 use shape::Pose;
@@ -8,7 +8,7 @@ use shape::Pose;
 /// Places along a ray that are looked at first.
 const ALONG: usize = 40;
 
-/// A point of an outline against all others.
+/// A point of an outline against all other outlines.
 pub(crate) struct Ray {
     pub(crate) photo: usize,
     /// What it counts for.
@@ -38,7 +38,7 @@ fn reach(outlines: &[Outline]) -> f64 {
     outlines.iter().map(Outline::breadth).fold(0.0, f64::max)
 }
 
-/// What all rays of one motion share: how a photo's room is seen by another photo's camera.
+/// What all rays of one motion share: how what a photo shows is seen by another photo's camera.
 struct Between {
     /// camera_from_room of the standing camera.
     turn: Matrix3<f64>,
@@ -54,7 +54,7 @@ impl Between {
         }
     }
 
-    /// From the room as a photo has it, by its body, into the camera of another.
+    /// From before the camera, as a photo has it, by its body, into the camera of another.
     fn photos(&self, from: usize, to: usize) -> (Matrix3<f64>, Vector3<f64>) {
         let (from, to) = (&self.poses[from], &self.poses[to]);
         let turn = (to.rotation * from.rotation.inverse()).into_inner();
@@ -65,7 +65,7 @@ impl Between {
     }
 }
 
-/// One ray: where along it the others' silhouettes are deepest, and what moves that.
+/// One ray: where along it the other silhouettes are deepest, and what moves that.
 fn ray(
     outlines: &[Outline],
     motion: &Motion,
@@ -169,14 +169,14 @@ fn sloped(
 ) -> Ray {
     let photos = motion.steps.len();
     let own = &between.poses[photo];
-    let room = direction * y;
-    let body = own.rotation.inverse() * (room - own.translation);
+    let there = direction * y;
+    let body = own.rotation.inverse() * (there - own.translation);
     let mut slopes: Vec<(usize, f64)> = Vec::with_capacity((shares.len() + 1) * PER_STEP + 1);
     let mut all = 0.0;
     let (mut own_slopes, mut by_pitch) = ([0.0; PER_STEP], 0.0);
     for (view, share) in shares {
         let turned = |by: f64| {
-            // The pitch turns the ray in the room, and the camera that sees it.
+            // The pitch turns the ray, and the camera that sees it.
             let turn = looking(motion.pitch + by);
             let ray = turn.transpose() * (between.turn * direction);
             let other = &between.poses[*view];
@@ -190,13 +190,13 @@ fn sloped(
             let by = Vector3::ith(k, NUDGE);
             (depth(&(at + by)) - depth(&(at - by))) / (2.0 * NUDGE)
         });
-        let by_room = between.turn.transpose() * slope * *share;
+        let by_place = between.turn.transpose() * slope * *share;
         for (k, moved) in motion.steps[*view].slopes(&body).iter().enumerate() {
-            slopes.push((PER_STEP * view + k, by_room.dot(moved)));
+            slopes.push((PER_STEP * view + k, by_place.dot(moved)));
         }
         let turn = between.poses[*view].rotation * own.rotation.inverse();
         for (k, moved) in motion.steps[photo].slopes(&body).iter().enumerate() {
-            own_slopes[k] -= by_room.dot(&(turn * moved));
+            own_slopes[k] -= by_place.dot(&(turn * moved));
         }
         by_pitch += share * slope.dot(&(turned(NUDGE) - turned(-NUDGE))) / (2.0 * NUDGE);
     }

@@ -1,11 +1,11 @@
 //! What photos and people give: who is followed, through which lens, and where the joints are seen.
 
 use crate::error::MotionError;
+use crate::given::{LEAST_PHOTOS, MotionInput, MotionParams};
 use crate::joints::Sights;
-use crate::motion::{LEAST_PHOTOS, MotionInput, MotionParams};
 use nalgebra::Point2;
 use shape::{Found, Intrinsics, People, PhotoId, Photos, film_to_px};
-use stage::{Ctx, message};
+use stage::{Message, message};
 
 stage::messages! {
     NO_FOCAL = "warn-turning-focal": "neither the photos nor capture.toml have the focal length: {focal:.0 mm}, as of phones' main cameras, was taken; give --focal";
@@ -32,12 +32,11 @@ pub(crate) fn followed(input: &MotionInput) -> Result<Vec<PhotoId>, MotionError>
     }
 }
 
-/// The lens, as EXIF or the user have it.
+/// The lens, as EXIF or the user have it; else as phones', and a warning.
 pub(crate) fn lens(
     p: &MotionParams,
     photos: &Photos,
-    ctx: &Ctx<'_>,
-) -> Result<Intrinsics, MotionError> {
+) -> Result<(Intrinsics, Option<Message>), MotionError> {
     let first = photos.photos.first().ok_or(MotionError::NoPerson {
         seen: 0,
         of: 0,
@@ -45,16 +44,16 @@ pub(crate) fn lens(
     })?;
     let (width, height) = (first.width, first.height);
     let film = |mm: f64| film_to_px(mm, width, height);
-    let told = photos.rig.focal_px;
-    let told = told.or(photos.rig.focal_35mm.or(first.focal_35mm).map(film));
-    if told.is_none() {
-        ctx.warn(message!(NO_FOCAL, focal = p.focal_35mm));
-    }
-    let mut lens = Intrinsics::simple(width, height, told.unwrap_or_else(|| film(p.focal_35mm)));
+    let known = photos.rig.focal_px;
+    let known = known.or(photos.rig.focal_35mm.or(first.focal_35mm).map(film));
+    let unknown = known
+        .is_none()
+        .then(|| message!(NO_FOCAL, focal = p.focal_35mm));
+    let mut lens = Intrinsics::simple(width, height, known.unwrap_or_else(|| film(p.focal_35mm)));
     if let Some(centre) = photos.rig.centre_px {
         lens.centre = centre;
     }
-    Ok(lens)
+    Ok((lens, unknown))
 }
 
 /// How far beyond the photo's border a joint is taken as the network guesses it, as a share of the photo's size: of a body

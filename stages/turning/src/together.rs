@@ -1,9 +1,10 @@
 //! The motion by joints, outlines and features together.
 
 use crate::again::{odd, sought};
+use crate::given::{MotionInput, MotionParams};
 use crate::joints::{Articulated, Equations, Sights};
-use crate::motion::{MotionInput, MotionParams};
-use crate::outlines::{Outline, equations};
+use crate::outline::Outline;
+use crate::outlines::equations;
 use crate::points::{self, Point};
 use crate::read::without_hands;
 use crate::told::Found;
@@ -11,19 +12,29 @@ use crate::trunk::Trunk;
 use nalgebra::{Point2, Vector2};
 use rayon::prelude::*;
 use shape::{Intrinsics, Mask, Observation, PhotoId};
-use stage::{Cancelled, Ctx, Stop};
+use stage::Cancelled;
+
+/// Whether to go on: asked for each photo, and after each round.
+pub(crate) type GoesOn<'a> = (
+    &'a (dyn Fn() -> Result<(), Cancelled> + Sync),
+    &'a dyn Fn() -> Result<(), Cancelled>,
+);
 
 /// The motion by joints and outlines together.
+///
+/// # Errors
+///
+/// The user asked to stop.
 pub(crate) fn by_outlines(
     p: &MotionParams,
     input: &MotionInput,
     (ids, lens): (&[PhotoId], &Intrinsics),
     (sights, mut found): (&Sights, Articulated),
-    ctx: &Ctx<'_>,
-) -> Result<Found, Stop> {
+    (photo, after): GoesOn<'_>,
+) -> Result<Found, Cancelled> {
     let trunks: Vec<Trunk> = (0..ids.len()).map(|i| Trunk::of(sights, i)).collect();
     let outline = |(i, id): (usize, &PhotoId)| -> Result<Outline, Cancelled> {
-        ctx.check()?;
+        photo()?;
         let (w, h) = (lens.width as usize, lens.height as usize);
         let coarse = || input.people.subject(*id).map(|found| found.mask(w, h));
         let mask = match &input.masks {
@@ -45,20 +56,19 @@ pub(crate) fn by_outlines(
     let outlines: Vec<Outline> = outlines.collect::<Result<_, _>>()?;
     let points = points_of(input, (ids, lens), &trunks, p.limb_weight);
     let used = without_hands(sights);
-    let steps = ctx.steps("rounds", p.rounds as usize);
     let (mut agreement, mut fit) = (None, None);
     for round in 0..p.rounds {
         let mut all = Equations::none(found.unknowns());
         found.equations(&used, &mut all);
         let lax = lax(round);
         agreement = equations(&outlines, &found.motion, (p.outline_weight, lax), &mut all);
-        fit = points::equations(&points, &found.motion, (p.feature_weight, lax), &mut all);
+        fit = points::equations(&points, &found.motion, (p.outline_weight, lax), &mut all);
         let Some(by) = all.solved(DAMPING) else { break };
         found.stepped(&by);
         if round == p.rounds / 2 {
             sought(&outlines, &mut found.motion);
         }
-        steps.tick()?;
+        after()?;
         if by.amax() < SETTLED && round > p.rounds / 2 {
             break;
         }

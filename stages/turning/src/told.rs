@@ -41,7 +41,7 @@ impl Found {
 }
 
 /// Widest stretch of the turn without a photo: what girths by outlines may leave open, too. \[rad\]
-const MOST_OPEN: f64 = TAU / 6.0;
+pub(crate) const MOST_OPEN: f64 = TAU / 6.0;
 /// Outlines may be so far apart, one standard deviation as a share of the body's height. By hand, between two scanned people
 /// whose outlines were cut out: 0.42 % where the azimuth came out 2.3° off and girths within 1 %, 0.77 % where it was 9° and
 /// a waist 16 % off; 0.1 % by true outlines.
@@ -82,15 +82,7 @@ pub(crate) fn verdict(
     let count = steps.len();
     let kept: Vec<usize> = (0..count).filter(|i| !cut || !odd.contains(i)).collect();
     let azimuths: Vec<f64> = kept.iter().map(|i| steps[*i].azimuth).collect();
-    let (before, after, open) = widest(&azimuths);
-    if open > MOST_OPEN {
-        return Err(MotionError::Open {
-            before: name(kept[before]),
-            after: name(kept[after]),
-            degrees: open.to_degrees(),
-            most: MOST_OPEN.to_degrees(),
-        });
-    }
+    let open = closed(&azimuths, MOST_OPEN, |i| name(kept[i]))?;
     let loose = found.agreement.map(|a| a.spread / height(body));
     if let Some(loose) = loose.filter(|loose| cut && *loose > MOST_LOOSE) {
         return Err(MotionError::Loose {
@@ -127,6 +119,28 @@ pub(crate) fn verdict(
         loose,
         warnings,
     })
+}
+
+/// How wide the widest stretch is, if that is little enough. \[rad\]
+///
+/// # Errors
+///
+/// A part of the turn is missing; photos beside it are named.
+pub(crate) fn closed(
+    azimuths: &[f64],
+    most: f64,
+    name: impl Fn(usize) -> String,
+) -> Result<f64, MotionError> {
+    let (before, after, open) = widest(azimuths);
+    match open > most {
+        true => Err(MotionError::Open {
+            before: name(before),
+            after: name(after),
+            degrees: open.to_degrees(),
+            most: MOST_OPEN.to_degrees(),
+        }),
+        false => Ok(open),
+    }
 }
 
 /// The widest stretch of a turn without a photo: the photos before and after it, and how wide it is. \[rad\]

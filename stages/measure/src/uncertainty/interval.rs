@@ -8,8 +8,6 @@ use shape::{GirthId, Landmark, Mesh, Plane, PlaneRule};
 
 /// Nine times in ten, in standard deviations.
 pub(crate) const NINE_IN_TEN: f64 = 1.645;
-/// How far an interval may reach to either side, as a share of the tape: wider ones tell nothing.
-const WIDEST: f64 = 0.25;
 
 /// How much a tape changes by where it is taken. \[mm\]
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -108,9 +106,9 @@ impl Beside<'_> {
     }
 }
 
-/// Whether an interval is too wide to tell anything of its tape, or reaches zero.
-pub(crate) fn too_wide(tape: f64, [low, high]: [f64; 2]) -> bool {
-    !(low > 0.0 && tape - low <= WIDEST * tape && high - tape <= WIDEST * tape)
+/// Whether an interval reaches farther from its tape than a share of it, or to zero.
+pub(crate) fn too_wide(tape: f64, [low, high]: [f64; 2], widest: f64) -> bool {
+    !(low > 0.0 && tape - low <= widest * tape && high - tape <= widest * tape)
 }
 
 /// A tape and its standard deviation, by the mesh and by silhouettes, as one: weighted by their
@@ -151,10 +149,10 @@ mod tests {
 
     #[test]
     fn an_interval_that_tells_nothing_is_too_wide() {
-        assert!(!too_wide(1000.0, [750.0, 1250.0]));
+        assert!(!too_wide(1000.0, [750.0, 1250.0], 0.25));
         for wide in [[749.0, 1100.0], [900.0, 1251.0], [f64::NAN, 1100.0]] {
-            assert!(too_wide(1000.0, wide), "{wide:?}");
+            assert!(too_wide(1000.0, wide, 0.25), "{wide:?}");
         }
-        assert!(too_wide(0.0, [0.0, 0.0]));
+        assert!(too_wide(0.0, [0.0, 0.0], 0.25));
     }
 }

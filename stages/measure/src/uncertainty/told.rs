@@ -34,6 +34,8 @@ pub(crate) struct Sure<'a> {
     pub(crate) cameras: Option<&'a Cameras>,
     /// Whether the surface is a hull, whose tapes are too long by its corners.
     pub(crate) hull: bool,
+    /// How far an interval may reach to either side, as a share of its tape.
+    pub(crate) widest: f64,
 }
 
 impl Sure<'_> {
@@ -63,7 +65,7 @@ impl Sure<'_> {
             scale_mm: self.scale(tape),
             ..girth.sigmas
         };
-        let interval_mm = told(tape, tape, &sigmas)?;
+        let interval_mm = told(tape, tape, &sigmas, self.widest)?;
         Ok(Girth {
             sigmas,
             interval_mm,
@@ -110,7 +112,7 @@ impl Sure<'_> {
                 false => seen.open_mm,
             },
         };
-        let interval_mm = told(tape_mm, mean, &sigmas)?;
+        let interval_mm = told(tape_mm, mean, &sigmas, self.widest)?;
         let again = level
             .again
             .map(|mm| libm::hypot(libm::hypot(mm, width), here.sigma_mm));
@@ -135,11 +137,11 @@ impl Sure<'_> {
     }
 }
 
-/// A tape of a hull without its corners, and its standard deviation: the girth by outlines, which has none; else with round
-/// arcs for corners that no outline confirms. It may err by half of what is cut off. \[mm\]
+/// A tape of a hull and its standard deviation: the girth by outlines, which has no corners, and from which no photo alone
+/// takes a slice; else with round arcs for corners that no outline confirms. It may err by half of what it differs. \[mm\]
 fn round(tape: f64, surface: f64, outline: Option<(f64, f64)>, seen: &Seen) -> (f64, f64) {
     let (round, sigma) = match outline {
-        Some((girth, sigma)) => (girth.min(tape), sigma),
+        Some(girth) => girth,
         None => (tape - seen.open_mm.unwrap_or(0.0), 0.0),
     };
     (
@@ -150,7 +152,7 @@ fn round(tape: f64, surface: f64, outline: Option<(f64, f64)>, seen: &Seen) -> (
 
 /// The interval of a tape: none where a part of it is unknown, a refusal where it is too wide. `mean`
 /// is what mesh and outlines tell together. \[mm\]
-fn told(tape: f64, mean: f64, sigmas: &Sigmas) -> Result<Option<[f64; 2]>, Refusal> {
+fn told(tape: f64, mean: f64, sigmas: &Sigmas, widest: f64) -> Result<Option<[f64; 2]>, Refusal> {
     if !sigmas.unknown().is_empty() {
         return Ok(None);
     }
@@ -163,7 +165,7 @@ fn told(tape: f64, mean: f64, sigmas: &Sigmas) -> Result<Option<[f64; 2]>, Refus
     let square: f64 = both.iter().flatten().map(|mm| mm * mm).sum();
     let reach = NINE_IN_TEN * square.sqrt();
     let ends = interval(tape, mean, reach, sigmas.cover_mm.unwrap_or(0.0));
-    match too_wide(tape, ends) {
+    match too_wide(tape, ends, widest) {
         true => Err(Refusal::TooUncertain),
         false => Ok(Some(ends)),
     }
@@ -204,11 +206,10 @@ mod tests {
         let (tape, sigma) = round(1000.0, 3.0, None, &seen(40.0));
         assert_eq!(tape, 960.0);
         assert!((20.0..21.0).contains(&sigma), "{sigma}");
-        // Outlines that reach beyond the hull are wrong somewhere else.
-        assert_eq!(
-            round(1000.0, 0.0, Some((1010.0, 0.0)), &seen(0.0)),
-            (1000.0, 0.0)
-        );
+        // Masks that each lack a bit elsewhere leave too little of a hull.
+        let (tape, sigma) = round(960.0, 3.0, Some((1000.0, 1.0)), &seen(0.0));
+        assert_eq!(tape, 1000.0);
+        assert!((20.0..21.0).contains(&sigma), "{sigma}");
     }
 
     #[test]
@@ -217,17 +218,17 @@ mod tests {
             scale_mm: None,
             ..Sigmas::EXACT
         };
-        assert_eq!(told(900.0, 900.0, &known), Ok(Some([900.0, 900.0])));
+        assert_eq!(told(900.0, 900.0, &known, 0.25), Ok(Some([900.0, 900.0])));
         let level = Sigmas {
             level_mm: None,
             ..Sigmas::EXACT
         };
-        assert_eq!(told(900.0, 900.0, &level), Ok(None));
+        assert_eq!(told(900.0, 900.0, &level, 0.25), Ok(None));
         let wide = Sigmas {
             level_mm: Some(150.0),
             ..Sigmas::EXACT
         };
-        assert_eq!(told(900.0, 900.0, &wide), Err(Refusal::TooUncertain));
+        assert_eq!(told(900.0, 900.0, &wide, 0.25), Err(Refusal::TooUncertain));
         let [low, high] = told(
             900.0,
             900.0,
@@ -236,6 +237,7 @@ mod tests {
                 surface_mm: Some(4.0),
                 ..Sigmas::EXACT
             },
+            0.25,
         )
         .unwrap()
         .unwrap();

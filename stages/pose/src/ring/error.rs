@@ -32,13 +32,13 @@ stage::failures! {
             least: u32,
             /// Some of them.
             names: String,
-        } = "fail-adrift": "{few} of {of} photos have fewer than {least} features in common with the rest ({names}), so the cameras' places are not known: are they in turning order, at steps below 30°? Is this a walk around somebody who does not move (--walk)? A patterned cloth or a marker mat (`tailor mat`) on the disk helps",
+        } = "fail-adrift": "{few} of {of} photos have fewer than {least} features in common with the rest ({names}), so the cameras' places are not known: are they in turning order, at steps below 30°? Is this a walk around somebody who does not move (--walk), or did somebody turn on the spot, without a disk (--turning)? A patterned cloth or a marker mat (`tailor mat`) on the disk helps",
         /// No two photos give a beginning.
         NoBeginning = "fail-no-beginning": "no two photos have enough in common to begin with: photograph at smaller steps, with more texture, or with a marker mat (`tailor mat`) on the disk",
         /// Cameras that are on no ring.
         NoRing {
             /// Root mean square, of the ring's radius. \[%\]
             off: f64,
-        } = "fail-no-ring": "the cameras came out {off:.1 %} off a ring, so they are not to be trusted: is this a walk around somebody who does not move (then --walk)? Did the subject turn on the spot, without a disk (then --set calibrated.motion=any)? Are the photos in turning order and the steps below 25°? `focal_35mm` and `step_deg` in capture.toml or a marker mat (`tailor mat`) on the disk help",
+        } = "fail-no-ring": "the cameras came out {off:.1 %} off a ring, so they are not to be trusted: is this a walk around somebody who does not move (then --walk)? Did the subject turn on the spot, without a disk (then --turning)? Are the photos in turning order and the steps below 25°? `focal_35mm` and `step_deg` in capture.toml or a marker mat (`tailor mat`) on the disk help",
     }
 }
