@@ -16,6 +16,7 @@ mod screens;
 mod stances;
 mod strangers;
 mod tables;
+mod turning;
 
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
