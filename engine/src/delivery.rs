@@ -13,6 +13,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::fs::File;
 use std::path::{Component, Path, PathBuf};
 
+pub(crate) use withdraw::of_readable;
 pub use withdraw::{Withdrawn, of, withdraw};
 
 /// Why results cannot be delivered.

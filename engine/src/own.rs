@@ -4,6 +4,7 @@
 use crate::system::{FileKind, nofollow};
 use stage::Hash;
 use std::fs;
+use std::io::Result;
 use std::path::{Path, PathBuf};
 
 /// The user's folder by its whole path, without links where it is there.
@@ -127,32 +128,49 @@ pub(crate) fn name(shelf: &str, hash: Hash) -> String {
     format!("{shelf}/{}/{hex}", &hex[..2])
 }
 
-/// What lies in a folder of the store and fits, sorted.
-fn inside(root: &Path, names: &[&str], kind: FileKind, fits: impl Fn(&str) -> bool) -> Vec<String> {
-    let at = nofollow::folder(root, names);
-    at.map_or_else(|_| vec![], |at| nofollow::all_inside(at, kind, fits))
+/// A folder of the store, `None` if it has none of this name.
+fn entered(root: &Path, name: &str) -> Result<Option<nofollow::Folder>> {
+    there(nofollow::folder(root, &[name]))
 }
 
-/// The plain files of a folder of the store whose names fit.
-pub(crate) fn files(root: &Path, name: &str, fits: impl Fn(&str) -> bool) -> Vec<String> {
-    inside(root, &[name], FileKind::File, fits)
+fn there(at: Result<nofollow::Folder>) -> Result<Option<nofollow::Folder>> {
+    match at {
+        Err(why) if nofollow::is_absent(&why) => Ok(None),
+        at => at.map(Some),
+    }
+}
+
+/// The plain files of a folder of the store whose names fit, sorted.
+///
+/// # Errors
+///
+/// It is there and cannot be read.
+pub(crate) fn files(root: &Path, name: &str, fits: impl Fn(&str) -> bool) -> Result<Vec<String>> {
+    match entered(root, name)? {
+        Some(at) => nofollow::all_inside(at, FileKind::File, fits),
+        None => Ok(vec![]),
+    }
 }
 
 /// All that lies on a shelf under a hash.
-pub(crate) fn shelf(root: &Path, name: &str) -> Vec<Hash> {
+///
+/// # Errors
+///
+/// It is there and cannot be read.
+pub(crate) fn shelf(root: &Path, name: &str) -> Result<Vec<Hash>> {
     let mut hashes = Vec::new();
-    let Ok(at) = nofollow::folder(root, &[name]) else {
-        return hashes;
+    let Some(at) = entered(root, name)? else {
+        return Ok(hashes);
     };
-    for prefix in nofollow::inside(&at, FileKind::Folder, is_prefix) {
-        let Ok(within) = nofollow::within(&at, &prefix) else {
+    for prefix in nofollow::inside(&at, FileKind::Folder, is_prefix)? {
+        let Some(within) = there(nofollow::within(&at, &prefix))? else {
             continue;
         };
         let fits = |file: &str| is_hash(file) && file.starts_with(&prefix);
-        let files = nofollow::all_inside(within, FileKind::File, fits);
+        let files = nofollow::all_inside(within, FileKind::File, fits)?;
         hashes.extend(files.iter().filter_map(|file| Hash::from_hex(file).ok()));
     }
-    hashes
+    Ok(hashes)
 }
 
 /// Removes a plain file of the store; whether it was there.
@@ -193,25 +211,33 @@ pub(crate) fn stranger(root: &Path) -> Option<PathBuf> {
 }
 
 /// The folders of the store that are there, those within shelves first, the store itself last.
-pub(crate) fn folders(root: &Path) -> Vec<PathBuf> {
+///
+/// # Errors
+///
+/// One cannot be read.
+pub(crate) fn folders(root: &Path) -> Result<Vec<PathBuf>> {
     let mut all = Vec::new();
     for (name, _) in FOLDERS {
-        let Ok(at) = nofollow::folder(root, &[name]) else {
+        let Some(at) = entered(root, name)? else {
             continue;
         };
         let path = root.join(name);
-        let within = nofollow::all_inside(at, FileKind::Folder, is_prefix);
+        let within = nofollow::all_inside(at, FileKind::Folder, is_prefix)?;
         all.extend(within.iter().map(|name| path.join(name)));
         all.push(path);
     }
     all.push(root.to_owned());
-    all
+    Ok(all)
 }
 
 /// The size of all that lies on a shelf. \[bytes\]
-pub(crate) fn size(root: &Path, shelf_name: &str) -> u64 {
+///
+/// # Errors
+///
+/// As [`shelf`].
+pub(crate) fn size(root: &Path, shelf_name: &str) -> Result<u64> {
     let size = |hash: &Hash| fs::metadata(place(root, shelf_name, *hash)).map_or(0, |m| m.len());
-    shelf(root, shelf_name).iter().map(size).sum()
+    Ok(shelf(root, shelf_name)?.iter().map(size).sum())
 }
 
 #[cfg(test)]

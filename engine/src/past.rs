@@ -4,69 +4,25 @@
 //! is read, and not the whole. A run that found all that an earlier one had is the first line only.
 //! Runs have numbers of their own: no clock says which was the last.
 
-use crate::graph::Graph;
+mod read;
+mod record;
+
 use crate::own;
-use crate::system::{FileKind, nofollow};
 use serde::de::DeserializeOwned;
 use serde::{Deserialize, Serialize};
 use serde_json::{Value, json};
-use stage::{Files, Message};
-use std::collections::{BTreeMap, BTreeSet};
+use stage::Message;
+use std::collections::BTreeSet;
 use std::fs::File;
-use std::io::{BufRead, BufReader, Lines};
-use std::path::{Path, PathBuf};
+use std::io::{BufReader, Lines, Result};
+use std::path::Path;
 use std::sync::atomic::{AtomicU64, Ordering};
 
-/// What a run was of: another one of the same is its past.
-#[derive(Debug, Clone, Default, PartialEq, Eq, Serialize, Deserialize)]
-pub struct Of {
-    /// The pipeline's file.
-    pub pipeline: String,
-    /// Its variants.
-    pub variant: Option<String>,
-    /// Each input's folder.
-    pub inputs: BTreeMap<String, String>,
-}
-
-impl Of {
-    /// A pipeline with the files of each input.
-    pub fn new(graph: &Graph, files: &[Files]) -> Of {
-        let folder = |files: &Files| files.root.display().to_string();
-        let inputs = graph.inputs.iter().zip(files);
-        Of {
-            pipeline: graph.origin.pipeline.clone(),
-            variant: graph.origin.variant.clone(),
-            inputs: inputs.map(|(i, f)| (i.name.clone(), folder(f))).collect(),
-        }
-    }
-}
-
-/// What a record says of the run as a whole.
-#[derive(Debug, Clone, Default, Serialize, Deserialize)]
-pub struct Head {
-    /// The program that wrote it.
-    pub program: String,
-    /// What the pipeline is for.
-    #[serde(default)]
-    pub about: String,
-    /// What it was of.
-    #[serde(default)]
-    pub of: Of,
-    /// How long it took. \[s\]
-    pub seconds: f64,
-    /// How many nodes were made.
-    #[serde(default)]
-    pub made: usize,
-    /// How many nodes were found.
-    #[serde(default)]
-    pub found: usize,
-    /// How many nodes failed.
-    #[serde(default)]
-    pub failed: usize,
-    /// The run that made all that this one found.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub same_as: Option<String>,
-}
+pub use read::contents;
+pub(crate) use read::{read_file_lists, read_head};
+pub(crate) use record::all_ids;
+pub use record::{FileLists, Head, Of, run_file};
+use record::{Old, number};
 
 /// A node's line, as it is read back.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -99,14 +55,6 @@ pub struct NodeLine {
     pub warnings: Vec<Message>,
 }
 
-/// The files of each input: name and hash.
-pub type FileLists = BTreeMap<String, Vec<(String, String)>>;
-
-/// The record of a run.
-pub fn run_file(store: &Path, id: &str) -> PathBuf {
-    store.join("runs").join(format!("{id}.json"))
-}
-
 /// `last`, `last~1`, …: how many runs ago.
 pub fn ago(text: &str) -> Option<usize> {
     match text.strip_prefix("last")? {
@@ -115,28 +63,16 @@ pub fn ago(text: &str) -> Option<usize> {
     }
 }
 
-/// A run's own number.
-fn number(id: &str) -> u64 {
-    let digits = id.split('-').next().unwrap_or("");
-    digits.parse().unwrap_or(0)
-}
-
-/// The ids of all runs, the newest first.
+/// The ids of all runs, the newest first; none if they cannot be listed.
 pub fn ids(store: &Path) -> Vec<String> {
-    let names = own::files(store, "runs", own::is_run).into_iter();
-    let id = |name: String| Some(name.strip_suffix(".json")?.to_owned());
-    let mut ids: Vec<String> = names.filter_map(id).collect();
-    ids.reverse();
-    ids
+    all_ids(store).unwrap_or_default()
 }
 
 /// An id after all that there are.
 pub fn next_id(store: &Path) -> String {
     static LAST: AtomicU64 = AtomicU64::new(0);
-    let newest = nofollow::folder(store, &["runs"]).map_or(0, |at| {
-        let names = nofollow::inside(&at, FileKind::File, own::is_run);
-        names.last().map_or(0, |name| number(name))
-    });
+    let names = own::files(store, "runs", own::is_run).unwrap_or_default();
+    let newest = names.last().map_or(0, |name| number(name));
     let next = |last: u64| Some(last.max(newest) + 1);
     let last = LAST.fetch_update(Ordering::Relaxed, Ordering::Relaxed, next);
     let now = last.unwrap_or(0).max(newest) + 1;
@@ -144,10 +80,10 @@ pub fn next_id(store: &Path) -> String {
 }
 
 fn lines(store: &Path, id: &str) -> Option<Lines<BufReader<File>>> {
-    Some(BufReader::new(File::open(run_file(store, id)).ok()?).lines())
+    read::all_lines(store, id).ok()?
 }
 
-/// What a record says of the run as a whole.
+/// What a record has of the run as a whole.
 pub fn head(store: &Path, id: &str) -> Option<Head> {
     serde_json::from_str(&lines(store, id)?.next()?.ok()?).ok()
 }
@@ -174,13 +110,8 @@ pub fn nodes_as<T: DeserializeOwned>(
     let first = lines.next()?.ok()?;
     // Before runs were lines, all nodes stood in the first.
     let old = serde_json::from_str::<Old<T>>(&first).map_or(vec![], |old| old.nodes);
-    let node = |line: std::io::Result<String>| serde_json::from_str::<T>(&line.ok()?).ok();
+    let node = |line: Result<String>| serde_json::from_str::<T>(&line.ok()?).ok();
     Some((found, old.into_iter().chain(lines.skip(1).filter_map(node))))
-}
-
-#[derive(Deserialize)]
-struct Old<T> {
-    nodes: Vec<T>,
 }
 
 /// A node of a run, found without reading the others.
@@ -221,45 +152,38 @@ pub fn runs(store: &Path) -> impl Iterator<Item = (String, Value)> + use<> {
         .filter_map(move |id| Some((id.clone(), run(&root, &id)?)))
 }
 
-/// The contents of all results of the last so many runs, and of those that are named.
-pub fn contents(store: &Path, last: usize, named: &BTreeSet<String>) -> BTreeSet<String> {
-    let ids = ids(store);
-    let named = named
-        .iter()
-        .filter(|id| !ids[..last.min(ids.len())].contains(id));
-    let mut contents = BTreeSet::new();
-    for id in ids.iter().take(last).chain(named) {
-        let nodes = nodes(store, id).into_iter().flatten();
-        contents.extend(nodes.filter_map(|node| node.content));
-    }
-    contents
-}
-
 /// Removes the records and logs of all but the last so many runs, of those that are named, and of
 /// those that another one refers to. Returns how many went, or would go.
-pub fn prune(store: &Path, keep: usize, named: &BTreeSet<String>, dry_run: bool) -> usize {
-    let ids = ids(store);
+///
+/// # Errors
+///
+/// The disk refuses before anything went.
+pub fn prune(store: &Path, keep: usize, named: &BTreeSet<String>, dry_run: bool) -> Result<usize> {
+    let ids = all_ids(store)?;
     let mut stays: BTreeSet<String> = ids.iter().take(keep.max(1)).cloned().collect();
     let oldest = stays.first().map_or(0, |id| number(id));
     stays.extend(named.iter().cloned());
-    let base = |id: &String| head(store, id)?.same_as;
-    let bases: Vec<String> = stays.iter().filter_map(base).collect();
+    let mut bases = Vec::new();
+    for id in &stays {
+        bases.extend(read_head(store, id)?.and_then(|head| head.same_as));
+    }
     stays.extend(bases);
     let going: Vec<&String> = ids.iter().filter(|id| !stays.contains(*id)).collect();
+    let logs = own::files(store, "runs", own::is_run)?;
     if dry_run {
-        return going.len();
+        return Ok(going.len());
     }
     for id in &going {
         own::remove(store, &["runs"], &format!("{id}.json"));
     }
     // Logs also of runs that were killed, and left no record.
-    for name in own::files(store, "runs", own::is_run) {
+    for name in logs {
         let log = name.strip_suffix(".jsonl");
         if log.is_some_and(|id| !stays.contains(id) && number(id) < oldest) {
             own::remove(store, &["runs"], &name);
         }
     }
-    going.len()
+    Ok(going.len())
 }
 
 #[cfg(test)]

@@ -17,7 +17,8 @@ pub(super) fn after_run(global: &GlobalArgs) {
     let Ok(store) = Store::open(&global.cache) else {
         return;
     };
-    let over = global.max_size.filter(|most| keeper::size(&store) > *most);
+    let over = global.max_size;
+    let over = over.filter(|most| keeper::size(&store).is_ok_and(|size| size > *most));
     if !many && over.is_none() {
         return;
     }

@@ -136,10 +136,10 @@ pub(crate) fn cache(
         Verb::Store | Verb::Push | Verb::SweepStore { .. } | Verb::Keygen { .. } => {
             unreachable!("answered above")
         }
-        Verb::Ls => ls(&store, global),
-        Verb::Du => du(&store, global),
+        Verb::Ls => ls(&store, global).map_err(Fault::input)?,
+        Verb::Du => du(&store, global).map_err(Fault::input)?,
         Verb::Runs => runs(&store, global),
-        Verb::Pins | Verb::Pin { name: None, .. } => pins::list(&store, global),
+        Verb::Pins | Verb::Pin { name: None, .. } => pins::list(&store, global)?,
         Verb::Unpin { name }
         | Verb::Pin {
             name: Some(name),
@@ -170,7 +170,7 @@ pub(crate) fn cache(
         Verb::Forget(args) => forget_folder(args, &store, global)?,
         Verb::Verify => {
             let bad = keeper::verify(&store);
-            let results = keeper::list(&store).len();
+            let results = keeper::list(&store).map_err(Fault::input)?.len();
             print_either(global, json!({ "checked": results, "bad": bad }), || {
                 let (whole, aside) = (count(results, "result"), count(bad, "file"));
                 vec![format!("whole: {whole}; put aside: {aside}")]
@@ -194,8 +194,9 @@ fn gc(store: &Store, budget: &Budget, dry_run: bool, global: &GlobalArgs) -> Res
     }
 }
 
-fn ls(store: &Store, global: &GlobalArgs) {
-    let mut kept = keeper::list(store);
+fn ls(store: &Store, global: &GlobalArgs) -> Result<(), StoreError> {
+    let mut kept = keeper::list(store)?;
+    let total = total(store, &kept)?.0;
     kept.sort_by(|a, b| b.bytes.cmp(&a.bytes).then(a.key.cmp(&b.key)));
     let line = |k: &Kept| {
         let (key, size, seconds) = (&k.key[..12], mib(k.bytes), k.seconds);
@@ -204,25 +205,25 @@ fn ls(store: &Store, global: &GlobalArgs) {
     let one = |k: &Kept| json!({ "key": k.key, "content": k.content, "bytes": k.bytes, "seconds": k.seconds, "stage": k.stage });
     print_either(global, kept.iter().map(one).collect(), || {
         let lines = kept.iter().map(line);
-        lines.chain([total(store, &kept).0]).collect()
+        lines.chain([total]).collect()
     });
+    Ok(())
 }
 
 /// How much these results are, in words and as JSON. Nodes may share a result.
-fn total(store: &Store, kept: &[Kept]) -> (String, Value) {
+fn total(store: &Store, kept: &[Kept]) -> Result<(String, Value), StoreError> {
     let sizes: BTreeMap<&str, u64> = kept.iter().map(|k| (&*k.content, k.bytes)).collect();
-    let (total, parts) = (sizes.values().sum(), keeper::parts_size(store));
+    let (total, parts) = (sizes.values().sum(), keeper::parts_size(store)?);
     let json = json!({ "results": kept.len(), "bytes": total, "parts_bytes": parts });
     let (results, total, parts) = (count(kept.len(), "result"), mib(total), mib(parts));
-    (
-        format!("{results}, {total:.1} MiB; parts {parts:.1} MiB"),
-        json,
-    )
+    let line = format!("{results}, {total:.1} MiB; parts {parts:.1} MiB");
+    Ok((line, json))
 }
 
-fn du(store: &Store, global: &GlobalArgs) {
-    let (line, json) = total(store, &keeper::list(store));
+fn du(store: &Store, global: &GlobalArgs) -> Result<(), StoreError> {
+    let (line, json) = total(store, &keeper::list(store)?)?;
     print_either(global, json, || vec![line]);
+    Ok(())
 }
 
 fn runs(store: &Store, global: &GlobalArgs) {

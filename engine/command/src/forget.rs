@@ -36,10 +36,13 @@ fn marks(folder: &Path, global: &GlobalArgs) -> BTreeSet<String> {
 }
 
 /// Where results of a folder lie: as the cache notes it, and in folders here and beside the folder.
-fn results(store: &Store, folder: &Path, global: &GlobalArgs) -> BTreeMap<PathBuf, String> {
-    let trace = store.trace(folder);
-    let noted = store.delivered(&trace).into_iter().map(|d| (d.out, d.of));
-    let mut found: BTreeMap<PathBuf, String> = noted.collect();
+fn results(
+    store: &Store,
+    folder: &Path,
+    global: &GlobalArgs,
+) -> Result<BTreeMap<PathBuf, String>, StoreError> {
+    let noted = store.delivered(&store.trace(folder)?)?.into_iter();
+    let mut found: BTreeMap<PathBuf, String> = noted.map(|d| (d.out, d.of)).collect();
     let marks = marks(folder, global);
     let beside = whole(folder).parent().map(Path::to_owned);
     for place in beside.into_iter().chain([whole(Path::new("."))]) {
@@ -49,7 +52,7 @@ fn results(store: &Store, folder: &Path, global: &GlobalArgs) -> BTreeMap<PathBu
             }
         }
     }
-    found
+    Ok(found)
 }
 
 /// The folders of results that are to be emptied. Nothing goes if one of them holds anything else.
@@ -84,7 +87,7 @@ pub(super) fn forget_folder(
     store: &Store,
     global: &GlobalArgs,
 ) -> Result<(), Fault> {
-    let found = results(store, &args.folder, global);
+    let found = results(store, &args.folder, global).map_err(Fault::input)?;
     let asked = asked(args, &found, global)?;
     super::private::clear();
     let forgotten = forget(store, &args.folder).map_err(|why| match why {

@@ -22,19 +22,20 @@ pub(super) fn pin(
 }
 
 /// What is pinned.
-pub(super) fn list(store: &Store, global: &GlobalArgs) {
-    let pins = store.pins();
+pub(super) fn list(store: &Store, global: &GlobalArgs) -> Result<(), Fault> {
+    let pins = store.pins().map_err(Fault::input)?;
     let one = |(name, run): &(String, String)| json!({ "pin": name, "run": run });
     print_either(global, pins.iter().map(one).collect(), || {
         let line = |(name, run): &(String, String)| format!("{name:<20} {run}");
         pins.iter().map(line).collect()
     });
+    Ok(())
 }
 
 /// No longer keeps it.
 pub(super) fn unpin(store: &Store, name: &str, global: &GlobalArgs) -> Result<(), Fault> {
     if !store.unpin(name) {
-        let pins = store.pins();
+        let pins = store.pins().map_err(Fault::input)?;
         let known: Vec<&str> = pins.iter().map(|(name, _)| name.as_str()).collect();
         return Err(Fault::input(stage::unknown("pin", name, &known)));
     }

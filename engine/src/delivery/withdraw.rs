@@ -2,6 +2,8 @@
 
 use super::{Delivery, DeliveryError, RUN, said};
 use crate::system::{self, FileKind, nofollow};
+use serde_json::{Map, Value};
+use std::io::{self, Read};
 use std::path::Path;
 
 /// What became of a folder of results.
@@ -16,6 +18,22 @@ pub struct Withdrawn {
 /// Whose the results in a folder are, if it holds some.
 pub fn of(folder: &Path) -> Option<String> {
     Some(said(folder)?.get("of")?.as_str()?.to_owned())
+}
+
+/// As [`of`].
+///
+/// # Errors
+///
+/// The disk refuses.
+pub(crate) fn of_readable(folder: &Path) -> io::Result<Option<String>> {
+    let mut bytes = Vec::new();
+    let file = nofollow::folder(folder, &[]).and_then(|at| nofollow::open_file(&at, RUN));
+    match file {
+        Err(why) if nofollow::is_absent(&why) => return Ok(None),
+        file => file?.read_to_end(&mut bytes)?,
+    };
+    let run: Option<Map<String, Value>> = serde_json::from_slice(&bytes).ok();
+    Ok(run.and_then(|run| Some(run.get("of")?.as_str()?.to_owned())))
 }
 
 /// Removes what was delivered into a folder, what runs wrote down with it, and the folder itself if nothing else is in it.
@@ -50,10 +68,12 @@ fn written_halfway(root: &Path, names: &mut Vec<String>) -> usize {
         return 0;
     };
     let mut removed = 0;
-    for name in nofollow::inside(&at, FileKind::File, system::is_writing) {
+    let written = nofollow::inside(&at, FileKind::File, system::is_writing);
+    for name in written.unwrap_or_default() {
         removed += usize::from(nofollow::remove(&at, &name));
     }
-    for name in nofollow::inside(&at, FileKind::Folder, |name| ![".", ".."].contains(&name)) {
+    let inner = nofollow::inside(&at, FileKind::Folder, |name| ![".", ".."].contains(&name));
+    for name in inner.unwrap_or_default() {
         names.push(name);
         let below = written_halfway(root, names);
         let name = names.pop().expect("bug: pushed above");

@@ -4,13 +4,14 @@
 //! What the program may write to is entered once and kept open: whatever it puts in its place is not gone to.
 
 use super::error::ForeignError;
-use super::leftover::{FOLDER, LOCK, remove};
+use super::leftover::{FOLDER, LOCK, remove, remove_program};
 use super::places::{ETC, READ, SHM, TAKEN, TMP, WORK, WRITE};
 use super::program::Script;
 use super::sandbox;
 use crate::pattern::stays_inside;
 use crate::system::{Folder, Use, can_start, nofollow, permit, private_folder};
 use stage::Files;
+use std::borrow::Cow;
 use std::fs::File;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -88,6 +89,14 @@ impl Layout {
             Use::Read,
         )?;
         Ok(layout)
+    }
+}
+
+impl Layout {
+    /// The folder that all programs' folders lie in, and its name there.
+    fn named(&self) -> Option<(&Path, Cow<'_, str>)> {
+        let name = self.root.file_name()?;
+        Some((self.root.parent()?, name.to_string_lossy()))
     }
 }
 
@@ -229,22 +238,18 @@ fn is_killed() -> bool {
 
 impl Drop for Job {
     fn drop(&mut self) {
-        if is_killed() {
-            return;
-        }
-        for above in [READ, WRITE, TAKEN] {
-            remove(&self.layout.root.join(above), &self.number);
+        if let Some((all, name)) = self.layout.named().filter(|_| !is_killed()) {
+            for inner in [READ, WRITE, TAKEN] {
+                remove(all, &[&name, inner], &self.number);
+            }
         }
     }
 }
 
 impl Drop for Layout {
     fn drop(&mut self) {
-        if is_killed() {
-            return;
-        }
-        if let (Some(above), Some(name)) = (self.root.parent(), self.root.file_name()) {
-            remove(above, &name.to_string_lossy());
+        if let Some((all, name)) = self.named().filter(|_| !is_killed()) {
+            remove_program(all, &name);
         }
     }
 }

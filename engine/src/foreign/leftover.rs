@@ -1,10 +1,11 @@
 //! What programs left whose run was killed: ended, and their folders removed.
 
 use super::family;
+use super::places::{ETC, READ, SHM, TAKEN, TMP, WORK, WRITE};
 use crate::own;
 use crate::system::{FileKind, is_alive, nofollow};
 use std::fs::{File, TryLockError};
-use std::io::ErrorKind;
+use std::io::{ErrorKind, Result};
 use std::path::{Path, PathBuf};
 use std::time::Duration;
 
@@ -17,11 +18,12 @@ pub(super) const LOCK: &str = "lock";
 /// How often it is tried to remove what a program that is just ending still writes to.
 const TRIES: usize = 20;
 
-/// Removes a folder of ours in another one, whatever modes a program gave to what it left in it, and never
-/// through a link.
-pub(super) fn remove(above: &Path, name: &str) {
+/// Removes a folder of ours in another one (by the names that lead there), whatever modes a program gave to what it left
+/// in it, and never through a link.
+pub(super) fn remove(root: &Path, above: &[&str], name: &str) {
     for _ in 0..TRIES {
-        let removed = nofollow::folder(above, &[]).and_then(|at| nofollow::remove_all(&at, name));
+        let at = nofollow::folder(root, above);
+        let removed = at.and_then(|at| nofollow::remove_all(&at, name));
         match removed {
             Err(why) if why.kind() != ErrorKind::NotFound => {
                 std::thread::sleep(Duration::from_millis(10));
@@ -31,15 +33,27 @@ pub(super) fn remove(above: &Path, name: &str) {
     }
 }
 
+/// As [`remove`], a program's folder: its lock goes last, so that who is killed meanwhile leaves what tells that nobody
+/// holds it.
+pub(super) fn remove_program(root: &Path, name: &str) {
+    for inner in [READ, WORK, TMP, SHM, ETC, WRITE, TAKEN] {
+        remove(root, &[name], inner);
+    }
+    remove(root, &[], name);
+}
+
 /// The folders of programs in a store, as far as they are ours.
-pub(crate) fn there(store: &Path) -> Vec<PathBuf> {
+///
+/// # Errors
+///
+/// They cannot be listed.
+pub(crate) fn there(store: &Path) -> Result<Vec<PathBuf>> {
     let root = store.join(FOLDER);
-    let at = nofollow::folder(store, &[FOLDER]);
-    let names = at.map_or_else(
-        |_| vec![],
-        |at| nofollow::inside(&at, FileKind::Folder, own::is_writing),
-    );
-    names.into_iter().map(|name| root.join(name)).collect()
+    let names = match nofollow::folder(store, &[FOLDER]) {
+        Err(why) if nofollow::is_absent(&why) => vec![],
+        at => nofollow::inside(&at?, FileKind::Folder, own::is_writing)?,
+    };
+    Ok(names.into_iter().map(|name| root.join(name)).collect())
 }
 
 /// Ends programs that outlived the process that started them, and removes their folders. Never
@@ -66,7 +80,7 @@ pub fn clear(store: &Path) {
         if folder && !held {
             let path = entry.path().canonicalize().unwrap_or(entry.path());
             family::end(&path, None);
-            remove(&root, name);
+            remove_program(&root, name);
         }
     }
 }

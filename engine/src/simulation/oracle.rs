@@ -109,13 +109,17 @@ pub(super) fn outlived(world: &World, machine: &Machine, safe: &[(String, String
 /// The results of pinned runs that are there and whole.
 pub(super) fn kept(machine: &Machine, store: &Store) -> Vec<Hash> {
     let known = machine.known.borrow();
-    let pinned = store.pins().into_iter().filter_map(|(_, run)| {
-        let told = past::nodes(store.root(), &run)?
-            .filter_map(|node| node.content)
-            .count();
-        let contents = known.runs.get(&run)?;
-        (told == contents.len()).then(|| contents.clone())
-    });
+    let pinned = store
+        .pins()
+        .unwrap_or_default()
+        .into_iter()
+        .filter_map(|(_, run)| {
+            let told = past::nodes(store.root(), &run)?
+                .filter_map(|node| node.content)
+                .count();
+            let contents = known.runs.get(&run)?;
+            (told == contents.len()).then(|| contents.clone())
+        });
     let there = |content: &Hash| is_there(machine, *content);
     pinned.flatten().filter(there).collect()
 }

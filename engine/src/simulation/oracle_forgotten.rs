@@ -28,7 +28,8 @@ pub(super) struct Before {
 /// The notes of a machine that name the folder of a capture.
 fn notes(world: &World, m: usize, capture: usize) -> BTreeSet<String> {
     let (root, [_, folder]) = (&world.machines[m].root, needles(m, capture));
-    let names = own::files(root, "captures", own::is_hash).into_iter();
+    let names = own::files(root, "captures", own::is_hash).unwrap_or_default();
+    let names = names.into_iter();
     let note = |name: &String| std::fs::read(root.join("captures").join(name));
     names
         .filter(|name| note(name).is_ok_and(|note| has(&note, &folder)))

@@ -3,6 +3,7 @@
 //! `captures/HASH` names the folders whose files had this content, and the hashes of these files, as JSON; a list of
 //! folders alone is what earlier programs wrote. `captures/HASH` of a path that was a link says where it led.
 
+use super::error::StoreError;
 use super::folder::Store;
 use crate::own;
 use serde::{Deserialize, Serialize};
@@ -131,11 +132,17 @@ impl Store {
     }
 
     /// All notes with their names; `None` for those that cannot be read.
-    pub(super) fn notes(&self) -> Vec<(String, Option<Note>)> {
-        let names = own::files(self.root(), FOLDER, own::is_hash).into_iter();
-        names
-            .map(|name| (name.clone(), self.note_of(&name)))
-            .collect()
+    ///
+    /// # Errors
+    ///
+    /// They cannot be listed.
+    pub(super) fn notes(&self) -> Result<Vec<(String, Option<Note>)>, StoreError> {
+        let names = self.files(FOLDER, own::is_hash)?.into_iter();
+        let note = |name: String| {
+            let note = self.note_of(&name);
+            (name, note)
+        };
+        Ok(names.map(note).collect())
     }
 }
 

@@ -4,6 +4,7 @@
 //! there says the same. No key and no result has any of it.
 
 use super::error::StoreError;
+use super::files::at;
 use super::folder::Store;
 use super::trace::Trace;
 use crate::delivery;
@@ -27,7 +28,11 @@ pub struct Delivered {
 impl Delivered {
     /// Whether its results still lie there.
     pub(crate) fn is_there(&self) -> bool {
-        delivery::of(&self.out).is_some_and(|of| of == self.of)
+        match delivery::of_readable(&self.out) {
+            Ok(of) => of.is_some_and(|of| of == self.of),
+            // It may be.
+            Err(_) => true,
+        }
     }
 }
 
@@ -48,41 +53,42 @@ impl Store {
         );
     }
 
-    fn delivery(&self, name: &str) -> Option<Delivered> {
-        let bytes = std::fs::read(self.root().join(FOLDER).join(name)).ok()?;
-        serde_json::from_slice(&bytes).ok()
-    }
-
-    /// The notes of inputs that fit, with their names.
-    fn deliveries(&self, fits: impl Fn(&String) -> bool) -> Vec<(String, Delivered)> {
-        let names = own::files(self.root(), FOLDER, own::is_hash).into_iter();
-        let note = |name: String| {
-            let note = self.delivery(&name)?;
-            note.inputs.iter().any(&fits).then_some((name, note))
-        };
-        names.filter_map(note).collect()
+    /// All notes with their names; `None` for those that are broken.
+    fn deliveries(&self) -> Result<Vec<(String, Option<Delivered>)>, StoreError> {
+        let folder = self.root().join(FOLDER);
+        let mut all = Vec::new();
+        for name in self.files(FOLDER, own::is_hash)? {
+            let bytes = std::fs::read(folder.join(&name)).map_err(at(&folder))?;
+            all.push((name, serde_json::from_slice(&bytes).ok()));
+        }
+        Ok(all)
     }
 
     /// Where results of a capture were delivered, and still are.
-    pub fn delivered(&self, trace: &Trace) -> Vec<Delivered> {
-        let all = self.deliveries(|input| trace.has(input));
-        all.into_iter()
-            .map(|(_, note)| note)
-            .filter(Delivered::is_there)
-            .collect()
+    ///
+    /// # Errors
+    ///
+    /// The disk refuses: then nobody knows.
+    pub fn delivered(&self, trace: &Trace) -> Result<Vec<Delivered>, StoreError> {
+        let all = self.deliveries()?.into_iter().filter_map(|(_, note)| note);
+        let fits = |note: &Delivered| note.inputs.iter().any(|input| trace.has(input));
+        Ok(all.filter(|note| fits(note) && note.is_there()).collect())
     }
 
-    /// Removes the notes of inputs that fit, and those that cannot be read; how many fit.
+    /// Removes the notes of inputs that fit, and those that are broken; how many of each.
     pub(super) fn forget_deliveries(
         &self,
         fits: impl Fn(&String) -> bool,
-    ) -> Result<usize, StoreError> {
-        let all = self.deliveries(fits);
-        for (name, _) in &all {
-            self.gone(&[FOLDER], name)?;
+    ) -> Result<(usize, usize), StoreError> {
+        let (mut fit, mut broken) = (0, 0);
+        for (name, note) in self.deliveries()? {
+            let fits = note.as_ref().is_some_and(|n| n.inputs.iter().any(&fits));
+            if fits || note.is_none() {
+                self.gone(&[FOLDER], &name)?;
+            }
+            fit += usize::from(fits);
+            broken += usize::from(note.is_none());
         }
-        let unread = |name: &str| own::is_hash(name) && self.delivery(name).is_none();
-        self.all_gone(FOLDER, unread)?;
-        Ok(all.len())
+        Ok((fit, broken))
     }
 }

@@ -28,7 +28,7 @@ impl Care {
     }
 }
 
-fn at(path: &Path) -> impl FnOnce(std::io::Error) -> StoreError + '_ {
+pub(super) fn at(path: &Path) -> impl FnOnce(std::io::Error) -> StoreError + '_ {
     move |why| StoreError::Disk {
         path: path.into(),
         why,

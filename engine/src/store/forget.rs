@@ -3,6 +3,7 @@
 
 use super::captures::{FOLDER as CAPTURES, NOTED, json};
 use super::error::StoreError;
+use super::files::at;
 use super::folder::Store;
 use super::keeper;
 use super::links::Links;
@@ -54,21 +55,20 @@ pub fn forget(store: &Store, folder: &Path) -> Result<Forgotten, StoreError> {
     }
     let busy = || StoreError::Busy(root.into());
     let _alone = store.alone().ok_or_else(busy)?;
-    let trace = store.trace(folder);
-    let links = store.links();
+    let trace = store.trace(folder)?;
+    let links = store.links()?;
     // What nothing readable accounts for may have come of it: only what surely did not stays.
-    let sources: BTreeSet<String> = &accounted(store) - &trace.seeds;
+    let sources: BTreeSet<String> = &accounted(store)? - &trace.seeds;
     let stay = links.alive(&sources, &BTreeSet::new());
     let derived = links.derived(&trace.seeds).into_iter();
     let of_it: Vec<usize> = derived.filter(|i| !stay.contains(i)).collect();
     let of_them: BTreeSet<usize> = of_it.iter().copied().collect();
     let untraced = (0..links.all.len()).filter(|i| !stay.contains(i) && !of_them.contains(i));
     let order: Vec<usize> = of_it.iter().copied().chain(untraced).collect();
-    let unread_notes = store.notes().iter().filter(|(_, n)| n.is_none()).count();
     let mut forgotten = Forgotten {
         results: of_it.len(),
         untraced: order.len() - of_it.len(),
-        broken: links.broken.len() + unread_notes,
+        broken: links.broken.len() + trace.broken,
         shared: shared(&links, &of_it, &trace),
         ..Forgotten::default()
     };
@@ -89,7 +89,8 @@ pub fn forget(store: &Store, folder: &Path) -> Result<Forgotten, StoreError> {
     keeper::sweep(store)?;
     forget_runs(store, &trace, &mut forgotten)?;
     let plans = forget_plans(store, &trace, &mut forgotten)?;
-    let deliveries = store.forget_deliveries(|input| trace.has(input))?;
+    let (deliveries, broken) = store.forget_deliveries(|input| trace.has(input))?;
+    forgotten.broken += broken;
     let (memo, remembered) = trace.memo(store);
     store.write("files.json", &memo)?;
     forgotten.known = remembered
@@ -100,7 +101,9 @@ pub fn forget(store: &Store, folder: &Path) -> Result<Forgotten, StoreError> {
     forgotten.unread = links.unread.iter().map(record).collect();
     forgotten.unread.extend(there);
     // Nobody says whose they are, and a process has their number.
-    let stay = leftover::there(root);
+    let mut stay = leftover::there(root).map_err(at(&root.join("exec")))?;
+    let written = store.files("tmp", own::is_writing)?.into_iter();
+    stay.extend(written.map(|name| root.join("tmp").join(name)));
     let shown = |path: &PathBuf| path.display().to_string();
     forgotten
         .unread
@@ -140,7 +143,7 @@ fn forget_blobs(
     of_it: &BTreeSet<[u8; 32]>,
     forgotten: &mut Forgotten,
 ) -> Result<(), StoreError> {
-    for content in own::shelf(store.root(), "cas") {
+    for content in store.shelf("cas")? {
         if stay.contains(content.as_bytes()) {
             continue;
         }
@@ -162,7 +165,7 @@ fn forget_plans(
     forgotten: &mut Forgotten,
 ) -> Result<usize, StoreError> {
     let (root, mut count) = (store.root(), 0);
-    for name in own::files(root, "plans", own::is_hash) {
+    for name in store.files("plans", own::is_hash)? {
         let bytes = std::fs::read(root.join("plans").join(&name)).unwrap_or_default();
         let named = trace.is_in_plan(&name, &bytes);
         forgotten.broken += usize::from(named.is_none());
@@ -178,7 +181,7 @@ fn forget_plans(
 fn forget_runs(store: &Store, trace: &Trace, forgotten: &mut Forgotten) -> Result<(), StoreError> {
     let root = store.root();
     let mut going = BTreeSet::new();
-    for id in past::ids(root) {
+    for id in past::all_ids(root).map_err(at(&root.join("runs")))? {
         let head = past::head(root, &id);
         let mine = |head: &past::Head| head.of.inputs.values().any(|input| trace.has(input));
         if head.as_ref().is_none_or(mine) {
@@ -186,14 +189,14 @@ fn forget_runs(store: &Store, trace: &Trace, forgotten: &mut Forgotten) -> Resul
             going.insert(id);
         }
     }
-    for (pin, run) in store.pins() {
+    for (pin, run) in store.pins()? {
         if going.contains(&run) && store.gone(&["pins"], &pin)? {
             forgotten.pins.push(pin);
         }
     }
     store.gone(&[], "last-run")?;
     // Logs also of runs that were killed: whose they were is not known, and none runs now.
-    for name in own::files(root, "runs", own::is_run) {
+    for name in store.files("runs", own::is_run)? {
         let log = name.strip_suffix(".jsonl");
         if log.is_some_and(|id| going.contains(id) || !past::run_file(root, id).is_file()) {
             store.gone(&["runs"], &name)?;

@@ -72,7 +72,7 @@ fn nothing_of_a_capture_is_left_whatever_happened_before() {
                 };
                 assert!(left.iter().any(has), "{round}");
             }
-            for key in own::shelf(store.root(), "ac") {
+            for key in own::shelf(store.root(), "ac").unwrap() {
                 let record = store.record(key).unwrap();
                 assert!(store.holds(record.content), "{round}");
             }
@@ -161,7 +161,7 @@ fn a_plan_whose_bytes_changed_goes_and_counts_as_broken() {
     let store = story.store(&disk).unwrap();
     let capture = &story.captures[0];
     story.run(&store, capture, &mut dice).unwrap();
-    let names = own::files(store.root(), "plans", own::is_hash);
+    let names = own::files(store.root(), "plans", own::is_hash).unwrap();
     let [name] = names.as_slice() else {
         panic!("{names:?}");
     };

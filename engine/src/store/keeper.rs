@@ -1,11 +1,13 @@
 //! What the store holds, what may go when it grows, and whether it is sound.
 
 use super::error::StoreError;
+use super::files::at;
 use super::folder::Store;
 use super::removal::is_litter;
 use crate::foreign::leftover;
 use crate::own;
 use crate::past;
+use crate::system::nofollow;
 use stage::Hash;
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -31,48 +33,72 @@ pub struct Kept {
 }
 
 /// The results that are there, by key. Records that are corrupt are put aside and left out.
-pub fn list(store: &Store) -> Vec<Kept> {
-    listed(store, &|| false).unwrap_or_default()
+///
+/// # Errors
+///
+/// The disk refuses: then nobody knows what there is.
+pub fn list(store: &Store) -> Result<Vec<Kept>, StoreError> {
+    Ok(listed(store, &|| false)?.unwrap_or_default())
 }
 
 /// As [`list`], unless somebody asks to stop.
-fn listed(store: &Store, stop: &dyn Fn() -> bool) -> Option<Vec<Kept>> {
+fn listed(store: &Store, stop: &dyn Fn() -> bool) -> Result<Option<Vec<Kept>>, StoreError> {
     let kept = |key: Hash| {
-        let record = store.record(key)?;
+        let Some(record) = store.record_on_disk(key)? else {
+            return Ok(None);
+        };
         // What the disk holds, whatever a record says that came from elsewhere.
-        let blob = std::fs::metadata(store.place("cas", record.content)).ok();
-        let bytes = blob.filter(std::fs::Metadata::is_file)?.len();
+        let place = store.place("cas", record.content);
+        let bytes = match std::fs::metadata(&place) {
+            Err(why) if nofollow::is_absent(&why) => return Ok(None),
+            blob => blob.map_err(at(&place))?,
+        };
+        let Some(bytes) = Some(bytes).filter(|b| b.is_file()).map(|b| b.len()) else {
+            return Ok(None);
+        };
         let stage = record
             .provenance
             .first()
             .map_or(String::new(), |(_, value)| value.clone());
-        Some(Kept {
+        Ok(Some(Kept {
             key: key.to_hex().to_string(),
             content: record.content.to_hex().to_string(),
             bytes,
             seconds: record.seconds,
             stage,
-        })
+        }))
     };
     let mut all = Vec::new();
-    for key in own::shelf(store.root(), "ac") {
+    for key in store.shelf("ac")? {
         if stop() {
-            return None;
+            return Ok(None);
         }
-        all.extend(kept(key));
+        all.extend(kept(key)?);
     }
-    Some(all)
+    Ok(Some(all))
 }
 
 /// Size of all parts and checkpoints. \[bytes\]
-pub fn parts_size(store: &Store) -> u64 {
-    let sizes = PARTS.map(|shelf| own::size(store.root(), shelf));
-    sizes.iter().sum()
+///
+/// # Errors
+///
+/// As [`list`].
+pub fn parts_size(store: &Store) -> Result<u64, StoreError> {
+    let sizes = PARTS.map(|shelf| size_of(store, shelf));
+    sizes.into_iter().sum()
 }
 
 /// Size of all that is kept, without the records. \[bytes\]
-pub fn size(store: &Store) -> u64 {
-    own::size(store.root(), "cas") + parts_size(store)
+///
+/// # Errors
+///
+/// As [`list`].
+pub fn size(store: &Store) -> Result<u64, StoreError> {
+    Ok(size_of(store, "cas")? + parts_size(store)?)
+}
+
+fn size_of(store: &Store, shelf: &str) -> Result<u64, StoreError> {
+    own::size(store.root(), shelf).map_err(at(&store.root().join(shelf)))
 }
 
 /// What may stay.
@@ -135,18 +161,22 @@ pub fn gc_until(
                 .ok_or_else(|| StoreError::Busy(store.root().into()))?,
         ),
     };
-    let pins: BTreeSet<String> = store.pins().into_iter().map(|(_, run)| run).collect();
-    let mut stays = past::contents(store.root(), budget.keep_runs, &pins);
-    stays.extend(store.waiting_contents());
+    // All is read before anything goes: what cannot be read may say that something stays.
+    let runs = store.root().join("runs");
+    let pins: BTreeSet<String> = store.pins()?.into_iter().map(|(_, run)| run).collect();
+    let stays = past::contents(store.root(), budget.keep_runs, &pins);
+    let mut stays = stays.map_err(at(&runs))?;
+    stays.extend(store.waiting_contents()?);
     let mut swept = Swept::default();
-    let Some(all) = listed(store, stop) else {
+    let Some(all) = listed(store, stop)? else {
         swept.stopped = true;
         return Ok(swept);
     };
-    let (known, going, parts) = chosen(store, budget, all, &stays);
+    let (known, going, parts) = chosen(budget, all, &stays, parts_size(store)?);
     swept.parts_bytes = parts;
     swept.results = going;
-    swept.records = past::prune(store.root(), budget.keep_records, &pins, dry_run);
+    let pruned = past::prune(store.root(), budget.keep_records, &pins, dry_run);
+    swept.records = pruned.map_err(at(&runs))?;
     if !dry_run {
         if swept.parts_bytes > 0 {
             remove_parts(store)?;
@@ -154,7 +184,7 @@ pub fn gc_until(
         let going = swept.results.iter().map(|k| k.content.clone());
         let going: BTreeSet<String> = going.collect();
         let mut gone = BTreeSet::new();
-        for hash in own::shelf(store.root(), "cas") {
+        for hash in store.shelf("cas")? {
             if stop() {
                 swept.stopped = true;
                 swept.results.retain(|k| gone.contains(&k.content));
@@ -162,7 +192,8 @@ pub fn gc_until(
             }
             let name = hash.to_hex();
             let goes = going.contains(name.as_str());
-            if goes || !known.contains(name.as_str()) {
+            let known = known.contains(name.as_str()) || stays.contains(name.as_str());
+            if goes || !known {
                 store.gone_from("cas", hash)?;
                 gone.insert(name.to_string());
             }
@@ -175,10 +206,10 @@ pub fn gc_until(
 /// What goes that is not among the contents that stay, and the size of the parts if they go; and all contents that
 /// records name.
 fn chosen(
-    store: &Store,
     budget: &Budget,
     all: Vec<Kept>,
     stays: &BTreeSet<String>,
+    parts: u64,
 ) -> (BTreeSet<String>, Vec<Kept>, u64) {
     // Nodes may share a result: it is worth what the dearest of them took.
     let mut kept: BTreeMap<String, Kept> = BTreeMap::new();
@@ -193,7 +224,6 @@ fn chosen(
     let worth = |k: &Kept| k.seconds / k.bytes.max(1) as f64;
     kept.sort_by(|a, b| worth(a).total_cmp(&worth(b)).then(a.key.cmp(&b.key)));
     let mut total = kept.iter().fold(0u64, |sum, k| sum.saturating_add(k.bytes));
-    let parts = parts_size(store);
     let parts_go = total.saturating_add(parts) > budget.most;
     let mut going = Vec::new();
     for k in kept {
@@ -211,7 +241,7 @@ fn chosen(
 /// Removes all parts and checkpoints.
 pub(super) fn remove_parts(store: &Store) -> Result<(), StoreError> {
     for shelf in PARTS {
-        for key in own::shelf(store.root(), shelf) {
+        for key in store.shelf(shelf)? {
             store.gone_from(shelf, key)?;
         }
     }
@@ -234,8 +264,8 @@ pub(super) fn sweep(store: &Store) -> Result<(), StoreError> {
 /// Reads every record, blob and part; what is corrupt is put aside. Returns how many were.
 pub fn verify(store: &Store) -> usize {
     let bad = |shelf: &str, whole: &dyn Fn(Hash) -> bool| {
-        let all = own::shelf(store.root(), shelf).into_iter();
-        all.filter(|hash| !whole(*hash)).count()
+        let all = own::shelf(store.root(), shelf).unwrap_or_default();
+        all.into_iter().filter(|hash| !whole(*hash)).count()
     };
     bad("ac", &|key| store.is_sound(key))
         + bad("cas", &|content| store.blob_here(content).is_some())

@@ -1,5 +1,6 @@
 //! Which results came of which: the records of a store as a graph.
 
+use super::error::StoreError;
 use super::folder::Store;
 use super::record::{Record, Unread};
 use crate::own;
@@ -120,15 +121,21 @@ impl Links {
 
 impl Store {
     /// Every record, with what it was made of.
-    pub(super) fn links(&self) -> Links {
+    ///
+    /// # Errors
+    ///
+    /// They cannot be listed.
+    pub(super) fn links(&self) -> Result<Links, StoreError> {
         let mut links = Links::default();
-        for key in own::shelf(self.root(), "ac") {
+        for key in self.shelf("ac")? {
             match self.read_record(key) {
                 Ok(record) => links.all.push(Link::of(key, &record)),
                 Err(Unread::Corrupt) => links.broken.push(key),
-                Err(Unread::OtherVersion | Unread::Absent) => links.unread.push(key),
+                Err(Unread::OtherVersion | Unread::Absent | Unread::Disk(_)) => {
+                    links.unread.push(key)
+                }
             }
         }
-        links
+        Ok(links)
     }
 }

@@ -149,7 +149,7 @@ fn any_step_may_fail_and_the_store_is_sound() {
             let store = simulated(place.path(), &Simulated::default()).unwrap();
             assert!(Index::load(&place.path().join("index")).entries.len() <= results.len());
             hold(&store, &results, &round);
-            let left = own::files(store.root(), "tmp", |_| true);
+            let left = own::files(store.root(), "tmp", |_| true).unwrap();
             assert_eq!(left, Vec::<String>::new(), "{round}");
         }
     }

@@ -1,8 +1,10 @@
 //! Names that a user gives to runs: what a named run made or found stays when the store is swept.
 
 use super::error::StoreError;
+use super::files::at;
 use super::folder::Store;
 use crate::own;
+use std::io::ErrorKind;
 
 /// Why a run cannot be pinned.
 #[derive(Debug, thiserror::Error)]
@@ -37,24 +39,24 @@ impl Store {
     }
 
     /// All names with their runs, in the order of the names.
-    pub fn pins(&self) -> Vec<(String, String)> {
-        let entries = std::fs::read_dir(self.root().join("pins"));
-        let pin = |entry: std::fs::DirEntry| {
-            let name = entry
-                .file_name()
-                .into_string()
-                .ok()
-                .filter(|n| own::is_pin(n))?;
-            let run = std::fs::read_to_string(entry.path()).ok()?;
-            Some((name, run.trim().to_owned()))
-        };
-        let mut pins: Vec<_> = entries
-            .into_iter()
-            .flatten()
-            .filter_map(|e| pin(e.ok()?))
-            .collect();
-        pins.sort();
-        pins
+    ///
+    /// # Errors
+    ///
+    /// The disk refuses: then nobody knows what is pinned.
+    pub fn pins(&self) -> Result<Vec<(String, String)>, StoreError> {
+        let folder = self.root().join("pins");
+        let mut pins = Vec::new();
+        for name in self.files("pins", own::is_pin)? {
+            match std::fs::read(folder.join(&name)) {
+                Err(why) if why.kind() == ErrorKind::NotFound => {}
+                run => {
+                    let run = run.map_err(at(&folder))?;
+                    let run = String::from_utf8_lossy(&run).trim().to_owned();
+                    pins.push((name, run));
+                }
+            }
+        }
+        Ok(pins)
     }
 }
 
@@ -70,7 +72,10 @@ mod tests {
         store.pin("a-2.b", "008-1").unwrap();
         store.pin("talk", "009-1").unwrap();
         let pins = [("a-2.b", "008-1"), ("talk", "009-1")];
-        assert_eq!(store.pins(), pins.map(|(a, b)| (a.into(), b.into())));
+        assert_eq!(
+            store.pins().unwrap(),
+            pins.map(|(a, b)| (a.into(), b.into()))
+        );
         for name in [
             "",
             "../format",
@@ -85,6 +90,6 @@ mod tests {
             assert!(!store.unpin(name), "{name}");
         }
         assert!(store.unpin("talk") && !store.unpin("talk"));
-        assert_eq!(store.pins().len(), 1);
+        assert_eq!(store.pins().unwrap().len(), 1);
     }
 }

@@ -120,6 +120,8 @@ pub(super) enum Unread {
     Absent,
     Corrupt,
     OtherVersion,
+    /// The disk refuses.
+    Disk(std::io::Error),
 }
 
 /// A record from the bytes of its file.

@@ -5,11 +5,24 @@ use super::files::{self, Care};
 use super::folder::Store;
 use super::record::{Origin, Record, Unread, parse_with_origin};
 use stage::Hash;
+use std::io::ErrorKind;
 
 impl Store {
     /// The record of a key. What is torn, corrupt, another key's or of another version is a miss.
     pub fn record(&self, key: Hash) -> Option<Record> {
         self.read_record(key).ok()
+    }
+
+    /// As [`Store::record`].
+    ///
+    /// # Errors
+    ///
+    /// The disk refuses: then nobody knows whether there is one.
+    pub(super) fn record_on_disk(&self, key: Hash) -> Result<Option<Record>, StoreError> {
+        match self.read_record(key) {
+            Err(Unread::Disk(why)) => Err(files::at(&self.place("ac", key))(why)),
+            record => Ok(record.ok()),
+        }
     }
 
     /// Whether the record of a key is what it says, as far as this version of the program knows.
@@ -25,7 +38,10 @@ impl Store {
     /// The record of a key, and where it says it was made.
     pub(super) fn read_with_origin(&self, key: Hash) -> Result<(Record, Option<Origin>), Unread> {
         let path = self.place("ac", key);
-        let file = std::fs::read(&path).map_err(|_| Unread::Absent)?;
+        let file = std::fs::read(&path).map_err(|why| match why.kind() {
+            ErrorKind::NotFound => Unread::Absent,
+            _ => Unread::Disk(why),
+        })?;
         // The key is the hash of the provenance, and the provenance is in what was hashed.
         let own = |read: (Record, Option<Origin>)| match read.0.key() == key {
             true => Ok(read),

@@ -1,9 +1,10 @@
 //! Files of a store that are to be gone: removed by single steps of its disk, never through a link, and looked at again.
 
 use super::error::StoreError;
+use super::files::at;
 use super::folder::Store;
 use crate::own;
-use crate::system::is_alive;
+use crate::system::{is_alive, nofollow};
 use stage::Hash;
 use std::fs::{File, TryLockError};
 use std::path::Path;
@@ -22,10 +23,33 @@ impl Store {
             .iter()
             .fold(self.root().to_owned(), |at, f| at.join(f));
         let path = path.join(name);
-        match std::fs::symlink_metadata(&path).is_ok_and(|meta| meta.is_file()) {
-            true => Err(StoreError::Left(path)),
-            false => Ok(false),
+        match std::fs::symlink_metadata(&path) {
+            Err(why) if nofollow::is_absent(&why) => Ok(false),
+            Ok(meta) if !meta.is_file() => Ok(false),
+            _ => Err(StoreError::Left(path)),
         }
+    }
+
+    /// The plain files of one of its folders whose names fit, sorted.
+    ///
+    /// # Errors
+    ///
+    /// The disk refuses: then nobody knows what there is.
+    pub(super) fn files(
+        &self,
+        folder: &str,
+        fits: impl Fn(&str) -> bool,
+    ) -> Result<Vec<String>, StoreError> {
+        own::files(self.root(), folder, fits).map_err(at(&self.root().join(folder)))
+    }
+
+    /// All that lies on a shelf under a hash.
+    ///
+    /// # Errors
+    ///
+    /// As [`Store::files`].
+    pub(super) fn shelf(&self, shelf: &str) -> Result<Vec<Hash>, StoreError> {
+        own::shelf(self.root(), shelf).map_err(at(&self.root().join(shelf)))
     }
 
     /// As [`Store::gone`], what lies on a shelf under a hash.
@@ -62,13 +86,8 @@ impl Store {
     ///
     /// The disk refuses.
     pub(super) fn sync_removed(&self) -> Result<(), StoreError> {
-        let disk = |path: &Path, why| StoreError::Disk {
-            path: path.into(),
-            why,
-        };
-        for folder in own::folders(self.root()) {
-            let synced = self.disk.sync_names(&folder);
-            synced.map_err(|why| disk(&folder, why))?;
+        for folder in own::folders(self.root()).map_err(at(self.root()))? {
+            self.disk.sync_names(&folder).map_err(at(&folder))?;
         }
         Ok(())
     }
@@ -83,7 +102,7 @@ impl Store {
         folder: &str,
         fits: impl Fn(&str) -> bool,
     ) -> Result<usize, StoreError> {
-        let names = own::files(self.root(), folder, fits);
+        let names = self.files(folder, fits)?;
         for name in &names {
             self.gone(&[folder], name)?;
         }

@@ -2,11 +2,16 @@
 //! moved is found, too.
 
 use super::captures::Note;
+use super::error::StoreError;
+use super::files::at;
 use super::folder::Store;
 use crate::own::{self, whole};
 use crate::past;
 use crate::source::Memo;
+use crate::system::nofollow;
 use std::collections::{BTreeMap, BTreeSet};
+use std::fs::Metadata;
+use std::io::{Error, Result};
 use std::path::{Path, PathBuf};
 
 /// What in a store came of a folder.
@@ -20,8 +25,10 @@ pub struct Trace {
     pub(super) notes: Vec<(String, Option<Note>)>,
     /// Contents of other captures that stay, with their folders.
     pub(super) others: BTreeMap<String, Vec<String>>,
-    /// Files in the folder that cannot be read.
+    /// Files in the folder that cannot be read, and folders in which there may be links to them.
     pub(super) unread: Vec<PathBuf>,
+    /// How many notes could not be read.
+    pub(super) broken: usize,
     /// The hashes of its files, hexadecimal.
     here: BTreeSet<String>,
     /// Folders of links to its files.
@@ -88,51 +95,81 @@ impl Trace {
     }
 }
 
-/// The plain files in a folder and below it, links to files among them; without what lies in `but`.
-fn below(folder: &Path, but: &Path) -> Vec<PathBuf> {
+/// What there is of a path; `None` if nothing is there, or it is a link that leads nowhere.
+fn kind(path: &Path) -> Result<Option<Metadata>> {
+    match std::fs::metadata(path) {
+        Err(why) if nofollow::is_absent(&why) => Ok(None),
+        meta => meta.map(Some),
+    }
+}
+
+/// The plain files in a folder and below it, links to files among them; without what lies in `but`. What cannot be read
+/// is added to `unread`.
+fn below(folder: &Path, but: &Path, unread: &mut Vec<PathBuf>) -> Vec<PathBuf> {
     let (mut open, mut found) = (vec![folder.to_owned()], Vec::new());
     while let Some(path) = open.pop() {
-        for entry in std::fs::read_dir(&path).into_iter().flatten().flatten() {
-            let path = entry.path();
-            match entry.file_type() {
-                Ok(kind) if kind.is_dir() => open.extend((path != but).then_some(path)),
-                _ => found.extend(path.is_file().then_some(path)),
+        let mut look = || {
+            for entry in std::fs::read_dir(&path)? {
+                let (path, kind) = entry.and_then(|e| Ok((e.path(), e.file_type()?)))?;
+                match kind.is_dir() {
+                    true => open.extend((path != but).then_some(path)),
+                    false if self::kind(&path)?.is_some_and(|meta| meta.is_file()) => {
+                        found.push(path);
+                    }
+                    false => {}
+                }
             }
+            Ok::<(), Error>(())
+        };
+        match look() {
+            Err(why) if !nofollow::is_absent(&why) => unread.push(path),
+            _ => {}
         }
     }
     found
 }
 
-/// Whether a folder has links to files in another.
-fn leads(from: &Path, to: &Path) -> bool {
-    let mut links = below(from, to).into_iter().filter(|path| path.is_symlink());
-    links.any(|path| path.canonicalize().is_ok_and(|real| real.starts_with(to)))
+/// Whether a folder has links to files in another; what cannot be read is added to `unread`.
+fn leads(from: &Path, to: &Path, unread: &mut Vec<PathBuf>) -> bool {
+    for path in below(from, to, unread) {
+        match path.canonicalize() {
+            Ok(real) if real.starts_with(to) => return true,
+            Err(why) if !nofollow::is_absent(&why) => unread.push(path),
+            _ => {}
+        }
+    }
+    false
 }
 
-/// Files of inputs that records of runs tell: the folder, and the hashes.
-fn told_by_runs(root: &Path) -> Vec<(String, Vec<String>)> {
-    let mut told = Vec::new();
-    for id in past::ids(root) {
-        let Some((head, lists)) = past::head(root, &id).zip(past::file_lists(root, &id)) else {
+/// Files of inputs that records of runs have: the folder, and the hashes.
+fn files_of_runs(root: &Path) -> Result<Vec<(String, Vec<String>)>> {
+    let mut all = Vec::new();
+    for id in past::all_ids(root)? {
+        let Some(head) = past::read_head(root, &id)? else {
             continue;
         };
-        for (input, files) in lists {
+        let lists = past::read_file_lists(root, &id, &head)?;
+        for (input, files) in lists.unwrap_or_default() {
             if let Some(folder) = head.of.inputs.get(&input) {
                 let hashes = files.into_iter().map(|(_, hash)| hash).collect();
-                told.push((folder.clone(), hashes));
+                all.push((folder.clone(), hashes));
             }
         }
     }
-    told
+    Ok(all)
 }
 
 impl Store {
     /// What here came of a folder, which may be gone.
-    pub fn trace(&self, folder: &Path) -> Trace {
+    ///
+    /// # Errors
+    ///
+    /// The disk refuses: then nobody knows what did.
+    pub fn trace(&self, folder: &Path) -> std::result::Result<Trace, StoreError> {
         let (real, said) = (whole(folder), std::path::absolute(folder));
         let mut trace = Trace::default();
         trace.folders.push(real.clone());
-        let notes = self.notes();
+        let notes = self.notes()?;
         if let Some(said) = said.ok().filter(|said| !said.exists() && *said != real) {
             trace.folders.push(said);
         }
@@ -145,7 +182,7 @@ impl Store {
             trace.folders.extend(links);
         }
         let store = whole(self.root());
-        for path in below(&real, &store) {
+        for path in below(&real, &store, &mut trace.unread) {
             let mut hasher = blake3::Hasher::new();
             let read = std::fs::File::open(&path).and_then(|f| hasher.update_reader(f).map(|_| ()));
             match read {
@@ -154,8 +191,8 @@ impl Store {
             }
         }
         // Where the same files lay: gone since, they were moved; there, they are somebody's of their own.
-        let told = told_by_runs(self.root());
-        let alike = told.iter().filter(|(_, files)| trace.is_of(files));
+        let of_runs = files_of_runs(self.root()).map_err(at(&self.root().join("runs")))?;
+        let alike = of_runs.iter().filter(|(_, files)| trace.is_of(files));
         let mut alike: BTreeSet<String> = alike.map(|(folder, _)| folder.clone()).collect();
         let noted = notes.iter().filter_map(|(_, note)| note.as_ref());
         for note in noted.filter(|note| trace.is_of(note.files())) {
@@ -164,8 +201,11 @@ impl Store {
         let (there, moved): (Vec<String>, Vec<String>) =
             alike.into_iter().partition(|f| Path::new(f).exists());
         trace.folders.extend(moved.iter().map(PathBuf::from));
-        let linked = there.into_iter().filter(|f| leads(Path::new(f), &real));
-        trace.linked = linked.collect();
+        for folder in there {
+            if leads(Path::new(&folder), &real, &mut trace.unread) {
+                trace.linked.insert(folder);
+            }
+        }
         // What leads to other notes goes after them, when all goes: notes of these files, and links.
         let rank = |note: &Option<Note>| match note {
             Some(Note::Link { .. }) => 2,
@@ -175,9 +215,10 @@ impl Store {
         let mut notes = notes;
         notes.sort_by_cached_key(|(_, note)| rank(note));
         for (name, note) in notes {
+            trace.broken += usize::from(note.is_none());
             trace.sort_in(name, note);
         }
-        trace
+        Ok(trace)
     }
 }
 
@@ -216,7 +257,11 @@ impl Trace {
 }
 
 /// The names of all notes of captures, hexadecimal: contents of inputs that somebody accounts for.
-pub(super) fn accounted(store: &Store) -> BTreeSet<String> {
-    let names = own::files(store.root(), super::captures::FOLDER, own::is_hash);
-    names.into_iter().collect()
+///
+/// # Errors
+///
+/// They cannot be listed.
+pub(super) fn accounted(store: &Store) -> std::result::Result<BTreeSet<String>, StoreError> {
+    let names = store.files(super::captures::FOLDER, own::is_hash)?;
+    Ok(names.into_iter().collect())
 }

@@ -153,7 +153,7 @@ impl Plan {
         if named {
             store.bring_plan(name)?;
         }
-        let found = own::files(store.root(), FOLDER, fits);
+        let found = own::files(store.root(), FOLDER, fits).unwrap_or_default();
         let [whole] = found.as_slice() else {
             return Err(PlanError::None(name.into(), store.root().into()));
         };

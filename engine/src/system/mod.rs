@@ -49,7 +49,7 @@ pub(crate) fn tidy(at: &Folder) {
         let process = name.strip_prefix(WRITING).and_then(|n| n.split('-').next());
         is_writing(name) && !process.is_some_and(is_alive)
     };
-    for name in nofollow::inside(at, FileKind::File, dead) {
+    for name in nofollow::inside(at, FileKind::File, dead).unwrap_or_default() {
         nofollow::remove(at, &name);
     }
 }

@@ -46,28 +46,39 @@ pub(crate) fn within(at: &Folder, name: &str) -> Result<Folder> {
 }
 
 /// What lies in a folder, is of this kind and fits by its name; sorted.
-pub(crate) fn inside(at: &Folder, wanted: FileKind, fits: impl Fn(&str) -> bool) -> Vec<String> {
-    found(Dir::read_from(at), wanted, fits)
+///
+/// # Errors
+///
+/// It cannot be read to its end.
+pub(crate) fn inside(
+    at: &Folder,
+    wanted: FileKind,
+    fits: impl Fn(&str) -> bool,
+) -> Result<Vec<String>> {
+    found(Dir::read_from(at)?, wanted, fits)
 }
 
 /// As [`inside`], of a folder of which nothing else is wanted.
-pub(crate) fn all_inside(at: Folder, wanted: FileKind, fits: impl Fn(&str) -> bool) -> Vec<String> {
-    found(Dir::new(at), wanted, fits)
-}
-
-fn found(
-    dir: std::result::Result<Dir, Errno>,
+///
+/// # Errors
+///
+/// As [`inside`].
+pub(crate) fn all_inside(
+    at: Folder,
     wanted: FileKind,
     fits: impl Fn(&str) -> bool,
-) -> Vec<String> {
+) -> Result<Vec<String>> {
+    found(Dir::new(at)?, wanted, fits)
+}
+
+fn found(mut dir: Dir, wanted: FileKind, fits: impl Fn(&str) -> bool) -> Result<Vec<String>> {
     let wanted = match wanted {
         FileKind::File => FileType::RegularFile,
         FileKind::Folder => FileType::Directory,
     };
-    let (mut found, Ok(mut dir)) = (Vec::new(), dir) else {
-        return vec![];
-    };
-    while let Some(Ok(entry)) = dir.read() {
+    let mut found = Vec::new();
+    while let Some(entry) = dir.read() {
+        let entry = entry?;
         let Ok(name) = entry.file_name().to_str() else {
             continue;
         };
@@ -83,7 +94,14 @@ fn found(
         }
     }
     found.sort_unstable();
-    found
+    Ok(found)
+}
+
+/// Whether an error says that there is no such folder, but a link or something else, or nothing.
+pub(crate) fn is_absent(why: &std::io::Error) -> bool {
+    let none = [Errno::NOENT, Errno::NOTDIR, Errno::LOOP];
+    none.iter()
+        .any(|none| Some(none.raw_os_error()) == why.raw_os_error())
 }
 
 fn kind(at: impl AsFd, name: &str) -> Option<FileType> {

@@ -53,9 +53,18 @@ fn kind(path: &Path) -> Option<FileKind> {
 }
 
 /// What lies in a folder, is of this kind and fits by its name; sorted.
-pub(crate) fn inside(at: &Folder, wanted: FileKind, fits: impl Fn(&str) -> bool) -> Vec<String> {
+///
+/// # Errors
+///
+/// It cannot be read to its end.
+pub(crate) fn inside(
+    at: &Folder,
+    wanted: FileKind,
+    fits: impl Fn(&str) -> bool,
+) -> Result<Vec<String>> {
     let mut found = Vec::new();
-    for entry in fs::read_dir(&at.0).into_iter().flatten().flatten() {
+    for entry in fs::read_dir(&at.0)? {
+        let entry = entry?;
         if let Ok(name) = entry.file_name().into_string()
             && fits(&name)
             && kind(&entry.path()) == Some(wanted)
@@ -64,7 +73,12 @@ pub(crate) fn inside(at: &Folder, wanted: FileKind, fits: impl Fn(&str) -> bool)
         }
     }
     found.sort_unstable();
-    found
+    Ok(found)
+}
+
+/// Whether an error says that there is no such folder, but a link or something else, or nothing.
+pub(crate) fn is_absent(why: &Error) -> bool {
+    [ErrorKind::NotFound, ErrorKind::NotADirectory].contains(&why.kind())
 }
 
 /// A folder in another one, no link.
@@ -73,7 +87,15 @@ pub(crate) fn within(at: &Folder, name: &str) -> Result<Folder> {
 }
 
 /// As [`inside`], of a folder of which nothing else is wanted.
-pub(crate) fn all_inside(at: Folder, wanted: FileKind, fits: impl Fn(&str) -> bool) -> Vec<String> {
+///
+/// # Errors
+///
+/// As [`inside`].
+pub(crate) fn all_inside(
+    at: Folder,
+    wanted: FileKind,
+    fits: impl Fn(&str) -> bool,
+) -> Result<Vec<String>> {
     inside(&at, wanted, fits)
 }
 

@@ -128,6 +128,7 @@ fn any_number_of_threads_gives_equal_contents() {
         place.run_in(&chain(3), &cache, threads);
         let store = Store::open(&cache).unwrap();
         keeper::list(&store)
+            .unwrap()
             .into_iter()
             .map(|k| (k.key, k.content))
             .collect::<Vec<_>>()

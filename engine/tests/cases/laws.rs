@@ -129,7 +129,7 @@ fn any_number_of_threads_gives_equal_bytes() {
     let contents = |threads: usize| {
         let cache = place.path().join(format!("cache{threads}"));
         place.run_in(&graph, &cache, threads);
-        let kept = keeper::list(&Store::open(&cache).unwrap());
+        let kept = keeper::list(&Store::open(&cache).unwrap()).unwrap();
         kept.into_iter()
             .map(|k| (k.key, k.content))
             .collect::<Vec<_>>()

@@ -72,7 +72,7 @@ fn every_way_to_fail_is_told() {
     let why = place.failure(&start);
     assert!(why.contains("{here}") || why.contains("none.sh"), "{why}");
     assert_eq!(
-        engine::store::keeper::list(&place.store()).len(),
+        engine::store::keeper::list(&place.store()).unwrap().len(),
         0,
         "a failure is never kept"
     );
@@ -165,7 +165,10 @@ fn an_identity_that_changes_while_the_program_runs_is_told_and_nothing_is_kept()
         why.contains("changed while it ran, from \"1\" to \"2\""),
         "{why}"
     );
-    assert_eq!(engine::store::keeper::list(&place.store()).len(), 0);
+    assert_eq!(
+        engine::store::keeper::list(&place.store()).unwrap().len(),
+        0
+    );
 }
 
 #[test]

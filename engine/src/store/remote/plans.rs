@@ -97,7 +97,7 @@ impl Store {
         let Some(link) = &self.link else {
             return Ok(());
         };
-        if begins.is_empty() || !own::files(self.root(), FOLDER, fits).is_empty() {
+        if begins.is_empty() || !self.files(FOLDER, fits)?.is_empty() {
             return Ok(());
         }
         let shared = |why: String| StoreError::Shared {

@@ -20,7 +20,7 @@ fn key(name: &str) -> Option<Hash> {
 /// The keys that wait for the place of a link.
 pub(super) fn of(store: &Store, link: &Link) -> Vec<Hash> {
     let mine = |name: &str| own::is_waiting(name) && name.ends_with(&link.tag);
-    let names = own::files(store.root(), FOLDER, mine);
+    let names = own::files(store.root(), FOLDER, mine).unwrap_or_default();
     names.iter().filter_map(|name| key(name)).collect()
 }
 
@@ -101,13 +101,18 @@ impl Store {
     }
 
     /// The contents of what waits, whatever for: they stay in the store.
-    pub(in crate::store) fn waiting_contents(&self) -> BTreeSet<String> {
-        let names = own::files(self.root(), FOLDER, own::is_waiting);
-        let keys = names.iter().filter_map(|name| key(name));
-        let records = keys.filter_map(|key| self.record(key));
-        records
-            .map(|record| record.content.to_hex().to_string())
-            .collect()
+    ///
+    /// # Errors
+    ///
+    /// The disk refuses: then nobody knows what waits.
+    pub(in crate::store) fn waiting_contents(&self) -> Result<BTreeSet<String>, StoreError> {
+        let mut contents = BTreeSet::new();
+        for name in self.files(FOLDER, own::is_waiting)? {
+            let record = key(&name).map(|key| self.record_on_disk(key));
+            let content = record.transpose()?.flatten().map(|record| record.content);
+            contents.extend(content.map(|content| content.to_hex().to_string()));
+        }
+        Ok(contents)
     }
 
     /// Lets go of what waits of some keys, whatever for.

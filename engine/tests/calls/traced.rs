@@ -1,0 +1,209 @@
+//! A process whose system calls are counted, and of which one fails, or is the one before which the process is killed.
+//!
+//! By ptrace: the thread that works and those that it starts, not the programs that it runs.
+
+use nix::errno::Errno;
+use nix::libc as c;
+use nix::sys::ptrace::{self, Options};
+use nix::sys::signal::{Signal, kill};
+use nix::sys::wait::{WaitPidFlag, WaitStatus, waitpid};
+use nix::unistd::Pid;
+use std::collections::BTreeSet;
+use std::io::{BufRead, BufReader, Read, Write};
+use std::process::{Child, Command, Stdio};
+use std::sync::Mutex;
+use std::sync::mpsc::{RecvTimeoutError, channel};
+use std::time::Duration;
+
+/// What happens at a call.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Fault {
+    /// Nothing ever does.
+    None,
+    /// That call fails.
+    Fails(usize),
+    /// Before that one the process is killed.
+    Killed(usize),
+}
+
+/// How a process ended.
+#[derive(Debug)]
+pub(crate) struct Ended {
+    /// Its exit code; `None` if it was killed.
+    pub(crate) code: Option<i32>,
+    /// How many calls it made.
+    pub(crate) calls: usize,
+    /// The call to which something happened.
+    pub(crate) call: Option<u64>,
+    /// What it wrote to standard output.
+    pub(crate) output: String,
+}
+
+/// Memory, threads that wait for each other, time, signals, and the end: they do not fail, or nobody can go on.
+const NOT_COUNTED: [c::c_long; 27] = [
+    c::SYS_mmap,
+    c::SYS_munmap,
+    c::SYS_mprotect,
+    c::SYS_mremap,
+    c::SYS_madvise,
+    c::SYS_brk,
+    c::SYS_futex,
+    c::SYS_sched_yield,
+    c::SYS_sched_getaffinity,
+    c::SYS_clock_gettime,
+    c::SYS_clock_nanosleep,
+    c::SYS_nanosleep,
+    c::SYS_getrandom,
+    c::SYS_getpid,
+    c::SYS_gettid,
+    c::SYS_geteuid,
+    c::SYS_getegid,
+    c::SYS_rseq,
+    c::SYS_set_robust_list,
+    c::SYS_sigaltstack,
+    c::SYS_rt_sigaction,
+    c::SYS_rt_sigprocmask,
+    c::SYS_rt_sigreturn,
+    c::SYS_restart_syscall,
+    c::SYS_prctl,
+    c::SYS_exit,
+    c::SYS_exit_group,
+];
+
+/// Nobody else waits for processes meanwhile.
+static ALONE: Mutex<()> = Mutex::new(());
+/// A process that takes longer hangs.
+const LONGEST: Duration = Duration::from_secs(30);
+
+/// Asks this test program to run a command line, with a fault.
+pub(crate) fn run(words: &[String], state: &str, fault: Fault) -> Ended {
+    let _alone = ALONE
+        .lock()
+        .unwrap_or_else(std::sync::PoisonError::into_inner);
+    let mut child = Command::new(std::env::current_exe().unwrap())
+        .args([
+            "--exact",
+            "child",
+            "--ignored",
+            "--quiet",
+            "--test-threads=1",
+        ])
+        .env("CALLS_WORDS", words.join("\n"))
+        .env("CALLS_STATE", state)
+        .stdin(Stdio::piped())
+        .stdout(Stdio::piped())
+        .stderr(Stdio::null())
+        .spawn()
+        .unwrap();
+    let mut out = BufReader::new(child.stdout.take().unwrap());
+    let worker = worker(&mut out);
+    let (done, over) = channel::<()>();
+    let id = Pid::from_raw(child.id() as i32);
+    let dog = std::thread::spawn(move || {
+        if over.recv_timeout(LONGEST) == Err(RecvTimeoutError::Timeout) {
+            let _ = kill(id, Signal::SIGKILL);
+            panic!("it hangs");
+        }
+    });
+    let reader = std::thread::spawn(move || {
+        let mut output = String::new();
+        let _ = out.read_to_string(&mut output);
+        output
+    });
+    let mut ended = watched(&mut child, worker, fault);
+    drop(done);
+    assert!(
+        dog.join().is_ok(),
+        "{words:?} hangs at {fault:?} ({:?})",
+        ended.call
+    );
+    ended.output = reader.join().unwrap();
+    ended
+}
+
+/// The number of the thread that works, which waits to be started.
+fn worker(out: &mut impl BufRead) -> Pid {
+    let mut line = String::new();
+    loop {
+        line.clear();
+        assert!(out.read_line(&mut line).unwrap() > 0, "it has ended");
+        if let Some((_, number)) = line.trim().split_once("thread ") {
+            return Pid::from_raw(number.parse().unwrap());
+        }
+    }
+}
+
+/// Follows a process to its end.
+fn watched(child: &mut Child, worker: Pid, fault: Fault) -> Ended {
+    let options =
+        Options::PTRACE_O_TRACESYSGOOD | Options::PTRACE_O_TRACECLONE | Options::PTRACE_O_EXITKILL;
+    ptrace::seize(worker, options).unwrap();
+    ptrace::interrupt(worker).unwrap();
+    let mut ended = Ended {
+        code: None,
+        calls: 0,
+        call: None,
+        output: String::new(),
+    };
+    // Threads that are in a call, and whether it is to fail.
+    let (mut inside, mut fails): (BTreeSet<Pid>, Option<Pid>) = (BTreeSet::new(), None);
+    let mut started = false;
+    let main = Pid::from_raw(child.id() as i32);
+    loop {
+        let status = match waitpid(None, Some(WaitPidFlag::__WALL)) {
+            Err(Errno::EINTR) => continue,
+            status => status.unwrap(),
+        };
+        match status {
+            WaitStatus::Exited(id, code) if id == main => {
+                ended.code = Some(code);
+                return ended;
+            }
+            WaitStatus::Signaled(id, ..) if id == main => return ended,
+            WaitStatus::PtraceSyscall(id) if inside.remove(&id) => {
+                if fails == Some(id) {
+                    fails = None;
+                    let _ = answer(id, |regs| regs.rax = -i64::from(c::EIO) as u64);
+                }
+                let _ = ptrace::syscall(id, None);
+            }
+            WaitStatus::PtraceSyscall(id) => {
+                inside.insert(id);
+                let Ok(regs) = ptrace::getregs(id) else {
+                    continue;
+                };
+                if !NOT_COUNTED.contains(&(regs.orig_rax as c::c_long)) {
+                    let number = ended.calls;
+                    ended.calls += 1;
+                    if fault == Fault::Killed(number) {
+                        ended.call = Some(regs.orig_rax);
+                        let _ = kill(main, Signal::SIGKILL);
+                        continue;
+                    }
+                    if fault == Fault::Fails(number) {
+                        ended.call = Some(regs.orig_rax);
+                        fails = Some(id);
+                        let _ = answer(id, |regs| regs.orig_rax = u64::MAX);
+                    }
+                }
+                let _ = ptrace::syscall(id, None);
+            }
+            WaitStatus::PtraceEvent(id, ..) => {
+                let _ = ptrace::syscall(id, None);
+                if !started {
+                    started = true;
+                    child.stdin.take().unwrap().write_all(b"\n").unwrap();
+                }
+            }
+            WaitStatus::Stopped(id, signal) => _ = ptrace::syscall(id, Some(signal)),
+            _ => {}
+        }
+    }
+}
+
+/// Changes the registers of a thread that is stopped.
+fn answer(id: Pid, change: impl FnOnce(&mut c::user_regs_struct)) -> nix::Result<()> {
+    let mut regs = ptrace::getregs(id)?;
+    change(&mut regs);
+    ptrace::setregs(id, regs)
+}
