@@ -1,7 +1,8 @@
 //! What the engine adds to programs: `cargo bench -p engine --bench programs`.
 //!
-//! One node that runs `sh`, made anew each time, beside the same command started alone; and a sweep of
-//! 200 points beside `xargs -P2`, without and with the same sandbox. The least and the middle of some: the machine's other work is in both.
+//! One node that runs `sh`, made anew each time, beside the same command started alone and in a bare bubblewrap of the
+//! same namespaces, all three in turns; and a sweep of 200 points beside `xargs -P2`, without and with that sandbox. The
+//! least and the middle of some: the machine's other work is in all.
 
 // The tests use more of it.
 #[allow(dead_code)]
@@ -32,33 +33,41 @@ fn text(more: &str) -> String {
     )
 }
 
-/// The command alone. \[ms\]
-fn alone(place: &Place) -> [f64; 2] {
+/// The namespaces of a node, and one folder to write to.
+const BARE: &str = "--unshare-user --unshare-pid --unshare-ipc --unshare-uts --unshare-net --unshare-cgroup-try \
+     --cap-drop ALL --new-session --die-with-parent --ro-bind / / --proc /proc --dev /dev";
+
+/// The command alone, after some words.
+fn alone(place: &Place, before: &[String], n: usize) -> Duration {
     let out = place.path("alone.txt");
-    let one = |n: usize| {
-        let start = Instant::now();
-        let mut command = Command::new("sh");
-        command
-            .args(["-c", "echo $2 > $1", "sh"])
-            .arg(&out)
-            .arg(n.to_string());
-        assert!(
-            command
-                .stdin(Stdio::null())
-                .output()
-                .unwrap()
-                .status
-                .success()
-        );
-        start.elapsed()
-    };
-    told((0..TIMES).map(one).collect())
+    let words = ["sh", "-c", "echo $2 > $1", "sh"].map(str::to_owned);
+    let mut words = before.iter().chain(&words);
+    let start = Instant::now();
+    let mut command = Command::new(words.next().unwrap());
+    command.args(words).arg(&out).arg(n.to_string());
+    let ended = command.stdin(Stdio::null()).output().unwrap();
+    assert!(ended.status.success(), "{ended:?}");
+    start.elapsed()
 }
 
-/// The node, from opening the pipeline to its record. \[ms\]
-fn node(place: &Place) -> [f64; 2] {
+/// The words of a bare bubblewrap, if there is one.
+fn bare(folder: &Path) -> Vec<String> {
+    let Sandbox::Bubblewrap(bubblewrap) = sandbox() else {
+        return vec![];
+    };
+    let folder = folder.display();
+    let words = format!(
+        "{} {BARE} --bind {folder} {folder} --",
+        bubblewrap.display()
+    );
+    words.split_whitespace().map(str::to_owned).collect()
+}
+
+/// The command alone, in a bare bubblewrap, and as a node, from opening the pipeline to its record; in turns. \[ms\]
+fn single(place: &Place) -> [[f64; 2]; 3] {
     let pipeline = Pipeline::of_text("x.toml", &text(""), &CATALOG).unwrap();
-    let one = |n: usize| {
+    let bare = bare(&place.path(""));
+    let node = |n: usize| {
         let start = Instant::now();
         let overrides = Overrides {
             variant: None,
@@ -70,7 +79,13 @@ fn node(place: &Place) -> [f64; 2] {
         assert!(trade::is_made(&outcome, &graph, "x"));
         start.elapsed()
     };
-    told((0..TIMES).map(one).collect())
+    let mut times = [vec![], vec![], vec![]];
+    for n in 0..TIMES {
+        times[0].push(alone(place, &[], n));
+        times[1].push(alone(place, &bare, n));
+        times[2].push(node(n));
+    }
+    times.map(told)
 }
 
 /// All points of a sweep in a new store. \[ms\]
@@ -128,11 +143,13 @@ fn main() {
         other => println!("{}", other.lacks().unwrap_or_default()),
     }
     let place = Place::new();
-    let (alone, node) = (alone(&place), node(&place));
-    for (what, alone, node) in [("least", alone[0], node[0]), ("middle", alone[1], node[1])] {
-        let more = node - alone;
+    let [alone, boxed, node] = single(&place);
+    for (i, what) in ["least", "middle"].into_iter().enumerate() {
+        let (alone, boxed, node) = (alone[i], boxed[i], node[i]);
+        let (more, ratio) = (node - alone, node / boxed);
         println!(
-            "{what}: one command alone {alone:.1} ms, as a node {node:.1} ms: {more:.1} ms beside it"
+            "{what}: one command alone {alone:.1} ms, in a bare bubblewrap {boxed:.1} ms, as a node {node:.1} ms: \
+             {more:.1} ms above the command, {ratio:.2} times the bubblewrap"
         );
     }
     let (ours, theirs) = (
@@ -143,16 +160,8 @@ fn main() {
         "{POINTS} points {ours:.0} ms, xargs -P2 {theirs:.0} ms: {:.1} times",
         ours / theirs
     );
-    if let Sandbox::Bubblewrap(path) = sandbox() {
-        let boxed = |folder: &Path| {
-            let (bwrap, folder) = (path.display(), folder.display());
-            format!(
-                "{bwrap} --unshare-user --unshare-pid --unshare-ipc --unshare-uts --unshare-net --cap-drop ALL \
-                 --new-session --die-with-parent --ro-bind / / --proc /proc --dev /dev \
-                 --bind {folder} {folder} --"
-            )
-        };
-        let theirs = xargs(&place, "boxed", &boxed);
+    if let Sandbox::Bubblewrap(_) = sandbox() {
+        let theirs = xargs(&place, "boxed", &|folder| bare(folder).join(" "));
         println!(
             "xargs -P2 in such a bubblewrap {theirs:.0} ms: {:.1} times",
             ours / theirs

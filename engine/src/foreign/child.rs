@@ -25,6 +25,8 @@ pub(super) struct Line {
 const LONGEST_LINE: u64 = 16 * 1024;
 /// How long it is waited at most until it is looked at the program again.
 pub(super) const LOOK: Duration = Duration::from_millis(10);
+/// How long it is waited before the first of several looks.
+pub(super) const SHORTEST_LOOK: Duration = Duration::from_micros(100);
 /// How often memory and disk are looked at.
 pub(super) const WEIGH: Duration = Duration::from_millis(50);
 /// How many lines of a program wait to be heard; who says more waits, too. \[lines\]
@@ -175,7 +177,7 @@ fn watched(
 
 /// Who is still there a moment after the program ended.
 fn left_behind(task: &Task<'_>, leader: u32) -> String {
-    let start = Instant::now();
+    let (start, mut pause) = (Instant::now(), SHORTEST_LOOK);
     loop {
         let left = family::members(task.root, Some(leader));
         if left.is_empty() {
@@ -188,7 +190,9 @@ fn left_behind(task: &Task<'_>, leader: u32) -> String {
                 .collect();
             return who.join(", ");
         }
-        std::thread::sleep(LOOK / 5);
+        // A sandbox is gone a moment after its program, as a rule.
+        std::thread::sleep(pause);
+        pause = (pause * 2).min(LOOK / 5);
     }
 }
 

@@ -1,6 +1,7 @@
 //! A program with all that it started: found by a variable of the environment that they inherit and by the
 //! sandbox that they are in, ended together.
 
+use super::sandbox::boxed;
 use crate::system::resident_bytes;
 use stage::process;
 use std::collections::BTreeMap;
@@ -67,18 +68,24 @@ fn met(folder: &Path, leader: Option<u32>, sandboxes: &mut Vec<PathBuf>) -> Vec<
     let least = leader.filter(|leader| last_number().is_some_and(|last| last >= *leader));
     let entries = std::fs::read_dir("/proc").into_iter().flatten().flatten();
     let mut buffer = vec![0; LARGEST_ENVIRONMENT];
+    let ours = space(Path::new("/proc/self"));
+    // Of a program of this process in bubblewrap all but the leader are in a space of their own.
+    let apart = leader.is_some() && boxed();
     let mut look = |entry: std::fs::DirEntry| {
         let id: u32 = entry.file_name().to_str()?.parse().ok()?;
         if leader == Some(id) || least.is_some_and(|least| id < least) {
             return None;
         }
+        let space = space(&entry.path());
+        if apart && space == ours {
+            return None;
+        }
         let environment = environment(&entry.path(), &mut buffer);
         let marked = |environment: &[u8]| environment.split(|byte| *byte == 0).any(|v| v == mark);
         let marked = environment.is_some_and(marked);
-        Some((id, marked, space(&entry.path())))
+        Some((id, marked, space))
     };
     let all: Vec<(u32, bool, Option<PathBuf>)> = entries.filter_map(&mut look).collect();
-    let ours = space(Path::new("/proc/self"));
     let marked = all
         .iter()
         .filter(|(_, marked, space)| *marked && *space != ours);
@@ -108,18 +115,20 @@ fn space(process: &Path) -> Option<PathBuf> {
 /// More than any environment that we give. \[bytes\]
 const LARGEST_ENVIRONMENT: usize = 256 * 1024;
 
-/// How often a process that has no environment at the moment is asked again, a millisecond apart.
-const ASKED_AGAIN: usize = 5;
+/// How often a process that has no environment at the moment is asked again, each time after twice as long.
+const ASKED_AGAIN: u32 = 6;
+/// After how long for the first time.
+const ASKED_AFTER: Duration = Duration::from_micros(100);
 
 /// The environment that a process was started with. One that is just becoming another program has none
 /// for a moment, and is asked again.
 fn environment<'a>(process: &Path, buffer: &'a mut [u8]) -> Option<&'a [u8]> {
     let mut length = read(&process.join("environ"), buffer)?;
-    for _ in 0..ASKED_AGAIN {
+    for time in 0..ASKED_AGAIN {
         if length > 0 || !may_have_one(process) {
             break;
         }
-        std::thread::sleep(Duration::from_millis(1));
+        std::thread::sleep(ASKED_AFTER * (1 << time));
         length = read(&process.join("environ"), buffer)?;
     }
     Some(&buffer[..length])

@@ -52,8 +52,8 @@ impl Sandbox {
     }
 }
 
-/// Whether programs run in one.
-fn boxed() -> bool {
+/// Whether programs run in bubblewrap.
+pub(super) fn boxed() -> bool {
     matches!(sandbox(), Sandbox::Bubblewrap(_))
 }
 
