@@ -2,6 +2,7 @@
 
 use super::Comparison;
 use super::cut::short;
+use super::girths::GirthRow;
 use engine::differ::{Difference, by_name};
 use serde_json::{Value, json};
 use shape::Unit;
@@ -26,44 +27,60 @@ fn signed(x: Option<f64>) -> String {
     x.map_or("-".into(), |x| format!("{x:+.1}"))
 }
 
-/// Girths: by tape, and how far from the first.
+/// Girths: by tape, and how far from the first; of more than two sides a row each, so that the table is no wider.
 pub(super) fn girth_table(c: &Comparison) -> Table {
-    let mut head: Vec<String> = vec!["girth".into()];
+    let first = &c.sides[0].name;
+    let against: Vec<&String> = c.sides.iter().skip(1).map(|s| &s.name).collect();
     let unit = c.girths.first().map_or(Unit::Metric, |row| row.unit);
     let (word, digits) = match unit {
         Unit::Metric => ("cm", 2),
         Unit::Relative => ("relative", 5),
     };
-    head.extend(c.sides.iter().map(|s| format!("{} [{word}]", s.name)));
-    for side in c.sides.iter().skip(1) {
-        let off = format!("{} off [mm]", side.name);
-        let rest = ["by intervals [mm]", "LSC [mm]", "changed", "within"];
-        head.push(off);
-        head.extend(rest.map(String::from));
-    }
+    let mut head = vec!["girth".to_owned(), format!("{first} [{word}]")];
+    let off = match against[..] {
+        [other] => {
+            head.push(format!("{other} [{word}]"));
+            format!("{other} off [mm]")
+        }
+        _ => {
+            head.extend(["against".to_owned(), format!("[{word}]")]);
+            "off [mm]".to_owned()
+        }
+    };
+    let rest = ["by intervals [mm]", "LSC [mm]", "changed", "within"];
+    head.push(off);
+    head.extend(rest.map(String::from));
     let mut table = vec![head];
     for row in &c.girths {
-        let mut line = vec![format!("{} ({})", row.name, row.label)];
-        line.extend(row.tape.iter().map(|length| number(*length, digits)));
-        for ((off, same), judged) in row.off_mm.iter().zip(&row.same).zip(&row.judged) {
-            let word = match same {
-                Some(true) => format!("yes, {} mm", row.tolerance_mm),
-                Some(false) => format!("NO, {} mm", row.tolerance_mm),
-                None => "-".into(),
-            };
-            let ends = judged.interval_mm;
-            let ends = ends.map_or("-".into(), |[a, b]| format!("{a:+.1} to {b:+.1}"));
-            let changed = match judged.changed {
-                Some(true) => "YES",
-                Some(false) => "no",
-                None => "-",
-            };
-            let least = number(judged.least_change_mm, 1);
-            line.extend([signed(*off), ends, least, changed.into(), word]);
+        for (k, other) in against.iter().enumerate() {
+            let mut line = vec![format!("{} ({})", row.name, row.label)];
+            line.push(number(row.tape[0], digits));
+            line.extend((against.len() > 1).then(|| (*other).clone()));
+            line.push(number(row.tape[k + 1], digits));
+            line.extend(judged_cells(row, k));
+            table.push(line);
         }
-        table.push(line);
     }
     table
+}
+
+/// How far the tape of a side is from the first, and what that means.
+fn judged_cells(row: &GirthRow, k: usize) -> [String; 5] {
+    let judged = &row.judged[k];
+    let word = match row.same[k] {
+        Some(true) => format!("yes, {} mm", row.tolerance_mm),
+        Some(false) => format!("NO, {} mm", row.tolerance_mm),
+        None => "-".into(),
+    };
+    let ends = judged.interval_mm;
+    let ends = ends.map_or("-".into(), |[a, b]| format!("{a:+.1} to {b:+.1}"));
+    let changed = match judged.changed {
+        Some(true) => "YES",
+        Some(false) => "no",
+        None => "-",
+    };
+    let least = number(judged.least_change_mm, 1);
+    [signed(row.off_mm[k]), ends, least, changed.into(), word]
 }
 
 /// Settings that differ.
