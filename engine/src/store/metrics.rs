@@ -1,4 +1,4 @@
-//! Metrics in JSON, which knows no number that is not finite.
+//! Metrics in JSON, which knows no number that is not finite, and whose reader misses some by a last digit.
 
 use serde::{Deserialize, Serialize};
 use stage::Metric;
@@ -7,7 +7,7 @@ use stage::Metric;
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub(super) struct MetricText(String, Number, String);
 
-/// A number; what is not finite as a text: `"NaN"`, `"inf"`, `"-inf"`.
+/// A number; as a text what is not finite (`"NaN"`, `"inf"`, `"-inf"`), and what would come back as its neighbour.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(untagged)]
 enum Number {
@@ -15,9 +15,16 @@ enum Number {
     Text(String),
 }
 
+/// Whether a number is the same once it was written and read.
+fn comes_back(value: f64) -> bool {
+    let text = serde_json::to_string(&value).unwrap_or_default();
+    let read = serde_json::from_str::<f64>(&text).ok();
+    read.is_some_and(|read| read.to_bits() == value.to_bits())
+}
+
 impl MetricText {
     pub(super) fn of(metric: &Metric) -> MetricText {
-        let value = match metric.value.is_finite() {
+        let value = match comes_back(metric.value) {
             true => Number::Finite(metric.value),
             false => Number::Text(metric.value.to_string()),
         };
@@ -53,6 +60,22 @@ mod tests {
             let back: MetricText = serde_json::from_str(&json).unwrap();
             assert_eq!(back.metric().value.to_bits(), value.to_bits(), "{json}");
         }
+        let mut dice = proof::Dice(7);
+        let missed = (0..10_000).map(|_| 100.0 * dice.normal()).filter(|x| {
+            let metric = Metric {
+                name: "x".into(),
+                value: *x,
+                unit: "mm".into(),
+            };
+            let json = serde_json::to_string(&MetricText::of(&metric)).unwrap();
+            let back: MetricText = serde_json::from_str(&json).unwrap();
+            assert_eq!(back.metric().value.to_bits(), x.to_bits(), "{json}");
+            !comes_back(*x)
+        });
+        assert!(
+            missed.count() > 0,
+            "the reader of JSON misses none any more"
+        );
         let old: MetricText = serde_json::from_str("[\"x\", 2.5, \"mm\"]").unwrap();
         assert_eq!(old.metric().value, 2.5);
     }
