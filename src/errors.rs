@@ -6,12 +6,22 @@ use crate::{delivery, score};
 use stage::Metric;
 use std::path::Path;
 
+/// What a folder of truth may have; it needs one of them.
+const TRUTH: [&str; 3] = ["cameras.json", "measurements.json", "mesh.ply"];
+
 /// Errors of a point: `error.WC` by tape \[mm\], `error.WC.contour` \[%\], cameras and surface.
 pub(crate) fn errors(
     graph: &Graph,
     outcome: &Outcome,
     truth: &Path,
 ) -> Result<Vec<Metric>, String> {
+    if !TRUTH.iter().any(|file| truth.join(file).is_file()) {
+        return Err(format!(
+            "{} has no truth: none of {}",
+            truth.display(),
+            TRUTH.join(", ")
+        ));
+    }
     let folder = tempfile::tempdir().map_err(|e| e.to_string())?;
     for (kind, file, format) in [
         ("cameras", "cameras.json", "json"),

@@ -1,6 +1,9 @@
 //! What a walk is given, what becomes of a node, and who hears of it.
 
 use crate::graph::{Graph, Source};
+use crate::key::Provenance;
+use crate::meter::Spent;
+use crate::store::Record;
 use stage::{Files, Hash, Message, Metric};
 use std::collections::BTreeMap;
 use std::sync::Mutex;
@@ -46,6 +49,8 @@ pub struct Done {
     pub provenance: Vec<(String, String)>,
     /// How long it took: now, or when it was made. \[s\]
     pub seconds: f64,
+    /// What that took of the processor and of memory.
+    pub spent: Spent,
     /// Size of the result. \[bytes\]
     pub bytes: u64,
     /// Numbers beside the result.
@@ -64,9 +69,36 @@ impl Done {
             content: None,
             provenance,
             seconds: 0.0,
+            spent: Spent::default(),
             bytes: 0,
             metrics,
             warnings,
+        }
+    }
+}
+
+impl Done {
+    /// A node whose stage came to nothing.
+    pub(crate) fn failed(key: Hash, provenance: Provenance, why: Message) -> Done {
+        Done {
+            key: Some(key),
+            provenance: provenance.0,
+            ..Done::nothing(Status::Failed(why))
+        }
+    }
+
+    /// A node whose result is in a record.
+    pub(crate) fn of(status: Status, key: Hash, mut record: Record) -> Done {
+        Done {
+            spent: Spent::taken(&mut record.metrics),
+            status,
+            key: Some(key),
+            content: Some(record.content),
+            provenance: record.provenance,
+            seconds: record.seconds,
+            bytes: record.bytes,
+            metrics: record.metrics,
+            warnings: record.warnings,
         }
     }
 }

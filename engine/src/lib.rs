@@ -95,6 +95,7 @@ pub mod key;
 pub mod kind;
 pub mod lasttime;
 mod memory;
+mod meter;
 pub mod out;
 mod outcome;
 mod own;
@@ -127,6 +128,7 @@ pub mod walk;
 pub mod why;
 
 pub use kind::{Catalog, Kind};
+pub use meter::Spent;
 pub use outcome::{Outcome, ResultError};
 pub use own::whole;
 pub use session::{

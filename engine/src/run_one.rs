@@ -4,6 +4,7 @@ use crate::done::{Done, Failures, Job, Status, Watch, why};
 use crate::graph::{Bound, Source};
 use crate::key::{self, Digest};
 use crate::memory::Memory;
+use crate::meter::Meter;
 use crate::stopwatch::timed;
 use crate::store::{Claim, Record, Store};
 use stage::{AnyArtifact, AnyStage, Ctx, Hash, Host, Message, Metric, Stop};
@@ -30,6 +31,7 @@ pub struct Pool {
     threads: usize,
     pool: OnceLock<rayon::ThreadPool>,
     memory: Memory,
+    meter: Meter,
 }
 
 impl Pool {
@@ -39,6 +41,7 @@ impl Pool {
             threads,
             pool: OnceLock::new(),
             memory: Memory::default(),
+            meter: Meter::default(),
         }
     }
 
@@ -123,7 +126,7 @@ pub(crate) fn find(
         return None;
     }
     store.share(key);
-    Some(done(Status::Hit, key, found.record))
+    Some(Done::of(Status::Hit, key, found.record))
 }
 
 /// Finds or makes a node's result; hands on the artifact if it was made.
@@ -147,7 +150,7 @@ pub(crate) fn run_one(
         return Step::Done(Box::new(done), None);
     }
     if let Some(why) = around.failures.of(key) {
-        return Step::Done(Box::new(Done::failed(key, provenance, why)), None);
+        return Step::Done(Done::failed(key, provenance, why), None);
     }
     let artifacts = match load(job, node, inputs, at_hand, around.store) {
         Ok(artifacts) => artifacts,
@@ -174,7 +177,7 @@ fn make(
     artifacts: Vec<Option<AnyArtifact>>,
     around: &Surroundings<'_>,
 ) -> (Done, Option<AnyArtifact>) {
-    let failed = |why: Message| failed(key, provenance.clone(), why);
+    let failed = |why: Message| Done::failed(key, provenance.clone(), why);
     let mut recipe = Digest::default();
     key::tell_recipe(bound, &mut recipe);
     let (metrics, warnings) = Default::default();
@@ -191,6 +194,7 @@ fn make(
             .pool
             .install(|| timed(|| bound.stage.run(&bound.params, artifacts, &ctx)))
     };
+    let measured = around.pool.meter.begin();
     let (made, seconds) = match std::panic::catch_unwind(AssertUnwindSafe(run)) {
         Ok((Ok(made), took)) => (made, took.as_secs_f64()),
         Ok((Err(Stop::Cancelled), _)) => return (Done::nothing(Status::Cancelled), None),
@@ -207,13 +211,16 @@ fn make(
             );
         }
     };
+    let spent = measured.end();
     let published = around.store.keep(&made.bytes, seconds).and_then(|content| {
+        let mut metrics = host.metrics.into_inner().expect("bug: poisoned");
+        metrics.extend(spent.metrics());
         let record = Record {
             provenance: provenance.0.clone(),
             content,
             bytes: made.bytes.len() as u64,
             seconds,
-            metrics: host.metrics.into_inner().expect("bug: poisoned"),
+            metrics,
             warnings: host.warnings.into_inner().expect("bug: poisoned"),
         };
         // Where the disk knows no locks, or two machines made it, somebody may have been first.
@@ -228,31 +235,10 @@ fn make(
     match published {
         Ok((record, ours)) if record.content != ours => {
             around.watch.differs(&bound.name, record.content, ours);
-            (done(Status::Executed, key, record), None)
+            (Done::of(Status::Executed, key, record), None)
         }
-        Ok((record, _)) => (done(Status::Executed, key, record), Some(made.artifact)),
+        Ok((record, _)) => (Done::of(Status::Executed, key, record), Some(made.artifact)),
         Err(error) => (failed(error.to_string().into()), None),
-    }
-}
-
-fn failed(key: Hash, provenance: key::Provenance, why: Message) -> Done {
-    Done {
-        key: Some(key),
-        provenance: provenance.0,
-        ..Done::nothing(Status::Failed(why))
-    }
-}
-
-fn done(status: Status, key: Hash, record: Record) -> Done {
-    Done {
-        status,
-        key: Some(key),
-        content: Some(record.content),
-        provenance: record.provenance,
-        seconds: record.seconds,
-        bytes: record.bytes,
-        metrics: record.metrics,
-        warnings: record.warnings,
     }
 }
 

@@ -1,10 +1,15 @@
-//! Which numbers a node can tell: its stage's metrics, what its result tells of itself, time and size.
+//! Which numbers a node can tell: its stage's metrics, what its result tells of itself, time, processor, memory and size.
 
 use crate::kind::Catalog;
 use stage::{AnyStage, Value, fits_any, nearest};
 
 /// What every node tells.
-pub(crate) const BESIDE: [(&str, &str); 2] = [("seconds", "s"), ("bytes", "B")];
+pub(crate) const BESIDE: [(&str, &str); 4] = [
+    ("seconds", "s"),
+    ("processor", "s"),
+    ("memory", "B"),
+    ("bytes", "B"),
+];
 
 /// How many names are listed to somebody who asked for one that there is not.
 const LISTED: usize = 24;

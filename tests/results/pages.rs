@@ -228,6 +228,7 @@ fn row(voxel: f64, method: &str, waist: Option<f64>) -> Row {
             ("girths.count".into(), waist.map(|_| metric(17.0))),
         ],
         known: vec![],
+        results: vec![],
         made: 1,
         found: 0,
         seconds: 1.0,
@@ -247,7 +248,10 @@ fn a_sweep_is_plotted_lights_up_and_sorts() {
         row(3.0, "median", Some(81.0)),
         row(1.0, "median", None),
     ];
-    let page = tailor::sweep::page("s", "How fine?", &rows, &|_, _| vec![], &|_| vec![]).page;
+    let page = tailor::sweep::page("s", "How fine?", &rows, &|_, _| vec![], &|_| {
+        Default::default()
+    })
+    .page;
     let mut tab = Tab::open(&page, DESK, false, false);
     let count = |tab: &mut Tab, selector: &str| {
         let count = tab.value(&format!("document.querySelectorAll({selector:?}).length"));

@@ -3,7 +3,7 @@
 use crate::chromium::Tab;
 use stage::{Metric, Value};
 use std::time::{Duration, Instant};
-use tailor::sweep::{End, Point, Reference, Row};
+use tailor::sweep::{Behind, End, Point, Reference, Row};
 
 const DESK: [u32; 2] = [1280, 900];
 
@@ -40,6 +40,7 @@ fn row(i: usize, replicate: Option<u32>) -> Row {
             metric("error.HC", waist * 0.5 - 1.0),
         ],
         known: vec![],
+        results: vec![],
         made: 1,
         found: 3,
         seconds: 1.0,
@@ -75,8 +76,16 @@ fn small_multiples_have_intervals_references_and_equal_scales() {
     let rows: Vec<Row> = (0..24)
         .flat_map(|i| (1..=3).map(move |r| row(i, Some(r))))
         .collect();
-    let shown = tailor::sweep::page("s", "Which?", &rows, &limits, &|_| {
-        vec!["tailor run".into()]
+    let shown = tailor::sweep::page("s", "Which?", &rows, &limits, &|row| {
+        let link = (
+            "body".to_owned(),
+            "why".to_owned(),
+            format!("points/{}", row.made),
+        );
+        Behind {
+            commands: vec!["tailor run".into()],
+            links: vec![link],
+        }
     });
     let mut tab = Tab::open(&shown.page, DESK, false, false);
     // Two metrics over three params, and a map of each.
@@ -148,7 +157,7 @@ fn a_page_of_two_hundred_points_is_there_in_a_second() {
         .map(|i| row(i % 24, Some(i as u32 / 24 + 1)))
         .collect();
     let start = Instant::now();
-    let shown = tailor::sweep::page("s", "?", &rows, &limits, &|_| vec![]);
+    let shown = tailor::sweep::page("s", "?", &rows, &limits, &|_| Behind::default());
     assert!(
         start.elapsed() < Duration::from_secs(1),
         "{:?}",

@@ -159,23 +159,27 @@ pub(super) fn write(
     Ok(())
 }
 
-/// Writes tables and plots of a sweep or a search as a delivery: who forgets a folder that they came of hears of it.
-pub(super) fn tables(
-    out: &Path,
-    change: &Change,
-    files: impl IntoIterator<Item = (String, String)>,
-    plots: Vec<(String, String)>,
-    clean: bool,
-    global: &GlobalArgs,
-) -> Result<(), Fault> {
+/// Begins a delivery of what came of a sweep or a search: who forgets a folder that it came of hears of it.
+pub(super) fn begun(out: &Path, change: &Change, global: &GlobalArgs) -> Result<Delivery, Fault> {
     let folders = folders(change)?;
     let of = whose(&folders);
     let store = Store::open(&global.cache).map_err(Fault::input)?;
     store.note_delivery(out, &of, &folders);
     let mut delivery = Delivery::open(out, &of).map_err(Fault::stage)?;
     delivery.begin().map_err(Fault::stage)?;
-    for (name, text) in files {
-        let file = [(String::new(), text.into_bytes())];
+    Ok(delivery)
+}
+
+/// Ends a delivery with tables and plots.
+pub(super) fn tables(
+    mut delivery: Delivery,
+    files: impl IntoIterator<Item = (String, Vec<u8>)>,
+    plots: Vec<(String, String)>,
+    clean: bool,
+    global: &GlobalArgs,
+) -> Result<(), Fault> {
+    for (name, bytes) in files {
+        let file = [(String::new(), bytes)];
         delivery.put(&name, &file).map_err(Fault::stage)?;
     }
     let plots = plots.into_iter().map(|(n, t)| (n, t.into_bytes()));

@@ -4,13 +4,17 @@ use super::fault::Fault;
 use super::open::{folders, options};
 use super::program::GlobalArgs;
 use super::programs::permitted;
+use super::search_strands::{self, Halt};
 use super::search_told::{SearchArgs, told};
+use super::strands::named;
+use super::sweep::truth_is_there;
 use super::text::count;
 use engine::Outcome;
 use engine::delivery;
 use engine::graph::Graph;
 use engine::recipe::{Overrides, Pipeline, Search};
 use engine::search::{Found, Round, Values, search as searched};
+use engine::store::Store;
 use engine::sweep::{self, End, Errors, Point, Points, Replicates, Row, Sweeping};
 use engine::walk::Watch;
 use std::sync::atomic::Ordering;
@@ -50,9 +54,16 @@ pub(crate) fn search(args: &SearchArgs, global: &GlobalArgs) -> Result<(), Fault
         let what = "needs ground truth: say --truth FOLDER";
         return Err(Fault::input(format!("`{}` {what}", declared.metric.value)));
     }
+    truth_is_there(args.truth.as_deref())?;
     permitted(&base, global)?;
-    let found = run(args, global, (&pipeline, &all, declared))?;
-    told(args, global, declared, &found)
+    match run(args, global, (&pipeline, &all, declared)) {
+        Ok(found) => told(args, global, declared, &found),
+        Err(Halt::Fault(fault)) => Err(fault),
+        Err(Halt::Next(round, plan)) => {
+            let store = Store::open(&global.cache).map_err(Fault::input)?;
+            named(&plan, Some(round), &store, global)
+        }
+    }
 }
 
 /// Round by round.
@@ -60,7 +71,7 @@ fn run(
     args: &SearchArgs,
     global: &GlobalArgs,
     (pipeline, all, declared): (&Pipeline, &Overrides, &Search),
-) -> Result<Found, Fault> {
+) -> Result<Found, Halt> {
     let of = &declared.sweep;
     let variants: Vec<Option<String>> = match of.with.is_empty() {
         true => vec![None],
@@ -81,6 +92,7 @@ fn run(
         None => Replicates::default(),
         Some(times) => Replicates::of(times.value, &graphs, &nodes, &[]).map_err(Fault::input)?,
     };
+    let folders = folders(&args.change)?;
     let options = options(global, true);
     let against = args.truth.as_deref().map(|truth| {
         move |graph: &Graph, outcome: &Outcome| (global.program().errors)(graph, outcome, truth)
@@ -92,7 +104,7 @@ fn run(
             Ok(graph)
         },
         nodes: &nodes,
-        folders: &folders(&args.change)?,
+        folders: &folders,
         options: &options,
         tell: &tell,
         errors: against.as_ref().map(|errors| errors as &Errors<'_>),
@@ -100,35 +112,55 @@ fn run(
         cancel: global.host.cancel(),
     };
     let mut wrong = None;
-    let found = searched(declared, |round: &Round<'_>| -> Result<Values, Fault> {
+    let found = searched(declared, |round: &Round<'_>| -> Result<Values, Halt> {
         let points = Points::new(&graphs[0], variants.clone(), vec![round.axis.clone()]);
-        let points = points.repeated(replicates.clone());
+        let points: Vec<Point> = points.repeated(replicates.clone()).iter().collect();
         if !global.quiet && !global.json {
-            crate::errln!("round {}: {}", round.number, count(points.count(), "point"));
+            crate::errln!("round {}: {}", round.number, count(points.len(), "point"));
         }
-        let rows = sweep::run(&sweeping, points.iter(), |_| {}).map_err(Fault::input)?;
+        let there = match args.strands {
+            false => vec![true; points.len()],
+            true => search_strands::Round {
+                number: round.number,
+                args,
+                pipeline,
+                all,
+                folders: &folders,
+                nodes: &nodes,
+                global,
+            }
+            .there(&points)?,
+        };
+        let whole = points.iter().zip(&there).filter(|(_, there)| **there);
+        let whole = whole.map(|(point, _)| point.clone());
+        let rows = sweep::run(&sweeping, whole, |_| {}).map_err(Fault::input)?;
         if global.host.cancel().load(Ordering::Relaxed) {
             let text = "stopped; run the same command to go on".into();
-            return Err(Fault {
+            return Err(Halt::Fault(Fault {
                 text,
                 ..Fault::stopped()
-            });
+            }));
         }
         let times = of.replicate.as_ref().map_or(1, |r| r.value as usize);
         wrong = wrong.take().or(rows.iter().find_map(failed));
-        Ok(rows
-            .chunks(times)
-            .map(|own| value(own, &declared.metric.value))
-            .collect())
+        let mut rows = rows.iter();
+        let mut row = |there: &bool| there.then(|| rows.next()).flatten();
+        let rows: Vec<Option<&Row>> = there.iter().map(&mut row).collect();
+        let own = points.chunks(times).zip(rows.chunks(times));
+        let value = |(points, rows): (&[Point], &[Option<&Row>])| {
+            let variant = points[0].variant.clone();
+            (variant, value(rows, &declared.metric.value))
+        };
+        Ok(own.map(value).collect())
     })?;
     match found.best {
         Some(_) => Ok(found),
-        None => Err(Fault::stage(format!(
+        None => Err(Halt::Fault(Fault::stage(format!(
             "`{}` was told at none of {}{}",
             declared.metric.value,
             count(found.tried.len(), "point"),
             wrong.map_or(String::new(), |why| format!(": {why}"))
-        ))),
+        )))),
     }
 }
 
@@ -142,12 +174,12 @@ fn failed(row: &Row) -> Option<String> {
 }
 
 /// The mean of a point's replicates; none where one does not tell it, for a set that is refused at times is no best one.
-fn value(own: &[Row], metric: &str) -> (Option<String>, Option<f64>) {
-    let one = |row: &Row| {
+fn value(own: &[Option<&Row>], metric: &str) -> Option<f64> {
+    let one = |row: &Option<&Row>| {
+        let row = (*row)?;
         let (_, metric) = row.metrics.iter().find(|(n, _)| n == metric)?;
         Some(metric.as_ref()?.value).filter(|_| row.end == End::Done)
     };
     let values: Option<Vec<f64>> = own.iter().map(one).collect();
-    let mean = values.map(|v| v.iter().sum::<f64>() / v.len() as f64);
-    (own[0].point.variant.clone(), mean)
+    values.map(|v| v.iter().sum::<f64>() / v.len() as f64)
 }

@@ -25,6 +25,12 @@ pub(crate) struct SearchArgs {
     /// Ground truth, for a search of the least `error.…`
     #[arg(long)]
     pub(super) truth: Option<PathBuf>,
+    /// Cut the next round into strands for a cluster instead of running it; once all rounds are there, the best set
+    #[arg(long, conflicts_with = "truth")]
+    pub(super) strands: bool,
+    /// With --strands, a plan that was worked on: points that it did not make count as refused
+    #[arg(long, value_name = "PLAN", requires = "strands")]
+    pub(super) after: Vec<String>,
     /// Write search.csv, search.json and best.toml (the best set as a variant) into this folder
     #[arg(long)]
     pub(super) out: Option<PathBuf>,
@@ -54,6 +60,8 @@ impl SearchArgs {
             name: Some(name.clone()),
             change: sweep.change.clone(),
             truth: sweep.truth.clone(),
+            strands: sweep.strands,
+            after: vec![],
             out: sweep.out.clone(),
         }))
     }
@@ -90,8 +98,9 @@ pub(super) fn told(
             ("search.csv", csv(declared, found)),
             ("best.toml", file),
         ];
-        let files = files.map(|(name, text)| (name.to_owned(), text));
-        deliver::tables(out, &args.change, files, vec![], false, global)?;
+        let files = files.map(|(name, text)| (name.to_owned(), text.into_bytes()));
+        let delivery = deliver::begun(out, &args.change, global)?;
+        deliver::tables(delivery, files, vec![], false, global)?;
     }
     if global.json {
         crate::outln!("{pretty}");

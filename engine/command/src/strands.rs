@@ -91,7 +91,17 @@ fn crossed(
 pub(super) fn written(asked: &Asked<'_>, global: &GlobalArgs) -> Result<(), Fault> {
     let store = Store::open(&global.cache).map_err(Fault::input)?;
     let plan = strands::planned(asked, global.catalog().program, &store).map_err(Fault::input)?;
-    let name = plan.write(&store).map_err(Fault::input)?;
+    named(&plan, None, &store, global)
+}
+
+/// Writes a plan into the store and answers with its layers and name; a search's with its round, too.
+pub(super) fn named(
+    plan: &Plan,
+    round: Option<usize>,
+    store: &Store,
+    global: &GlobalArgs,
+) -> Result<(), Fault> {
+    let name = plan.write(store).map_err(Fault::input)?;
     let history = History::of(&global.cache, Of::default());
     let seconds = |node: &str| history.last(node).map(|line| line.seconds);
     let mut layers = Vec::new();
@@ -108,11 +118,16 @@ pub(super) fn written(asked: &Asked<'_>, global: &GlobalArgs) -> Result<(), Faul
         let layers: Vec<Value> = layers.iter().map(layer).collect();
         let points = plan.points.len();
         let strands = plan.strands.len();
-        crate::outln!(
-            "{}",
-            json!({ "plan": name, "points": points, "strands": strands, "layers": layers })
-        );
+        let mut answer =
+            json!({ "plan": name, "points": points, "strands": strands, "layers": layers });
+        if let Some(round) = round {
+            answer["round"] = round.into();
+        }
+        crate::outln!("{answer}");
         return Ok(());
+    }
+    if let Some(round) = round {
+        crate::outln!("round {round} is to be worked on; then the same command again");
     }
     for (at, (strands, nodes, seconds, unknown)) in layers.iter().enumerate() {
         let unknown = match unknown {
@@ -141,6 +156,9 @@ fn places(text: &str) -> Result<Vec<usize>, Fault> {
     }
     Ok(places)
 }
+
+/// So many digits of a plan's name are enough.
+pub(super) const SHORTEST: usize = strands::SHORTEST;
 
 /// More strands than this are not said at once.
 const MOST_PLACES: usize = 1_000_000;

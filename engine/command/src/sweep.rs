@@ -9,16 +9,19 @@ use super::search;
 use super::search_told::SearchArgs;
 use super::strands::written;
 use super::sweep_asked::{Asked, SweepArgs, asked, checked};
-use super::sweep_told::{how, missing_metrics};
+use super::sweep_behind;
+use super::sweep_told::{another, missing_metrics};
 use engine::Outcome;
 use engine::delivery;
 use engine::graph::Graph;
 use engine::lasttime::History;
 use engine::past::Of;
-use engine::recipe::{Overrides, Pipeline};
+use engine::recipe::{Mistakes, Overrides, Pipeline};
+use engine::store::Store;
 use engine::strands;
 use engine::sweep::{self, End, Errors, Outlook, Point, Row, Sweeping, outlook};
 use engine::walk::Watch;
+use std::path::Path;
 use std::sync::atomic::Ordering;
 
 /// More points than this ask for `--yes`.
@@ -35,6 +38,8 @@ pub enum Heard<'a> {
 /// A sweep that came to its end, or was stopped.
 pub struct Swept {
     asked: Asked,
+    pipeline: Pipeline,
+    all: Overrides,
     /// What came of each point.
     pub rows: Vec<Row>,
 }
@@ -45,9 +50,25 @@ impl Swept {
         sweep::json(program, &self.asked.name, &self.asked.about, &self.rows)
     }
 
+    /// The pipeline at a point.
+    pub(super) fn graph(&self, point: &Point) -> Result<Graph, Mistakes> {
+        self.pipeline.graph(&point.overrides(&self.all))
+    }
+
     /// What was asked for and no point tells.
     pub fn missing(&self) -> Vec<String> {
         missing_metrics(&self.asked, &self.rows)
+    }
+}
+
+/// A folder of truth that is not there would be a sweep without errors.
+pub(super) fn truth_is_there(truth: Option<&Path>) -> Result<(), Fault> {
+    match truth.filter(|folder| !folder.is_dir()) {
+        Some(folder) => Err(Fault::input(format!(
+            "--truth {}: there is no such folder",
+            folder.display()
+        ))),
+        None => Ok(()),
     }
 }
 
@@ -62,6 +83,7 @@ struct Ready {
 }
 
 fn ready(args: &SweepArgs, global: &GlobalArgs) -> Result<Ready, Fault> {
+    truth_is_there(args.truth.as_deref())?;
     let all = Overrides {
         variant: args.change.variant.clone(),
         sets: args.change.set.clone(),
@@ -180,21 +202,29 @@ pub fn swept(
         heard(Heard::Row(row, so_far, row.point.name(&asked.name)));
     };
     let rows = sweep::run(&sweeping, asked.points.iter(), done).map_err(Fault::input)?;
-    Ok(Swept { asked, rows })
+    Ok(Swept {
+        asked,
+        rows,
+        pipeline: ready.pipeline,
+        all: ready.all,
+    })
 }
 
 /// Prints and writes what came out; a point without a result is a failure, a stop is a stop.
 fn finish(args: &SweepArgs, global: &GlobalArgs, swept: &Swept) -> Result<(), Fault> {
-    let Swept { asked, rows } = swept;
+    let Swept { asked, rows, .. } = swept;
     let (name, about) = (&asked.name, &asked.about);
     let json = swept.json(global.catalog().program);
     if let Some(folder) = &args.out {
+        let store = Store::open(&global.cache).map_err(Fault::input)?;
+        let mut delivery = deliver::begun(folder, &args.change, global)?;
+        let files = sweep_behind::written(args, swept, &mut delivery, global)?;
         let pretty = serde_json::to_string_pretty(&json).expect("bug: JSON");
         let references = |metric: &str, unit: &str| {
             (global.program().references)(metric, unit, args.truth.as_deref())
         };
         let shown = sweep::page(name, about, rows, &references, &|row| {
-            how(row, args, global)
+            sweep_behind::behind(row, &files, (args, &store, global))
         });
         let mut files = vec![
             ("sweep.csv".to_owned(), sweep::csv(rows)),
@@ -202,7 +232,10 @@ fn finish(args: &SweepArgs, global: &GlobalArgs, swept: &Swept) -> Result<(), Fa
             ("sweep.html".to_owned(), shown.page),
         ];
         files.extend(sweep::statistics(rows));
-        deliver::tables(folder, &args.change, files, shown.plots, args.clean, global)?;
+        let files = files
+            .into_iter()
+            .map(|(name, text)| (name, text.into_bytes()));
+        deliver::tables(delivery, files, shown.plots, args.clean, global)?;
     }
     match global.json {
         true => crate::outln!(
@@ -215,6 +248,9 @@ fn finish(args: &SweepArgs, global: &GlobalArgs, swept: &Swept) -> Result<(), Fa
         .missing()
         .iter()
         .for_each(|line| crate::errln!("{line}"));
+    if let Some(line) = another(args, rows, global) {
+        crate::errln!("{line}");
+    }
     if global.host.cancel().load(Ordering::Relaxed) {
         let text = "stopped; run the same command to go on".into();
         return Err(Fault {

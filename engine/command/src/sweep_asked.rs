@@ -3,6 +3,7 @@
 use super::arguments::Change;
 use super::fault::Fault;
 use super::open::node;
+use super::sweep_behind;
 use clap::{Args, FromArgMatches};
 use engine::graph::Graph;
 use engine::recipe::{Mistakes, Pipeline, Sweep};
@@ -21,8 +22,8 @@ pub struct SweepArgs {
     /// A param and its values: NODE.PARAM=2,3,4 or NODE.PARAM=2..8/4 (4 values), or 1..100/3log
     #[arg(long = "sweep", visible_alias = "over")]
     pub(super) over: Vec<String>,
-    /// A metric to report: NODE.METRIC
-    #[arg(long)]
+    /// Metrics to report, NODE.METRIC, separated by commas
+    #[arg(long, value_delimiter = ',')]
     pub(super) tell: Vec<String>,
     /// Nodes that are wanted instead of the goal of the sweep or the pipeline, separated by commas
     #[arg(long, value_delimiter = ',')]
@@ -33,6 +34,9 @@ pub struct SweepArgs {
     /// Write sweep.csv, sweep.json and sweep.html into this folder
     #[arg(long)]
     pub(super) out: Option<PathBuf>,
+    /// Results to write beside the page and to link from each point: NODE, or NODE:FORMAT, separated by commas
+    #[arg(long, value_delimiter = ',', requires = "out")]
+    pub(super) show: Vec<String>,
     /// Remove from that folder what an earlier run wrote there and this one does not
     #[arg(long, requires = "out")]
     pub(super) clean: bool,
@@ -54,8 +58,8 @@ impl SweepArgs {
             (!self.over.is_empty(), "--sweep"),
             (!self.tell.is_empty(), "--tell"),
             (!self.nodes.is_empty(), "--nodes"),
-            (self.strands, "--strands"),
             (self.clean, "--clean"),
+            (!self.show.is_empty(), "--show"),
             (self.replicate.is_some(), "--replicate"),
         ];
         given
@@ -120,9 +124,20 @@ pub(super) fn asked(
         Some(sweep) => axes::axes(sweep, &pipeline.folder(&sweep.name)).map_err(Fault::input)?,
         None => vec![],
     };
-    for text in &args.over {
-        all.push(axes::said(text).map_err(Fault::input)?);
+    let more = args.over.iter().map(|text| axes::said(text));
+    let more: Vec<Axis> = more.collect::<Result<_, _>>().map_err(Fault::input)?;
+    for (k, axis) in more.iter().enumerate() {
+        if let Some((node, param)) = more[..k]
+            .iter()
+            .flat_map(|a| &a.params)
+            .find(|p| axis.params.contains(p))
+        {
+            return Err(Fault::input(format!(
+                "`{node}.{param}` is in two --sweep: put all its values into one"
+            )));
+        }
     }
+    all.extend(more);
     let variants: Vec<Option<String>> = match declared.map(|s| &s.with) {
         Some(with) if !with.is_empty() => with.iter().map(|v| Some(v.value.clone())).collect(),
         _ => vec![None],
@@ -182,7 +197,9 @@ pub(super) fn checked(
             node(base, of)?;
         }
     }
-    tellable(args, asked, at)?;
+    let graphs = graphs(asked, at)?;
+    tellable(args, &graphs)?;
+    sweep_behind::check(args, &graphs)?;
     // Each row of each axis alone: a param or a value that cannot be is refused before anything runs.
     let mut mistakes = Vec::new();
     for axis in &asked.points.axes {
@@ -203,24 +220,28 @@ pub(super) fn checked(
             }
         }
     }
-    match mistakes.is_empty() {
-        true => Ok(()),
-        false => Err(Fault::input(mistakes.join("\n"))),
+    if !mistakes.is_empty() {
+        return Err(Fault::input(mistakes.join("\n")));
     }
+    let same = sweep::alike(&asked.points, &asked.nodes, at).map_err(Fault::mistakes)?;
+    same.map_or(Ok(()), |why| Err(Fault::input(why)))
 }
 
-/// Whether what `--tell` asks for is there at all; what the file asks for was looked at with it.
-fn tellable(
-    args: &SweepArgs,
+/// The pipeline in each variant.
+fn graphs(
     asked: &Asked,
     at: &dyn Fn(&Point) -> Result<Graph, Mistakes>,
-) -> Result<(), Fault> {
+) -> Result<Vec<Graph>, Fault> {
     let point = |variant: &Option<String>| Point {
         variant: variant.clone(),
         ..Point::default()
     };
     let graphs = asked.points.variants.iter().map(|v| at(&point(v)));
-    let graphs: Vec<Graph> = graphs.collect::<Result<_, _>>().map_err(Fault::mistakes)?;
+    graphs.collect::<Result<_, _>>().map_err(Fault::mistakes)
+}
+
+/// Whether what `--tell` asks for is there at all; what the file asks for was looked at with it.
+fn tellable(args: &SweepArgs, graphs: &[Graph]) -> Result<(), Fault> {
     for tell in &args.tell {
         let (node, metric) = tell.split_once('.').unwrap_or((tell, ""));
         let what = graphs.iter().map(|graph| {

@@ -66,3 +66,30 @@ pub(super) fn missing_metrics(asked: &Asked, rows: &[Row]) -> Vec<String> {
     }
     lines
 }
+
+/// Whether the truth may be another body's: at no point is any error within its limits.
+pub(super) fn another(args: &SweepArgs, rows: &[Row], global: &GlobalArgs) -> Option<String> {
+    let truth = args.truth.as_deref()?;
+    let done = rows.iter().filter(|r| r.end == End::Done);
+    let (mut of, mut within) = (0, 0);
+    for (name, metric) in done.flat_map(|row| &row.metrics) {
+        let Some(metric) = metric.as_ref().filter(|_| name.starts_with("error.")) else {
+            continue;
+        };
+        let lines = (global.program().references)(name, &metric.unit, Some(truth));
+        let limits = lines.iter().map(|line| line.value);
+        let least = limits.clone().fold(f64::MAX, f64::min);
+        let most = limits.fold(f64::MIN, f64::max);
+        if least < most {
+            of += 1;
+            within += usize::from((least..=most).contains(&metric.value));
+        }
+    }
+    (of > 0 && within == 0).then(|| {
+        format!(
+            "none of {} is within its limits: is {} the truth of this body?",
+            count(of, "error"),
+            truth.display()
+        )
+    })
+}

@@ -112,6 +112,16 @@ impl Store {
         &self.root
     }
 
+    /// Where the record of a key is, if there is one: a text that tells what a result was made of.
+    pub fn record_file(&self, key: Hash) -> PathBuf {
+        self.place("ac", key)
+    }
+
+    /// Where the blob of a content is, if it is there.
+    pub fn blob_file(&self, content: Hash) -> PathBuf {
+        self.place("cas", content)
+    }
+
     /// Writes a file of the store by its name, over what was there. It is not synced: what lies
     /// outside of the shelves is of use, but nothing depends on it.
     ///

@@ -195,7 +195,7 @@ impl Plan {
 }
 
 /// The first digits of a name are enough, if they are so many.
-const SHORTEST: usize = 6;
+pub const SHORTEST: usize = 6;
 
 /// What every version of a plan says.
 #[derive(Deserialize)]

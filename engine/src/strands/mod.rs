@@ -16,7 +16,7 @@ mod planned;
 mod work;
 
 pub use cut::{Strand, cut};
-pub use file::{InputLine, Plan, PlanError, PointLine, StrandLine};
+pub use file::{InputLine, Plan, PlanError, PointLine, SHORTEST, StrandLine};
 pub(crate) use planned::wanted;
 pub use planned::{Asked, Folders, Unplanned, planned};
 #[cfg(test)]

@@ -12,6 +12,7 @@
 //!                       outlook: how many, how long           └─ paired: do two methods differ
 //! ```
 
+mod alike;
 pub mod axes;
 mod axis;
 mod busy;
@@ -35,14 +36,15 @@ mod told;
 pub(crate) mod whole;
 
 pub use crate::tells::{entries, untellable};
+pub use alike::alike;
 pub use axis::{Axis, AxisError};
 pub use outlook::{Outlook, outlook};
-pub use page::{Shown, page, pairs_page};
+pub use page::{Behind, Shown, page, pairs_page};
 pub use paired::{Pairs, of_variants, paired};
 pub use plot::{Plot, Reference, References};
 pub use points::{Point, Points};
 pub use replicates::Replicates;
-pub use row::{End, Row};
+pub use row::{End, Kept, Row};
 pub use run::run;
 pub(crate) use said::{pairs_cells, spread_cells};
 pub use said::{pairs_text, replicates_text};

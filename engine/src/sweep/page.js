@@ -14,6 +14,9 @@
     const sorted = [...table.tBodies[0].rows].sort((a, b) => { const [x, y] = [key(a), key(b)]; const c = typeof x === "number" && typeof y === "number" ? x - y : String(x).localeCompare(String(y)); return down ? -c : c; });
     table.tBodies[0].append(...sorted);
   })));
+  // --- who comes by a link to a row sees what is behind it ---
+  const open = () => { const row = document.getElementById(location.hash.slice(1)); const more = row && row.querySelector("details"); if (more) more.open = true; };
+  addEventListener("hashchange", open); open();
   const plots = document.getElementById("view");
   plots.dataset.drawn = String(plots.children.length);
 })();

@@ -21,13 +21,47 @@ pub struct Shown {
     pub plots: Vec<(String, String)>,
 }
 
-/// The page and its plots; `how` are commands that give what lies behind a row.
+/// What is behind a point.
+#[derive(Debug, Clone, Default)]
+pub struct Behind {
+    /// Commands that give it.
+    pub commands: Vec<String>,
+    /// Where it is: a node, what the link gives, the address.
+    pub links: Vec<(String, String, String)>,
+}
+
+impl Behind {
+    /// As a cell of a table.
+    fn cell(&self) -> String {
+        if self.commands.is_empty() && self.links.is_empty() {
+            return "<td></td>".to_owned();
+        }
+        let mut list = String::new();
+        for node in self.links.chunk_by(|a, b| a.0 == b.0) {
+            let link = |(_, word, address): &(String, String, String)| {
+                format!(
+                    " <a href=\"{}\">{}</a>",
+                    page::escaped(address),
+                    page::escaped(word)
+                )
+            };
+            let links: String = node.iter().map(link).collect();
+            list += &format!("<li>{}:{links}</li>", page::escaped(&node[0].0));
+        }
+        format!(
+            "<td><details><summary>more</summary><ul>{list}</ul><pre>{}</pre></details></td>",
+            page::escaped(&self.commands.join("\n"))
+        )
+    }
+}
+
+/// The page and its plots; `behind` is what is behind a row.
 pub fn page(
     name: &str,
     about: &str,
     rows: &[Row],
     references: &References<'_>,
-    how: &dyn Fn(&Row) -> Vec<String>,
+    behind: &dyn Fn(&Row) -> Behind,
 ) -> Shown {
     let told: Vec<Told> = rows.iter().map(Told::of).collect();
     let repeated = told.iter().any(|t| t.replicate.is_some());
@@ -65,7 +99,7 @@ pub fn page(
             body += &pairs_section(&first, &second, &pairs);
         }
     }
-    body += &section("All points", &points_table(rows, how, repeated));
+    body += &section("All points", &points_table(rows, behind, repeated));
     let files = |p: &Plot| {
         let table = as_csv(p.data.clone());
         [
@@ -162,14 +196,20 @@ fn still(groups: &[Group]) -> String {
 }
 
 fn spread_table(groups: &[Group]) -> String {
-    let (head, rows) = spread_cells(groups);
+    let (mut head, rows) = spread_cells(groups);
+    head.push("points".to_owned());
+    let place = |(n, place): (usize, &usize)| format!("<a href=\"#all-{place}\">{}</a> ", n + 1);
+    let places = |i: usize| {
+        let links: String = groups[i].places.iter().enumerate().map(place).collect();
+        format!("<td>{links}</td>")
+    };
     match rows.is_empty() {
         true => String::new(),
-        false => page::table("points", &head, &rows),
+        false => page::table_with("points", &head, &rows, &places),
     }
 }
 
-fn points_table(rows: &[Row], how: &dyn Fn(&Row) -> Vec<String>, repeated: bool) -> String {
+fn points_table(rows: &[Row], behind: &dyn Fn(&Row) -> Behind, repeated: bool) -> String {
     let columns = columns(rows);
     let mut head: Vec<String> = rows
         .first()
@@ -182,7 +222,7 @@ fn points_table(rows: &[Row], how: &dyn Fn(&Row) -> Vec<String>, repeated: bool)
         false => format!("{name} [{unit}]"),
     });
     head.extend(units);
-    head.extend(["made", "time", "trouble", "how"].map(String::from));
+    head.extend(["made", "time", "trouble", "behind it"].map(String::from));
     let cells = |row: &Row| {
         let mut cells: Vec<String> = params(row).into_iter().map(|p| p.1).collect();
         cells.extend(
@@ -194,13 +234,7 @@ fn points_table(rows: &[Row], how: &dyn Fn(&Row) -> Vec<String>, repeated: bool)
         cells.push(trouble(row).unwrap_or_default());
         cells
     };
-    let more = |i: usize| match how(&rows[i]) {
-        lines if lines.is_empty() => "<td></td>".to_owned(),
-        lines => format!(
-            "<td><details><summary>commands</summary><pre>{}</pre></details></td>",
-            page::escaped(&lines.join("\n"))
-        ),
-    };
+    let more = |i: usize| behind(&rows[i]).cell();
     let id = if repeated { "all" } else { "points" };
     let cells: Vec<Vec<String>> = rows.iter().map(cells).collect();
     page::table_with(id, &head, &cells, &more)

@@ -2,11 +2,12 @@
 
 use super::points::Point;
 use super::sweeping::Sweeping;
-use crate::graph::Graph;
+use crate::done::Done;
+use crate::graph::{Bound, Graph};
 use crate::outcome::Outcome;
 use crate::tells::BESIDE;
 use crate::walk::Status;
-use stage::Metric;
+use stage::{Hash, Metric};
 use std::collections::BTreeMap;
 
 /// How a point ended.
@@ -22,6 +23,17 @@ pub enum End {
     Stopped,
 }
 
+/// A result of a point, in the store.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Kept {
+    /// The node.
+    pub node: String,
+    /// The key of its record.
+    pub key: Hash,
+    /// The content of its blob.
+    pub content: Hash,
+}
+
 /// What came of a point.
 #[derive(Debug, Clone)]
 pub struct Row {
@@ -33,6 +45,8 @@ pub struct Row {
     pub metrics: Vec<(String, Option<Metric>)>,
     /// Names of all that there is of the nodes that were asked.
     pub known: Vec<String>,
+    /// Where its results are, in the pipeline's order.
+    pub results: Vec<Kept>,
     /// How many nodes ran for it.
     pub made: usize,
     /// How many were in the store.
@@ -55,6 +69,7 @@ impl Row {
             end,
             metrics: vec![],
             known: vec![],
+            results: vec![],
             made: 0,
             found: 0,
             seconds: 0.0,
@@ -82,6 +97,16 @@ impl Row {
             }
             self.alone += done.seconds;
         }
+        let kept = |(node, done): (&Bound, &Option<Done>)| {
+            let done = done.as_ref()?;
+            Some(Kept {
+                node: node.name.clone(),
+                key: done.key?,
+                content: done.content?,
+            })
+        };
+        let nodes = graph.nodes.iter().zip(&outcome.nodes);
+        self.results = nodes.filter_map(kept).collect();
         self.end = match outcome.failure(graph) {
             Some((node, why)) => End::Failed(node.into(), why.into()),
             None if outcome.cancelled() => End::Stopped,
@@ -115,11 +140,19 @@ fn metrics(
         let Some(done) = &outcome.nodes[node] else {
             return vec![];
         };
-        let beside = BESIDE.into_iter().zip([done.seconds, done.bytes as f64]);
-        let beside = beside.map(|((name, unit), value)| Metric {
-            name: name.into(),
-            value,
-            unit: unit.into(),
+        let values = [
+            Some(done.seconds),
+            done.spent.processor,
+            done.spent.memory.map(|bytes| bytes as f64),
+            Some(done.bytes as f64),
+        ];
+        let beside = BESIDE.into_iter().zip(values);
+        let beside = beside.filter_map(|((name, unit), value)| {
+            Some(Metric {
+                name: name.into(),
+                value: value?,
+                unit: unit.into(),
+            })
         });
         done.metrics.iter().cloned().chain(beside).collect()
     };
@@ -147,7 +180,8 @@ fn metrics(
     if sweeping.tell.is_empty() {
         for node in wanted {
             let name = &graph.nodes[*node].name;
-            let plain = |m: &Metric| !m.name.contains('.') && m.name != "bytes";
+            let aside = ["processor", "memory", "bytes"];
+            let plain = |m: &Metric| !m.name.contains('.') && !aside.contains(&m.name.as_str());
             let all = of(*node).into_iter().filter(plain);
             metrics.extend(all.map(|m| (format!("{name}.{}", m.name), Some(m))));
         }

@@ -11,6 +11,8 @@ pub struct Group {
     pub variant: Option<String>,
     /// What varies.
     pub params: Vec<(String, String)>,
+    /// Which they are, by their places.
+    pub places: Vec<usize>,
     /// How many there are.
     pub points: usize,
     /// How many of them came to nothing.
@@ -40,17 +42,21 @@ pub struct Spread {
 
 /// Groups in the order in which their first points come.
 pub fn spread(all: &[Told]) -> Vec<Group> {
-    let mut groups: Vec<(&Told, Vec<&Told>)> = Vec::new();
-    for told in all {
-        let same = |of: &Told| of.variant == told.variant && of.params == told.params;
+    let mut groups: Vec<(&Told, Vec<&Told>, Vec<usize>)> = Vec::new();
+    for (place, point) in all.iter().enumerate() {
+        let same = |of: &Told| of.variant == point.variant && of.params == point.params;
         // Replicates follow each other.
-        match groups.iter_mut().rev().find(|(first, _)| same(first)) {
-            Some((_, members)) => members.push(told),
-            None => groups.push((told, vec![told])),
+        match groups.iter_mut().rev().find(|(first, ..)| same(first)) {
+            Some((_, members, places)) => {
+                members.push(point);
+                places.push(place);
+            }
+            None => groups.push((point, vec![point], vec![place])),
         }
     }
     let metrics = metrics(all.iter());
-    let group = |(first, members): (&Told, Vec<&Told>)| Group {
+    let group = |(first, members, places): (&Told, Vec<&Told>, Vec<usize>)| Group {
+        places,
         variant: first.variant.clone(),
         params: first.params.clone(),
         points: members.len(),

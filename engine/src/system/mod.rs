@@ -100,6 +100,19 @@ pub(crate) fn thread_times() -> Option<Vec<(u64, f64)>> {
     times.iter().any(|(_, s)| *s > 0.0).then_some(times)
 }
 
+/// What this process and those that it waited for had of the processor; none if the system gives no such number. \[s\]
+pub(crate) fn processor_seconds() -> Option<f64> {
+    let stat = std::fs::read_to_string("/proc/self/stat").ok()?;
+    // Behind the name, which may have anything in it: user, system, and both of children, the twelfth to the fifteenth.
+    let mut ticks = stat.rsplit_once(')')?.1.split_whitespace().skip(11);
+    let mut next = || ticks.next()?.parse::<u64>().ok();
+    let all: [u64; 4] = [next()?, next()?, next()?, next()?];
+    Some(all.iter().sum::<u64>() as f64 / TICKS)
+}
+
+/// Linux counts times of processes in hundredths of a second for everybody who reads them (proc(5), USER_HZ). \[1/s\]
+const TICKS: f64 = 100.0;
+
 /// Memory that a process has now, by its number or `self`; none if the system does not say. \[bytes\]
 pub(crate) fn resident_bytes(process: &str) -> Option<u64> {
     let status = std::fs::read_to_string(format!("/proc/{process}/status")).ok()?;
