@@ -6,9 +6,9 @@ use stage::{AnyStage, Value, fits_any, nearest};
 /// What every node tells.
 pub(crate) const BESIDE: [(&str, &str); 4] = [
     ("seconds", "s"),
+    ("bytes", "B"),
     ("processor", "s"),
     ("memory", "B"),
-    ("bytes", "B"),
 ];
 
 /// How many names are listed to somebody who asked for one that there is not.

@@ -15,6 +15,7 @@ mod plots;
 mod repeats;
 mod resume;
 mod sections;
+mod sides;
 mod synth;
 #[path = "../../stages/report/tests/tube/mod.rs"]
 mod tube;

@@ -8,7 +8,7 @@ use nalgebra::{Rotation3, Vector3};
 use shape::{Camera, Intrinsics, Mask, Mesh, Pose};
 use stage::{Metric, Value};
 use tailor::compare::{Side, TechnicalErrors, View, Views, compare};
-use tailor::sweep::{End, Point, Row};
+use tailor::sweep::{Behind, End, Point, Row};
 
 const DESK: [u32; 2] = [1280, 900];
 
@@ -223,10 +223,9 @@ fn row(voxel: f64, method: &str, waist: Option<f64>) -> Row {
             Some(_) => End::Done,
             None => End::Failed("hull".into(), "<too> fine".into()),
         },
-        metrics: vec![
-            ("girths.WC".into(), waist.map(metric)),
-            ("girths.count".into(), waist.map(|_| metric(17.0))),
-        ],
+        metrics: [("girths.WC", waist), ("girths.count", waist.map(|_| 17.0))]
+            .map(|(name, x)| (name.to_owned(), x.map(metric)))
+            .into(),
         known: vec![],
         results: vec![],
         made: 1,
@@ -248,10 +247,8 @@ fn a_sweep_is_plotted_lights_up_and_sorts() {
         row(3.0, "median", Some(81.0)),
         row(1.0, "median", None),
     ];
-    let page = tailor::sweep::page("s", "How fine?", &rows, &|_, _| vec![], &|_| {
-        Default::default()
-    })
-    .page;
+    let page = tailor::sweep::page("s", "Fine?", &rows, &|_, _| vec![], &|_| Behind::default());
+    let page = page.page;
     let mut tab = Tab::open(&page, DESK, false, false);
     let count = |tab: &mut Tab, selector: &str| {
         let count = tab.value(&format!("document.querySelectorAll({selector:?}).length"));

@@ -1,6 +1,8 @@
 //! Sweeps through the command line: processes that share, refusals, what a param reaches.
 
 mod columns;
+mod lab;
 mod methods;
 mod processes;
+mod searches;
 mod words;

@@ -89,3 +89,14 @@ pub(crate) fn options(global: &GlobalArgs, keep_going: bool) -> Options {
         keep_going,
     }
 }
+
+/// A folder of truth that is not there would be a sweep without errors.
+pub(super) fn truth_is_there(truth: Option<&Path>) -> Result<(), Fault> {
+    match truth.filter(|folder| !folder.is_dir()) {
+        Some(folder) => Err(Fault::input(format!(
+            "--truth {}: there is no such folder",
+            folder.display()
+        ))),
+        None => Ok(()),
+    }
+}

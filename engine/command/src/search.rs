@@ -1,13 +1,12 @@
 //! `search`: the best set of params within ranges.
 
 use super::fault::Fault;
-use super::open::{folders, options};
+use super::open::{folders, options, truth_is_there};
 use super::program::GlobalArgs;
 use super::programs::permitted;
 use super::search_strands::{self, Halt};
 use super::search_told::{SearchArgs, told};
 use super::strands::named;
-use super::sweep::truth_is_there;
 use super::text::count;
 use engine::Outcome;
 use engine::delivery;
@@ -141,18 +140,14 @@ fn run(
                 ..Fault::stopped()
             }));
         }
-        let times = of.replicate.as_ref().map_or(1, |r| r.value as usize);
         wrong = wrong.take().or(rows.iter().find_map(failed));
-        let mut rows = rows.iter();
-        let mut row = |there: &bool| there.then(|| rows.next()).flatten();
-        let rows: Vec<Option<&Row>> = there.iter().map(&mut row).collect();
-        let own = points.chunks(times).zip(rows.chunks(times));
-        let value = |(points, rows): (&[Point], &[Option<&Row>])| {
-            let variant = points[0].variant.clone();
-            (variant, value(rows, &declared.metric.value))
-        };
-        Ok(own.map(value).collect())
+        Ok(values(&points, &there, &rows, declared))
     })?;
+    found_or(found, declared, wrong)
+}
+
+/// What was found, if anything was.
+fn found_or(found: Found, declared: &Search, wrong: Option<String>) -> Result<Found, Halt> {
     match found.best {
         Some(_) => Ok(found),
         None => Err(Halt::Fault(Fault::stage(format!(
@@ -162,6 +157,21 @@ fn run(
             wrong.map_or(String::new(), |why| format!(": {why}"))
         )))),
     }
+}
+
+/// What a round's points came to: those that are not there, to nothing.
+fn values(points: &[Point], there: &[bool], rows: &[Row], declared: &Search) -> Values {
+    let times = declared.sweep.replicate.as_ref();
+    let times = times.map_or(1, |r| r.value as usize);
+    let mut rows = rows.iter();
+    let row = |there: &bool| there.then(|| rows.next()).flatten();
+    let rows: Vec<Option<&Row>> = there.iter().map(row).collect();
+    let own = points.chunks(times).zip(rows.chunks(times));
+    let value = |(points, rows): (&[Point], &[Option<&Row>])| {
+        let variant = points[0].variant.clone();
+        (variant, value(rows, &declared.metric.value))
+    };
+    own.map(value).collect()
 }
 
 /// Why a point came to nothing.

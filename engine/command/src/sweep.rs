@@ -2,7 +2,7 @@
 
 use super::deliver;
 use super::fault::Fault;
-use super::open::{folders, options};
+use super::open::{folders, options, truth_is_there};
 use super::program::GlobalArgs;
 use super::programs::{permitted, unguarded};
 use super::search;
@@ -16,12 +16,11 @@ use engine::delivery;
 use engine::graph::Graph;
 use engine::lasttime::History;
 use engine::past::Of;
-use engine::recipe::{Mistakes, Overrides, Pipeline};
+use engine::recipe::{Overrides, Pipeline};
 use engine::store::Store;
 use engine::strands;
 use engine::sweep::{self, End, Errors, Outlook, Point, Row, Sweeping, outlook};
 use engine::walk::Watch;
-use std::path::Path;
 use std::sync::atomic::Ordering;
 
 /// More points than this ask for `--yes`.
@@ -50,25 +49,9 @@ impl Swept {
         sweep::json(program, &self.asked.name, &self.asked.about, &self.rows)
     }
 
-    /// The pipeline at a point.
-    pub(super) fn graph(&self, point: &Point) -> Result<Graph, Mistakes> {
-        self.pipeline.graph(&point.overrides(&self.all))
-    }
-
     /// What was asked for and no point tells.
     pub fn missing(&self) -> Vec<String> {
         missing_metrics(&self.asked, &self.rows)
-    }
-}
-
-/// A folder of truth that is not there would be a sweep without errors.
-pub(super) fn truth_is_there(truth: Option<&Path>) -> Result<(), Fault> {
-    match truth.filter(|folder| !folder.is_dir()) {
-        Some(folder) => Err(Fault::input(format!(
-            "--truth {}: there is no such folder",
-            folder.display()
-        ))),
-        None => Ok(()),
     }
 }
 
@@ -93,7 +76,8 @@ fn ready(args: &SweepArgs, global: &GlobalArgs) -> Result<Ready, Fault> {
     let at = |point: &Point| pipeline.graph(&point.overrides(&all));
     let asked = asked(args, &pipeline, &base, &at)?;
     permitted(&base, global)?;
-    checked(args, &base, &asked, &at)?;
+    let graphs = checked(args, &base, &asked, &at)?;
+    sweep_behind::check(args, &graphs)?;
     let wanted: Vec<usize> = match asked.nodes.is_empty() {
         true => base.goal.clone(),
         false => asked.nodes.iter().filter_map(|n| base.node(n)).collect(),
@@ -218,7 +202,8 @@ fn finish(args: &SweepArgs, global: &GlobalArgs, swept: &Swept) -> Result<(), Fa
     if let Some(folder) = &args.out {
         let store = Store::open(&global.cache).map_err(Fault::input)?;
         let mut delivery = deliver::begun(folder, &args.change, global)?;
-        let files = sweep_behind::written(args, swept, &mut delivery, global)?;
+        let at = |point: &Point| swept.pipeline.graph(&point.overrides(&swept.all)).ok();
+        let files = sweep_behind::written(args, rows, &at, (&store, &mut delivery))?;
         let pretty = serde_json::to_string_pretty(&json).expect("bug: JSON");
         let references = |metric: &str, unit: &str| {
             (global.program().references)(metric, unit, args.truth.as_deref())

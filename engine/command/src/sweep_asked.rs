@@ -3,7 +3,6 @@
 use super::arguments::Change;
 use super::fault::Fault;
 use super::open::node;
-use super::sweep_behind;
 use clap::{Args, FromArgMatches};
 use engine::graph::Graph;
 use engine::recipe::{Mistakes, Pipeline, Sweep};
@@ -91,6 +90,21 @@ pub(super) struct Asked {
     pub(super) nodes: Vec<String>,
 }
 
+/// The axes of the command line.
+fn given(over: &[String]) -> Result<Vec<Axis>, Fault> {
+    let all = over.iter().map(|text| axes::said(text));
+    let all: Vec<Axis> = all.collect::<Result<_, _>>().map_err(Fault::input)?;
+    for (k, axis) in all.iter().enumerate() {
+        let before = || all[..k].iter().flat_map(|a| &a.params);
+        if let Some((node, param)) = before().find(|p| axis.params.contains(p)) {
+            return Err(Fault::input(format!(
+                "`{node}.{param}` is in two --sweep: put all its values into one"
+            )));
+        }
+    }
+    Ok(all)
+}
+
 /// The sweep by its name, with what the command line adds.
 pub(super) fn asked(
     args: &SweepArgs,
@@ -124,20 +138,7 @@ pub(super) fn asked(
         Some(sweep) => axes::axes(sweep, &pipeline.folder(&sweep.name)).map_err(Fault::input)?,
         None => vec![],
     };
-    let more = args.over.iter().map(|text| axes::said(text));
-    let more: Vec<Axis> = more.collect::<Result<_, _>>().map_err(Fault::input)?;
-    for (k, axis) in more.iter().enumerate() {
-        if let Some((node, param)) = more[..k]
-            .iter()
-            .flat_map(|a| &a.params)
-            .find(|p| axis.params.contains(p))
-        {
-            return Err(Fault::input(format!(
-                "`{node}.{param}` is in two --sweep: put all its values into one"
-            )));
-        }
-    }
-    all.extend(more);
+    all.extend(given(&args.over)?);
     let variants: Vec<Option<String>> = match declared.map(|s| &s.with) {
         Some(with) if !with.is_empty() => with.iter().map(|v| Some(v.value.clone())).collect(),
         _ => vec![None],
@@ -177,13 +178,13 @@ pub(super) fn asked(
     })
 }
 
-/// Says what is wrong before anything runs: names, and the values of every axis.
+/// Says what is wrong before anything runs: names, and the values of every axis. Else the pipeline in each variant.
 pub(super) fn checked(
     args: &SweepArgs,
     base: &Graph,
     asked: &Asked,
     at: &dyn Fn(&Point) -> Result<Graph, Mistakes>,
-) -> Result<(), Fault> {
+) -> Result<Vec<Graph>, Fault> {
     for name in &asked.nodes {
         node(base, name)?;
     }
@@ -199,7 +200,6 @@ pub(super) fn checked(
     }
     let graphs = graphs(asked, at)?;
     tellable(args, &graphs)?;
-    sweep_behind::check(args, &graphs)?;
     // Each row of each axis alone: a param or a value that cannot be is refused before anything runs.
     let mut mistakes = Vec::new();
     for axis in &asked.points.axes {
@@ -224,7 +224,7 @@ pub(super) fn checked(
         return Err(Fault::input(mistakes.join("\n")));
     }
     let same = sweep::alike(&asked.points, &asked.nodes, at).map_err(Fault::mistakes)?;
-    same.map_or(Ok(()), |why| Err(Fault::input(why)))
+    same.map_or(Ok(graphs), |why| Err(Fault::input(why)))
 }
 
 /// The pipeline in each variant.

@@ -3,13 +3,12 @@
 
 use super::fault::Fault;
 use super::program::GlobalArgs;
-use super::sweep::Swept;
 use super::sweep_asked::SweepArgs;
 use super::sweep_told::how;
 use engine::delivery::Delivery;
 use engine::graph::Graph;
 use engine::store::Store;
-use engine::sweep::{Behind, Kept, Row};
+use engine::sweep::{Behind, Kept, Point, Row};
 use engine::{out, whole};
 use stage::{AnyArtifact, Hash};
 use std::collections::HashMap;
@@ -58,17 +57,13 @@ pub(super) fn check(args: &SweepArgs, graphs: &[Graph]) -> Result<(), Fault> {
 /// Writes what `--show` asks for of every point.
 pub(super) fn written(
     args: &SweepArgs,
-    swept: &Swept,
-    delivery: &mut Delivery,
-    global: &GlobalArgs,
+    rows: &[Row],
+    at: &dyn Fn(&Point) -> Option<Graph>,
+    (store, delivery): (&Store, &mut Delivery),
 ) -> Result<Files, Fault> {
     let mut files = Files::new();
-    if args.show.is_empty() {
-        return Ok(files);
-    }
-    let store = Store::open(&global.cache).map_err(Fault::input)?;
-    for row in &swept.rows {
-        let Ok(graph) = swept.graph(&row.point) else {
+    for row in rows.iter().filter(|_| !args.show.is_empty()) {
+        let Some(graph) = at(&row.point) else {
             continue;
         };
         for text in &args.show {
@@ -80,7 +75,7 @@ pub(super) fn written(
             if files.contains_key(&known) {
                 continue;
             }
-            let file = one(&graph, row, kept, format, &store)?;
+            let file = one(&graph, row, kept, format, store)?;
             let hex = kept.content.to_hex();
             let stem = format!("{FOLDER}/{name}-{}", &hex[..DIGITS]);
             files.insert(known, put(delivery, &stem, file)?);

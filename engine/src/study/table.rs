@@ -37,6 +37,15 @@ fn rounded(x: f64) -> f64 {
     format!("{x:.*e}", DIGITS - 1).parse().unwrap_or(x)
 }
 
+/// A group with as many digits as are kept, so that its page and its data are of the same numbers.
+fn kept(mut group: Group) -> Group {
+    for spread in &mut group.spreads {
+        spread.mean = spread.mean.map(rounded);
+        spread.sd = spread.sd.map(rounded);
+    }
+    group
+}
+
 impl Table {
     /// Of a sweep's rows.
     pub fn new(name: &str, about: &str, rows: &[Row]) -> Table {
@@ -45,7 +54,7 @@ impl Table {
         Table {
             name: name.into(),
             about: about.into(),
-            groups: spread(&told),
+            groups: spread(&told).into_iter().map(kept).collect(),
             against: if repeated { of_variants(&told) } else { vec![] },
         }
     }

@@ -4,7 +4,6 @@
 use super::points::{Point, Points};
 use crate::graph::{Graph, Source};
 use crate::key::{self, Digest, Ledger};
-use crate::strands::wanted;
 use stage::Hash;
 
 /// So many rows of an axis are looked at for one that differs.
@@ -119,7 +118,13 @@ impl<E> Look<'_, E> {
 /// All that is wanted of a graph: what each node does, and from where it reads.
 fn recipe(graph: &Graph, nodes: &[String]) -> Hash {
     let mut digest = Digest::default();
-    for i in crate::walk::all(graph, &wanted(graph, nodes)) {
+    let named: Vec<usize> = nodes.iter().filter_map(|name| graph.node(name)).collect();
+    let wanted = if nodes.is_empty() {
+        &graph.goal
+    } else {
+        &named
+    };
+    for i in crate::walk::all(graph, wanted) {
         let node = &graph.nodes[i];
         digest.line("node", &node.name);
         key::tell_recipe(node, &mut digest);

@@ -127,6 +127,26 @@ struct Cells {
     known: Vec<String>,
 }
 
+/// What a node tells without its result being read.
+fn plain(done: &Done) -> Vec<Metric> {
+    let spent = done.spent;
+    let values = [
+        Some(done.seconds),
+        Some(done.bytes as f64),
+        spent.processor,
+        spent.memory.map(|bytes| bytes as f64),
+    ];
+    let beside = BESIDE.into_iter().zip(values);
+    let beside = beside.filter_map(|((name, unit), value)| {
+        Some(Metric {
+            name: name.into(),
+            value: value?,
+            unit: unit.into(),
+        })
+    });
+    done.metrics.iter().cloned().chain(beside).collect()
+}
+
 /// What was asked for.
 fn metrics(
     sweeping: &Sweeping<'_>,
@@ -136,26 +156,7 @@ fn metrics(
     done: bool,
 ) -> Result<Cells, String> {
     let mut known: BTreeMap<usize, Vec<Metric>> = BTreeMap::new();
-    let plain = |node: usize| -> Vec<Metric> {
-        let Some(done) = &outcome.nodes[node] else {
-            return vec![];
-        };
-        let values = [
-            Some(done.seconds),
-            done.spent.processor,
-            done.spent.memory.map(|bytes| bytes as f64),
-            Some(done.bytes as f64),
-        ];
-        let beside = BESIDE.into_iter().zip(values);
-        let beside = beside.filter_map(|((name, unit), value)| {
-            Some(Metric {
-                name: name.into(),
-                value: value?,
-                unit: unit.into(),
-            })
-        });
-        done.metrics.iter().cloned().chain(beside).collect()
-    };
+    let plain = |node: usize| outcome.nodes[node].as_ref().map_or(vec![], plain);
     let mut of = |node: usize| -> Vec<Metric> {
         let all = known.entry(node).or_insert_with(|| {
             let mut all = plain(node);
