@@ -44,7 +44,7 @@ const PRODUCT: Program = Program {
         Verb {
             name: "init",
             arguments: |own| {
-                with::<init::Init>(own, "A commented capture.toml from what the photos say")
+                with::<init::Init>(own, "A commented capture.toml from what is in the photos")
             },
             run: |said, global| init::init(&read(said)?, global),
             runs: true,

@@ -50,7 +50,7 @@ pub fn draw(graph: &Graph, plan: &[Option<Planned>], format: &str) -> Result<Str
         "dot" => true,
         "mermaid" => false,
         "svg" => {
-            return Err("no picture is drawn here: say --as dot, and `dot -Tsvg` draws it".into());
+            return Err("no picture is drawn here: give --as dot, and `dot -Tsvg` draws it".into());
         }
         other => return Err(stage::unknown("format", other, &["dot", "mermaid"])),
     };

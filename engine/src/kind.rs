@@ -57,7 +57,10 @@ pub struct Kind {
 /// The stages or kinds of another catalog, and one's own before them, for a catalog that adds to it.
 /// `N` is one more than `others` has.
 pub const fn with_own<T: Copy, const N: usize>(own: T, others: &[T]) -> [T; N] {
-    assert!(N == others.len() + 1, "N is one more than there are others");
+    assert!(
+        N == others.len() + 1,
+        "N is one more than there are already"
+    );
     let mut all = [own; N];
     let mut i = 0;
     while i < others.len() {

@@ -32,7 +32,7 @@ pub fn text(stage: &dyn AnyStage) -> String {
         }
     }
     if !stage.metrics().is_empty() {
-        let _ = writeln!(text, "  tells {}", stage.metrics().join(", "));
+        let _ = writeln!(text, "  reports {}", stage.metrics().join(", "));
     }
     text + "\n"
 }
@@ -47,7 +47,7 @@ fn line(param: &ParamSpec) -> String {
         words => words.join(" | "),
     };
     let default = match param.required {
-        true => "must be said".to_owned(),
+        true => "must be given".to_owned(),
         false => format!("= {}", param.default),
     };
     let (name, doc) = (param.name, &param.doc);

@@ -81,7 +81,7 @@ impl Host for Hosting<'_> {
     fn metric(&self, metric: Metric) {
         debug_assert!(
             stage::fits_any(self.stage.metrics(), &metric.name),
-            "{} tells `{}`, which its METRICS do not name",
+            "{} reports `{}`, which its METRICS do not name",
             self.stage.name(),
             metric.name
         );

@@ -112,15 +112,15 @@ fn node_keys(stage: &Value, from: &Value) -> Value {
         |what: &str| json!({ "description": what, "type": "number", "exclusiveMinimum": 0 });
     json!({
         "stage": stage, "from": from, "with": { "type": "object" },
-        "command": list("exec: the program and its words; {here}, {from.PORT}, {from.PORT:FORMAT}, {out}, {with.NAME} stand for what is known when it runs"),
+        "command": list("exec: the program and its words; {here}, {from.PORT}, {from.PORT:FORMAT}, {out}, {with.NAME} are filled in when it runs"),
         "out": { "description": "exec: the kind that it makes", "type": "string" },
         "files": list("exec: files beside the pipeline, laid out in {here}; their content is in the key"),
         "identity": list("exec: a command that prints what the program is; what it prints is in the key"),
         "env": list("exec: variables of the environment that it gets"),
         "reads": list("exec: files and folders that it reads beside what it is given, by whole paths; their content is in the key"),
-        "timeout_s": number("exec: how long it may take; an hour if not said [s]"),
+        "timeout_s": number("exec: how long it may take; an hour if not given [s]"),
         "memory_mb": number("exec: what it may hold with its children [MB]"),
-        "keep": { "description": "exec: whether it stays, and is told of further jobs on its standard input", "type": "boolean", "default": false },
+        "keep": { "description": "exec: whether it stays, and gets further jobs on its standard input", "type": "boolean", "default": false },
         "network": { "description": "exec: whether it may reach the network", "type": "boolean", "default": false },
     })
 }

@@ -50,7 +50,7 @@ pub fn untellable(
     all.truncate(LISTED);
     let stage = stage.name();
     Some(format!(
-        "`{node}` ({stage}) tells no `{metric}`; {asked}it tells: {}{more}",
+        "`{node}` ({stage}) has no `{metric}`; {asked}it has: {}{more}",
         all.join(", ")
     ))
 }

@@ -155,7 +155,7 @@ fn work(
                 let from = name(gone[0]);
                 let why = format!(
                     "the result of `{from}` goes out of the cache as soon as it is made; \
-                     give it room, or another place with --cache"
+                     give it space, or another place with --cache"
                 );
                 let done = Done::nothing(Status::Failed(why.into()));
                 tell(node, &done);

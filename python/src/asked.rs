@@ -14,7 +14,7 @@ pub(crate) fn global(cache: PathBuf, threads: Option<usize>) -> Result<GlobalArg
         Some(Ok(threads)) => Some(threads),
         Some(Err(_)) => {
             return Err(Fault::input(
-                "threads=0: say 1 or more, or None for one a core",
+                "threads=0: give 1 or more, or None for one per core",
             ));
         }
     };

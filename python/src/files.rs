@@ -139,7 +139,7 @@ pub(crate) fn taken(
     }
     let inputs = ports.into_iter().map(port).collect();
     let params = stage.check(&BTreeMap::new());
-    let params = params.map_err(|_| Fault::stage("bug: an importer that must be told params"))?;
+    let params = params.map_err(|_| Fault::stage("bug: an importer that needs params"))?;
     match stage.run(&params, inputs, &Ctx::alone()) {
         Ok(made) => Ok(Artifact::of(made.bytes, stage)),
         Err(Stop::Cancelled) => Err(Fault::stopped()),

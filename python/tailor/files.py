@@ -50,7 +50,7 @@ def _masks(value: Any, folder: Path, names: Callable[[], List[str]]) -> None:
     if not isinstance(value, Mapping):
         value = list(value)
         if len(value) != len(known):
-            raise Error(f"there are {len(value)} masks and {len(known)} photos: say one a photo, or a dict by place or name")
+            raise Error(f"there are {len(value)} masks and {len(known)} photos: give one per photo, or a dict by place or name")
         value = dict(enumerate(value))
     if not value:
         raise Error("there is no mask")

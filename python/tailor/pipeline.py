@@ -204,7 +204,7 @@ class Pipeline:
             Another pipeline, whose programs are allowed to run: they are your own.
         """
         if not _NAME.match(node):
-            raise Error(f"`{node}` is no name: say letters, digits, `_` and `-`")
+            raise Error(f"`{node}` is no name: use letters, digits, `_` and `-`")
         kinds = {n["node"]: n["kind"] for n in self.nodes}
         new = node not in kinds
         kinds.update({"@" + i["name"]: "files" for i in self.inputs})

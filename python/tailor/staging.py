@@ -166,7 +166,7 @@ def stage(
     >>> tailor.Pipeline("body").add("masks", dark, level=90)  # doctest: +SKIP
     """
     if not isinstance(out, str):
-        raise Error('say what it makes: @tailor.stage(out="masks")')
+        raise Error('name what it makes: @tailor.stage(out="masks")')
     return lambda function: Stage(function, out, timeout_s, memory_mb, network, reads)
 
 

@@ -75,7 +75,7 @@ def run(words: List[str]) -> None:
         What is wrong with the words, or with what the function gave back.
     """
     if len(words) < 2:
-        raise Error(f"say what to run: {(__doc__ or '').splitlines()[2].strip()}")
+        raise Error(f"name what to run: {(__doc__ or '').splitlines()[2].strip()}")
     function = _function(words[0])
     out, _, place = words[1].partition("=")
     parameters = inspect.signature(function).parameters

@@ -44,7 +44,7 @@ def test_masks_that_are_none_are_refused(doll, shown):
         with pytest.raises(tailor.Error) as error:
             doll.put("masks", masks)
         assert told in str(error.value), masks
-    for masks, told in [({**good, 2: good[2][:100]}, "pixels, but the photo"), ({**good, 2: good[2] * 0}, "does not say where")]:
+    for masks, told in [({**good, 2: good[2][:100]}, "pixels, but the photo"), ({**good, 2: good[2] * 0}, "does not show where")]:
         with pytest.raises(tailor.Error) as error:
             doll.put("masks", masks).run("carved", progress=False)
         assert told in str(error.value) and error.value.code == 1

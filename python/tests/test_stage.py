@@ -216,7 +216,7 @@ def test_what_is_no_stage_is_told(doll):
             tailor.stage(out="mesh")(function)
     with pytest.raises(tailor.Error, match="not `girths`"):
         tailor.stage(out="girths")(takes)
-    with pytest.raises(tailor.Error, match="say what it makes"):
+    with pytest.raises(tailor.Error, match="name what it makes"):
         tailor.stage(takes)
     with pytest.raises(tailor.Error, match="cannot be read"):
         tailor.stage(out="mesh")(eval("lambda mesh: mesh"))

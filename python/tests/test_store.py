@@ -244,7 +244,7 @@ def test_what_strangers_wrote_is_not_used(s3):
     secret = (s3.folder / "lab").read_text().splitlines()[1]
     (s3.folder / "lab").chmod(0o644)
     said = s3.run("a", *SWEEP, CELLS, lab, code=2)[1]
-    assert "others may read" in said and secret not in said
+    assert "other users may read" in said and secret not in said
     (s3.folder / "trusted").write_text("# nobody\n")
     assert "no public key" in s3.run("a", *SWEEP, CELLS, trust, code=2)[1]
 

@@ -125,7 +125,7 @@ pub(super) fn of_folders(what: &[&String]) -> Option<Result<Against, Fault>> {
             .iter()
             .any(|t| t.variant.is_some() && t.variant != told[0].variant)
         {
-            let why = "its points are of several variants, which its own page compares; say folders of one each";
+            let why = "its points are of several variants, which its own page compares; give folders of one each";
             return Err(wrong(why));
         }
         Ok(((*text).clone(), told))

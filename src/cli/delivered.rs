@@ -49,7 +49,7 @@ pub(super) fn place_of_results(
             if delivery::is_of_another(&out, &own) {
                 return Err(Fault::input(format!(
                     "{} holds something else than the results of {}: nothing was written; \
-                     say where to write with --out (--out {} writes there all the same)",
+                     give another folder with --out (--out {} writes there all the same)",
                     out.display(),
                     capture.display(),
                     out.display()

@@ -184,9 +184,7 @@ impl Facts {
         }
         if let Some(steps) = self.steps {
             let degrees = self.step_deg();
-            let none = || {
-                Fault::input("--steps 0: say into how many even steps the full turn was divided")
-            };
+            let none = || Fault::input("--steps 0: how many even steps has the full turn?");
             all.put(
                 "--steps",
                 &steps,
@@ -227,7 +225,7 @@ impl Facts {
             let ends = text.split_once('-');
             let ends =
                 ends.and_then(|(a, b)| Some((a.trim().parse().ok()?, b.trim().parse().ok()?)));
-            let wrong = || Fault::input(format!("{flag} {text}: say FIRST-LAST, such as 0-11"));
+            let wrong = || Fault::input(format!("{flag} {text}: give FIRST-LAST, such as 0-11"));
             let (first, last): (u32, u32) = ends.filter(|(a, b)| a <= b).ok_or_else(wrong)?;
             let ids = vec![i64::from(first).into(), i64::from(last).into()];
             all.put(flag, text, &format!("{key}.ids"), toml::Value::Array(ids));
@@ -235,12 +233,13 @@ impl Facts {
             all.put(flag, text, &format!("{key}.count"), count.into());
         }
         if let Some(text) = &self.centre_px {
-            let wrong = || Fault::input(format!("--centre-px {text}: say X,Y, such as 804.8,1191"));
+            let wrong =
+                || Fault::input(format!("--centre-px {text}: give X,Y, such as 804.8,1191"));
             let pixel = numbers(text, 2).ok_or_else(wrong)?;
             all.put("--centre-px", text, "camera.centre_px", pixel);
         }
         if let Some(text) = &self.reference {
-            let like = "say KIND=LENGTH, such as subject_height=165cm";
+            let like = "give KIND=LENGTH, such as subject_height=165cm";
             let wrong = |why: &str| Fault::input(format!("--reference {text}: {why}"));
             let (kind, length) = text.split_once('=').ok_or_else(|| wrong(like))?;
             let mm = length_mm(length, "mm").map_err(|why| wrong(&why))?;
@@ -266,7 +265,7 @@ impl Facts {
         for text in &self.fact {
             let wrong = || {
                 Fault::input(format!(
-                    "--fact {text}: say KEY=VALUE, such as subject.height_cm=178"
+                    "--fact {text}: give KEY=VALUE, such as subject.height_cm=178"
                 ))
             };
             let (key, value) = text.split_once('=').ok_or_else(wrong)?;
@@ -282,7 +281,7 @@ impl Facts {
 
 /// A photo with the two ends of a length in it.
 fn ends(text: &str) -> Result<(String, toml::Value), Fault> {
-    let like = "say PHOTO=X1,Y1,X2,Y2, such as IMG_1.jpg=812,3011,1420,3055";
+    let like = "give PHOTO=X1,Y1,X2,Y2, such as IMG_1.jpg=812,3011,1420,3055";
     let wrong = || Fault::input(format!("--seen {text}: {like}"));
     let (photo, at) = text.rsplit_once('=').ok_or_else(wrong)?;
     Ok((photo.trim().to_owned(), numbers(at, 4).ok_or_else(wrong)?))

@@ -87,7 +87,7 @@ pub(super) fn look(
     };
     if let Some(out) = looked.patterns.iter().find(|p| !stays_inside(p)) {
         return Err(Fault::input(format!(
-            "`images` says {out}, which leads out of {shown}: photos lie in the folder itself or in folders below"
+            "`images` is {out}, which leads out of {shown}: photos must be in the folder itself or in folders below"
         )));
     }
     if !matches!(looked.source, Source::Photos(_)) {

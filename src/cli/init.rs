@@ -26,7 +26,7 @@ pub(crate) struct Init {
 pub(crate) fn init(args: &Init, global: &GlobalArgs) -> Result<(), Fault> {
     if args.folder.is_file() {
         return Err(Fault::input(format!(
-            "{} is a file: say the folder that it lies in, in which capture.toml will be written",
+            "{} is a file: give its folder, in which capture.toml will be written",
             args.folder.display()
         )));
     }
@@ -59,7 +59,7 @@ pub(crate) fn init(args: &Init, global: &GlobalArgs) -> Result<(), Fault> {
     } else if !global.quiet {
         command::out!("{text}");
         command::outln!(
-            "\nwritten to {shown}; say what you know of it, then: tailor measure {}",
+            "\nwritten to {shown}; fill in what you know, then: tailor measure {}",
             args.folder.display()
         );
     }
@@ -89,8 +89,8 @@ fn quoted(text: &str) -> String {
 fn draft(name: &str, seen: &Look, facts: &Facts) -> Result<String, Fault> {
     let rig = &seen.photos.rig;
     let mut to = String::from(
-        "# What is known of this capture. A line that begins with # says nothing: take the # away where you know.\n\
-         # Every key has a flag of `tailor measure`, which wins. `tailor doctor` says what would help.\n",
+        "# What is known of this capture. A line that begins with # is not read: take the # away where you know.\n\
+         # Every key has a flag of `tailor measure`, which wins. `tailor doctor` shows what would help.\n",
     );
     turn(&mut to, name, seen, facts)?;
     camera(&mut to, seen);
@@ -144,11 +144,11 @@ fn camera(to: &mut String, seen: &Look) {
     let _ = writeln!(to, "\n[camera]");
     let (note, focal) = match (first.focal_35mm, first.device.as_str()) {
         (Some(mm), device) => (
-            format!("EXIF says {mm:.0} mm, {device}: needed only if that is wrong"),
+            format!("EXIF has {mm:.0} mm, {device}: needed only if that is wrong"),
             mm,
         ),
         (None, _) => (
-            "the photos do not tell: as if on 36 × 24 mm film".into(),
+            "unknown from the photos: as if on 36 × 24 mm film".into(),
             26.0,
         ),
     };
@@ -170,7 +170,7 @@ fn camera(to: &mut String, seen: &Look) {
 fn subject(to: &mut String, rig: &Rig, facts: &Facts) -> Result<(), Fault> {
     let cm = |mm: f64| number(mm / 10.0);
     let _ = writeln!(to, "\n[subject]");
-    let note = "tells lengths where no mat, reference or disk does";
+    let note = "gives lengths where no mat, reference or disk does";
     line(to, "height_cm", rig.stature_mm.map(cm), "178.0", note);
     let weight = rig.weight_kg.map(number);
     line(to, "weight_kg", weight, "80.0", "for the body mass index");

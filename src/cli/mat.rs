@@ -72,7 +72,7 @@ pub(crate) fn mat(args: &MatArgs, global: &GlobalArgs) -> Result<(), Fault> {
     let (document, metrics) = laid_out(args, ending)?;
     // What capture.toml says of it, as the print itself tells.
     let toml = beside(&args.o);
-    let facts = super::mat_file::text(&document.bytes).expect("bug: a mat that tells nothing");
+    let facts = super::mat_file::text(&document.bytes).expect("bug: a mat without facts");
     for (path, bytes) in [
         (&args.o, document.bytes.clone()),
         (&toml, facts.into_bytes()),
@@ -93,7 +93,7 @@ pub(crate) fn mat(args: &MatArgs, global: &GlobalArgs) -> Result<(), Fault> {
         command::outln!("{shown}: {}", lines.join(", "));
         command::outln!("print at 100 % and check that the ruler is 100 mm long");
         command::outln!(
-            "what capture.toml needs to say of it stands at each page's foot and in {toml}; or: tailor measure DIR --mat {shown}"
+            "the lines for capture.toml are at each page's foot and in {toml}; or: tailor measure DIR --mat {shown}"
         );
     }
     Ok(())

@@ -12,8 +12,8 @@ pub(super) fn mat_file(file: &Path) -> Result<Vec<(String, toml::Value)>, Fault>
     let bytes = std::fs::read(file).map_err(|e| Fault::input(format!("--mat {shown}: {e}")))?;
     let nothing = || {
         Fault::input(format!(
-            "--mat {shown}: it does not tell of a mat; give the file that `tailor mat` wrote (.pdf, .svg or .toml), \
-             or say --mat-tag with the edge length of a printed tag's black square"
+            "--mat {shown}: it describes no mat; give the file that `tailor mat` wrote (.pdf, .svg or .toml), \
+             or give --mat-tag with the edge length of a printed tag's black square"
         ))
     };
     let table = text(&bytes).and_then(|toml| toml.parse::<toml::Table>().ok());

@@ -16,7 +16,7 @@ use std::path::{Path, PathBuf};
 pub(crate) fn measure(measure: &Measure, global: &GlobalArgs) -> Result<(), Fault> {
     let said = measure.facts.said()?;
     if measure.profile.is_some() && measure.folders.len() > 1 {
-        return Err(Fault::input("--profile is of one run: say one folder"));
+        return Err(Fault::input("--profile is of one run: give one folder"));
     }
     let global = &GlobalArgs {
         profile: measure.profile.clone(),

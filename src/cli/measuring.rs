@@ -141,10 +141,10 @@ impl Measured {
 pub fn measured(arguments: &[String], global: &GlobalArgs) -> Result<Measured, Fault> {
     let measure: Measure = words::arguments(arguments.iter().map(OsString::from).collect())?;
     let [capture] = measure.folders.as_slice() else {
-        return Err(Fault::input("one capture at a time: say one folder"));
+        return Err(Fault::input("one capture at a time: give one folder"));
     };
     if measure.private {
-        let what = "--private belongs to the command line: here, say a cache that you remove";
+        let what = "--private belongs to the command line: here, give a cache that you remove";
         return Err(Fault::input(what));
     }
     let facts = measure.facts.said()?;
@@ -212,7 +212,7 @@ pub(crate) fn ahead(measure: &Measure) -> Result<Job, Fault> {
         ([capture], nodes) => (*capture, nodes),
         // It is told that it is not there.
         ([], [capture, nodes @ ..]) => (*capture, nodes),
-        _ => return Err(Fault::input("one capture at a time: say one folder")),
+        _ => return Err(Fault::input("one capture at a time: give one folder")),
     };
     let said = measure.facts.said()?;
     let (ready, _) = prepared(measure, capture, measure.out.as_deref(), &said)?;

@@ -71,7 +71,9 @@ fn wanted<'a>(flag: &str, all: &'a [String]) -> Result<Vec<(&'a str, f64)>, Faul
         let parts = wanted.split_once('=');
         let parts = parts.and_then(|(name, most)| Some((name, most.parse().ok()?)));
         parts.ok_or_else(|| {
-            Fault::input(format!("`{flag} {wanted}`: say NAME=PERCENT, such as WC=1"))
+            Fault::input(format!(
+                "`{flag} {wanted}`: give NAME=PERCENT, such as WC=1"
+            ))
         })
     };
     all.iter().map(one).collect()

@@ -186,11 +186,11 @@ fn lower(words: Words, name: String) -> String {
 
 fn origin(words: Words, cameras: &Cameras) -> String {
     let from = match cameras.scale {
-        Scale::Mat => "find-from-mat",
-        Scale::Tags => "find-from-tags",
-        Scale::Reference => "find-from-reference",
-        Scale::Disk => "find-from-disk-alone",
-        Scale::Stature => "find-from-stature",
+        Scale::Mat => "screen-from-mat",
+        Scale::Tags => "screen-from-tags",
+        Scale::Reference => "screen-from-reference",
+        Scale::Disk => "screen-from-disk",
+        Scale::Stature => "screen-from-stature",
         Scale::Given => "screen-given",
         Scale::Disputed(_) => return words.text("screen-disputed"),
         Scale::Nothing => return words.text("screen-relative"),

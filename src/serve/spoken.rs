@@ -8,10 +8,27 @@ use crate::words::language::Words;
 use serde_json::{Value, json};
 use stage::Message;
 
-/// A message in the reader's language.
+/// A message in the reader's language, with all that it holds.
 fn spoken(words: Words, record: &Record, message: &Message) -> Message {
     let text = plain(words, record, message);
-    message.clone().in_words(text)
+    let mut spoken = json!(message.clone().in_words(text));
+    let fields = spoken.get_mut("fields").and_then(Value::as_object_mut);
+    for field in fields.into_iter().flat_map(|fields| fields.values_mut()) {
+        in_place(words, record, field);
+    }
+    crate::cli::doctor::message(&spoken)
+}
+
+/// A field: names of files as their owner has them, messages in the reader's language.
+fn in_place(words: Words, record: &Record, field: &mut Value) {
+    match field {
+        Value::String(text) => *text = record.named(text),
+        Value::Array(all) => all.iter_mut().for_each(|one| in_place(words, record, one)),
+        coded if coded["code"].is_string() => {
+            *coded = json!(spoken(words, record, &message(coded)));
+        }
+        _ => {}
+    }
 }
 
 /// What was seen of a capture. Photos keep the names of their files, which `files` has.

@@ -70,11 +70,11 @@ fn what_cannot_be_worked_on_is_refused() {
             2,
             "there is no plan abcdef",
         ),
-        (vec!["--plan", &plan, "--strand", "x"], 2, "say 3, or 0-63"),
+        (vec!["--plan", &plan, "--strand", "x"], 2, "give 3, or 0-63"),
         (
             vec!["--plan", &plan, "--strand", "3-1"],
             2,
-            "say 3, or 0-63",
+            "give 3, or 0-63",
         ),
         (
             vec!["--plan", &plan, "--strand", "9"],
@@ -137,7 +137,7 @@ fn a_cohort_is_a_strand_a_folder_and_one_that_fails_fails_alone() {
     let run = place.json(&["run", &file, "--input", &input]);
     assert_eq!(run["nodes"][0]["status"], "found", "{run}");
     for (each, part) in [
-        ("src", "say NAME=FOLDER"),
+        ("src", "give NAME=FOLDER"),
         ("src=nowhere", "No such file"),
         ("other=all", "No such file"),
     ] {

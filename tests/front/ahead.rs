@@ -24,7 +24,7 @@ fn plan_and_why_take_pipeline_and_node_in_any_order() {
             .ends_with("all cached\n")
     );
     let said = place.run("why small.toml").code(2).err;
-    assert!(said.contains("say one node of: "), "{said}");
+    assert!(said.contains("name one node of: "), "{said}");
     let said = place.run("why small.toml nobody").code(2).err;
     assert!(said.contains("no node `nobody`"), "{said}");
     // Nodes alone are of the program's own pipeline.
@@ -51,7 +51,7 @@ fn a_graph_of_what_measure_would_run_has_its_own_params() {
         "{walk}"
     );
     let said = place.run("graph turn measure").code(2).err;
-    assert!(said.contains("say `measure` first"), "{said}");
+    assert!(said.contains("write `measure` first"), "{said}");
 }
 
 #[test]
@@ -111,9 +111,9 @@ fn what_measure_would_do_is_told_by_its_own_words() {
         ("plan measure nowhere", "nowhere"),
         ("plan measure turn nobody", "no node `nobody`"),
         ("plan measure turn --stature 7km", "--stature"),
-        ("why measure turn", "say one node of"),
-        ("plan --variant quick measure turn", "say `measure` first"),
-        ("why girths measure turn", "say `measure` first"),
+        ("why measure turn", "name one node of"),
+        ("plan --variant quick measure turn", "write `measure` first"),
+        ("why girths measure turn", "write `measure` first"),
         ("plan --strands measure turn", "--strands cuts a pipeline"),
     ] {
         let said = place.run(words).code(2).err;

@@ -42,7 +42,7 @@ fn all_mistakes_of_a_pipeline_come_at_once_each_with_its_place() {
     let said = place.run("run torn.toml").code(2);
     assert!(said.err.contains("torn.toml:"), "{}", said.err);
     for (text, says) in [
-        (&b""[..], "say what is wanted"),
+        (&b""[..], "name what is wanted"),
         (b"\xff\xfe", "cannot be read"),
     ] {
         place.write("odd.toml", text);
@@ -74,7 +74,7 @@ fn what_is_said_on_the_command_line_is_checked() {
             "run small.toml --input photos=.",
             "there is no input `photos`",
         ),
-        ("run load.toml --input files", "say NAME=FOLDER"),
+        ("run load.toml --input files", "give NAME=FOLDER"),
         (
             "run load.toml",
             "`files` is missing: add --input files=FOLDER",
@@ -172,7 +172,7 @@ fn a_full_disk_is_told_and_what_is_half_written_is_nowhere() {
     let command = "run small.toml --set body.cell_mm=12 --out out";
     let said = place.run_limited(16, command).code(1);
     assert!(
-        said.err.contains("body failed") && said.err.contains("make room"),
+        said.err.contains("body failed") && said.err.contains("free space"),
         "{}",
         said.err
     );

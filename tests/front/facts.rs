@@ -48,8 +48,8 @@ fn flags_that_cannot_be_are_told_as_they_were_said_before_anything_runs() {
         ("--stature tall", "--stature: `tall` is not a length"),
         ("--weight 80cm", "--weight: `80cm` is not a weight"),
         ("--steps 0", "--steps 0"),
-        ("--mat-ids 11", "say FIRST-LAST"),
-        ("--mat mat.txt", "it does not tell of a mat"),
+        ("--mat-ids 11", "give FIRST-LAST"),
+        ("--mat mat.txt", "it describes no mat"),
         ("--mat nowhere.pdf", "nowhere.pdf"),
         ("--fact subject.hight_cm=178", "did you mean `height_cm`"),
         ("--images ../other/*.jpg", "leads out of turn"),
@@ -129,7 +129,7 @@ fn what_cannot_be_read_is_named_with_the_command_that_converts_it() {
     assert!(said.contains("nowhere"), "{said}");
     place.photos("few", 3);
     let said = place.run("measure few").code(2).err;
-    for says in ["few holds 3 photos", "18 to 36", "tailor mat", "--step"] {
+    for says in ["few has 3 photos", "18 to 36", "tailor mat", "--step"] {
         assert!(said.contains(says), "{says}: {said}");
     }
 }
@@ -212,7 +212,7 @@ fn a_mat_tells_of_itself_at_its_foot_and_beside_it() {
         .filter_map(|l| l.split_once(" Td (")?.1.strip_suffix(") Tj ET"));
     let foot: Vec<&str> = words.skip_while(|w| !w.starts_with('[')).collect();
     let foot: toml::Table = foot.join("\n").parse().unwrap();
-    assert_eq!(foot, beside, "the foot is TOML and says the same");
+    assert_eq!(foot, beside, "the foot is TOML and has the same");
     // It is what a capture reads.
     place.write("load.toml", LOAD);
     place.photos("turn", 6);

@@ -43,5 +43,5 @@ fn a_profile_tells_what_ran_and_nothing_of_what_was_found() {
         .code(2);
     assert!(bad.err.contains("no/such/place.json"), "{}", bad.err);
     let many = place.run("measure a b --profile x.json").code(2);
-    assert!(many.err.contains("say one folder"), "{}", many.err);
+    assert!(many.err.contains("give one folder"), "{}", many.err);
 }

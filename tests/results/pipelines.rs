@@ -168,7 +168,7 @@ fn a_set_must_name_a_node_and_a_param() {
         ("hul.voxel_mm=4", "did you mean `hull`"),
         ("hull.voxel_mm=0.01", "out of range"),
         ("hull.voxel=4", "there is no param `voxel`"),
-        ("nonsense", "say NODE.PARAM=VALUE"),
+        ("nonsense", "give NODE.PARAM=VALUE"),
     ] {
         let Err(error) = with(set) else {
             panic!("{set} was taken")

@@ -73,7 +73,7 @@ fn a_mistake_in_a_section_is_refused_at_its_place() {
             "[girth.a]\npart = \"calf\"\n",
             1,
             8,
-            "`girth.a.at` must be said",
+            "`girth.a.at` must be given",
         ),
         (
             "[girth.a]\npart = \"calf\"\nat = 0.5\natt = 1\n",
@@ -133,7 +133,7 @@ fn schema_and_reference_know_sections() {
     let stage = tailor::catalog::find("measure.landmarks").unwrap();
     let text = tailor::reference::text(stage);
     assert!(
-        text.contains("in [girth.NAME] at must be said  (a number, 0..=1)"),
+        text.contains("in [girth.NAME] at must be given  (a number, 0..=1)"),
         "{text}"
     );
 }

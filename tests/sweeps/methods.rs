@@ -97,7 +97,7 @@ fn replicates_are_tabled_compared_and_kept_as_files() {
     );
     assert!(
         told.contains("too few"),
-        "three pairs can tell nothing: {told}"
+        "three pairs are too few for anything: {told}"
     );
     let sweep: Value = serde_json::from_str(&place.read("out/sweep.json")).unwrap();
     assert_eq!(sweep["points"].as_array().unwrap().len(), 12);

@@ -48,7 +48,7 @@ fn a_sweep_that_cannot_be_is_refused_before_anything_runs() {
         ),
         (
             &["sweep", body, "--sweep", "hull.voxel_mm"],
-            "say NODE.PARAM=2,3,4",
+            "give NODE.PARAM=2,3,4",
         ),
         (
             &[
@@ -59,7 +59,7 @@ fn a_sweep_that_cannot_be_is_refused_before_anything_runs() {
                 "--tell",
                 "error.WC",
             ],
-            "say --truth",
+            "give --truth",
         ),
         (
             &[
@@ -70,14 +70,14 @@ fn a_sweep_that_cannot_be_is_refused_before_anything_runs() {
                 "--tell",
                 "hull.volum",
             ],
-            "`--tell hull.volum`: `hull` (hull.carve) tells no `volum`; did you mean `volume`?",
+            "`--tell hull.volum`: `hull` (hull.carve) has no `volum`; did you mean `volume`?",
         ),
         (
             &["sweep", body, "cells", "--tell", "girths.WC.contours"],
-            "`--tell girths.WC.contours`: `girths` (measure.girths) tells no `WC.contours`; did you mean `WC.contour`?",
+            "`--tell girths.WC.contours`: `girths` (measure.girths) has no `WC.contours`; did you mean `WC.contour`?",
         ),
         (&huge, "998000 points"),
-        (&huge, "say --yes"),
+        (&huge, "give --yes"),
         (&["impact", "nosuch_mm"], "no param `nosuch_mm`"),
     ] {
         let (code, text) = tailor(args, cache.path());

@@ -35,7 +35,7 @@ pub(super) fn of_verbs(mut command: Command, program: &Program) -> Command {
         for verb in program.jobs.iter().filter_map(ahead) {
             let own = (verb.arguments)(Command::new(verb.name));
             let own = own.about(format!(
-                "Of what `{}` would run, said by its words",
+                "Of what `{}` with these words would run",
                 verb.name
             ));
             command = command.mut_subcommand(asks, |asks| {
@@ -57,7 +57,7 @@ pub(crate) fn plan(
     }
     let answer = match verb {
         Some(_) if args.strands => {
-            let why = "--strands cuts a pipeline: say its file or its name";
+            let why = "--strands cuts a pipeline: give its file or its name";
             return Err(Fault::input(why));
         }
         Some(verb) => {

@@ -128,7 +128,7 @@ pub(crate) fn cache(
     if !global.cache.join("format").exists() {
         let place = global.cache.display();
         return Err(Fault::input(format!(
-            "there is no cache at {place}; say where it is with --cache, or run something first"
+            "there is no cache at {place}; give its place with --cache, or run something first"
         )));
     }
     let store = Store::open(&global.cache).map_err(Fault::input)?;

@@ -28,7 +28,7 @@ fn engine(text: &str) -> Result<Engine, String> {
     match text.split_once('=') {
         None if text == "slurm" => Ok(Engine::Slurm),
         Some(("dask", address)) if !address.is_empty() => Ok(Engine::Dask(address.to_owned())),
-        _ => Err("say slurm, or dask=ADDRESS, such as dask=tcp://127.0.0.1:8786".into()),
+        _ => Err("give slurm, or dask=ADDRESS, such as dask=tcp://127.0.0.1:8786".into()),
     }
 }
 
@@ -134,7 +134,7 @@ pub(crate) fn submit(args: &Submit, global: &GlobalArgs) -> Result<(), Fault> {
         false => {
             let program = global.program().name;
             crate::outln!(
-                "{program} cluster status {} tells how far it is",
+                "{program} cluster status {} shows how far it is",
                 &name[..12]
             );
         }

@@ -59,7 +59,7 @@ pub(super) fn submit(
         ),
         false if tasks.is_empty() => crate::outln!("all strands are done; nothing was sent"),
         false => crate::outln!(
-            "{sent} tasks sent, {} were there already; `{} status {} --engine dask={address}` tells how far it is",
+            "{sent} tasks sent, {} were there already; `{} status {} --engine dask={address}` shows how far it is",
             tasks.len() as u64 - sent,
             global.program().name,
             &name[..12]

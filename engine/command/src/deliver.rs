@@ -69,7 +69,7 @@ pub fn check(out: &Path, graph: &Graph, folders: &[(String, PathBuf)]) -> Result
 /// Results in the folder of an input would be read as input the next time.
 pub fn inside(out: &Path, folder: &Path) -> Fault {
     Fault::input(format!(
-        "{} lies in {}, and what is written there would be read as input the next time; give a folder outside of it with --out",
+        "{} is in {}, and what is written there would be read as input the next time; give a folder outside of it with --out",
         out.display(),
         folder.display()
     ))

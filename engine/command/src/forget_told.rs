@@ -88,7 +88,7 @@ fn lines(f: &Forgotten) -> Vec<String> {
     }
     if f.untraced > 0 {
         lines.push(format!(
-            "{} more went, since nothing readable tells what they came of; made again when needed",
+            "{} more went, since nothing readable names what they came of; made again when needed",
             count(f.untraced, "result")
         ));
     }

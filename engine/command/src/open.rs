@@ -59,7 +59,7 @@ pub fn open_pipeline(
     let catalog = global.catalog();
     let file = match file.or(global.program().pipeline.map(Path::new)) {
         Some(file) => file,
-        None => return Err(Fault::input("say which pipeline: give its file")),
+        None => return Err(Fault::input("name a pipeline: give its file")),
     };
     let graph = recipe::open(file, &overrides, catalog).map_err(Fault::mistakes)?;
     permitted(&graph, global)?;
@@ -75,7 +75,7 @@ pub fn folders(change: &Change) -> Result<Vec<(String, PathBuf)>, Fault> {
     let pair = |text: &String| {
         let (name, folder) = text
             .split_once('=')
-            .ok_or_else(|| Fault::input(format!("`--input {text}`: say NAME=FOLDER")))?;
+            .ok_or_else(|| Fault::input(format!("`--input {text}`: give NAME=FOLDER")))?;
         Ok((name.to_owned(), PathBuf::from(folder)))
     };
     change.input.iter().map(pair).collect()

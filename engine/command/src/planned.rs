@@ -64,7 +64,8 @@ fn looked_at(job: Job, store: Store) -> Result<Answer, Fault> {
 
 /// The verb comes first.
 fn behind(verb: &str) -> Fault {
-    let why = format!("say `{verb}` first, and behind it what you would say to `{verb}` itself");
+    let why =
+        format!("write `{verb}` first, and behind it what you would write behind `{verb}` itself");
     Fault::input(why)
 }
 

@@ -84,7 +84,7 @@ fn shown(profile: &Profile, path: &Path) -> String {
         }
     }
     let unknown = match profile.is_blind() {
-        true => "; this system does not tell a process's threads and memory",
+        true => "; this system does not report a process's threads and memory",
         false => "",
     };
     format!(

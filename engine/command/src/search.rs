@@ -50,7 +50,7 @@ pub(crate) fn search(args: &SearchArgs, global: &GlobalArgs) -> Result<(), Fault
         delivery::check(out).map_err(Fault::input)?;
     }
     if declared.metric.value.starts_with("error.") && args.truth.is_none() {
-        let what = "needs ground truth: say --truth FOLDER";
+        let what = "needs ground truth: give --truth FOLDER";
         return Err(Fault::input(format!("`{}` {what}", declared.metric.value)));
     }
     truth_is_there(args.truth.as_deref())?;
@@ -151,7 +151,7 @@ fn found_or(found: Found, declared: &Search, wrong: Option<String>) -> Result<Fo
     match found.best {
         Some(_) => Ok(found),
         None => Err(Halt::Fault(Fault::stage(format!(
-            "`{}` was told at none of {}{}",
+            "`{}` was measured at none of {}{}",
             declared.metric.value,
             count(found.tried.len(), "point"),
             wrong.map_or(String::new(), |why| format!(": {why}"))

@@ -94,7 +94,7 @@ pub(super) fn begin(
     };
     if private {
         return Err(Fault::input(
-            "--private keeps nothing and --store gives it to others: say one of them",
+            "--private keeps nothing and --store shares it: give one of them",
         ));
     }
     if verb == REFUSES {
@@ -103,7 +103,7 @@ pub(super) fn begin(
         ));
     }
     if !(global.store_wait >= 0.0 && global.store_wait.is_finite()) {
-        return Err(Fault::input("--store-wait: say seconds, such as 60"));
+        return Err(Fault::input("--store-wait: give seconds, such as 60"));
     }
     let patience = Patience::of(Duration::from_secs_f64(global.store_wait));
     let objects = place(address, patience)?;

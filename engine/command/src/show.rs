@@ -141,7 +141,7 @@ fn usual(
     };
     match there {
         true => Err(Fault::input(format!(
-            "{} is there already; say where to write with -o",
+            "{} is there already; name another file with -o",
             path.display()
         ))),
         false => Ok(Place::File(path)),
@@ -152,18 +152,18 @@ fn usual(
 fn to_output(files: &[(String, Vec<u8>)], json: bool) -> Result<(), Fault> {
     match files {
         _ if json => Err(Fault::input(
-            "--json would be mixed with the file: say a file with -o",
+            "--json would be mixed with the file: give a file with -o",
         )),
         [(name, bytes)] if name.is_empty() => {
             if !is_text(files) && std::io::stdout().is_terminal() {
-                let why = "this file is no text for a terminal: say a file with -o";
+                let why = "this file is no text for a terminal: give a file with -o";
                 return Err(Fault::input(why));
             }
             answer_bytes(bytes);
             Ok(())
         }
         _ => Err(Fault::input(
-            "these are several files: say a folder with -o, or another format with --as",
+            "these are several files: give a folder with -o, or another format with --as",
         )),
     }
 }

@@ -13,7 +13,7 @@ pub(super) fn bytes(text: &str) -> Result<u64, String> {
     };
     let number = digits.parse::<f64>().ok().filter(|x| *x >= 0.0);
     let size = number.zip(factor).map(|(x, f)| (x * f as f64) as u64);
-    size.ok_or_else(|| "say 500M or 20G".to_owned())
+    size.ok_or_else(|| "give 500M or 20G".to_owned())
 }
 
 pub(super) fn mib(bytes: u64) -> f64 {

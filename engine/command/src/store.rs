@@ -16,7 +16,7 @@ const LEAST_DAYS: f64 = 1.0;
 const APART_S: f64 = 60.0;
 
 fn sharing<'a>(sharing: Option<&'a Sharing>, verb: &str) -> Result<&'a Sharing, Fault> {
-    let say = || Fault::input(format!("`cache {verb}`: say which store, with --store"));
+    let say = || Fault::input(format!("`cache {verb}`: name the store with --store"));
     sharing.ok_or_else(say)
 }
 
@@ -101,7 +101,7 @@ pub(super) fn sweep(
     let shared = sharing(shared, "sweep-store")?;
     if !(LEAST_DAYS..1e5).contains(&days) {
         return Err(Fault::input(format!(
-            "--older-days {days}: say at least {LEAST_DAYS}: a job may have looked at what is younger and not used it yet"
+            "--older-days {days}: give at least {LEAST_DAYS}: a job may have looked at what is younger and not used it yet"
         )));
     }
     if global.store_read_only {

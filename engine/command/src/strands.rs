@@ -64,7 +64,7 @@ fn crossed(
     let wrong = |why: &str| Fault::input(format!("`--each {text}`: {why}"));
     let (name, folder) = text
         .split_once('=')
-        .ok_or_else(|| wrong("say NAME=FOLDER"))?;
+        .ok_or_else(|| wrong("give NAME=FOLDER"))?;
     let entries = std::fs::read_dir(folder).map_err(|e| wrong(&e.to_string()))?;
     let shown = |e: std::fs::DirEntry| {
         let name = e.file_name().into_string().ok()?;
@@ -73,7 +73,7 @@ fn crossed(
     let mut names: Vec<String> = entries.flatten().filter_map(shown).collect();
     names.sort_by_key(|name| natural(name));
     if names.is_empty() {
-        return Err(wrong("no folder lies in it"));
+        return Err(wrong("no folder is in it"));
     }
     let mut crossed = Vec::with_capacity(names.len() * points.len());
     for inner in names {
@@ -143,7 +143,7 @@ pub(super) fn named(
 
 /// Places that a text like `1,5,8-9` names.
 fn places(text: &str) -> Result<Vec<usize>, Fault> {
-    let wrong = || Fault::input(format!("`--strand {text}`: say 3, or 0-63, or 1,5,8-9"));
+    let wrong = || Fault::input(format!("`--strand {text}`: give 3, or 0-63, or 1,5,8-9"));
     let mut places = Vec::new();
     for part in text.split(',') {
         let (from, to) = part.split_once('-').unwrap_or((part, part));

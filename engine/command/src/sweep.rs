@@ -87,7 +87,7 @@ fn ready(args: &SweepArgs, global: &GlobalArgs) -> Result<Ready, Fault> {
     let outlook = outlook(&asked.points, &base, &wanted, &last);
     if asked.points.count() > MANY && !args.yes {
         return Err(Fault::input(format!(
-            "this sweep has {outlook}; if you mean it, say --yes"
+            "this sweep has {outlook}; if you mean it, give --yes"
         )));
     }
     Ok(Ready {

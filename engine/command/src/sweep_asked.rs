@@ -125,7 +125,7 @@ pub(super) fn asked(
                 false => format!("known: {}", known.join(", ")),
             };
             return Err(Fault::input(format!(
-                "name a sweep ({what}) or say --sweep NODE.PARAM=VALUES"
+                "name a sweep ({what}) or give --sweep NODE.PARAM=VALUES"
             )));
         }
         None => None,
@@ -191,7 +191,7 @@ pub(super) fn checked(
     for tell in &asked.tell {
         let (of, _) = tell.split_once('.').unwrap_or((tell, ""));
         if of == "error" && args.truth.is_none() {
-            let what = "needs ground truth: say --truth FOLDER";
+            let what = "needs ground truth: give --truth FOLDER";
             return Err(Fault::input(format!("`{tell}` {what}")));
         }
         if of != "error" && asked.points.variants == [None] {

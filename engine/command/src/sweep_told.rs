@@ -52,7 +52,7 @@ pub(super) fn missing_metrics(asked: &Asked, rows: &[Row]) -> Vec<String> {
         let told = done.iter().filter(|row| has(row)).count();
         if told > 0 && told < done.len() {
             lines.push(format!(
-                "`{name}` was told by {told} of {}: the others refused it or have no such node (see their warnings), so means and plots are of these alone",
+                "`{name}` was measured at {told} of {}: the rest refused it or have no such node (see their warnings), so means and plots are of these alone",
                 count(done.len(), "point")
             ));
         }

@@ -61,7 +61,7 @@ pub(super) fn why(
     let [name] = answer.nodes.as_slice() else {
         let names: Vec<&str> = answer.graph.nodes.iter().map(|n| n.name.as_str()).collect();
         let names = names.join(", ");
-        return Err(Fault::input(format!("say one node of: {names}")));
+        return Err(Fault::input(format!("name one node of: {names}")));
     };
     why_of(&answer, name, why.against.as_deref(), global)
 }

@@ -28,7 +28,7 @@ pub enum DaskError {
     )]
     Missing(String),
     /// It says no.
-    #[error("`{0}` says: {1}")]
+    #[error("`{0}` printed: {1}")]
     Refused(String, String),
 }
 

@@ -9,7 +9,7 @@ pub enum SlurmError {
     #[error("`{0}` is not here: this machine submits to no Slurm; run this where `sbatch` works")]
     Missing(&'static str),
     /// It says no.
-    #[error("`{command}` says: {said}")]
+    #[error("`{command}` printed: {said}")]
     Refused {
         /// The command.
         command: String,
@@ -17,7 +17,7 @@ pub enum SlurmError {
         said: String,
     },
     /// It says something else than it should.
-    #[error("`{command}` says {said:?}, which is not understood")]
+    #[error("`{command}` printed {said:?}, which is not understood")]
     Odd {
         /// The command.
         command: String,

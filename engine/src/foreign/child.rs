@@ -209,7 +209,7 @@ mod tests {
         let mut child = command.spawn().unwrap();
         let lines = listened(&mut child);
         std::thread::sleep(Duration::from_secs(1));
-        assert!(!process::has_ended(&mut child), "all of it lies in memory");
+        assert!(!process::has_ended(&mut child), "all of it is in memory");
         let heard = std::iter::from_fn(|| lines.recv().ok()).count();
         assert_eq!(heard, 5_000_000_usize.div_ceil(6));
         child.wait().unwrap();

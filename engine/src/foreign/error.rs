@@ -7,7 +7,7 @@ use std::time::Duration;
 #[derive(Debug, thiserror::Error)]
 pub enum ForeignError {
     /// Nobody allowed it.
-    #[error("this program was not allowed: look at it with `plan`, then say --allow-exec")]
+    #[error("this program was not allowed: look at it with `plan`, then give --allow-exec")]
     NotAllowed,
     /// There is no sandbox, and it must run in one.
     #[error("{0}, and --sandbox required lets no program run without a sandbox")]
@@ -57,7 +57,7 @@ pub enum ForeignError {
     },
     /// It took too much memory.
     #[error(
-        "`{program}` was ended: with its children it held more than {limit_mb} MB; raise `memory_mb`, if it needs more{tail}"
+        "`{program}` was ended: with its children it took more than {limit_mb} MB; raise `memory_mb`, if it needs more{tail}"
     )]
     Memory {
         /// The program.
@@ -151,10 +151,10 @@ pub enum ForeignError {
         after: String,
     },
     /// Its identity cannot be told.
-    #[error("the identity cannot be told: {0}")]
+    #[error("the identity cannot be found: {0}")]
     NoIdentity(Box<ForeignError>),
     /// A file of the node's is not what it was.
-    #[error("{} changed while the run was using it; run again once it stands still", .0.display())]
+    #[error("{} changed while the run was using it; run again once it no longer changes", .0.display())]
     Changed(PathBuf),
     /// An input cannot be laid out.
     #[error("`{port}` cannot be laid out as files: {why}")]

@@ -132,7 +132,7 @@ fn content(
     };
     let mut file = nofollow::open_file(job.made(), name).map_err(wrong)?;
     if nofollow::has_hole(&file, size) {
-        let what = "a file with holes, of which less lies on the disk than it says: write it whole";
+        let what = "a file with holes, of which less is on the disk than its size: write it whole";
         return Err(strange(program, name, what));
     }
     let mut copy = copy.map(made).transpose().map_err(wrong)?;

@@ -179,7 +179,7 @@ impl Program {
             tail: String::new(),
         };
         let params = importer.check(&BTreeMap::new());
-        let params = params.map_err(|_| refused("its importer must be told params".into()))?;
+        let params = params.map_err(|_| refused("its importer needs params".into()))?;
         importer
             .run(&params, given, ctx)
             .map_err(|stop| match stop {

@@ -27,7 +27,7 @@ impl Tail {
         let lines: String = self.0.iter().map(|l| format!("\n  | {l}")).collect();
         match lines.is_empty() {
             true => String::new(),
-            false => format!("; it said last:{lines}"),
+            false => format!("; its last lines:{lines}"),
         }
     }
 }

@@ -43,7 +43,7 @@ pub fn lines(node: &str, program: &Program) -> Vec<String> {
         lines.push(format!("  may read {path:?}"));
     }
     if program.keep {
-        lines.push("  stays for further jobs, told of them on its standard input".into());
+        lines.push("  stays for further jobs, which come on its standard input".into());
     }
     if program.network {
         lines.push("  may reach the network".into());
@@ -54,7 +54,7 @@ pub fn lines(node: &str, program: &Program) -> Vec<String> {
 /// The reference of the stage itself: what a node may say, and which kinds programs can make.
 pub fn reference(catalog: &Catalog) -> String {
     let mut text = format!(
-        "{EXEC} v{} → what `out` says\n  Runs a program of yours: see docs/pipelines.md.\n",
+        "{EXEC} v{} → what `out` names\n  Runs a program of yours: see docs/pipelines.md.\n",
         VERSION
     );
     for (key, what) in KEYS {
@@ -107,7 +107,7 @@ const KEYS: [(&str, &str); 12] = [
     ),
     (
         "keep",
-        "= false: whether it stays, and is told of further jobs on its standard input",
+        "= false: whether it stays, and gets further jobs on its standard input",
     ),
 ];
 
@@ -117,7 +117,7 @@ pub fn refusal(graph: &Graph, nodes: &[usize]) -> String {
     let all: Vec<String> = all.map(|line| format!("  {line}\n")).collect();
     format!(
         "this pipeline runs programs that you have not allowed:\n{}look at them and at their files; \
-         then say --allow-exec, which is remembered until a command or a file changes",
+         then give --allow-exec, which is remembered until a command or a file changes",
         all.concat()
     )
 }

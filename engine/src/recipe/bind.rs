@@ -94,7 +94,7 @@ impl<'a> Binder<'a> {
             if source.is_none() && !spec.optional && wired {
                 let (port, kind) = (spec.name, spec.kind);
                 let what =
-                    format!("port `{port}` wants {kind}; say `from = {{ {port} = \"...\" }}`");
+                    format!("port `{port}` wants {kind}; write `from = {{ {port} = \"...\" }}`");
                 self.mistakes.push(Mistake::at(
                     &node.name.span,
                     format!("node `{}`: {what}", node.name.value),
@@ -123,7 +123,7 @@ impl<'a> Binder<'a> {
 
     fn goal(&mut self) -> Vec<usize> {
         if self.recipe.goal.is_empty() {
-            let what = "say what is wanted: `goal = \"girths\"`";
+            let what = "name what is wanted: `goal = \"girths\"`";
             self.mistakes.push(Mistake::at(&(0..0), what));
         }
         let mut goal = Vec::new();

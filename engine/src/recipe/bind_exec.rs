@@ -73,7 +73,7 @@ impl<'a> Binder<'a> {
             }
             (None, None) => {
                 let what = format!(
-                    "node `{}` says not what it makes: `out = \"KIND\"`, of {}",
+                    "node `{}` does not name what it makes: `out = \"KIND\"`, of {}",
                     name.value,
                     known.join(", ")
                 );
@@ -96,7 +96,7 @@ impl<'a> Binder<'a> {
         let command = self.words(node, node.exec.command.as_deref());
         if command.is_empty() {
             let what = format!(
-                "node `{}` runs nothing: say `command = [\"python3\", \"{{here}}/a.py\", \"{{out}}\"]`",
+                "node `{}` runs nothing: give `command = [\"python3\", \"{{here}}/a.py\", \"{{out}}\"]`",
                 node.name.value
             );
             self.wrong_at(&node.name, what);
@@ -176,7 +176,7 @@ impl<'a> Binder<'a> {
         for (said, port, source) in pairs {
             let plain = |b: u8| b.is_ascii_alphanumeric() || b == b'_' || b == b'-';
             if port.is_empty() || !port.bytes().all(plain) {
-                let what = format!("`{port}` is no name: say letters, digits, `_` and `-`");
+                let what = format!("`{port}` is no name: use letters, digits, `_` and `-`");
                 self.wrong_at(said, what);
             }
             if ports.iter().any(|p| p.name == port) {
@@ -213,7 +213,7 @@ impl<'a> Binder<'a> {
         for said in node.exec.files.iter().flatten() {
             let odd = said.value.contains(['*', '{']) || said.value.contains(char::is_control);
             if !stays_inside(&said.value) || said.value.is_empty() || odd {
-                let what = "a file is named as it lies beside the pipeline: no `..`, no `/` in front, no pattern";
+                let what = "a file is named by its path from the pipeline: no `..`, no `/` in front, no pattern";
                 self.wrong_at(said, what);
                 continue;
             }

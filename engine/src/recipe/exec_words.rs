@@ -14,14 +14,14 @@ impl Binder<'_> {
         };
         let fixed = |piece: &Piece| matches!(piece, Piece::Text(_) | Piece::Here);
         if first.written.is_empty() || !first.pieces.iter().all(fixed) {
-            let what = "the program itself stands in the command: a name in PATH, a whole path, or {here}/NAME";
+            let what = "the program itself is in the command: a name in PATH, a whole path, or {here}/NAME";
             self.wrong_at(said, what);
         } else if let Piece::Text(text) = &first.pieces[0]
             && text.contains('/')
             && !text.starts_with('/')
         {
             let what = format!(
-                "the program works in a folder of its own: say {{here}}/{text} and name it in `files`, or give the whole path"
+                "the program works in a folder of its own: write {{here}}/{text} and name it in `files`, or give the whole path"
             );
             self.wrong_at(said, what);
         }
@@ -75,7 +75,7 @@ impl Binder<'_> {
         if !out && said.len() == words.len() {
             self.wrong_at(
                 &said[0],
-                "the command does not say where the result goes: say {out}",
+                "the command does not name the place of the result: write {out}",
             );
         }
         for (param, _) in &node.with {

@@ -77,7 +77,7 @@ impl Reader {
         let plain = |b: u8| b.is_ascii_alphanumeric() || b == b'_' || b == b'-';
         if key.name.is_empty() || !key.name.bytes().all(plain) {
             let what = format!(
-                "`{}` is no name: say letters, digits, `_` and `-`",
+                "`{}` is no name: use letters, digits, `_` and `-`",
                 key.name
             );
             self.wrong(&key.span, what);
@@ -229,7 +229,7 @@ impl Reader {
         }
         if input.files.is_empty() {
             let what = format!(
-                "input `{}` names no files: say `files = \"*.jpg\"`",
+                "input `{}` names no files: write `files = \"*.jpg\"`",
                 input.name.value
             );
             self.wrong(&input.name.span.clone(), what);

@@ -88,7 +88,7 @@ impl Reader {
             (budget, "a search needs a `budget`: `budget = 40`"),
             (
                 metric,
-                "say which metric is to be small or large: `least = \"node.metric\"` or `most = …`",
+                "name the metric that is to be small or large: `least = \"node.metric\"` or `most = …`",
             ),
             (
                 other,

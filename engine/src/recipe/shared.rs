@@ -50,7 +50,7 @@ pub(super) fn resolve(recipe: &mut Recipe, strict: bool, mistakes: &mut Vec<Mist
     let mut read = vec![false; names.len()];
     for node in &mut recipe.nodes {
         if node.name.value == SHARED {
-            let what = "`params` stands for the shared params: call the node otherwise";
+            let what = "`params` means the shared params: call the node otherwise";
             mistakes.push(Mistake::at(&node.name.span, what));
         }
         for (_, value) in &mut node.with {

@@ -191,7 +191,7 @@ fn untold_by_all(
     catalog: &'static Catalog,
 ) -> Option<String> {
     match said.value.split_once('.').map(|(node, _)| node) {
-        None => Some("say node.metric, such as \"hull.volume\"".into()),
+        None => Some("give node.metric, such as \"hull.volume\"".into()),
         Some("error") => None,
         Some(node) if !names.contains(&node) => Some(unknown("node", node, names)),
         Some(node) => {

@@ -141,7 +141,7 @@ impl Reader {
                 span: value.span.clone(),
             }),
             _ => {
-                let what = "say how often, 2 to 10000: `replicate = 8`";
+                let what = "give how often, 2 to 10000: `replicate = 8`";
                 self.wrong(&value.span, what);
                 None
             }
@@ -151,7 +151,7 @@ impl Reader {
     fn sample(&mut self, value: &Spot<'_>) -> Option<Said<Sample>> {
         let (mut points, mut seed) = (None, 1);
         let Item::Table(table) = &value.item else {
-            self.wrong(&value.span, "say `sample = { points = 40, seed = 1 }`");
+            self.wrong(&value.span, "write `sample = { points = 40, seed = 1 }`");
             return None;
         };
         for (key, value) in table {

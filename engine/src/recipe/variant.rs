@@ -143,10 +143,7 @@ pub(super) fn leave_out(recipe: &mut Recipe, name: &Said<String>, mistakes: &mut
         From::Table(table) => table.first().map(|(_, source)| source.clone()),
     };
     let Some(first) = first else {
-        let what = format!(
-            "`{}` reads nothing, so nothing can stand in for it",
-            name.value
-        );
+        let what = format!("`{}` reads nothing, so nothing can replace it", name.value);
         mistakes.push(Mistake::at(&name.span, what));
         return;
     };
@@ -190,7 +187,7 @@ pub(super) fn of_sets(mistakes: Vec<Mistake>, sets: &[String]) -> Vec<Mistake> {
 
 /// `NODE.PARAM=VALUE`, or `NODE.SECTION.ENTRY.KEY=VALUE`; a bare word is a text.
 fn apply_set(recipe: &mut Recipe, text: &str, i: usize) -> Result<(), String> {
-    let shape = || "say NODE.PARAM=VALUE, such as hull.voxel_mm=2".to_owned();
+    let shape = || "give NODE.PARAM=VALUE, such as hull.voxel_mm=2".to_owned();
     let (place, value) = text.split_once('=').ok_or_else(shape)?;
     let (node, param) = place.trim().split_once('.').ok_or_else(shape)?;
     let here = on_command_line(i);

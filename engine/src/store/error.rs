@@ -6,7 +6,7 @@ use std::path::PathBuf;
 #[derive(Debug, thiserror::Error)]
 pub enum StoreError {
     /// The disk says no.
-    #[error("the cache at {}: {why}; make room or make it writable, or give another with --cache", path.display())]
+    #[error("the cache at {}: {why}; free space or make it writable, or give another with --cache", path.display())]
     Disk {
         /// The file or folder.
         path: PathBuf,
@@ -44,9 +44,9 @@ pub enum StoreError {
         why: String,
     },
     /// What was to be removed is still there.
-    #[error("{} could not be removed: is it in use, or not yours? What is known of it stays; say it again when that is mended", .0.display())]
+    #[error("{} could not be removed: is it in use, or not yours? What is known of it stays; give the command again when that is mended", .0.display())]
     Left(PathBuf),
     /// Not to be swept now.
-    #[error("a run or an upload is using the cache at {}: nothing was removed; say it again when it is done", .0.display())]
+    #[error("a run or an upload is using the cache at {}: nothing was removed; give the command again when it is done", .0.display())]
     Busy(PathBuf),
 }

@@ -103,7 +103,7 @@ fn forgetting_that_is_killed_at_any_step_is_done_by_the_next_one() {
             assert_eq!(keeper::verify(&store), 0, "{round}");
             assert!(
                 left.is_none() || next.known,
-                "{round}: nothing tells any more of {left:?}"
+                "{round}: no record is left of {left:?}"
             );
             if disk.tried() <= ends {
                 assert!(ends > 20, "only {ends} steps");

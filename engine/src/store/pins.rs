@@ -11,7 +11,7 @@ use std::io::ErrorKind;
 pub enum PinError {
     /// The name.
     #[error(
-        "`{0}` is no name for a pin: say letters, digits, `-`, `_` and `.`, and begin with a letter or digit; \
+        "`{0}` is no name for a pin: use letters, digits, `-`, `_` and `.`, and begin with a letter or digit; \
          `last` is the last run's already"
     )]
     Name(String),

@@ -82,7 +82,7 @@ pub struct StrandLine {
 pub enum PlanError {
     /// There is none of that name.
     #[error(
-        "there is no plan {0} in {1}; `plan --strands` or `sweep --strands` makes one and tells its name"
+        "there is no plan {0} in {1}; `plan --strands` or `sweep --strands` makes one and prints its name"
     )]
     None(String, PathBuf),
     /// It is not what it says.

@@ -27,11 +27,11 @@ pub enum AxisError {
     },
     /// On the command line.
     #[error(
-        "`--sweep {0}`: say NODE.PARAM=2,3,4 or NODE.PARAM=2..8/4 (4 values from 2 to 8), with `log` behind it for equal ratios"
+        "`--sweep {0}`: give NODE.PARAM=2,3,4 or NODE.PARAM=2..8/4 (4 values from 2 to 8), with `log` behind it for equal ratios"
     )]
     Said(String),
     /// A range without the number of its values.
-    #[error("`--sweep {0}`: say how many values: {0}/5 is five, with both ends")]
+    #[error("`--sweep {0}`: give how many values: {0}/5 is five, with both ends")]
     HowMany(String),
     /// Replicates of what has no seed.
     #[error("{0}")]
@@ -44,7 +44,7 @@ pub enum AxisError {
     SeedEnds(String, i64, f64),
     /// A sample of what is no range.
     #[error(
-        "a sample takes values from `over`; `zip` and `csv` say which go together, so leave one of them out"
+        "a sample takes values from `over`; `zip` and `csv` name those that go together, so leave one of them out"
     )]
     SampleOfTable,
 }

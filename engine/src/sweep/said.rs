@@ -25,7 +25,7 @@ pub fn replicates_text(groups: &[Group]) -> String {
     (texts..texts + first.spreads.len()).for_each(|column| to_the_right(&mut all, column));
     let n = groups.iter().map(|g| g.points).max().unwrap_or(0);
     format!(
-        "{}\nmean ± standard deviation of {n} replicates; behind it how many tell it, where not all do\n",
+        "{}\nmean ± standard deviation of {n} replicates; behind it how many have it, where not all do\n",
         lines(&mut all)
     )
 }
@@ -151,7 +151,7 @@ pub fn pairs_text(first: &str, second: &str, pairs: &[Pairs]) -> String {
         false => "by all signs",
     };
     format!(
-        "\n{second} less {first}, replicate by replicate\n{}\n95 %: Student's interval of the mean difference; p: how likely chance alone gives as much, {test}; of fewer than six pairs none can tell\n",
+        "\n{second} less {first}, replicate by replicate\n{}\n95 %: Student's interval of the mean difference; p: how likely chance alone gives as much, {test}; fewer than six pairs are too few for any\n",
         lines(&mut all)
     )
 }

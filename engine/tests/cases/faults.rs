@@ -245,7 +245,7 @@ fn a_disk_that_takes_no_more_is_told_and_the_next_run_goes_on() {
     let error =
         String::from_utf8_lossy(&out.stdout).into_owned() + &String::from_utf8_lossy(&out.stderr);
     assert!(!out.status.success());
-    assert!(error.contains("make room"), "{error}");
+    assert!(error.contains("free space"), "{error}");
     assert_eq!(keeper::verify(&place.store()), 0);
     assert!(run("unlimited").status.success());
     assert_eq!(place.run(1), NONE);

@@ -73,12 +73,12 @@ fn mistakes_of_a_sweep_are_told_with_their_places() {
         (
             "over.mid = { n = [1] }\ntell = [\"mid.seconds\",\n\"mid.tenfolt\"]",
             4,
-            "`mid` (toy.mid) tells no `tenfolt`; did you mean `tenfold`? it tells: tenfold, seconds, bytes",
+            "`mid` (toy.mid) has no `tenfolt`; did you mean `tenfold`? it has: tenfold, seconds, bytes",
         ),
         (
             "with = [\"double\", \"triple\"]\ntell = \"src.tenfold\"",
             3,
-            "`src` (toy.clean) tells no `tenfold`; it tells: seconds, bytes",
+            "`src` (toy.clean) has no `tenfold`; it has: seconds, bytes",
         ),
         ("over.mid = { n = [1] }\nzip = [\"mid.m\"]", 3, "`mid.m`"),
         ("about = \"?\"", 1, "needs `over`"),

@@ -22,7 +22,7 @@ fn every_way_to_fail_is_told() {
     let cases = [
         (
             "echo gone wrong >&2; exit 3",
-            "ended with exit code 3; it said last:\n  | gone wrong",
+            "ended with exit code 3; its last lines:\n  | gone wrong",
         ),
         ("kill -9 $$", "ended with "),
         ("true", "wrote nothing to {out}"),
@@ -55,7 +55,7 @@ fn every_way_to_fail_is_told() {
         ("printf '\\033[2J\\n' >&2; exit 1", "| \\u{1b}[2J"),
         (
             "yes | head -c 3000000; exit 1",
-            "exit code 1; it said last:\n  | y\n",
+            "exit code 1; its last lines:\n  | y\n",
         ),
     ];
     for (line, told) in cases {
@@ -122,7 +122,7 @@ fn who_holds_too_much_memory_is_ended() {
     let place = Place::new();
     let line = "python3 -c 'x = bytearray(300_000_000); import time; time.sleep(60)'";
     let why = place.failure(&shell(line, "memory_mb = 100\n"));
-    assert!(why.contains("held more than 100 MB"), "{why}");
+    assert!(why.contains("took more than 100 MB"), "{why}");
 }
 
 #[test]
@@ -184,7 +184,7 @@ fn an_identity_that_fails_is_told_before_anything_runs() {
         .err()
         .expect("it fails");
     assert!(
-        why.contains("node `x`: the identity cannot be told: `sh` ended with exit code 1"),
+        why.contains("node `x`: the identity cannot be found: `sh` ended with exit code 1"),
         "{why}"
     );
 }
@@ -211,7 +211,7 @@ fn mistakes_of_a_program_are_told_with_their_places() {
     let cases = [
         (
             "command = [\"sh\"]",
-            "the command does not say where the result goes: say {out}",
+            "the command does not name the place of the result: write {out}",
         ),
         ("", "node `x` runs nothing"),
         (
@@ -228,11 +228,11 @@ fn mistakes_of_a_program_are_told_with_their_places() {
         ),
         (
             "command = [\"{with.n}\", \"{out}\"]\nwith = { n = \"rm\" }",
-            "the program itself stands in the command",
+            "the program itself is in the command",
         ),
         (
             "command = [\"./a\", \"{out}\"]",
-            "say {here}/./a and name it in `files`",
+            "write {here}/./a and name it in `files`",
         ),
         ("command = [\"sh\", \"{out\"]", "a brace is open"),
         (

@@ -218,7 +218,7 @@ fn memory_is_counted_of_those_who_left_their_environment_too() {
     let place = Place::new();
     let line = "setsid env -i /usr/bin/python3 -c 'x = bytearray(300_000_000); import time; time.sleep(30)' & wait";
     let why = place.failure(&shell(line, "memory_mb = 100\ntimeout_s = 10\n"));
-    assert!(why.contains("held more than 100 MB"), "{why}");
+    assert!(why.contains("took more than 100 MB"), "{why}");
 }
 
 #[test]

@@ -33,7 +33,7 @@ stage::inputs! {
 
 /// More is to be drawn than there is.
 #[derive(Debug, thiserror::Error)]
-#[error("{keep} photos are to be drawn of {of}: say `keep` up to {of}")]
+#[error("{keep} photos are to be drawn of {of}: set `keep` up to {of}")]
 pub(crate) struct TooFew {
     keep: u32,
     of: usize,

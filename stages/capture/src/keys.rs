@@ -16,7 +16,7 @@ pub struct RigError {
 }
 
 const FILE: &str = "capture.toml";
-const BESIDE: &str = "capture.toml and what was said beside it";
+const BESIDE: &str = "capture.toml and what was given beside it";
 
 impl RigError {
     pub(crate) fn wrong(what: impl ToString) -> Self {

@@ -34,7 +34,8 @@ pub(crate) fn read_person(table: Table) -> Result<Person, RigError> {
     };
     let years = subject.number("age_years", 0.0, 130.0)?;
     if born.is_some() && years.is_some() {
-        let both = "`subject.born` and `subject.age_years` say the same: leave one of them out";
+        let both =
+            "`subject.born` and `subject.age_years` are the same fact: leave one of them out";
         return Err(RigError::wrong(both));
     }
     Ok(Person {

@@ -98,7 +98,7 @@ pub(crate) fn read_table(table: Table) -> Result<RigFile, RigError> {
         }
         if kind != POINTS && !seen.is_empty() {
             return Err(RigError::missing(
-                "`reference.seen`, or --seen, tells where the two ends of a length are seen, and goes with `reference.kind` \"points\" only: say --reference points=297mm, or leave it out",
+                "`reference.seen`, or --seen, is where the two ends of a length are seen, and goes with `reference.kind` \"points\" only: give --reference points=297mm, or leave it out",
             ));
         }
         rig.reference = Some(Reference {

@@ -74,7 +74,7 @@ pub(crate) fn read_mat(keys: &mut Keys<'_>) -> Result<(Option<Mat>, Option<f64>)
 pub(crate) fn read_rim(keys: &mut Keys<'_>, rig: &Rig) -> Result<Rim, RigError> {
     let Some(mat) = rig.mat.as_ref() else {
         return Err(RigError::missing(
-            "`rim` tells of tags on the disk's rim, but there is no `mat`: these tags serve beside a mat on the disk only",
+            "`rim` has tags on the disk's rim, but there is no `mat`: these tags serve beside a mat on the disk only",
         ));
     };
     let (first_id, count) = read_ids(keys)?;

@@ -19,7 +19,7 @@ fn level(rule: LevelRule) -> String {
         LevelRule::Share { from, to, at } => format!("{at} of the way, {from} to {to}"),
         LevelRule::Mark(mark) => format!("on the surface: {mark}"),
         LevelRule::Model(place) => format!("a model's estimate: {place}"),
-        LevelRule::Given => "as the user says".into(),
+        LevelRule::Given => "as the user defines it".into(),
     }
 }
 
@@ -35,7 +35,7 @@ fn set(set: GirthSet) -> &'static str {
 /// Every definition as a row of a Markdown table.
 pub fn definitions_to_markdown() -> String {
     let mut text = String::from(
-        "| name | what | where the tape lies | standards | plane | level | two tapes agree within | sets |\n|---|---|---|---|---|---|---|---|\n",
+        "| name | what | where the tape is | standards | plane | level | two tapes agree within | sets |\n|---|---|---|---|---|---|---|---|\n",
     );
     for row in TABLE {
         let name = match (row.id, row.id.side()) {

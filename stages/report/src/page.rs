@@ -148,7 +148,7 @@ fn measured(content: &Content<'_>) -> (usize, usize) {
 fn coarser(on_page: usize, measured: usize) -> String {
     match on_page < measured {
         true => format!(
-            " The page carries the surface with {on_page} of its {measured} faces, so girths through points are told by the command alone (finer pages: --set report.most_faces={measured})."
+            " The page carries the surface with {on_page} of its {measured} faces, so girths through points are given by the command alone (finer pages: --set report.most_faces={measured})."
         ),
         false => String::new(),
     }
@@ -169,7 +169,7 @@ fn filled(template: &str, slots: &[(&str, String)]) -> String {
 }
 
 /// The note of a scan's page whose file names no unit.
-const RELATIVE: &str = "<p class=\"warn\"><b>Lengths are relative.</b> The file says so; ratios hold. If its unit is known: \
+const RELATIVE: &str = "<p class=\"warn\"><b>Lengths are relative.</b> So it is in the file; ratios hold. If its unit is known: \
      --unit-of-file.</p>";
 
 /// The parts of the page about cameras and photos.

@@ -232,7 +232,7 @@ pub const TABLE: [Definition; 15] = [
         id: GirthId::Picked,
         name: "PICKED",
         label: "through picked points",
-        sentence: "through points picked by hand: least-squares plane, points within the mean edge length added until it stands still, one closed cubic spline",
+        sentence: "through points picked by hand: least-squares plane, points within the mean edge length added until it no longer moves, one closed cubic spline",
         more_standards: &["the paper's §III-E, eq. 8"],
         region: Region::Anywhere,
         plane: PlaneRule::ThroughPoints,
@@ -243,7 +243,7 @@ pub const TABLE: [Definition; 15] = [
         id: GirthId::Own,
         name: "",
         label: "declared in the pipeline",
-        sentence: "as the pipeline's table [girth.NAME] says",
+        sentence: "as the pipeline's table [girth.NAME] has it",
         region: Region::Anywhere,
         plane: PlaneRule::AcrossLimb,
         ..TRUNK

@@ -5,7 +5,7 @@ use stage::{Message, Template};
 use std::fmt;
 
 stage::messages! {
-    NO_LEGS = "warn-no-legs": "the surface shows no two legs: is the body cut off, or do masks lack a leg? Stand with the feet apart, without coat or skirt";
+    NO_LEGS = "warn-no-legs": "the surface shows no two legs: is the body cut off, or do masks lack a leg? Place the feet apart, without coat or skirt";
     MANY_LEGS = "warn-many-legs": "the surface has more than two legs: is it a chair, an animal, or two people who touch? One person alone is wanted";
     CUT_THROUGH = "warn-cut-through": "a large part of the surface is one plane: is the body cut through, so that only a part of it is here?";
     NO_NECK = "warn-no-neck": "no neck was found between head and shoulders: does hair or a collar hide it, or do the photos cut the head off?";

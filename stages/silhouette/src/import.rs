@@ -67,7 +67,7 @@ pub enum ImportError {
         want: String,
     },
     /// All one shade.
-    #[error("{0} is {1}: it does not say where the body is; draw it again or remove it")]
+    #[error("{0} is {1}: it does not show where the body is; draw it again or remove it")]
     Blank(String, &'static str),
     /// The other way around.
     #[error(

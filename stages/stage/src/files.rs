@@ -35,7 +35,7 @@ pub enum FilesError {
         why: std::io::Error,
     },
     /// Its bytes are not those that the run began with.
-    #[error("{path} changed while the run was reading it; run again once it stands still")]
+    #[error("{path} changed while the run was reading it; run again once it no longer changes")]
     Changed {
         /// The file.
         path: String,

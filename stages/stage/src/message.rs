@@ -6,7 +6,11 @@ use std::fmt;
 /// Something that people should know: a code with named fields, which other languages and programs read, and the English
 /// sentence. A sentence that somebody gave as it is has neither.
 #[derive(Debug, Clone, PartialEq, Default)]
-pub struct Message {
+pub struct Message(Box<Parts>);
+
+/// On the heap, so that what may fail is not large.
+#[derive(Debug, Clone, PartialEq, Default)]
+struct Parts {
     code: String,
     fields: BTreeMap<String, Field>,
     text: String,
@@ -51,50 +55,53 @@ impl Message {
     /// From its parts.
     pub(crate) fn of(code: &str, fields: BTreeMap<String, Field>, text: String) -> Message {
         let code = code.to_owned();
-        Message { code, fields, text }
+        Message(Box::new(Parts { code, fields, text }))
     }
 
     /// Code, fields and sentence.
     pub(crate) fn parts(self) -> (String, BTreeMap<String, Field>, String) {
-        (self.code, self.fields, self.text)
+        {
+            let Parts { code, fields, text } = *self.0;
+            (code, fields, text)
+        }
     }
 
     /// Its code; empty for a sentence as somebody gave it.
     pub fn code(&self) -> &str {
-        &self.code
+        &self.0.code
     }
 
     /// Its fields by name; with `about` and `remedy` where it has them.
     pub fn fields(&self) -> &BTreeMap<String, Field> {
-        &self.fields
+        &self.0.fields
     }
 
     /// What it is about, before its sentence.
     pub fn about(&self) -> Option<&Field> {
-        self.fields.get(ABOUT)
+        self.0.fields.get(ABOUT)
     }
 
     /// What would help, after its sentence.
     pub fn remedy(&self) -> Option<&Field> {
-        self.fields.get(REMEDY)
+        self.0.fields.get(REMEDY)
     }
 
     /// The English sentence.
     pub fn as_str(&self) -> &str {
-        &self.text
+        &self.0.text
     }
 
     /// The same in other words, such as another language's.
     #[must_use]
     pub fn in_words(mut self, text: String) -> Message {
-        self.text = text;
+        self.0.text = text;
         self
     }
 
     /// The same with where it comes from before its sentence, for a list: `body: the sentence`. No field has it.
     #[must_use]
     pub fn from_where(mut self, place: &str) -> Message {
-        self.text = format!("{place}: {}", self.text);
+        self.0.text = format!("{place}: {}", self.0.text);
         self
     }
 
@@ -102,30 +109,30 @@ impl Message {
     #[must_use]
     pub fn of_what(mut self, about: impl Into<Field>) -> Message {
         let about = about.into();
-        if !self.code.is_empty() {
-            self.text = format!("{about}: {}", self.text);
-            self.fields.insert(ABOUT.into(), about);
+        if !self.0.code.is_empty() {
+            self.0.text = format!("{about}: {}", self.0.text);
+            self.0.fields.insert(ABOUT.into(), about);
             return self;
         }
-        Message::from(format!("{about}: {}", self.text))
+        Message::from(format!("{about}: {}", self.0.text))
     }
 
     /// The same with what would help: `the sentence; the remedy`.
     #[must_use]
     pub fn with_remedy(mut self, remedy: impl Into<Field>) -> Message {
         let remedy = remedy.into();
-        self.text += &format!("; {remedy}");
-        if !self.code.is_empty() {
-            self.fields.insert(REMEDY.into(), remedy);
+        self.0.text += &format!("; {remedy}");
+        if !self.0.code.is_empty() {
+            self.0.fields.insert(REMEDY.into(), remedy);
         }
         self
     }
 
     /// Whether all its texts, those of its fields included, are such.
     pub fn all_texts(&self, are: &dyn Fn(&str) -> bool) -> bool {
-        let names = self.fields.keys().all(|name| are(name));
-        let fields = self.fields.values().all(|field| field.all_texts(are));
-        are(&self.code) && are(&self.text) && names && fields
+        let names = self.0.fields.keys().all(|name| are(name));
+        let fields = self.0.fields.values().all(|field| field.all_texts(are));
+        are(&self.0.code) && are(&self.0.text) && names && fields
     }
 }
 
@@ -162,7 +169,7 @@ impl Field {
 
 impl fmt::Display for Message {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(&self.text)
+        f.write_str(&self.0.text)
     }
 }
 
@@ -206,25 +213,25 @@ impl std::error::Error for Message {}
 impl std::ops::Deref for Message {
     type Target = str;
     fn deref(&self) -> &str {
-        &self.text
+        &self.0.text
     }
 }
 
 impl From<Message> for String {
     fn from(message: Message) -> String {
-        message.text
+        message.0.text
     }
 }
 
 impl From<&Message> for String {
     fn from(message: &Message) -> String {
-        message.text.clone()
+        message.0.text.clone()
     }
 }
 
 impl PartialEq<&str> for Message {
     fn eq(&self, text: &&str) -> bool {
-        self.text == *text
+        self.0.text == *text
     }
 }
 

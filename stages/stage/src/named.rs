@@ -130,7 +130,7 @@ mod tests {
         };
         for (entry, at, what) in [
             (Value::Int(1), "cake.a", "wants a table"),
-            (table(&[]), "cake.a.eggs", "must be said"),
+            (table(&[]), "cake.a.eggs", "must be given"),
             (table(&[("eggs", Value::Int(13))]), "cake.a.eggs", "0..=12"),
             (
                 table(&[("eggs", Value::Int(1)), ("egs", Value::Int(1))]),

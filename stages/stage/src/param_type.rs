@@ -127,7 +127,7 @@ pub fn read_one<T: ParamType>(
         if required {
             mistakes.push(Mistake {
                 name: name.into(),
-                what: format!("must be said: {name} is {}", wanted::<T>(range)),
+                what: format!("must be given: {name} is {}", wanted::<T>(range)),
             });
         }
         return default;
@@ -140,7 +140,7 @@ pub fn read_one<T: ParamType>(
     {
         mistakes.push(Mistake {
             name: name.into(),
-            what: format!("{value} is out of range: it must lie in {lo}..={hi}"),
+            what: format!("{value} is out of range: it must be in {lo}..={hi}"),
         });
         return default;
     }

@@ -17,7 +17,7 @@ pub struct Template {
 /// Names that every message may have beside its own: what it is about, and what would help.
 const RESERVED: [&str; 2] = ["about", "remedy"];
 
-/// More fields than these has no message.
+/// More fields than these has no message (structural: a bound of what is looked through at compile time).
 const MOST_FIELDS: usize = 12;
 
 impl Template {

@@ -31,7 +31,7 @@ impl Stage for FormulaGirths {
     const NAME: &'static str = "synth.girths";
     const VERSION: u32 = 3;
     const ABOUT: &'static str =
-        "Tells a solid's girths by its formula, at landmarks or at its own planes.";
+        "Gives a solid's girths by its formula, at landmarks or at its own planes.";
     type Params = ();
     type Input = FormulaInput;
     type Output = Girths;
@@ -72,7 +72,7 @@ impl Stage for FormulaGirths {
                     id: Some(mark.id),
                     name: mark.name,
                     reason: Refusal::NoSection,
-                    why: "the plane's point does not lie within the solid".into(),
+                    why: "the plane's point is not within the solid".into(),
                 }),
             }
         }

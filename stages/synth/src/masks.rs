@@ -35,7 +35,7 @@ impl Stage for TrueMasks {
     const NAME: &'static str = "synth.masks";
     const VERSION: u32 = 2;
     const ABOUT: &'static str =
-        "Tells the true silhouettes: how much of each pixel the body covers.";
+        "Gives the true silhouettes: how much of each pixel the body covers.";
     type Params = MaskParams;
     type Input = MaskInput;
     type Output = Masks;

@@ -22,7 +22,7 @@ impl Stage for MovedCameras {
     const NAME: &'static str = "synth.moved";
     const VERSION: u32 = 1;
     const ABOUT: &'static str =
-        "Tells the true cameras as a body that sways, turns and steps saw them.";
+        "Gives the true cameras as a body that sways, turns and steps saw them.";
     type Params = ();
     type Input = MovedInput;
     type Output = Cameras;

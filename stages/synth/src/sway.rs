@@ -47,7 +47,7 @@ pub struct MakeSway;
 impl Stage for MakeSway {
     const NAME: &'static str = "synth.sway";
     const VERSION: u32 = 2;
-    const ABOUT: &'static str = "Lets the subject lean about its ankles, slowly, a little in each photo, and stand elsewhere.";
+    const ABOUT: &'static str = "Lets the subject lean about its ankles, slowly, a little in each photo, and move its feet.";
     type Params = SwayParams;
     type Input = SwayInput;
     type Output = Sway;

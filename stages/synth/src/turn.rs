@@ -102,7 +102,7 @@ pub struct TakePhotos;
 impl Stage for TakePhotos {
     const NAME: &'static str = "synth.turn";
     const VERSION: u32 = 7;
-    const ABOUT: &'static str = "Takes the photos of a turn of any mesh: in its own colours or textured, lit, on a disk in a furnished room.";
+    const ABOUT: &'static str = "Takes the photos of a turn of any mesh: in its own colours or textured, lit, on a disk before furniture.";
     type Params = TurnParams;
     type Input = TurnInput;
     type Output = Photos;

@@ -42,7 +42,7 @@ pub(super) fn trouble(error: &object_store::Error) -> Trouble {
         "os error 28",
     ]) {
         return Trouble::Refused(format!(
-            "its quota is full: make room there (`cache sweep-store`) ({text})"
+            "its quota is full: free space there (`cache sweep-store`) ({text})"
         ));
     }
     match error {

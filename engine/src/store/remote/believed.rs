@@ -70,7 +70,7 @@ impl Link {
     pub(super) fn say_stranger(&self, name: &str) {
         if !self.strangers.swap(true, Ordering::Relaxed) {
             self.say(&format!(
-                "{name} is not signed by anybody in the list of --trust: neither it nor others like it are used"
+                "{name} is not signed by anybody in the list of --trust: nothing like it is used"
             ));
         }
     }

@@ -37,7 +37,7 @@ pub fn open(address: &str, patience: Patience) -> Result<Box<dyn Objects>, Troub
     let (scheme, rest) = address.split_once("://").ok_or_else(|| refuse(ADDRESSES))?;
     if rest.contains('@') || rest.contains('?') || rest.contains('#') {
         return Err(refuse(
-            "its address holds more than a bucket and a prefix: who may use it is said by the environment (AWS_ACCESS_KEY_ID, AWS_SECRET_ACCESS_KEY, …)",
+            "its address holds more than a bucket and a prefix: who may use it is set in the environment (AWS_ACCESS_KEY_ID, AWS_SECRET_ACCESS_KEY, …)",
         ));
     }
     let (bucket, prefix) = rest.split_once('/').unwrap_or((rest, ""));

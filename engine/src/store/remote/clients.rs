@@ -10,7 +10,7 @@ use object_store::{BackoffConfig, ClientOptions, ObjectStore, RetryConfig};
 use std::time::Duration;
 
 /// What is said of an address that is none.
-pub(super) const ADDRESSES: &str = "its address is none: say s3://BUCKET/PREFIX, gs://BUCKET/PREFIX, az://CONTAINER/PREFIX or file:///FOLDER";
+pub(super) const ADDRESSES: &str = "its address is none: give s3://BUCKET/PREFIX, gs://BUCKET/PREFIX, az://CONTAINER/PREFIX or file:///FOLDER";
 
 /// A bucket whose answers are waited for so long.
 pub(super) fn of_scheme(

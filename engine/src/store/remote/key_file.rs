@@ -20,7 +20,7 @@ pub enum NoKey {
         why: std::io::Error,
     },
     /// Others may read it.
-    #[error("{}: others may read this signing key: make a new one with `cache keygen`, or `chmod 600` it if nobody has", .0.display())]
+    #[error("{}: other users may read this signing key: make a new one with `cache keygen`, or `chmod 600` it if nobody has", .0.display())]
     Open(PathBuf),
     /// It is none.
     #[error("{}: {what}", path.display())]

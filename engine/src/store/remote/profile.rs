@@ -31,7 +31,10 @@ const OTHERS: [(&str, &str); 7] = [
     ("login_session", "signs on by a browser"),
     ("credential_process", "asks a program for its keys"),
     ("credential_source", "takes its keys from elsewhere"),
-    ("web_identity_token_file", "signs on by a token of others"),
+    (
+        "web_identity_token_file",
+        "signs on by a token of somebody else",
+    ),
 ];
 
 /// Variables that tell who asks: then no keys of a file count.
@@ -137,10 +140,8 @@ fn section(file: Option<PathBuf>, names: &[&str]) -> Result<Option<Section>, Str
         }
         let (key, value) = plain
             .split_once('=')
-            .ok_or_else(|| wrong("say KEY = VALUE"))?;
-        let here = here
-            .as_ref()
-            .ok_or_else(|| wrong("it stands in no section"))?;
+            .ok_or_else(|| wrong("write KEY = VALUE"))?;
+        let here = here.as_ref().ok_or_else(|| wrong("it is in no section"))?;
         if let Some(section) = sections.get_mut(here) {
             section.insert(key.trim().to_lowercase(), value.trim().to_owned());
         }
@@ -239,8 +240,8 @@ mod tests {
                 "has no aws_secret_access_key",
             ),
             ("[lab\n", "", "line 1: a section ends"),
-            ("[lab]\nsecret\n", "", "line 2: say KEY = VALUE"),
-            ("secret = secret\n", "", "line 1: it stands in no section"),
+            ("[lab]\nsecret\n", "", "line 2: write KEY = VALUE"),
+            ("secret = secret\n", "", "line 1: it is in no section"),
         ] {
             let why = of(credentials, config, &lab).err().unwrap();
             assert!(why.contains(part) && !why.contains("= secret"), "{why}");

@@ -90,7 +90,7 @@ impl Store {
             Ok(Theirs::Corrupt) => {
                 link.is_absent(*key.as_bytes());
                 link.say(&format!(
-                    "{} is not what it says: it is not believed, and made again",
+                    "{} is not what its name promises: it is not believed, and made again",
                     object("ac", key)
                 ));
                 false
@@ -177,7 +177,7 @@ impl Store {
             Ok(Some(_)) => {
                 link.queue().bad.insert(*content.as_bytes());
                 link.say(&format!(
-                    "{name} has other bytes than its name says: it is not believed, and made again"
+                    "{name} has other bytes than its name promises: it is not believed, and made again"
                 ));
                 false
             }

@@ -77,7 +77,7 @@ fn files_that_are_no_keys_are_told_and_none_is_written_over() {
         use std::os::unix::fs::PermissionsExt;
         let open = std::fs::Permissions::from_mode(0o644);
         std::fs::set_permissions(file("a"), open).unwrap();
-        assert!(told(Some("a"), None).contains("others may read"));
+        assert!(told(Some("a"), None).contains("other users may read"));
     }
 }
 

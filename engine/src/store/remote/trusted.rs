@@ -106,7 +106,7 @@ fn listed(path: &Path) -> Result<Vec<Public>, NoKey> {
         keys.push(public(line).ok_or_else(|| NoKey::Wrong {
             path: path.into(),
             what: format!(
-                "line {} is no public key: say `{METHOD} HEX` or `{METHOD} HEX until 2027-11-25`, as in the file `.pub` beside a signing key",
+                "line {} is no public key: write `{METHOD} HEX` or `{METHOD} HEX until 2027-11-25`, as in the file `.pub` beside a signing key",
                 at + 1
             ),
         })?);

@@ -137,7 +137,9 @@ fn publish(
                 return Ok(Came::Sent);
             }
             Theirs::Corrupt => {
-                link.say(&format!("{name} was not what it says: written anew"));
+                link.say(&format!(
+                    "{name} was not what its name promises: written anew"
+                ));
                 link.ask(&|| link.objects.put(&name, bytes))?;
                 return Ok(Came::Sent);
             }

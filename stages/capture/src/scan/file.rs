@@ -121,7 +121,9 @@ fn off(text: &str) -> Result<Mesh, String> {
         let corners = words.take(n).map(|w| number(Some(w), at));
         let corners: Vec<u32> = corners.collect::<Result<_, _>>()?;
         if corners.len() < n {
-            return Err(format!("line {at}: a face has fewer corners than it says"));
+            return Err(format!(
+                "line {at}: a face has fewer corners than its count"
+            ));
         }
         fan(&mut mesh, &corners);
     }

@@ -113,7 +113,7 @@ fn girth(said: &One, unit: Unit) -> Result<Girth, &'static str> {
             mark.label.clone()
         }),
         definition: definition.unwrap_or(if own {
-            "as another program says".into()
+            "as another program has it".into()
         } else {
             mark.definition.clone()
         }),

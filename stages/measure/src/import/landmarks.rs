@@ -137,7 +137,7 @@ fn landmark(said: &One, unit: Unit) -> Result<Landmark, &'static str> {
         },
         definition: match (&said.definition, id) {
             (Some(text), _) => text.clone(),
-            (None, GirthId::Own) => "as another program says".into(),
+            (None, GirthId::Own) => "as another program has it".into(),
             (None, _) => own.definition,
         },
         name: said.name.clone(),

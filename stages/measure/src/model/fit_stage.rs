@@ -45,7 +45,7 @@ const MADE: &str = "made-bodies.csv";
 impl Stage for FitLevels {
     const NAME: &'static str = "measure.fit_levels";
     const VERSION: u32 = 5;
-    const ABOUT: &'static str = "Fits the model of levels on measured people and made bodies, and says how it does on those left out.";
+    const ABOUT: &'static str = "Fits the model of levels on measured people and made bodies, with its errors on those left out.";
     type Params = ();
     type Input = FitInput;
     type Output = Document;

@@ -12,11 +12,11 @@ use shape::{Girth, GirthId, Landmark, Mesh, Part, Sigmas};
 pub enum BadPoints {
     /// A point has not three coordinates.
     #[error(
-        "a point of `points` has not three numbers: say [[x, y, z], ...] in millimetres, in the turntable frame"
+        "a point of `points` has not three numbers: give [[x, y, z], ...] in millimetres, in the turntable frame"
     )]
     NotThree,
     /// Too few, or on one line.
-    #[error("`points` tell no plane: pick at least three around the body, not on one line")]
+    #[error("`points` give no plane: pick at least three around the body, not on one line")]
     NoPlane,
     /// The plane misses the surface.
     #[error(

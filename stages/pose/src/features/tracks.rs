@@ -71,7 +71,7 @@ pub struct Follow;
 impl Stage for Follow {
     const NAME: &'static str = "pose.tracks";
     const VERSION: u32 = 8;
-    const ABOUT: &'static str = "Follows features over the photos: what stands still and what breaks the epipolar constraint goes.";
+    const ABOUT: &'static str = "Follows features over the photos: what does not move and what breaks the epipolar constraint goes.";
     type Params = TracksParams;
     type Input = TracksInput;
     type Output = Tracks;

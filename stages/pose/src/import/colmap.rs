@@ -49,7 +49,7 @@ fn foreign(
     let Some(&(size, focal, centre, radial)) = lens else {
         return Err(unread(
             file,
-            format!("{name} has a camera that is nowhere told"),
+            format!("{name} has a camera that is nowhere given"),
         ));
     };
     let q = Quaternion::new(q[0], q[1], q[2], q[3]);

@@ -106,7 +106,7 @@ pub fn from_middlebury(file: &str, text: &str) -> Result<Model, ForeignError> {
     };
     let cameras: Vec<Foreign> = lines.enumerate().map(one).collect::<Result<_, _>>()?;
     if cameras.len() != count {
-        let why = format!("tells of {count} cameras and holds {}", cameras.len());
+        let why = format!("announces {count} cameras and has {}", cameras.len());
         return Err(unread(file, why));
     }
     Ok(Model {

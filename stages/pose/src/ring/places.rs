@@ -202,7 +202,7 @@ mod tests {
             ),
             (
                 vec![0, 1, 2, 4, 3, 5, 6, 7, 8, 9],
-                Some("4.jpg stands before 3.jpg"),
+                Some("4.jpg comes before 3.jpg"),
             ),
         ] {
             let (pairs, start) = turned(&places);

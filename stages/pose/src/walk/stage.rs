@@ -102,7 +102,7 @@ pub struct Walk;
 impl Stage for Walk {
     const NAME: &'static str = "pose.walk";
     const VERSION: u32 = 3;
-    const ABOUT: &'static str = "Finds cameras that were walked around a subject in a room that stands still with it: from two photos on, one more at a time; z up, the origin where all of them look.";
+    const ABOUT: &'static str = "Finds cameras that were walked around a subject that does not move, nor does what is around it: from two photos on, one more at a time; z up, the origin where all of them look.";
     type Params = WalkParams;
     type Input = WalkInput;
     type Output = Cameras;

@@ -38,7 +38,7 @@ pub struct Align;
 impl Stage for Align {
     const NAME: &'static str = "silhouette.align";
     const VERSION: u32 = 1;
-    const ABOUT: &'static str = "Finds how photos lie on the plate, or on each other, and what brings them to one exposure.";
+    const ABOUT: &'static str = "Aligns photos with the plate, or with each other, and finds what brings them to one exposure.";
     type Params = AlignParams;
     type Input = AlignInput;
     type Output = Aligned;
