@@ -1,25 +1,32 @@
 //! Noise of photos: told always, warned of where masks may lose parts by it.
 
 use crate::place::Place;
+use std::path::Path;
 
-/// A photo of a folder with noise of so many levels added.
-fn add_noise(path: &std::path::Path, seed: u64, levels: f64) {
-    let photo = shape::Photo {
-        name: path.display().to_string(),
-        width: 800,
-        height: 1200,
-        orientation: 1,
-        focal_35mm: None,
-        device: String::new(),
-        time_s: None,
-        file: std::fs::read(path).unwrap().into(),
-    };
-    let mut pixels = photo.decode().unwrap();
+/// So many photos show what does not move.
+const COUNT: u64 = 8;
+
+/// A photo of the sample at half its size, with noise of so many levels added.
+fn put(place: &Place, name: &str, seed: u64, levels: f64) {
+    let sample = Path::new(env!("CARGO_MANIFEST_DIR")).join("samples/mannequin/images");
+    let photo = image::open(sample.join(name)).unwrap();
+    let mut photo = photo.thumbnail(400, 600).to_rgb8();
     let mut dice = proof::Dice(seed);
-    for pixel in &mut pixels.data {
-        *pixel = pixel.map(|c| (f64::from(c) + levels * dice.normal()).round() as u8);
+    for value in photo.iter_mut() {
+        *value = (f64::from(*value) + levels * dice.normal()).round() as u8;
     }
-    std::fs::write(path, shape::rgb_to_jpeg(&pixels, 95)).unwrap();
+    let data = photo.pixels().map(|p| p.0).collect();
+    let (width, height) = (photo.width() as usize, photo.height() as usize);
+    let pixels = shape::Rgb {
+        width,
+        height,
+        data,
+    };
+    place.write(&format!("turn/{name}"), shape::rgb_to_jpeg(&pixels, 95));
+}
+
+fn put_all(place: &Place, levels: f64) {
+    (0..COUNT).for_each(|i| put(place, &format!("{i:04}.jpg"), i + 1, levels));
 }
 
 /// What doctor finds of the noise: levels, against what, and the warning.
@@ -36,8 +43,7 @@ fn found(place: &Place) -> (f64, String, Option<String>) {
 #[test]
 fn doctor_measures_noise_with_and_without_a_plate_and_warns_of_much() {
     let place = Place::sharing();
-    place.photos("turn", 12);
-    let plate = place.path("turn").join("plate.jpg");
+    put_all(&place, 0.0);
     let line = |place: &Place| {
         let told = place.run("doctor turn").code(0).out;
         let line = told.lines().find(|l| l.starts_with("noise: "));
@@ -47,17 +53,12 @@ fn doctor_measures_noise_with_and_without_a_plate_and_warns_of_much() {
     assert!(clean < 2.0 && against == "neighbours", "{clean} {against}");
     assert_eq!(warned, None);
     assert!(line(&place).contains("where nothing moved"));
-    for i in 0..12 {
-        let photo = place.path("turn").join(format!("{i:04}.jpg"));
-        add_noise(&photo, i + 1, 4.5);
-    }
+    put_all(&place, 4.5);
     let (levels, _, warned) = found(&place);
     let expected = (clean * clean + 4.5 * 4.5).sqrt();
     proof::near(levels / expected, 1.0, 0.15);
     assert!(warned.unwrap().contains("grey levels"));
-    let sample = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("samples/mannequin");
-    std::fs::copy(sample.join("images/plate.jpg"), &plate).unwrap();
-    add_noise(&plate, 99, 4.5);
+    put(&place, "plate.jpg", 99, 4.5);
     let (with_plate, against, _) = found(&place);
     assert_eq!(against, "plate");
     proof::near(with_plate / levels, 1.0, 0.05);
