@@ -1,6 +1,6 @@
 //! Commands in blocks marked `sh` are understood; in blocks marked `sh run` they run.
 
-use crate::{folder, pages, read, run};
+use crate::{pages, read, run};
 
 /// The command lines of `tailor` in a page's blocks whose mark is so, without comments.
 fn commands(text: &str, mark: &str) -> Vec<String> {
@@ -66,12 +66,11 @@ fn what_sentences_say_of_show_is_understood_as_it_is_printed() {
 
 #[test]
 fn commands_on_what_ships_run() {
-    let folder = folder();
     let mut count = 0;
     for page in pages() {
         for line in commands(&read(&page), "sh run") {
             count += 1;
-            let out = run(&line, &folder);
+            let out = run(&line);
             let said = String::from_utf8_lossy(&out.stderr);
             assert!(out.status.success(), "{page}: {line}\n{said}");
         }

@@ -1,6 +1,7 @@
 //! The book in `docs/` is true: its links lead somewhere, its commands are understood, those on what
 //! ships run, its screens are what the program prints, and its tables are those of the data. `TAILOR_BOOK=write` writes the tables.
 
+mod bad;
 mod commands;
 mod faults;
 mod figures;
@@ -20,7 +21,7 @@ mod turning;
 
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
-use tempfile::TempDir;
+use std::sync::LazyLock;
 
 /// A file of the repository.
 fn place(name: &str) -> PathBuf {
@@ -45,20 +46,26 @@ fn pages() -> Vec<String> {
     pages
 }
 
-/// A folder with what ships, in which the commands of pages are run.
-fn folder() -> TempDir {
-    let folder = tempfile::tempdir().unwrap();
+/// A folder with what ships, in which the commands of pages are run: one for all, so that what two of them ask for is made once.
+/// What another run of tests left there is removed first.
+static FOLDER: LazyLock<PathBuf> = LazyLock::new(|| {
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("book");
+    match std::fs::remove_dir_all(&folder) {
+        Err(e) if e.kind() != std::io::ErrorKind::NotFound => panic!("{e}: {folder:?}"),
+        _ => (),
+    }
+    std::fs::create_dir_all(&folder).unwrap();
     for shipped in ["samples", "pipelines", "models"] {
-        std::os::unix::fs::symlink(place(shipped), folder.path().join(shipped)).unwrap();
+        std::os::unix::fs::symlink(place(shipped), folder.join(shipped)).unwrap();
     }
     folder
-}
+});
 
 /// What a command line of a page comes to there.
-fn run(line: &str, folder: &TempDir) -> Output {
+fn run(line: &str) -> Output {
     Command::new(env!("CARGO_BIN_EXE_tailor"))
         .args(line.split_whitespace().skip(1))
-        .current_dir(folder.path())
+        .current_dir(&*FOLDER)
         .env_remove("TAILOR_CACHE")
         .output()
         .unwrap()

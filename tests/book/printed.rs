@@ -1,6 +1,6 @@
 //! What a page shows under a command marked `sh screen` is what the program prints; a line `…` stands for some lines.
 
-use crate::{folder, pages, read, run};
+use crate::{pages, read, run};
 
 /// Each command of a page's blocks `sh screen`, and the block `text` that follows it.
 fn screens(text: &str) -> Vec<(String, String)> {
@@ -28,12 +28,11 @@ fn holds(shown: &str, printed: &str) -> bool {
 
 #[test]
 fn screens_are_what_the_program_prints() {
-    let folder = folder();
     let mut count = 0;
     for page in pages() {
         for (line, shown) in screens(&read(&page)) {
             count += 1;
-            let out = run(&line, &folder);
+            let out = run(&line);
             let printed = [out.stdout, out.stderr].concat();
             let printed = String::from_utf8_lossy(&printed);
             assert!(

@@ -201,31 +201,6 @@ fn copies_are_named_where_too_few_photos_are_left() {
 }
 
 #[test]
-fn feet_that_all_photos_cut_off_stop_and_what_is_worse_comes_first() {
-    let place = Place::sharing();
-    let bad = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("samples/bad");
-    let said = place.run(&format!("doctor {}", bad.join("feet-cut-off").display()));
-    let said = said.code(1).out;
-    let cut: Vec<&str> = said.lines().filter(|l| l.contains("lower edge")).collect();
-    assert!(cut.len() == 1 && cut[0].starts_with("  stop "), "{said}");
-    assert!(
-        cut[0].contains("(16 photos)") && cut[0].contains("no girth"),
-        "{said}"
-    );
-    assert!(said.contains("cameras  no, as it is"), "{said}");
-    // A warning of who is on the photos is a doubt, and comes before hints.
-    let said = place.run(&format!("doctor {}", bad.join("empty-photo").display()));
-    let said = said.code(1).out;
-    let grades = said
-        .lines()
-        .filter_map(|l| l.strip_prefix("  ")?.split(' ').next());
-    let grades: Vec<&str> = grades
-        .filter(|g| ["stop", "doubt", "hint"].contains(g))
-        .collect();
-    assert_eq!(grades, ["stop", "doubt", "hint", "hint"], "{said}");
-}
-
-#[test]
 fn a_mat_that_is_too_small_in_the_picture_is_named_and_one_of_a_megapixel_is_read() {
     let place = Place::sharing();
     let sample = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("samples/person");

@@ -22,7 +22,7 @@ const COUNTS: [(&str, usize); 9] = [
     ("src/words/*.ftl", 15),
     ("stages", 1562),
     ("study", 1),
-    ("tests", 831),
+    ("tests", 834),
 ];
 
 /// The words of a text in lower case; a name is as many words as it is made of.
