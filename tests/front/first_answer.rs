@@ -2,24 +2,67 @@
 
 use crate::place::{Place, signal};
 use std::io::{BufRead, BufReader};
-use std::path::Path;
+use std::path::{Path, PathBuf};
+use std::sync::LazyLock;
 
-/// The sample, with its plate and what is known of it.
+/// The sample, with its plate and what is known of it but its name.
 pub(crate) fn sample() -> Place {
     let place = Place::new();
     place.photos("turn/images", 18);
     let sample = Path::new(env!("CARGO_MANIFEST_DIR")).join("samples/mannequin");
-    for name in ["capture.toml", "images/plate.jpg"] {
-        let bytes = std::fs::read(sample.join(name)).unwrap();
-        place.write(&format!("turn/{name}"), bytes);
+    let plate = std::fs::read(sample.join("images/plate.jpg")).unwrap();
+    place.write("turn/images/plate.jpg", plate);
+    let facts = std::fs::read_to_string(sample.join("capture.toml")).unwrap();
+    let facts = facts.replace("name = \"mannequin\"\n", "");
+    place.write("turn/capture.toml", facts);
+    place
+}
+
+/// The cache of a first answer on the sample, once for all tests.
+static FIRST: LazyLock<PathBuf> = LazyLock::new(|| {
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("front-first");
+    match std::fs::remove_dir_all(&folder) {
+        Err(e) if e.kind() != std::io::ErrorKind::NotFound => panic!("{e}: {folder:?}"),
+        _ => (),
+    }
+    let place = sample();
+    place.run(&format!("measure turn --fast {COARSE}")).code(0);
+    copy(&place.path("cache"), &folder);
+    folder
+});
+
+/// The sample in a place whose cache holds the results of [`FIRST`], and of no run a record.
+fn begun() -> Place {
+    let place = sample();
+    std::fs::create_dir(place.path("cache")).unwrap();
+    for name in ["format", "origin", "ac", "cas"] {
+        copy(&FIRST.join(name), &place.path("cache").join(name));
     }
     place
+}
+
+/// A file, or a folder with all in it.
+fn copy(from: &Path, to: &Path) {
+    if from.is_file() {
+        std::fs::copy(from, to).unwrap();
+        return;
+    }
+    std::fs::create_dir(to).unwrap();
+    for entry in std::fs::read_dir(from).unwrap() {
+        let entry = entry.unwrap();
+        copy(&entry.path(), &to.join(entry.file_name()));
+    }
 }
 
 /// Half of the photos and coarse surfaces: a whole measuring within seconds.
 const COARSE: &str = "--set photos.of=2 --set photos.keep=1 --set params.cell_mm=6 --set compensated.level=2 \
     --set middle.level=2 --set middle.edge_px=8 --set middle.rounds=1 --set body.level=2 --set body.edge_px=8 \
     --set body.rounds=1 --set textured.atlas_px=256 --set textured.rounds=0";
+
+/// As coarse, the coarse surface and all that comes of it made anew.
+fn anew() -> String {
+    format!("{COARSE} --set coarse.rounds=3")
+}
 
 /// The logs and records of runs.
 fn records(place: &Place) -> Vec<String> {
@@ -32,8 +75,8 @@ fn records(place: &Place) -> Vec<String> {
 
 #[test]
 fn what_reads_the_last_run_agrees_with_what_measure_wrote() {
-    let place = sample();
-    let said = place.run(&format!("measure turn --out out {COARSE}"));
+    let (place, anew) = (begun(), anew());
+    let said = place.run(&format!("measure turn --out out {anew}"));
     let said = said.code(0);
     let first = "first answer from the coarse surface: ";
     assert!(said.err.contains(first), "{}", said.err);
@@ -63,15 +106,12 @@ fn what_reads_the_last_run_agrees_with_what_measure_wrote() {
     };
     agrees();
     // What `measure` of the same would do is nothing.
-    let plan = place
-        .run(&format!("plan measure turn {COARSE}"))
-        .code(0)
-        .out;
+    let plan = place.run(&format!("plan measure turn {anew}")).code(0).out;
     assert!(
         !plan.contains(" run ") && plan.ends_with("all cached\n"),
         "{plan}"
     );
-    let why = place.run(&format!("why measure turn girths {COARSE}"));
+    let why = place.run(&format!("why measure turn girths {anew}"));
     assert_eq!(why.code(0).out, "girths: cached, as in the last run\n");
     // What is swept is worth less than the last run.
     place.run("cache gc --max-size 1k").code(0);
@@ -81,7 +121,7 @@ fn what_reads_the_last_run_agrees_with_what_measure_wrote() {
     place.run("cache gc --max-size 1k").code(0);
     let against = place.run("compare keep out").code(0).out;
     assert!(against.contains("the same bytes as keep"), "{against}");
-    let again = format!("measure turn --out out {COARSE} --json");
+    let again = format!("measure turn --out out {anew} --json");
     let again = place.run(&again).code(0).json();
     for node in again["nodes"].as_array().unwrap() {
         assert_eq!(node["status"], "found", "{}", node["node"]);
@@ -99,9 +139,9 @@ fn what_reads_the_last_run_agrees_with_what_measure_wrote() {
 
 #[test]
 fn a_first_answer_whose_whole_is_stopped_says_so() {
-    let place = sample();
+    let place = begun();
     // The whole must still be under way when its first answer is there.
-    let long = COARSE.replace("body.rounds=1", "body.rounds=60");
+    let long = anew().replace("body.rounds=1", "body.rounds=60");
     let mut child = place.start(&format!("measure turn --out out {long}"));
     let mut said = BufReader::new(child.stderr.take().unwrap())
         .lines()

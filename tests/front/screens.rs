@@ -23,13 +23,8 @@ fn in_order(text: &str, parts: &[&str]) {
 
 #[test]
 fn a_measuring_tells_what_it_found_then_its_parts_and_ends_with_girths_and_warnings() {
-    let place = sample();
     // A capture that nobody named is called after its folder.
-    let facts = std::fs::read_to_string(place.path("turn/capture.toml")).unwrap();
-    place.write(
-        "turn/capture.toml",
-        facts.replace("name = \"mannequin\"\n", ""),
-    );
+    let place = sample();
     let said = place.run("measure turn --out out --fast").code(0);
     let found = "turn: 18 photos of 1.0 megapixels, with the empty scene, a mat of 12 tags\n";
     assert!(said.err.starts_with(found), "{}", said.err);
@@ -123,9 +118,9 @@ fn on_a_terminal(place: &Place) {
     if !cfg!(target_os = "linux") {
         return;
     }
-    // Another cell, so that something is made.
+    // A round less, so that something is made.
     let line = format!(
-        "{} measure turn --out out --fast --set params.cell_mm=4",
+        "{} measure turn --out out --fast --set coarse.rounds=3",
         env!("CARGO_BIN_EXE_tailor")
     );
     let seen = place.bash(&format!("script -qec 'stty cols 80; {line}' /dev/null"));
