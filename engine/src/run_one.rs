@@ -150,7 +150,7 @@ pub(crate) fn run_one(
         return Step::Done(Box::new(done), None);
     }
     if let Some(why) = around.failures.of(key) {
-        return Step::Done(Done::failed(key, provenance, why), None);
+        return Step::Done(Box::new(Done::failed(key, provenance, why)), None);
     }
     let artifacts = match load(job, node, inputs, at_hand, around.store) {
         Ok(artifacts) => artifacts,

@@ -28,8 +28,8 @@ from truth import ARM_L, ARM_R, NO_ARMS, Surface, hull_length, truth
 
 # The mean of 4082 men, models/tables/ansur2.csv. [mm]
 STATURE = 1756.0
-# As docs/captures.md asks: arms away from the trunk, feet a hand's width apart.
-STANCE = {"arm_l": 31.0, "arm_r": 29.0, "elbow_l": 9.0, "elbow_r": 7.0, "swing_l": 2.0, "swing_r": 3.0, "feet": 205.0}
+# As docs/captures.md asks: arms away from the trunk, feet nearly as wide apart as the shoulders.
+STANCE = {"arm_l": 31.0, "arm_r": 29.0, "elbow_l": 9.0, "elbow_r": 7.0, "swing_l": 2.0, "swing_r": 3.0, "feet": 320.0}
 TAKEN = {"ring.width": 960, "ring.height": 1280, "ring.focal_35mm": 55.0, "ring.distance_mm": 3400.0, "ring.camera_mm": 1200.0}
 TAKEN |= {"ring.disk_mm": 400.0, "ring.look_mm": 820.0, "ring.seed": 5, "sway.seed": 5, "sway.sway_mm": 3.0, "taken.seed": 5, "taken.contrast": 0.12}
 TAKEN |= {"taken.finest_mm": 3.0, "taken.coarsest_mm": 40.0, "taken.scene": 9, "taken.jpeg_quality": 0, "taken.noise_levels": 0.0}

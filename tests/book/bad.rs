@@ -24,7 +24,10 @@ fn light_that_changes_is_a_doubt() {
 fn feet_that_all_photos_cut_off_stop() {
     let (grades, printed) = found("feet-cut-off", 1);
     assert_eq!(grades, ["stop", "hint"], "{printed}");
-    let cut: Vec<&str> = printed.lines().filter(|l| l.contains("lower edge")).collect();
+    let cut: Vec<&str> = printed
+        .lines()
+        .filter(|l| l.contains("lower edge"))
+        .collect();
     assert!(cut.len() == 1 && cut[0].starts_with("  stop "), "{printed}");
     assert!(
         cut[0].contains("(16 photos)") && cut[0].contains("no girth"),

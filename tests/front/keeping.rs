@@ -154,7 +154,7 @@ fn what_another_version_of_the_program_wrote_stays() {
     let place = Place::new();
     place.run("run small.toml").code(0);
     let record = &shelf(&place, "cache/ac")[0];
-    let body = "{\"version\": 4, \"provenance\": [], \"of\": \"a later program\"}\n";
+    let body = "{\"version\": 5, \"provenance\": [], \"of\": \"a later program\"}\n";
     let hash = blake3::hash(body.as_bytes()).to_hex();
     fs::write(record, format!("{hash}\n{body}")).unwrap();
     let verified = place.run("cache verify --json").code(0).json();

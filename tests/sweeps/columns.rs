@@ -47,7 +47,7 @@ fn a_girth_has_its_interval_its_parts_and_whether_it_was_refused() {
     place.write("girths.toml", GIRTHS);
     let printed = place.tailor("sweep girths.toml figures --out out", 0);
     assert!(
-        printed.contains("by 1 of 2 points: the"),
+        printed.contains("at 1 of 2 points: the"),
         "a number that half of the points have: {printed}"
     );
     let sweep: Value = serde_json::from_str(&place.read("out/sweep.json")).unwrap();

@@ -39,7 +39,7 @@ fn points(motion: &Motion) -> Vec<Point> {
             (facing.y < -0.5).then_some((i, sight))
         };
         let mut all: Vec<(usize, Vector2<f64>)> = (0..PHOTOS).filter_map(sight).collect();
-        if k % 10 == 0 && all.len() > 1 {
+        if k.is_multiple_of(10) && all.len() > 1 {
             all[1].1.x += 0.01;
         }
         Point {
