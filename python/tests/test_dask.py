@@ -119,7 +119,7 @@ def test_a_strand_that_fails_fails_what_reads_it_alone_and_is_sent_again(cluster
 def test_no_scheduler_and_no_address_are_told(tmp_path):
     cache = tmp_path / "cache"
     plan = tailor(cache, *sweep(tmp_path, "1,2"), "--strands")["plan"]
-    for engine, told in [("dask=tcp://127.0.0.1:9", "no scheduler answers"), ("dask=", "say slurm"), ("x", "say slurm")]:
+    for engine, told in [("dask=tcp://127.0.0.1:9", "no scheduler answers"), ("dask=", "give slurm"), ("x", "give slurm")]:
         words = [COMMAND, "submit", plan, f"--engine={engine}", f"--cache={cache}"]
         said = subprocess.run(words, cwd=ROOT, capture_output=True, text=True, timeout=120)
         assert said.returncode == 2 and told in said.stderr, said.stderr
