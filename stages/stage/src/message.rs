@@ -1,23 +1,24 @@
 //! Messages: a code with named fields, and the English sentence that they make.
 
+use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 use std::fmt;
 
 /// Something that people should know: a code with named fields, which other languages and programs read, and the English
 /// sentence. A sentence that somebody gave as it is has neither.
 #[derive(Debug, Clone, PartialEq, Default)]
-pub struct Message(Box<Parts>);
+pub struct Message(pub(crate) Box<Parts>);
 
-/// On the heap, so that what may fail is not large.
-#[derive(Debug, Clone, PartialEq, Default)]
-struct Parts {
-    code: String,
-    fields: BTreeMap<String, Field>,
-    text: String,
+/// On the heap, so that what may fail is not large. In artifacts one after the other.
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
+pub(crate) struct Parts {
+    pub(crate) code: String,
+    pub(crate) fields: BTreeMap<String, Field>,
+    pub(crate) text: String,
 }
 
-/// What a message holds in a place.
-#[derive(Debug, Clone, PartialEq)]
+/// What a message holds in a place. Derived is its form in artifacts, by place; in JSON it is a part of its message.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub enum Field {
     /// A number.
     Number {
@@ -56,14 +57,6 @@ impl Message {
     pub(crate) fn of(code: &str, fields: BTreeMap<String, Field>, text: String) -> Message {
         let code = code.to_owned();
         Message(Box::new(Parts { code, fields, text }))
-    }
-
-    /// Code, fields and sentence.
-    pub(crate) fn parts(self) -> (String, BTreeMap<String, Field>, String) {
-        {
-            let Parts { code, fields, text } = *self.0;
-            (code, fields, text)
-        }
     }
 
     /// Its code; empty for a sentence as somebody gave it.

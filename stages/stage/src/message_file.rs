@@ -1,5 +1,6 @@
 //! Messages in files: in JSON a sentence as it is, or its code, fields and sentence; in artifacts the same one after the other.
 
+use crate::message::Parts;
 use crate::{Field, Message};
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 use std::collections::BTreeMap;
@@ -44,24 +45,11 @@ fn number<S: Serializer>(value: &f64, to: S) -> Result<S::Ok, S::Error> {
     }
 }
 
-/// A message in an artifact.
-#[derive(Serialize, Deserialize)]
-struct Packed(String, BTreeMap<String, PackedField>, String);
-
-/// A field in an artifact, by place.
-#[derive(Serialize, Deserialize)]
-enum PackedField {
-    Number(f64, Option<u8>, bool, String),
-    Text(String),
-    List(Vec<PackedField>),
-    Message(Box<Packed>),
-}
-
 impl Serialize for Message {
     fn serialize<S: Serializer>(&self, to: S) -> Result<S::Ok, S::Error> {
         match to.is_human_readable() {
             true => Written::from(self.clone()).serialize(to),
-            false => Packed::from(self.clone()).serialize(to),
+            false => self.0.serialize(to),
         }
     }
 }
@@ -70,14 +58,14 @@ impl<'de> Deserialize<'de> for Message {
     fn deserialize<D: Deserializer<'de>>(from: D) -> Result<Message, D::Error> {
         match from.is_human_readable() {
             true => Written::deserialize(from).map(Message::from),
-            false => Packed::deserialize(from).map(Message::from),
+            false => Parts::deserialize(from).map(|parts| Message(Box::new(parts))),
         }
     }
 }
 
 impl From<Message> for Written {
     fn from(message: Message) -> Written {
-        let (code, fields, text) = message.parts();
+        let Parts { code, fields, text } = *message.0;
         match code.is_empty() {
             true => Written::Plain(text),
             false => Written::Coded {
@@ -139,53 +127,6 @@ impl From<InPlace> for Field {
             InPlace::Text(text) => Field::Text(text),
             InPlace::List(all) => Field::List(all.into_iter().map(Into::into).collect()),
             InPlace::Message(message) => Field::Message(Box::new((*message).into())),
-        }
-    }
-}
-
-impl From<Message> for Packed {
-    fn from(message: Message) -> Packed {
-        let (code, fields, text) = message.parts();
-        let fields = fields.into_iter().map(|(n, f)| (n, f.into()));
-        Packed(code, fields.collect(), text)
-    }
-}
-
-impl From<Packed> for Message {
-    fn from(Packed(code, fields, text): Packed) -> Message {
-        let fields = fields.into_iter().map(|(n, f)| (n, f.into()));
-        Message::of(&code, fields.collect(), text)
-    }
-}
-
-impl From<Field> for PackedField {
-    fn from(field: Field) -> PackedField {
-        match field {
-            Field::Number {
-                value,
-                digits,
-                signed,
-                unit,
-            } => PackedField::Number(value, digits, signed, unit),
-            Field::Text(text) => PackedField::Text(text),
-            Field::List(all) => PackedField::List(all.into_iter().map(Into::into).collect()),
-            Field::Message(message) => PackedField::Message(Box::new((*message).into())),
-        }
-    }
-}
-
-impl From<PackedField> for Field {
-    fn from(packed: PackedField) -> Field {
-        match packed {
-            PackedField::Number(value, digits, signed, unit) => Field::Number {
-                value,
-                digits,
-                signed,
-                unit,
-            },
-            PackedField::Text(text) => Field::Text(text),
-            PackedField::List(all) => Field::List(all.into_iter().map(Into::into).collect()),
-            PackedField::Message(message) => Field::Message(Box::new((*message).into())),
         }
     }
 }
