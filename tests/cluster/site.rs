@@ -111,9 +111,15 @@ impl Site {
     }
 
     pub(crate) fn submit(&self, plan: &str) -> String {
-        let (code, text) = self.output(&["submit", plan, "--engine", "slurm"]);
+        let logs = self.logs().display().to_string();
+        let (code, text) = self.output(&["submit", plan, "--engine", "slurm", "--logs", &logs]);
         assert_eq!(code, Some(0), "{text}");
         text
+    }
+
+    /// Where elements print to.
+    fn logs(&self) -> PathBuf {
+        self.place.path("logs")
     }
 
     pub(crate) fn ask(&self, program: &str, words: &[&str]) -> String {
@@ -164,6 +170,16 @@ const LONGEST: Duration = Duration::from_secs(300);
 
 impl Drop for Site {
     fn drop(&mut self) {
+        if std::thread::panicking() {
+            for entry in std::fs::read_dir(self.logs())
+                .into_iter()
+                .flatten()
+                .flatten()
+            {
+                let text = std::fs::read_to_string(entry.path()).unwrap_or_default();
+                println!("{}: {text}", entry.path().display());
+            }
+        }
         let _ = Command::new(script())
             .arg("stop")
             .arg(self.place.path("slurm"))

@@ -3,6 +3,7 @@
 
 use super::error::ForeignError;
 use super::family::{self, Running};
+use super::sandbox::boxed;
 use super::start::command;
 use super::tail::Tail;
 use super::task::Task;
@@ -35,6 +36,8 @@ const WAITING_LINES: usize = 64;
 const LISTEN: Duration = Duration::from_secs(2);
 /// How long children have to end after their program.
 pub(super) const GRACE: Duration = Duration::from_millis(200);
+/// How long the system has to end a sandbox whose first process has ended: nothing can stay in it, but a busy machine is slow.
+const SANDBOX_GRACE: Duration = Duration::from_secs(10);
 
 /// Runs a program to its end. `heard` gets each line, and says whether it has taken it; what it has not is
 /// kept as what was said last. Nothing of it runs any more when this returns.
@@ -178,12 +181,13 @@ fn watched(
 /// Who is still there a moment after the program ended.
 fn left_behind(task: &Task<'_>, leader: u32) -> String {
     let (start, mut pause) = (Instant::now(), SHORTEST_LOOK);
+    let grace = if boxed() { SANDBOX_GRACE } else { GRACE };
     loop {
         let left = family::members(task.root, Some(leader));
         if left.is_empty() {
             return String::new();
         }
-        if start.elapsed() > GRACE {
+        if start.elapsed() > grace {
             let who: Vec<String> = left
                 .iter()
                 .map(|m| format!("{} {}", m.name, m.id))

@@ -55,6 +55,15 @@ fn put(path: &Path, bytes: &[u8], what: Use) -> Result<(), ForeignError> {
     permit(path, what).map_err(at(path))
 }
 
+/// A folder's lock, which has its name only once it is locked: whoever finds one that is not, finds what was left.
+fn locked(folder: &Path) -> std::io::Result<File> {
+    let path = folder.join("new-lock");
+    let file = File::create(&path)?;
+    file.lock()?;
+    std::fs::rename(&path, folder.join(LOCK))?;
+    Ok(file)
+}
+
 impl Layout {
     /// A new one in a store's folder.
     pub(super) fn new(store: &Path) -> Result<Layout, ForeignError> {
@@ -63,10 +72,9 @@ impl Layout {
         let count = COUNT.fetch_add(1, Ordering::Relaxed);
         let root = store.join(FOLDER).join(format!("{id}-{count}-{now:x}"));
         folder(&root)?;
-        let path = root.join(LOCK);
-        let lock = File::create(&path).and_then(|file| file.lock().map(|()| file));
+        let lock = locked(&root);
         let layout = Layout {
-            _lock: lock.map_err(at(&path))?,
+            _lock: lock.map_err(at(&root.join(LOCK)))?,
             jobs: AtomicU64::new(0),
             root,
         };
@@ -252,4 +260,41 @@ impl Drop for Layout {
             remove_program(all, &name);
         }
     }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::foreign::leftover::clear;
+    use std::sync::atomic::AtomicBool;
+
+    #[test]
+    fn a_folder_that_is_just_made_is_not_taken_for_one_that_was_left() {
+        let store = tempfile::tempdir().unwrap();
+        let done = AtomicBool::new(false);
+        let all = store.path().join(FOLDER);
+        let made = |count: usize| {
+            let root = all.join(format!("{}-{count}-0", std::process::id()));
+            folder(&root).unwrap();
+            let lock = locked(&root);
+            let stays = lock.is_ok() && root.join(LOCK).exists();
+            drop(lock);
+            stays
+        };
+        std::thread::scope(|threads| {
+            threads.spawn(|| {
+                while !done.load(Ordering::Relaxed) {
+                    clear(store.path());
+                }
+            });
+            let lost = (0..TIMES).filter(|count| !made(*count)).count();
+            done.store(true, Ordering::Relaxed);
+            assert_eq!(lost, 0, "of {TIMES}");
+        });
+        clear(store.path());
+        assert_eq!(std::fs::read_dir(&all).unwrap().count(), 0, "what was left");
+    }
+
+    /// Enough to lose some, were the lock named before it is locked.
+    const TIMES: usize = 1_000;
 }
