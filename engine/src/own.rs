@@ -186,9 +186,16 @@ pub(crate) fn link(root: &Path) -> Option<PathBuf> {
 }
 
 /// Something in a folder that is in no store.
-pub(crate) fn stranger(root: &Path) -> Option<PathBuf> {
-    let names = |path: &Path| fs::read_dir(path).into_iter().flatten().flatten();
-    for entry in names(root) {
+///
+/// # Errors
+///
+/// It is there and cannot be listed.
+pub(crate) fn stranger(root: &Path) -> Result<Option<PathBuf>> {
+    let names = |path: &Path| match fs::read_dir(path) {
+        Err(why) if nofollow::is_absent(&why) => Ok(vec![]),
+        names => names?.collect::<Result<Vec<_>>>(),
+    };
+    for entry in names(root)? {
         let path = entry.path();
         let name = entry.file_name();
         let name = name.to_str().unwrap_or("");
@@ -199,15 +206,15 @@ pub(crate) fn stranger(root: &Path) -> Option<PathBuf> {
         let Some((_, fits)) = fits.filter(|_| path.is_dir()) else {
             match FILES.contains(&name) && path.is_file() {
                 true => continue,
-                false => return Some(path),
+                false => return Ok(Some(path)),
             }
         };
-        let strange = |name: std::ffi::OsString| !name.to_str().is_some_and(fits);
-        if let Some(entry) = names(&path).find(|e| strange(e.file_name())) {
-            return Some(entry.path());
+        let strange = |entry: &fs::DirEntry| !entry.file_name().to_str().is_some_and(fits);
+        if let Some(entry) = names(&path)?.iter().find(|entry| strange(entry)) {
+            return Ok(Some(entry.path()));
         }
     }
-    None
+    Ok(None)
 }
 
 /// The folders of the store that are there, those within shelves first, the store itself last.

@@ -69,14 +69,18 @@ pub fn ids(store: &Path) -> Vec<String> {
 }
 
 /// An id after all that there are.
-pub fn next_id(store: &Path) -> String {
+///
+/// # Errors
+///
+/// They cannot be listed: another run may have any number.
+pub(crate) fn next_id(store: &Path) -> Result<String> {
     static LAST: AtomicU64 = AtomicU64::new(0);
-    let names = own::files(store, "runs", own::is_run).unwrap_or_default();
+    let names = own::files(store, "runs", own::is_run)?;
     let newest = names.last().map_or(0, |name| number(name));
     let next = |last: u64| Some(last.max(newest) + 1);
     let last = LAST.fetch_update(Ordering::Relaxed, Ordering::Relaxed, next);
     let now = last.unwrap_or(0).max(newest) + 1;
-    format!("{now:020}-{}", std::process::id())
+    Ok(format!("{now:020}-{}", std::process::id()))
 }
 
 fn lines(store: &Path, id: &str) -> Option<Lines<BufReader<File>>> {
@@ -198,8 +202,11 @@ mod tests {
         let far = format!("{:020}-7", 2_208_988_800_000_000_000u64);
         std::fs::write(runs.join(format!("{far}.json")), "{}").unwrap();
         std::fs::write(runs.join("99999999999999999999-1.json"), "{}").unwrap();
-        let next = next_id(folder.path());
-        assert!(next > far && next_id(folder.path()) > next, "{next}");
+        let next = next_id(folder.path()).unwrap();
+        assert!(
+            next > far && next_id(folder.path()).unwrap() > next,
+            "{next}"
+        );
         assert_eq!(ids(folder.path()), [far]);
     }
 }

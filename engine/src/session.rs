@@ -5,7 +5,6 @@ use crate::graph::{Graph, InputDecl};
 use crate::history::{self, RunSummary};
 use crate::journal::Journal;
 use crate::outcome::Outcome;
-use crate::past;
 use crate::permission;
 use crate::run_one::{Pool, Surroundings};
 use crate::source::{self, Memo, SourceError};
@@ -199,7 +198,7 @@ pub(crate) fn run_files(
     watch: &dyn Watch,
     cancel: &AtomicBool,
 ) -> Result<Outcome, EngineError> {
-    let id = past::next_id(store.root());
+    let id = store.next_run()?;
     let journal = Journal::new(watch, store.root().join(format!("runs/{id}.jsonl")));
     let outcome = walked(store, graph, &files, wanted, options, &journal, cancel);
     let summary = RunSummary {

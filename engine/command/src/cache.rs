@@ -169,7 +169,7 @@ pub(crate) fn cache(
         }
         Verb::Forget(args) => forget_folder(args, &store, global)?,
         Verb::Verify => {
-            let bad = keeper::verify(&store);
+            let bad = keeper::verify(&store).map_err(Fault::input)?;
             let results = keeper::list(&store).map_err(Fault::input)?.len();
             print_either(global, json!({ "checked": results, "bad": bad }), || {
                 let (whole, aside) = (count(results, "result"), count(bad, "file"));

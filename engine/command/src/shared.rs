@@ -141,7 +141,7 @@ pub(super) fn finish(
         false => global.store_wait,
     };
     let left = sharing.finish(Duration::from_secs_f64(patience));
-    if left.waiting == 0 {
+    if left.waiting == 0 && !left.unlisted {
         if left.sent > 0 && !global.quiet && !global.json {
             let sent = count(left.sent, "result");
             crate::errln!("store {name}: {sent} uploaded");
@@ -169,9 +169,12 @@ fn waits(name: &str, left: &Left) -> String {
         .why
         .as_ref()
         .map_or(String::new(), |why| format!(" ({why})"));
+    let what = match left.unlisted {
+        true => "what waits in the cache".to_owned(),
+        false => count(left.waiting, "result"),
+    };
     format!(
-        "store {name}: {} could not be uploaded{why}: kept in the cache for the next run or `cache push`",
-        count(left.waiting, "result")
+        "store {name}: {what} could not be uploaded{why}: kept in the cache for the next run or `cache push`"
     )
 }
 

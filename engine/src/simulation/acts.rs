@@ -37,7 +37,9 @@ pub(super) fn act(world: &World, act: &Act, process: &Arc<Process>) -> String {
         What::Unpin { name } => with(world, process, |store| {
             format!("{}", store.unpin(&format!("pin-{name}")))
         }),
-        What::Verify => with(world, process, |store| keeper::verify(store).to_string()),
+        What::Verify => with(world, process, |store| {
+            format!("{:?}", keeper::verify(store).ok())
+        }),
         What::SweepStore { older_s } => sweep_store(world, process, *older_s),
         What::Ask { program, capture } => ask(world, process, *program, *capture),
         other => mishaps::happens(world, act.machine, other),

@@ -196,10 +196,10 @@ fn sound(world: &World, m: usize) {
         Err(why) => return world.broken(&format!("machine {m} has no store: {why}")),
     };
     if machine.known.borrow().harmed {
-        keeper::verify(&store);
+        keeper::verify(&store).unwrap();
     }
-    let bad = keeper::verify(&store);
-    let strange = own::stranger(&machine.root);
+    let bad = keeper::verify(&store).unwrap();
+    let strange = own::stranger(&machine.root).unwrap();
     if bad > 0 || strange.is_some() {
         world.broken(&format!("machine {m} is not sound: {bad} bad, {strange:?}"));
     }

@@ -48,13 +48,24 @@ impl Store {
 
     /// The bytes of a hash, if they are here.
     pub(super) fn blob_here(&self, hash: Hash) -> Option<Blob> {
+        self.blob_on_disk(hash).ok().flatten()
+    }
+
+    /// As [`Store::blob_here`].
+    ///
+    /// # Errors
+    ///
+    /// The disk refuses: then nobody knows whether they are here.
+    pub(super) fn blob_on_disk(&self, hash: Hash) -> Result<Option<Blob>, StoreError> {
         let path = self.place("cas", hash);
         // Read, not mapped: a map of a file that somebody cuts short kills the process.
-        let bytes = std::fs::read(&path).ok()?;
+        let Some(bytes) = files::read(&path)? else {
+            return Ok(None);
+        };
         if blake3::hash(&bytes) == hash {
-            return Some(Blob(bytes));
+            return Ok(Some(Blob(bytes)));
         }
         self.quarantine(&path);
-        None
+        Ok(None)
     }
 }

@@ -2,6 +2,7 @@
 
 use super::disk::Disk;
 use super::error::StoreError;
+use crate::system::nofollow;
 use std::fs::File;
 use std::io::{ErrorKind, Result};
 use std::path::Path;
@@ -32,6 +33,14 @@ pub(super) fn at(path: &Path) -> impl FnOnce(std::io::Error) -> StoreError + '_ 
     move |why| StoreError::Disk {
         path: path.into(),
         why,
+    }
+}
+
+/// The bytes of a file; `None` if there is none.
+pub(super) fn read(path: &Path) -> std::result::Result<Option<Vec<u8>>, StoreError> {
+    match std::fs::read(path) {
+        Err(why) if nofollow::is_absent(&why) => Ok(None),
+        bytes => bytes.map(Some).map_err(at(path)),
     }
 }
 

@@ -7,6 +7,7 @@ use super::index::Index;
 use super::prefetch::Prefetch;
 use super::remote::{self, Link};
 use crate::own::{self, place};
+use crate::past;
 use stage::Hash;
 use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex, MutexGuard, OnceLock};
@@ -73,7 +74,7 @@ impl Store {
             link: remote::of(root),
         };
         let mark = root.join("format");
-        let found = std::fs::read(&mark).unwrap_or_default();
+        let found = files::read(&mark)?.unwrap_or_default();
         if [FORMAT, FORMER].iter().any(|mark| found == mark.as_bytes()) {
             return Ok(store);
         }
@@ -87,7 +88,7 @@ impl Store {
             });
         }
         // What killed processes and a loss of power leave is of our own form.
-        if let Some(strange) = own::stranger(root) {
+        if let Some(strange) = own::stranger(root).map_err(files::at(root))? {
             let root = root.to_owned();
             return Err(StoreError::Strange { root, strange });
         }
@@ -136,6 +137,15 @@ impl Store {
             bytes,
             Care::Cheap,
         )
+    }
+
+    /// The id of a run that begins now.
+    ///
+    /// # Errors
+    ///
+    /// Earlier runs cannot be listed.
+    pub(crate) fn next_run(&self) -> Result<String, StoreError> {
+        past::next_id(&self.root).map_err(files::at(&self.root.join("runs")))
     }
 
     /// The file of a hash under a shelf: `cas/ab/abcdef…`.

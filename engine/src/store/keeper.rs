@@ -261,13 +261,27 @@ pub(super) fn sweep(store: &Store) -> Result<(), StoreError> {
     Ok(())
 }
 
+/// Whether what has a hash as its name is what it should be.
+type Whole<'a> = &'a dyn Fn(Hash) -> Result<bool, StoreError>;
+
 /// Reads every record, blob and part; what is corrupt is put aside. Returns how many were.
-pub fn verify(store: &Store) -> usize {
-    let bad = |shelf: &str, whole: &dyn Fn(Hash) -> bool| {
-        let all = own::shelf(store.root(), shelf).unwrap_or_default();
-        all.into_iter().filter(|hash| !whole(*hash)).count()
+///
+/// # Errors
+///
+/// The disk refused some of it, and all the rest was read.
+pub fn verify(store: &Store) -> Result<usize, StoreError> {
+    let (mut bad, mut refused) = (0, None);
+    let mut look = |shelf: &str, whole: Whole<'_>| {
+        let all = store.shelf(shelf).map_err(|why| refused = Some(why));
+        for hash in all.unwrap_or_default() {
+            match whole(hash) {
+                Ok(whole) => bad += usize::from(!whole),
+                Err(why) => refused = Some(why),
+            }
+        }
     };
-    bad("ac", &|key| store.is_sound(key))
-        + bad("cas", &|content| store.blob_here(content).is_some())
-        + bad("parts", &|key| store.recall(key).is_some())
+    look("ac", &|key| store.is_sound(key));
+    look("cas", &|content| Ok(store.blob_on_disk(content)?.is_some()));
+    look("parts", &|key| Ok(store.recall_on_disk(key)?.is_some()));
+    refused.map_or(Ok(bad), Err)
 }

@@ -21,13 +21,24 @@ impl Store {
 
     /// What was remembered, if it is whole.
     pub fn recall(&self, key: Hash) -> Option<Vec<u8>> {
+        self.recall_on_disk(key).ok().flatten()
+    }
+
+    /// As [`Store::recall`].
+    ///
+    /// # Errors
+    ///
+    /// The disk refuses.
+    pub(super) fn recall_on_disk(&self, key: Hash) -> Result<Option<Vec<u8>>, StoreError> {
         let path = self.place("parts", key);
-        let mut file = std::fs::read(&path).ok()?;
+        let Some(mut file) = files::read(&path)? else {
+            return Ok(None);
+        };
         if file.len() >= 32 && *bound(key, &file[32..]).as_bytes() == file[..32] {
-            return Some(file.split_off(32));
+            return Ok(Some(file.split_off(32)));
         }
         self.quarantine(&path);
-        None
+        Ok(None)
     }
 }
 

@@ -26,8 +26,15 @@ impl Store {
     }
 
     /// Whether the record of a key is what it says, as far as this version of the program knows.
-    pub(super) fn is_sound(&self, key: Hash) -> bool {
-        !matches!(self.read_record(key), Err(Unread::Corrupt))
+    ///
+    /// # Errors
+    ///
+    /// The disk refuses.
+    pub(super) fn is_sound(&self, key: Hash) -> Result<bool, StoreError> {
+        match self.read_record(key) {
+            Err(Unread::Disk(why)) => Err(files::at(&self.place("ac", key))(why)),
+            read => Ok(!matches!(read, Err(Unread::Corrupt))),
+        }
     }
 
     /// What is corrupt is put aside; what another version of the program wrote is left as it is.

@@ -8,7 +8,6 @@ use super::whole::Member;
 use crate::done::{Done, Status};
 use crate::history::{self, RunSummary};
 use crate::outcome::Outcome;
-use crate::past;
 use crate::session::EngineError;
 use crate::store::Store;
 use crate::store::keeper::KEPT_RECORDS;
@@ -170,8 +169,7 @@ impl<'a> Rows<'a> {
         // The record of a point that found all goes as soon as so many newer ones are there.
         let found = nodes.iter().flatten().all(|d| d.status == Status::Hit);
         if !found || self.points.len().saturating_add(after) < KEPT_RECORDS {
-            let id = self.id.take();
-            let id = id.unwrap_or_else(|| past::next_id(store.root()));
+            let id = self.id.take().map_or_else(|| store.next_run(), Ok)?;
             let summary = RunSummary {
                 graph,
                 nodes: &nodes,

@@ -8,7 +8,6 @@ use super::sweeping::Sweeping;
 use super::whole::Whole;
 use crate::done::Done;
 use crate::journal::Journal;
-use crate::past;
 use crate::run_one::{Pool, Surroundings};
 use crate::session::{self, EngineError};
 use crate::store::Store;
@@ -96,7 +95,7 @@ impl Batch {
         (start, after): (Instant, usize),
         tell: &mut impl FnMut(&Row),
     ) -> Result<Vec<Row>, EngineError> {
-        let id = past::next_id(store.root());
+        let id = store.next_run()?;
         let busy = Busy::new(sweeping.watch);
         let journal = Journal::new(&busy, store.root().join(format!("runs/{id}.jsonl")));
         let threads = session::threads(sweeping.options);

@@ -51,6 +51,7 @@ fn each(place: &Place, line: &str, stride: usize, hold: &dyn Fn(&Ended) -> Right
     assert!(calls > 50, "{calls}");
     let stride = number("ENGINE_CALLS", stride);
     let first = number("ENGINE_CALLS_FIRST", 0);
+    println!("`{line}`: {calls} calls, every {stride}th from {first} on");
     let mut wrong = Vec::new();
     // Threads make some more or less each time.
     for n in (first..calls + calls / 20).step_by(stride) {
@@ -145,6 +146,8 @@ fn a_sweep_takes_nothing_that_stays_whatever_call_fails() {
 fn a_program_s_result_is_whole_or_none_whatever_call_fails() {
     let place = Place::new();
     place.sound("run PROGRAM --input IN=OTHER --allow-exec --quiet");
+    place.sound("run PROGRAM --input IN=OTHER --quiet");
+    let last = place.last_run();
     place.is_base();
     place.begin();
     let line = "run PROGRAM --input IN=FIRST --out OUT --quiet";
@@ -162,6 +165,10 @@ fn a_program_s_result_is_whole_or_none_whatever_call_fails() {
             made.is_some() || ended.code != Some(0),
             "success, and no result",
         )?;
+        must(
+            place.last_run() > last || ended.code != Some(0),
+            "success, and another run is the last",
+        )?;
         place.holds()?;
         let again = place.asked(line, Fault::None);
         let made = std::fs::read(&result).ok();
@@ -171,6 +178,22 @@ fn a_program_s_result_is_whole_or_none_whatever_call_fails() {
         )?;
         place.sound("cache gc --max-size 1G");
         must(place.litter().is_empty(), "litter is there")?;
+        place.holds()
+    });
+}
+
+#[test]
+fn a_check_that_succeeds_has_read_everything_whatever_call_fails() {
+    let place = Place::new();
+    place.sound("run PROGRAM --input IN=OTHER --allow-exec --quiet");
+    for shelf in ["ac", "cas", "parts"] {
+        place.spoil(shelf);
+    }
+    place.is_base();
+    let all = |ended: &Ended| ended.output.contains("; put aside: 3 files");
+    each(&place, "cache verify", 5, &|ended| {
+        must(ended.code != Some(0) || all(ended), "success, and not all")?;
+        place.sound("cache verify");
         place.holds()
     });
 }

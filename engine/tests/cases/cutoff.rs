@@ -44,7 +44,10 @@ fn a_flipped_byte_is_found_put_aside_and_rebuilt() {
         assert_eq!(place.run(1), NONE);
     }
     assert!(place.cache().join("quarantine").is_dir());
-    assert_eq!(keeper::verify(&Store::open(&place.cache()).unwrap()), 0);
+    assert_eq!(
+        keeper::verify(&Store::open(&place.cache()).unwrap()).unwrap(),
+        0
+    );
 }
 
 #[test]

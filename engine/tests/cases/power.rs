@@ -81,8 +81,8 @@ fn a_loss_of_power_costs_work_and_nothing_else() {
             NONE,
             "round {round}"
         );
-        keeper::verify(&place.store());
-        assert_eq!(keeper::verify(&place.store()), 0, "round {round}");
+        keeper::verify(&place.store()).unwrap();
+        assert_eq!(keeper::verify(&place.store()).unwrap(), 0, "round {round}");
     }
     assert!(lost >= losses as usize, "only {lost} files were lost");
 }

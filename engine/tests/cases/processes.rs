@@ -112,7 +112,7 @@ fn eight_processes_on_one_store_make_each_result_once() {
     let tally = tally(&place);
     assert_eq!(tally.len(), 25);
     assert!(tally.values().all(|n| *n == 1), "{tally:?}");
-    assert_eq!(keeper::verify(&place.store()), 0);
+    assert_eq!(keeper::verify(&place.store()).unwrap(), 0);
 }
 
 #[test]
@@ -202,7 +202,7 @@ fn two_hundred_kills_at_random_moments_leave_a_clean_store() {
             "torn at kill {i}"
         );
         if i % 10 == 9 && place.cache().join("format").exists() {
-            assert_eq!(keeper::verify(&place.store()), 0, "after kill {i}");
+            assert_eq!(keeper::verify(&place.store()).unwrap(), 0, "after kill {i}");
         }
     }
     assert!(killed >= 20, "only {killed} were killed in time");

@@ -85,6 +85,7 @@ fn what_one_makes_another_finds_with_the_bytes_of_a_run_alone() {
             Left {
                 sent: 4,
                 waiting: 0,
+                unlisted: false,
                 why: None
             }
         );

@@ -121,7 +121,7 @@ impl Story {
             "of": { "pipeline": "p", "variant": null, "inputs": { "turn": folder } } });
         let lists = serde_json::json!({ "turn": hashes });
         let text = format!("{head}\n{lists}\n");
-        let id = crate::past::next_id(store.root());
+        let id = store.next_run()?;
         store.write(&format!("runs/{id}.jsonl"), capture.name.as_bytes())?;
         store.write(&format!("runs/{id}.json"), text.as_bytes())?;
         let plan = serde_json::json!({ "inputs": [{ "folder": folder, "files": [] }] }).to_string();

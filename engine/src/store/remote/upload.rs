@@ -1,6 +1,6 @@
 //! Uploading one result: its blob before its record, and the record only if there is none.
 
-use super::super::record::Origin;
+use super::super::record::{Origin, Unread};
 use super::framed::{self, SMALL};
 use super::handshake::{Honest, fresh};
 use super::link::Link;
@@ -32,10 +32,13 @@ const CREATES: usize = 8;
 /// Uploads the result of a key.
 pub(super) fn upload(store: &Store, link: &Link, key: Hash) -> Result<Came, Trouble> {
     let honest = link.honest()?;
-    let Ok((record, origin)) = store.read_with_origin(key) else {
-        return Ok(Came::Nothing);
+    let (record, origin) = match store.read_with_origin(key) {
+        Ok(read) => read,
+        Err(Unread::Disk(why)) => return Err(Trouble::Refused(why.to_string())),
+        Err(_) => return Ok(Came::Nothing),
     };
-    let Some(blob) = store.blob_here(record.content) else {
+    let blob = store.blob_on_disk(record.content);
+    let Some(blob) = blob.map_err(|why| Trouble::Refused(why.to_string()))? else {
         return Ok(Came::Nothing);
     };
     let small = blob.len() <= SMALL;

@@ -44,6 +44,8 @@ pub struct Left {
     pub sent: usize,
     /// So many wait.
     pub waiting: usize,
+    /// Whether the disk does not show how many.
+    pub unlisted: bool,
     /// Why, if something is known of it.
     pub why: Option<String>,
 }
@@ -136,16 +138,15 @@ impl Sharing {
         drop(queue);
         self.end();
         let store = Store::open(&self.root);
-        let waiting = store.map_or(0, |store| {
-            let keys = waiting::of(&store, &self.link);
-            keys.into_iter()
-                .filter(|key| store.record(*key).is_some())
-                .count()
+        let waiting = store.and_then(|store| {
+            let keys = waiting::of(&store, &self.link)?.into_iter();
+            Ok(keys.filter(|key| waiting::is_made(&store, *key)).count())
         });
         let silent = || self.link.silent();
         Left {
             sent,
-            waiting,
+            unlisted: waiting.is_err(),
+            waiting: waiting.unwrap_or(0),
             why: stopped.or_else(silent),
         }
     }
@@ -218,14 +219,18 @@ fn next(store: &Store, link: &Link, wait: bool) -> Option<Hash> {
                 // Whoever waits for the end waits for this, too.
                 queue.running += 1;
                 drop(queue);
-                let waiting = waiting::of(store, link).into_iter();
-                let waiting = waiting.filter(|key| store.record(*key).is_some());
-                let mut fresh = waiting
+                let listed = waiting::of(store, link);
+                let waiting = listed.as_deref().unwrap_or_default().iter();
+                let made = waiting.filter(|key| waiting::is_made(store, **key));
+                let mut fresh = made
                     .map(|key| *key.as_bytes())
                     .filter(|key| !held.contains(key));
                 let some: Vec<[u8; 32]> = fresh.by_ref().take(MOST_HELD).collect();
                 let more = fresh.next().is_some();
                 queue = link.queue();
+                if let Err(why) = &listed {
+                    queue.stopped.get_or_insert(why.to_string());
+                }
                 for key in some {
                     if queue.held.insert(key) {
                         queue.keys.push_back(key);

@@ -18,10 +18,19 @@ fn key(name: &str) -> Option<Hash> {
 }
 
 /// The keys that wait for the place of a link.
-pub(super) fn of(store: &Store, link: &Link) -> Vec<Hash> {
+///
+/// # Errors
+///
+/// The disk refuses: then nobody knows what waits.
+pub(super) fn of(store: &Store, link: &Link) -> Result<Vec<Hash>, StoreError> {
     let mine = |name: &str| own::is_waiting(name) && name.ends_with(&link.tag);
-    let names = own::files(store.root(), FOLDER, mine).unwrap_or_default();
-    names.iter().filter_map(|name| key(name)).collect()
+    let names = store.files(FOLDER, mine)?;
+    Ok(names.iter().filter_map(|name| key(name)).collect())
+}
+
+/// Whether there is a record of a key, or the disk refuses it, which the upload reports.
+pub(super) fn is_made(store: &Store, key: Hash) -> bool {
+    !matches!(store.record_on_disk(key), Ok(None))
 }
 
 /// It is there now, or never will be.
