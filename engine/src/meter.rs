@@ -8,6 +8,7 @@ use crate::clock;
 use crate::system::{processor_seconds, resident_bytes};
 use stage::Metric;
 use std::sync::{Arc, Condvar, Mutex, MutexGuard, Weak};
+use std::thread::Builder;
 use std::time::Duration;
 
 /// How often memory is looked at. \[ms\]
@@ -116,9 +117,11 @@ impl Meter {
         state.next += 1;
         state.running.push((id, Spent::default()));
         state.weigh();
-        if !std::mem::replace(&mut state.looked_after, true) {
+        if !state.looked_after {
             let shared = Arc::downgrade(&self.0);
-            std::thread::spawn(move || look(&shared));
+            // Without a thread memory is looked at when stages begin and end.
+            let looks = Builder::new().spawn(move || look(&shared));
+            state.looked_after = looks.is_ok();
         }
         Measured {
             meter: self,

@@ -5,6 +5,7 @@ use crate::run_one::{self, Step, Surroundings};
 
 pub use crate::done::{Done, Failures, Job, Status, Watch, all, needed};
 use std::sync::{Condvar, Mutex};
+use std::thread::Builder;
 use std::time::Duration;
 
 /// How long until it is asked again whether another process has made a result.
@@ -33,9 +34,11 @@ pub(crate) fn walk_told(
         match job.threads {
             0 => work(),
             threads => std::thread::scope(|scope| {
-                for _ in 0..threads {
-                    scope.spawn(work);
+                for _ in 1..threads {
+                    // Where the system gives no more threads, those that there are do it all.
+                    let _ = Builder::new().spawn_scoped(scope, work);
                 }
+                work();
             }),
         }
         agenda = shared.into_inner().expect("bug: a worker panicked");
@@ -97,6 +100,20 @@ fn ready(job: &Job<'_>, around: &Surroundings<'_>, agenda: &mut Agenda<'_>) -> V
     ready
 }
 
+/// A worker that panics keeps nobody waiting for what it was making.
+struct Awake<'a, 'b>(&'a Mutex<Agenda<'b>>, &'a Condvar);
+
+impl Drop for Awake<'_, '_> {
+    fn drop(&mut self) {
+        if std::thread::panicking() {
+            if let Ok(mut agenda) = self.0.lock() {
+                agenda.stop = true;
+            }
+            self.1.notify_all();
+        }
+    }
+}
+
 /// One worker: takes a ready node, runs it, makes others ready.
 fn work(
     job: &Job<'_>,
@@ -110,6 +127,7 @@ fn work(
         around.watch.done(name(node), done);
         told(node, done);
     };
+    let _awake = Awake(shared, bell);
     let mut held = lock();
     loop {
         held.stop |= around.cancelled();

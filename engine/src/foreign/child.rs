@@ -12,6 +12,7 @@ use stage::process;
 use std::io::{BufRead, BufReader, Read};
 use std::process::{Child, ExitStatus, Stdio};
 use std::sync::mpsc::{Receiver, RecvTimeoutError, SyncSender, sync_channel};
+use std::thread::Builder;
 use std::time::{Duration, Instant};
 
 /// A line that a program said.
@@ -48,7 +49,7 @@ pub(super) fn run(
 ) -> Result<Tail, ForeignError> {
     let mut child = started(task)?;
     let running = Running::new(child.id(), task.root);
-    let lines = listened(&mut child);
+    let lines = listened(&mut child).map_err(|why| unheard(task, &mut child, why))?;
     let mut tail = Tail::default();
     let mut hear = |line: Line| {
         if !heard(&line) {
@@ -110,18 +111,26 @@ fn started(task: &Task<'_>) -> Result<Child, ForeignError> {
     })
 }
 
-/// Both outputs, line by line.
-pub(super) fn listened(child: &mut Child) -> Receiver<Line> {
+/// Both outputs, line by line; an error where the system gives no thread for that.
+pub(super) fn listened(child: &mut Child) -> std::io::Result<Receiver<Line>> {
     let (to, from) = sync_channel(WAITING_LINES);
     let (out, err) = (child.stdout.take(), child.stderr.take());
     if let Some(out) = out {
         let to = to.clone();
-        std::thread::spawn(move || listen(out, true, &to));
+        Builder::new().spawn(move || listen(out, true, &to))?;
     }
     if let Some(err) = err {
-        std::thread::spawn(move || listen(err, false, &to));
+        Builder::new().spawn(move || listen(err, false, &to))?;
     }
-    from
+    Ok(from)
+}
+
+/// Ends a program that nobody can listen to.
+pub(super) fn unheard(task: &Task<'_>, child: &mut Child, why: std::io::Error) -> ForeignError {
+    family::end(task.root, Some(child.id()));
+    let _ = child.wait();
+    let program = task.words[0].clone();
+    ForeignError::Start { program, why }
 }
 
 fn listen(pipe: impl Read, out: bool, to: &SyncSender<Line>) {
@@ -211,7 +220,7 @@ mod tests {
         process::lead_group(command.args(["-c", "yes hello | head -c 5000000"]));
         command.stdout(Stdio::piped()).stderr(Stdio::piped());
         let mut child = command.spawn().unwrap();
-        let lines = listened(&mut child);
+        let lines = listened(&mut child).unwrap();
         std::thread::sleep(Duration::from_secs(1));
         assert!(!process::has_ended(&mut child), "all of it is in memory");
         let heard = std::iter::from_fn(|| lines.recv().ok()).count();

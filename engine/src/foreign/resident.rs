@@ -71,16 +71,16 @@ fn spawned(mut command: Command) -> std::io::Result<(Sender<()>, Child)> {
 }
 
 /// Tells a program lines; who has ended is told nothing.
-fn told(mut to: ChildStdin) -> SyncSender<String> {
+fn told(mut to: ChildStdin) -> std::io::Result<SyncSender<String>> {
     let (words, lines) = sync_channel::<String>(1);
-    std::thread::spawn(move || {
+    std::thread::Builder::new().spawn(move || {
         while let Ok(line) = lines.recv() {
             if to.write_all(line.as_bytes()).is_err() {
                 return;
             }
         }
-    });
-    words
+    })?;
+    Ok(words)
 }
 
 impl AtWork {
@@ -97,8 +97,9 @@ impl AtWork {
             why,
         })?;
         let _running = Running::new(child.id(), task.root);
-        let lines = child::listened(&mut child);
         let words = told(child.stdin.take().expect("bug: no standard input"));
+        let heard = words.and_then(|words| Ok((words, child::listened(&mut child)?)));
+        let (words, lines) = heard.map_err(|why| child::unheard(task, &mut child, why))?;
         let mut at_work = AtWork {
             child,
             words,

@@ -8,9 +8,11 @@ use engine::walk::{Status, Watch};
 use engine::{self, EngineError, Options};
 use proof::Dice;
 use std::fs::{File, FileTimes};
+use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::process::Command;
 use std::sync::Mutex;
 use std::sync::atomic::AtomicBool;
+use std::time::Duration;
 
 #[test]
 fn random_blobs_may_go_and_only_what_is_read_again_is_made_again() {
@@ -271,4 +273,22 @@ fn of_a_chain_of_ten_a_plan_says_that_one_is_certain_and_nine_are_possible() {
     for i in 1..10 {
         assert_eq!(state(&format!("n{i}")), plan::State::May, "n{i}");
     }
+}
+
+struct Panics;
+impl Watch for Panics {
+    fn started(&self, node: &str) {
+        assert_ne!(node, "mid", "a bug");
+    }
+}
+
+#[test]
+fn a_worker_that_panics_keeps_nobody_waiting() {
+    let (done, over) = std::sync::mpsc::channel();
+    std::thread::spawn(move || {
+        let place = Place::new("hello\n");
+        let run = || place.outcome(&chain(1), &place.cache(), 3, &Panics);
+        done.send(catch_unwind(AssertUnwindSafe(run)).is_err())
+    });
+    assert_eq!(over.recv_timeout(Duration::from_secs(60)), Ok(true));
 }
