@@ -21,7 +21,7 @@ const UNSOURCED: [(&str, usize); 14] = [
     ("silhouette", 161),
     ("stage", 5),
     ("synth", 17),
-    ("turning", 20),
+    ("turning", 18),
 ];
 
 /// What a comment names where a number comes from a paper, a standard, a program's fit or another number.

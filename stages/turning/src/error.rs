@@ -34,6 +34,6 @@ stage::failures! {
             percent: f64,
             /// How far they may be. \[%\]
             most: f64,
-        } = "fail-turning-loose": "the outlines contradict each other by {percent:.1 %} of the body's height (at most {most:.1 %} may be): keep arms and head still while turning, wear nothing loose, and let nobody else into the picture",
+        } = "fail-turning-loose": "the outlines contradict each other by {percent:.1 %} of the body's height (at most {most:.1 %} may be): put the camera on something firm, keep arms and head still while turning, wear nothing loose, and let nobody else into the picture",
     }
 }

@@ -7,13 +7,13 @@
 //! Joints of a learned network tell which way the body faces to some degrees ([`azimuth`], [`joints`]); what outlines tell
 //! each other ([`outlines`]) brings that under one. `scene` is the camera, the floor and the step.
 
-mod again;
 mod apart;
 pub mod azimuth;
 mod error;
 mod given;
 pub mod joints;
 mod motion;
+mod odd;
 mod outline;
 pub mod outlines;
 mod points;

@@ -2,22 +2,63 @@
 //! touches that ray (silhouette coherence: Hernández, Schmitt and Cipolla 2007).
 //!
 //! The depth of a ray is the greatest, along it, of the least depth in all other photos' silhouettes. Where all agree it is
-//! what the hull of the others overshoots between views, a few millimetres; a step or turn that is wrong makes it deeper on
-//! one side of the body and shallower on the other. So depths are drawn to their middle, if that is above 0.
+//! what the hull of the others overshoots between views, a few millimetres, and more where steps are wider; a step or turn
+//! that is wrong makes it deeper on one side of the body and shallower on the other. So depths are drawn to those of a body
+//! as round as the middle one.
 
 use crate::joints::{Equations, median};
 use crate::outline::Outline;
 use crate::rays::{Ray, rays};
 use crate::scene::Motion;
 use rayon::prelude::*;
+use std::f64::consts::SQRT_2;
 
 /// What outlines come to.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Agreement {
-    /// The middle depth of rays. \[distance to the axis\]
-    pub middle: f64,
-    /// How far they are from it, one standard deviation by the middle deviation. \[distance to the axis\]
+    /// How round the body is: the middle of depths by what they would be of a body of radius 1. \[distance to the axis\]
+    pub radius: f64,
+    /// What the middle ray's depth would be of such a body.
+    pub round: f64,
+    /// How far depths are from those of a body of that radius, one standard deviation by the middle deviation.
+    /// \[distance to the axis\]
     pub spread: f64,
+}
+
+impl Agreement {
+    /// Of the trunk's rays.
+    fn of<'a>(rays: impl Iterator<Item = &'a Ray> + Clone) -> Agreement {
+        let mut all: Vec<(f64, f64)> = rays
+            .clone()
+            .map(|r| (r.depth / r.round.max(1e-9), r.round))
+            .collect();
+        all.sort_by(|a, b| a.0.total_cmp(&b.0));
+        let mut left = all.iter().map(|r| r.1).sum::<f64>() / 2.0;
+        let middle = all.iter().find(|r| {
+            left -= r.1;
+            left <= 0.0
+        });
+        let mut found = Agreement {
+            // A hull never is less than its outlines: what agrees in being too shallow agrees on nothing.
+            radius: middle.map_or(0.0, |r| r.0.max(0.0)),
+            round: median(&mut rays.clone().map(|r| r.round).collect::<Vec<_>>()),
+            spread: 0.0,
+        };
+        let mut off: Vec<f64> = rays.map(|r| found.miss(r).abs()).collect();
+        found.spread = (1.4826 * median(&mut off)).max(1e-6);
+        found
+    }
+
+    /// How far a ray's depth is from what the steps to the photos beside it let expect. \[distance to the axis\]
+    fn miss(&self, ray: &Ray) -> f64 {
+        ray.depth - self.radius * ray.round
+    }
+
+    /// The same in standard deviations: no body is round, so depths differ by more where steps are wider.
+    fn off(&self, ray: &Ray) -> f64 {
+        let wide = libm::hypot(1.0, ray.round / self.round.max(1e-9)) / SQRT_2;
+        self.miss(ray).abs() / (self.spread * wide)
+    }
 }
 
 /// The same of rays (Holland and Welsch 1977).
@@ -38,28 +79,28 @@ pub fn equations(
     if rays.is_empty() {
         return None;
     }
-    let trunk = || rays.iter().filter(|r| r.weight >= 1.0);
-    let mut depths: Vec<f64> = trunk().map(|r| r.depth).collect();
-    // A hull never is less than its outlines: what agrees in being too shallow agrees on nothing.
-    let middle = median(&mut depths).max(0.0);
-    let mut off: Vec<f64> = trunk().map(|r| (r.depth - middle).abs()).collect();
-    let spread = (1.4826 * median(&mut off)).max(1e-6);
+    let found = Agreement::of(rays.iter().filter(|r| r.weight >= 1.0));
     let mut counts = vec![0.0; outlines.len()];
     rays.iter().for_each(|r| counts[r.photo] += 0.5);
+    let spread = found.spread;
     for r in &rays {
-        let miss = r.depth - middle;
+        let miss = found.miss(r);
         let share = (miss / (CAUCHY * lax * spread)).powi(2);
         let weight = weight * r.weight / counts[r.photo] / (spread * spread * (1.0 + share));
         to.add(&r.slopes, miss, weight);
     }
-    Some(Agreement { middle, spread })
+    Some(found)
 }
 
-/// The depth of each of the trunk's rays of a photo's outline in all others' silhouettes. \[distance to the axis\]
-pub(crate) fn depths(outlines: &[Outline], motion: &Motion, photo: usize) -> Vec<f64> {
-    let all = rays(outlines, motion, photo);
-    let trunk = all.into_iter().filter(|r| r.weight >= 1.0);
-    trunk.map(|r| r.depth).collect()
+/// How far the trunk's rays of a photo's outline are from what all agree on, in standard deviations; the middle one.
+pub(crate) fn off(outlines: &[Outline], motion: &Motion, photo: usize, all: &Agreement) -> f64 {
+    let rays = rays(outlines, motion, photo);
+    let trunk = rays.iter().filter(|r| r.weight >= 1.0);
+    let mut off: Vec<f64> = trunk.map(|r| all.off(r)).collect();
+    match off.is_empty() {
+        true => f64::MAX,
+        false => median(&mut off),
+    }
 }
 
 #[cfg(test)]

@@ -15,6 +15,8 @@ pub(crate) struct Ray {
     pub(crate) weight: f64,
     /// The depth of its ray.
     pub(crate) depth: f64,
+    /// What it would be of a round body of radius 1, for the photos that bound it look from elsewhere.
+    pub(crate) round: f64,
     /// How it moves with each unknown.
     pub(crate) slopes: Vec<(usize, f64)>,
 }
@@ -172,7 +174,9 @@ fn sloped(
     let there = direction * y;
     let body = own.rotation.inverse() * (there - own.translation);
     let mut slopes: Vec<(usize, f64)> = Vec::with_capacity((shares.len() + 1) * PER_STEP + 1);
-    let mut all = 0.0;
+    let (mut all, mut round) = (0.0, 0.0);
+    let level = |from: &Pose, way: Vector3<f64>| (from.rotation.inverse() * way).xy().normalize();
+    let way = level(own, *direction);
     let (mut own_slopes, mut by_pitch) = ([0.0; PER_STEP], 0.0);
     for (view, share) in shares {
         let turned = |by: f64| {
@@ -186,6 +190,9 @@ fn sloped(
         let depth = |at: &Vector3<f64>| outlines[*view].depth(at);
         let at = turned(0.0);
         all += share * depth(&at);
+        // Seen from the other side, a border is the same.
+        let other = level(&between.poses[*view], between.turn.transpose() * at);
+        round += share * (1.0 - way.dot(&other).abs());
         let slope = Vector3::from_fn(|k, _| {
             let by = Vector3::ith(k, NUDGE);
             (depth(&(at + by)) - depth(&(at - by))) / (2.0 * NUDGE)
@@ -206,6 +213,7 @@ fn sloped(
         photo,
         weight: 1.0,
         depth: all,
+        round,
         slopes,
     }
 }

@@ -1,8 +1,8 @@
 //! The motion by joints, outlines and features together.
 
-use crate::again::{odd, sought};
 use crate::given::{MotionInput, MotionParams};
 use crate::joints::{Articulated, Equations, Sights};
+use crate::odd::odd;
 use crate::outline::Outline;
 use crate::outlines::equations;
 use crate::points::{self, Point};
@@ -65,15 +65,14 @@ pub(crate) fn by_outlines(
         fit = points::equations(&points, &found.motion, (p.outline_weight, lax), &mut all);
         let Some(by) = all.solved(DAMPING) else { break };
         found.stepped(&by);
-        if round == p.rounds / 2 {
-            sought(&outlines, &mut found.motion);
-        }
         after()?;
         if by.amax() < SETTLED && round > p.rounds / 2 {
             break;
         }
     }
-    let odd = odd(&outlines, &found.motion);
+    let odd = agreement
+        .as_ref()
+        .map_or(vec![], |all| odd(&outlines, &found.motion, all));
     Ok(Found {
         body: found,
         agreement,

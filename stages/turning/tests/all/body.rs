@@ -3,7 +3,7 @@
 use nalgebra::Vector3;
 use shape::{Crop, Found, Image, Joint, Mask, Masks, People, Photo, PhotoId, Photos, Rig};
 use stage::{Ctx, Host, Metric, Stage, Stop};
-use std::f64::consts::TAU;
+use std::f64::consts::{SQRT_2, TAU};
 use std::sync::{Arc, Mutex};
 use turning::scene::{Motion, Step, seen};
 use turning::{FindMotion, MotionInput, MotionParams};
@@ -58,6 +58,10 @@ pub(crate) struct Turn {
     pub(crate) mirrored: bool,
     /// The photo on which somebody stouter is, if any.
     pub(crate) other: Option<usize>,
+    /// How far joints are off, one standard deviation.
+    pub(crate) noise_px: f64,
+    /// How far the picture is elsewhere on each photo, one standard deviation, as of a camera in the hand.
+    pub(crate) shake_px: f64,
 }
 
 impl Turn {
@@ -69,6 +73,8 @@ impl Turn {
             change: |at| at,
             mirrored: false,
             other: None,
+            noise_px: 0.0,
+            shake_px: 0.0,
         }
     }
 
@@ -88,10 +94,16 @@ impl Turn {
         }
     }
 
+    /// How far the picture is elsewhere on a photo.
+    fn shaken(&self, photo: usize) -> [f64; 2] {
+        [31.0, 17.0].map(|k| self.shake_px * SQRT_2 * libm::sin(k * (1.0 + photo as f64)))
+    }
+
     /// How much a pixel shows of the body.
     fn mask(&self, photo: usize, step: &Step) -> Mask {
         let stout = if self.other == Some(photo) { 1.5 } else { 1.0 };
         let mut mask = Mask::filled(SIDE, SIDE, 0);
+        let by = self.shaken(photo);
         for ([x, y], [a, b], [low, high]) in POSTS {
             let around = (0..360).map(|k| {
                 let (s, c) = libm::sincos(f64::from(k) / 360.0 * TAU);
@@ -105,7 +117,8 @@ impl Turn {
                 |at: f64, lo: f64, hi: f64| (hi.min(at + 0.5) - lo.max(at - 0.5)).clamp(0.0, 1.0);
             for u in 0..SIDE {
                 for v in 0..SIDE {
-                    let [x, y] = (self.change)([u, v].map(|p| p as f64 - MIDDLE));
+                    let at = [u as f64 - by[0], v as f64 - by[1]];
+                    let [x, y] = (self.change)(at.map(|p| p - MIDDLE));
                     let share = covered(x, left, right) * covered(y, top, bottom);
                     let pixel = mask.at_mut(u, v);
                     *pixel = (*pixel).max((255.0 * share).round() as u8);
@@ -116,7 +129,8 @@ impl Turn {
     }
 
     /// What the network sees on a photo.
-    fn found(&self, step: &Step, mask: &Mask) -> Found {
+    fn found(&self, photo: usize, step: &Step, mask: &Mask) -> Found {
+        let by = self.shaken(photo);
         let mut joints = vec![
             Joint {
                 at_px: [-1e6, -1e6],
@@ -127,13 +141,15 @@ impl Turn {
         ];
         for (joint, at) in JOINTS {
             let at = seen(0.0, &step.to_room(&Vector3::from(at))).unwrap().0 * FOCAL;
-            let [x, y] = (self.change)([at.x, at.y]);
+            let phase = (1.0 + joint as f64) * (1.0 + 977.0 * step.azimuth);
+            let noise = |k: f64| self.noise_px * SQRT_2 * libm::sin(k * phase);
+            let [x, y] = (self.change)([at.x + noise(12.9), at.y + noise(78.2)]);
             let name = match self.mirrored && joint > 0 {
                 true if joint % 2 == 0 => joint - 1,
                 true => joint + 1,
                 false => joint,
             };
-            joints[name].at_px = [(x + MIDDLE) as f32, (y + MIDDLE) as f32];
+            joints[name].at_px = [x + by[0], y + by[1]].map(|p| (p + MIDDLE) as f32);
         }
         Found {
             score: 0.9,
@@ -168,8 +184,8 @@ impl Turn {
             .enumerate()
             .map(|(i, step)| self.mask(i, step))
             .collect();
-        let found = motion.steps.iter().zip(&masks);
-        let found = found.map(|(step, mask)| vec![self.found(step, mask)]);
+        let found = motion.steps.iter().zip(&masks).enumerate();
+        let found = found.map(|(i, (step, mask))| vec![self.found(i, step, mask)]);
         let input = MotionInput {
             photos: Arc::new(Photos {
                 photos,

@@ -3,20 +3,30 @@
 use crate::body::Turn;
 use std::f64::consts::TAU;
 
-/// How far azimuths are from the true ones, once the first are laid on each other, whichever way round they count. \[°\]
-fn worst(turn: &Turn, found: &[(String, f64)]) -> f64 {
+/// How far azimuths are from the true ones, once they are laid on each other, whichever way round they count: the root mean
+/// square and the worst. \[°\]
+fn apart(turn: &Turn, found: &[(String, f64)]) -> (f64, f64) {
     let way = |sign: f64| {
         let off = |(name, azimuth): &(String, f64)| {
             let i: usize = name[..4].parse().unwrap();
-            let off = azimuth - sign * turn.azimuths[i];
-            off - TAU * (off / TAU).round()
+            azimuth - sign * turn.azimuths[i]
         };
-        let first = off(&found[0]);
-        let all = found.iter().map(|f| off(f) - first);
-        let all = all.map(|o| (o - TAU * (o / TAU).round()).abs());
-        all.fold(0.0, f64::max).to_degrees()
+        let both = found.iter().map(|f| libm::sincos(off(f)));
+        let (s, c) = both.fold((0.0, 0.0), |a, b| (a.0 + b.0, a.1 + b.1));
+        let middle = libm::atan2(s, c);
+        let all = found.iter().map(|f| off(f) - middle);
+        let all: Vec<f64> = all.map(|o| o - TAU * (o / TAU).round()).collect();
+        let square = all.iter().map(|o| o * o).sum::<f64>() / all.len() as f64;
+        let worst = all.iter().fold(0.0, |most: f64, o| most.max(o.abs()));
+        (square.sqrt().to_degrees(), worst.to_degrees())
     };
-    way(1.0).min(way(-1.0))
+    let (one, other) = (way(1.0), way(-1.0));
+    if one.0 < other.0 { one } else { other }
+}
+
+/// The worst of them. \[°\]
+fn worst(turn: &Turn, found: &[(String, f64)]) -> f64 {
+    apart(turn, found).1
 }
 
 /// Why a turn is refused.
@@ -61,6 +71,29 @@ fn a_slow_film_of_many_photos_is_followed() {
 }
 
 #[test]
+fn uneven_steps_are_followed_as_even_ones_are_with_joints_as_rough_as_a_networks() {
+    let in_turns = |i: usize| if i.is_multiple_of(2) { 3.5 } else { 26.5 };
+    let slow_and_fast = |i: usize| 15.0 + 11.5 * libm::sin(i as f64 / 24.0 * TAU);
+    let by_chance = |i: usize| 15.0 + 11.5 * libm::sin(77.0 * (i * i) as f64);
+    for way in [in_turns, slow_and_fast, by_chance] as [fn(usize) -> f64; 3] {
+        let whole: f64 = (0..24).map(way).sum();
+        let at = |i: usize| TAU * (0..i).map(way).sum::<f64>() / whole;
+        let turn = Turn {
+            azimuths: (0..24).map(at).collect(),
+            noise_px: 2.0,
+            ..Turn::even(24, 360.0)
+        };
+        for masked in [false, true] {
+            let (found, warned) = turn.taken(masked).unwrap();
+            assert!(!warned.contains("turned back"), "{warned}");
+            assert!(found.len() > 22, "{warned}");
+            let (off, worst) = apart(&turn, &found);
+            assert!(off < 4.0 && worst < 15.0, "{off}°, {worst}°");
+        }
+    }
+}
+
+#[test]
 fn a_mirrored_picture_is_a_turn_the_other_way() {
     let turn = Turn {
         change: |[x, y]| [-x, y],
@@ -95,4 +128,16 @@ fn somebody_else_on_a_photo_is_left_out_by_name() {
     );
     assert_eq!(found.len(), 23);
     assert!(worst(&turn, &found) < 4.0, "{}", worst(&turn, &found));
+}
+
+#[test]
+fn a_camera_in_the_hand_is_refused_as_that() {
+    let turn = Turn {
+        shake_px: 8.0,
+        ..Turn::even(24, 360.0)
+    };
+    let Err(stage::Stop::Failed(error)) = turn.taken(true) else {
+        panic!("taken");
+    };
+    assert!(error.to_string().contains("put the camera"), "{error}");
 }
