@@ -116,7 +116,16 @@ fn order(seen: &Seen<'_>, findings: &mut Findings<'_>) {
         } else {
             Grade::Hopeless
         };
-        findings.put(grade, message!(OUT_OF_ORDER), message!(SHUFFLED_MEND), &[]);
+        let [top, _, left, right] = together.reached;
+        // The whole picture moves: not the body turned by chance, but the camera was in a hand.
+        let (what, mend) = match top && left && right {
+            true => (
+                message!(MOVED_CAMERA, still = 100.0 * together.still),
+                message!(MOVED_MEND),
+            ),
+            false => (message!(OUT_OF_ORDER), message!(SHUFFLED_MEND)),
+        };
+        findings.put(grade, what, mend, &[]);
         return;
     }
     let strangers: Vec<usize> = (0..count)
@@ -263,3 +272,7 @@ fn mat(seen: &Seen<'_>, findings: &mut Findings<'_>) {
         );
     }
 }
+
+#[cfg(test)]
+#[path = "odd_tests.rs"]
+mod tests;

@@ -1,0 +1,54 @@
+//! What is odd about captures that were made for it.
+
+use super::*;
+use crate::glance::Together;
+use shape::{Photo, Photos, Rig};
+
+#[test]
+fn a_shuffled_turn_is_no_camera_in_the_hand() {
+    let photo = Photo {
+        name: String::new(),
+        width: 4,
+        height: 4,
+        orientation: 1,
+        focal_35mm: None,
+        device: String::new(),
+        time_s: None,
+        file: Vec::new().into(),
+    };
+    let photos = Photos {
+        photos: vec![photo; 12],
+        plate: None,
+        rig: Rig::default(),
+    };
+    let found = |reached| {
+        let together = Together {
+            still: 0.2,
+            still_pixels: vec![],
+            gains: vec![],
+            exposure_ev: vec![],
+            steps: vec![1.0; 12],
+            astray: vec![0.7; 12],
+            reached,
+        };
+        let seen = Seen {
+            photos: &photos,
+            glances: &[],
+            together: &together,
+            sharpness: &[],
+            tags: None,
+        };
+        let mut findings = Findings {
+            photos: &photos,
+            all: vec![],
+        };
+        order(&seen, &mut findings);
+        findings.all[0].what.to_string()
+    };
+    assert!(found([true, true, false, false]).contains("not in turning order"));
+    let in_the_hand = found([true, false, true, true]);
+    assert!(
+        in_the_hand.contains("20 % of the picture stay still: the camera"),
+        "{in_the_hand}"
+    );
+}
