@@ -90,8 +90,12 @@ pub(crate) fn verdict(
             most: 100.0 * MOST_LOOSE,
         });
     }
-    let ways: Vec<f64> = (0..count)
-        .map(|i| wrapped(steps[(i + 1) % count].azimuth - steps[i].azimuth))
+    let sure: Vec<f64> = (0..count)
+        .filter(|i| !odd.contains(i))
+        .map(|i| steps[i].azimuth)
+        .collect();
+    let ways: Vec<f64> = (0..sure.len())
+        .map(|i| wrapped(sure[(i + 1) % sure.len()] - sure[i]))
         .collect();
     let turned = ways.iter().sum::<f64>();
     let back: f64 = ways.iter().map(|w| (-w * turned.signum()).max(0.0)).sum();

@@ -56,7 +56,7 @@ pub(crate) struct Turn {
     pub(crate) change: Change,
     /// Whether left is named right, as of a mirrored picture.
     pub(crate) mirrored: bool,
-    /// The photo on which somebody stouter is, if any.
+    /// The photo on which somebody stouter is who faces elsewhere, if any.
     pub(crate) other: Option<usize>,
     /// How far joints are off, one standard deviation.
     pub(crate) noise_px: f64,
@@ -139,6 +139,10 @@ impl Turn {
             };
             Found::JOINTS.len()
         ];
+        let mut step = *step;
+        if self.other == Some(photo) {
+            step.azimuth += TAU / 4.0;
+        }
         for (joint, at) in JOINTS {
             let at = seen(0.0, &step.to_room(&Vector3::from(at))).unwrap().0 * FOCAL;
             let phase = (1.0 + joint as f64) * (1.0 + 977.0 * step.azimuth);

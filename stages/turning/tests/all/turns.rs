@@ -126,6 +126,7 @@ fn somebody_else_on_a_photo_is_left_out_by_name() {
         warned.contains("the outline on 0007.jpg fits nowhere"),
         "{warned}"
     );
+    assert!(!warned.contains("turned back"), "{warned}");
     assert_eq!(found.len(), 23);
     assert!(worst(&turn, &found) < 4.0, "{}", worst(&turn, &found));
 }
