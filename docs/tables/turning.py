@@ -4,8 +4,9 @@
     docs/tables/turning.py TAILOR WORK SIZES SURFACE... > docs/tables/turning.json
 
 A SURFACE is a folder with one PLY file [mm], upright, standing on its soles, facing -y. SIZES are widths and heights of photos with
-commas: `1080x1920,540x960`. Each surface is taken at each size by `pipelines/turning-synth.toml`: 24 photos, steps, a body that
-leans, hands, head and chest that move. WORK keeps what was made; what is there is not made again.
+commas: `1080x1920,540x960`; a surface may have its own: `s26@1080x1920`. Each surface is taken at each size by
+`pipelines/turning-synth.toml`: 24 photos, steps, a body that leans, hands, head and chest that move. WORK keeps what was made; what
+is there is not made again.
 """
 
 import json
@@ -48,8 +49,11 @@ def row(tailor, work, surface, size):
 def main():
     tailor, work, sizes, *surfaces = sys.argv[1:]
     tailor, work = pathlib.Path(tailor).absolute(), pathlib.Path(work).absolute()
-    surfaces = [pathlib.Path(s).absolute() for s in surfaces]
-    scans = {s.name: [row(tailor, work, s, size) for size in sizes.split(",")] for s in surfaces}
+    scans = {}
+    for surface in surfaces:
+        surface, _, own = surface.partition("@")
+        surface = pathlib.Path(surface).absolute()
+        scans[surface.name] = [row(tailor, work, surface, size) for size in (own or sizes).split(",")]
     json.dump({**timed.made_with(tailor), "scans": scans}, sys.stdout, indent=1)
     print()
 
