@@ -11,6 +11,9 @@ pub(crate) const BESIDE: [(&str, &str); 4] = [
     ("memory", "B"),
 ];
 
+/// Ends of an interval that a result tells of one of its numbers.
+pub(crate) const ENDS: [&str; 2] = [".interval.lo", ".interval.hi"];
+
 /// How many names are listed to somebody who asked for one that there is not.
 const LISTED: usize = 24;
 

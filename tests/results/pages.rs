@@ -1,9 +1,7 @@
 //! The pages of `sweep` and `compare` in a real browser: what is drawn, what hands do, no request.
 //! Without a Chromium these tests are ignored (touch `build.rs` once one is installed); what the pages hold is tested beside the verbs.
 
-use crate::chromium;
-
-use chromium::Tab;
+use crate::chromium::Tab;
 use nalgebra::{Rotation3, Vector3};
 use shape::{Camera, Intrinsics, Mask, Mesh, Pose};
 use stage::{Metric, Value};
@@ -226,6 +224,7 @@ fn row(voxel: f64, method: &str, waist: Option<f64>) -> Row {
         metrics: [("girths.WC", waist), ("girths.count", waist.map(|_| 17.0))]
             .map(|(name, x)| (name.to_owned(), x.map(metric)))
             .into(),
+        within: vec![],
         known: vec![],
         results: vec![],
         made: 1,

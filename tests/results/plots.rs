@@ -39,6 +39,7 @@ fn row(i: usize, replicate: Option<u32>) -> Row {
             metric("error.WC", waist),
             metric("error.HC", waist * 0.5 - 1.0),
         ],
+        within: vec![],
         known: vec![],
         results: vec![],
         made: 1,

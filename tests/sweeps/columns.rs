@@ -129,8 +129,16 @@ fn errors_are_beside_and_a_truth_that_is_none_is_refused() {
     let girths = std::fs::read_to_string(format!("{truth}/measurements.json")).unwrap();
     place.write("truth/measurements.json", &girths);
     let sweep = "sweep girths.toml --sweep solid.stout=0.8,0.9 --tell girths.WC,error.WC,error.HC";
-    let printed = place.tailor(&format!("{sweep} --truth truth"), 0);
+    let printed = place.tailor(&format!("{sweep} --truth truth --out out"), 0);
     assert!(printed.contains("error.WC mm tape"), "{printed}");
+    // A girth is drawn with its own interval, which is no column unless asked for.
+    let drawn = place.read("out/plots/girths.WC-over-solid.stout.csv");
+    let ends = drawn.lines().filter(|l| l.starts_with(",0.")).map(|l| {
+        let cells: Vec<f64> = l.split(',').skip(2).map(|c| c.parse().unwrap()).collect();
+        cells[1] < cells[0] && cells[0] < cells[2]
+    });
+    assert_eq!(ends.collect::<Vec<_>>(), [true, true], "{drawn}");
+    assert!(!place.read("out/sweep.csv").contains("interval"));
     assert!(
         printed.contains("none of 4 errors is within its limits: is truth the truth of this body?"),
         "{printed}"

@@ -16,7 +16,7 @@ const AVOIDED: [&str; 12] = [
 const COUNTS: [(&str, usize); 9] = [
     ("benches", 1),
     ("docs", 7),
-    ("engine", 1656),
+    ("engine", 1655),
     ("python", 9),
     ("src", 280),
     ("src/words/*.ftl", 15),

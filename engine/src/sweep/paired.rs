@@ -148,6 +148,7 @@ mod tests {
             replicate: Some(replicate),
             done: true,
             metrics: vec![("score.error".into(), "mm".into(), value)],
+            within: vec![],
         }
     }
 

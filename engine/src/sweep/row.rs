@@ -5,7 +5,7 @@ use super::sweeping::Sweeping;
 use crate::done::Done;
 use crate::graph::{Bound, Graph};
 use crate::outcome::Outcome;
-use crate::tells::BESIDE;
+use crate::tells::{BESIDE, ENDS};
 use crate::walk::Status;
 use stage::{Hash, Metric};
 use std::collections::BTreeMap;
@@ -43,6 +43,8 @@ pub struct Row {
     pub end: End,
     /// What was asked for, in the order of the columns; `None` where there is none.
     pub metrics: Vec<(String, Option<Metric>)>,
+    /// What holds a number that was asked for, by its result itself.
+    pub within: Vec<(String, [f64; 2])>,
     /// Names of all that there is of the nodes that were asked.
     pub known: Vec<String>,
     /// Where its results are, in the pipeline's order.
@@ -68,6 +70,7 @@ impl Row {
             point,
             end,
             metrics: vec![],
+            within: vec![],
             known: vec![],
             results: vec![],
             made: 0,
@@ -113,7 +116,10 @@ impl Row {
             None => End::Done,
         };
         match metrics(sweeping, graph, wanted, outcome, self.end == End::Done) {
-            Ok(cells) => (self.metrics, self.known) = (cells.metrics, cells.known),
+            Ok(cells) => {
+                (self.metrics, self.within, self.known) =
+                    (cells.metrics, cells.within, cells.known);
+            }
             Err(why) => self.end = End::Wrong(format!("against the truth: {why}")),
         }
     }
@@ -123,6 +129,8 @@ impl Row {
 struct Cells {
     /// What was asked for, where it is known.
     metrics: Vec<(String, Option<Metric>)>,
+    /// Its intervals, by its name.
+    within: Vec<(String, [f64; 2])>,
     /// The names of all that could have been.
     known: Vec<String>,
 }
@@ -145,6 +153,15 @@ fn plain(done: &Done) -> Vec<Metric> {
         })
     });
     done.metrics.iter().cloned().chain(beside).collect()
+}
+
+/// What holds a number of a result, where the result knows.
+fn within(all: &[Metric], metric: &str) -> Option<[f64; 2]> {
+    let end = |ending: &str| {
+        let name = format!("{metric}{ending}");
+        Some(all.iter().find(|m| m.name == name)?.value)
+    };
+    Some([end(ENDS[0])?, end(ENDS[1])?])
 }
 
 /// What was asked for.
@@ -208,11 +225,23 @@ fn metrics(
                 .map(|m| (format!("error.{}", m.name), Some(m.clone()))),
         );
     }
+    let within = |(name, _): &(String, Option<Metric>)| {
+        let (node, metric) = name.split_once('.')?;
+        Some((
+            name.clone(),
+            within(known.get(&graph.node(node)?)?, metric)?,
+        ))
+    };
+    let within = metrics.iter().filter_map(within).collect();
     let inside = known.iter().flat_map(|(node, all)| {
         let name = &graph.nodes[*node].name;
         all.iter().map(move |m| format!("{name}.{}", m.name))
     });
     let outside = errors.iter().map(|m| format!("error.{}", m.name));
     let known = inside.chain(outside).collect();
-    Ok(Cells { metrics, known })
+    Ok(Cells {
+        metrics,
+        within,
+        known,
+    })
 }

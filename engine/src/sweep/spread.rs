@@ -38,6 +38,8 @@ pub struct Spread {
     pub sd: Option<f64>,
     /// Holds the mean of all such replicates nineteen times in twenty (Student).
     pub interval: Option<[f64; 2]>,
+    /// Of a point without replicates: its number's own interval.
+    pub own: Option<[f64; 2]>,
 }
 
 /// Groups in the order in which their first points come.
@@ -69,7 +71,12 @@ pub fn spread(all: &[Told]) -> Vec<Group> {
 fn of((name, unit): &(String, String), members: &[&Told]) -> Spread {
     let values: Vec<f64> = members.iter().filter_map(|t| t.value(name)).collect();
     let done = members.iter().filter(|t| t.done).count();
+    let own = match members {
+        [one] => one.within.iter().find(|(n, _)| n == name).map(|h| h.1),
+        _ => None,
+    };
     Spread {
+        own,
         name: name.clone(),
         unit: unit.clone(),
         n: values.len(),

@@ -17,6 +17,8 @@ pub struct Told {
     pub done: bool,
     /// Name, unit, and the number where there is one.
     pub metrics: Vec<(String, String, Option<f64>)>,
+    /// What holds a number, where its result knows.
+    pub within: Vec<(String, [f64; 2])>,
 }
 
 impl Told {
@@ -33,6 +35,7 @@ impl Told {
             replicate: row.point.replicate,
             done: row.end == End::Done,
             metrics: row.metrics.iter().map(metric).collect(),
+            within: row.within.clone(),
         }
     }
 
@@ -55,6 +58,7 @@ impl Told {
                 replicate: point["replicate"].as_u64().map(|n| n as u32),
                 done: point["done"].as_bool()?,
                 metrics: metrics.collect::<Option<_>>()?,
+                within: vec![],
             })
         };
         sweep["points"].as_array()?.iter().map(point).collect()

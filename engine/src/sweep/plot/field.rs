@@ -3,6 +3,7 @@
 use super::plotted::{Reference, References};
 use super::scale::Scale;
 use crate::sweep::spread::Group;
+use crate::tells::ENDS;
 
 /// A metric: its name, unit, and the axis of all its plots.
 pub(super) struct Metric {
@@ -47,9 +48,6 @@ pub(super) struct Field {
     pub(super) metrics: Vec<Metric>,
     pub(super) points: Vec<Point>,
 }
-
-/// Ends of an interval that a metric tells of another.
-const ENDS: [&str; 2] = [".interval.lo", ".interval.hi"];
 
 impl Field {
     pub(super) fn new(groups: &[Group], references: &References<'_>) -> Field {
@@ -155,17 +153,12 @@ fn shown(groups: &[Group]) -> Vec<usize> {
         .collect()
 }
 
-/// A group's number; held by its replicates, or by what it tells of its own interval.
+/// A group's number with the interval of its replicates, or its own.
 fn told(group: &Group, at: usize) -> Option<Told> {
     let spread = &group.spreads[at];
-    let end = |ending: &str| {
-        let name = format!("{}{ending}", spread.name);
-        group.spreads.iter().find(|s| s.name == name)?.mean
-    };
-    let own = || Some([end(ENDS[0])?, end(ENDS[1])?]);
     Some(Told {
         value: spread.mean?,
-        interval: spread.interval.or_else(own),
+        interval: spread.interval.or(spread.own),
     })
 }
 

@@ -174,7 +174,8 @@ fn axes(svg: &mut Svg, field: &Field, param: usize, metric: &Metric, frame: &Fra
             foot + 14.0,
         ),
     }
-    let mut last = f64::MIN;
+    // The last word at the right, and at the left: where there is no place for one, it is at the other side.
+    let mut last = [f64::MIN; 2];
     let mut references: Vec<_> = metric.references.iter().collect();
     references.sort_by(|a, b| b.value.total_cmp(&a.value));
     for reference in references {
@@ -184,15 +185,12 @@ fn axes(svg: &mut Svg, field: &Field, param: usize, metric: &Metric, frame: &Fra
             "#1f9e6e",
             " stroke-dasharray=\"5 3\"",
         );
-        if y - last > 10.0 {
+        if let Some(side) = last.iter().position(|last| y - last > 10.0) {
             let word = format!("{} {}", reference.label, short(reference.value));
-            svg.word(
-                (far, y - 2.0),
-                "end",
-                &word,
-                " fill=\"#1f9e6e\" font-size=\"9\"",
-            );
-            last = y;
+            let (x, anchor) = [(far, "end"), (frame.left + 2.0, "start")][side];
+            let more = " fill=\"#1f9e6e\" font-size=\"9\"";
+            svg.word((x, y - 2.0), anchor, &word, more);
+            last[side] = y;
         }
     }
 }
