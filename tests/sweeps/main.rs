@@ -1,7 +1,6 @@
 //! Sweeps through the command line: processes that share, refusals, what a param reaches.
 
 mod columns;
-mod lab;
 mod methods;
 mod processes;
 mod searches;
