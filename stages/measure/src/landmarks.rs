@@ -68,7 +68,7 @@ pub struct FindLandmarks;
 
 impl Stage for FindLandmarks {
     const NAME: &'static str = "measure.landmarks";
-    const VERSION: u32 = 27;
+    const VERSION: u32 = 28;
     const ABOUT: &'static str = "Finds neck, chest, waist, hip, arms and legs from marks on the outline: buttocks, hollow of the back, bust, shoulders, ears.";
     type Params = LandmarkParams;
     type Input = LandmarkInput;
@@ -105,11 +105,12 @@ impl Stage for FindLandmarks {
         }
         let model = level_model(input.levels.as_deref())?;
         let absolute = found.unit == Unit::Metric;
-        tell_hip(&mut body, &model, absolute, stands.reaches_ground);
-        if body.hip != body.about_crotch() {
-            let z = hip(&body).map(|z| ("hip".into(), [0.0, 0.0, z]));
-            found.points.extend(z);
-        }
+        let by_crotch = hip(&body);
+        tell_hip(&mut body, &model, absolute, stands.footing);
+        let told = hip(&body).filter(|z| by_crotch != Some(*z));
+        found
+            .points
+            .extend(told.map(|z| ("hip".into(), [0.0, 0.0, z])));
         let front = ("front".to_owned(), body.front.into());
         found.points.push(front);
         if !body.front_is_sure {

@@ -30,6 +30,8 @@ pub struct Ground {
     pub height_mm: f64,
     /// Its standard deviation. \[mm\]
     pub sigma_mm: f64,
+    /// Whether feet show on it: a body with feet is not cut off below.
+    pub feet: bool,
     /// What the user should know: a sentence.
     pub word: Option<Message>,
 }
@@ -56,6 +58,7 @@ pub fn ground(mesh: &Mesh, told: Option<&GivenGround>) -> Result<Ground, Refusal
     let by_soles = |s: &Soles, word: Option<Message>| Ground {
         height_mm: s.height,
         sigma_mm: s.sigma,
+        feet: s.sure,
         word,
     };
     let Some(told) = told else {
@@ -65,6 +68,7 @@ pub fn ground(mesh: &Mesh, told: Option<&GivenGround>) -> Result<Ground, Refusal
     let as_told = |more: f64, word: Option<Message>| Ground {
         height_mm: told.height_mm,
         sigma_mm: libm::hypot(told.sigma_mm, more),
+        feet: found.is_some_and(|s| s.sure),
         word,
     };
     let Some(found) = found else {

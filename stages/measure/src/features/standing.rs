@@ -11,13 +11,22 @@ pub(crate) struct Standing {
     pub(crate) body: Body,
     /// Its ground.
     pub(crate) ground: Option<Ground>,
-    /// Whether its surface reaches down to that, but for lost feet.
-    pub(crate) reaches_ground: bool,
+    /// How it stands there.
+    pub(crate) footing: Footing,
     /// Standard deviation of its stature: ground, crown and scale; `None` where that of the scale is not
     /// known. \[mm\]
     pub(crate) stature_sigma: Option<f64>,
     /// Why nothing can be told of it.
     pub(crate) refused: Option<Refusal>,
+}
+
+/// How a body stands on its ground.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) struct Footing {
+    /// Whether its surface reaches down to it, but for lost feet.
+    pub(crate) reaches_ground: bool,
+    /// Whether feet show on it.
+    pub(crate) feet: bool,
 }
 
 /// The ground that cameras tell: of a mat or a disk, or taken at its word.
@@ -49,7 +58,10 @@ pub(crate) fn standing(mesh: &Mesh, cameras: Option<&Cameras>) -> Option<Standin
     let below = found.as_ref().map_or(0.0, |g| g.sigma_mm);
     let reaches = |g: &Ground| lowest - g.height_mm < LOST * body.stature;
     Some(Standing {
-        reaches_ground: found.as_ref().is_ok_and(reaches),
+        footing: Footing {
+            reaches_ground: found.as_ref().is_ok_and(reaches),
+            feet: found.as_ref().is_ok_and(|g| g.feet),
+        },
         ground: found.ok(),
         stature_sigma: scale.map(|s| libm::hypot(libm::hypot(below, crown), s * body.stature)),
         refused,

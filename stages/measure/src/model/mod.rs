@@ -1,6 +1,8 @@
 //! Levels as a model in a file: joint normal distributions over what a surface shows and the levels
 //! that it does not show.
 
+pub(crate) mod crotch;
+pub(crate) mod cut;
 pub(crate) mod error;
 pub(crate) mod file;
 pub(crate) mod fit;

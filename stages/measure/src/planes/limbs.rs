@@ -7,7 +7,7 @@ use crate::features::limb::{Limb, Limbs, Segment};
 use crate::features::marks::hip;
 use crate::geometry::section::{flat, length, tape};
 use crate::geometry::slices::{Ring, level};
-use crate::planes::crotch::Hidden;
+use crate::model::crotch::Hidden;
 use nalgebra::{Point3, Vector3};
 use shape::{Mesh, Part, Plane, PlaneSigma, Refusal};
 
@@ -20,7 +20,7 @@ const TILT: f64 = 2.5 * std::f64::consts::PI / 180.0;
 const UPRIGHT: f64 = 0.966;
 /// A crotch lower than this share of stature is none: the thighs are one on the surface below it, by
 /// nearly 0.1 of stature under the crotch that people have (0.481 ± 0.015 of 6068, ANSUR II).
-const ONE: f64 = 0.385;
+pub(crate) const ONE: f64 = 0.385;
 /// The thigh is looked for above this share of the crotch's height.
 const THIGH: f64 = 0.8;
 /// So far below where the legs join, as a share of stature, the fold between them is no part of a thigh.

@@ -1,6 +1,5 @@
 //! Where each girth is taken: levels from features, and planes across limbs.
 
-pub(crate) mod crotch;
 pub(crate) mod custom;
 pub(crate) mod hidden;
 pub(crate) mod joints;

@@ -5,7 +5,7 @@ use crate::features::limb::Limbs;
 use crate::features::neck::neck_features;
 use crate::model::law::Law;
 use crate::model::level::Level;
-use crate::planes::limbs::{calf, thigh, upper_arm};
+use crate::planes::limbs::{ONE, calf, thigh, upper_arm};
 use crate::planes::neck::{is_groove, plane_at, tilted};
 use crate::planes::neck_level::neck_level;
 use crate::planes::trunk::{Placed, Trunk, hip_plane, longest_hip_plane, unlike};
@@ -146,11 +146,10 @@ pub(crate) fn arms(limbs: &Limbs<'_>, body: &Body, found: &mut Landmarks) {
 /// Thigh and calf of both legs; a warning if so much of a thigh's upper end may be hidden that it matters.
 pub(crate) fn legs(limbs: &Limbs<'_>, body: &Body, found: &mut Landmarks) -> Option<Message> {
     let mut hidden = 0.0f64;
-    // Legs that join below the crotch show no thigh.
-    let joined = (body.hip != body.about_crotch()).then_some(match body.legs_join {
-        Some(_) => Refusal::ThighsOne,
-        None => Refusal::NoLegs,
-    });
+    let joined = match body.legs_join {
+        None => Some(Refusal::NoLegs),
+        Some(z) => (z < body.ground + ONE * body.stature).then_some(Refusal::ThighsOne),
+    };
     for side in Side::BOTH {
         let (part, sign) = (Part::leg(side), side.sign());
         let mut parted = || {

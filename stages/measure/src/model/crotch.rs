@@ -16,6 +16,16 @@ const NINE_IN_TEN: f64 = 1.645;
 /// NATICK/TR-11/017, appendix G).
 const ALLOWED_MM: f64 = 6.0;
 
+/// How likely the crotch of a body whose buttocks are so high is no lower than a height; shares of stature.
+pub(crate) fn no_lower(buttock: f64, height: f64) -> f64 {
+    above(CROTCH[0] + CROTCH[1] * buttock - height)
+}
+
+/// How likely a crotch so far below its middle is above that.
+fn above(gap: f64) -> f64 {
+    0.5 * libm::erfc(-gap / SIGMA / std::f64::consts::SQRT_2)
+}
+
 /// What may be hidden of a thigh between where legs join on a surface and the crotch; shares of stature.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Hidden {
@@ -30,10 +40,9 @@ impl Hidden {
     pub(crate) fn of(buttock: f64, join: f64) -> Hidden {
         let above = CROTCH[0] + CROTCH[1] * buttock - join;
         let z = above / SIGMA;
-        let under = 0.5 * libm::erfc(-z / std::f64::consts::SQRT_2);
         let density = libm::exp(-0.5 * z * z) / std::f64::consts::TAU.sqrt();
         // The mean square of a normal distribution's part above nought.
-        let square = (above * above + SIGMA * SIGMA) * under + above * SIGMA * density;
+        let square = (above * above + SIGMA * SIGMA) * self::above(above) + above * SIGMA * density;
         Hidden {
             above,
             rms: FULLEST * square.max(0.0).sqrt(),
