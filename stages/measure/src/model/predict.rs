@@ -38,6 +38,18 @@ struct Answer<'a> {
     given: Conditional,
 }
 
+/// What populations say together, as shares of stature.
+#[derive(Clone, Copy)]
+struct Answered {
+    mean: f64,
+    variance: f64,
+    /// Variance of what readings alone scatter.
+    repeat: Option<f64>,
+    /// Squared distance of the readings from the nearest population, in that of 99 in 100.
+    far: f64,
+    cover: Cover,
+}
+
 impl LevelModel {
     /// A level from readings of a body of some stature \[mm\]. `None` where the readings say nothing,
     /// or the model does not know the level.
@@ -61,11 +73,6 @@ impl LevelModel {
     ) -> Option<LevelEstimate> {
         let target = self.readings.iter().position(|r| *r == reading)?;
         self.told(&readings.clone().with(reading, None), stature_mm, target)
-    }
-
-    /// So many standard deviations hold 99 in 100 of one reading.
-    pub fn usual(&self) -> f64 {
-        self.limit.first().map_or(SIZES, |limit| limit.sqrt())
     }
 
     /// Whether readings are those of a body that the model knows, of measured people or of made bodies: 99 in 100
@@ -101,8 +108,40 @@ impl LevelModel {
         observed.iter().map(more).collect()
     }
 
-    /// One of the model's variables from readings.
+    /// One of the model's variables from readings. Where nobody has such a body but for a few of them, those are bad and say nothing:
+    /// the worst is left out in turn, as long as most agree. It is no better known for that.
     fn told(&self, readings: &Readings, stature_mm: f64, target: usize) -> Option<LevelEstimate> {
+        let all = self.answered(readings, target)?;
+        let most = self.observed(readings).len() / 2;
+        let (mut used, mut told) = (readings.clone(), all);
+        while told.cover == Cover::Outside && self.observed(&used).len() > most + 1 {
+            let seen = Reading::ALL.into_iter().filter(|r| used.get(*r).is_some());
+            let without = |reading: Reading| {
+                let rest = used.clone().with(reading, None);
+                Some((self.answered(&rest, target)?, rest))
+            };
+            let lengths = seen.filter(|r| *r != Reading::LnStature);
+            let best = lengths.filter_map(without);
+            let Some(best) = best.min_by(|a, b| a.0.far.total_cmp(&b.0.far)) else {
+                break;
+            };
+            (told, used) = best;
+        }
+        if told.cover == Cover::Outside {
+            told = all;
+        }
+        // Where nobody knows the body, errors grow as it lies farther away.
+        let wider = all.far.max(1.0).sqrt();
+        Some(LevelEstimate {
+            height_mm: told.mean * stature_mm,
+            sigma_mm: told.variance.sqrt() * wider * stature_mm,
+            repeat_mm: told.repeat.map(|v| v.sqrt() * stature_mm),
+            cover: all.cover,
+        })
+    }
+
+    /// What the populations that fit these readings say of a variable.
+    fn answered(&self, readings: &Readings, target: usize) -> Option<Answered> {
         let observed = self.observed(readings);
         // Of a body of which nothing is read, nobody is unlike.
         let limit = match observed.len().checked_sub(1) {
@@ -131,14 +170,12 @@ impl LevelModel {
             (false, false) => (made, Cover::Outside),
         };
         let (mean, variance) = mixture(&from)?;
-        let repeat = self.repeat_variance(&observed, &more, &from);
-        // Where nobody knows the body, errors grow as it lies farther away.
         let nearest = from.iter().map(|a| a.given.distance).reduce(f64::min)?;
-        let wider = (nearest / limit).max(1.0).sqrt();
-        Some(LevelEstimate {
-            height_mm: mean * stature_mm,
-            sigma_mm: variance.sqrt() * wider * stature_mm,
-            repeat_mm: repeat.map(|v| v.sqrt() * stature_mm),
+        Some(Answered {
+            mean,
+            variance,
+            repeat: self.repeat_variance(&observed, &more, &from),
+            far: nearest / limit,
             cover,
         })
     }
