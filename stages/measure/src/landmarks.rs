@@ -107,10 +107,10 @@ impl Stage for FindLandmarks {
         let absolute = found.unit == Unit::Metric;
         let by_crotch = hip(&body);
         tell_hip(&mut body, &model, absolute, stands.footing);
-        let told = hip(&body).filter(|z| by_crotch != Some(*z));
+        let hip = hip(&body).filter(|z| by_crotch != Some(*z));
         found
             .points
-            .extend(told.map(|z| ("hip".into(), [0.0, 0.0, z])));
+            .extend(hip.map(|z| ("hip".into(), [0.0, 0.0, z])));
         let front = ("front".to_owned(), body.front.into());
         found.points.push(front);
         if !body.front_is_sure {

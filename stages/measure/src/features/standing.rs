@@ -11,7 +11,7 @@ pub(crate) struct Standing {
     pub(crate) body: Body,
     /// Its ground.
     pub(crate) ground: Option<Ground>,
-    /// How it stands there.
+    /// What of it touches that.
     pub(crate) footing: Footing,
     /// Standard deviation of its stature: ground, crown and scale; `None` where that of the scale is not
     /// known. \[mm\]
@@ -20,7 +20,7 @@ pub(crate) struct Standing {
     pub(crate) refused: Option<Refusal>,
 }
 
-/// How a body stands on its ground.
+/// What of a body touches its ground.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) struct Footing {
     /// Whether its surface reaches down to it, but for lost feet.

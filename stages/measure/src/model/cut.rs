@@ -1,4 +1,4 @@
-//! Whether a body is whole or cut off below, by where its buttocks and neck lie: the odds of both, of the model's populations.
+//! Whether a body is whole or cut off below, by the heights of its buttocks and neck: the odds of both, of the model's populations.
 
 use super::file::LevelModel;
 use crate::features::readings::{Reading, Readings};
@@ -9,7 +9,7 @@ const STEPS: u32 = 200;
 
 impl LevelModel {
     /// How likely a body is whole, not cut off anywhere below, where either is as likely before anything is read: by the heights of
-    /// buttocks and neck, and by where its legs join, which is the crotch or below it. Girths say nothing of it.
+    /// buttocks and neck, and by where its legs join, which is the crotch or below it. Girths are no evidence of it.
     pub fn whole(&self, readings: &Readings, join: f64) -> f64 {
         let whole = self.as_cut(readings, join, 0.0);
         let cuts = (0..STEPS).map(|k| (f64::from(k) + 0.5) / f64::from(STEPS));

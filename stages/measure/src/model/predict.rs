@@ -38,7 +38,7 @@ struct Answer<'a> {
     given: Conditional,
 }
 
-/// What populations say together, as shares of stature.
+/// What populations give together, as shares of stature.
 #[derive(Clone, Copy)]
 struct Answered {
     mean: f64,
@@ -108,13 +108,13 @@ impl LevelModel {
         observed.iter().map(more).collect()
     }
 
-    /// One of the model's variables from readings. Where nobody has such a body but for a few of them, those are bad and say nothing:
+    /// One of the model's variables from readings. Where nobody has such a body but for a few of them, those are bad:
     /// the worst is left out in turn, as long as most agree. It is no better known for that.
     fn told(&self, readings: &Readings, stature_mm: f64, target: usize) -> Option<LevelEstimate> {
         let all = self.answered(readings, target)?;
         let most = self.observed(readings).len() / 2;
-        let (mut used, mut told) = (readings.clone(), all);
-        while told.cover == Cover::Outside && self.observed(&used).len() > most + 1 {
+        let (mut used, mut from) = (readings.clone(), all);
+        while from.cover == Cover::Outside && self.observed(&used).len() > most + 1 {
             let seen = Reading::ALL.into_iter().filter(|r| used.get(*r).is_some());
             let without = |reading: Reading| {
                 let rest = used.clone().with(reading, None);
@@ -125,22 +125,22 @@ impl LevelModel {
             let Some(best) = best.min_by(|a, b| a.0.far.total_cmp(&b.0.far)) else {
                 break;
             };
-            (told, used) = best;
+            (from, used) = best;
         }
-        if told.cover == Cover::Outside {
-            told = all;
+        if from.cover == Cover::Outside {
+            from = all;
         }
-        // Where nobody knows the body, errors grow as it lies farther away.
+        // Where nobody knows the body, errors grow as it is farther away.
         let wider = all.far.max(1.0).sqrt();
         Some(LevelEstimate {
-            height_mm: told.mean * stature_mm,
-            sigma_mm: told.variance.sqrt() * wider * stature_mm,
-            repeat_mm: told.repeat.map(|v| v.sqrt() * stature_mm),
+            height_mm: from.mean * stature_mm,
+            sigma_mm: from.variance.sqrt() * wider * stature_mm,
+            repeat_mm: from.repeat.map(|v| v.sqrt() * stature_mm),
             cover: all.cover,
         })
     }
 
-    /// What the populations that fit these readings say of a variable.
+    /// A variable by the populations that fit these readings.
     fn answered(&self, readings: &Readings, target: usize) -> Option<Answered> {
         let observed = self.observed(readings);
         // Of a body of which nothing is read, nobody is unlike.

@@ -4,7 +4,7 @@ use crate::features::body::Body;
 use crate::sections::one::SectionMeasurement;
 use crate::sections::taken::taken;
 use nalgebra::{Point3, Rotation3, Unit, Vector3};
-use shape::{GirthId, Landmark, Mesh, Plane, PlaneRule};
+use shape::{GirthId, Landmark, Mesh, Part, Plane, PlaneRule};
 
 /// Nine times in ten, in standard deviations.
 pub(crate) const NINE_IN_TEN: f64 = 1.645;
@@ -19,8 +19,8 @@ pub(crate) struct Level {
     pub(crate) again: Option<f64>,
 }
 
-/// How much a tape changes by where it is taken: root mean square of a standard deviation's step to
-/// either side along the normal, and of its tilt. Of a neck the tilt must be known; that of other
+/// How much a tape changes by where it is taken: root mean square over where its level may be, and of
+/// its tilt to either side. Of a neck the tilt must be known; that of other
 /// planes, where nobody tells it, is in their levels' scatter.
 pub(crate) fn level_spread(
     mesh: &Mesh,
@@ -70,11 +70,27 @@ impl Beside<'_> {
         (alike || change.abs() < 0.05 * tape_mm).then_some(change)
     }
 
-    /// Root mean square of two changes; of one where the other is none.
+    /// Root mean square of the changes to two planes.
     fn pair(&self, planes: [Plane; 2]) -> Option<f64> {
-        let known: Vec<f64> = planes.into_iter().filter_map(|p| self.change(p)).collect();
+        self.mean_square(planes.map(|p| self.change(p)))
+    }
+
+    /// Root mean square of two changes; of one where the other is none.
+    fn mean_square(&self, changes: [Option<f64>; 2]) -> Option<f64> {
+        let known: Vec<f64> = changes.into_iter().flatten().collect();
         let square = known.iter().map(|c| c * c).sum::<f64>() / known.len() as f64;
         (!known.is_empty()).then(|| square.sqrt().min(0.2 * self.here.tape_mm))
+    }
+
+    /// Root mean square over a normal distribution of levels, so many deviations away: by three nodes of Gauss and Hermite, right where a
+    /// tape is straight in them or a parabola. To a side without a section there a single deviation counts.
+    fn over_levels(&self, at: impl Fn(f64) -> Plane) -> Option<f64> {
+        let far = 3f64.sqrt();
+        let side = |x: f64| {
+            let change = self.change(at(x * far)).map(|c| c / far);
+            change.or_else(|| self.change(at(x)))
+        };
+        self.mean_square([side(-1.0), side(1.0)])
     }
 
     /// Along the normal, to either side; of a thigh, whose upper end is no thigh's any more, by its slope down the leg alone.
@@ -85,8 +101,10 @@ impl Beside<'_> {
             point_mm: (Point3::from(plane.point_mm) + n * mm).into(),
             ..plane
         };
-        match self.landmark.id {
-            GirthId::Thigh(_) => self.pair([by(mm), by(mm)]),
+        match (self.landmark.part, self.landmark.id) {
+            (Part::Trunk, _) => self.over_levels(|x| by(x * mm)),
+            // Deviations of limbs and neck were fitted with a step of one.
+            (_, GirthId::Thigh(_)) => self.pair([by(mm), by(mm)]),
             _ => self.pair([by(-mm), by(mm)]),
         }
     }
