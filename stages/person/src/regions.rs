@@ -1,7 +1,7 @@
 //! Where a mask and the learned one disagree by more than the learned one's own width, by region of the body.
 
 use nalgebra::Point2;
-use shape::{BodyPart, Found, Mask};
+use shape::{Found, Mask};
 
 /// What two masks disagree in, as shares of the region.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -15,35 +15,6 @@ pub struct Disagreement {
 /// How far the learned outline may be off: the mean error of its contour was 1 to 2 pixels on all captures that were
 /// looked at. \[pixels of the network\]
 const WIDTH_PX: usize = 2;
-
-/// Lines between joints, by their places in [`Found::JOINTS`]: what lies nearest to one is of its region.
-const BONES: [(BodyPart, usize, usize); 25] = [
-    (BodyPart::Head, 0, 7),
-    (BodyPart::Head, 0, 8),
-    (BodyPart::Head, 7, 8),
-    (BodyPart::Trunk, 11, 12),
-    (BodyPart::Trunk, 11, 23),
-    (BodyPart::Trunk, 12, 24),
-    (BodyPart::Trunk, 23, 24),
-    (BodyPart::Trunk, 11, 24),
-    (BodyPart::Trunk, 12, 23),
-    (BodyPart::Arms, 11, 13),
-    (BodyPart::Arms, 13, 15),
-    (BodyPart::Arms, 15, 19),
-    (BodyPart::Arms, 12, 14),
-    (BodyPart::Arms, 14, 16),
-    (BodyPart::Arms, 16, 20),
-    (BodyPart::Legs, 23, 25),
-    (BodyPart::Legs, 25, 27),
-    (BodyPart::Legs, 24, 26),
-    (BodyPart::Legs, 26, 28),
-    (BodyPart::Feet, 27, 29),
-    (BodyPart::Feet, 29, 31),
-    (BodyPart::Feet, 27, 31),
-    (BodyPart::Feet, 28, 30),
-    (BodyPart::Feet, 30, 32),
-    (BodyPart::Feet, 28, 32),
-];
 
 /// By region, in the order of [`BodyPart::ALL`].
 pub fn disagreement(found: &Found, mask: &Mask) -> [Disagreement; 5] {
@@ -73,7 +44,7 @@ pub fn disagreement(found: &Found, mask: &Mask) -> [Disagreement; 5] {
         if !(learned[i] || is_kept) {
             continue;
         }
-        let region = region(found, *at) as usize;
+        let region = found.part_at(*at) as usize;
         area[region] += usize::from(learned[i]);
         inner[region] += usize::from(deep[i]);
         lost[region] += usize::from(is_lost);
@@ -86,21 +57,6 @@ pub fn disagreement(found: &Found, mask: &Mask) -> [Disagreement; 5] {
             kept: share(kept[k], area[k]),
         }
     })
-}
-
-/// The region of the line that a point is nearest to.
-fn region(found: &Found, at: [f32; 2]) -> BodyPart {
-    let apart = |(_, a, b): &(BodyPart, usize, usize)| {
-        let (a, b) = (found.joints[*a].at_px, found.joints[*b].at_px);
-        let (along, to) = ([b[0] - a[0], b[1] - a[1]], [at[0] - a[0], at[1] - a[1]]);
-        let length = along[0] * along[0] + along[1] * along[1];
-        let t = (to[0] * along[0] + to[1] * along[1]) / length.max(f32::MIN_POSITIVE);
-        let t = t.clamp(0.0, 1.0);
-        let (x, y) = (to[0] - t * along[0], to[1] - t * along[1]);
-        x * x + y * y
-    };
-    let nearest = BONES.iter().min_by(|a, b| apart(a).total_cmp(&apart(b)));
-    nearest.map_or(BodyPart::Trunk, |b| b.0)
 }
 
 /// Widened by the learned outline's width where `wider`, else narrowed; beyond the border lies what lies at it.

@@ -12,6 +12,7 @@
 //! ```
 
 mod aligned;
+mod bones;
 mod by_photo;
 mod camera;
 mod cameras;

@@ -73,7 +73,7 @@ impl Stage for GrabCut {
             photos: Arc::clone(&photos),
             aligned: Arc::clone(&aligned),
             scene: Arc::clone(&scene),
-            people,
+            people: people.clone(),
         };
         let evidence = Arc::new(Likelihood::run(&params, sources, ctx)?);
         let params = LabelParams {
@@ -94,6 +94,7 @@ impl Stage for GrabCut {
             scene,
             evidence,
             labels,
+            people,
         };
         Border::run(&params, sources, ctx)
     }

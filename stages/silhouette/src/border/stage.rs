@@ -3,6 +3,7 @@
 use crate::align::cameras::where_photos_lie_alike;
 use crate::border::by_colors::fine_by_colors;
 use crate::border::full_size::fine;
+use crate::border::like_scene::like_scene;
 use crate::border::returned::returned;
 use crate::label::between_photos::Agreement;
 use crate::label::by_colors::ByColors;
@@ -13,7 +14,8 @@ use crate::likelihood::prepared::Prepared;
 use crate::params::CutError;
 use rayon::prelude::*;
 use shape::{
-    Aligned, Evidence, Label, Labels, Mask, Masks, Photo, PhotoEvidence, PhotoId, Photos, Scene,
+    Aligned, Evidence, Label, Labels, Mask, Masks, People, Photo, PhotoEvidence, PhotoId, Photos,
+    Scene,
 };
 use stage::{Ctx, Hash, Stage, Stop};
 use std::sync::Arc;
@@ -40,10 +42,12 @@ stage::inputs! {
         evidence: Arc<Evidence>,
         /// Body or background of each reduced pixel.
         labels: Arc<Labels>,
+        /// Where a person is, by a learned sense of one: to name parts of the body that look like the scene.
+        people: Option<Arc<People>>,
     }
 }
 
-/// `silhouette.border`: photos, aligned, scene, evidence, labels → masks.
+/// `silhouette.border`: photos, aligned, scene, evidence, labels, people → masks.
 pub struct Border;
 
 impl Stage for Border {
@@ -86,6 +90,10 @@ impl Stage for Border {
             .par_iter()
             .map(one)
             .collect::<Result<Vec<_>, Stop>>()?;
+        if let Some(people) = &input.people {
+            let alike = like_scene(&input.photos, &input.evidence, &input.labels, people);
+            alike.into_iter().for_each(|w| ctx.warn(w));
+        }
         Ok(Masks {
             views: views.into_iter().flatten().collect(),
         })

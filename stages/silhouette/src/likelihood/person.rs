@@ -35,7 +35,7 @@ impl Sense {
         let all = (0..width * height).map(|i| calibrated(found, at(i)));
         Sense {
             log_odds: all.collect(),
-            reach: (2.0 * found.pixel_px() / factor as f32).ceil() as usize,
+            reach: reach(found, factor),
         }
     }
 
@@ -71,6 +71,11 @@ impl Sense {
         };
         self.log_odds.iter().enumerate().map(left_of).collect()
     }
+}
+
+/// Within so many reduced pixels the network tells nothing apart: two of its own. \[px\]
+pub(crate) fn reach(found: &Found, factor: usize) -> usize {
+    (2.0 * found.pixel_px() / factor as f32).ceil() as usize
 }
 
 /// Where the network did not look nothing is known.
