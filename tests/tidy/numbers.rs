@@ -13,7 +13,7 @@ const UNSOURCED: [(&str, usize); 14] = [
     ("hull", 12),
     ("io", 24),
     ("measure", 164),
-    ("person", 19),
+    ("person", 18),
     ("pose", 163),
     ("refine", 24),
     ("report", 22),
