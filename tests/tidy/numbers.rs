@@ -18,7 +18,7 @@ const UNSOURCED: [(&str, usize); 14] = [
     ("refine", 24),
     ("report", 22),
     ("shape", 46),
-    ("silhouette", 161),
+    ("silhouette", 152),
     ("stage", 5),
     ("synth", 17),
     ("turning", 18),

@@ -6,7 +6,6 @@ pub(crate) mod body;
 pub(crate) mod colors_beside;
 pub(crate) mod disk_colors;
 pub(crate) mod gmm;
-pub(crate) mod grain;
 pub(crate) mod grounds;
 pub(crate) mod neighbourhoods;
 pub(crate) mod noise;

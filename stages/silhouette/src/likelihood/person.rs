@@ -124,7 +124,6 @@ mod tests {
                 data: all.map(color).collect(),
             },
             cost,
-            strange: Vec::new(),
             person,
             unforeseen: None,
             known: vec![Known::Unknown; SIDE * SIDE],

@@ -5,7 +5,6 @@ use crate::align::reduced::{factor, reduced};
 use crate::cut::least_cut::Known;
 use crate::likelihood::behind::Behind;
 use crate::likelihood::body::evident;
-use crate::likelihood::grain::missed_in_photo;
 use crate::likelihood::person::Sense;
 use crate::likelihood::prepared::{UNSEEN, prepare};
 use crate::params::CutError;
@@ -42,8 +41,8 @@ pub struct Likelihood;
 
 impl Stage for Likelihood {
     const NAME: &'static str = "silhouette.likelihood";
-    const VERSION: u32 = 2;
-    const ABOUT: &'static str = "Weighs each reduced pixel against the empty scene, in nats: its colour, its neighbourhood, the grain of the disk, and what cannot be body.";
+    const VERSION: u32 = 3;
+    const ABOUT: &'static str = "Weighs each reduced pixel against the empty scene, in nats: its colour, its neighbourhood, and what cannot be body.";
     type Params = LikelihoodParams;
     type Input = LikelihoodInput;
     type Output = Evidence;
@@ -100,7 +99,6 @@ fn weighed(
     let disk = disk.as_ref().map(|(camera, radius)| (camera, *radius));
     let most = aligned.coarse_px as usize;
     let mut ready = prepare(&pixels, &without, disk, most, disk_side_mm);
-    missed_in_photo(&mut ready, &without.image);
     let (known, width, factor) = (&mut ready.known, ready.small.width, ready.factor);
     close(known, width, factor, photo, aligned)?;
     Ok(ready.evidence())
@@ -116,7 +114,6 @@ fn of_nothing(photo: &Photo, aligned: &Aligned) -> Result<PhotoEvidence, Stop> {
     Ok(PhotoEvidence {
         factor: factor as u32,
         background: vec![UNSEEN; known.len()],
-        against_disk: vec![],
         person: vec![],
         known,
         photo: small,

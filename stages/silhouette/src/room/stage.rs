@@ -55,7 +55,7 @@ const MAX_DOUBTFUL_PERCENT: f64 = 0.5;
 
 impl Stage for Room {
     const NAME: &'static str = "silhouette.room";
-    const VERSION: u32 = 3;
+    const VERSION: u32 = 4;
     const ABOUT: &'static str = "Finds the empty scene, where no plate shows it, out of all photos of the turn: in rounds with the body's outlines on which the photos agree.";
     type Params = RoomParams;
     type Input = RoomInput;
