@@ -8,7 +8,7 @@ use super::answer::{absent, plain, trouble};
 use super::clients::{ADDRESSES, of_scheme};
 use super::objects::{Created, Got, Object, Objects, Trouble};
 use super::patience::Patience;
-use crate::system;
+use crate::system::{self, FileKind, nofollow};
 use futures_util::{StreamExt, TryStreamExt};
 use object_store::local::LocalFileSystem;
 use object_store::path::Path;
@@ -105,6 +105,26 @@ impl Bucket {
         if let Some(folder) = &self.folder {
             system::shared_file(folder, name);
         }
+    }
+
+    /// Removes what a process that was killed left of an object in a folder: `NAME#1`, which no list has.
+    fn remove_cut_off(&self, name: &str) -> std::io::Result<()> {
+        let Some(root) = &self.folder else {
+            return Ok(());
+        };
+        let mut folders: Vec<&str> = name.split('/').collect();
+        let name = folders.pop().unwrap_or_default();
+        let at = match nofollow::folder(root, &folders) {
+            Err(why) if nofollow::is_absent(&why) => return Ok(()),
+            at => at?,
+        };
+        let is_part = |file: &str| file.split_once('#').is_some_and(|(of, _)| of == name);
+        for part in nofollow::inside(&at, FileKind::File, is_part)? {
+            if !nofollow::remove(&at, &part) {
+                return Err(std::io::Error::other(format!("{part} cannot be removed")));
+            }
+        }
+        Ok(())
     }
 
     fn path(&self, name: &str) -> Path {
@@ -208,10 +228,36 @@ impl Objects for Bucket {
     }
 
     fn remove(&self, name: &str) -> Result<(), Trouble> {
+        let parts = self.remove_cut_off(name);
+        parts.map_err(|why| Trouble::Refused(why.to_string()))?;
         let path = self.path(name);
         match self.runtime.block_on(self.store.delete(&path)) {
             Ok(()) => Ok(()),
             Err(error) => absent(&error),
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_was_cut_off_while_it_was_written_goes_with_its_object() {
+        let place = tempfile::tempdir().unwrap();
+        let address = format!("file://{}", place.path().display());
+        let objects = open(&address, Patience::default()).unwrap();
+        objects.put("cas/ab/abc", b"whole").unwrap();
+        let file = |name: &str| place.path().join("cas/ab").join(name);
+        for part in ["abc#1", "abc#12", "abd#1"] {
+            std::fs::write(file(part), "half").unwrap();
+        }
+        objects.remove("cas/ab/abc").unwrap();
+        let left = ["abc", "abc#1", "abc#12", "abd#1"].map(|name| file(name).exists());
+        assert_eq!(left, [false, false, false, true]);
+        // It never had its name.
+        objects.remove("cas/ab/abd").unwrap();
+        objects.remove("cas/cd/cde").unwrap();
+        assert!(!file("abd#1").exists());
     }
 }
