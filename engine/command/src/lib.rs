@@ -33,6 +33,8 @@ mod known;
 mod line;
 mod manual;
 mod open;
+#[cfg(feature = "parquet")]
+mod parquet;
 mod pins;
 mod planned;
 mod private;

@@ -220,6 +220,7 @@ fn finish(args: &SweepArgs, global: &GlobalArgs, swept: &Swept) -> Result<(), Fa
         let files = files
             .into_iter()
             .map(|(name, text)| (name, text.into_bytes()));
+        let files = files.chain(typed(rows)?);
         deliver::tables(delivery, files, shown.plots, args.clean, global)?;
     }
     match global.json {
@@ -248,6 +249,17 @@ fn finish(args: &SweepArgs, global: &GlobalArgs, swept: &Swept) -> Result<(), Fa
         // The table has said which and why.
         _ => Err(Fault::stage("")),
     }
+}
+
+/// The points with types, where this program writes Parquet.
+#[cfg(feature = "parquet")]
+fn typed(rows: &[Row]) -> Result<Vec<(String, Vec<u8>)>, Fault> {
+    super::parquet::columns(rows)
+}
+
+#[cfg(not(feature = "parquet"))]
+fn typed(_: &[Row]) -> Result<Vec<(String, Vec<u8>)>, Fault> {
+    Ok(vec![])
 }
 
 /// A line a point on standard error.
